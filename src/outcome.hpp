@@ -1,0 +1,57 @@
+// What one simulated bearing gives back: an outcome of a stated kind, never a silent number.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cagetol {
+
+/// How a run ended. Numbers are those stored in study.h5.
+enum class Status : int {
+  ok = 0,        ///< simulated, every watch within its bound
+  jammed = 1,    ///< a roller does not fit its pocket, or the geometry is impossible: not simulated
+  failed = 2,    ///< the integration failed or a watch (static consistency, energy) is outside its bound
+  censored = 3,  ///< the step budget ran out before the window was complete
+  not_run = 4,   ///< aborted by a wall-clock limit or an interruption; never counted as an outcome
+  poisoned = 5,  ///< the process running this sample died of it, alone, twice
+};
+
+/// "ok", "jammed", ... as printed in reports and --json output.
+const char* status_name(Status status);
+
+/// Numbers about the run itself. Only `wall_s` depends on the machine.
+struct RunRecord {
+  double simulated_s = 0;
+  double cage_revolutions = 0;  ///< revolutions of the cage in the measuring window
+  double steps = 0;
+  double rejected_steps = 0;
+  double rhs_evaluations = 0;
+  double jacobian_evaluations = 0;
+  double factorisations = 0;
+  double smallest_step_s = 0;
+  double energy_residual = 0;           ///< |work in - dissipation - change of stored energy| / dissipation
+  double static_consistency_error = 0;  ///< see quantities/
+  double wall_s = 0;
+};
+
+/// Names of the fields of RunRecord in the order of `run_values`, with unit and meaning.
+struct RunField {
+  const char* key;
+  const char* unit;
+  const char* meaning;
+};
+const std::vector<RunField>& run_fields();
+std::vector<double> run_values(const RunRecord& run);
+
+/// Result of one sample. `quantities` follows the order of quantity_table() (src/quantities/quantity_table.hpp); NaN where the
+/// scene does not define a quantity (no cage stress on a rigid cage) or the run has none (jammed).
+struct Outcome {
+  Status status = Status::not_run;
+  std::string reason;  ///< empty when ok; otherwise what happened, with numbers and units, for people
+  int pocket = -1;     ///< the pocket that jams, 0-based; -1 when not about a pocket
+  double interference_um = 0;  ///< how much the roller is too large for it
+  std::vector<double> quantities;
+  RunRecord run;
+};
+
+}  // namespace cagetol

@@ -1,0 +1,20 @@
+// The quantities of interest a run yields, in the order in which every file and table lists them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cagetol {
+
+struct Quantity {
+  const char* key;         ///< name in study.h5 and --json output, unit as suffix
+  const char* unit;        ///< "-" for a ratio
+  const char* definition;  ///< one sentence, printed in reports
+};
+
+const std::vector<Quantity>& quantity_table();
+
+/// Position of `key` in quantity_table(), or -1.
+int quantity_index(const std::string& key);
+
+}  // namespace cagetol
