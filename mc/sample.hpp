@@ -1,0 +1,40 @@
+// One sample of a study: a pure function of (study, id), whatever rank computes it and whenever.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mc/study.hpp"
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+/// The drawn parts of one uncertain input, in the key's unit, already scaled by the sample's candidate. Empty where not varied.
+struct DrawnInput {
+  std::vector<double> lot;     ///< 0 or 1 value
+  std::vector<double> pocket;  ///< 0 or Z values
+  std::vector<double> noise;   ///< 0 or 1 value
+  std::vector<double> value;   ///< what is simulated: 1 or Z values
+};
+
+struct Sample {
+  std::uint64_t id = 0;
+  std::uint64_t row = 0;        ///< design row
+  std::uint64_t replicate = 0;  ///< 0, or the k-th repetition of the row with fresh noise
+  std::uint64_t lot = 0;
+  long candidate = -1;
+  std::vector<double> design_point;
+  std::vector<DrawnInput> inputs;  ///< in the order of Study::inputs
+  Scene scene;                     ///< ready to simulate
+};
+
+/// Id to row and replicate: ids 0 .. rows-1 are replicate 0; further ids go through the rows again, replicate 1, 2, ...
+Sample draw_sample(const Study& study, std::uint64_t id);
+
+/// Columns of the design: "KEY:lot", "KEY:pocket[j]", in order, and the group of each ("KEY:lot", "KEY:pocket").
+struct DesignColumns {
+  std::vector<std::string> names, groups;
+};
+DesignColumns design_columns(const Study& study);
+
+}  // namespace cagetol

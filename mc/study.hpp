@@ -1,0 +1,85 @@
+// A study: which numbers of a scene are uncertain, how many samples, which limits decide, which tolerances are candidates.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "distributions/law.hpp"
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+/// A scene key that is a distribution. Deviations add up: value = nominal + scale * (lot + pocket) + noise, in the key's unit.
+struct UncertainInput {
+  std::string key;
+  std::string unit;
+  std::vector<double> nominal;  ///< one value, or one per pocket
+  bool per_pocket = false;      ///< the key holds one number per pocket
+  std::optional<Law> lot;       ///< drawn once per lot (a cage, unless cages_per_lot > 1)
+  std::optional<Law> pocket;    ///< drawn for every pocket
+  std::optional<Law> noise;     ///< drawn from the sample's own noise stream: not part of the design
+};
+
+struct Limit {
+  std::string quantity;
+  std::optional<double> minimum, maximum;
+  std::string source;
+  double cage_revolutions = 0;
+};
+
+struct ToleranceDimension {
+  std::string key;
+  double band_mm = 0;                   ///< full width to which the laws of the study belong
+  std::vector<std::string> candidates;  ///< "IT9", or a band in mm
+};
+
+struct TolerancePlan {
+  double target_yield = 0.95;
+  double confidence = 0.95;
+  std::vector<ToleranceDimension> dimensions;
+};
+
+/// One combination of candidate bands, in the order of TolerancePlan::dimensions.
+struct Candidate {
+  std::vector<double> bands_mm;
+  std::vector<std::string> grades;  ///< "" where the band was given in mm
+  std::vector<double> scales;       ///< band / band_mm
+};
+
+/// Gaussian-copula correlation between two inputs of one scope ("cage.pocket_width_mm:lot").
+struct Correlation {
+  std::string first, second;
+  double rho = 0;
+};
+
+struct Study {
+  std::string name = "study";
+  long seed = 1;
+  long samples = 256;           ///< design rows
+  double extra_replicates = 0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
+  std::string design = "random";
+  long scrambles = 8;
+  long cages_per_lot = 1;
+  double allowed_failure_share = 0.02;
+  std::vector<long> grid_levels;  ///< of design "grid": levels per varied input
+  Scene scene;                    ///< nominal
+  std::vector<UncertainInput> inputs;
+  std::vector<Correlation> correlations;
+  std::vector<Limit> limits;
+  TolerancePlan tolerance;
+  std::vector<Candidate> candidates;
+  std::string resolved_toml, resolved_json;
+  std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash
+  std::string hash;                                        ///< 16 hex digits over all of it
+};
+
+/// Samples in all: rows plus noise replicates.
+std::uint64_t sample_count(const Study& study);
+
+/// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn). `settings` are "key=value" in
+/// TOML syntax. Throws InputError.
+Study read_study(const std::string& path, const std::vector<std::string>& settings = {});
+
+}  // namespace cagetol
