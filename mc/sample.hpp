@@ -9,7 +9,8 @@
 
 namespace cagetol {
 
-/// The drawn parts of one uncertain input, in the key's unit, already scaled by the sample's candidate. Empty where not varied.
+/// The drawn parts of one uncertain input, in the key's unit, already scaled by the sample's
+/// candidate. Empty where not varied.
 struct DrawnInput {
   std::vector<double> lot;     ///< 0 or 1 value
   std::vector<double> pocket;  ///< 0 or Z values
@@ -28,10 +29,12 @@ struct Sample {
   Scene scene;                     ///< ready to simulate
 };
 
-/// Id to row and replicate: ids 0 .. rows-1 are replicate 0; further ids go through the rows again, replicate 1, 2, ...
+/// Id to row and replicate: ids 0 .. rows-1 are replicate 0; further ids go through the rows again,
+/// replicate 1, 2, ...
 Sample draw_sample(const Study& study, std::uint64_t id);
 
-/// Columns of the design: "KEY:lot", "KEY:pocket[j]", in order, and the group of each ("KEY:lot", "KEY:pocket").
+/// Columns of the design: "KEY:lot", "KEY:pocket[j]", in order, and the group of each ("KEY:lot",
+/// "KEY:pocket").
 struct DesignColumns {
   std::vector<std::string> names, groups;
 };

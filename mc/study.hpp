@@ -1,4 +1,5 @@
-// A study: which numbers of a scene are uncertain, how many samples, which limits decide, which tolerances are candidates.
+// A study: which numbers of a scene are uncertain, how many samples, which limits decide, which
+// tolerances are candidates.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,8 @@
 
 namespace cagetol {
 
-/// A scene key that is a distribution. Deviations add up: value = nominal + scale * (lot + pocket) + noise, in the key's unit.
+/// A scene key that is a distribution. Deviations add up: value = nominal + scale * (lot + pocket)
+/// + noise, in the key's unit.
 struct UncertainInput {
   std::string key;
   std::string unit;
@@ -19,7 +21,7 @@ struct UncertainInput {
   bool per_pocket = false;      ///< the key holds one number per pocket
   std::optional<Law> lot;       ///< drawn once per lot (a cage, unless cages_per_lot > 1)
   std::optional<Law> pocket;    ///< drawn for every pocket
-  std::optional<Law> noise;     ///< drawn from the sample's own noise stream: not part of the design
+  std::optional<Law> noise;  ///< drawn from the sample's own noise stream: not part of the design
 };
 
 struct Limit {
@@ -57,8 +59,9 @@ struct Correlation {
 struct Study {
   std::string name = "study";
   long seed = 1;
-  long samples = 256;           ///< design rows
-  double extra_replicates = 0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
+  long samples = 256;  ///< design rows
+  double extra_replicates =
+      0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
   std::string design = "random";
   long scrambles = 8;
   long cages_per_lot = 1;
@@ -78,8 +81,8 @@ struct Study {
 /// Samples in all: rows plus noise replicates.
 std::uint64_t sample_count(const Study& study);
 
-/// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn). `settings` are "key=value" in
-/// TOML syntax. Throws InputError.
+/// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn).
+/// `settings` are "key=value" in TOML syntax. Throws InputError.
 Study read_study(const std::string& path, const std::vector<std::string>& settings = {});
 
 }  // namespace cagetol
