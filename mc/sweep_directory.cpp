@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "mc/h5.hpp"
-#include "src/input/key_table.hpp"
+#include "src/input/toml_file.hpp"
 
 namespace cagetol {
 namespace {
@@ -31,10 +31,19 @@ std::string text_of(const std::string& path) {
   return text.str();
 }
 
-std::map<std::string, std::string> leaves_of(const std::string& text) {
-  std::map<std::string, std::string> leaves;
-  const toml::table root = toml::parse(text);
-  for (const TomlLeaf& leaf : toml_leaves(root)) leaves[leaf.name] = shown(*leaf.node);
+/// The value of a key: whole, to compare, and shortened, for messages.
+struct Leaf {
+  std::string whole = "absent", shown = "absent";
+};
+
+std::map<std::string, Leaf> leaves_of(const std::string& text) {
+  std::map<std::string, Leaf> leaves;
+  const toml::table root = parse_toml(text, "study.toml");
+  for (const TomlLeaf& leaf : toml_leaves(root)) {
+    std::ostringstream whole;
+    leaf.node->visit([&](const auto& node) { whole << node; });
+    leaves[leaf.name] = {whole.str(), shown(*leaf.node)};
+  }
   return leaves;
 }
 
@@ -64,14 +73,14 @@ std::vector<std::string> study_differences(const std::string& stored_toml,
   std::vector<std::string> differences;
   const auto value_in = [](const auto& leaves, const std::string& name) {
     const auto found = leaves.find(name);
-    return found == leaves.end() ? std::string("absent") : found->second;
+    return found == leaves.end() ? Leaf{} : found->second;
   };
   auto names = stored;
   names.insert(fresh.begin(), fresh.end());
   for (const auto& [name, value] : names) {
-    const std::string before = value_in(stored, name), now = value_in(fresh, name);
-    if (before != now)
-      differences.push_back(fmt::format("{}: {} stored, {} now", name, before, now));
+    const Leaf before = value_in(stored, name), now = value_in(fresh, name);
+    if (before.whole != now.whole)
+      differences.push_back(fmt::format("{}: {} stored, {} now", name, before.shown, now.shown));
   }
   return differences;
 }
