@@ -171,7 +171,7 @@ void merge_tables(toml::table& base, toml::table&& overrides,
     auto* inner = node.as_table();
     auto* existing = base.get(key.str());
     auto* existing_table = existing ? existing->as_table() : nullptr;
-    if (inner && existing_table && !stop_at(*inner) && !stop_at(*existing_table))
+    if (inner && existing_table && !stop_at(*inner))
       merge_tables(*existing_table, std::move(*inner), stop_at);
     else
       insert_moved(base, key.str(), std::move(node));
