@@ -230,7 +230,7 @@ Problem problem_of(Work work) {
 int agreed(const Team& team, const Problem& problem) {
   const bool well = problem.code == kDone;
   const int first = team.smallest(well ? INT_MAX : team.rank());
-  if (first == team.rank() && !well) fmt::print(stderr, "error: {}\n", problem.text);
+  if (first == team.rank() && !well) fmt::print(stderr, "cagetol: {}\n", problem.text);
   const int code = team.smallest(well ? INT_MAX : problem.code);
   return code == INT_MAX ? kDone : code;
 }

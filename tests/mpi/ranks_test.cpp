@@ -60,7 +60,7 @@ TEST(HandOutTest, ABadStudyIsReportedOnceWithCode2) {
     auto command = standin(scratch / "out", {"--bad-study"});
     const Ended ended = run(mpi ? with_mpirun(3, command) : command);
     EXPECT_EQ(ended.code, 2);
-    const auto first = ended.output.find("error: study.toml:3: sigma = -1: must not be negative");
+    const auto first = ended.output.find("cagetol: study.toml:3: sigma = -1: must not be negative");
     ASSERT_NE(first, std::string::npos) << ended.output;
     EXPECT_EQ(ended.output.find("must not be negative", first + 50), std::string::npos);
   }

@@ -127,13 +127,13 @@ TEST_F(TroubleTest, AnUnusableDirectoryIsBadInput) {
   for (const std::string& place : {scratch_ / "file", scratch_ / "file/below"}) {
     const Ended ended = run(standin(place));
     EXPECT_EQ(ended.code, 2);
-    EXPECT_THAT(ended.output, AllOf(HasSubstr("error: " + place), HasSubstr("remedy")));
+    EXPECT_THAT(ended.output, AllOf(HasSubstr("cagetol: " + place), HasSubstr("remedy")));
   }
 }
 
 TEST_F(TroubleTest, AFileSizeLimitLosesNothing) {
   const Ended limited = run(standin(directory_), [] {
-    const rlimit tight{3000, 3000};
+    const rlimit tight{8000, 8000};
     setrlimit(RLIMIT_FSIZE, &tight);
   });
   EXPECT_EQ(limited.code, 75);
