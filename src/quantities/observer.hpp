@@ -52,7 +52,8 @@ class Observer {
   double revolutions_ = 0, start_phase_ = 0;
   double end_displacement_ = 0;
   Impacts pocket_impacts_, wall_impacts_, guide_impacts_;
-  StepQuadrature work_, dissipation_, drive_;
+  HermiteQuadrature net_work_;
+  StepQuadrature dissipation_, drive_;
   double first_energy_ = 0, last_energy_ = 0;
 };
 
