@@ -20,7 +20,8 @@ class Observer {
 
   /// All quantities in the order of quantity_table().
   std::vector<double> quantities() const;
-  /// |work in - dissipation - change of stored energy| / dissipation.
+  /// |work in - dissipation - change of stored energy| over the dissipation, or over a thousandth of the stored energy where a run
+  /// dissipates less than that.
   double energy_residual() const;
   double static_consistency_error() const;
   /// Revolutions of the cage within the window.
