@@ -7,6 +7,12 @@
 namespace cagetol {
 namespace {
 
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const auto& method : integration_methods()) names.emplace_back(method.name);
+  return names;
+}
+
 // clang-format off
 #define AT(member) [](Scene& s) -> auto& { return s.member; }
 
