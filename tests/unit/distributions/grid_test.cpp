@@ -42,10 +42,11 @@ TEST(Grid, OneLevelIsTheMedian) {
 
 TEST(Grid, ColumnsOfAGroupShareItsLevel) {
   DesignSpec spec = spec_of("grid", 4, 3);
-  spec.columns[2].group = 0;
+  spec.columns[1].group = 0;
+  spec.columns[2].group = 1;
   spec.grid_levels = {2, 2};
   EXPECT_EQ(points_of(Design(spec)),
-            (std::vector<std::vector<double>>{{0, 0, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}}));
+            (std::vector<std::vector<double>>{{0, 0, 0}, {0, 0, 1}, {1, 1, 0}, {1, 1, 1}}));
 }
 
 }  // namespace
