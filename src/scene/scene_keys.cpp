@@ -16,12 +16,6 @@ std::vector<std::string> method_names() {
 // clang-format off
 #define AT(member) [](Scene& s) -> auto& { return s.member; }
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const MethodName& method : integration_methods()) names.push_back(method.name);
-  return names;
-}
-
 void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
       {"name", any_value(), AT(name), "name of the scene, for titles"},
