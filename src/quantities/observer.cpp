@@ -13,6 +13,7 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
+constexpr double kEnergyFloor = 1e-3;            // of the stored energy: runs that hardly dissipate
 constexpr double kLoadedShare = 0.01;            // of the applied load
 constexpr double kForceFloor = 1, kDisplacementFloor = 1e-6;  // of the consistency error at zero load [N], [m]
 
@@ -55,7 +56,7 @@ void Observer::record(double t, const double* y, const System& system) {
     orbit_angle_ = std::atan2(cage_z, cage_y);
   }
   last_energy_ = energy;
-  work_.add(t, seen.drive_power + seen.load_power);
+  net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power, seen.net_power_rate);
   drive_.add(t, seen.drive_power);
   dissipation_.add(t, seen.friction_power + seen.damping_power);
 
@@ -126,7 +127,8 @@ void Observer::record_statics(double t, const double* y) {
 
 double Observer::energy_residual() const {
   const double lost = dissipation_.integral();
-  return std::abs(work_.integral() - lost - (last_energy_ - first_energy_)) / std::max(std::abs(lost), 1e-12);
+  return std::abs(net_work_.integral() - (last_energy_ - first_energy_)) /
+         std::max(std::abs(lost), kEnergyFloor * std::abs(first_energy_));
 }
 
 double Observer::static_consistency_error() const {

@@ -20,7 +20,8 @@ class Observer {
 
   /// All quantities in the order of quantity_table().
   std::vector<double> quantities() const;
-  /// |work in - dissipation - change of stored energy| / dissipation.
+  /// |work in - dissipation - change of stored energy| over the dissipation, or over a thousandth of the stored energy where a run
+  /// dissipates less than that.
   double energy_residual() const;
   double static_consistency_error() const;
   /// Revolutions of the cage within the window.
@@ -52,7 +53,8 @@ class Observer {
   double revolutions_ = 0, start_phase_ = 0;
   double end_displacement_ = 0;
   Impacts pocket_impacts_, wall_impacts_, guide_impacts_;
-  StepQuadrature work_, dissipation_, drive_;
+  HermiteQuadrature net_work_;
+  StepQuadrature dissipation_, drive_;
   double first_energy_ = 0, last_energy_ = 0;
 };
 

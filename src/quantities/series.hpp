@@ -27,6 +27,23 @@ class Series {
 /// Quantile of the distance of the points (x, y) from their mean.
 double distance_quantile(const Series& x, const Series& y, double p);
 
+/// Integral of a function known with its derivative at the accepted steps: Hermite's corrected trapezium, order 4 within each step.
+class HermiteQuadrature {
+ public:
+  void add(double t, double f, double slope) {
+    if (points_++ > 0) {
+      const double h = t - t_;
+      sum_ += h / 2 * (f_ + f) + h * h / 12 * (slope_ - slope);
+    }
+    t_ = t, f_ = f, slope_ = slope;
+  }
+  double integral() const { return sum_; }
+
+ private:
+  long points_ = 0;
+  double t_ = 0, f_ = 0, slope_ = 0, sum_ = 0;
+};
+
 /// Integral of a function known at the accepted steps: parabolas through neighbouring points, averaged; order 4 where smooth.
 class StepQuadrature {
  public:
