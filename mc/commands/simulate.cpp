@@ -38,6 +38,7 @@ std::string json_text(const Outcome& outcome) {
   const auto values = run_values(outcome.run);
   for (std::size_t i = 0; i < values.size(); ++i)
     run[run_fields()[i].key] = number_or_null(values[i]);
+  run["wall_s"] = outcome.run.wall_s;
   return json.dump(2) + "\n";
 }
 
@@ -57,6 +58,7 @@ std::string table_text(const Study& study, const Outcome& outcome, std::uint64_t
   const auto values = run_values(outcome.run);
   for (std::size_t i = 0; i < values.size(); ++i)
     text += row(run_fields()[i].key, values[i], run_fields()[i].unit);
+  text += row("wall_s", outcome.run.wall_s, "s");
   return text;
 }
 
