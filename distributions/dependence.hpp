@@ -1,0 +1,47 @@
+// Dependent inputs by a Gaussian copula (Nataf's model; Liu & Der Kiureghian 1986,
+// doi:10.1016/0266-8920(86)90033-0): each coordinate becomes a standard normal number z =
+// Phi^-1(u), the vector z is given a correlation matrix by its Cholesky factor, and Phi takes it
+// back to uniform coordinates, so that every law keeps its marginal exactly.
+//
+// Three correlations must not be mixed up. The copula takes the correlation of z. A study states
+// the Pearson correlation of the deviations themselves; normal_correlation() converts it. Between
+// normal laws both are the same number.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "distributions/law.hpp"
+
+namespace cagetol {
+
+/// Correlation of the underlying normal numbers that gives the two laws the Pearson correlation
+/// rho. Throws std::invalid_argument, with the range that can be reached, when no Gaussian copula
+/// gives it.
+double normal_correlation(const Law& first, const Law& second, double rho);
+
+/// One correlated pair of coordinates.
+struct CorrelatedPair {
+  std::size_t first = 0, second = 0;
+  double rho = 0;  ///< of the normal numbers
+};
+
+class GaussianCopula {
+ public:
+  /// Pairs that are not named are independent. Throws std::invalid_argument when the matrix is not
+  /// positive definite.
+  GaussianCopula(std::size_t dimensions, std::span<const CorrelatedPair> pairs);
+
+  std::size_t dimensions() const;
+
+  /// Turns independent uniform coordinates into dependent ones, in place. Coordinate i depends on
+  /// coordinates 0 .. i only; coordinates without a partner are left untouched to the bit.
+  void correlate(std::span<double> u) const;
+
+ private:
+  std::size_t dimensions_ = 0;
+  std::vector<double> factor_;  ///< lower triangle, by rows
+};
+
+}  // namespace cagetol

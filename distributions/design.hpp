@@ -1,0 +1,92 @@
+// Sampling designs: which points of the unit cube [0,1]^d a study runs.
+//
+// A design is a pure function of its specification: point(row) costs O(d), in any order, and gives
+// the same bits each time.
+//
+//   kind         rows                                block_of(row) base_of(row) random       any 0
+//   row lhs          any up to 2^28                      0                                   row
+//   sobol        scrambles * classes * 2^m           scramble                            index
+//   within the scramble grid         product of grid_levels              0 row pick-freeze  base
+//   points * (groups + 2)          0 = A, 1 = B, 2+g = A but g from B  base point morris
+//   trajectories * (groups + 1)         step along the trajectory           trajectory
+//
+// pick-freeze and morris rows run block by block within a base, so that an interrupted study holds
+// whole bases.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "distributions/random_stream.hpp"
+
+namespace cagetol {
+
+/// One coordinate: where its random numbers live, and the group it moves with in grouped designs.
+struct DesignColumn {
+  Purpose purpose = Purpose::lot;
+  std::uint32_t stream = 0;  ///< stream_address(name of the input)
+  std::uint32_t draw = 0;    ///< pocket, for Purpose::pocket
+  std::uint32_t group = 0;   ///< 0, 1, 2, ...
+};
+
+struct DesignSpec {
+  std::string kind = "random";
+  std::uint64_t rows = 0;
+  std::uint64_t seed = 1;
+  std::vector<DesignColumn> columns;
+  std::uint32_t groups =
+      0;  ///< 0: as many as the columns name; more: groups without columns (noise)
+  std::uint64_t cages_per_lot =
+      1;  ///< random only: rows of one lot share their columns of Purpose::lot
+  std::uint64_t scrambles = 8;  ///< sobol: independent replicates
+  std::uint64_t classes =
+      1;  ///< sobol: rows r, r + classes, ... of a scramble are a net of their own
+  std::vector<std::uint64_t> grid_levels;  ///< grid: for each group
+  std::uint64_t morris_levels = 4;         ///< morris: even
+  double trim = 0;  ///< grid, morris: levels span [trim, 1 - trim]; laws without ends need trim > 0
+};
+
+/// The smallest number of rows >= spec.rows (grid: the number) with which the design is complete.
+std::uint64_t complete_rows(const DesignSpec& spec);
+
+class Design {
+ public:
+  /// Throws std::invalid_argument with the reason and the remedy when the specification makes no
+  /// design.
+  explicit Design(DesignSpec spec);
+
+  const DesignSpec& spec() const;
+  std::uint64_t rows() const;
+  std::size_t dimensions() const;
+  std::uint32_t groups() const;
+
+  /// Writes the row's point; u has dimensions() elements.
+  void point(std::uint64_t row, std::span<double> u) const;
+
+  std::uint64_t blocks() const;
+  std::uint64_t block_of(std::uint64_t row) const;
+  std::uint64_t base_of(std::uint64_t row) const;
+  std::uint64_t row_of(std::uint64_t block, std::uint64_t base) const;
+
+  /// row / cages_per_lot.
+  std::uint64_t lot_of(std::uint64_t row) const;
+
+  /// Rows with equal sources share all random choices of the group. Noise as a group without
+  /// columns is drawn with this as id.
+  std::uint64_t source_of(std::uint64_t row, std::uint32_t group) const;
+
+  /// morris: the group that moved between row - 1 and row; none in the first row of a trajectory
+  /// and in other designs.
+  std::optional<std::uint32_t> moved_group(std::uint64_t row) const;
+
+ private:
+  struct Implementation;
+  std::shared_ptr<const Implementation> implementation_;
+};
+
+}  // namespace cagetol

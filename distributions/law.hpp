@@ -1,0 +1,51 @@
+// A probability law of one number, and what can be asked of it. Sampling is by quantile only, so
+// that one law serves every design.
+//
+// Laws are in the unit of the key they belong to. check() comes first: the other functions may
+// assume a law that it accepts. A law of zero width (sigma = 0) is legal and means a plain number.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "distributions/laws/beta.hpp"
+#include "distributions/laws/capability.hpp"
+#include "distributions/laws/empirical.hpp"
+#include "distributions/laws/gamma.hpp"
+#include "distributions/laws/histogram.hpp"
+#include "distributions/laws/interval.hpp"
+#include "distributions/laws/lognormal.hpp"
+#include "distributions/laws/normal.hpp"
+#include "distributions/laws/triangular.hpp"
+#include "distributions/laws/truncated_normal.hpp"
+#include "distributions/laws/uniform.hpp"
+#include "distributions/laws/weibull.hpp"
+
+namespace cagetol {
+
+using Law = std::variant<Normal, TruncatedNormal, Uniform, Triangular, Lognormal, Beta, Weibull,
+                         Gamma, Histogram, Empirical, Capability>;
+
+/// Throws std::invalid_argument with the reason and the remedy when the parameters make no law.
+void check(const Law& law);
+
+/// The smallest x with cdf(x) >= p. quantile(0) and quantile(1) are the ends of the support,
+/// possibly infinite. Throws std::domain_error unless 0 <= p <= 1.
+double quantile(const Law& law, double p);
+
+/// P(X <= x).
+double cdf(const Law& law, double x);
+
+/// Density. Throws std::domain_error where there is none: empirical laws and laws of zero width.
+double pdf(const Law& law, double x);
+
+double mean(const Law& law);
+double standard_deviation(const Law& law);
+
+/// The smallest closed interval that holds all of the probability.
+Interval support(const Law& law);
+
+/// The name in study files: "normal", "truncated_normal", ...
+std::string_view law_name(const Law& law);
+
+}  // namespace cagetol
