@@ -6,20 +6,12 @@ namespace cagetol {
 
 namespace {
 
-std::uint64_t joined(std::uint32_t low, std::uint32_t high) {
-  return low | (static_cast<std::uint64_t>(high) << 32);
-}
-
 std::uint32_t low_word(std::uint64_t value) {
   return static_cast<std::uint32_t>(value);
 }
 
 std::uint32_t high_word(std::uint64_t value) {
   return static_cast<std::uint32_t>(value >> 32);
-}
-
-double unit_of(const PhiloxCounter& block) {
-  return open_unit(joined(block[0], block[1]));
 }
 
 }  // namespace
@@ -42,13 +34,22 @@ std::uint32_t stream_address(std::string_view name) {
   return hash;
 }
 
+std::uint64_t bits_of(const PhiloxCounter& block) {
+  return block[0] | (static_cast<std::uint64_t>(block[1]) << 32);
+}
+
+std::uint64_t index_of(std::uint64_t bits, std::uint64_t count) {
+  return static_cast<std::uint64_t>((static_cast<unsigned __int128>(bits) * count) >> 64);
+}
+
 double open_unit(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;
 }
 
 double uniform(std::uint64_t seed, Purpose purpose, std::uint64_t id, std::uint32_t stream,
                std::uint32_t draw) {
-  return unit_of(philox({low_word(id), high_word(id), stream, draw}, stream_key(seed, purpose)));
+  return open_unit(
+      bits_of(philox({low_word(id), high_word(id), stream, draw}, stream_key(seed, purpose))));
 }
 
 RandomStream::RandomStream(std::uint64_t seed, Purpose purpose, std::uint64_t id,
@@ -56,13 +57,15 @@ RandomStream::RandomStream(std::uint64_t seed, Purpose purpose, std::uint64_t id
     : key_(stream_key(seed, purpose)), counter_{low_word(id), high_word(id), stream, 0} {}
 
 double RandomStream::next() {
-  const double value = unit_of(philox(counter_, key_));
+  const double value = open_unit(bits_of(philox(counter_, key_)));
   ++counter_[3];
   return value;
 }
 
 std::uint64_t RandomStream::next_index(std::uint64_t count) {
-  return static_cast<std::uint64_t>(next() * static_cast<double>(count));
+  const std::uint64_t value = index_of(bits_of(philox(counter_, key_)), count);
+  ++counter_[3];
+  return value;
 }
 
 }  // namespace cagetol

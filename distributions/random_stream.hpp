@@ -37,10 +37,16 @@ enum class Purpose : std::uint32_t {
 
 PhiloxKey stream_key(std::uint64_t seed, Purpose purpose);
 
+/// Words 0 and 1 as one number.
+std::uint64_t bits_of(const PhiloxCounter& block);
+
 /// 32-bit FNV-1a hash of a name: an input's stream does not depend on the other inputs of the
 /// study. Designs refuse two columns with one address, so that a collision (chance 1e-7 for 30
 /// inputs) is reported and never silent.
 std::uint32_t stream_address(std::string_view name);
+
+/// 64 random bits to 0 .. count-1, each equally likely to one part in 2^64 / count; count > 0.
+std::uint64_t index_of(std::uint64_t bits, std::uint64_t count);
 
 /// The upper 52 bits as an odd multiple of 2^-53: inside the open interval (0,1), exact in double,
 /// symmetric about 1/2.

@@ -1,4 +1,5 @@
-// One type for everything that is wrong with what the user gave: it ends the program with exit code 2.
+// One type for everything that is wrong with what the user gave: it ends the program with exit
+// code 2.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +7,8 @@
 
 namespace cagetol {
 
-/// Where in a user's file a value stands. `line` is 1-based, 0 where the text has no lines (command line, whole file).
+/// Where in a user's file a value stands. `line` is 1-based, 0 where the text has no lines (command
+/// line, whole file).
 struct SourcePlace {
   std::string file;
   int line = 0;

@@ -1,38 +1,69 @@
-// Keys of an input file as a table: each key is declared once, with its unit, range, meaning and the place in a plain struct
-// that it fills. Reading, --dump-default, --set, error messages and the tables of inputs/README.md all come from it.
+// Keys of an input file as a table: each key is declared once, with its unit, range, meaning and
+// the place in a plain struct that it fills. Reading, --dump-default, --set, error messages and the
+// tables of inputs/README.md all come from it.
+//
+//   const KeyTable<Scene> table = {
+//       {"cage.width_mm", above(0), [](Scene& s) -> auto& { return s.cage.width; }, "axial width of
+//       the cage"},
+//   };
 #pragma once
 
 #include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 #include <variant>
 #include <vector>
 
 #include "src/input/input_error.hpp"
+#include "src/input/toml_file.hpp"
+#include "src/input/unit.hpp"
 
 namespace cagetol {
 
-/// What a key holds. `Numbers` is one number for all pockets (or rollers), or an array with one each.
+/// What a key holds. `numbers` is one number for all pockets (or rollers), or an array with one
+/// each.
 enum class KeyKind { number, numbers, integer, boolean, choice, text };
 
-/// One key of an input file that fills a struct of type T.
-template <class T>
-struct Key {
-  std::string name;     ///< dotted, with its unit as suffix: "cage.pocket_width_mm"
-  std::string unit;     ///< as shown to users; "-" for a pure number
-  double to_si = 1;     ///< factor from the key's unit to SI
+/// Values a key may take, in the key's unit.
+struct KeyRange {
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   bool open_minimum = false;  ///< the minimum itself is not allowed
-  bool may_be_auto = false;   ///< "auto" is allowed: computed from the rest of the scene (stored as NaN)
+  bool may_be_auto =
+      false;  ///< "auto" is allowed: computed from the rest of the scene (stored as NaN)
   std::vector<std::string> choices;
+};
+KeyRange any_value();
+KeyRange above(double minimum, double maximum = std::numeric_limits<double>::infinity());
+KeyRange at_least(double minimum);
+KeyRange within(double minimum, double maximum);
+KeyRange one_of(std::vector<std::string> choices);
+KeyRange or_auto(KeyRange range);
+
+/// What is known of a key apart from the struct it fills.
+struct KeyInfo {
+  std::string name;  ///< dotted, with its unit as suffix: "cage.pocket_width_mm"
+  KeyRange range;
   std::string meaning;
-  std::variant<std::function<double&(T&)>, std::function<std::vector<double>&(T&)>,
-               std::function<long&(T&)>, std::function<bool&(T&)>, std::function<std::string&(T&)>>
-      place;
   KeyKind kind = KeyKind::number;
+  std::string unit;  ///< as shown to users; "-" for a pure number
+  double to_si = 1;  ///< factor from the key's unit to SI
+
+  KeyInfo(std::string key_name, KeyRange allowed, std::string key_meaning, KeyKind key_kind);
+};
+
+/// One key of an input file that fills a struct of type T.
+template <class T>
+struct Key : KeyInfo {
+  using Place = std::variant<std::function<double&(T&)>, std::function<std::vector<double>&(T&)>,
+                             std::function<long&(T&)>, std::function<bool&(T&)>,
+                             std::function<std::string&(T&)>>;
+  Place place;
+
+  /// The unit follows from the name's suffix, the kind from what `accessor` returns.
+  template <class Accessor>
+  Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning);
 };
 
 template <class T>
@@ -40,49 +71,60 @@ using KeyTable = std::vector<Key<T>>;
 
 /// The key called `name`, or nullptr.
 template <class T>
-const Key<T>* find_key(const KeyTable<T>& table, std::string_view name) {
-  for (const auto& key : table)
-    if (key.name == name) return &key;
-  return nullptr;
-}
+const Key<T>* find_key(const KeyTable<T>& table, std::string_view name);
+
+template <class T>
+std::vector<KeyInfo> key_infos(const KeyTable<T>& table);
 
 /// The known name nearest to `name` by edit distance, for "did you mean".
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// One leaf of a TOML document: its dotted name and node. Arrays are leaves; tables are walked into, unless `stop_at` says that
-/// a table is itself a value (a distribution).
-struct TomlLeaf {
-  std::string name;
-  const toml::node* node;
-};
-std::vector<TomlLeaf> toml_leaves(const toml::table& root,
-                                  const std::function<bool(const toml::table&)>& stop_at = {});
+/// The error for a leaf that is no key: says whether its unit is the wrong one (and converts), or
+/// names the nearest key.
+InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
+                       const std::vector<KeyInfo>& known);
 
-/// Parses the TOML file `path`. Throws InputError with file and line for unreadable files and syntax errors.
-toml::table read_toml(const std::string& path);
+/// Checked values of a node, in the key's unit; NaN stands for "auto". All throw InputError with
+/// file, line, key, value, reason and remedy.
+double number_value(const KeyInfo& key, const toml::node& node, const std::string& file);
+std::vector<double> numbers_value(const KeyInfo& key, const toml::node& node,
+                                  const std::string& file, std::size_t count);
+long integer_value(const KeyInfo& key, const toml::node& node, const std::string& file);
+bool boolean_value(const KeyInfo& key, const toml::node& node, const std::string& file);
+std::string text_value(const KeyInfo& key, const toml::node& node, const std::string& file);
 
-/// Applies "dotted.key=value" (value in TOML syntax; a bare word is taken as a string). Throws InputError.
-void apply_setting(toml::table& root, const std::string& setting);
+/// Whether a number given in the key's unit lies in the key's range. NaN and infinities never do.
+bool in_range(const KeyRange& range, double value);
+/// The range in words: "above 0 mm", "0 to 1".
+std::string range_text(const KeyInfo& key);
 
-/// Place of a node in its file; settings from the command line are called "--set".
-SourcePlace place_of(const toml::node& node, const std::string& file);
-
-/// A node's value as the user wrote it, for messages.
-std::string shown(const toml::node& node);
-
-/// Fills `target` at `key` from `node`, in the key's unit. `count` is the length that an array must have (the number of
-/// pockets). Throws InputError with file, line, key, value, reason and remedy.
+/// Fills `target` at `key` from `node`, in the key's unit. `count` is the length that an array must
+/// have (the number of pockets). Throws InputError.
 template <class T>
 void read_key(const Key<T>& key, const toml::node& node, const std::string& file, std::size_t count,
               T& target);
 
-/// Sets a number (or, for `numbers` keys, one per pocket) given in the key's unit, checked against the key's range.
+/// Sets a number (or, for `numbers` keys, one per pocket) given in the key's unit. The caller
+/// answers for the range.
 template <class T>
 void set_key_numbers(const Key<T>& key, const std::vector<double>& values, T& target);
 
-/// The table as TOML text with the values of `source`, grouped by section, each key commented with unit, range and meaning.
+/// The numbers at a `number` or `numbers` key, in the key's unit.
 template <class T>
-std::string dump_keys(const KeyTable<T>& table, const T& source);
+std::vector<double> key_numbers(const Key<T>& key, const T& source);
+
+/// The value at a key as TOML text: 7.65, "auto", [7.65, 7.66], "rigid", true.
+template <class T>
+std::string key_text(const Key<T>& key, const T& source);
+
+/// Puts the value at a key into a TOML table, in the section that the key's name says.
+template <class T>
+void insert_key(const Key<T>& key, const T& source, toml::table& root);
+
+/// The table as TOML text with the values of `source`, grouped by section, each key commented with
+/// unit, range and meaning. `prefix` ("scene.") stands before every section.
+template <class T>
+std::string dump_keys(const KeyTable<T>& table, const T& source, const std::string& prefix = "");
 
 /// The table in Markdown: key, unit, default (from `defaults`), range, meaning.
 template <class T>

@@ -1,0 +1,30 @@
+// Latin hypercube: each column cuts [0,1] into as many equal cells as there are rows and puts one
+// point, at a random place, into each cell; the order of the cells is a permutation of its own for
+// every column. (McKay, Beckman, Conover 1979, doi:10.1080/00401706.1979.10489755)
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "distributions/designs/layout.hpp"
+
+namespace cagetol {
+
+class LatinHypercube {
+ public:
+  explicit LatinHypercube(const DesignSpec& spec);
+
+  static std::uint64_t complete_rows(const DesignSpec& spec);
+  static std::string row_rule(const DesignSpec&) { return "at most 2^28"; }
+
+  Layout layout() const { return {1, rows_, false}; }
+  void point(std::uint64_t row, std::span<double> u) const;
+
+ private:
+  std::uint64_t rows_;
+  std::vector<PhiloxKey> keys_;
+};
+
+}  // namespace cagetol

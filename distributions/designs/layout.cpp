@@ -1,0 +1,31 @@
+#include "distributions/designs/layout.hpp"
+
+#include <algorithm>
+
+namespace cagetol {
+
+std::uint32_t group_count(const DesignSpec& spec) {
+  std::uint32_t count = spec.groups;
+  for (const DesignColumn& column : spec.columns) count = std::max(count, column.group + 1);
+  return count;
+}
+
+double level_value(std::uint64_t level, std::uint64_t levels, double trim) {
+  if (levels == 1) return 0.5;
+  const double share = static_cast<double>(level) / static_cast<double>(levels - 1);
+  return level == levels - 1 ? 1 - trim : trim + (1 - 2 * trim) * share;
+}
+
+PhiloxKey column_key(std::uint64_t seed, const DesignColumn& column) {
+  const PhiloxCounter block =
+      philox({static_cast<std::uint32_t>(column.purpose), column.stream, column.draw, 0},
+             stream_key(seed, Purpose::scramble));
+  return {block[0], block[1]};
+}
+
+PhiloxKey design_key(std::uint64_t seed) {
+  const PhiloxCounter block = philox({0, 0, 0, 1}, stream_key(seed, Purpose::scramble));
+  return {block[0], block[1]};
+}
+
+}  // namespace cagetol

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+
+#include "distributions/design.hpp"
+
+namespace cagetol {
+
+/// How the rows of a design fall into blocks of equal size.
+struct Layout {
+  std::uint64_t blocks = 1;
+  std::uint64_t bases = 0;
+  bool blocks_inside_base =
+      false;  ///< row = base * blocks + block, instead of block * bases + base
+
+  std::uint64_t block_of(std::uint64_t row) const {
+    return blocks_inside_base ? row % blocks : row / bases;
+  }
+  std::uint64_t base_of(std::uint64_t row) const {
+    return blocks_inside_base ? row / blocks : row % bases;
+  }
+  std::uint64_t row_of(std::uint64_t block, std::uint64_t base) const {
+    return blocks_inside_base ? base * blocks + block : block * bases + base;
+  }
+};
+
+/// Groups of a specification, with and without columns.
+std::uint32_t group_count(const DesignSpec& spec);
+
+/// Value of level 0 .. levels-1, equally spaced over [trim, 1 - trim]; a single level lies in the
+/// middle.
+double level_value(std::uint64_t level, std::uint64_t levels, double trim);
+
+inline std::uint64_t divided_up(std::uint64_t value, std::uint64_t unit) {
+  return (value + unit - 1) / unit;
+}
+
+/// Key of a column's own randomness (permutation, scramble, jitter, trajectories): depends on its
+/// address, not on its position.
+PhiloxKey column_key(std::uint64_t seed, const DesignColumn& column);
+
+/// Key of randomness that belongs to the design as a whole.
+PhiloxKey design_key(std::uint64_t seed);
+
+}  // namespace cagetol

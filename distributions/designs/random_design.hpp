@@ -1,0 +1,29 @@
+// Independent points. Every coordinate is the uniform number at its own address: id = row, or the
+// lot for columns of Purpose::lot, which the cages of a lot share.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "distributions/designs/layout.hpp"
+
+namespace cagetol {
+
+class RandomDesign {
+ public:
+  explicit RandomDesign(const DesignSpec& spec);
+
+  static std::uint64_t complete_rows(const DesignSpec& spec) { return spec.rows; }
+  static std::string row_rule(const DesignSpec&) { return "any number"; }
+
+  Layout layout() const { return {1, rows_, false}; }
+  void point(std::uint64_t row, std::span<double> u) const;
+
+ private:
+  std::uint64_t seed_, rows_, cages_per_lot_;
+  std::vector<DesignColumn> columns_;
+};
+
+}  // namespace cagetol

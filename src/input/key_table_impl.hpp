@@ -1,0 +1,158 @@
+// Templates of key_table.hpp. What does not depend on the struct is in key_table.cpp.
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "src/input/key_table.hpp"
+
+namespace cagetol {
+
+namespace key_detail {
+
+template <class Value>
+constexpr KeyKind kind_of() {
+  if constexpr (std::is_same_v<Value, double>) return KeyKind::number;
+  if constexpr (std::is_same_v<Value, std::vector<double>>) return KeyKind::numbers;
+  if constexpr (std::is_same_v<Value, long>) return KeyKind::integer;
+  if constexpr (std::is_same_v<Value, bool>) return KeyKind::boolean;
+  return KeyKind::text;
+}
+
+/// One line of a dump: "pocket_width_mm = 7.65  # [mm] above 0: opening ...".
+std::string dump_line(const KeyInfo& key, const std::string& value);
+/// "[section]" where the section of `name` differs from that of `previous`, else nothing.
+std::string section_header(const std::string& name, const std::string& previous,
+                           const std::string& prefix);
+std::string markdown_row(const KeyInfo& key, const std::string& value);
+std::string numbers_text(const std::vector<double>& values);
+std::string quoted(const std::string& text);
+/// The table of `root` in which a dotted name stands, made where it is missing, and the name's last
+/// part.
+std::pair<toml::table*, std::string> section_of(toml::table& root, const std::string& name);
+void insert_numbers(toml::table& table, const std::string& name, const std::vector<double>& values);
+
+}  // namespace key_detail
+
+template <class T>
+template <class Accessor>
+Key<T>::Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning)
+    : KeyInfo(std::move(key_name), std::move(allowed), std::move(key_meaning),
+              key_detail::kind_of<std::remove_cvref_t<std::invoke_result_t<Accessor, T&>>>()),
+      place(std::function<std::invoke_result_t<Accessor, T&>(T&)>(std::move(accessor))) {}
+
+template <class T>
+const Key<T>* find_key(const KeyTable<T>& table, std::string_view name) {
+  for (const auto& key : table)
+    if (key.name == name) return &key;
+  return nullptr;
+}
+
+template <class T>
+std::vector<KeyInfo> key_infos(const KeyTable<T>& table) {
+  return {table.begin(), table.end()};
+}
+
+template <class T>
+void read_key(const Key<T>& key, const toml::node& node, const std::string& file, std::size_t count,
+              T& target) {
+  std::visit(
+      [&](const auto& place) {
+        auto& value = place(target);
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, double>) {
+          value = to_si(number_value(key, node, file), key.to_si);
+        } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+          value = numbers_value(key, node, file, count);
+          for (double& each_value : value) each_value = to_si(each_value, key.to_si);
+        } else if constexpr (std::is_same_v<Value, long>) {
+          value = integer_value(key, node, file);
+        } else if constexpr (std::is_same_v<Value, bool>) {
+          value = boolean_value(key, node, file);
+        } else {
+          value = text_value(key, node, file);
+        }
+      },
+      key.place);
+}
+
+template <class T>
+void set_key_numbers(const Key<T>& key, const std::vector<double>& values, T& target) {
+  if (key.kind == KeyKind::number) {
+    std::get<std::function<double&(T&)>>(key.place)(target) = to_si(values.at(0), key.to_si);
+    return;
+  }
+  auto& place = std::get<std::function<std::vector<double>&(T&)>>(key.place)(target);
+  place.resize(values.size());
+  for (std::size_t j = 0; j < values.size(); ++j) place[j] = to_si(values[j], key.to_si);
+}
+
+template <class T>
+std::vector<double> key_numbers(const Key<T>& key, const T& source) {
+  T& readable = const_cast<T&>(source);  // accessors serve reading and writing alike
+  if (key.kind == KeyKind::number)
+    return {unit_value(std::get<std::function<double&(T&)>>(key.place)(readable), key.to_si)};
+  std::vector<double> values =
+      std::get<std::function<std::vector<double>&(T&)>>(key.place)(readable);
+  for (double& value : values) value = unit_value(value, key.to_si);
+  return values;
+}
+
+template <class T>
+std::string key_text(const Key<T>& key, const T& source) {
+  T& readable = const_cast<T&>(source);
+  switch (key.kind) {
+    case KeyKind::number:
+    case KeyKind::numbers:
+      return key_detail::numbers_text(key_numbers(key, source));
+    case KeyKind::integer:
+      return std::to_string(std::get<std::function<long&(T&)>>(key.place)(readable));
+    case KeyKind::boolean:
+      return std::get<std::function<bool&(T&)>>(key.place)(readable) ? "true" : "false";
+    default:
+      return key_detail::quoted(std::get<std::function<std::string&(T&)>>(key.place)(readable));
+  }
+}
+
+template <class T>
+void insert_key(const Key<T>& key, const T& source, toml::table& root) {
+  T& readable = const_cast<T&>(source);
+  const auto [section, name] = key_detail::section_of(root, key.name);
+  switch (key.kind) {
+    case KeyKind::number:
+    case KeyKind::numbers:
+      key_detail::insert_numbers(*section, name, key_numbers(key, source));
+      break;
+    case KeyKind::integer:
+      section->insert_or_assign(
+          name, static_cast<int64_t>(std::get<std::function<long&(T&)>>(key.place)(readable)));
+      break;
+    case KeyKind::boolean:
+      section->insert_or_assign(name, std::get<std::function<bool&(T&)>>(key.place)(readable));
+      break;
+    default:
+      section->insert_or_assign(name,
+                                std::get<std::function<std::string&(T&)>>(key.place)(readable));
+  }
+}
+
+template <class T>
+std::string dump_keys(const KeyTable<T>& table, const T& source, const std::string& prefix) {
+  std::string text, previous = ".";
+  for (const auto& key : table) {
+    text += key_detail::section_header(key.name, previous, prefix);
+    text += key_detail::dump_line(key, key_text(key, source));
+    previous = key.name;
+  }
+  return text;
+}
+
+template <class T>
+std::string key_table_markdown(const KeyTable<T>& table, const T& defaults) {
+  std::string text = "| key | unit | default | range | meaning |\n|---|---|---|---|---|\n";
+  for (const auto& key : table) text += key_detail::markdown_row(key, key_text(key, defaults));
+  return text;
+}
+
+}  // namespace cagetol

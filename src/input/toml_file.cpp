@@ -1,0 +1,233 @@
+#include "src/input/toml_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace cagetol {
+namespace {
+
+constexpr const char* kSettings = "--set";
+constexpr std::uintmax_t kLargestFile = 16u << 20;
+constexpr std::size_t kLongestLine = 16384;
+
+bool is_bare_word(std::string_view text) {
+  if (text.empty() || !(std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '/' ||
+                        text[0] == '.' || text[0] == '_'))
+    return false;
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) || std::strchr("_-./", c) != nullptr;
+  });
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+// The value part of a setting as a table with the single key "value".
+toml::table setting_value(const std::string& setting, std::string_view value) {
+  try {
+    auto parsed = toml::parse("value = " + std::string(value), std::string_view(kSettings));
+    if (parsed.size() == 1) return parsed;
+  } catch (const toml::parse_error&) {
+    if (is_bare_word(value))
+      return toml::parse("value = '" + std::string(value) + "'", std::string_view(kSettings));
+  }
+  throw InputError({kSettings, 0}, "", "", "cannot read the value of '" + setting + "'",
+                   "write the value as in a TOML file: a number, true, false, a word, 'a text', "
+                   "[1, 2] or { lot = { law = 'normal', sigma = 0.01 } }");
+}
+
+void walk(const toml::table& table, const std::string& prefix,
+          const std::function<bool(const toml::table&)>& stop_at, std::vector<TomlLeaf>& leaves) {
+  for (const auto& [key, node] : table) {
+    const std::string name = prefix + std::string(key.str());
+    const auto* inner = node.as_table();
+    if (inner && !inner->empty() && !(stop_at && stop_at(*inner)))
+      walk(*inner, name + ".", stop_at, leaves);
+    else
+      leaves.push_back({name, &node});
+  }
+}
+
+void insert_moved(toml::table& table, std::string_view key, toml::node&& node) {
+  std::move(node).visit(
+      [&](auto&& value) { table.insert_or_assign(key, std::forward<decltype(value)>(value)); });
+}
+
+std::vector<std::string> parts_of(std::string_view name) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (;;) {
+    const auto dot = name.find('.', begin);
+    parts.emplace_back(name.substr(begin, dot == std::string_view::npos ? dot : dot - begin));
+    if (dot == std::string_view::npos) return parts;
+    begin = dot + 1;
+  }
+}
+
+}  // namespace
+
+std::string read_text_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+    throw InputError({path, 0}, "", "", "no such file",
+                     "check the path (relative paths start at "
+                     "the current folder, those inside a study at the study's folder)");
+  if (std::filesystem::is_directory(status))
+    throw InputError({path, 0}, "", "", "this is a folder, not a file", "name a file in it");
+  if (std::filesystem::is_regular_file(status)) {
+    const auto size = std::filesystem::file_size(path, error);
+    if (!error && size > kLargestFile)
+      throw InputError({path, 0}, "", "",
+                       "the file has " + std::to_string(size) +
+                           " bytes; input files are read up to " + std::to_string(kLargestFile),
+                       "check that this is the file you meant");
+  }
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  if (in) {
+    text.resize(kLargestFile + 1);
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+  }
+  if (!in.is_open() || in.bad())
+    throw InputError({path, 0}, "", "", std::string("cannot be read: ") + std::strerror(errno),
+                     "check the file's permissions");
+  if (text.size() > kLargestFile)
+    throw InputError({path, 0}, "", "",
+                     "this never ends: more than " + std::to_string(kLargestFile) + " bytes",
+                     "name an ordinary file");
+  return text;
+}
+
+toml::table read_toml(const std::string& path) {
+  return parse_toml(read_text_file(path), path);
+}
+
+toml::table parse_toml(std::string_view text, const std::string& name) {
+  // A dotted key of a million parts would be a table a million deep: no input file needs such
+  // lines.
+  int line = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++line) {
+    const auto end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > kLongestLine)
+      throw InputError({name, line}, "", "",
+                       "a line of " + std::to_string(end - begin) +
+                           " characters: this does not look like a TOML file",
+                       "break lines before " + std::to_string(kLongestLine) + " characters");
+    begin = end + 1;
+  }
+  try {
+    return toml::parse(text, std::string_view(name));
+  } catch (const toml::parse_error& error) {
+    throw InputError({name, static_cast<int>(error.source().begin.line)}, "", "",
+                     "not valid TOML: " + std::string(error.description()),
+                     "correct the line; keys look like  pocket_width_mm = 7.65  below a section "
+                     "like  [cage]");
+  }
+}
+
+std::string setting_key(const std::string& setting) {
+  const auto equals = setting.find('=');
+  const std::string key(trimmed(std::string_view(setting).substr(0, equals)));
+  const auto parts = parts_of(key);
+  if (equals == std::string::npos ||
+      std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); }))
+    throw InputError({kSettings, 0}, "", "", "'" + setting + "' is not of the form key=value",
+                     "write for example --set load.radial_N=300");
+  return key;
+}
+
+void apply_setting(toml::table& root, const std::string& setting) {
+  const std::string key = setting_key(setting);
+  auto value =
+      setting_value(setting, trimmed(std::string_view(setting).substr(setting.find('=') + 1)));
+  const auto parts = parts_of(key);
+  toml::table* table = &root;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    auto* node = table->get(parts[i]);
+    if (!node) node = &table->insert(parts[i], toml::table{}).first->second;
+    table = node->as_table();
+    if (!table)
+      throw InputError({kSettings, 0}, key, "", "'" + parts[i] + "' holds a value, not keys",
+                       "set it whole, for example --set " + parts[i] + "=...");
+  }
+  insert_moved(*table, parts.back(), std::move(*value.get("value")));
+}
+
+void merge_tables(toml::table& base, toml::table&& overrides,
+                  const std::function<bool(const toml::table&)>& stop_at) {
+  for (auto&& [key, node] : overrides) {
+    auto* inner = node.as_table();
+    auto* existing = base.get(key.str());
+    auto* existing_table = existing ? existing->as_table() : nullptr;
+    if (inner && existing_table && !stop_at(*inner) && !stop_at(*existing_table))
+      merge_tables(*existing_table, std::move(*inner), stop_at);
+    else
+      insert_moved(base, key.str(), std::move(node));
+  }
+}
+
+std::vector<TomlLeaf> toml_leaves(const toml::table& root,
+                                  const std::function<bool(const toml::table&)>& stop_at) {
+  std::vector<TomlLeaf> leaves;
+  walk(root, "", stop_at, leaves);
+  return leaves;
+}
+
+const toml::node* find_node(const toml::table& root, std::string_view name) {
+  const toml::node* node = &root;
+  for (const auto& part : parts_of(name)) {
+    const auto* table = node->as_table();
+    node = table ? table->get(part) : nullptr;
+    if (!node) return nullptr;
+  }
+  return node;
+}
+
+SourcePlace place_of(const toml::node& node, const std::string& file) {
+  const auto& source = node.source();
+  const std::string name = source.path ? *source.path : file;
+  return {name, name == kSettings ? 0 : static_cast<int>(source.begin.line)};
+}
+
+std::string shown(const toml::node& node) {
+  constexpr std::size_t longest = 60;
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << value; });
+  std::string result = text.str();
+  std::replace(result.begin(), result.end(), '\n', ' ');
+  if (result.size() > longest) result = result.substr(0, longest - 3) + "...";
+  return result;
+}
+
+const char* type_name(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+}  // namespace cagetol

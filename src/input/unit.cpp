@@ -1,0 +1,101 @@
+#include "src/input/unit.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <vector>
+
+namespace cagetol {
+namespace {
+
+// Longer suffixes first where one ends in another: "N_s_mm" before "mm".
+// clang-format off
+const std::vector<Unit>& units() {
+  static const std::vector<Unit> table = {
+      {"N_mm_e", "N/mm^e", "contact stiffness", 1},
+      {"N_s_mm", "N s/mm", "damping", 1e3},
+      {"N_s_m", "N s/m", "damping", 1},
+      {"kg_mm2", "kg mm^2", "inertia", 1e-6},
+      {"kg_m2", "kg m^2", "inertia", 1},
+      {"g_mm2", "g mm^2", "inertia", 1e-9},
+      {"kg_m3", "kg/m^3", "density", 1},
+      {"g_cm3", "g/cm^3", "density", 1e3},
+      {"m_s2", "m/s^2", "acceleration", 1},
+      {"mm_s", "mm/s", "speed", 1e-3},
+      {"m_s", "m/s", "speed", 1},
+      {"rad_s", "rad/s", "rotational speed", 1},
+      {"rpm", "rpm", "rotational speed", 0.10471975511965977},
+      {"GPa", "GPa", "stress", 1e9},
+      {"MPa", "MPa", "stress", 1e6},
+      {"Pa", "Pa", "stress", 1},
+      {"mrad", "mrad", "angle", 1e-3},
+      {"urad", "urad", "angle", 1e-6},
+      {"rad", "rad", "angle", 1},
+      {"deg", "deg", "angle", std::numbers::pi / 180},
+      {"kN", "kN", "force", 1e3},
+      {"N", "N", "force", 1},
+      {"kg", "kg", "mass", 1},
+      {"g", "g", "mass", 1e-3},
+      {"mm", "mm", "length", 1e-3},
+      {"um", "um", "length", 1e-6},
+      {"nm", "nm", "length", 1e-9},
+      {"m", "m", "length", 1},
+      {"ms", "ms", "time", 1e-3},
+      {"us", "us", "time", 1e-6},
+      {"s", "s", "time", 1},
+  };
+  return table;
+}
+// clang-format on
+
+// 1/factor where factor is a negative power of ten, else 0.
+double exact_divisor(double factor) {
+  if (factor >= 1) return 0;
+  const double divisor = std::round(1 / factor);
+  return std::abs(divisor * factor - 1) < 1e-12 ? divisor : 0;
+}
+
+}  // namespace
+
+const Unit& unit_of(std::string_view key) {
+  static const Unit pure{"", "-", "pure number", 1};
+  for (const auto& unit : units())
+    if (key.ends_with("_" + unit.suffix)) return unit;
+  return pure;
+}
+
+std::string_view without_unit(std::string_view key) {
+  const auto& unit = unit_of(key);
+  return unit.suffix.empty() ? key : key.substr(0, key.size() - unit.suffix.size() - 1);
+}
+
+double to_si(double value, double factor) {
+  const double divisor = exact_divisor(factor);
+  return divisor > 0 ? value / divisor : value * factor;
+}
+
+double from_si(double value, double factor) {
+  const double divisor = exact_divisor(factor);
+  return divisor > 0 ? value * divisor : value / factor;
+}
+
+std::string number_text(double value) {
+  std::array<char, 40> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
+}
+
+double unit_value(double si, double factor) {
+  const double direct = from_si(si, factor);
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%.*g", digits, direct);
+    const double candidate = std::strtod(text.data(), nullptr);
+    if (to_si(candidate, factor) == si) return candidate;
+  }
+  return direct;
+}
+
+}  // namespace cagetol

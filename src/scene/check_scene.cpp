@@ -1,0 +1,150 @@
+#include <cmath>
+#include <numbers>
+
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+// Writes the errors: where the key stands, what it disagrees with.
+class SceneCheck {
+ public:
+  SceneCheck(const Scene& scene, const std::string& file, const toml::table* root)
+      : scene_(scene), file_(file), root_(root) {}
+
+  /// Throws, naming `key` with its value, unless `condition` holds.
+  void require(bool condition, const std::string& key, const std::string& problem,
+               const std::string& remedy) const {
+    if (condition) return;
+    const auto* node = root_ ? find_node(*root_, key) : nullptr;
+    throw InputError(node ? place_of(*node, file_) : SourcePlace{file_, 0}, key, value(key),
+                     problem, remedy);
+  }
+
+  /// "roller.diameter_mm = 7.5".
+  std::string with_value(const std::string& key) const { return key + " = " + value(key); }
+
+ private:
+  std::string value(const std::string& key) const {
+    return key_text(*find_key(scene_keys(), key), scene_);
+  }
+
+  const Scene& scene_;
+  const std::string& file_;
+  const toml::table* root_;
+};
+
+void check_rings(const Scene& scene, const SceneCheck& check) {
+  const auto& bearing = scene.bearing;
+  check.require(bearing.bore_diameter < bearing.inner_raceway_diameter, "bearing.bore_diameter_mm",
+                "the bore is not smaller than the inner raceway (" +
+                    check.with_value("bearing.inner_raceway_diameter_mm") + ")",
+                "correct the bore or the inner raceway diameter");
+  check.require(bearing.outer_raceway_diameter < bearing.outside_diameter,
+                "bearing.outer_raceway_diameter_mm",
+                "the outer raceway is not smaller than the bearing's outside diameter (" +
+                    check.with_value("bearing.outside_diameter_mm") + ")",
+                "correct the outer raceway or the outside diameter");
+  for (const double diameter : scene.roller.diameter) {
+    const double clearance = bearing.outer_raceway_diameter - bearing.inner_raceway_diameter -
+                             2 * diameter + bearing.internal_clearance;
+    const std::string raceways = check.with_value("bearing.inner_raceway_diameter_mm") + ", " +
+                                 check.with_value("bearing.outer_raceway_diameter_mm") + ", " +
+                                 check.with_value("bearing.internal_clearance_um");
+    check.require(std::abs(clearance) < diameter / 10, "roller.diameter_mm",
+                  "the rollers do not fill the gap between the raceways: " +
+                      number_text(std::round(clearance * 1e9) / 1e6) +
+                      " mm of diametral clearance (" + raceways + ")",
+                  "give raceways with outer - inner = 2 roller diameters, and the clearance as "
+                  "bearing.internal_clearance_um");
+  }
+  const double pitch_diameter =
+      (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
+  check.require(bearing.shoulder_diameter > pitch_diameter &&
+                    bearing.shoulder_diameter < bearing.outer_raceway_diameter,
+                "bearing.shoulder_diameter_mm",
+                "the shoulders must stand between the pitch circle (" +
+                    number_text(unit_value(pitch_diameter, 1e-3)) + " mm) and the outer raceway (" +
+                    check.with_value("bearing.outer_raceway_diameter_mm") + ")",
+                "correct the shoulder diameter");
+  check.require(scene.roller.length < bearing.width, "roller.length_mm",
+                "the rollers are not shorter than the bearing is wide (" +
+                    check.with_value("bearing.width_mm") + ")",
+                "correct the roller length or the width");
+}
+
+void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
+  const auto& cage = scene.cage;
+  check.require(
+      cage.inner_diameter < cage.outer_diameter, "cage.inner_diameter_mm",
+      "the cage has no wall: its inner diameter is not smaller than its outer diameter (" +
+          check.with_value("cage.outer_diameter_mm") + ")",
+      "correct one of the two");
+  check.require(cage.inner_diameter > scene.bearing.inner_raceway_diameter,
+                "cage.inner_diameter_mm",
+                "the cage does not fit over the inner ring (" +
+                    check.with_value("bearing.inner_raceway_diameter_mm") + ")",
+                "give a larger inner diameter of the cage");
+  check.require(cage.outer_diameter < scene.bearing.shoulder_diameter, "cage.outer_diameter_mm",
+                "the cage does not fit inside the outer ring's shoulders (" +
+                    check.with_value("bearing.shoulder_diameter_mm") + ")",
+                "give a smaller outer diameter of the cage or larger shoulders");
+  check.require(std::isnan(cage.land_offset) || cage.land_offset <= cage.width / 2,
+                "cage.land_offset_mm",
+                "the guide lands lie outside the cage (" + check.with_value("cage.width_mm") + ")",
+                "give at most half the cage's width");
+}
+
+void check_pockets(const Scene& scene, const SceneCheck& check) {
+  const auto& cage = scene.cage;
+  const double inner_radius = cage.inner_diameter / 2;
+  for (long j = 0; j < scene.bearing.roller_count; ++j) {
+    const double width = each(cage.pocket_width, j);
+    const double length = each(cage.pocket_length, j);
+    const std::string pocket = "pocket " + std::to_string(j) + ": ";
+    if (!scene.allow_interference) {
+      check.require(width > each(scene.roller.diameter, j), "cage.pocket_width_mm",
+                    pocket + "the nominal pocket is not wider than its roller (" +
+                        check.with_value("roller.diameter_mm") + "), so every cage jams",
+                    "give a pocket width above the roller diameter, or set "
+                    "cage.allow_interference = true to simulate the pinch");
+      check.require(length > scene.roller.length, "cage.pocket_length_mm",
+                    pocket + "the nominal pocket is not longer than its roller (" +
+                        check.with_value("roller.length_mm") + "), so every cage jams",
+                    "give a pocket length above the roller length, or set "
+                    "cage.allow_interference = true to simulate the pinch");
+    }
+    check.require(
+        width < cage.inner_diameter &&
+            std::asin(width / 2 / inner_radius) * static_cast<double>(scene.bearing.roller_count) <
+                std::numbers::pi,
+        "cage.pocket_width_mm",
+        pocket + "pockets this wide leave no bar between them at the cage's inner diameter (" +
+            check.with_value("cage.inner_diameter_mm") + ", " +
+            check.with_value("bearing.roller_count") + ")",
+        "give narrower pockets, fewer rollers or a larger cage");
+    check.require(
+        length < cage.width, "cage.pocket_length_mm",
+        pocket + "the pocket leaves no side rings (" + check.with_value("cage.width_mm") + ")",
+        "give a shorter pocket or a wider cage");
+  }
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene, const std::string& file, const toml::table* root) {
+  const SceneCheck check(scene, file, root);
+  check_rings(scene, check);
+  check_cage_between_rings(scene, check);
+  check_pockets(scene, check);
+  check.require(scene.contact.static_speed < scene.contact.dynamic_speed,
+                "friction.static_speed_m_s",
+                "friction must peak at a lower speed than that of full sliding (" +
+                    check.with_value("friction.dynamic_speed_m_s") + ")",
+                "give a smaller static_speed or a larger dynamic_speed");
+  check.require(scene.operation.inner_speed != 0 || !std::isnan(scene.window.measure_time),
+                "speed.inner_rpm", "at standstill the cage makes no revolutions to measure over",
+                "give window.settle_time_s and window.measure_time_s");
+}
+
+}  // namespace cagetol

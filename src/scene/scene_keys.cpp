@@ -1,0 +1,187 @@
+#include "src/scene/scene_keys.hpp"
+
+#include <algorithm>
+
+namespace cagetol {
+namespace {
+
+// clang-format off
+#define AT(member) [](Scene& s) -> auto& { return s.member; }
+
+void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
+  const KeyTable<Scene> table = {
+      {"name", any_value(), AT(name), "name of the scene, for titles"},
+      {"bearing.roller_count", within(3, 64), AT(bearing.roller_count), "number of rollers and pockets Z"},
+      {"bearing.bore_diameter_mm", above(0), AT(bearing.bore_diameter), "bore d"},
+      {"bearing.outside_diameter_mm", above(0), AT(bearing.outside_diameter), "outside diameter D"},
+      {"bearing.width_mm", above(0), AT(bearing.width), "width B of the rings"},
+      {"bearing.inner_raceway_diameter_mm", above(0), AT(bearing.inner_raceway_diameter), "inner raceway F, catalogue value"},
+      {"bearing.outer_raceway_diameter_mm", above(0), AT(bearing.outer_raceway_diameter), "outer raceway E, catalogue value"},
+      {"bearing.shoulder_diameter_mm", above(0), AT(bearing.shoulder_diameter), "outer-ring shoulders: roller flanges and guiding surface of the cage"},
+      {"bearing.internal_clearance_um", within(-200, 2000), AT(bearing.internal_clearance), "diametral internal clearance added to what the raceways and rollers leave, half on each raceway"},
+      {"bearing.flange_clearance_mm", at_least(0), AT(bearing.flange_clearance), "axial clearance of a roller between both flanges, total"},
+      {"bearing.ring_young_GPa", above(0), AT(bearing.ring_material.young), "Young's modulus of the rings"},
+      {"bearing.ring_poisson", within(0, 0.49), AT(bearing.ring_material.poisson), "Poisson's ratio of the rings"},
+      {"bearing.ring_density_kg_m3", above(0), AT(bearing.ring_material.density), "density of the rings"},
+      {"bearing.inner_ring_mass_kg", or_auto(above(0)), AT(bearing.inner_ring_mass), "moving mass of the inner ring; auto: from its geometry"},
+      {"bearing.misalignment_y_mrad", within(-50, 50), AT(bearing.misalignment_y), "slope of the inner ring's centre line in y, fixed in space"},
+      {"bearing.misalignment_z_mrad", within(-50, 50), AT(bearing.misalignment_z), "slope of the inner ring's centre line in z, fixed in space"},
+      {"roller.diameter_mm", above(0), AT(roller.diameter), "roller diameter D_we"},
+      {"roller.length_mm", above(0), AT(roller.length), "roller length L_we"},
+      {"roller.taper_um", within(-500, 500), AT(roller.taper), "diameter at the +x end minus diameter at the -x end"},
+      {"roller.profile", one_of({"none", "logarithmic"}), AT(roller.profile), "axial profile; logarithmic: ISO/TS 16281"},
+      {"roller.young_GPa", above(0), AT(roller.material.young), "Young's modulus of the rollers"},
+      {"roller.poisson", within(0, 0.49), AT(roller.material.poisson), "Poisson's ratio of the rollers"},
+      {"roller.density_kg_m3", above(0), AT(roller.material.density), "density of the rollers"},
+  };
+  keys.insert(keys.end(), table.begin(), table.end());
+}
+
+void add_cage_keys(KeyTable<Scene>& keys) {
+  const KeyTable<Scene> table = {
+      {"cage.model", one_of({"rigid"}), AT(cage.model), "cage model; rigid: six degrees of freedom"},
+      {"cage.inner_diameter_mm", above(0), AT(cage.inner_diameter), "inner diameter of the cage"},
+      {"cage.outer_diameter_mm", above(0), AT(cage.outer_diameter), "outer diameter of the cage"},
+      {"cage.width_mm", above(0), AT(cage.width), "axial width of the cage"},
+      {"cage.pocket_width_mm", above(0), AT(cage.pocket_width), "circumferential opening S of a pocket"},
+      {"cage.pocket_length_mm", above(0), AT(cage.pocket_length), "axial opening L of a pocket"},
+      {"cage.pocket_pitch_mrad", within(-100, 100), AT(cage.pocket_pitch), "angular deviation of a pocket's centre"},
+      {"cage.pocket_squareness_mrad", within(-100, 100), AT(cage.pocket_squareness), "angle of a pocket's bar faces to the bearing axis"},
+      {"cage.young_GPa", above(0), AT(cage.material.young), "Young's modulus of the cage"},
+      {"cage.poisson", within(0, 0.49), AT(cage.material.poisson), "Poisson's ratio of the cage"},
+      {"cage.density_kg_m3", above(0), AT(cage.material.density), "density of the cage"},
+      {"cage.yield_stress_MPa", above(0), AT(cage.yield_stress), "yield stress of the cage"},
+      {"cage.mass_kg", or_auto(above(0)), AT(cage.mass), "mass of the cage; auto: from geometry and density"},
+      {"cage.polar_inertia_kg_mm2", or_auto(above(0)), AT(cage.polar_inertia), "moment of inertia about the bearing axis; auto: from geometry and density"},
+      {"cage.transverse_inertia_kg_mm2", or_auto(above(0)), AT(cage.transverse_inertia), "moment of inertia about a diameter; auto: from geometry and density"},
+      {"cage.guidance", one_of({"outer", "inner", "roller"}), AT(cage.guidance), "what guides the cage: outer-ring shoulders, inner ring or rollers"},
+      {"cage.guide_clearance_mm", or_auto(above(0)), AT(cage.guide_clearance), "radial guide clearance; auto: from the diameters"},
+      {"cage.land_offset_mm", or_auto(above(0)), AT(cage.land_offset), "guide lands at x = +- this; auto: middle of the side rings"},
+      {"cage.allow_interference", any_value(), AT(allow_interference), "simulate the elastic pinch of a roller larger than its pocket instead of reporting the jam"},
+  };
+  keys.insert(keys.end(), table.begin(), table.end());
+}
+
+// One contact kind; AT cannot capture, so the member comes as a pointer.
+void add_contact_keys(KeyTable<Scene>& keys, const std::string& kind, ContactParameters Contacts::*contact, const std::string& between, bool may_be_hertz) {
+  const auto at = [contact](auto ContactParameters::*member) {
+    return [contact, member](Scene& s) -> auto& { return s.contact.*contact.*member; };
+  };
+  const std::string name = "contact." + kind + ".";
+  const auto laws = may_be_hertz ? one_of({"impact", "hertz"}) : one_of({"impact"});
+  const KeyTable<Scene> table = {
+      {name + "force_law", laws, at(&ContactParameters::law), "normal force law of " + between},
+      {name + "stiffness_N_mm_e", above(0), at(&ContactParameters::stiffness), "impact: K, for a depth in mm"},
+      {name + "exponent", within(1, 3), at(&ContactParameters::exponent), "impact: e"},
+      {name + "damping_N_s_mm", at_least(0), at(&ContactParameters::damping), "impact: c_max"},
+      {name + "damping_depth_mm", above(0), at(&ContactParameters::damping_depth), "impact: depth at which the damping is full"},
+  };
+  keys.insert(keys.end(), table.begin(), table.end());
+  if (!may_be_hertz) return;
+  const KeyTable<Scene> hertz = {
+      {name + "restitution", above(0, 1), at(&ContactParameters::restitution), "hertz: coefficient of restitution at the reference speed (Hunt-Crossley damping)"},
+      {name + "restitution_speed_m_s", above(0), at(&ContactParameters::restitution_speed), "hertz: reference speed of the restitution"},
+  };
+  keys.insert(keys.end(), hertz.begin(), hertz.end());
+}
+
+void add_operation_keys(KeyTable<Scene>& keys) {
+  const KeyTable<Scene> table = {
+      {"friction.static_coefficient", within(0, 2), AT(contact.friction_static), "mu_s, peak of the friction law"},
+      {"friction.dynamic_coefficient", within(0, 2), AT(contact.friction_dynamic), "mu_d, friction of full sliding"},
+      {"friction.static_speed_m_s", above(0), AT(contact.static_speed), "v_s, sliding speed at which friction peaks"},
+      {"friction.dynamic_speed_m_s", above(0), AT(contact.dynamic_speed), "v_d, sliding speed from which friction is mu_d"},
+      {"load.radial_N", at_least(0), AT(operation.radial_load), "radial load on the inner ring, along -z"},
+      {"load.ramp_ms", at_least(0), AT(operation.load_ramp), "time over which the load rises smoothly from zero"},
+      {"speed.inner_rpm", within(-1e6, 1e6), AT(operation.inner_speed), "speed of the inner ring about +x"},
+      {"speed.ramp_from_rpm", or_auto(within(-1e6, 1e6)), AT(operation.speed_ramp_from), "speed at the start of a smooth ramp; auto: no ramp"},
+      {"speed.ramp_ms", at_least(0), AT(operation.speed_ramp), "duration of the speed ramp"},
+      {"environment.gravity_m_s2", within(-1e4, 1e4), AT(operation.gravity), "gravity, along -z"},
+      {"start.state", one_of({"equilibrium", "centred"}), AT(start.state), "equilibrium: loaded static equilibrium; centred: ring and cage centred, rollers at mid-clearance"},
+      {"start.cage_offset_x_um", any_value(), AT(start.cage_offset_x), "axial offset of the cage at the start"},
+      {"start.cage_offset_y_um", any_value(), AT(start.cage_offset_y), "offset of the cage in y at the start"},
+      {"start.cage_offset_z_um", any_value(), AT(start.cage_offset_z), "offset of the cage in z at the start"},
+      {"start.cage_phase_deg", any_value(), AT(start.cage_phase), "angle by which rollers and cage are turned together at the start"},
+      {"window.settle_revolutions", at_least(0), AT(window.settle_revolutions), "cage revolutions before measuring"},
+      {"window.measure_revolutions", above(0), AT(window.measure_revolutions), "cage revolutions measured"},
+      {"window.settle_time_s", or_auto(at_least(0)), AT(window.settle_time), "time before measuring; auto: settle_revolutions"},
+      {"window.measure_time_s", or_auto(above(0)), AT(window.measure_time), "time measured; auto: measure_revolutions"},
+      {"window.history_interval_us", above(0), AT(history_interval), "interval of time histories, where they are asked for"},
+      {"discretisation.race_slices", within(1, 100), AT(discretisation.race_slices), "slices of a roller-race contact along the roller"},
+      {"discretisation.bar_stations", within(1, 100), AT(discretisation.bar_stations), "axial stations of a roller-bar contact"},
+      {"integration.method", one_of({"rodas3", "cvode-bdf", "semi-implicit-euler"}), AT(integration.method), "time integration method"},
+      {"integration.tolerance", above(0, 10), AT(integration.tolerance), "error tolerance, multiple of the error scales (1 um, 1 cm/s and kin)"},
+      {"integration.max_step_us", above(0), AT(integration.max_step), "largest step"},
+      {"integration.fixed_step_us", above(0), AT(integration.fixed_step), "step of fixed-step methods"},
+      {"integration.max_order", within(1, 5), AT(integration.max_order), "highest order of cvode-bdf"},
+      {"integration.touch_aware", any_value(), AT(integration.touch_aware), "bound the step by the predicted next touch"},
+      {"integration.step_budget", within(1, 1e12), AT(integration.step_budget), "attempted steps after which a run is censored"},
+      {"integration.wall_budget_s", at_least(0), AT(integration.wall_budget), "wall-clock limit of a run, ends it as not run; 0: none"},
+      {"watch.static_consistency_max", above(0), AT(watch.static_consistency_max), "a run whose static consistency error is larger has failed"},
+      {"watch.energy_residual_max", above(0), AT(watch.energy_residual_max), "a run whose relative energy residual is larger has failed"},
+  };
+  keys.insert(keys.end(), table.begin(), table.end());
+}
+#undef AT
+// clang-format on
+
+KeyTable<Scene> make_scene_keys() {
+  KeyTable<Scene> keys;
+  add_ring_and_roller_keys(keys);
+  add_cage_keys(keys);
+  add_contact_keys(keys, "race", &Contacts::race, "roller against raceways", true);
+  add_contact_keys(keys, "bar", &Contacts::bar, "roller against pocket bars", true);
+  add_contact_keys(keys, "end", &Contacts::end, "roller end against pocket end wall", false);
+  add_contact_keys(keys, "flange", &Contacts::flange, "roller end against ring flange", false);
+  add_contact_keys(keys, "land", &Contacts::land, "cage against its guiding land", false);
+  add_operation_keys(keys);
+  return keys;
+}
+
+// The nominal value of a distribution, or the node itself where it is a plain value; nullptr: keep
+// the default.
+const toml::node* nominal_node(const toml::node& node) {
+  const auto* table = node.as_table();
+  return table && is_distribution(*table) ? table->get("nominal") : &node;
+}
+
+}  // namespace
+
+const KeyTable<Scene>& scene_keys() {
+  static const KeyTable<Scene> keys = make_scene_keys();
+  return keys;
+}
+
+bool is_distribution(const toml::table& table) {
+  for (const char* name : {"law", "lot", "pocket", "noise", "nominal"})
+    if (table.contains(name)) return true;
+  return false;
+}
+
+Scene read_scene(const toml::table& root, const std::string& file) {
+  Scene scene;
+  const auto& keys = scene_keys();
+  const auto read = [&](const TomlLeaf& leaf) {
+    const auto* key = find_key(keys, leaf.name);
+    if (!key) {
+      const bool empty_section =
+          leaf.node->is_table() && std::any_of(keys.begin(), keys.end(), [&](const auto& known) {
+            return known.name.starts_with(leaf.name + ".");
+          });
+      if (empty_section && leaf.node->as_table()->empty()) return;
+      throw unknown_key(leaf, file, key_infos(keys));
+    }
+    const auto* node = nominal_node(*leaf.node);
+    const auto count = static_cast<std::size_t>(scene.bearing.roller_count);
+    if (node) read_key(*key, *node, file, count, scene);
+  };
+  const auto leaves = toml_leaves(root, is_distribution);
+  // The number of rollers first: it is the length of every per-pocket array.
+  for (const auto& leaf : leaves)
+    if (leaf.name == "bearing.roller_count") read(leaf);
+  for (const auto& leaf : leaves) read(leaf);
+  check_scene(scene, file, &root);
+  return scene;
+}
+
+}  // namespace cagetol

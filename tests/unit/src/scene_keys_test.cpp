@@ -1,0 +1,216 @@
+#include "src/scene/scene_keys.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <cmath>
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+
+Scene scene_of(const std::string& text) {
+  return read_scene(parse_toml(text, "t.toml"), "t.toml");
+}
+
+std::string problem_of(const std::string& text) {
+  try {
+    scene_of(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string shipped(const std::string& name) {
+  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/scenes/" + name + ".toml";
+}
+
+void expect_equal(const Scene& a, const Scene& b) {
+  for (const auto& key : scene_keys()) EXPECT_EQ(key_text(key, a), key_text(key, b)) << key.name;
+}
+
+TEST(SceneKeys, DumpedDefaultsReadBackToTheSameBits) {
+  const Scene defaults;
+  const Scene read = scene_of(dump_keys(scene_keys(), defaults));
+  expect_equal(read, defaults);
+  EXPECT_EQ(read.bearing.bore_diameter, defaults.bearing.bore_diameter);
+  EXPECT_EQ(read.cage.pocket_width, defaults.cage.pocket_width);
+  EXPECT_EQ(read.cage.pocket_length, defaults.cage.pocket_length);
+  EXPECT_EQ(read.cage.inner_diameter, defaults.cage.inner_diameter);
+  EXPECT_EQ(read.cage.outer_diameter, defaults.cage.outer_diameter);
+  EXPECT_EQ(read.bearing.shoulder_diameter, defaults.bearing.shoulder_diameter);
+  EXPECT_EQ(read.bearing.internal_clearance, defaults.bearing.internal_clearance);
+  EXPECT_EQ(read.operation.inner_speed, defaults.operation.inner_speed);
+  EXPECT_EQ(read.contact.race.exponent, defaults.contact.race.exponent);
+  EXPECT_EQ(read.contact.race.damping, defaults.contact.race.damping);
+  EXPECT_EQ(read.integration.max_step, defaults.integration.max_step);
+  EXPECT_EQ(read.history_interval, defaults.history_interval);
+  EXPECT_TRUE(std::isnan(read.cage.mass));
+}
+
+TEST(SceneKeys, EmptyFileIsTheReferenceBearing) {
+  expect_equal(scene_of(""), Scene{});
+}
+
+TEST(SceneKeys, ValuesArriveInSI) {
+  const Scene scene = scene_of(
+      "[load]\nradial_N = 300\nramp_ms = 2\n[speed]\ninner_rpm = 60\n[start]\ncage_phase_deg = "
+      "180\n"
+      "[cage]\npolar_inertia_kg_mm2 = 65.58\n[contact.race]\ndamping_N_s_mm = 750");
+  EXPECT_DOUBLE_EQ(scene.operation.radial_load, 300);
+  EXPECT_DOUBLE_EQ(scene.operation.load_ramp, 2e-3);
+  EXPECT_DOUBLE_EQ(scene.operation.inner_speed, 2 * M_PI);
+  EXPECT_DOUBLE_EQ(scene.start.cage_phase, M_PI);
+  EXPECT_DOUBLE_EQ(scene.cage.polar_inertia, 65.58e-6);
+  EXPECT_DOUBLE_EQ(scene.contact.race.damping, 750e3);
+}
+
+TEST(SceneKeys, OneNumberPerPocket) {
+  const Scene scene =
+      scene_of("[bearing]\nroller_count = 3\n[cage]\npocket_width_mm = [7.6, 7.7, 7.8]\n");
+  EXPECT_THAT(scene.cage.pocket_width, testing::ElementsAre(7.6e-3, 7.7e-3, 7.8e-3));
+}
+
+TEST(SceneKeys, ShippedScenesAreValid) {
+  for (const char* name :
+       {"nu205", "nu205-paper", "nu205-paper-tight", "speed-z16", "speed-z16-skew"})
+    EXPECT_EQ(read_scene(read_toml(shipped(name)), shipped(name)).name, name);
+}
+
+TEST(SceneKeys, SpeedSceneIsTheOneThatSpeedsAreMeasuredOn) {
+  const Scene scene = read_scene(read_toml(shipped("speed-z16")), "speed-z16");
+  EXPECT_EQ(scene.bearing.roller_count, 16);
+  EXPECT_DOUBLE_EQ(scene.bearing.inner_raceway_diameter, 56.49e-3);
+  EXPECT_DOUBLE_EQ(scene.bearing.outer_raceway_diameter, 74.51e-3);
+  EXPECT_DOUBLE_EQ(scene.bearing.inner_ring_mass, 0.12);
+  EXPECT_DOUBLE_EQ(scene.cage.pocket_width[0] - scene.roller.diameter[0], 9.2e-3 - 9e-3);
+  EXPECT_NEAR(scene.cage.pocket_length[0] - scene.roller.length, 0.2e-3, 1e-15);
+  const double inner = scene.cage.inner_diameter / 2, outer = scene.cage.outer_diameter / 2;
+  EXPECT_NEAR(scene.cage.polar_inertia, 0.06 * (inner * inner + outer * outer) / 2, 1e-14);
+  EXPECT_NEAR(scene.cage.transverse_inertia,
+              0.06 * (3 * (inner * inner + outer * outer) + 16e-3 * 16e-3) / 12, 1e-14);
+  EXPECT_NEAR((scene.bearing.shoulder_diameter - scene.cage.outer_diameter) / 2,
+              scene.cage.guide_clearance, 1e-15);
+  EXPECT_EQ(scene.contact.bar.law, "impact");
+  EXPECT_EQ(scene.contact.race.law, "impact");
+  EXPECT_DOUBLE_EQ(scene.window.settle_time, 5e-3);
+  EXPECT_DOUBLE_EQ(scene.window.measure_time, 15e-3);
+  EXPECT_DOUBLE_EQ(scene.operation.load_ramp, 1e-3);
+  EXPECT_EQ(scene.operation.gravity, 0);
+}
+
+TEST(SceneKeys, ADistributionCountsWithItsNominal) {
+  const Scene scene = scene_of(
+      "[cage]\npocket_width_mm = { nominal = 7.7, lot = { law = 'normal', sigma = 0.01 } }\n"
+      "pocket_squareness_mrad = { pocket = { law = 'normal', sigma = 3 } }");
+  EXPECT_EQ(scene.cage.pocket_width, std::vector<double>{7.7e-3});
+  EXPECT_EQ(scene.cage.pocket_squareness, std::vector<double>{0});
+}
+
+TEST(SceneMessages, UnknownKeyNamesTheNearest) {
+  const auto text = problem_of("[cage]\nmodel = 'rigid'\npocket_widht_mm = 7.7\n");
+  EXPECT_THAT(text, HasSubstr("t.toml:3: cage.pocket_widht_mm = 7.7: no such key"));
+  EXPECT_THAT(text, HasSubstr("remedy: did you mean cage.pocket_width_mm?"));
+}
+
+TEST(SceneMessages, UnknownSectionEvenWhenEmpty) {
+  EXPECT_THAT(problem_of("[cagge]\n"), HasSubstr("t.toml:1: cagge: no such key"));
+  EXPECT_EQ(problem_of("[cage]\n"), "no error");
+}
+
+TEST(SceneMessages, WrongUnitIsConverted) {
+  const auto text = problem_of("[cage]\npocket_width_um = 7650\n");
+  EXPECT_THAT(text,
+              HasSubstr("t.toml:2: cage.pocket_width_um = 7650: wrong unit: this key is in mm"));
+  EXPECT_THAT(text, HasSubstr("write cage.pocket_width_mm = 7.65  (1 um = 0.001 mm)"));
+}
+
+TEST(SceneMessages, WrongDimensionAndMissingUnit) {
+  EXPECT_THAT(problem_of("load.radial_mm = 7\n"), HasSubstr("this key is a force in N, not in mm"));
+  const auto text = problem_of("load.radial = 7\n");
+  EXPECT_THAT(text, HasSubstr("t.toml:1: load.radial = 7: the unit is missing"));
+  EXPECT_THAT(text, HasSubstr("write load.radial_N, in N"));
+}
+
+TEST(SceneMessages, WrongTypes) {
+  EXPECT_THAT(problem_of("load.radial_N = 'much'\n"),
+              HasSubstr("this is a text, expected a number in N"));
+  EXPECT_THAT(problem_of("load.radial_N = true\n"), HasSubstr("expected a number in N"));
+  EXPECT_THAT(problem_of("bearing.roller_count = 13.5\n"),
+              HasSubstr("expected a whole number, from 3 to 64"));
+  EXPECT_THAT(problem_of("cage.model = 5\n"), HasSubstr("expected a text in quotes"));
+  EXPECT_THAT(problem_of("integration.touch_aware = 'yes'\n"), HasSubstr("expected true or false"));
+  EXPECT_THAT(problem_of("load.radial_N = 2024-01-01\n"), HasSubstr("a date or time"));
+  EXPECT_THAT(problem_of("load = 5\n"),
+              HasSubstr("t.toml:1: load = 5: this is a section, not a key"));
+  EXPECT_THAT(problem_of("cage.mass_kg = 'heavy'\n"), HasSubstr("or \"auto\""));
+}
+
+TEST(SceneMessages, RangesAreNamed) {
+  EXPECT_THAT(problem_of("cage.pocket_length_mm = -9.25\n"),
+              HasSubstr("t.toml:1: cage.pocket_length_mm = -9.25: outside the range of this key"));
+  EXPECT_THAT(problem_of("cage.pocket_length_mm = -9.25\n"), HasSubstr("give a value above 0 mm"));
+  EXPECT_THAT(problem_of("bearing.roller_count = 9000000000\n"),
+              HasSubstr("give a value from 3 to 64"));
+  EXPECT_THAT(problem_of("cage.model = 'stiff'\n"), HasSubstr("choose from rigid"));
+}
+
+TEST(SceneMessages, NotANumberAndInfinity) {
+  EXPECT_THAT(problem_of("load.radial_N = nan\n"),
+              HasSubstr("t.toml:1: load.radial_N = nan: not a finite number"));
+  EXPECT_THAT(problem_of("cage.pocket_pitch_mrad = -inf\n"), HasSubstr("not a finite number"));
+  EXPECT_THAT(problem_of("cage.pocket_width_mm = [7.6, nan, 7.6]\nbearing.roller_count = 3\n"),
+              HasSubstr("not a finite number"));
+}
+
+TEST(SceneMessages, ArraysOfTheWrongLength) {
+  const auto text = problem_of("cage.pocket_width_mm = [7.6, 7.7]\n");
+  EXPECT_THAT(text, HasSubstr("an array of 2 values, but there are 13 rollers"));
+  EXPECT_THAT(text, HasSubstr("give one number for all, or an array of 13"));
+}
+
+TEST(SceneMessages, NominalPocketSmallerThanItsRoller) {
+  const auto text = problem_of("[roller]\ndiameter_mm = 7.5\n[cage]\npocket_width_mm = 7.4\n");
+  EXPECT_THAT(text, HasSubstr("t.toml:4: cage.pocket_width_mm = 7.4"));
+  EXPECT_THAT(text, HasSubstr("roller.diameter_mm = 7.5"));
+  EXPECT_THAT(text, HasSubstr("remedy: give a pocket width above the roller diameter"));
+  EXPECT_THAT(problem_of("cage.pocket_length_mm = 9\n"), HasSubstr("not longer than its roller"));
+  EXPECT_EQ(problem_of("cage.pocket_width_mm = 7.4\ncage.allow_interference = true\n"), "no error");
+}
+
+TEST(SceneMessages, BodiesThatDoNotFitEachOther) {
+  EXPECT_THAT(problem_of("cage.outer_diameter_mm = 44\n"),
+              HasSubstr("does not fit inside the outer ring's shoulders"));
+  EXPECT_THAT(problem_of("cage.inner_diameter_mm = 30\n"),
+              HasSubstr("does not fit over the inner ring"));
+  EXPECT_THAT(problem_of("cage.inner_diameter_mm = 43.5\n"), HasSubstr("no wall"));
+  EXPECT_THAT(problem_of("cage.pocket_width_mm = 8.95\n"), HasSubstr("leave no bar between them"));
+  EXPECT_THAT(problem_of("cage.pocket_length_mm = 14\n"), HasSubstr("no side rings"));
+  EXPECT_THAT(problem_of("bearing.outer_raceway_diameter_mm = 48\n"),
+              HasSubstr("do not fill the gap"));
+  EXPECT_THAT(problem_of("bearing.shoulder_diameter_mm = 47\n"),
+              HasSubstr("the shoulders must stand between"));
+  EXPECT_THAT(problem_of("bearing.bore_diameter_mm = 32\n"),
+              HasSubstr("not smaller than the inner raceway"));
+  EXPECT_THAT(problem_of("bearing.outside_diameter_mm = 46\n"), HasSubstr("outside diameter"));
+  EXPECT_THAT(problem_of("roller.length_mm = 16\n"),
+              HasSubstr("not shorter than the bearing is wide"));
+  EXPECT_THAT(problem_of("cage.land_offset_mm = 8\n"), HasSubstr("lie outside the cage"));
+  EXPECT_THAT(problem_of("friction.static_speed_m_s = 2\n"),
+              HasSubstr("friction.dynamic_speed_m_s = 1"));
+  EXPECT_THAT(problem_of("speed.inner_rpm = 0\n"), HasSubstr("window.measure_time_s"));
+}
+
+TEST(SceneKeys, EveryKeyHasAMeaningAndAUnitThatItsNameShows) {
+  for (const auto& key : scene_keys()) {
+    EXPECT_FALSE(key.meaning.empty()) << key.name;
+    const bool pure = key.kind != KeyKind::number && key.kind != KeyKind::numbers;
+    if (pure) {
+      EXPECT_EQ(key.unit, "-") << key.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cagetol
