@@ -48,16 +48,14 @@ double effective_trials(std::span<const double> passes, std::span<const double> 
                         const Resampling& resampling) {
   const LotSums sums = lot_sums(passes, weights, share, resampling);
   const double ess = effective_sample_size(sums.weight);
-  double failing = 0, total = 0, variance = 0;
-  for (std::size_t i = 0; i < passes.size(); ++i)
-    if (passes[i] == 0 && weights[i] > 0) failing += 1;
+  double total = 0, variance = 0;
   for (const double weight : sums.weight) total += weight;
   for (const double residual : sums.residual) variance += residual * residual;
   const auto lots = static_cast<double>(resampling.lots());
   variance *= lots / (lots - 1) / (total * total);
   if (!(variance > 0)) return ess;
   const double trials = std::min(share * (1 - share) / variance, lots);
-  return failing < kFewFailures ? std::min(trials, ess) : trials;
+  return (1 - share) * ess < kFewFailures ? std::min(trials, ess) : trials;
 }
 
 }  // namespace

@@ -8,10 +8,12 @@
 
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/study/study_file_error.hpp"
-#include "analysis/tolerance/iso_grades.hpp"
+#include "distributions/iso286.hpp"
 
 namespace cagetol {
 namespace {
+
+constexpr double kRounding = 1e-9;
 
 /// Product of the bands of the dimensions that matter, each relative to its widest candidate.
 double width_of(const CandidatePlan& candidate, const YieldCurves& curves,
@@ -72,10 +74,11 @@ bool set_bands(const StudyData& runs, const YieldCurves& curves, const std::vect
     band.widest_studied = chosen.bands_mm[d] == curves.dimensions[d].levels.back().band_mm;
     const double nominal = nominal_of(runs, key);
     if (band.grade.empty() && !band.not_binding && nominal > 0)
-      if (const auto grade = snap_down(band.band_mm, nominal)) {
-        moved = moved || grade->band_mm < band.band_mm * (1 - 1e-9);
-        band.band_mm = grade->band_mm;
-        band.grade = grade->name;
+      if (const auto grade = grade_within(1e3 * band.band_mm * (1 + kRounding), nominal)) {
+        const double snapped = 1e-3 * grade_width_um(*grade, nominal);
+        moved = moved || snapped < band.band_mm * (1 - kRounding);
+        band.band_mm = snapped;
+        band.grade = grade_name(*grade);
       }
     result.bands.push_back(band);
   }
