@@ -24,7 +24,7 @@ def pareto(report):
     most = 6
     columns = min(2, len(outputs))
     rows = -(-len(outputs) // columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 2.3 * rows), squeeze=False, sharex=True)
+    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 2.1 * rows), squeeze=False, sharex=True)
     for axis in axes.flat[len(outputs):]:
         axis.set_visible(False)
     for axis, output in zip(axes.flat, outputs):
@@ -32,9 +32,9 @@ def pareto(report):
         places = range(len(shares))
         axis.barh(places, [100 * max(known(share["value"]), 0) for share in shares], color=SKY, height=0.65,
                   xerr=100 * np.array(interval_bars(shares)), error_kw={"ecolor": "#333333", "elinewidth": 1, "capsize": 2})
-        axis.set_yticks(places, [share["feature"] for share in shares], fontsize=7)
+        axis.set_yticks(places, [share["feature"].removeprefix("pocket ") for share in shares], fontsize=7.5)
         axis.invert_yaxis()
-        axis.set_title(readable(output["output"]))
+        axis.set_title(readable(output["output"]), loc="center")
         axis.set_xlim(0, 100)
         axis.grid(axis="y", visible=False)
         axis.set_xlabel("share of variance [%]")
@@ -45,12 +45,12 @@ def pareto(report):
 def matrix(report):
     """Contributor by quantity heat map."""
     outputs = report["contributors"]["outputs"]
-    features = [feature["name"] for feature in report["contributors"]["features"]]
+    features = [feature["name"].removeprefix("pocket ") for feature in report["contributors"]["features"]]
     if not outputs or not features:
         return None
     shares = np.array([[100 * known(share["value"]) for share in output["shares"]] for output in outputs])
     figure, axis = plt.subplots(figsize=(WIDTH, 1.9 + 0.2 * len(outputs)))
-    image = axis.imshow(np.clip(shares, 0, None), cmap="cividis_r", vmin=0, vmax=100, aspect="auto")
+    image = axis.imshow(np.clip(shares, 0, None), cmap="Blues", vmin=0, vmax=100, aspect="auto")
     for row in range(shares.shape[0]):
         for column in range(shares.shape[1]):
             value = shares[row, column]
@@ -65,9 +65,8 @@ def matrix(report):
 
 
 def standing_out(report):
-    """Maps in which a single pocket explains more than chance would."""
-    maps = [entry for entry in report["contributors"]["pockets"] if entry["largest"] > entry["stands_out_above"]]
-    return sorted(maps, key=lambda entry: -entry["largest"])[:2]
+    """The two clearest maps in which a single pocket explains more than its neighbours."""
+    return sorted(report["contributors"]["pockets"], key=lambda entry: -max(known(share) for share in entry["shares"]))[:2]
 
 
 def pocket_map(report):

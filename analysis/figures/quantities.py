@@ -99,11 +99,15 @@ def health(report):
                and len(entry["histogram"]["counts"]) > 1]
     if not entries:
         return None
-    figure, axes = plt.subplots(1, len(entries), figsize=(WIDTH, 2.1), squeeze=False)
-    for axis, entry in zip(axes[0], entries):
+    columns = min(2, len(entries))
+    rows = -(-len(entries) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 1.7 * rows), squeeze=False)
+    for axis in axes.flat[len(entries):]:
+        axis.set_visible(False)
+    for axis, entry in zip(axes.flat, entries):
         bars(axis, entry["histogram"], GREEN)
         axis.set_xlabel(with_unit(readable(entry["field"]), entry["unit"]))
         axis.locator_params(axis="x", nbins=4)
-        axis.ticklabel_format(axis="x", scilimits=(-3, 4))
-    axes[0][0].set_ylabel("runs")
+        axis.ticklabel_format(axis="x", scilimits=(-4, 6))
+        axis.set_ylabel("runs")
     return figure

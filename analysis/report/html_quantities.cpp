@@ -27,7 +27,7 @@ std::string quantities_chapter(const Json& report, const FigureSet& figures) {
       missing.push_back({escaped(readable(quantity["quantity"])), escaped(quantity["definition"])});
       continue;
     }
-    rows.push_back({escaped(readable(quantity["quantity"])) + unit_suffix(quantity["unit"] == "-" ? "" : ", " + quantity["unit"].get<std::string>()),
+    rows.push_back({escaped(readable(quantity["quantity"])) + unit_suffix(quantity["unit"]),
                     with_interval(statistics["mean"]), with_interval(statistics["standard_deviation"]),
                     with_interval(quantile_of(statistics, 0.05)), with_interval(quantile_of(statistics, 0.5)), with_interval(quantile_of(statistics, 0.95)),
                     rounded(statistics["bound_of_95_quantile"]), rounded(statistics["runs_with_value"])});
@@ -36,7 +36,7 @@ std::string quantities_chapter(const Json& report, const FigureSet& figures) {
   std::string refused;
   for (const Json& quantity : report["quantities"])
     if (const std::string reason = quantity["statistics"]["bound_refused"]; !reason.empty() && quantity["statistics"]["runs_with_value"].get<double>() > 0) refused = reason;
-  body += note(fmt::format("In brackets: {:g} % interval ({}). \"95 % quantile is below\": holds with {:g} % confidence whatever the law of the quantity{}. Runs as sampled, "
+  body += note(fmt::format("Small print: {:g} % interval ({}). \"95 % quantile is below\": holds with {:g} % confidence whatever the law of the quantity{}. Runs as sampled, "
       "all candidates mixed; runs without a result have no value here.",
       100 * report["intervals"]["confidence"].get<double>(), escaped(report["intervals"]["method"]), 100 * report["intervals"]["confidence"].get<double>(),
       refused.empty() ? "" : "; " + escaped(refused)));
@@ -86,7 +86,7 @@ std::string health_chapter(const Json& report, const FigureSet& figures) {
   if (report["health"].empty()) return {};
   std::vector<std::vector<std::string>> rows;
   for (const Json& entry : report["health"])
-    rows.push_back({escaped(readable(entry["field"])) + unit_suffix(entry["unit"] == "-" ? "" : ", " + entry["unit"].get<std::string>()), rounded(entry["median"]),
+    rows.push_back({escaped(readable(entry["field"])) + unit_suffix(entry["unit"]), rounded(entry["median"]),
                     rounded(entry["quantile_95"]), rounded(entry["largest"]), escaped(entry["definition"])});
   std::string body = figure_html(figures, "health", "Work and accuracy of the runs. The energy residual and the static consistency error should be small and without outliers: an outlier is a run whose "
                                  "contacts were not resolved.");

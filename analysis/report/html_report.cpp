@@ -29,7 +29,9 @@ p { margin: 6px 0; }
 table { border-collapse: collapse; width: 100%; margin: 8px 0; font-size: 13px; }
 th, td { padding: 3px 7px; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; overflow-wrap: anywhere; }
 th { border-bottom: 2px solid var(--line); font-weight: 600; overflow-wrap: normal; }
-.n { text-align: right; font-variant-numeric: tabular-nums; }
+.n { text-align: right; font-variant-numeric: tabular-nums; overflow-wrap: normal; }
+td.n { white-space: nowrap; }
+small { color: var(--soft); font-size: 88%; }
 code { font: 12px "DejaVu Sans Mono", Consolas, monospace; overflow-wrap: anywhere; }
 figure { margin: 14px 0; }
 figure img { width: 100%; height: auto; display: block; }

@@ -20,13 +20,13 @@ std::string fixed(double value, int decimals) {
   return text.find_first_not_of("-0.") == std::string::npos && text.starts_with("-") ? text.substr(1) : text;
 }
 
-/// The value and its interval with two digits of the interval's half width.
-std::string interval_text(double value, double lower, double upper, const std::string& suffix) {
+/// The value and, below it in small print, its interval; as many decimals as the first digit of the interval's half width.
+std::string interval_text(double value, double lower, double upper) {
   const double half = 0.5 * (upper - lower);
-  if (std::max({std::abs(value), std::abs(upper), half}) < 1e-4)
-    return fmt::format("{:.3g}{} ({:.2g} to {:.2g})", value, suffix, lower, upper);
-  const int decimals = half > 0 ? decimals_for(half, 2) : decimals_for(std::abs(value), 3);
-  return fmt::format("{}{} ({} to {})", fixed(value, decimals), suffix, fixed(lower, decimals), fixed(upper, decimals));
+  if (std::max({std::abs(value), std::abs(upper), half}) < 1e-3)
+    return fmt::format("{}<br><small>{} to {}</small>", fmt::format("{:.3g}", value), fmt::format("{:.2g}", lower), fmt::format("{:.2g}", upper));
+  const int decimals = half > 0 ? decimals_for(half, 1) : decimals_for(std::abs(value), 3);
+  return fmt::format("{}<br><small>{} to {}</small>", fixed(value, decimals), fixed(lower, decimals), fixed(upper, decimals));
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string rounded(const Json& value) {
 std::string with_interval(const Json& estimate) {
   if (!estimate.at("value").is_number()) return "-";
   if (!estimate.at("lower").is_number() || !estimate.at("upper").is_number()) return rounded(estimate.at("value"));
-  return interval_text(estimate.at("value"), estimate.at("lower"), estimate.at("upper"), "");
+  return interval_text(estimate.at("value"), estimate.at("lower"), estimate.at("upper"));
 }
 
 std::string percent(const Json& share) {

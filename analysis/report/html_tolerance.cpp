@@ -122,7 +122,7 @@ std::string contributors_chapter(const Json& report, const FigureSet& figures) {
   body += figure_html(figures, "responses", "How each deciding quantity follows its strongest contributor: means of twelve classes with two standard errors. Look for a bend: beyond it the dimension costs.");
   body += figure_html(figures, "matrix", "Contributors by quantity: dark cells are what a quantity depends on (shares of 5 % and more are printed). An empty column is a feature that no quantity feels.");
   const std::string map = figure_html(figures, "pocket_map", "Share of the variance explained by each single pocket, numbered around the cage: a long bar is a pocket that matters more than its neighbours.");
-  body += map.empty() ? paragraph("Single pockets: no pocket by itself explains more of a limited quantity than chance would, so no map is shown.") : map;
+  body += map.empty() ? paragraph("Single pockets: no pocket explains more of a quantity than its neighbours do beyond chance, so no map is shown.") : map;
   body += groups_table(contributors["groups"]);
   rows.clear();
   for (const Json& feature : contributors["features"])

@@ -60,29 +60,28 @@ Json response_json(const Feature& feature, const Output& output) {
   return points;
 }
 
+/// A pocket stands out when its share exceeds the median pocket's by more than 3.5 standard errors: about one false alarm in a
+/// hundred maps. Every pocket mattering alike is no map worth printing.
+bool stands_out(std::vector<double> shares, std::size_t runs) {
+  std::sort(shares.begin(), shares.end());
+  const double median = std::max(shares[shares.size() / 2], 0.0), count = static_cast<double>(runs);
+  const double bins = static_cast<double>(bin_count(runs));
+  const double error = std::sqrt(2 * (bins - 1) + 4 * median * (1 - median) * (1 - median) * count) / count;
+  return shares.back() > median + 3.5 * error;
+}
+
 /// Share of each single pocket's deviation; an output moved by one pocket more than by the others shows here.
 Json pockets_json(const ReportBasis& basis, const std::vector<Output>& outputs) {
   Json list = Json::array();
   const std::vector<double> equal(basis.runs.size(), 1.0);
-  const auto bins = static_cast<double>(bin_count(basis.runs.size()));
-  const double null_scatter = std::sqrt(2 * (bins - 1)) / static_cast<double>(std::max<std::size_t>(basis.runs.size(), 1));
   for (const InputColumns& input : basis.runs.inputs) {
-    const auto features = pocket_features(basis.runs, input);
-    if (features.empty()) continue;
+    std::vector<Binning> binnings;
+    for (const Feature& feature : pocket_features(basis.runs, input)) binnings.push_back(make_binning(feature.values));
     for (const Output& output : outputs) {
-      const bool limited = std::any_of(basis.study.plan.limits.begin(), basis.study.plan.limits.end(),
-                                       [&](const LimitPlan& limit) { return limit.quantity == output.name; });
-      if (!limited && output.name != "meets all limits" && output.name != "jams") continue;
-      Json shares = Json::array();
-      double largest = 0;
-      for (const Feature& feature : features) {
-        const double share = binned_share(make_binning(feature.values), output.values, equal);
-        largest = std::max(largest, share);
-        shares.push_back(number(share));
-      }
-      list.push_back({{"input", input.key}, {"name", plain_name(input.key)}, {"output", output.name},
-                      {"shares", shares}, {"largest", largest},
-                      {"stands_out_above", 3.5 * null_scatter}});
+      std::vector<double> shares;
+      for (const Binning& binning : binnings) shares.push_back(binned_share(binning, output.values, equal));
+      if (shares.empty() || !stands_out(shares, basis.runs.size())) continue;
+      list.push_back({{"input", input.key}, {"name", plain_name(input.key)}, {"output", output.name}, {"shares", shares}});
     }
   }
   return list;

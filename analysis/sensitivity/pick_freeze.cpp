@@ -65,7 +65,7 @@ Pair shares(const std::vector<Base>& bases, std::span<const double> times, std::
   const double mean = sum / (2 * count);
   const double variance = squares / (2 * count) - mean * mean;
   if (!(variance > 0)) return {kUndefined, kUndefined};
-  return {1 - rest / (2 * count * variance) + noise_share, total / (2 * count * variance) - noise_share};
+  return {1 - rest / (2 * count * variance), total / (2 * count * variance) - noise_share};
 }
 
 /// A shift of the output changes nothing but the digits that are lost.

@@ -4,8 +4,8 @@
 // Row A and row B are independent points, AB_g is A with group g taken from B:
 //   T_g = E[(f(A) - f(AB_g))^2] / (2 Var Y)          total: g alone and in every interaction
 //   S_g = 1 - E[(f(B) - f(AB_g))^2] / (2 Var Y)      first order: g alone
-// Each row has its own noise, which enters both rows of a pair: T_g holds the noise share on top, S_g misses it. Given the noise
-// share of the replicates, both are corrected for it.
+// Each row has its own noise. S_g is the group's share of the whole variance, noise included; T_g holds the noise share on top,
+// which is taken off again when the replicates tell it.
 #pragma once
 
 #include <span>

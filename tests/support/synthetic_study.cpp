@@ -145,4 +145,24 @@ StudyData make_synthetic_study(const SyntheticOptions& options) {
   return study;
 }
 
+StudyData plain_study(std::int64_t rows, const std::string& design, std::int64_t cages_per_lot, std::int64_t seed) {
+  StudyData study;
+  study.provenance.seed = seed;
+  study.design.kind = design;
+  study.design.rows_planned = study.design.samples_planned = rows;
+  study.pockets = kPockets;
+  for (std::int64_t row = 0; row < rows; ++row) {
+    study.id.push_back(row);
+    study.row.push_back(row);
+    study.lot.push_back(row / cages_per_lot);
+  }
+  study.replicate.assign(study.size(), 0);
+  study.candidate.assign(study.size(), -1);
+  study.pocket.assign(study.size(), -1);
+  study.status.assign(study.size(), RunStatus::ok);
+  study.reason.resize(study.size());
+  study.interference_um.assign(study.size(), 0);
+  return study;
+}
+
 }  // namespace cagetol

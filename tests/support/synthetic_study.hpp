@@ -29,6 +29,10 @@ struct SyntheticOptions {
 /// Length changes nothing. A cage with a pocket narrower than 7.60 mm jams; `failed_share` of the runs fail.
 StudyData make_synthetic_study(const SyntheticOptions& options = {});
 
+/// A study without inputs or quantities: rows that all are ok, each in its lot.
+StudyData plain_study(std::int64_t rows, const std::string& design = "random", std::int64_t cages_per_lot = 1,
+                      std::int64_t seed = 7);
+
 /// Writes the study as mc/RESULTS_FORMAT.md says.
 void write_synthetic_study(const StudyData& study, const std::filesystem::path& file);
 
