@@ -124,8 +124,8 @@ void read_measurements(const toml::table& table, const std::string& key, const s
     try {
       text = read_text_file(path);
     } catch (const InputError& error) {
-      throw InputError(place_of(*table.get("file"), file), key + ".file",
-                       shown(*table.get("file")), error.what(),
+      throw InputError(place_of(*table.get("file"), file), key + ".file", shown(*table.get("file")),
+                       error.what(),
                        "give the path of a CSV file relative to the file that names it");
     }
     parameters.values = csv_column(text, path, parameters.column);
@@ -144,7 +144,7 @@ void read_parameters(const toml::table& table, const LawForm& form, const std::s
   names.insert(names.end(), form.optional.begin(), form.optional.end());
   for (const auto& [name, node] : table) {
     const std::string parameter(name.str());
-    if (parameter == "law") continue;
+    if (parameter == "law" || parameter == "nominal") continue;
     if (std::find(names.begin(), names.end(), parameter) == names.end())
       throw InputError(place_of(node, file), key + "." + parameter, shown(node),
                        "the law \"" + form.name + "\" has no such parameter",
@@ -177,8 +177,9 @@ Law read_law(const toml::table& table, const std::string& key, const std::string
     // The distributions room writes "reason; remedy".
     const std::string text = error.what();
     const auto cut = text.find("; ");
-    throw InputError(place_of(table, file), key, shown(table), text.substr(0, cut),
-                     cut == std::string::npos ? "correct the parameters of the law" : text.substr(cut + 2));
+    throw InputError(
+        place_of(table, file), key, shown(table), text.substr(0, cut),
+        cut == std::string::npos ? "correct the parameters of the law" : text.substr(cut + 2));
   }
   return law;
 }
@@ -231,7 +232,9 @@ void add_parameters(toml::table& t, const Histogram& law) {
   t.insert("edges", array_of(law.edges));
   t.insert("weights", array_of(law.weights));
 }
-void add_parameters(toml::table& t, const Empirical& law) { t.insert("values", array_of(law.values)); }
+void add_parameters(toml::table& t, const Empirical& law) {
+  t.insert("values", array_of(law.values));
+}
 void add_parameters(toml::table& t, const Capability& law) {
   t.insert("lower", law.lower);
   t.insert("upper", law.upper);

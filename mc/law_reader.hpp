@@ -1,9 +1,10 @@
-// Probability laws between study files and the distributions room: { law = "normal", sigma = 0.009 } and kin. The parameters are in
-// the unit of the scene key whose deviation they describe; mc/README.md lists them.
+// Probability laws between study files and the distributions room: { law = "normal", sigma = 0.009
+// } and kin. The parameters are in the unit of the scene key whose deviation they describe;
+// mc/README.md lists them.
 #pragma once
 
-#include <string>
 #include <toml++/toml.h>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,12 +15,15 @@ namespace cagetol {
 /// Further files that laws were read from: name as written in the study, and text.
 using MeasurementFiles = std::vector<std::pair<std::string, std::string>>;
 
-/// Reads a law. `key` names it in messages ("cage.pocket_width_mm.lot"); `file` is the file in which it stands, measurements are
-/// looked for beside it and added to `measurements`. Throws InputError with file, line, key, value, reason and remedy.
+/// Reads a law. `key` names it in messages ("cage.pocket_width_mm.lot"); `file` is the file in
+/// which it stands, measurements are looked for beside it and added to `measurements`. A `nominal`
+/// beside the law belongs to the distribution and is passed over. Throws InputError with file,
+/// line, key, value, reason and remedy.
 Law read_law(const toml::table& table, const std::string& key, const std::string& file,
              MeasurementFiles& measurements);
 
-/// The law with all its parameters, measured values instead of the name of their file: reads back to the same law.
+/// The law with all its parameters, measured values instead of the name of their file: reads back
+/// to the same law.
 toml::table law_table(const Law& law);
 
 }  // namespace cagetol

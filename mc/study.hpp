@@ -1,4 +1,5 @@
-// A study: which numbers of a scene are uncertain, how many samples, which limits decide, which tolerances are candidates.
+// A study: which numbers of a scene are uncertain, how many samples, which limits decide, which
+// tolerances are candidates.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,9 @@
 
 namespace cagetol {
 
-/// A scene key that is a distribution. Deviations add up: value = nominal + scale * (lot + pocket) + noise, in the key's unit.
+/// A scene key that is a distribution. Deviations add up: value = nominal + scale * (lot + pocket)
+/// + noise, in the key's unit. Laws describe deviations from the nominal value, not the value
+/// itself.
 struct UncertainInput {
   std::string key;
   std::string unit;
@@ -19,14 +22,16 @@ struct UncertainInput {
   bool per_pocket = false;      ///< the key holds one number per pocket
   std::optional<Law> lot;       ///< drawn once per lot (a cage, unless cages_per_lot > 1)
   std::optional<Law> pocket;    ///< drawn for every pocket
-  std::optional<Law> noise;     ///< drawn from the sample's own noise stream: not part of the design
+  std::optional<Law> noise;  ///< drawn from the sample's own noise stream: not part of the design
 };
 
+/// A bound on a quantity of interest that every cage must keep; at least one of minimum and maximum
+/// is given.
 struct Limit {
   std::string quantity;
-  std::optional<double> minimum, maximum;
-  std::string source;
-  double cage_revolutions = 0;
+  std::optional<double> minimum, maximum;  ///< in the quantity's unit
+  std::string source;                      ///< where the bound comes from
+  double cage_revolutions = 0;             ///< of the window it is meant for; 0: not stated
 };
 
 struct ToleranceDimension {
@@ -57,8 +62,9 @@ struct Correlation {
 struct Study {
   std::string name = "study";
   long seed = 1;
-  long samples = 256;           ///< design rows
-  double extra_replicates = 0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
+  long samples = 256;  ///< design rows
+  double extra_replicates =
+      0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
   std::string design = "random";
   long scrambles = 8;
   long cages_per_lot = 1;
@@ -72,14 +78,24 @@ struct Study {
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;
   std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash
-  std::string hash;                                        ///< 16 hex digits over all of it
+  std::string hash;  ///< 16 hex digits, 64-bit FNV-1a over resolved_toml and `files`
 };
 
 /// Samples in all: rows plus noise replicates.
 std::uint64_t sample_count(const Study& study);
 
-/// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn). `settings` are "key=value" in
-/// TOML syntax. Throws InputError.
+/// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn).
+/// `settings` are "key=value" in TOML syntax; scene keys may be given with or without "scene." in
+/// front. Throws InputError. `Study::samples` is rounded up to the number of rows with which the
+/// design is complete (sobol, grid, pick-freeze, morris).
 Study read_study(const std::string& path, const std::vector<std::string>& settings = {});
+
+/// Reads a study from its resolved text (Study::resolved_toml): gives the same study with the same
+/// hash.
+Study read_resolved_study(const std::string& resolved_toml, const std::string& name);
+
+/// What a user should know before a sweep, though nothing is wrong: "limit ... is for 6 cage
+/// revolutions, the window has 2".
+std::vector<std::string> study_notes(const Study& study);
 
 }  // namespace cagetol

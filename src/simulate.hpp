@@ -9,9 +9,12 @@
 
 namespace cagetol {
 
+struct System;
+
 /// Extras of a run that do not change its outcome.
 struct SimulateOptions {
-  std::string history_file;  ///< HDF5 file for time histories; empty: none
+  /// Called at every accepted state, linearised (src/integration/system.hpp): time histories, tests.
+  std::function<void(double t, const double* y, const System& system)> on_state;
   /// Asked every few hundred steps; true ends the run as `not_run`. For signals and wall limits only.
   std::function<bool()> stop_requested;
 };

@@ -185,8 +185,7 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
     return {place, leaf.name, value, "this is a section, not a key",
             "give the keys of the section, for example " + section.front()};
   return {place, leaf.name, value, "no such key",
-          "did you mean " + nearest_name(leaf.name, names) +
-              "? `cagetol --dump-default scene` and `--dump-default study` list every key"};
+          "did you mean " + nearest_name(leaf.name, names) + "? inputs/README.md lists every key"};
 }
 
 bool in_range(const KeyRange& range, double value) {

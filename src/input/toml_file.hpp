@@ -30,7 +30,7 @@ void apply_setting(toml::table& root, const std::string& setting);
 std::string setting_key(const std::string& setting);
 
 /// Moves every value of `overrides` into `base`, table by table; a table for which `stop_at` says
-/// true replaces whole.
+/// true is a value: it replaces what was there.
 void merge_tables(toml::table& base, toml::table&& overrides,
                   const std::function<bool(const toml::table&)>& stop_at);
 

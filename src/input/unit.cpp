@@ -1,8 +1,10 @@
 #include "src/input/unit.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <vector>
@@ -50,11 +52,25 @@ const std::vector<Unit>& units() {
 }
 // clang-format on
 
-// 1/factor where factor is a negative power of ten, else 0.
-double exact_divisor(double factor) {
-  if (factor >= 1) return 0;
-  const double divisor = std::round(1 / factor);
-  return std::abs(divisor * factor - 1) < 1e-12 ? divisor : 0;
+// The power of ten that `factor` is, or 0: then there is nothing to shift.
+int decimal_power(double factor) {
+  const int power = static_cast<int>(std::lround(std::log10(factor)));
+  return std::abs(factor * std::pow(10.0, -power) - 1) < 1e-12 ? power : 0;
+}
+
+// `value` times 10^power as people do it, by moving the decimal point of its shortest decimal text.
+double shifted(double value, int power) {
+  std::array<char, 40> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + 32, value, std::chars_format::scientific).ptr;
+  char* exponent = std::find(text.data(), end, 'e') + 1;
+  if (exponent > end) return value;  // not a finite number
+  int given = 0;
+  std::from_chars(*exponent == '+' ? exponent + 1 : exponent, end, given);
+  const auto last = std::to_chars(exponent, text.data() + text.size(), given + power).ptr;
+  double result = value * std::pow(10.0, power);  // stays where the text is out of range
+  std::from_chars(text.data(), last, result);
+  return result;
 }
 
 }  // namespace
@@ -72,13 +88,13 @@ std::string_view without_unit(std::string_view key) {
 }
 
 double to_si(double value, double factor) {
-  const double divisor = exact_divisor(factor);
-  return divisor > 0 ? value / divisor : value * factor;
+  const int power = decimal_power(factor);
+  return power == 0 ? value * factor : shifted(value, power);
 }
 
 double from_si(double value, double factor) {
-  const double divisor = exact_divisor(factor);
-  return divisor > 0 ? value * divisor : value / factor;
+  const int power = decimal_power(factor);
+  return power == 0 ? value / factor : shifted(value, -power);
 }
 
 std::string number_text(double value) {

@@ -22,8 +22,8 @@ const Unit& unit_of(std::string_view key);
 /// `key` without its unit: "cage.pocket_width" of "cage.pocket_width_mm".
 std::string_view without_unit(std::string_view key);
 
-/// A value in SI. Divides where the factor is a negative power of ten, so that 7.65 mm gives the
-/// same bits as 7.65e-3 m.
+/// A value in SI, and back. Powers of ten move the decimal point instead of multiplying, so
+/// that 7.65 mm has the bits of 7.65e-3 m.
 double to_si(double value, double factor);
 double from_si(double value, double factor);
 

@@ -2,8 +2,16 @@
 
 #include <algorithm>
 
+#include "src/integration/integrator.hpp"
+
 namespace cagetol {
 namespace {
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const auto& method : integration_methods()) names.emplace_back(method.name);
+  return names;
+}
 
 // clang-format off
 #define AT(member) [](Scene& s) -> auto& { return s.member; }
@@ -109,7 +117,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"window.history_interval_us", above(0), AT(history_interval), "interval of time histories, where they are asked for"},
       {"discretisation.race_slices", within(1, 100), AT(discretisation.race_slices), "slices of a roller-race contact along the roller"},
       {"discretisation.bar_stations", within(1, 100), AT(discretisation.bar_stations), "axial stations of a roller-bar contact"},
-      {"integration.method", one_of({"rodas3", "cvode-bdf", "semi-implicit-euler"}), AT(integration.method), "time integration method"},
+      {"integration.method", one_of(method_names()), AT(integration.method), "time integration method"},
       {"integration.tolerance", above(0, 10), AT(integration.tolerance), "error tolerance, multiple of the error scales (1 um, 1 cm/s and kin)"},
       {"integration.max_step_us", above(0), AT(integration.max_step), "largest step"},
       {"integration.fixed_step_us", above(0), AT(integration.fixed_step), "step of fixed-step methods"},

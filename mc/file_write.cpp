@@ -1,0 +1,96 @@
+#include "mc/file_write.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace cagetol {
+namespace {
+
+std::string remedy(int error_number) {
+  switch (error_number) {
+    case ENOSPC:
+    case EDQUOT:
+      return "free some space, then start the same command again: finished samples are kept";
+    case EFBIG:
+      return "raise the limit on file size (ulimit -f), then start the same command again: "
+             "finished samples are kept";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "choose a directory that you may write to with -o, or change its permissions";
+    case ENOTDIR:
+    case EEXIST:
+    case EISDIR:
+      return "choose another output directory with -o";
+    default:
+      return "check the file system, then start the same command again: finished samples are kept";
+  }
+}
+
+bool is_passing(int error_number) {
+  return error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG ||
+         error_number == EIO;
+}
+
+}  // namespace
+
+WriteError::WriteError(const std::string& file, const std::string& action, int error_number)
+    : std::runtime_error(file + ": cannot " + action + ": " + std::strerror(error_number) +
+                         "\n  remedy: " + remedy(error_number)),
+      can_go_on_(is_passing(error_number)) {}
+
+FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+FileDescriptor::~FileDescriptor() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+int FileDescriptor::release() {
+  return std::exchange(descriptor_, -1);
+}
+
+int write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) return errno;
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+void sync_directory(const std::string& directory) {
+  const FileDescriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.get() < 0) throw WriteError(directory, "open", errno);
+  // Some network file systems know no fsync of a directory (EINVAL): there the rename itself is all
+  // one can have.
+  if (::fsync(opened.get()) != 0 && errno != EINVAL) throw WriteError(directory, "sync", errno);
+}
+
+void replace_file(const std::string& path, std::string_view bytes) {
+  const std::string temporary = path + ".part" + std::to_string(::getpid());
+  int error_number = 0;
+  {
+    const FileDescriptor file(
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (file.get() < 0) throw WriteError(path, "write", errno);
+    error_number = write_all(file.get(), bytes);
+    if (error_number == 0 && ::fsync(file.get()) != 0) error_number = errno;
+  }
+  if (error_number == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error_number = errno;
+  if (error_number != 0) {
+    ::unlink(temporary.c_str());
+    throw WriteError(path, "write", error_number);
+  }
+  const auto parent = std::filesystem::path(path).parent_path();
+  sync_directory(parent.empty() ? "." : parent.string());
+}
+
+}  // namespace cagetol

@@ -1,0 +1,118 @@
+#include "mc/resolved_study.hpp"
+
+#include "mc/law_reader.hpp"
+#include "mc/study_keys.hpp"
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+template <class T>
+toml::array array_of(const std::vector<T>& values) {
+  toml::array array;
+  for (const auto& value : values) array.push_back(value);
+  return array;
+}
+
+toml::table input_table(const UncertainInput& input) {
+  toml::table table;
+  table.insert("key", input.key);
+  table.insert("unit", input.unit);
+  if (input.nominal.size() == 1)
+    table.insert("nominal", input.nominal[0]);
+  else
+    table.insert("nominal", array_of(input.nominal));
+  if (input.lot) table.insert("lot", law_table(*input.lot));
+  if (input.pocket) table.insert("pocket", law_table(*input.pocket));
+  if (input.noise) table.insert("noise", law_table(*input.noise));
+  return table;
+}
+
+toml::table limit_table(const Limit& limit) {
+  toml::table table;
+  table.insert("quantity", limit.quantity);
+  if (limit.minimum) table.insert("min", *limit.minimum);
+  if (limit.maximum) table.insert("max", *limit.maximum);
+  table.insert("source", limit.source);
+  table.insert("cage_revolutions", limit.cage_revolutions);
+  return table;
+}
+
+toml::table dimension_table(const ToleranceDimension& dimension) {
+  toml::table table;
+  table.insert("key", dimension.key);
+  table.insert("band_mm", dimension.band_mm);
+  toml::array candidates;
+  for (const auto& name : dimension.candidates) {
+    if (name.starts_with("IT"))
+      candidates.push_back(name);
+    else
+      candidates.push_back(std::stod(name));
+  }
+  table.insert("candidates", std::move(candidates));
+  return table;
+}
+
+toml::table candidate_table(const Candidate& candidate) {
+  toml::table table;
+  table.insert("bands_mm", array_of(candidate.bands_mm));
+  table.insert("grades", array_of(candidate.grades));
+  table.insert("scales", array_of(candidate.scales));
+  return table;
+}
+
+}  // namespace
+
+toml::table resolved_table(const Study& study) {
+  toml::table root;
+  for (const auto& key : study_keys()) insert_key(key, study, root);
+  if (!study.grid_levels.empty()) {
+    toml::array levels;
+    for (const long count : study.grid_levels) levels.push_back(static_cast<int64_t>(count));
+    root.insert("grid_levels", std::move(levels));
+  }
+  toml::table scene;
+  for (const auto& key : scene_keys()) insert_key(key, study.scene, scene);
+  root.insert("scene", std::move(scene));
+  toml::array inputs, correlations, limits, dimensions, candidates;
+  for (const auto& input : study.inputs) inputs.push_back(input_table(input));
+  for (const auto& correlation : study.correlations)
+    correlations.push_back(toml::table{
+        {"between", toml::array{correlation.first, correlation.second}}, {"rho", correlation.rho}});
+  for (const auto& limit : study.limits) limits.push_back(limit_table(limit));
+  for (const auto& dimension : study.tolerance.dimensions)
+    dimensions.push_back(dimension_table(dimension));
+  for (const auto& candidate : study.candidates) candidates.push_back(candidate_table(candidate));
+  root.insert("inputs", std::move(inputs));
+  root.insert("correlation", std::move(correlations));
+  root.insert("limit", std::move(limits));
+  root.get("tolerance")->as_table()->insert("dimension", std::move(dimensions));
+  root.insert("candidates", std::move(candidates));
+  return root;
+}
+
+void unresolve(toml::table& root, const std::string& file) {
+  auto* inputs = root.get("inputs");
+  auto* scene = root.get_as<toml::table>("scene");
+  if (!inputs) return;
+  const auto wrong = [&](const toml::node& node) {
+    return InputError(place_of(node, file), "inputs", shown(node),
+                      "this is not the list of inputs of a resolved study",
+                      "give distributions below [scene] instead");
+  };
+  if (!inputs->is_array() || !scene) throw wrong(*inputs);
+  for (auto& element : *inputs->as_array()) {
+    auto* input = element.as_table();
+    const auto* name = input ? input->get_as<std::string>("key") : nullptr;
+    const auto dot = name ? name->get().find('.') : std::string::npos;
+    if (dot == std::string::npos || !find_key(scene_keys(), name->get())) throw wrong(element);
+    const auto [section, key] = key_detail::section_of(*scene, name->get());
+    input->erase("key");
+    input->erase("unit");
+    section->insert_or_assign(key, std::move(*input));
+  }
+  root.erase("inputs");
+  root.erase("candidates");
+}
+
+}  // namespace cagetol

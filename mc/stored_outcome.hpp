@@ -1,0 +1,44 @@
+// A finished sample as journals and study.h5 keep it: what the sample determines, and apart from it
+// what the machine did.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mc/byte_stream.hpp"
+#include "src/outcome.hpp"
+
+namespace cagetol {
+
+struct StoredOutcome {
+  std::uint64_t id = 0;
+  Status status = Status::not_run;
+  std::string reason;
+  int pocket = -1;
+  double interference_um = 0;
+  std::vector<double> quantities;  ///< in the order of quantity_table(); NaN where there is none
+  std::vector<double> run;         ///< in the order of stored_run_fields()
+  double wall_s = 0;               ///< wall-clock seconds of the run
+  int rank = 0;                    ///< rank that ran it
+};
+
+/// run_fields() without those that depend on the machine.
+std::vector<RunField> stored_run_fields();
+
+StoredOutcome make_stored_outcome(std::uint64_t id, const Outcome& outcome, double wall_s,
+                                  int rank);
+
+/// Where two outcomes of one sample differ to the bit, wall clock and rank apart:
+/// "quantities[3]: 1.5 and 1.25". Empty when equal.
+std::vector<std::string> outcome_differences(const StoredOutcome& a, const StoredOutcome& b);
+
+/// For journals and pipes. Reading throws std::runtime_error when bytes are missing.
+std::string to_bytes(const StoredOutcome& stored);
+StoredOutcome outcome_from_bytes(ByteReader& in);
+
+/// True for outcomes that count against study.allowed_failure_share: failed, censored, poisoned. A
+/// jam is a result.
+bool is_failure(Status status);
+
+}  // namespace cagetol

@@ -1,0 +1,147 @@
+#include "mc/study.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "mc/build_info.hpp"
+#include "mc/resolved_study.hpp"
+#include "mc/sample.hpp"
+#include "mc/study_inputs.hpp"
+#include "mc/study_keys.hpp"
+#include "mc/study_layers.hpp"
+#include "mc/study_limits.hpp"
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+const toml::table& scene_table(const toml::table& root, const std::string& file) {
+  static const toml::table none;
+  const auto* scene = root.get("scene");
+  if (!scene) return none;
+  if (!scene->is_table())
+    throw InputError(place_of(*scene, file), "scene", shown(*scene), "this is a section, not a key",
+                     "write [scene] and below it file = \"...\"");
+  return *scene->as_table();
+}
+
+std::vector<long> read_grid_levels(const toml::node& node, const std::string& file) {
+  const auto* array = node.as_array();
+  std::vector<long> levels;
+  if (array)
+    for (const auto& element : *array)
+      if (element.is_integer() && element.as_integer()->get() >= 1)
+        levels.push_back(element.as_integer()->get());
+  if (!array || array->empty() || levels.size() != array->size())
+    throw InputError(place_of(node, file), "grid_levels", shown(node),
+                     "expected an array of whole numbers above 0",
+                     "give one number of levels for each group of inputs (`cagetol check` lists "
+                     "the groups), or a single one for all");
+  return levels;
+}
+
+// Every key outside the scene that holds one value; the lists are read elsewhere.
+void read_plain_keys(const toml::table& root, const std::string& file, Study& study) {
+  for (const auto& leaf : toml_leaves(root, {})) {
+    if (leaf.name == "scene" || leaf.name.starts_with("scene.") || leaf.name == "limit" ||
+        leaf.name == "correlation" || leaf.name == "tolerance.dimension")
+      continue;
+    if (leaf.name == "tolerance" && leaf.node->is_table()) continue;
+    for (const std::string list : {"limit", "correlation", "tolerance.dimension"})
+      if (leaf.name.starts_with(list + "."))
+        throw InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node),
+                         "there may be several of these: they are a list of tables",
+                         "write [[" + list + "]] with two brackets on each side");
+    if (leaf.name == "grid_levels") {
+      study.grid_levels = read_grid_levels(*leaf.node, file);
+    } else if (const auto* key = find_key(study_keys(), leaf.name)) {
+      read_key(*key, *leaf.node, file, 1, study);
+    } else {
+      auto known = key_infos(study_keys());
+      for (const char* list :
+           {"grid_levels", "scene", "limit", "correlation", "tolerance.dimension"})
+        known.emplace_back(list, any_value(), "", KeyKind::text);
+      throw unknown_key(leaf, file, known);
+    }
+  }
+}
+
+// The number of rows with which the design is complete. Throws what Sampler throws.
+void complete_rows(Study& study) {
+  study.samples = static_cast<long>(design_spec(study).rows);
+}
+
+void resolve(Study& study) {
+  const toml::table table = resolved_table(study);
+  std::ostringstream toml_text, json_text;
+  toml_text << toml::toml_formatter(table) << '\n';
+  json_text << toml::json_formatter(table) << '\n';
+  study.resolved_toml = toml_text.str();
+  study.resolved_json = json_text.str();
+  std::string all = study.resolved_toml;
+  for (const auto& [name, hash] : study.files) all += name + "\n" + hash + "\n";
+  study.hash = text_hash(all);
+}
+
+Study study_of(const toml::table& root, const std::string& file) {
+  Study study;
+  read_plain_keys(root, file, study);
+  const auto& scene = scene_table(root, file);
+  study.scene = read_scene(scene, file);
+  MeasurementFiles measurements;
+  study.inputs = read_inputs(scene, file, study.scene, measurements);
+  for (const auto& [name, text] : measurements) study.files.emplace_back(name, text_hash(text));
+  study.correlations = read_correlations(root, file, study.inputs);
+  study.limits = read_limits(root, file);
+  study.tolerance.dimensions = read_dimensions(root, file, study.inputs);
+  study.candidates = make_candidates(study, root, file);
+  check_drawn_range(study, scene, file);
+  complete_rows(study);
+  const Sampler sampler(study);  // refuses what makes no design
+  resolve(study);
+  return study;
+}
+
+}  // namespace
+
+std::uint64_t sample_count(const Study& study) {
+  return static_cast<std::uint64_t>(study.samples) +
+         static_cast<std::uint64_t>(
+             std::llround(study.extra_replicates * static_cast<double>(study.samples)));
+}
+
+Study read_study(const std::string& path, const std::vector<std::string>& settings) {
+  auto root = study_layers(path, settings);
+  unresolve(root, path);
+  return study_of(root, path);
+}
+
+Study read_resolved_study(const std::string& resolved_toml, const std::string& name) {
+  auto root = parse_toml(resolved_toml, name);
+  unresolve(root, name);
+  return study_of(root, name);
+}
+
+std::vector<std::string> study_notes(const Study& study) {
+  std::vector<std::string> notes;
+  const auto& window = study.scene.window;
+  for (const auto& limit : study.limits)
+    if (limit.cage_revolutions > 0 && std::isnan(window.measure_time) &&
+        limit.cage_revolutions != window.measure_revolutions)
+      notes.push_back(
+          "limit on " + limit.quantity + " is for " + number_text(limit.cage_revolutions) +
+          " cage revolutions, the window measures " + number_text(window.measure_revolutions) +
+          " (scene.window.measure_revolutions)");
+  const auto varied = design_columns(study);
+  if (study.inputs.empty())
+    notes.push_back("nothing varies: no key of the scene is a distribution");
+  else if (varied.names.empty())
+    notes.push_back("only noise varies: no input by lot or pocket");
+  const auto candidates = static_cast<long>(study.candidates.size());
+  if (candidates > 0 && study.samples < 100 * candidates)
+    notes.push_back(std::to_string(study.samples) + " rows for " + std::to_string(candidates) +
+                    " candidate tolerances: fewer than 100 each");
+  return notes;
+}
+
+}  // namespace cagetol

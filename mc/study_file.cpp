@@ -1,0 +1,249 @@
+#include "mc/study_file.hpp"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "mc/file_write.hpp"
+#include "mc/h5.hpp"
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+namespace {
+
+std::int64_t integer(std::uint64_t value) {
+  return static_cast<std::int64_t>(value);
+}
+
+/// Columns of one uncertain input, filled row by row.
+struct InputColumns {
+  std::vector<double> lot, pocket, noise, value;
+};
+
+/// Everything that comes from drawing the samples again, so that journals need not carry it.
+struct DrawnColumns {
+  std::vector<std::int64_t> row, replicate, lot, candidate;
+  std::vector<double> points;
+  std::vector<InputColumns> inputs;
+};
+
+/// Appends one value per pocket; a single value stands for all pockets.
+void append(std::vector<double>& column, const std::vector<double>& values, std::size_t width) {
+  if (values.size() != width && values.size() != 1)
+    throw std::logic_error("a drawn input has the wrong number of values");
+  for (std::size_t i = 0; i < width; ++i) column.push_back(values[values.size() == 1 ? 0 : i]);
+}
+
+std::size_t width_of(const UncertainInput& input, const Study& study) {
+  return input.per_pocket ? static_cast<std::size_t>(study.scene.bearing.roller_count) : 1;
+}
+
+DrawnColumns draw_columns(const SweepPlan& plan, const OutcomesById& outcomes) {
+  const Study& study = plan.study;
+  DrawnColumns columns;
+  columns.inputs.resize(study.inputs.size());
+  for (const auto& [id, outcome] : outcomes) {
+    const Sample sample = plan.draw(id);
+    columns.row.push_back(integer(sample.row));
+    columns.replicate.push_back(integer(sample.replicate));
+    columns.lot.push_back(integer(sample.lot));
+    columns.candidate.push_back(sample.candidate);
+    columns.points.insert(columns.points.end(), sample.design_point.begin(),
+                          sample.design_point.end());
+    for (std::size_t k = 0; k < study.inputs.size(); ++k) {
+      const std::size_t width = width_of(study.inputs[k], study);
+      const DrawnInput& drawn = sample.inputs[k];
+      InputColumns& input = columns.inputs[k];
+      if (study.inputs[k].lot) append(input.lot, drawn.lot, 1);
+      if (study.inputs[k].pocket) append(input.pocket, drawn.pocket, width);
+      if (study.inputs[k].noise) append(input.noise, drawn.noise, 1);
+      append(input.value, drawn.value, width);
+    }
+  }
+  return columns;
+}
+
+template <class T, class Get>
+std::vector<T> column(const OutcomesById& outcomes, Get get) {
+  std::vector<T> values;
+  values.reserve(outcomes.size());
+  for (const auto& [id, outcome] : outcomes) values.push_back(static_cast<T>(get(outcome)));
+  return values;
+}
+
+void write_root(hid_t root, const SweepPlan& plan, const BuildInfo& build) {
+  const Study& study = plan.study;
+  write_h5_attribute(root, "schema_version", std::int64_t{kStudySchema});
+  write_h5_attribute(root, "tool_version", build.version);
+  write_h5_attribute(root, "tool_commit", build.commit);
+  write_h5_attribute(root, "build", build_id(build));
+  write_h5_attribute(root, "libraries", build.libraries);
+  write_h5_attribute(root, "study_name", study.name);
+  write_h5_attribute(root, "study_hash", study.hash);
+  write_h5_attribute(root, "seed", std::int64_t{study.seed});
+  write_h5_attribute(root, "design", study.design);
+  write_h5_attribute(root, "rows_planned", integer(plan.rows));
+  write_h5_attribute(root, "samples_planned", integer(plan.samples));
+  write_h5_attribute(root, "scrambles",
+                     std::int64_t{study.design == "sobol" ? study.scrambles : 1});
+  write_h5_attribute(root, "pockets", std::int64_t{study.scene.bearing.roller_count});
+}
+
+void write_study_texts(hid_t root, const Study& study) {
+  const H5Handle group = make_h5_group(root, "study");
+  write_h5(group, "toml", study.resolved_toml, {"-", "the resolved study with its scene"});
+  write_h5(group, "json", study.resolved_json, {"-", "the resolved study as JSON"});
+  std::vector<std::string> files;
+  for (const auto& [name, hash] : study.files) files.push_back(name + " " + hash);
+  write_h5(group, "files", files, {"-", "further input files: name and hash of the text"});
+}
+
+void write_samples(hid_t root, const DrawnColumns& drawn, const OutcomesById& outcomes) {
+  using S = StoredOutcome;
+  const H5Handle group = make_h5_group(root, "samples");
+  const auto integers = [&](const char* name, const auto& get, const char* description) {
+    write_h5(group, name, column<std::int64_t>(outcomes, get), {"-", description});
+  };
+  integers(
+      "id", [](const S& s) { return s.id; }, "sample id");
+  write_h5(group, "row", drawn.row, {"-", "design row"});
+  write_h5(group, "replicate", drawn.replicate,
+           {"-", "0, or k for the k-th repetition of the row with fresh noise"});
+  write_h5(group, "lot", drawn.lot, {"-", "lot of the cage"});
+  write_h5(group, "candidate", drawn.candidate,
+           {"-", "tolerance candidate that scaled the deviations; -1 without candidates"});
+  integers(
+      "status", [](const S& s) { return s.status; },
+      "0 ok, 1 jammed, 2 failed, 3 censored, 4 not run, 5 poisoned");
+  write_h5(group, "reason", column<std::string>(outcomes, [](const S& s) { return s.reason; }),
+           {"-", "what happened; empty when ok"});
+  integers(
+      "pocket", [](const S& s) { return s.pocket; }, "pocket that jams, from 0; -1 without");
+  write_h5(group, "interference_um",
+           column<double>(outcomes, [](const S& s) { return s.interference_um; }),
+           {"um", "by how much the roller is too large for the pocket that jams"});
+}
+
+void write_design(hid_t root, const SweepPlan& plan, const DrawnColumns& drawn) {
+  const H5Handle group = make_h5_group(root, "design");
+  write_h5(group, "point", drawn.points, {"-", "design point of the row, in [0,1]"},
+           plan.columns.names.size());
+  write_h5(group, "columns", plan.columns.names, {"-", "input of each column"});
+  write_h5(group, "groups", plan.columns.groups, {"-", "group of each column"});
+}
+
+/// The laws of one input as JSON, taken from the resolved study.
+std::string laws_of(const nlohmann::json& study, const std::string& key) {
+  nlohmann::json laws = nlohmann::json::object();
+  if (study.contains("inputs"))
+    for (const auto& input : study.at("inputs"))
+      if (input.at("key") == key)
+        for (const char* scope : {"lot", "pocket", "noise"})
+          if (input.contains(scope)) laws[scope] = input.at(scope);
+  return laws.dump();
+}
+
+void write_inputs(hid_t root, const Study& study, const DrawnColumns& drawn) {
+  const auto json = nlohmann::json::parse(study.resolved_json);
+  const H5Handle all = make_h5_group(root, "inputs");
+  for (std::size_t k = 0; k < study.inputs.size(); ++k) {
+    const UncertainInput& input = study.inputs[k];
+    const std::size_t width = input.per_pocket ? width_of(input, study) : 0;
+    const H5Handle group = make_h5_group(all, input.key);
+    write_h5_attribute(group, "unit", input.unit);
+    write_h5_attribute(group, "nominal", input.nominal);
+    write_h5_attribute(group, "laws", laws_of(json, input.key));
+    if (input.lot)
+      write_h5(group, "lot", drawn.inputs[k].lot, {input.unit, "deviation shared by the cage"});
+    if (input.pocket)
+      write_h5(group, "pocket", drawn.inputs[k].pocket, {input.unit, "deviation of each pocket"},
+               width);
+    if (input.noise)
+      write_h5(group, "noise", drawn.inputs[k].noise,
+               {input.unit, "draw of the sample's own noise"});
+    write_h5(group, "value", drawn.inputs[k].value, {input.unit, "what was simulated"}, width);
+  }
+}
+
+void write_results(hid_t root, const OutcomesById& outcomes) {
+  const H5Handle quantities = make_h5_group(root, "quantities");
+  for (std::size_t i = 0; i < quantity_table().size(); ++i) {
+    const Quantity& quantity = quantity_table()[i];
+    write_h5(quantities, quantity.key,
+             column<double>(outcomes, [i](const auto& s) { return s.quantities.at(i); }),
+             {quantity.unit, quantity.definition});
+  }
+  const H5Handle run = make_h5_group(root, "run");
+  const std::vector<RunField> fields = stored_run_fields();
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    write_h5(run, fields[i].key,
+             column<double>(outcomes, [i](const auto& s) { return s.run.at(i); }),
+             {fields[i].unit, fields[i].meaning});
+  const H5Handle timing = make_h5_group(root, "timing");
+  write_h5(timing, "wall_s", column<double>(outcomes, [](const auto& s) { return s.wall_s; }),
+           {"s", "wall-clock seconds of the run"});
+  write_h5(timing, "rank", column<std::int64_t>(outcomes, [](const auto& s) { return s.rank; }),
+           {"-", "rank that ran it"});
+}
+
+}  // namespace
+
+std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
+                            const BuildInfo& build) {
+  const H5Quiet quiet;
+  const DrawnColumns drawn = draw_columns(plan, outcomes);
+  const H5Handle file = make_h5_memory_file();
+  const H5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "open the root group");
+  write_root(root, plan, build);
+  write_study_texts(root, plan.study);
+  write_samples(root, drawn, outcomes);
+  write_design(root, plan, drawn);
+  write_inputs(root, plan.study, drawn);
+  write_results(root, outcomes);
+  return h5_image(file);
+}
+
+void write_study_file(const std::string& path, const SweepPlan& plan, const OutcomesById& outcomes,
+                      const BuildInfo& build) {
+  replace_file(path, make_study_file(plan, outcomes, build));
+}
+
+StudyFile read_study_file(const std::string& path) {
+  const H5Quiet quiet;
+  const H5Handle file = open_h5_file(path);
+  StudyFile study;
+  study.study_hash = read_h5_text_attribute(file, "study_hash");
+  study.build = read_h5_text_attribute(file, "build");
+  study.study_toml = read_h5_texts(file, "study/toml").at(0);
+
+  const auto ids = read_h5_integers(file, "samples/id");
+  const auto status = read_h5_integers(file, "samples/status");
+  const auto reason = read_h5_texts(file, "samples/reason");
+  const auto pocket = read_h5_integers(file, "samples/pocket");
+  const auto interference = read_h5_reals(file, "samples/interference_um");
+  const auto wall = read_h5_reals(file, "timing/wall_s");
+  const auto rank = read_h5_integers(file, "timing/rank");
+  std::vector<StoredOutcome> rows(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    rows[i] = {.id = static_cast<std::uint64_t>(ids[i]),
+               .status = static_cast<Status>(status.at(i)),
+               .reason = reason.at(i),
+               .pocket = static_cast<int>(pocket.at(i)),
+               .interference_um = interference.at(i),
+               .quantities = {},
+               .run = {},
+               .wall_s = wall.at(i),
+               .rank = static_cast<int>(rank.at(i))};
+  for (const Quantity& quantity : quantity_table()) {
+    const auto values = read_h5_reals(file, std::string("quantities/") + quantity.key);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].quantities.push_back(values.at(i));
+  }
+  for (const RunField& field : stored_run_fields()) {
+    const auto values = read_h5_reals(file, std::string("run/") + field.key);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].run.push_back(values.at(i));
+  }
+  for (StoredOutcome& row : rows) study.outcomes.emplace(row.id, std::move(row));
+  return study;
+}
+
+}  // namespace cagetol

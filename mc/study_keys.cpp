@@ -1,0 +1,64 @@
+#include "mc/study_keys.hpp"
+
+#include <algorithm>
+
+namespace cagetol {
+
+// clang-format off
+#define AT(member) [](Study& s) -> auto& { return s.member; }
+const KeyTable<Study>& study_keys() {
+  static const KeyTable<Study> keys = {
+      {"name", any_value(), AT(name), "name of the study, for titles"},
+      {"seed", within(0, 9007199254740992), AT(seed), "seed of every random number of the study"},
+      {"samples", within(1, 1e9), AT(samples), "rows of the design; rounded up where the design needs it"},
+      {"extra_replicates", within(0, 1000), AT(extra_replicates), "runs repeated with fresh noise, as a share of the rows; 15: every row 16 times"},
+      {"design", one_of({"random", "lhs", "sobol", "grid", "pick-freeze", "morris"}), AT(design), "how the rows fill the space of deviations"},
+      {"scrambles", within(1, 1024), AT(scrambles), "design sobol: independent scrambles"},
+      {"cages_per_lot", within(1, 1e6), AT(cages_per_lot), "design random: cages that share one draw of the lot"},
+      {"allowed_failure_share", within(0, 1), AT(allowed_failure_share), "failed, censored and poisoned samples beyond this share: exit code 3"},
+      {"tolerance.target_yield", above(0, 1), AT(tolerance.target_yield), "share of cages that must meet all limits"},
+      {"tolerance.confidence", above(0, 0.999999), AT(tolerance.confidence), "confidence of the bounds"},
+  };
+  return keys;
+}
+#undef AT
+
+const std::vector<KeyInfo>& limit_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"limit.quantity", any_value(), "quantity of interest that is limited", KeyKind::text},
+      {"limit.min", any_value(), "smallest value allowed, in the quantity's unit; min or max must be given", KeyKind::number},
+      {"limit.max", any_value(), "largest value allowed, in the quantity's unit", KeyKind::number},
+      {"limit.source", any_value(), "where the limit comes from", KeyKind::text},
+      {"limit.cage_revolutions", at_least(0), "measured cage revolutions for which the limit is meant; 0: not stated", KeyKind::number},
+  };
+  return keys;
+}
+
+const std::vector<KeyInfo>& dimension_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"tolerance.dimension.key", any_value(), "uncertain scene key, a length, whose tolerance is asked for", KeyKind::text},
+      {"tolerance.dimension.band_mm", above(0), "full width of the tolerance band to which the study's laws belong", KeyKind::number},
+      {"tolerance.dimension.candidates", any_value(), "array of candidate bands: ISO 286 grades (\"IT9\") or full widths in mm", KeyKind::numbers},
+  };
+  return keys;
+}
+
+const std::vector<KeyInfo>& correlation_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"correlation.between", any_value(), "array of two inputs of one scope: \"KEY:lot\" or \"KEY:pocket\"", KeyKind::text},
+      {"correlation.rho", within(-1, 1), "correlation of the two deviations (of the same pocket)", KeyKind::number},
+  };
+  return keys;
+}
+// clang-format on
+
+bool is_study_section(const std::string& name) {
+  static const std::vector<std::string> lists = {"scene",       "limit",  "correlation",
+                                                 "grid_levels", "inputs", "candidates"};
+  if (std::find(lists.begin(), lists.end(), name) != lists.end()) return true;
+  return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
+    return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;
+  });
+}
+
+}  // namespace cagetol

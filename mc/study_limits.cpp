@@ -1,0 +1,173 @@
+#include "mc/study_limits.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "distributions/iso286.hpp"
+#include "mc/study_inputs.hpp"
+#include "mc/study_keys.hpp"
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr std::size_t kMostCandidates = 1000;
+
+Limit read_limit(const toml::table& entry, const std::string& file) {
+  const auto info = [](const std::string& name) -> const KeyInfo& {
+    return info_of(limit_keys(), "limit." + name);
+  };
+  const auto missing = [&](const std::string& what, const std::string& remedy) {
+    return InputError(place_of(entry, file), "limit", shown(entry), what, remedy);
+  };
+  Limit limit;
+  const auto* quantity = entry.get("quantity");
+  if (!quantity)
+    throw missing("the limit names no quantity",
+                  "add quantity = \"...\", a key of `simulate --json`");
+  limit.quantity = text_value(info("quantity"), *quantity, file);
+  if (quantity_index(limit.quantity) < 0) {
+    std::vector<std::string> names;
+    for (const auto& known : quantity_table()) names.emplace_back(known.key);
+    throw InputError(place_of(*quantity, file), "limit.quantity", shown(*quantity),
+                     "there is no such quantity of interest",
+                     "did you mean " + nearest_name(limit.quantity, names) +
+                         "? `cagetol simulate SCENE` lists every quantity");
+  }
+  if (const auto* node = entry.get("min")) limit.minimum = number_value(info("min"), *node, file);
+  if (const auto* node = entry.get("max")) limit.maximum = number_value(info("max"), *node, file);
+  if (!limit.minimum && !limit.maximum)
+    throw missing("the limit has neither min nor max", "add min = ..., max = ..., or both");
+  if (limit.minimum && limit.maximum && *limit.minimum > *limit.maximum)
+    throw missing("min is larger than max: nothing can meet this limit", "correct one of the two");
+  const auto* source = entry.get("source");
+  if (source) limit.source = text_value(info("source"), *source, file);
+  if (limit.source.empty())
+    throw missing("the limit does not say where it comes from",
+                  "add source = \"...\": a standard, a drawing, a test, an assumption");
+  if (const auto* node = entry.get("cage_revolutions"))
+    limit.cage_revolutions = number_value(info("cage_revolutions"), *node, file);
+  return limit;
+}
+
+const UncertainInput* find_input(const std::vector<UncertainInput>& inputs,
+                                 const std::string& key) {
+  for (const auto& input : inputs)
+    if (input.key == key) return &input;
+  return nullptr;
+}
+
+std::vector<std::string> candidate_names(const toml::node* node, const toml::table& entry,
+                                         const std::string& file) {
+  const auto* array = node ? node->as_array() : nullptr;
+  if (!array || array->empty())
+    throw InputError(place_of(node ? *node : entry, file), "tolerance.dimension.candidates",
+                     node ? shown(*node) : "", "there are no candidate bands",
+                     "give candidates = [\"IT9\", \"IT10\"] or full widths in mm, [0.05, 0.1]");
+  std::vector<std::string> names;
+  for (const auto& element : *array) {
+    const auto text = element.value<std::string>();
+    const auto width = element.value<double>();
+    const bool grade = text && grade_number(*text);
+    const bool band = element.is_number() && width && std::isfinite(*width) && *width > 0;
+    if (!grade && !band)
+      throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
+                       "this is neither an ISO 286 grade nor a band",
+                       "give a grade like \"IT9\" or a full width in mm above 0");
+    names.push_back(grade ? *text : number_text(*width));
+  }
+  return names;
+}
+
+// A nominal size in mm, whatever unit of length its key has.
+double nominal_mm(const UncertainInput& input) {
+  const double mean = std::accumulate(input.nominal.begin(), input.nominal.end(), 0.0) /
+                      static_cast<double>(input.nominal.size());
+  return from_si(to_si(mean, unit_of(input.key).to_si), 1e-3);
+}
+
+}  // namespace
+
+std::vector<Limit> read_limits(const toml::table& root, const std::string& file) {
+  std::vector<Limit> limits;
+  for (const auto* entry : table_entries(root, "limit", limit_keys(), file))
+    limits.push_back(read_limit(*entry, file));
+  return limits;
+}
+
+std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const std::string& file,
+                                                const std::vector<UncertainInput>& inputs) {
+  std::vector<std::string> names;
+  for (const auto& input : inputs)
+    if (unit_of(input.key).dimension == "length" && (input.lot || input.pocket))
+      names.push_back(input.key);
+  std::vector<ToleranceDimension> dimensions;
+  for (const auto* entry : table_entries(root, "tolerance.dimension", dimension_keys(), file)) {
+    const auto* key = entry->get("key");
+    const auto* band = entry->get("band_mm");
+    if (!key || !band)
+      throw InputError(place_of(*entry, file), "tolerance.dimension", shown(*entry),
+                       key ? "the band to which the laws belong is missing" : "the key is missing",
+                       "write key = \"cage.pocket_width_mm\" and band_mm = 0.1");
+    ToleranceDimension dimension;
+    dimension.key = text_value(info_of(dimension_keys(), "tolerance.dimension.key"), *key, file);
+    dimension.band_mm =
+        number_value(info_of(dimension_keys(), "tolerance.dimension.band_mm"), *band, file);
+    const auto* input = find_input(inputs, dimension.key);
+    const bool scalable =
+        input && unit_of(input->key).dimension == "length" && (input->lot || input->pocket);
+    if (!scalable)
+      throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
+                       "this is no length of the scene that varies by lot or pocket in this study",
+                       names.empty() ? "give the key a distribution below [scene]"
+                                     : "did you mean " + nearest_name(dimension.key, names) + "?");
+    for (const auto& other : dimensions)
+      if (other.key == dimension.key)
+        throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
+                         "this key has a tolerance.dimension already", "join the two");
+    dimension.candidates = candidate_names(entry->get("candidates"), *entry, file);
+    dimensions.push_back(std::move(dimension));
+  }
+  return dimensions;
+}
+
+std::vector<Candidate> make_candidates(const Study& study, const toml::table& root,
+                                       const std::string& file) {
+  const auto& dimensions = study.tolerance.dimensions;
+  if (dimensions.empty()) return {};
+  const auto place = place_of(*find_node(root, "tolerance.dimension"), file);
+  std::vector<Candidate> candidates = {Candidate{}};
+  for (const auto& dimension : dimensions) {
+    if (candidates.size() * dimension.candidates.size() > kMostCandidates)
+      throw InputError(
+          place, "tolerance.dimension", "",
+          "more than " + std::to_string(kMostCandidates) + " combinations of candidates",
+          "name fewer candidates for each dimension");
+    std::vector<Candidate> longer;
+    for (const auto& shorter : candidates)
+      for (const auto& name : dimension.candidates) {
+        Candidate candidate = shorter;
+        double band = 0;
+        if (const auto grade = grade_number(name)) {
+          try {
+            band =
+                grade_width_um(*grade, nominal_mm(*find_input(study.inputs, dimension.key))) / 1000;
+          } catch (const std::invalid_argument& error) {
+            throw InputError(place, "tolerance.dimension.candidates", name, error.what(),
+                             "choose another grade or give the full width in mm");
+          }
+        } else {
+          band = std::stod(name);
+        }
+        candidate.grades.push_back(grade_number(name) ? name : "");
+        candidate.bands_mm.push_back(band);
+        candidate.scales.push_back(band / dimension.band_mm);
+        longer.push_back(std::move(candidate));
+      }
+    candidates = std::move(longer);
+  }
+  return candidates;
+}
+
+}  // namespace cagetol

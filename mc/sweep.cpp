@@ -1,0 +1,284 @@
+#include "mc/sweep.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <climits>
+#include <memory>
+#include <optional>
+
+#include "mc/alone.hpp"
+#include "mc/hand_out.hpp"
+#include "mc/journal.hpp"
+#include "mc/signals.hpp"
+#include "mc/study_file.hpp"
+#include "mc/sweep_directory.hpp"
+#include "mc/team.hpp"
+#include "src/input/input_error.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr int kDone = 0, kBadInput = 2, kTooManyFailed = 3, kStartAgain = 75;
+
+// A sample in flight when everything was killed twice may well be innocent; from then on it runs in
+// a process of its own.
+constexpr int kLossesBeforeAlone = 2;
+
+// Bringing study.h5 up to date must stay a small share of the sweep, however long its reading and
+// writing takes.
+constexpr double kRebuildShare = 0.01;
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Draws and runs one sample. An exception is the sample's failure; `not_run` means that it was
+/// given back.
+StoredOutcome run_sample(const SweepPlan& plan, std::uint64_t id, int rank) {
+  const auto begin = std::chrono::steady_clock::now();
+  Outcome outcome;
+  try {
+    outcome = plan.job(plan.draw(id), SignalWatch::stopping);
+  } catch (const std::bad_alloc&) {
+    spdlog::error("sample {}: out of memory; it is not run", id);
+  } catch (const std::exception& problem) {
+    outcome.status = Status::failed;
+    outcome.reason = problem.what();
+  }
+  return make_stored_outcome(id, outcome, seconds_since(begin), rank);
+}
+
+/// Runs one sample and keeps the journal: what a rank does for each id that it is given.
+Report run_with_journal(const SweepPlan& plan, Journal& journal, std::uint64_t id, int rank) {
+  Report report;
+  try {
+    journal.started(id);
+    const StoredOutcome stored = run_sample(plan, id, rank);
+    report = {Ending::finished, stored.status, stored.wall_s};
+    if (stored.status != Status::not_run) {
+      journal.finished(stored);
+    } else {
+      journal.dropped(id);
+      report.ending = SignalWatch::stopping() ? Ending::interrupted : Ending::no_outcome;
+    }
+  } catch (const WriteError& problem) {
+    spdlog::error("{}", problem.what());
+    report.ending = Ending::cannot_write;
+  }
+  return report;
+}
+
+/// Samples that were lost again and again run alone, before the others start.
+void run_suspects(const SweepPlan& plan, const JournalSet& stored, Journal& journal) {
+  for (const auto& [id, losses] : stored.losses) {
+    if (losses < kLossesBeforeAlone || SignalWatch::draining()) continue;
+    spdlog::warn("sample {} was being run {} times when its process died: running it alone", id,
+                 losses);
+    journal.started(id);
+    const AloneResult result = run_alone(id, [&]() -> std::optional<StoredOutcome> {
+      const StoredOutcome outcome = run_sample(plan, id, 0);
+      if (outcome.status == Status::not_run) return std::nullopt;
+      return outcome;
+    });
+    if (!result.outcome) {
+      journal.dropped(id);
+      spdlog::warn("sample {} has no outcome yet: {}", id, result.why_not);
+    } else {
+      journal.finished(*result.outcome);
+      if (result.outcome->status == Status::poisoned)
+        spdlog::warn("sample {} is poisoned: {}", id, result.outcome->reason);
+    }
+  }
+}
+
+/// What is left for this session, and what is there already.
+struct Pending {
+  std::vector<std::uint64_t> ids;
+  Tally before;
+};
+
+Pending pending_samples(const SweepPlan& plan, const JournalSet& stored) {
+  Pending pending;
+  for (std::uint64_t id = 0; id < plan.samples; ++id) {
+    const auto found = stored.finished.find(id);
+    if (found != stored.finished.end()) {
+      pending.before.count(found->second.status);
+      continue;
+    }
+    const auto losses = stored.losses.find(id);
+    if (losses == stored.losses.end() || losses->second < kLossesBeforeAlone)
+      pending.ids.push_back(id);
+  }
+  return pending;
+}
+
+/// Rank 0 while the sweep runs.
+class Leader {
+ public:
+  Leader(const SweepPlan& plan, const SweepOptions& options, const BuildInfo& build)
+      : plan_(plan), options_(options), build_(build) {}
+
+  int lead(const Team& team, Journal& journal, const RunSample& run);
+
+ private:
+  /// Brings study.h5 up to date from all journals; false with a message when that is not possible.
+  bool rebuild();
+  void idle(const WorkList& list, Progress& progress);
+  int conclude(const WorkList::State& state, bool written) const;
+
+  const SweepPlan& plan_;
+  const SweepOptions& options_;
+  const BuildInfo& build_;
+  std::chrono::steady_clock::time_point last_rebuild_ = std::chrono::steady_clock::now();
+  double rebuild_s_ = 0;
+};
+
+bool Leader::rebuild() {
+  const auto begin = std::chrono::steady_clock::now();
+  bool written = true;
+  try {
+    JournalSet stored = read_journals(journal_directory(options_.directory));
+    std::erase_if(stored.finished, [&](const auto& item) { return item.first >= plan_.samples; });
+    write_study_file(study_file_path(options_.directory), plan_, stored.finished, build_);
+  } catch (const std::exception& problem) {
+    spdlog::error("{}", problem.what());
+    written = false;
+  }
+  rebuild_s_ = seconds_since(begin);
+  last_rebuild_ = std::chrono::steady_clock::now();
+  return written;
+}
+
+void Leader::idle(const WorkList& list, Progress& progress) {
+  progress.update(list.state().tally);
+  const double interval = std::max(options_.rebuild_interval_s, rebuild_s_ / kRebuildShare);
+  if (seconds_since(last_rebuild_) > interval) rebuild();
+}
+
+int Leader::lead(const Team& team, Journal& journal, const RunSample& run) {
+  const Pending pending =
+      pending_samples(plan_, read_journals(journal_directory(options_.directory)));
+  if (pending.before.done > 0)
+    spdlog::info("{} of {} samples are already done", pending.before.done, plan_.samples);
+  WorkList list(pending.ids, pending.before);
+  Progress progress(options_.progress, pending.before.done, plan_.samples);
+  const bool orderly = lead_team(team, list, run, [&] { idle(list, progress); });
+  const WorkList::State state = list.state();
+  const double elapsed = progress.elapsed_s();
+  progress.finish(state.tally);
+  if (orderly && state.tally.done > pending.before.done)
+    spdlog::info("{:.1f} s on {} ranks, {:.1f} % of it inside samples", elapsed, team.size(),
+                 100 * state.busy_s / (elapsed * team.size()));
+  if (orderly) journal.sync();
+  const bool written = rebuild();
+  const int code = conclude(state, written);
+  // The computing thread, or another rank, is still busy and a signal leaves no time to wait for
+  // it. Journals are complete.
+  if (!orderly) ::_exit(kStartAgain);
+  return code;
+}
+
+int Leader::conclude(const WorkList::State& state, bool written) const {
+  const Tally& tally = state.tally;
+  if (state.without_outcome > 0)
+    spdlog::warn(
+        "{} samples have no outcome: integration.wall_budget_s or the memory ran out; start again "
+        "with more",
+        state.without_outcome);
+  if (tally.done < plan_.samples || !written || state.cannot_write) {
+    spdlog::warn("interrupted with {} of {} samples done: start the same command again to go on",
+                 tally.done, plan_.samples);
+    return kStartAgain;
+  }
+  const double share = static_cast<double>(tally.failures()) / static_cast<double>(plan_.samples);
+  if (tally.failures() > 0 && share > plan_.study.allowed_failure_share) {
+    spdlog::error(
+        "{} of {} samples failed, were censored or poisoned ({:.2g} %); the study allows {:.2g} %\n"
+        "  remedy: look at one with `cagetol replay {} --sample ID`; samples/reason in study.h5 "
+        "says what happened",
+        tally.failures(), plan_.samples, 100 * share, 100 * plan_.study.allowed_failure_share,
+        options_.directory);
+    return kTooManyFailed;
+  }
+  return kDone;
+}
+
+/// What went wrong before the first sample, if anything.
+struct Problem {
+  std::string text;
+  int code = kDone;
+};
+
+template <class Work>
+Problem problem_of(Work work) {
+  try {
+    work();
+    return {};
+  } catch (const WriteError& problem) {
+    return {problem.what(), problem.can_go_on() ? kStartAgain : kBadInput};
+  } catch (const std::exception& problem) {
+    return {problem.what(), kBadInput};
+  }
+}
+
+/// The exit code that all ranks agree on: kDone when none has a problem. The first rank that has
+/// one prints it.
+int agreed(const Team& team, const Problem& problem) {
+  const bool well = problem.code == kDone;
+  const int first = team.smallest(well ? INT_MAX : team.rank());
+  if (first == team.rank() && !well) fmt::print(stderr, "cagetol: {}\n", problem.text);
+  const int code = team.smallest(well ? INT_MAX : problem.code);
+  return code == INT_MAX ? kDone : code;
+}
+
+}  // namespace
+
+int run_sweep(const std::function<SweepPlan()>& make_plan, const SweepOptions& options) {
+  const Launch launch = launch_from_environment();
+  const SignalWatch signals;
+  const BuildInfo build = build_info();
+  const bool leads = launch.rank == 0;
+  SweepPlan plan;
+  std::unique_ptr<SweepDirectory> directory;
+  std::unique_ptr<Journal> journal;
+  const auto open_journal = [&] {
+    journal =
+        std::make_unique<Journal>(journal_directory(options.directory),
+                                  JournalHeader{plan.study.hash, build_id(build), launch.rank});
+  };
+
+  // Suspects run before MPI starts: a process with MPI must not fork.
+  Problem problem = problem_of([&] {
+    plan = make_plan();
+    if (!leads) return;
+    directory = std::make_unique<SweepDirectory>(options.directory, plan.study, build);
+    for (const std::string& note : directory->stored().notes) spdlog::warn("{}", note);
+    open_journal();
+    for (const StoredOutcome& outcome : directory->only_in_study_file()) journal->finished(outcome);
+    run_suspects(plan, directory->stored(), *journal);
+  });
+  const Team team(launch);
+  if (const int code = agreed(team, problem)) return leads ? code : 0;
+  problem = problem_of([&] {
+    if (!leads) open_journal();
+  });
+  if (const int code = agreed(team, problem)) return leads ? code : 0;
+
+  const RunSample run = [&](std::uint64_t id) {
+    return run_with_journal(plan, *journal, id, launch.rank);
+  };
+  int code = 0;
+  if (leads) {
+    code = Leader(plan, options, build).lead(team, *journal, run);
+  } else if (!work_in_team(team, run)) {
+    ::_exit(kStartAgain);
+  }
+  team.meet();
+  return code;
+}
+
+}  // namespace cagetol

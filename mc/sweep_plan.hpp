@@ -1,0 +1,29 @@
+// All that a sweep needs to know about its study: what a sample is and how one is run. Tests put an
+// analytic job in here.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "mc/sample.hpp"
+#include "mc/study.hpp"
+#include "src/outcome.hpp"
+
+namespace cagetol {
+
+/// Asked while a sample runs; true ends it as `not_run`.
+using StopRequested = std::function<bool()>;
+
+struct SweepPlan {
+  Study study;
+  DesignColumns columns;
+  std::uint64_t rows = 0;     ///< of the design
+  std::uint64_t samples = 0;  ///< ids are 0 .. samples-1
+  std::function<Sample(std::uint64_t id)> draw;
+  std::function<Outcome(const Sample&, const StopRequested&)> job;
+};
+
+/// The plan of a real study: its sampler and the physics.
+SweepPlan make_sweep_plan(const Study& study);
+
+}  // namespace cagetol

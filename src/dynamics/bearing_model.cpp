@@ -1,0 +1,156 @@
+#include "src/dynamics/bearing_model.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "src/cage/cage_mass.hpp"
+
+namespace cagetol {
+namespace {
+
+using std::numbers::pi;
+
+double given_or(double value, double computed) { return std::isnan(value) ? computed : value; }
+
+/// Mass of the inner ring as a plain hollow cylinder [kg].
+double ring_mass(const BearingGeometry& b, double inner_race_diameter) {
+  return b.ring_material.density * b.width * pi / 4 *
+         (inner_race_diameter * inner_race_diameter - b.bore_diameter * b.bore_diameter);
+}
+
+/// ISO/TS 16281 logarithmic profile drop at axial position x of a roller of diameter D and length L [m].
+double profile_drop(const std::string& profile, double x, double diameter, double length) {
+  if (profile == "none") return 0;
+  const double s = 2 * x / length;
+  return 0.00035 * diameter * std::log(1 / (1 - s * s));
+}
+
+RollerGroup make_group(const Scene& scene, int group) {
+  RollerGroup g;
+  const long z = scene.bearing.roller_count;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const long j = group * kLanes + lane;
+    g.exists[lane] = j < z;
+    const long k = j < z ? j : 0;  // padding copies roller 0; `exists` keeps it out of every sum
+    const double radius = each(scene.roller.diameter, k) / 2, length = scene.roller.length;
+    const double mass = scene.roller.material.density * pi * radius * radius * length;
+    g.mass[lane] = mass;
+    g.polar[lane] = mass * radius * radius / 2;
+    g.transverse[lane] = mass * (3 * radius * radius + length * length) / 12;
+    g.radius[lane] = radius;
+    g.taper_slope[lane] = each(scene.roller.taper, k) / (2 * length);
+    const double angle = 2 * pi * static_cast<double>(j) / static_cast<double>(z) +
+                         each(scene.cage.pocket_pitch, k);
+    g.pocket_cos[lane] = std::cos(angle);
+    g.pocket_sin[lane] = std::sin(angle);
+    g.half_width[lane] = each(scene.cage.pocket_width, k) / 2;
+    g.half_length[lane] = each(scene.cage.pocket_length, k) / 2;
+    g.squareness[lane] = each(scene.cage.pocket_squareness, k);
+  }
+  return g;
+}
+
+/// Two points of the roller's end face at +-0.8 R tangentially, kept inside the face at radial offset `radial`.
+std::array<EndPoint, 2> end_points(double radius, double radial) {
+  const double inside = std::sqrt(std::max(0.0, radius * radius - radial * radial));
+  const double t = std::min(0.8 * radius, inside);
+  return {EndPoint{radial, -t}, EndPoint{radial, t}};
+}
+
+}  // namespace
+
+BearingModel make_bearing_model(const Scene& scene) {
+  BearingModel m;
+  const auto& b = scene.bearing;
+  m.layout.rollers = static_cast<int>(b.roller_count);
+  m.layout.groups = (m.layout.rollers + kLanes - 1) / kLanes;
+  for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
+
+  for (long j = 0; j < b.roller_count; ++j) m.nominal_diameter += each(scene.roller.diameter, j);
+  m.nominal_diameter /= static_cast<double>(b.roller_count);
+  const double length = scene.roller.length;
+  const long slices = scene.discretisation.race_slices, stations = scene.discretisation.bar_stations;
+  for (long k = 0; k < slices; ++k) {
+    const double x = ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
+    m.race_slices.push_back({x, profile_drop(scene.roller.profile, x, m.nominal_diameter, length)});
+  }
+  for (long k = 0; k < stations; ++k)  // from -0.4 L to 0.4 L
+    m.bar_stations.push_back(stations == 1 ? 0.0
+                                           : (-0.4 + 0.8 * static_cast<double>(k) /
+                                                         static_cast<double>(stations - 1)) *
+                                                 length);
+  m.roller_half_length = length / 2;
+  m.flange_half_clearance = b.flange_clearance / 2;
+
+  m.race = make_normal_law(scene.contact.race, length, slices);
+  m.bar = make_normal_law(scene.contact.bar, length, stations);
+  m.wall = make_normal_law(scene.contact.end, length, 2);
+  m.flange = make_normal_law(scene.contact.flange, length, 2);
+  m.land = make_normal_law(scene.contact.land, length, 2);
+  m.friction = {scene.contact.friction_static, scene.contact.friction_dynamic, scene.contact.static_speed,
+                scene.contact.dynamic_speed};
+
+  m.inner_radius = b.inner_raceway_diameter / 2 - b.internal_clearance / 4;
+  m.outer_radius = b.outer_raceway_diameter / 2 + b.internal_clearance / 4;
+  m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
+  m.wall_points = end_points(m.nominal_diameter / 2, 0);
+  m.flange_points = end_points(m.nominal_diameter / 2, b.shoulder_diameter / 2 - m.pitch_radius);
+  m.misalignment_y = b.misalignment_y;
+  m.misalignment_z = b.misalignment_z;
+  m.ring_mass = given_or(b.inner_ring_mass, ring_mass(b, 2 * m.inner_radius));
+
+  const CageMass cage = cage_mass(scene.cage, b.roller_count);
+  m.cage_mass = given_or(scene.cage.mass, cage.mass);
+  m.cage_polar = given_or(scene.cage.polar_inertia, cage.polar_inertia);
+  m.cage_transverse = given_or(scene.cage.transverse_inertia, cage.transverse_inertia);
+  m.unbalance_y = cage.centre_y;
+  m.unbalance_z = cage.centre_z;
+  const auto& c = scene.cage;
+  m.guidance = c.guidance == "inner"    ? Guidance::inner
+               : c.guidance == "roller" ? Guidance::roller
+                                        : Guidance::outer;
+  m.land_radius = (m.guidance == Guidance::inner ? c.inner_diameter : c.outer_diameter) / 2;
+  m.guide_ring_radius = m.guidance == Guidance::inner ? m.inner_radius : b.shoulder_diameter / 2;
+  m.guide_clearance = given_or(c.guide_clearance, std::abs(m.guide_ring_radius - m.land_radius));
+  double mean_length = 0;
+  for (long j = 0; j < b.roller_count; ++j) mean_length += each(c.pocket_length, j);
+  mean_length /= static_cast<double>(b.roller_count);
+  m.land_offset = given_or(c.land_offset, (c.width + mean_length) / 4);
+
+  const auto& o = scene.operation;
+  m.load = o.radial_load;
+  m.load_ramp = o.load_ramp;
+  m.gravity = o.gravity;
+  m.inner_speed = o.inner_speed;
+  m.speed_from = given_or(o.speed_ramp_from, o.inner_speed);
+  m.speed_ramp = o.speed_ramp;
+  return m;
+}
+
+double load_at(const BearingModel& m, double t) {
+  return m.load_ramp > 0 ? m.load * smooth_step(t / m.load_ramp) : m.load;
+}
+
+double inner_speed_at(const BearingModel& m, double t) {
+  if (!(m.speed_ramp > 0)) return m.inner_speed;
+  return m.speed_from + (m.inner_speed - m.speed_from) * smooth_step(t / m.speed_ramp);
+}
+
+double kinematic_cage_speed(const BearingModel& m, double inner_speed) {
+  return inner_speed * m.inner_radius / (m.inner_radius + m.outer_radius);
+}
+
+Jam find_jam(const Scene& scene) {
+  Jam worst;
+  for (long j = 0; j < scene.bearing.roller_count; ++j) {
+    const double in_width = each(scene.roller.diameter, j) - each(scene.cage.pocket_width, j);
+    const double in_length = scene.roller.length - each(scene.cage.pocket_length, j);
+    const double larger = std::max(in_width, in_length);
+    if (larger < 0 || (worst.pocket >= 0 && larger <= worst.interference)) continue;
+    worst = {static_cast<int>(j), in_width >= in_length, larger};
+  }
+  return worst;
+}
+
+}  // namespace cagetol

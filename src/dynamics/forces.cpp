@@ -1,0 +1,303 @@
+#include "src/dynamics/forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/dynamics/contact_frame.hpp"
+#include "src/dynamics/end_contacts.hpp"
+#include "src/dynamics/land_contacts.hpp"
+#include "src/dynamics/pocket_contacts.hpp"
+#include "src/dynamics/race_contacts.hpp"
+
+namespace cagetol {
+namespace {
+
+RollerPack unpack_rollers(const StateLayout& l, const double* y, int group) {
+  const int j = group * kLanes;
+  RollerPack p;
+  p.r = load(y + l.position(kRadius, j));
+  sine_cosine(load(y + l.position(kAngle, j)), p.sine, p.cosine);
+  p.x = load(y + l.position(kAxial, j));
+  const Pack ay = load(y + l.position(kAxisY, j)), az = load(y + l.position(kAxisZ, j));
+  p.a_r = along_r(p, ay, az);
+  p.a_t = along_t(p, ay, az);
+  p.vr = load(y + l.velocity(kRadialSpeed, j));
+  p.omega = load(y + l.velocity(kOrbitRate, j));
+  p.vt = p.r * p.omega;
+  p.vx = load(y + l.velocity(kAxialSpeed, j));
+  const Pack by = load(y + l.velocity(kAxisRateY, j)), bz = load(y + l.velocity(kAxisRateZ, j));
+  p.b_r = along_r(p, by, bz);
+  p.b_t = along_t(p, by, bz);
+  p.spin = load(y + l.velocity(kSpin, j));
+  return p;
+}
+
+BorderState unpack_border(const BearingModel& m, double t, const double* y) {
+  const double *q = y + m.layout.border_position(0), *v = y + m.layout.border_velocity(0);
+  BorderState b;
+  const double phi = q[kCagePhi];
+  b.phi_cos = std::cos(phi);
+  b.phi_sin = std::sin(phi);
+  b.phi_rate = v[kCagePhi];
+  b.unbalance[0] = b.phi_cos * m.unbalance_y - b.phi_sin * m.unbalance_z;
+  b.unbalance[1] = b.phi_sin * m.unbalance_y + b.phi_cos * m.unbalance_z;
+  b.ring[0] = q[kRingY];
+  b.ring[1] = q[kRingZ];
+  b.ring_rate[0] = v[kRingY];
+  b.ring_rate[1] = v[kRingZ];
+  b.cage[0] = q[kCageY] - b.unbalance[0];
+  b.cage[1] = q[kCageZ] - b.unbalance[1];
+  b.cage[2] = q[kCageX];
+  b.cage_rate[0] = v[kCageY] + b.phi_rate * b.unbalance[1];
+  b.cage_rate[1] = v[kCageZ] - b.phi_rate * b.unbalance[0];
+  b.cage_rate[2] = v[kCageX];
+  b.axis[0] = q[kCageAxisY];
+  b.axis[1] = q[kCageAxisZ];
+  b.axis_rate[0] = v[kCageAxisY];
+  b.axis_rate[1] = v[kCageAxisZ];
+  b.inner_speed = inner_speed_at(m, t);
+  return b;
+}
+
+/// Accelerations of a pack of rollers from its loads; velocities into the position rates.
+void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,
+                 const double* y, double* rate, int group) {
+  const StateLayout& l = m.layout;
+  const int j = group * kLanes;
+  const auto velocity = [&](RollerVelocity slot) { return load(y + l.velocity(slot, j)); };
+  const auto put = [&](int slot, Pack value) { store(rate + slot, value * roller.exists); };
+  put(l.position(kRadius, j), velocity(kRadialSpeed));
+  put(l.position(kAngle, j), velocity(kOrbitRate));
+  put(l.position(kAxial, j), velocity(kAxialSpeed));
+  put(l.position(kAxisY, j), velocity(kAxisRateY));
+  put(l.position(kAxisZ, j), velocity(kAxisRateZ));
+  const Pack inverse_mass = 1.0 / roller.mass, inverse_transverse = 1.0 / roller.transverse;
+  const Pack gravity_r = -m.gravity * q.sine, gravity_t = -m.gravity * q.cosine;
+  put(l.velocity(kRadialSpeed, j), loads.f[kLr] * inverse_mass + gravity_r + q.vt * q.omega);
+  put(l.velocity(kOrbitRate, j), (loads.f[kLt] * inverse_mass + gravity_t - 2.0 * q.vr * q.omega) / q.r);
+  put(l.velocity(kAxialSpeed, j), loads.f[kLx] * inverse_mass);
+  const Pack gyro = roller.polar * q.spin;
+  const Pack lean_r = (loads.f[kLar] - gyro * q.b_t) * inverse_transverse;
+  const Pack lean_t = (loads.f[kLat] + gyro * q.b_r) * inverse_transverse;
+  put(l.velocity(kAxisRateY, j), q.cosine * lean_r - q.sine * lean_t);
+  put(l.velocity(kAxisRateZ, j), q.sine * lean_r + q.cosine * lean_t);
+  put(l.velocity(kSpin, j), loads.f[kLs] / roller.polar);
+}
+
+void store_border_rates(const BearingModel& m, double t, const BorderState& b, const BorderLoads& loads,
+                        const double* y, double* rate) {
+  const double* v = y + m.layout.border_velocity(0);
+  double *dq = rate + m.layout.border_position(0), *dv = rate + m.layout.border_velocity(0);
+  for (int i = 0; i < kRigidBorder; ++i) dq[i] = v[i];
+  dv[kRingY] = loads.ring[0] / m.ring_mass;
+  dv[kRingZ] = (loads.ring[1] - load_at(m, t)) / m.ring_mass - m.gravity;
+  dv[kCageY] = loads.cage[0] / m.cage_mass;
+  dv[kCageZ] = loads.cage[1] / m.cage_mass - m.gravity;
+  dv[kCageX] = loads.cage[2] / m.cage_mass;
+  // Moment about the mass centre: the forces act about the geometric centre, at -e from it.
+  const double torque = loads.cage[3] + loads.cage[0] * b.unbalance[1] - loads.cage[1] * b.unbalance[0];
+  dv[kCagePhi] = torque / m.cage_polar;
+  const double gyro = m.cage_polar * b.phi_rate;
+  dv[kCageAxisY] = (loads.cage[4] - gyro * b.axis_rate[1]) / m.cage_transverse;
+  dv[kCageAxisZ] = (loads.cage[5] + gyro * b.axis_rate[0]) / m.cage_transverse;
+}
+
+/// Forces turn with the roller's directions, and its velocity does in directions held still: completes the race and flange
+/// derivatives, which were taken in frozen directions. Keeps what the inner race alone gives for the ring.
+void finish_inner(const RollerPack& q, GroupLinear& g) {
+  for (int i = 0; i < kLocalVelocities; ++i)
+    for (int k = 0; k < 2; ++k) {
+      g.ring_position[i][k] = -g.position[i][k];
+      g.ring_velocity[i][k] = -g.velocity[i][k];
+      g.to_ring_velocity[k][i] = -g.velocity[k][i];
+      if (i < kLocalPositions) g.to_ring_position[k][i] = -g.position[k][i];
+    }
+  for (int k = 0; k < 2; ++k) {
+    g.to_ring_position[k][kLr] += q.omega * g.to_ring_velocity[k][kLt];
+    g.to_ring_position[k][kLt] += q.vr / q.r * g.to_ring_velocity[k][kLt] - q.omega * g.to_ring_velocity[k][kLr];
+  }
+}
+
+/// Rate of the net power along the motion, in frozen directions: gradient times velocities and accelerations.
+double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads, double gravity,
+                         const GroupLinear& g) {
+  const Pack gyro = roller.polar * q.spin;
+  const Pack acceleration[kLocalVelocities] = {loads.f[kLr] / roller.mass - gravity * q.sine,
+                                               loads.f[kLt] / roller.mass - gravity * q.cosine,
+                                               loads.f[kLx] / roller.mass,
+                                               (loads.f[kLar] - gyro * q.b_t) / roller.transverse,
+                                               (loads.f[kLat] + gyro * q.b_r) / roller.transverse,
+                                               loads.f[kLs] / roller.polar};
+  const Pack velocity[kLocalPositions] = {q.vr, q.vt, q.vx, q.b_r, q.b_t};
+  Pack change{};
+  for (int i = 0; i < kLocalVelocities; ++i) change += g.power_velocity[i] * acceleration[i];
+  for (int i = 0; i < kLocalPositions; ++i) change += g.power_position[i] * velocity[i];
+  return sum(change * roller.exists);
+}
+
+void turn_frame(const RollerPack& q, GroupLinear& g) {
+  for (int i = 0; i < kLocalVelocities; ++i) {
+    g.position[i][kLr] += q.omega * g.velocity[i][kLt];
+    g.position[i][kLt] += q.vr / q.r * g.velocity[i][kLt] - q.omega * g.velocity[i][kLr];
+  }
+}
+
+/// Inertial terms of the polar coordinates and the gyroscopic moment, as derivatives of forces.
+void add_inertial(const BearingModel& m, const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,
+                  GroupLinear& g) {
+  const Pack mass = roller.mass;
+  const Pack F_r = loads.f[kLr] - mass * m.gravity * q.sine, F_t = loads.f[kLt] - mass * m.gravity * q.cosine;
+  g.position[kLr][kLr] += mass * q.omega * q.omega;
+  g.position[kLr][kLt] += F_t / q.r;  // F_r turns with theta
+  g.velocity[kLr][kLt] += 2.0 * mass * q.omega;
+  // r theta'' = F_t/m - 2 r' omega: the row is m r d(theta'').
+  const Pack orbit_acceleration = (F_t - 2.0 * mass * q.vr * q.omega) / q.r;
+  g.position[kLt][kLr] -= orbit_acceleration;
+  g.position[kLt][kLt] -= F_r / q.r;
+  g.velocity[kLt][kLr] -= 2.0 * mass * q.omega;
+  g.velocity[kLt][kLt] -= 2.0 * mass * q.vr / q.r;
+  const Pack gyro = roller.polar * q.spin;
+  g.velocity[kLar][kLat] -= gyro;
+  g.velocity[kLar][kLs] -= roller.polar * q.b_t;
+  g.velocity[kLat][kLar] += gyro;
+  g.velocity[kLat][kLs] += roller.polar * q.b_r;
+}
+
+/// The ring's own block from the inner race: d(force on ring)/d(ring) in y, z.
+void add_ring_block(const GroupLinear& g, Linearisation& linear) {
+  const auto add = [&](const Pack(&to)[kLocalVelocities][2], Eigen::MatrixXd& block) {
+    // Force on the ring is the opposite of that on the roller: -d(f_r, f_t)/d(u_r, u_t).
+    const Pack rr = -to[kLr][0], rt = -to[kLr][1], tr = -to[kLt][0], tt = -to[kLt][1];
+    const Pack c = g.cosine, s = g.sine;
+    block(kRingY, kRingY) += sum(c * (rr * c - rt * s) - s * (tr * c - tt * s));
+    block(kRingY, kRingZ) += sum(c * (rr * s + rt * c) - s * (tr * s + tt * c));
+    block(kRingZ, kRingY) += sum(s * (rr * c - rt * s) + c * (tr * c - tt * s));
+    block(kRingZ, kRingZ) += sum(s * (rr * s + rt * c) + c * (tr * s + tt * c));
+  };
+  add(g.ring_position, linear.border_position);
+  add(g.ring_velocity, linear.border_velocity);
+}
+
+template <bool linear>
+void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac, Observation* seen) {
+  const BorderState b = unpack_border(m, t, y);
+  BorderLoads border;
+  [[maybe_unused]] Pack touch = splat(1e30);
+  ContactRows* rows = nullptr;
+  if constexpr (linear) {
+    jac->clear();
+    seen->clear();
+    rows = &jac->scratch;
+  }
+  for (int group = 0; group < m.layout.groups; ++group) {
+    const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
+    const RollerPack q = unpack_rollers(m.layout, y, group);
+    GroupLinear* g = nullptr;
+    if constexpr (linear) {
+      g = &jac->groups[static_cast<std::size_t>(group)];
+      g->cosine = q.cosine;
+      g->sine = q.sine;
+      g->radius = q.r;
+    }
+    const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
+    const auto tt = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };
+    const double lean[2] = {m.misalignment_y, m.misalignment_z};
+    const RaceSide inner{1, m.inner_radius, b.inner_speed, r(b.ring), tt(b.ring), r(b.ring_rate), tt(b.ring_rate),
+                         r(lean), tt(lean)};
+    const RaceSide outer{-1, m.outer_radius, 0, {}, {}, {}, {}, {}, {}};
+    RollerLoads loads;
+    Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
+    race_contacts<linear>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r, elastic_t, drive);
+    border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
+    border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
+    if constexpr (linear) {
+      finish_inner(q, *g);
+      for (int k = 0; k < 2; ++k) {
+        Eigen::VectorXd& to = k == 0 ? jac->power_position : jac->power_velocity;
+        const Pack on_r = k == 0 ? g->power_position[kLr] : g->power_velocity[kLr];
+        const Pack on_t = k == 0 ? g->power_position[kLt] : g->power_velocity[kLt];
+        to[kRingY] -= sum(q.cosine * on_r - q.sine * on_t);
+        to[kRingZ] -= sum(q.sine * on_r + q.cosine * on_t);
+      }
+      add_ring_block(*g, *jac);
+      store(seen->inner_force.data() + group * kLanes, total);
+      store(seen->inner_sliding.data() + group * kLanes, select(total > 0.0, sliding / max(total, splat(1e-300)), Pack{}));
+      seen->ring_elastic_y -= sum(q.cosine * elastic_r - q.sine * elastic_t);
+      seen->ring_elastic_z -= sum(q.sine * elastic_r + q.cosine * elastic_t);
+      seen->drive_power += sum(drive);
+      total = Pack{};
+    }
+    race_contacts<linear>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r, elastic_t, drive);
+    flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
+    if constexpr (linear) {
+      store(seen->outer_force.data() + group * kLanes, total);
+      turn_frame(q, *g);
+    }
+    pocket_contacts<linear>(m, roller, q, b, group, loads, border, rows, jac, seen, touch);
+    wall_contacts<linear>(m, roller, q, b, group, loads, border, rows, jac, seen, touch);
+    if constexpr (linear) {
+      seen->net_power_rate += roller_power_rate(roller, q, loads, m.gravity, *g);
+      add_inertial(m, roller, q, loads, *g);
+    }
+    store_rates(m, roller, q, loads, y, rate, group);
+  }
+  double soonest = 1e30;
+  land_contacts<linear>(m, b, border, rows, jac, seen, soonest);
+  store_border_rates(m, t, b, border, y, rate);
+  if constexpr (linear) {
+    const double gyro = m.cage_polar * b.phi_rate;
+    jac->border_velocity(kCageAxisY, kCageAxisZ) -= gyro;
+    jac->border_velocity(kCageAxisZ, kCageAxisY) += gyro;
+    jac->border_velocity(kCageAxisY, kCagePhi) -= m.cage_polar * b.axis_rate[1];
+    jac->border_velocity(kCageAxisZ, kCagePhi) += m.cage_polar * b.axis_rate[0];
+    seen->load_power = -load_at(m, t) * b.ring_rate[1];
+    jac->power_velocity[kRingZ] -= load_at(m, t);
+    const double *border_v = y + m.layout.border_velocity(0), *border_a = rate + m.layout.border_velocity(0);
+    for (int i = 0; i < m.layout.border(); ++i)
+      seen->net_power_rate += jac->power_position[i] * border_v[i] + jac->power_velocity[i] * border_a[i];
+    seen->time_to_touch = std::min(soonest, smallest(touch));
+  }
+}
+
+}  // namespace
+
+Observation::Observation(const StateLayout& layout) {
+  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force, &wall_force, &flange_force})
+    v->assign(static_cast<std::size_t>(layout.padded()), 0.0);
+}
+
+void Observation::clear() {
+  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force, &wall_force, &flange_force})
+    std::fill(v->begin(), v->end(), 0.0);
+  land_force[0] = land_force[1] = 0;
+  ring_elastic_y = ring_elastic_z = 0;
+  drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy = time_to_touch = 0;
+}
+
+void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
+  evaluate<false>(model, t, y, rate, nullptr, nullptr);
+}
+
+void linearise(const BearingModel& model, double t, const double* y, double* rate, Linearisation& linear,
+               Observation& seen) {
+  evaluate<true>(model, t, y, rate, &linear, &seen);
+}
+
+double body_energy(const BearingModel& m, const double* y) {
+  double energy = 0;
+  for (int group = 0; group < m.layout.groups; ++group) {
+    const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
+    const RollerPack q = unpack_rollers(m.layout, y, group);
+    energy += sum(roller.exists * (0.5 * roller.mass * (q.vr * q.vr + q.vt * q.vt + q.vx * q.vx) +
+                                   0.5 * roller.transverse * (q.b_r * q.b_r + q.b_t * q.b_t) +
+                                   0.5 * roller.polar * q.spin * q.spin + roller.mass * m.gravity * q.r * q.sine));
+  }
+  const double *q = y + m.layout.border_position(0), *v = y + m.layout.border_velocity(0);
+  const auto square = [&](int slot) { return v[slot] * v[slot]; };
+  energy += 0.5 * m.ring_mass * (square(kRingY) + square(kRingZ)) + m.ring_mass * m.gravity * q[kRingZ];
+  energy += 0.5 * m.cage_mass * (square(kCageY) + square(kCageZ) + square(kCageX)) + m.cage_mass * m.gravity * q[kCageZ];
+  energy += 0.5 * m.cage_polar * square(kCagePhi) + 0.5 * m.cage_transverse * (square(kCageAxisY) + square(kCageAxisZ));
+  return energy;
+}
+
+}  // namespace cagetol

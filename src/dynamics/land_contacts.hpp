@@ -1,0 +1,87 @@
+// Cage lands against the guiding ring, one at each side ring of the cage (x = +-land_offset). delta is the land's offset from the
+// guiding ring's axis, n = delta/|delta|, p = |delta| - clearance; the force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2
+// along e_x, of the cage's surface at land_radius n relative to the ring's. Inner guidance rubs on the inner ring, which answers.
+#pragma once
+
+#include "src/dynamics/contact_frame.hpp"
+
+namespace cagetol {
+
+template <bool linear>
+void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads& border, ContactRows* rows,
+                   Linearisation* jac, Observation* seen, double& touch) {
+  if (model.guidance == Guidance::roller) return;
+  const bool inner = model.guidance == Guidance::inner;
+  // The cage's outside surface meets the outer ring where delta points; its bore meets the inner ring on the opposite side.
+  const double side = inner ? -1.0 : 1.0, R = side * model.land_radius;
+  for (int land = 0; land < 2; ++land) {
+    const double X = land == 0 ? -model.land_offset : model.land_offset;
+    double y = b.cage[0] + X * b.axis[0], z = b.cage[1] + X * b.axis[1];
+    double vy = b.cage_rate[0] + X * b.axis_rate[0], vz = b.cage_rate[1] + X * b.axis_rate[1];
+    if (inner) {
+      y -= b.ring[0] + model.misalignment_y * X;
+      z -= b.ring[1] + model.misalignment_z * X;
+      vy -= b.ring_rate[0];
+      vz -= b.ring_rate[1];
+    }
+    const double distance = __builtin_sqrt(y * y + z * z), p = distance - model.guide_clearance;
+    const double inverse = distance > 0 ? 1 / distance : 0;
+    const double ny = y * inverse, nz = z * inverse;
+    const double rate = ny * vy + nz * vz;
+    if constexpr (linear)
+      if (p < 0 && rate > 0) touch = min(touch, -p / rate);
+    if (!(p > 0)) continue;
+    const double ring_surface = inner ? b.inner_speed * side * model.guide_ring_radius : 0;
+    const double along = ny * vz - nz * vy;
+    const double n_A = b.axis[0] * nz - b.axis[1] * ny;  // (A x n)_x
+    const double v1 = along + b.phi_rate * R - ring_surface;
+    const double v2 = b.cage_rate[2] + R * (b.phi_rate * n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz));
+    const auto normal = normal_force(model.land, p, rate);
+    const double speed2 = v1 * v1 + v2 * v2;
+    const auto fr = friction(model.friction, speed2);
+    const double g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2;
+    const double fy = -normal.force * ny - f1 * nz, fz = -normal.force * nz + f1 * ny;
+    border.cage[0] += fy;
+    border.cage[1] += fz;
+    border.cage[2] += f2;
+    border.cage[3] += R * (f1 + f2 * n_A);
+    border.cage[4] += X * fy - R * ny * f2;
+    border.cage[5] += X * fz - R * nz * f2;
+    if (inner) {
+      border.ring[0] -= fy;
+      border.ring[1] -= fz;
+    }
+    if constexpr (linear) {
+      seen->land_force[land] = normal.force;
+      seen->friction_power += g * speed2;
+      seen->damping_power += (normal.force - normal.elastic) * rate;
+      seen->elastic_energy += normal.elastic * p / (model.land.exponent + 1);
+      if (inner) seen->drive_power += f1 * ring_surface;
+      const double channels[3][kCageRigid] = {{-ny, -nz, 0, 0, -X * ny, -X * nz},
+                                              {-nz, ny, 0, R, -X * nz, X * ny},
+                                              {0, 0, 1, R * n_A, -R * ny, -R * nz}};
+      for (int k = 0; k < 3; ++k) {
+        fill_cage_row(channels[k], b, rows->border[k]);
+        if (inner) {
+          rows->border[k][kRingY] = -channels[k][0];
+          rows->border[k][kRingZ] = -channels[k][1];
+        }
+      }
+      add_contact(*rows, {normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2, normal.elastic,
+                          normal.elastic_stiffness, rate},
+                  -1, *jac);
+      // n and t turn as the cage moves along t: with them the force, and p'.
+      const std::vector<double>&gn = rows->border[0], &g1 = rows->border[1], &g2 = rows->border[2];
+      double turn[kRigidBorder] = {inner ? nz : 0, inner ? -ny : 0, -nz, ny, 0, 0, -X * nz, X * ny};
+      for (int i = 0; i < kRigidBorder; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const double e = gn[k] - fr.ratio * (v1 * g1[k] + v2 * g2[k]);
+        const double row = (f1 * gn[k] - normal.force * turn[i] + e * normal.damping * along) * inverse;
+        for (int j = 0; j < kRigidBorder; ++j) jac->border_position(i, j) += row * turn[j];
+      }
+      for (auto& row : rows->border) row[kRingY] = row[kRingZ] = 0;
+    }
+  }
+}
+
+}  // namespace cagetol

@@ -1,0 +1,102 @@
+#include "src/dynamics/linearisation.hpp"
+
+namespace cagetol {
+
+Linearisation::Linearisation(const StateLayout& layout)
+    : groups(static_cast<std::size_t>(layout.groups)),
+      border_position(Eigen::MatrixXd::Zero(layout.border(), layout.border())),
+      border_velocity(Eigen::MatrixXd::Zero(layout.border(), layout.border())),
+      power_position(Eigen::VectorXd::Zero(layout.border())),
+      power_velocity(Eigen::VectorXd::Zero(layout.border())),
+      couplings(static_cast<std::size_t>(layout.rollers)),
+      slot(static_cast<std::size_t>(layout.rollers), -1) {
+  for (auto& row : scratch.border) row.assign(static_cast<std::size_t>(layout.border()), 0.0);
+  const int columns = kCageRigid + layout.modes;
+  for (auto& c : couplings) {
+    c.position.setZero(kLocalVelocities, columns);
+    c.velocity.setZero(kLocalVelocities, columns);
+    c.to_position.setZero(columns, kLocalPositions);
+    c.to_velocity.setZero(columns, kLocalVelocities);
+  }
+}
+
+void Linearisation::clear() {
+  for (auto& g : groups) g = GroupLinear{};
+  border_position.setZero();
+  border_velocity.setZero();
+  power_position.setZero();
+  power_velocity.setZero();
+  for (int i = 0; i < coupled; ++i) slot[static_cast<std::size_t>(couplings[static_cast<std::size_t>(i)].roller)] = -1;
+  coupled = 0;
+}
+
+CageCoupling& Linearisation::coupling(int roller) {
+  int& index = slot[static_cast<std::size_t>(roller)];
+  if (index < 0) {
+    index = coupled++;
+    auto& c = couplings[static_cast<std::size_t>(index)];
+    c.roller = roller;
+    c.position.setZero();
+    c.velocity.setZero();
+    c.to_position.setZero();
+    c.to_velocity.setZero();
+  }
+  return couplings[static_cast<std::size_t>(index)];
+}
+
+void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller, Linearisation& linear) {
+  // F1 = -ratio Q v1, F2 likewise; dQ = k dp + c dp', dp = -g_n P, dp' = -g_n V.
+  const double d11 = s.force * (s.ratio + s.bend * s.v1 * s.v1), d12 = s.force * s.bend * s.v1 * s.v2;
+  const double d22 = s.force * (s.ratio + s.bend * s.v2 * s.v2);
+  const double along1 = s.ratio * s.v1, along2 = s.ratio * s.v2;
+  const auto mixed = [&](double gn, double g1, double g2, double& e, double& w1, double& w2) {
+    e = gn - along1 * g1 - along2 * g2;
+    w1 = d11 * g1 + d12 * g2;
+    w2 = d12 * g1 + d22 * g2;
+  };
+  const int border = static_cast<int>(linear.border_position.rows());
+  const double *bn = rows.border[0].data(), *b1 = rows.border[1].data(), *b2 = rows.border[2].data();
+  const int first = roller < 0 ? 0 : kCageY;  // rollers never couple to the ring through the cage
+  const int lane = roller % kLanes;
+  GroupLinear* group = roller < 0 ? nullptr : &linear.groups[static_cast<std::size_t>(roller / kLanes)];
+  CageCoupling* coupling = roller < 0 ? nullptr : &linear.coupling(roller);
+  const auto lost = dissipation_slopes(s.force, s.stiffness, s.damping, s.ratio, s.bend, s.v1, s.v2, s.elastic,
+                                       s.elastic_stiffness, s.rate);
+  double e, w1, w2;
+  if (roller >= 0) {
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      mixed(rows.roller[0][i], rows.roller[1][i], rows.roller[2][i], e, w1, w2);
+      for (int j = 0; j < kLocalVelocities; ++j)
+        group->velocity[i][j][lane] -=
+            e * s.damping * rows.roller[0][j] + w1 * rows.roller[1][j] + w2 * rows.roller[2][j];
+      for (int j = 0; j < kLocalPositions; ++j)
+        group->position[i][j][lane] -= e * s.stiffness * rows.roller[0][j] + w2 * rows.lean[j];
+      group->power_velocity[i][lane] +=
+          lost.rate * rows.roller[0][i] - lost.v1 * rows.roller[1][i] - lost.v2 * rows.roller[2][i];
+      if (i < kLocalPositions)
+        group->power_position[i][lane] += lost.p * rows.roller[0][i] - lost.v2 * rows.lean[i];
+      for (int j = first; j < border; ++j) {
+        coupling->velocity(i, j - first) -= e * s.damping * bn[j] + w1 * b1[j] + w2 * b2[j];
+        coupling->position(i, j - first) -= e * s.stiffness * bn[j];
+      }
+    }
+  }
+  for (int i = first; i < border; ++i) {
+    mixed(bn[i], b1[i], b2[i], e, w1, w2);
+    linear.power_velocity[i] += lost.rate * bn[i] - lost.v1 * b1[i] - lost.v2 * b2[i];
+    linear.power_position[i] += lost.p * bn[i];
+    if (roller >= 0) {
+      for (int j = 0; j < kLocalVelocities; ++j)
+        coupling->to_velocity(i - first, j) -=
+            e * s.damping * rows.roller[0][j] + w1 * rows.roller[1][j] + w2 * rows.roller[2][j];
+      for (int j = 0; j < kLocalPositions; ++j)
+        coupling->to_position(i - first, j) -= e * s.stiffness * rows.roller[0][j] + w2 * rows.lean[j];
+    }
+    for (int j = first; j < border; ++j) {
+      linear.border_velocity(i, j) -= e * s.damping * bn[j] + w1 * b1[j] + w2 * b2[j];
+      linear.border_position(i, j) -= e * s.stiffness * bn[j];
+    }
+  }
+}
+
+}  // namespace cagetol

@@ -1,0 +1,239 @@
+#include "src/dynamics/newton_matrix.hpp"
+
+#include <cmath>
+
+namespace cagetol {
+namespace {
+
+/// Mass of each local direction of a pack of rollers.
+void local_mass(const RollerGroup& roller, Pack (&mass)[kLocalVelocities]) {
+  mass[kLr] = mass[kLt] = mass[kLx] = roller.mass;
+  mass[kLar] = mass[kLat] = roller.transverse;
+  mass[kLs] = roller.polar;
+}
+
+}  // namespace
+
+Eigen::VectorXd border_mass(const BearingModel& m) {
+  Eigen::VectorXd mass = Eigen::VectorXd::Ones(m.layout.border());
+  mass[kRingY] = mass[kRingZ] = m.ring_mass;
+  mass[kCageY] = mass[kCageZ] = mass[kCageX] = m.cage_mass;
+  mass[kCagePhi] = m.cage_polar;
+  mass[kCageAxisY] = mass[kCageAxisZ] = m.cage_transverse;
+  return mass;
+}
+
+NewtonMatrix::NewtonMatrix(const BearingModel& model)
+    : model_(model),
+      groups_(static_cast<std::size_t>(model.layout.groups)),
+      cages_(static_cast<std::size_t>(model.layout.rollers)),
+      schur_(model.layout.border(), model.layout.border()),
+      schur_lu_(model.layout.border()),
+      border_mass_(border_mass(model)),
+      border_rhs_(model.layout.border()),
+      border_positions_(model.layout.border()),
+      border_solution_(model.layout.border()) {
+  const int columns = kCageRigid + model.layout.modes;
+  for (auto& c : cages_) {
+    c.from.setZero(kLocalVelocities, columns);
+    c.to.setZero(columns, kLocalVelocities);
+  }
+}
+
+bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
+  linear_ = &linear;
+  beta_ = beta;
+  const int cage_columns = kCageRigid + model_.layout.modes;
+  schur_ = -linear.border_velocity - beta * linear.border_position;
+  schur_.diagonal() += border_mass_ / beta;
+  bool sound = true;
+
+  double ring[2][2] = {{0, 0}, {0, 0}};
+  for (int g = 0; g < model_.layout.groups; ++g) {
+    const GroupLinear& l = linear.groups[static_cast<std::size_t>(g)];
+    const RollerGroup& roller = model_.groups[static_cast<std::size_t>(g)];
+    Group& f = groups_[static_cast<std::size_t>(g)];
+    Pack mass[kLocalVelocities];
+    local_mass(roller, mass);
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      for (int j = 0; j < kLocalVelocities; ++j)
+        f.lu[i][j] = -l.velocity[i][j] - (j < kLocalPositions ? beta * l.position[i][j] : Pack{});
+      f.lu[i][i] += mass[i] / beta;
+    }
+    for (int k = 0; k < kLocalVelocities; ++k) {
+      const Mask bad = ~(max(f.lu[k][k], -f.lu[k][k]) > 1e-9 * mass[k] / beta);  // also true for NaN
+      if (any(bad & (roller.exists > 0.0))) sound = false;
+      const Pack inverse = 1.0 / f.lu[k][k];
+      f.lu[k][k] = inverse;
+      for (int i = k + 1; i < kLocalVelocities; ++i) {
+        const Pack factor = f.lu[i][k] * inverse;
+        f.lu[i][k] = factor;
+        for (int j = k + 1; j < kLocalVelocities; ++j) f.lu[i][j] -= factor * f.lu[k][j];
+      }
+    }
+    for (int c = 0; c < 2; ++c) {
+      for (int i = 0; i < kLocalVelocities; ++i) {
+        f.rhs[i] = -(l.ring_velocity[i][c] + beta * l.ring_position[i][c]);
+        f.to_ring[c][i] = -l.to_ring_velocity[c][i] - (i < kLocalPositions ? beta * l.to_ring_position[c][i] : Pack{});
+      }
+      solve_group(f);
+      for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[i][c] = f.rhs[i];
+    }
+    Pack local[2][2] = {};
+    for (int a = 0; a < 2; ++a)
+      for (int c = 0; c < 2; ++c)
+        for (int i = 0; i < kLocalVelocities; ++i) local[a][c] += f.to_ring[a][i] * f.from_ring[i][c];
+    const Pack co = roller.exists * l.cosine, si = roller.exists * l.sine;
+    const Pack rr = local[0][0], rt = local[0][1], tr = local[1][0], tt = local[1][1];
+    ring[0][0] += sum(co * (rr * l.cosine - rt * l.sine) - si * (tr * l.cosine - tt * l.sine));
+    ring[0][1] += sum(co * (rr * l.sine + rt * l.cosine) - si * (tr * l.sine + tt * l.cosine));
+    ring[1][0] += sum(si * (rr * l.cosine - rt * l.sine) + co * (tr * l.cosine - tt * l.sine));
+    ring[1][1] += sum(si * (rr * l.sine + rt * l.cosine) + co * (tr * l.sine + tt * l.cosine));
+  }
+  for (int a = 0; a < 2; ++a)
+    for (int c = 0; c < 2; ++c) schur_(a, c) -= ring[a][c];
+
+  for (int n = 0; n < linear.coupled; ++n) {
+    const CageCoupling& c = linear.couplings[static_cast<std::size_t>(n)];
+    Cage& cage = cages_[static_cast<std::size_t>(n)];
+    Group& f = groups_[static_cast<std::size_t>(c.roller / kLanes)];
+    const GroupLinear& l = linear.groups[static_cast<std::size_t>(c.roller / kLanes)];
+    const int lane = c.roller % kLanes;
+    cage.from = -c.velocity - beta * c.position;
+    cage.to = -c.to_velocity;
+    cage.to.leftCols<kLocalPositions>() -= beta * c.to_position;
+    double lu[kLocalVelocities][kLocalVelocities], ring_from[kLocalVelocities][2], ring_to[2][kLocalVelocities];
+    const double co = l.cosine[lane], si = l.sine[lane];
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      for (int j = 0; j < kLocalVelocities; ++j) lu[i][j] = f.lu[i][j][lane];
+      const double fr = f.from_ring[i][0][lane], ft = f.from_ring[i][1][lane];
+      ring_from[i][0] = fr * co - ft * si;
+      ring_from[i][1] = fr * si + ft * co;
+      const double tr = f.to_ring[0][i][lane], tt = f.to_ring[1][i][lane];
+      ring_to[0][i] = tr * co - tt * si;
+      ring_to[1][i] = tr * si + tt * co;
+    }
+    for (int i = 0; i < kLocalVelocities; ++i)
+      for (int k = 0; k < i; ++k) cage.from.row(i) -= lu[i][k] * cage.from.row(k);
+    for (int i = kLocalVelocities - 1; i >= 0; --i) {
+      for (int k = i + 1; k < kLocalVelocities; ++k) cage.from.row(i) -= lu[i][k] * cage.from.row(k);
+      cage.from.row(i) *= lu[i][i];
+    }
+    schur_.bottomRightCorner(cage_columns, cage_columns).noalias() -= cage.to * cage.from;
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      for (int a = 0; a < 2; ++a) {
+        schur_.row(a).tail(cage_columns) -= ring_to[a][i] * cage.from.row(i);
+        schur_.col(a).tail(cage_columns) -= ring_from[i][a] * cage.to.col(i);
+      }
+    }
+  }
+  schur_lu_.compute(schur_);
+  for (int i = 0; i < schur_.rows(); ++i) {
+    const double pivot = schur_lu_.matrixLU()(i, i);
+    if (!(std::abs(pivot) > 0) || !std::isfinite(pivot)) sound = false;
+  }
+  return sound;
+}
+
+void NewtonMatrix::solve_group(Group& f) const {
+  for (int i = 1; i < kLocalVelocities; ++i)
+    for (int k = 0; k < i; ++k) f.rhs[i] -= f.lu[i][k] * f.rhs[k];
+  for (int i = kLocalVelocities - 1; i >= 0; --i) {
+    for (int k = i + 1; k < kLocalVelocities; ++k) f.rhs[i] -= f.lu[i][k] * f.rhs[k];
+    f.rhs[i] *= f.lu[i][i];
+  }
+}
+
+void NewtonMatrix::solve(const double* rhs, double* x) {
+  const StateLayout& layout = model_.layout;
+  const int border = layout.border(), cage_columns = kCageRigid + layout.modes;
+  const double *bq = rhs + layout.border_position(0), *bv = rhs + layout.border_velocity(0);
+  for (int i = 0; i < border; ++i) {
+    border_positions_[i] = beta_ * bq[i];
+    border_rhs_[i] = border_mass_[i] * bv[i];
+  }
+  border_rhs_.noalias() += linear_->border_position * border_positions_;
+
+  for (int n = 0; n < layout.groups; ++n) {
+    const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
+    const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
+    Group& f = groups_[static_cast<std::size_t>(n)];
+    const int j = n * kLanes;
+    const auto q = [&](RollerPosition slot) { return beta_ * load(rhs + layout.position(slot, j)); };
+    const auto v = [&](RollerVelocity slot) { return load(rhs + layout.velocity(slot, j)); };
+    const Pack ay = q(kAxisY), az = q(kAxisZ), by = v(kAxisRateY), bz = v(kAxisRateZ);
+    const Pack P[kLocalPositions] = {q(kRadius), l.radius * q(kAngle), q(kAxial), l.cosine * ay + l.sine * az,
+                                     l.cosine * az - l.sine * ay};
+    f.rhs[kLr] = roller.mass * v(kRadialSpeed);
+    f.rhs[kLt] = roller.mass * l.radius * v(kOrbitRate);
+    f.rhs[kLx] = roller.mass * v(kAxialSpeed);
+    f.rhs[kLar] = roller.transverse * (l.cosine * by + l.sine * bz);
+    f.rhs[kLat] = roller.transverse * (l.cosine * bz - l.sine * by);
+    f.rhs[kLs] = roller.polar * v(kSpin);
+    const Pack ring_r = l.cosine * border_positions_[kRingY] + l.sine * border_positions_[kRingZ];
+    const Pack ring_t = l.cosine * border_positions_[kRingZ] - l.sine * border_positions_[kRingY];
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      for (int k = 0; k < kLocalPositions; ++k) f.rhs[i] += l.position[i][k] * P[k];
+      f.rhs[i] += l.ring_position[i][0] * ring_r + l.ring_position[i][1] * ring_t;
+    }
+    Pack to_ring[2] = {};
+    for (int a = 0; a < 2; ++a)
+      for (int k = 0; k < kLocalPositions; ++k) to_ring[a] += l.to_ring_position[a][k] * P[k];
+    for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
+      const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
+      if (slot < 0) continue;
+      const CageCoupling& c = linear_->couplings[static_cast<std::size_t>(slot)];
+      for (int i = 0; i < kLocalVelocities; ++i)
+        f.rhs[i][lane] += c.position.row(i).dot(border_positions_.tail(cage_columns));
+      for (int k = 0; k < kLocalPositions; ++k)
+        border_rhs_.tail(cage_columns) += c.to_position.col(k) * P[k][lane];
+    }
+    solve_group(f);
+    for (int a = 0; a < 2; ++a)
+      for (int i = 0; i < kLocalVelocities; ++i) to_ring[a] -= f.to_ring[a][i] * f.rhs[i];
+    border_rhs_[kRingY] += sum(roller.exists * (l.cosine * to_ring[0] - l.sine * to_ring[1]));
+    border_rhs_[kRingZ] += sum(roller.exists * (l.sine * to_ring[0] + l.cosine * to_ring[1]));
+    for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
+      const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
+      if (slot < 0) continue;
+      const Cage& cage = cages_[static_cast<std::size_t>(slot)];
+      for (int i = 0; i < kLocalVelocities; ++i) border_rhs_.tail(cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
+    }
+  }
+  border_solution_ = schur_lu_.solve(border_rhs_);
+
+  for (int n = 0; n < layout.groups; ++n) {
+    const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
+    const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
+    Group& f = groups_[static_cast<std::size_t>(n)];
+    const int j = n * kLanes;
+    const Pack ring_r = l.cosine * border_solution_[kRingY] + l.sine * border_solution_[kRingZ];
+    const Pack ring_t = l.cosine * border_solution_[kRingZ] - l.sine * border_solution_[kRingY];
+    Pack u[kLocalVelocities];
+    for (int i = 0; i < kLocalVelocities; ++i) u[i] = f.rhs[i] - f.from_ring[i][0] * ring_r - f.from_ring[i][1] * ring_t;
+    for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
+      const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
+      if (slot < 0) continue;
+      const Cage& cage = cages_[static_cast<std::size_t>(slot)];
+      for (int i = 0; i < kLocalVelocities; ++i) u[i][lane] -= cage.from.row(i).dot(border_solution_.tail(cage_columns));
+    }
+    const Pack speed[kRollerVelocities] = {u[kLr],
+                                           u[kLt] / l.radius,
+                                           u[kLx],
+                                           l.cosine * u[kLar] - l.sine * u[kLat],
+                                           l.sine * u[kLar] + l.cosine * u[kLat],
+                                           u[kLs]};
+    for (int slot = 0; slot < kRollerPositions; ++slot) {
+      const int at = slot * layout.padded() + j;
+      store(x + at, beta_ * (load(rhs + at) + speed[slot]) * roller.exists);
+    }
+    for (int slot = 0; slot < kRollerVelocities; ++slot)
+      store(x + layout.positions() + slot * layout.padded() + j, speed[slot] * roller.exists);
+  }
+  for (int i = 0; i < border; ++i) {
+    x[layout.border_position(i)] = border_positions_[i] + beta_ * border_solution_[i];
+    x[layout.border_velocity(i)] = border_solution_[i];
+  }
+}
+
+}  // namespace cagetol

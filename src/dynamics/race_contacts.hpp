@@ -1,0 +1,110 @@
+// Roller against a raceway, sliced along the roller. n is the direction of the force on the roller, d from the axis of the race
+// to the axis of the roller in the radial plane at the slice, s = +1 inside (inner race), -1 outside:
+//   n = s d/|d|,  p = s (R_race - |d|) + R_slice,  p' = -n . (velocity of the roller's axis - velocity of the race's axis)
+// The inner race may be misaligned: its axis passes the slice at u + m X, X the slice's axial place, so n has the axial part
+// -n.m. Sliding speeds: v1 along t = e_x x n, v2 along e_x, of the roller's surface at -R n relative to the race's surface.
+#pragma once
+
+#include "src/dynamics/contact_frame.hpp"
+
+namespace cagetol {
+
+struct RaceSide {
+  double sign;    ///< s
+  double radius;  ///< R_race [m]
+  double speed;   ///< of the race about its axis [rad/s]
+  Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
+  Pack m_r, m_t;              ///< its misalignment, likewise
+};
+
+template <bool linear>
+void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
+                   RollerLoads& loads, GroupLinear* jac, Observation* seen, Pack& total, Pack& sliding,
+                   Pack& elastic_r, Pack& elastic_t, Pack& drive) {
+  for (const Slice& slice : model.race_slices) {
+    const double xi = slice.position;
+    const Pack place = q.x + xi;
+    const Pack d_r = q.r + xi * q.a_r - race.u_r - race.m_r * place;
+    const Pack d_t = xi * q.a_t - race.u_t - race.m_t * place;
+    const Pack distance = sqrt(d_r * d_r + d_t * d_t);
+    const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
+    const Pack p = race.sign * (race.radius - distance) + radius;
+    const Mask touching = (p > 0.0) & (roller.exists > 0.0);
+    if (!any(touching)) continue;
+
+    const Pack inverse = race.sign / distance;
+    const Pack n_r = d_r * inverse, n_t = d_t * inverse;
+    const Pack n_x = -(n_r * race.m_r + n_t * race.m_t);
+    const Pack v_r = q.vr + xi * q.b_r - race.du_r, v_t = q.vt + xi * q.b_t - race.du_t;
+    const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
+    const Pack along = n_r * v_t - n_t * v_r;  // velocity of the axes along t
+    const Pack w_r = q.spin * q.a_r - q.b_t, w_t = q.spin * q.a_t + q.b_r;
+    const Pack surface = race.sign * race.speed * race.radius + Pack{};  // speed of the race along t
+    const Pack swash = race.sign * race.speed * race.radius * (race.m_r * n_t - race.m_t * n_r);
+    const Pack v1 = along - roller.radius * q.spin - surface;
+    const Pack v2 = q.vx + roller.radius * (n_r * w_t - n_t * w_r) - swash;
+
+    const auto normal = normal_force(model.race, select(touching, p, splat(-1.0)), rate);
+    const Pack speed2 = v1 * v1 + v2 * v2;
+    const auto fr = friction(model.friction, speed2);
+    const Pack g = fr.ratio * normal.force;
+    const Pack f1 = -g * v1, f2 = -g * v2;
+    const Pack f_r = normal.force * n_r - f1 * n_t, f_t = normal.force * n_t + f1 * n_r;
+    const Pack lean = n_r * q.a_t - n_t * q.a_r;
+    loads.f[kLr] += f_r;
+    loads.f[kLt] += f_t;
+    loads.f[kLx] += normal.force * n_x + f2;
+    loads.f[kLar] += xi * f_r + roller.radius * n_r * f2;
+    loads.f[kLat] += xi * f_t + roller.radius * n_t * f2;
+    loads.f[kLs] += roller.radius * (f2 * lean - f1);
+
+    if constexpr (linear) {
+      total += normal.force;
+      sliding += normal.force * sqrt(speed2);
+      elastic_r += normal.elastic * n_r;
+      elastic_t += normal.elastic * n_t;
+      drive += f1 * surface + f2 * swash;
+      seen->friction_power += sum(g * speed2);
+      seen->damping_power += sum((normal.force - normal.elastic) * rate);
+      seen->elastic_energy += sum(normal.elastic * max(p, Pack{})) / (model.race.exponent + 1);
+
+      const Pack zero{}, one = splat(1.0);
+      const Pack gn[] = {n_r, n_t, n_x, xi * n_r, xi * n_t, zero};
+      const Pack g1[] = {-n_t, n_r, zero, -xi * n_t, xi * n_r, -roller.radius};
+      const Pack g2[] = {zero, zero, one, roller.radius * n_r, roller.radius * n_t, roller.radius * lean};
+      const Pack lean_r = -roller.radius * q.spin * n_t, lean_t = roller.radius * q.spin * n_r;
+      const Pack q0 = normal.force;
+      const Pack d11 = q0 * (fr.ratio + fr.bend * v1 * v1), d12 = q0 * fr.bend * v1 * v2;
+      const Pack d22 = q0 * (fr.ratio + fr.bend * v2 * v2);
+      const Pack m1 = fr.ratio * v1, m2 = fr.ratio * v2;
+      const Pack turn = normal.damping * inverse * along;  // p' changes as n turns with the axis moving along t
+      const Pack spread = q0 * inverse;                    // and so does the direction of the force
+      const auto lost = dissipation_slopes(q0, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2,
+                                           normal.elastic, normal.elastic_stiffness, rate);
+      // Net power = drive - dissipation; the drive's F1 and F2 follow Q and the sliding speeds.
+      const Pack driven = m1 * surface + m2 * swash;
+      const Pack by_p = lost.p + driven * normal.stiffness, by_rate = lost.rate + driven * normal.damping;
+      const Pack by_v1 = lost.v1 + d11 * surface + d12 * swash, by_v2 = lost.v2 + d12 * surface + d22 * swash;
+      const Pack by_turn = by_rate * inverse * along;
+      for (int i = 0; i < kLocalVelocities; ++i) {
+        jac->power_velocity[i] += by_rate * gn[i] - by_v1 * g1[i] - by_v2 * g2[i];
+        if (i < kLocalPositions) jac->power_position[i] += by_p * gn[i] + by_turn * g1[i];
+      }
+      jac->power_position[kLar] -= by_v2 * lean_r;
+      jac->power_position[kLat] -= by_v2 * lean_t;
+      for (int i = 0; i < kLocalVelocities; ++i) {
+        const Pack e = gn[i] - m1 * g1[i] - m2 * g2[i];
+        const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
+        const Pack ec = e * normal.damping, ek = e * normal.stiffness;
+        const Pack et = i == kLs ? -e * turn : g1[i] * spread - e * turn;
+        for (int j = 0; j < kLocalVelocities; ++j)
+          jac->velocity[i][j] -= ec * gn[j] + w1 * g1[j] + w2 * g2[j];
+        for (int j = 0; j < kLocalPositions; ++j) jac->position[i][j] += et * g1[j] - ek * gn[j];
+        jac->position[i][kLar] -= w2 * lean_r;
+        jac->position[i][kLat] -= w2 * lean_t;
+      }
+    }
+  }
+}
+
+}  // namespace cagetol

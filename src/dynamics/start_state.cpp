@@ -1,0 +1,59 @@
+#include "src/dynamics/start_state.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "src/dynamics/static_equilibrium.hpp"
+
+namespace cagetol {
+
+std::vector<double> start_state(const BearingModel& m, const Start& start) {
+  const StateLayout& l = m.layout;
+  std::vector<double> y(static_cast<std::size_t>(l.size()), 0.0);
+  const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
+  const double inner_speed = inner_speed_at(m, 0), cage_speed = kinematic_cage_speed(m, inner_speed);
+
+  std::vector<double> angle(static_cast<std::size_t>(l.padded()));
+  for (int j = 0; j < l.padded(); ++j) {
+    const RollerGroup& g = m.groups[static_cast<std::size_t>(j / kLanes)];
+    angle[static_cast<std::size_t>(j)] =
+        start.cage_phase + (j < l.rollers ? std::atan2(g.pocket_sin[j % kLanes], g.pocket_cos[j % kLanes])
+                                          : 2 * std::numbers::pi * j / l.padded());
+  }
+  StaticEquilibrium equilibrium(m);
+  const bool settled = start.state == "equilibrium";
+  const StaticState* rest = settled ? &equilibrium.solve(angle.data(), cage_speed, load_at(m, 0)) : nullptr;
+  for (int j = 0; j < l.padded(); ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    const double a = angle[k], radius = rest ? rest->radius[k] : m.pitch_radius;
+    const double roller_radius = m.groups[static_cast<std::size_t>(j / kLanes)].radius[j % kLanes];
+    at(l.position(kRadius, j)) = radius;
+    at(l.position(kAngle, j)) = a;
+    const double tilt = rest ? rest->tilt[k] : 0;
+    at(l.position(kAxisY, j)) = tilt * std::cos(a);
+    at(l.position(kAxisZ, j)) = tilt * std::sin(a);
+    at(l.velocity(kOrbitRate, j)) = cage_speed;
+    // Pure rolling at both races: R_pitch w_c - R_w w_s = R_i w_i.
+    at(l.velocity(kSpin, j)) = (m.pitch_radius * cage_speed - m.inner_radius * inner_speed) / roller_radius;
+    // The tilt goes round with the roller.
+    at(l.velocity(kAxisRateY, j)) = -tilt * cage_speed * std::sin(a);
+    at(l.velocity(kAxisRateZ, j)) = tilt * cage_speed * std::cos(a);
+  }
+  if (rest) {
+    at(l.border_position(kRingY)) = rest->ring_y;
+    at(l.border_position(kRingZ)) = rest->ring_z;
+  }
+  // The scene speaks of the geometric centre, the state of the mass centre.
+  const double c = std::cos(start.cage_phase), s = std::sin(start.cage_phase);
+  const double e_y = c * m.unbalance_y - s * m.unbalance_z, e_z = s * m.unbalance_y + c * m.unbalance_z;
+  at(l.border_position(kCageY)) = start.cage_offset_y + e_y;
+  at(l.border_position(kCageZ)) = start.cage_offset_z + e_z;
+  at(l.border_position(kCageX)) = start.cage_offset_x;
+  at(l.border_position(kCagePhi)) = start.cage_phase;
+  at(l.border_velocity(kCageY)) = -cage_speed * e_z;
+  at(l.border_velocity(kCageZ)) = cage_speed * e_y;
+  at(l.border_velocity(kCagePhi)) = cage_speed;
+  return y;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,37 @@
+// Loaded static equilibrium of inner ring and rollers for given roller angles: Newton on the elastic race forces, centrifugal force
+// and weight, without friction and damping. The rollers' radial places and tilts are condensed onto the ring's two displacements.
+#pragma once
+
+#include <vector>
+
+#include "src/dynamics/bearing_model.hpp"
+
+namespace cagetol {
+
+struct StaticState {
+  double ring_y = 0, ring_z = 0;     ///< displacement of the inner ring [m]
+  std::vector<double> radius, tilt;  ///< of each roller (padded) [m], [rad]
+  std::vector<double> inner_force;   ///< on the inner race, all slices [N]
+  bool converged = false;
+  int iterations = 0;
+};
+
+/// Solves from a guess and keeps it warm for the next call.
+class StaticEquilibrium {
+ public:
+  explicit StaticEquilibrium(const BearingModel& model);
+
+  /// `angle` has one element per roller (padded) [rad]; `orbit_rate` makes the centrifugal force [rad/s]; `load` along -z [N].
+  const StaticState& solve(const double* angle, double orbit_rate, double load);
+
+ private:
+  struct RingForce {
+    double y, z, yy, yz, zy, zz;  ///< force on the ring from the rollers in equilibrium, and its derivatives
+  };
+  RingForce settle_rollers(const double* angle, double orbit_rate);
+
+  BearingModel model_;  ///< a copy with friction off
+  StaticState state_;
+};
+
+}  // namespace cagetol

@@ -1,0 +1,75 @@
+#include "src/integration/system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cagetol {
+namespace {
+
+constexpr double kLength = 1e-6, kSpeed = 1e-2, kNever = 1e30;
+
+bool all_finite(const double* x, int n) {
+  double sum = 0;  // a sum of zero times each is not a number exactly if one of them is not finite
+  for (int i = 0; i < n; ++i) sum += 0.0 * x[i];
+  return sum == 0;
+}
+
+}  // namespace
+
+System::System(const BearingModel& m)
+    : model(m),
+      size(m.layout.size()),
+      scale(error_scales(m)),
+      rate(static_cast<std::size_t>(size)),
+      linear(m.layout),
+      seen(m.layout) {}
+
+bool System::rates(double t, const double* y, double* out) {
+  ++counts.rhs;
+  evaluate_rates(model, t, y, out);
+  return all_finite(out, size);
+}
+
+bool System::linearise_at(double t, const double* y) {
+  ++counts.rhs;
+  ++counts.jacobians;
+  linearise(model, t, y, rate.data(), linear, seen);
+  return all_finite(rate.data(), size);
+}
+
+bool System::driven_by_time(double t) const {
+  return t < std::max(model.load_ramp, model.speed_ramp);
+}
+
+std::vector<double> error_scales(const BearingModel& m) {
+  const StateLayout& l = m.layout;
+  std::vector<double> scale(static_cast<std::size_t>(l.size()), kNever);
+  const auto set = [&](int slot, double value) { scale[static_cast<std::size_t>(slot)] = value; };
+  const double half = m.roller_half_length;
+  for (int j = 0; j < l.rollers; ++j) {
+    const double lever[kRollerPositions] = {1, m.pitch_radius, 1, half, half};
+    for (int slot = 0; slot < kRollerPositions; ++slot) {
+      set(l.position(static_cast<RollerPosition>(slot), j), kLength / lever[slot]);
+      set(l.velocity(static_cast<RollerVelocity>(slot), j), kSpeed / lever[slot]);
+    }
+    set(l.velocity(kSpin, j), kSpeed / (m.nominal_diameter / 2));
+  }
+  const double lever[kRigidBorder] = {1, 1, 1, 1, 1, m.pitch_radius, m.land_offset, m.land_offset};
+  for (int i = 0; i < kRigidBorder; ++i) {
+    set(l.border_position(i), kLength / lever[i]);
+    set(l.border_velocity(i), kSpeed / lever[i]);
+  }
+  return scale;
+}
+
+double error_norm(const System& s, const double* error) {
+  double sum = 0;
+  for (int i = 0; i < s.size; ++i) {
+    const double e = error[i] / s.scale[static_cast<std::size_t>(i)];
+    sum += e * e;
+  }
+  const int components = (int{kRollerPositions} + int{kRollerVelocities}) * s.model.layout.rollers + 2 * s.model.layout.border();
+  return std::sqrt(sum / components);
+}
+
+}  // namespace cagetol

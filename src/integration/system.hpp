@@ -1,0 +1,42 @@
+// The bearing as a system of ordinary differential equations, with its derivatives at the current state and the counts of what
+// was evaluated. Scratch of one run: not shared between runs.
+#pragma once
+
+#include <vector>
+
+#include "src/dynamics/forces.hpp"
+
+namespace cagetol {
+
+struct Counts {
+  long steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorisations = 0;
+  double smallest_step = 1e30;
+};
+
+struct System {
+  explicit System(const BearingModel& m);
+
+  /// dy/dt at (t, y). False if a component is not finite.
+  bool rates(double t, const double* y, double* rate);
+  /// Rates, derivatives and observation at (t, y), kept in the members below. False if not finite.
+  bool linearise_at(double t, const double* y);
+  /// True while load or speed depend on time explicitly.
+  bool driven_by_time(double t) const;
+
+  const BearingModel& model;
+  int size;
+  std::vector<double> scale;  ///< size of one unit of error of each component: 1 um, 1 cm/s, and these over lever arms
+  std::vector<double> rate;   ///< at the last linearise_at
+  Linearisation linear;
+  Observation seen;
+  Counts counts;
+};
+
+/// Error scale of each state component: lengths 1 um, speeds 1 cm/s, angles and rates the same divided by their lever arm;
+/// padding gets 1e30.
+std::vector<double> error_scales(const BearingModel& model);
+
+/// Root mean square of error/scale over the components that exist.
+double error_norm(const System& system, const double* error);
+
+}  // namespace cagetol

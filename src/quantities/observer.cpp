@@ -1,0 +1,195 @@
+#include "src/quantities/observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr int kStaticsInstants = 64;
+constexpr double kEnergyFloor = 1e-3;            // of the stored energy: runs that hardly dissipate
+constexpr double kLoadedShare = 0.01;            // of the applied load
+constexpr double kForceFloor = 1, kDisplacementFloor = 1e-6;  // of the consistency error at zero load [N], [m]
+
+}  // namespace
+
+void Observer::Impacts::see(std::size_t contact, bool touching) {
+  if (closed.size() <= contact) closed.resize(contact + 1, 2);  // 2: not seen yet
+  if (touching && closed[contact] == 0) ++count;
+  closed[contact] = touching;
+}
+
+Observer::Observer(const BearingModel& model, double begin, double end)
+    : model_(model),
+      begin_(begin),
+      end_(end),
+      statics_(model),
+      angles_(static_cast<std::size_t>(model.layout.padded())),
+      next_statics_(begin),
+      statics_interval_((end - begin) / kStaticsInstants) {}
+
+void Observer::record(double t, const double* y, const System& system) {
+  const StateLayout& l = model_.layout;
+  const double *q = y + l.border_position(0), *v = y + l.border_velocity(0);
+  const double* dv = system.rate.data() + l.border_velocity(0);
+  const Observation& seen = system.seen;
+  const bool first = last_time_ < 0;
+  // Each state stands for the time since the one before it (the trapezoid's second half is a difference of one step in thousands).
+  const double weight = first ? 0 : t - last_time_;
+
+  const double c = std::cos(q[kCagePhi]), s = std::sin(q[kCagePhi]);
+  const double e_y = c * model_.unbalance_y - s * model_.unbalance_z;
+  const double e_z = s * model_.unbalance_y + c * model_.unbalance_z;
+  const double cage_y = q[kCageY] - e_y, cage_z = q[kCageZ] - e_z;
+  const double cage_vy = v[kCageY] + v[kCagePhi] * e_z, cage_vz = v[kCageZ] - v[kCagePhi] * e_y;
+
+  const double energy = body_energy(model_, y) + seen.elastic_energy;
+  if (first) {
+    first_energy_ = energy;
+    start_phase_ = q[kCagePhi];
+    orbit_angle_ = std::atan2(cage_z, cage_y);
+  }
+  last_energy_ = energy;
+  net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power, seen.net_power_rate);
+  drive_.add(t, seen.drive_power);
+  dissipation_.add(t, seen.friction_power + seen.damping_power);
+
+  const double angle = std::atan2(cage_z, cage_y);
+  orbit_turned_ += std::remainder(angle - orbit_angle_, 2 * std::numbers::pi);
+  orbit_angle_ = angle;
+  revolutions_ = std::abs(q[kCagePhi] - start_phase_) / (2 * std::numbers::pi);
+
+  cage_speed_.add(v[kCagePhi], weight);
+  inner_speed_.add(inner_speed_at(model_, t), weight);
+  whirl_radius_.add(std::hypot(cage_y, cage_z), weight);
+  whirl_speed_.add(std::hypot(cage_vy, cage_vz), weight);
+  cage_axial_.add(q[kCageX], weight);
+  cage_tilt_.add(q[kCageAxisY], weight);
+  cage_tilt_.add(q[kCageAxisZ], weight);
+  ring_y_.add(q[kRingY], weight);
+  ring_z_.add(q[kRingZ], weight);
+  ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), weight);
+  ring_elastic_z_.add(seen.ring_elastic_z, weight);
+  guide_force_.add(seen.land_force[0] + seen.land_force[1], weight);
+  for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_force[k] > 0);
+  end_displacement_ = -q[kRingZ];
+  record_rollers(y, system, weight);
+  record_statics(t, y);
+  last_time_ = t;
+}
+
+void Observer::record_rollers(const double* y, const System& system, double weight) {
+  const StateLayout& l = model_.layout;
+  const Observation& seen = system.seen;
+  const double ratio = model_.nominal_diameter / (2 * model_.pitch_radius);
+  const double inner_speed = inner_speed_at(model_, last_time_ < 0 ? begin_ : last_time_);
+  const double rolling = inner_speed / (2 * ratio) * (1 - ratio * ratio);
+  const double threshold = kLoadedShare * model_.load;
+  for (int j = 0; j < l.rollers; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    const double angle = y[l.position(kAngle, j)], spin = y[l.velocity(kSpin, j)];
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double ay = y[l.position(kAxisY, j)], az = y[l.position(kAxisZ, j)];
+    skew_.add(std::abs(c * az - s * ay), weight);
+    tilt_.add(std::abs(c * ay + s * az), weight);
+    roller_speed_.add(spin, weight);
+    const double slip = rolling != 0 ? 1 - std::abs(spin - y[l.velocity(kOrbitRate, j)]) / std::abs(rolling) : 0;
+    slip_all_.add(slip, weight);
+    if (seen.inner_force[k] > threshold) {
+      slip_loaded_.add(slip, weight);
+      sliding_.add(seen.inner_sliding[k], weight);
+    }
+    pocket_force_.add(seen.leading_force[k] + seen.trailing_force[k], weight);
+    pocket_impacts_.see(2 * k, seen.leading_force[k] > 0);
+    pocket_impacts_.see(2 * k + 1, seen.trailing_force[k] > 0);
+    wall_force_.add(seen.wall_force[k], weight);
+    wall_impacts_.see(k, seen.wall_force[k] > 0);
+  }
+}
+
+void Observer::record_statics(double t, const double* y) {
+  if (t < next_statics_) return;
+  while (next_statics_ <= t) next_statics_ += statics_interval_;
+  const StateLayout& l = model_.layout;
+  std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
+  const double load = load_at(model_, t);
+  const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)], load);
+  if (!rest.converged) return;
+  dynamic_displacement_.add(-y[l.border_position(kRingZ)], 1);
+  static_displacement_.add(-rest.ring_z, 1);
+}
+
+double Observer::energy_residual() const {
+  const double lost = dissipation_.integral();
+  return std::abs(net_work_.integral() - (last_energy_ - first_energy_)) /
+         std::max(std::abs(lost), kEnergyFloor * std::abs(first_energy_));
+}
+
+double Observer::static_consistency_error() const {
+  const double weight = load_at(model_, end_) + model_.ring_mass * model_.gravity;
+  const double force = std::abs(ring_elastic_z_.mean() - weight) / std::max(std::abs(weight), kForceFloor);
+  if (dynamic_displacement_.empty()) return force;
+  const double expected = static_displacement_.mean();
+  return std::max(force, std::abs(dynamic_displacement_.mean() - expected) /
+                             std::max(std::abs(expected), kDisplacementFloor));
+}
+
+std::vector<double> Observer::quantities() const {
+  std::map<std::string, double> q;
+  const double cage_speed = cage_speed_.mean(), inner_speed = inner_speed_.mean();
+  const double clearance = model_.guide_clearance, duration = end_ - begin_;
+  const double revolutions = std::max(revolutions_, 1e-12);
+  q["cage_slip_ratio"] = 1 - cage_speed / kinematic_cage_speed(model_, inner_speed);
+  q["roller_slip_ratio_loaded"] = slip_loaded_.mean();
+  q["roller_slip_ratio_all"] = slip_all_.mean();
+  q["race_sliding_speed_rms"] = sliding_.rms();
+  q["race_sliding_speed_peak"] = sliding_.peak();
+  q["whirl_radius_ratio_mean"] = whirl_radius_.mean() / clearance;
+  q["whirl_radius_ratio_p95"] = whirl_radius_.quantile(0.95) / clearance;
+  q["whirl_radius_ratio_peak"] = whirl_radius_.peak() / clearance;
+  q["whirl_speed_deviation_ratio"] = whirl_speed_.standard_deviation() / whirl_speed_.mean();
+  const double frequency = orbit_turned_ / duration / cage_speed;
+  q["whirl_frequency_ratio"] = frequency;
+  const bool centred = whirl_radius_.mean() < 0.1 * clearance;
+  const bool circling = whirl_radius_.standard_deviation() < 0.25 * whirl_radius_.mean() && std::abs(frequency) > 0.1;
+  q["orbit_class"] = centred ? 0 : circling ? 1 : 2;
+  const auto force = [&](const std::string& name, const Series& series, const Impacts& impacts) {
+    q[name + "_force_rms_N"] = series.rms();
+    q[name + "_force_p99_N"] = series.quantile(0.99);
+    q[name + "_force_peak_N"] = series.peak();
+    q[name + "_impacts_per_revolution"] = static_cast<double>(impacts.count) / revolutions;
+  };
+  force("pocket", pocket_force_, pocket_impacts_);
+  force("guide", guide_force_, guide_impacts_);
+  force("end", wall_force_, wall_impacts_);
+  q["cage_speed_std_ratio"] = cage_speed_.standard_deviation() / std::abs(cage_speed);
+  q["cage_axial_std_um"] = 1e6 * cage_axial_.standard_deviation();
+  q["cage_tilt_std_mrad"] = 1e3 * std::numbers::sqrt2 * cage_tilt_.standard_deviation();
+  q["ring_displacement_mean_um"] = -1e6 * ring_z_.mean();
+  q["ring_displacement_end_um"] = 1e6 * end_displacement_;
+  q["ring_orbit_p95_um"] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
+  q["ring_acceleration_rms_m_s2"] = ring_acceleration_.rms();
+  q["ring_acceleration_peak_m_s2"] = ring_acceleration_.peak();
+  q["roller_speed_std_ratio"] = roller_speed_.standard_deviation() / std::abs(roller_speed_.mean());
+  q["roller_skew_rms_mrad"] = 1e3 * skew_.rms();
+  q["roller_skew_p95_mrad"] = 1e3 * skew_.quantile(0.95);
+  q["roller_tilt_p95_mrad"] = 1e3 * tilt_.quantile(0.95);
+  q["power_loss_W"] = dissipation_.integral() / duration;
+  q["friction_torque_Nmm"] = inner_speed != 0 ? 1e3 * drive_.integral() / duration / inner_speed : 0;
+  q["static_consistency_error"] = static_consistency_error();
+  std::vector<double> values;
+  for (const Quantity& row : quantity_table()) {
+    const auto found = q.find(row.key);
+    if (found == q.end()) throw std::logic_error(std::string("quantity without a value: ") + row.key);
+    values.push_back(found->second);
+  }
+  return values;
+}
+
+}  // namespace cagetol

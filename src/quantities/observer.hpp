@@ -1,0 +1,61 @@
+// Watches a run through its window and says in the end what it amounted to: the quantities of interest, the energy account and the
+// consistency with statics.
+#pragma once
+
+#include <vector>
+
+#include "src/dynamics/static_equilibrium.hpp"
+#include "src/integration/system.hpp"
+#include "src/quantities/series.hpp"
+
+namespace cagetol {
+
+class Observer {
+ public:
+  /// The window is [begin, end] in seconds.
+  Observer(const BearingModel& model, double begin, double end);
+
+  /// One accepted state inside the window, with system.linearise_at() done for it.
+  void record(double t, const double* y, const System& system);
+
+  /// All quantities in the order of quantity_table().
+  std::vector<double> quantities() const;
+  /// |work in - dissipation - change of stored energy| over the dissipation, or over a thousandth of the stored energy where a run
+  /// dissipates less than that.
+  double energy_residual() const;
+  double static_consistency_error() const;
+  /// Revolutions of the cage within the window.
+  double cage_revolutions() const { return revolutions_; }
+
+ private:
+  struct Impacts {
+    std::vector<char> closed;
+    long count = 0;
+    void see(std::size_t contact, bool touching);
+  };
+  void record_rollers(const double* y, const System& system, double weight);
+  void record_statics(double t, const double* y);
+
+  const BearingModel& model_;
+  double begin_, end_;
+  StaticEquilibrium statics_;
+  std::vector<double> angles_;
+  double next_statics_;
+  double statics_interval_;
+  Series dynamic_displacement_, static_displacement_;
+
+  double last_time_ = -1;
+
+  Series cage_speed_, inner_speed_, whirl_radius_, whirl_speed_, cage_axial_, cage_tilt_;
+  Series slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_, guide_force_, roller_speed_;
+  Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_;
+  double orbit_turned_ = 0, orbit_angle_ = 0;
+  double revolutions_ = 0, start_phase_ = 0;
+  double end_displacement_ = 0;
+  Impacts pocket_impacts_, wall_impacts_, guide_impacts_;
+  HermiteQuadrature net_work_;
+  StepQuadrature dissipation_, drive_;
+  double first_energy_ = 0, last_energy_ = 0;
+};
+
+}  // namespace cagetol

@@ -1,0 +1,127 @@
+#include "src/simulate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <limits>
+
+#include "src/dynamics/start_state.hpp"
+#include "src/integration/integrator.hpp"
+#include "src/quantities/observer.hpp"
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr long kStepsBetweenQuestions = 256;
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+/// Length of the window's two parts [s].
+struct Times {
+  double settle, measure;
+};
+Times window_times(const Scene& scene, const BearingModel& model) {
+  const double revolution = 2 * std::numbers::pi / std::abs(kinematic_cage_speed(model, model.inner_speed));
+  const Window& w = scene.window;
+  return {std::isnan(w.settle_time) ? w.settle_revolutions * revolution : w.settle_time,
+          std::isnan(w.measure_time) ? w.measure_revolutions * revolution : w.measure_time};
+}
+
+Outcome jammed(const Jam& jam) {
+  Outcome outcome;
+  outcome.status = Status::jammed;
+  outcome.pocket = jam.pocket;
+  outcome.interference_um = 1e6 * jam.interference;
+  outcome.reason = "the roller is " + number(outcome.interference_um) + " um too large for pocket " +
+                   std::to_string(jam.pocket) + (jam.in_width ? " (width)" : " (length)");
+  outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
+  return outcome;
+}
+
+void judge(const Scene& scene, Outcome& outcome) {
+  const RunRecord& run = outcome.run;
+  if (!(run.static_consistency_error <= scene.watch.static_consistency_max)) {
+    outcome.status = Status::failed;
+    outcome.reason = "static consistency error " + number(run.static_consistency_error) + " exceeds " +
+                     number(scene.watch.static_consistency_max) +
+                     ": the step is too long for the loaded contacts, or the window too short to settle";
+  } else if (!(run.energy_residual <= scene.watch.energy_residual_max)) {
+    outcome.status = Status::failed;
+    outcome.reason = "energy residual " + number(run.energy_residual) + " exceeds " +
+                     number(scene.watch.energy_residual_max) + ": tighten integration.tolerance";
+  } else {
+    outcome.status = Status::ok;
+  }
+}
+
+}  // namespace
+
+Outcome simulate(const Scene& scene, const SimulateOptions& options) {
+  const Jam jam = find_jam(scene);
+  if (jam.pocket >= 0 && !scene.allow_interference) return jammed(jam);
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+
+  Outcome outcome;
+  const BearingModel model = make_bearing_model(scene);
+  const Times times = window_times(scene, model);
+  std::vector<double> y = start_state(model, scene.start);
+  System system(model);
+  double t = 0;
+  const auto integrator = make_integrator(scene.integration, system, t, y.data());
+  const double end = times.settle + times.measure;
+  Observer observer(model, times.settle, end);
+
+  bool finite = system.linearise_at(t, y.data());
+  StepStatus status = StepStatus::accepted;
+  for (long n = 0; finite && status == StepStatus::accepted; ++n) {
+    if (t >= times.settle) observer.record(t, y.data(), system);
+    if (options.on_state) options.on_state(t, y.data(), system);
+    if (t >= end) break;
+    if (n % kStepsBetweenQuestions == 0) {
+      const bool stop = options.stop_requested && options.stop_requested();
+      if (stop || (scene.integration.wall_budget > 0 && seconds() > scene.integration.wall_budget)) {
+        outcome.status = Status::not_run;
+        outcome.reason = stop ? "stopped on request" : "aborted by the wall-clock limit";
+        outcome.run.wall_s = seconds();
+        return outcome;
+      }
+    }
+    status = integrator->step(system, t, y.data(), t < times.settle ? times.settle : end);
+    if (status == StepStatus::accepted) finite = system.linearise_at(t, y.data());
+  }
+  RunRecord& run = outcome.run;
+  run.simulated_s = t;
+  run.steps = static_cast<double>(system.counts.steps);
+  run.rejected_steps = static_cast<double>(system.counts.rejected);
+  run.rhs_evaluations = static_cast<double>(system.counts.rhs);
+  run.jacobian_evaluations = static_cast<double>(system.counts.jacobians);
+  run.factorisations = static_cast<double>(system.counts.factorisations);
+  run.smallest_step_s = system.counts.smallest_step;
+  if (finite && status == StepStatus::accepted) {
+    run.cage_revolutions = observer.cage_revolutions();
+    run.energy_residual = observer.energy_residual();
+    run.static_consistency_error = observer.static_consistency_error();
+    outcome.quantities = observer.quantities();
+    judge(scene, outcome);
+  } else {
+    outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
+    outcome.status = status == StepStatus::out_of_budget ? Status::censored : Status::failed;
+    outcome.reason = status == StepStatus::out_of_budget
+                         ? "step budget of " + std::to_string(scene.integration.step_budget) + " ran out at t = " +
+                               number(t) + " s of " + number(end) + " s"
+                     : finite ? integrator->failure()
+                              : "a force is not finite at t = " + number(t) + " s";
+  }
+  run.wall_s = seconds();
+  return outcome;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,62 @@
+#include "mc/hand_out.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mc/progress.hpp"
+
+namespace cagetol {
+namespace {
+
+Report finished(Status status) {
+  return {Ending::finished, status, 0.5, false};
+}
+
+TEST(WorkListTest, GivesEachSampleOnceInOrder) {
+  WorkList list({3, 5, 9}, {});
+  EXPECT_EQ(list.exchange({}), 3u);
+  EXPECT_EQ(list.exchange({}), 5u);
+  EXPECT_EQ(list.exchange(finished(Status::ok)), 9u);
+  EXPECT_EQ(list.exchange(finished(Status::jammed)), std::nullopt);
+  EXPECT_EQ(list.state().tally.done, 2u);
+  EXPECT_EQ(list.state().tally.jammed, 1u);
+  EXPECT_EQ(list.state().tally.failures(), 0u);
+  EXPECT_EQ(list.state().busy_s, 1.0);
+}
+
+TEST(WorkListTest, CountsOnTopOfWhatWasDoneBefore) {
+  WorkList list({1}, Tally{.done = 7, .failed = 2});
+  list.exchange(finished(Status::poisoned));
+  EXPECT_EQ(list.state().tally.done, 8u);
+  EXPECT_EQ(list.state().tally.failures(), 3u);
+}
+
+TEST(WorkListTest, GivesNothingAfterAnyReasonToStop) {
+  WorkList stopped({1, 2}, {}), interrupted({1, 2}, {}), full({1, 2}, {}), draining({1, 2}, {});
+  stopped.stop();
+  EXPECT_EQ(stopped.exchange({}), std::nullopt);
+  EXPECT_EQ(interrupted.exchange({.ending = Ending::interrupted}), std::nullopt);
+  EXPECT_EQ(full.exchange({.ending = Ending::cannot_write}), std::nullopt);
+  EXPECT_TRUE(full.state().cannot_write);
+  EXPECT_EQ(draining.exchange({.draining = true}), std::nullopt);
+  EXPECT_EQ(draining.exchange({}), std::nullopt) << "for the other ranks too";
+}
+
+TEST(WorkListTest, ASampleWithoutOutcomeIsNotDone) {
+  WorkList list({1, 2}, {});
+  EXPECT_EQ(list.exchange({.ending = Ending::no_outcome}), 1u);
+  EXPECT_EQ(list.state().tally.done, 0u);
+  EXPECT_EQ(list.state().without_outcome, 1u);
+}
+
+TEST(ProgressTest, SaysHowFarHowFastAndHowLong) {
+  Tally tally{.done = 120, .jammed = 1, .failed = 2};
+  EXPECT_EQ(progress_text(tally, 20, 1000, 50),
+            "120/1000 done, 2/s, 1 jammed, 2 failed, 7 min 20 s left");
+  tally.done = 1000;
+  EXPECT_EQ(progress_text(tally, 0, 1000, 100), "1000/1000 done, 10/s, 1 jammed, 2 failed");
+  EXPECT_EQ(progress_text({}, 0, 10, 0), "0/10 done");
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,336 @@
+#include "mc/study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "mc/sample.hpp"
+#include "src/input/input_error.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string shipped(const std::string& path) {
+  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/" + path;
+}
+
+// A folder for the files of one test.
+class StudyFile : public testing::Test {
+ protected:
+  StudyFile()
+      : folder_(testing::TempDir() + "study_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~StudyFile() override { std::filesystem::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ + "/" + name, std::ios::binary) << text;
+    return folder_ + "/" + name;
+  }
+
+  Study study_of(const std::string& text, const std::vector<std::string>& settings = {}) const {
+    return read_study(write("study.toml", text), settings);
+  }
+
+  std::string problem_of(const std::string& text,
+                         const std::vector<std::string>& settings = {}) const {
+    try {
+      study_of(text, settings);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  std::string folder_;
+};
+
+TEST_F(StudyFile, TheDefaultStudyIsComplete) {
+  const Study study = read_study(shipped("studies/nu205.toml"));
+  EXPECT_EQ(study.name, "nu205");
+  EXPECT_EQ(study.scene.bearing.roller_count, 13);
+  EXPECT_GE(study.samples, 256);
+  EXPECT_FALSE(study.limits.empty());
+  EXPECT_EQ(study.tolerance.dimensions.size(), 2u);
+  EXPECT_EQ(study.candidates.size(), study.tolerance.dimensions[0].candidates.size() *
+                                         study.tolerance.dimensions[1].candidates.size());
+  EXPECT_EQ(study.hash.size(), 16u);
+  const auto json = nlohmann::json::parse(study.resolved_json);
+  EXPECT_EQ(json["scene"]["cage"]["pocket_width_mm"], 7.65);
+  EXPECT_EQ(json["tolerance"]["dimension"][0]["key"], "cage.pocket_width_mm");
+  EXPECT_EQ(json["inputs"][0]["lot"]["law"], "normal");
+}
+
+TEST_F(StudyFile, ASceneIsAStudyOfOneRow) {
+  const Study study = read_study(shipped("scenes/speed-z16-skew.toml"));
+  EXPECT_EQ(study.name, "speed-z16-skew");
+  EXPECT_EQ(study.samples, 1);
+  EXPECT_EQ(sample_count(study), 1u);
+  ASSERT_EQ(study.inputs.size(), 3u);
+  EXPECT_EQ(study.inputs[0].key, "cage.pocket_squareness_mrad");
+  const Sample sample = draw_sample(study, 0);
+  EXPECT_EQ(sample.scene.cage.pocket_squareness.size(), 16u);
+  EXPECT_NE(sample.scene.cage.pocket_squareness[0], sample.scene.cage.pocket_squareness[1]);
+  EXPECT_NE(sample.scene.start.cage_offset_y, 0);
+}
+
+TEST_F(StudyFile, ResolvedTextReadsBackToTheSameStudy) {
+  for (const char* path :
+       {"studies/nu205.toml", "studies/nu205-measured.toml", "scenes/speed-z16-skew.toml"}) {
+    const Study study = read_study(shipped(path));
+    const Study again = read_resolved_study(study.resolved_toml, "stored");
+    EXPECT_EQ(again.resolved_toml, study.resolved_toml);
+    EXPECT_EQ(again.resolved_json, study.resolved_json);
+    const auto a = draw_sample(study, 0), b = draw_sample(again, 0);
+    ASSERT_EQ(a.inputs.size(), b.inputs.size());
+    for (std::size_t i = 0; i < a.inputs.size(); ++i)
+      EXPECT_EQ(a.inputs[i].value, b.inputs[i].value);
+  }
+}
+
+TEST_F(StudyFile, OverridesAndSettingsComeInOrder) {
+  write("scene.toml", "name = 'base'\n[cage]\npocket_width_mm = 7.7\n[load]\nradial_N = 500\n");
+  const std::string text =
+      "[scene]\nfile = 'scene.toml'\n[scene.cage]\npocket_width_mm = { lot = { law = 'normal', "
+      "sigma = 0.01 } }\n";
+  const Study study = study_of(text);
+  EXPECT_EQ(study.scene.name, "base");
+  EXPECT_DOUBLE_EQ(study.scene.operation.radial_load, 500);
+  EXPECT_THAT(study.inputs.at(0).nominal, ElementsAre(7.7));
+  EXPECT_EQ(study_of(text, {"load.radial_N=300"}).scene.operation.radial_load, 300);
+  EXPECT_EQ(study_of(text, {"scene.load.radial_N=300"}).scene.operation.radial_load, 300);
+  EXPECT_EQ(study_of(text, {"samples=7", "design=lhs"}).samples, 7);
+  EXPECT_TRUE(study_of(text, {"cage.pocket_width_mm=7.8"}).inputs.empty());
+  const auto wider = study_of(text, {"cage.pocket_width_mm.lot.sigma=0.02"}).inputs.at(0);
+  EXPECT_EQ(std::get<Normal>(*wider.lot).sigma, 0.02);
+  EXPECT_THAT(wider.nominal, ElementsAre(7.7));
+  write("other.toml", "[load]\nradial_N = 7\n");
+  const auto other = study_of(text, {"scene.file=" + folder_ + "/other.toml"});
+  EXPECT_DOUBLE_EQ(other.scene.operation.radial_load, 7);
+}
+
+TEST_F(StudyFile, TheHashNamesContents) {
+  const std::string text =
+      "samples = 3\n[scene.cage]\npocket_width_mm = { nominal = 7.65, pocket = { law = "
+      "'empirical', "
+      "file = 'parts.csv', column = 'd' } }\n";
+  write("parts.csv", "d\n0.01\n-0.01\n");
+  const Study study = study_of(text);
+  EXPECT_EQ(study_of(text + "# a comment\n").hash, study.hash);
+  EXPECT_NE(study_of(text, {"samples=4"}).hash, study.hash);
+  ASSERT_EQ(study.files.size(), 1u);
+  EXPECT_EQ(study.files[0].first, "parts.csv");
+  write("parts.csv", "d\n0.01\n-0.011\n");
+  EXPECT_NE(study_of(text).hash, study.hash);
+}
+
+TEST_F(StudyFile, BareLawsTakeTheScopeOfTheirKey) {
+  const Study study = study_of(
+      "samples = 2\n[scene.cage]\npocket_pitch_mrad = { law = 'normal', sigma = 0.3 }\n"
+      "[scene.load]\nradial_N = { nominal = 1000, law = 'uniform', lower = -10, upper = 10 }\n");
+  ASSERT_EQ(study.inputs.size(), 2u);
+  EXPECT_TRUE(study.inputs[0].pocket);
+  EXPECT_FALSE(study.inputs[0].lot);
+  EXPECT_TRUE(study.inputs[1].lot);
+}
+
+TEST_F(StudyFile, CandidatesAreTheProductOfTheDimensions) {
+  const Study study = study_of(
+      "samples = 6\n[scene.cage]\npocket_width_mm = { nominal = 7.65, lot = { law = 'normal', "
+      "sigma = 0.01 } }\n"
+      "pocket_length_mm = { nominal = 10.5, pocket = { law = 'normal', sigma = 0.01 } }\n"
+      "[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\nband_mm = 0.1\ncandidates = ['IT9', "
+      "'IT10']\n"
+      "[[tolerance.dimension]]\nkey = 'cage.pocket_length_mm'\nband_mm = 0.1\ncandidates = ['IT9', "
+      "0.2, 'IT11']\n");
+  ASSERT_EQ(study.candidates.size(), 6u);
+  EXPECT_THAT(study.candidates[0].bands_mm, ElementsAre(0.036, 0.043));
+  EXPECT_THAT(study.candidates[1].bands_mm, ElementsAre(0.036, 0.2));
+  EXPECT_THAT(study.candidates[5].bands_mm, ElementsAre(0.058, 0.110));
+  EXPECT_THAT(study.candidates[1].grades, ElementsAre("IT9", ""));
+  EXPECT_DOUBLE_EQ(study.candidates[1].scales[1], 2);
+  EXPECT_EQ(draw_sample(study, 4).candidate, 4);
+  EXPECT_EQ(draw_sample(study, 7).candidate, 1);
+}
+
+TEST_F(StudyFile, ReplicatesGoThroughTheRowsAgain) {
+  const Study study = study_of(
+      "samples = 10\nextra_replicates = 1.5\n[scene.start]\n"
+      "cage_phase_deg = { noise = { law = 'uniform', lower = 0, upper = 360 } }\n");
+  EXPECT_EQ(sample_count(study), 25u);
+  const auto sample = draw_sample(study, 23);
+  EXPECT_EQ(sample.row, 3u);
+  EXPECT_EQ(sample.replicate, 2u);
+}
+
+TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
+  write("parts.csv", "# synthetic\npart,width_mm,length_mm\n1,0.01,0.02\n2,wide,0.03\n");
+  write("other.toml", "[cage]\npocket_widht_mm = 7.7\n");
+  const std::string width = "[scene.cage]\npocket_width_mm = ";
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
+      {"smaples = 10\nseed = 1\n",
+       {"study.toml:1: smaples = 10: no such key", "did you mean samples?"}},
+      {"samples = -3\n", {"study.toml:1: samples = -3: outside the range", "from 1 to 1e+09"}},
+      {"samples = 10.5\n", {"samples = 10.5", "expected a whole number"}},
+      {"samples = 99999999999999999999999\n", {"study.toml:1: not valid TOML", "remedy"}},
+      {"seed = 1\ndesign = 'sobl'\n", {"study.toml:2: design = 'sobl'", "nearest: sobol"}},
+      {"samples = 4\n[scene]\nfile = 'absent.toml'\n",
+       {"study.toml:3: scene.file = 'absent.toml'", "no such file"}},
+      {"samples = 4\n[scene]\nfile = 7\n",
+       {"study.toml:3: scene.file = 7", "not the name of a file"}},
+      {"samples = 4\nscene = 7\n", {"study.toml:2: scene = 7", "section"}},
+      {"samples = 4\n[scene]\nfile = 'other.toml'\n",
+       {"other.toml:2: cage.pocket_widht_mm = 7.7", "did you mean cage.pocket_width_mm"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = -0.01 } }\n",
+       {"study.toml:2: cage.pocket_width_mm.lot.sigma = -0.01", "outside the range", "at least 0"}},
+      {width + "{ nominal = 7.65, lot = { law = 'truncated_normal', sigma = 0.01, lower = 1, upper "
+               "= 0.5 } }",
+       {"study.toml:2: cage.pocket_width_mm.lot", "remedy"}},
+      {width + "{ nominal = 7.65, lot = { law = 'truncated_normal', sigma = 0.01, lower = 5, upper "
+               "= 6 } }",
+       {"study.toml:2: cage.pocket_width_mm.lot", "remedy"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normall', sigma = 0.01 } }",
+       {"study.toml:2: cage.pocket_width_mm.lot.law = 'normall'", "did you mean normal?",
+        "weibull"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma_mm = 0.01 } }",
+       {"cage.pocket_width_mm.lot.sigma_mm = 0.01", "did you mean sigma?"}},
+      {width + "{ nominal = 7.65, lot = { law = 'uniform', lower = 0.01 } }",
+       {"needs upper", "add upper = ..."}},
+      {width + "{ nominal = 7.65, lot = { sigma = 0.01 } }", {"needs a law", "add law ="}},
+      {width + "{ nominal = 7.65, lott = { law = 'normal', sigma = 0.01 }, lot = { law = 'normal', "
+               "sigma = 0.01 } }",
+       {"cage.pocket_width_mm.lott", "did you mean lot?"}},
+      {width + "{ nominal = 7.65, lot = 5 }", {"cage.pocket_width_mm.lot = 5", "expected a law"}},
+      {width + "{ law = 'normal', sigma = 0.01 }",
+       {"study.toml:2: cage.pocket_width_mm", "nominal value is not given", "add nominal = 7.65"}},
+      {width + "{ nominal = 7.65, lot = { law = 'uniform', lower = 7.6, upper = 7.7 } }",
+       {"near the nominal value 7.65", "subtract the nominal value"}},
+      {width + "{ nominal = 7.4, lot = { law = 'normal', sigma = 0.01 } }",
+       {"study.toml:2: cage.pocket_width_mm = 7.4", "not wider than its roller"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 3 } }",
+       {"outside the range of this key: above 0 mm", "truncated_normal"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = nan } }",
+       {"sigma = nan", "not a finite number"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = inf } }",
+       {"sigma = inf", "not a finite number"}},
+      {width + "{ nominal = 7.65, lot = { law = 'histogram', edges = [0, 1], weights = [1, 2] } }",
+       {"cage.pocket_width_mm.lot", "remedy"}},
+      {"samples = 1\n[scene.load]\nradial_N = { nominal = 5, pocket = { law = 'normal', sigma = 1 "
+       "} }",
+       {"load.radial_N.pocket", "it has no pockets", "use lot"}},
+      {"samples = 1\n[scene.bearing]\nroller_count = { nominal = 13, lot = { law = 'normal', sigma "
+       "= 1 } }",
+       {"bearing.roller_count", "cannot be a distribution"}},
+      {"samples = 1\n[scene.cage]\nmass_kg = { lot = { law = 'normal', sigma = 0.001 } }",
+       {"cage.mass_kg", "\"auto\""}},
+      {width + "{ nominal = 7.65, lot = { law = 'empirical', file = 'absent.csv', column = "
+               "'width_mm' } }",
+       {"study.toml:2: cage.pocket_width_mm.lot.file = 'absent.csv'", "no such file"}},
+      {width + "{ nominal = 7.65, lot = { law = 'empirical', file = 'parts.csv', column = "
+               "'depth_mm' } }",
+       {"parts.csv:2: there is no column 'depth_mm'",
+        "the columns are: part, width_mm, length_mm"}},
+      {width + "{ nominal = 7.65, lot = { law = 'empirical', file = 'parts.csv', column = "
+               "'width_mm' } }",
+       {"parts.csv:4: width_mm = 'wide': this is not a number", "remedy"}},
+      {width + "{ nominal = 7.65, lot = { law = 'empirical', column = 'width_mm' } }",
+       {"no measurements are given"}},
+      {"samples = 1\n[[limit]]\nquantity = 'whirl_radius'\nmax = 1\nsource = 's'\n",
+       {"study.toml:3: limit.quantity", "did you mean whirl_radius_ratio"}},
+      {"samples = 1\n[[limit]]\nquantity = 'cage_slip_ratio'\nsource = 's'\n",
+       {"study.toml:2: limit", "neither min nor max"}},
+      {"samples = 1\n[[limit]]\nquantity = 'cage_slip_ratio'\nmax = 1\nmin = 2\nsource = 's'\n",
+       {"min is larger than max"}},
+      {"samples = 1\n[[limit]]\nquantity = 'cage_slip_ratio'\nmaximum = 1\nsource = 's'\n",
+       {"study.toml:4: limit.maximum = 1", "did you mean limit.max?"}},
+      {"samples = 1\n[[limit]]\nquantity = 'cage_slip_ratio'\nmax = 1\n", {"where it comes from"}},
+      {"samples = 1\n[limit]\nquantity = 'cage_slip_ratio'\n", {"list of tables", "[[limit]]"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_widt_mm'\nband_mm = 0.1\ncandidates "
+               "= ['IT9']\n",
+       {"study.toml:4: tolerance.dimension.key", "did you mean cage.pocket_width_mm?"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\nband_mm = "
+               "0.1\ncandidates = ['IT99']\n",
+       {"tolerance.dimension.candidates = IT99", "IT5 to IT14"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\nband_mm = "
+               "0.1\ncandidates = [-0.1]\n",
+       {"study.toml:6: tolerance.dimension.candidates = -0.1",
+        "neither an ISO 286 grade nor a band"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\nband_um = "
+               "100\ncandidates = ['IT9']\n",
+       {"study.toml:5: tolerance.dimension.band_um = 100: wrong unit",
+        "write tolerance.dimension.band_mm = 0.1"}},
+      {width +
+           "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } }\n[[correlation]]\nbetween = "
+           "['cage.pocket_width_mm:lot', 'cage.pocket_length_mm:lot']\nrho = 0.5\n",
+       {"study.toml:4: correlation.between", "no uncertain input \"cage.pocket_length_mm:lot\""}},
+      {"samples = 1\n[[correlation]]\nrho = 0.5\n", {"a correlation needs two inputs and rho"}},
+      {"samples = 8\ncages_per_lot = 4\ndesign = 'lhs'\n[scene.cage]\npocket_pitch_mrad = { lot = "
+       "{ law = 'normal', sigma = 0.3 } }\n",
+       {"design = \"lhs\"", "cages_per_lot = 4"}},
+      {"samples = 8\ndesign = 'grid'\ngrid_levels = [3, 4]\n[scene.cage]\npocket_pitch_mrad = { "
+       "lot = { law = 'normal', sigma = 0.3 } }\n",
+       {"design = \"grid\"", "levels"}},
+      {"samples = 8\ngrid_levels = [0]\n", {"study.toml:2: grid_levels", "whole numbers above 0"}},
+      {"tolerance = 5\nsamples = 1\n", {"study.toml:1: tolerance = 5", "section"}},
+      {"inputs = 5\n", {"study.toml:1: inputs = 5"}},
+  };
+  for (const auto& [text, parts] : cases) {
+    const auto message = problem_of(text);
+    for (const auto& part : parts) EXPECT_THAT(message, HasSubstr(part)) << text;
+    EXPECT_THAT(message, HasSubstr("remedy: ")) << text;
+  }
+}
+
+TEST_F(StudyFile, SettingsHaveMessagesToo) {
+  const std::string text = "samples = 4\n";
+  EXPECT_THAT(problem_of(text, {"samples"}), HasSubstr("not of the form key=value"));
+  EXPECT_THAT(problem_of(text, {"=5"}), HasSubstr("not of the form key=value"));
+  EXPECT_THAT(problem_of(text, {"smaples=5"}), HasSubstr("--set: smaples = 5: no such key"));
+  EXPECT_THAT(problem_of(text, {"load.radial_kN=5"}), HasSubstr("write load.radial_N = 5000"));
+  EXPECT_THAT(problem_of(text, {"samples=[1,"}), HasSubstr("cannot read the value"));
+  EXPECT_THAT(problem_of(text, {"samples=1\nseed=2"}), HasSubstr("cannot read the value"));
+  EXPECT_THAT(problem_of(text, {"laod.radial_N=5"}), HasSubstr("did you mean load.radial_N?"));
+  EXPECT_THAT(problem_of(text, {"load=5"}), HasSubstr("--set: load = 5"));
+}
+
+TEST_F(StudyFile, CorrelationsThatContradictEachOther) {
+  std::string text =
+      "samples = 4\n[scene.cage]\npocket_width_mm = { nominal = 7.65, lot = { law = 'normal', "
+      "sigma = 0.01 } }\n"
+      "pocket_length_mm = { nominal = 9.25, lot = { law = 'normal', sigma = 0.01 } }\n"
+      "pocket_pitch_mrad = { lot = { law = 'normal', sigma = 0.01 } }\n";
+  const char* width = "'cage.pocket_width_mm:lot'";
+  const char* length = "'cage.pocket_length_mm:lot'";
+  const char* pitch = "'cage.pocket_pitch_mrad:lot'";
+  const auto pair = [](const char* a, const char* b, const char* rho) {
+    return std::string("[[correlation]]\nbetween = [") + a + ", " + b + "]\nrho = " + rho + "\n";
+  };
+  EXPECT_EQ(problem_of(text + pair(width, length, "0.6") + pair(length, pitch, "0.6")), "no error");
+  EXPECT_THAT(problem_of(text + pair(width, length, "0.9") + pair(length, pitch, "0.9") +
+                         pair(width, pitch, "-0.9")),
+              HasSubstr("correlation: the correlations contradict each other"));
+  EXPECT_THAT(problem_of(text + pair(width, width, "0.9")), HasSubstr("two different inputs"));
+}
+
+TEST_F(StudyFile, NotesSayWhatToKnow) {
+  const Study study = study_of(
+      "samples = 5\n[[limit]]\nquantity = 'cage_slip_ratio'\nmax = 1\nsource = "
+      "'s'\ncage_revolutions = 60\n");
+  EXPECT_THAT(study_notes(study),
+              testing::Contains(HasSubstr("60 cage revolutions, the window measures 6")));
+  EXPECT_THAT(study_notes(study), testing::Contains(HasSubstr("nothing varies")));
+}
+
+}  // namespace
+}  // namespace cagetol
