@@ -31,7 +31,7 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
   const auto values = run_values(outcome.run);
   for (std::size_t i = 0; i < values.size(); ++i)
     run[run_fields()[i].key] = number_or_null(values[i]);
-  run["wall_s"] = number_or_null(outcome.run.wall_s);
+  run["wall_s"] = outcome.run.wall_s;
   return json;
 }
 
