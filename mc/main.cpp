@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   add_simulate_command(app, chosen);
   add_sweep_command(app, chosen);
   add_replay_command(app, chosen);
+  add_report_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
   try {

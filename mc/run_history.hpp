@@ -1,5 +1,5 @@
 // Time histories of one run as an HDF5 file: motions, speeds and forces at accepted steps, at most
-// one state per window.history_interval_us. mc/RESULTS_FORMAT.md lists the datasets.
+// one state per window.history_interval_us. mc/RUN_FORMAT.md lists the datasets.
 #pragma once
 
 #include <string>

@@ -31,6 +31,7 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
   const auto values = run_values(outcome.run);
   for (std::size_t i = 0; i < values.size(); ++i)
     run[run_fields()[i].key] = number_or_null(values[i]);
+  run["wall_s"] = outcome.run.wall_s;
   return json;
 }
 
@@ -42,6 +43,7 @@ std::string outcome_table(const Outcome& outcome) {
   const auto values = run_values(outcome.run);
   for (std::size_t i = 0; i < values.size(); ++i)
     text += row(run_fields()[i].key, values[i], run_fields()[i].unit);
+  text += row("wall_s", outcome.run.wall_s, "s");
   return text;
 }
 

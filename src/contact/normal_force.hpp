@@ -37,6 +37,7 @@ struct NormalForce {
   T elastic;    ///< K p^e [N]
   T stiffness;  ///< dQ/dp [N/m]
   T damping;    ///< dQ/dp' [N s/m]
+  T elastic_stiffness;  ///< d(K p^e)/dp [N/m]
 };
 
 template <class T>
@@ -62,7 +63,7 @@ NormalForce<T> normal_force(const NormalLaw& law, T p, T rate) {
   const T zero{};
   return {select(touching, max(force, zero), zero), select(touching, elastic, zero),
           select(touching, select(pushing, stiffness, zero), zero),
-          select(touching, select(pushing, damping, zero), zero)};
+          select(touching, select(pushing, damping, zero), zero), select(touching, slope, zero)};
 }
 
 /// Elastic energy K p^(e+1)/(e+1) [J].

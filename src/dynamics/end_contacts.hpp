@@ -93,7 +93,8 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
             fill_cage_row(at_centre, b, rows->border[k]);
           }
           add_contact(*rows,
-                      {normal.force[i], normal.stiffness[i], normal.damping[i], fr.ratio[i], fr.bend[i], v1[i], v2[i]},
+                      {normal.force[i], normal.stiffness[i], normal.damping[i], fr.ratio[i], fr.bend[i], v1[i], v2[i],
+                       normal.elastic[i], normal.elastic_stiffness[i], rate[i]},
                       group * kLanes + i, *jac);
         }
       }
@@ -139,7 +140,11 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
         const Pack d22 = normal.force * (fr.ratio + fr.bend * v2 * v2);
         const double gn[] = {0, 0, -e, e * h, e * tau, 0};
         const double g1[] = {1, 0, 0, xi, 0, -tau}, g2[] = {0, 1, 0, 0, xi, h};
+        const auto lost = dissipation_slopes(normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2,
+                                             normal.elastic, normal.elastic_stiffness, rate);
         for (int i = 0; i < kLocalVelocities; ++i) {
+          to.power_velocity[i] += lost.rate * gn[i] - lost.v1 * g1[i] - lost.v2 * g2[i];
+          if (i < kLocalPositions) to.power_position[i] += lost.p * gn[i];
           const Pack slide = gn[i] - fr.ratio * v1 * g1[i] - fr.ratio * v2 * g2[i];
           const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
           for (int j = 0; j < kLocalVelocities; ++j)

@@ -118,6 +118,23 @@ void finish_inner(const RollerPack& q, GroupLinear& g) {
   }
 }
 
+/// Rate of the net power along the motion, in frozen directions: gradient times velocities and accelerations.
+double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads, double gravity,
+                         const GroupLinear& g) {
+  const Pack gyro = roller.polar * q.spin;
+  const Pack acceleration[kLocalVelocities] = {loads.f[kLr] / roller.mass - gravity * q.sine,
+                                               loads.f[kLt] / roller.mass - gravity * q.cosine,
+                                               loads.f[kLx] / roller.mass,
+                                               (loads.f[kLar] - gyro * q.b_t) / roller.transverse,
+                                               (loads.f[kLat] + gyro * q.b_r) / roller.transverse,
+                                               loads.f[kLs] / roller.polar};
+  const Pack velocity[kLocalPositions] = {q.vr, q.vt, q.vx, q.b_r, q.b_t};
+  Pack change{};
+  for (int i = 0; i < kLocalVelocities; ++i) change += g.power_velocity[i] * acceleration[i];
+  for (int i = 0; i < kLocalPositions; ++i) change += g.power_position[i] * velocity[i];
+  return sum(change * roller.exists);
+}
+
 void turn_frame(const RollerPack& q, GroupLinear& g) {
   for (int i = 0; i < kLocalVelocities; ++i) {
     g.position[i][kLr] += q.omega * g.velocity[i][kLt];
@@ -195,6 +212,13 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
     if constexpr (linear) {
       finish_inner(q, *g);
+      for (int k = 0; k < 2; ++k) {
+        Eigen::VectorXd& to = k == 0 ? jac->power_position : jac->power_velocity;
+        const Pack on_r = k == 0 ? g->power_position[kLr] : g->power_velocity[kLr];
+        const Pack on_t = k == 0 ? g->power_position[kLt] : g->power_velocity[kLt];
+        to[kRingY] -= sum(q.cosine * on_r - q.sine * on_t);
+        to[kRingZ] -= sum(q.sine * on_r + q.cosine * on_t);
+      }
       add_ring_block(*g, *jac);
       store(seen->inner_force.data() + group * kLanes, total);
       store(seen->inner_sliding.data() + group * kLanes, select(total > 0.0, sliding / max(total, splat(1e-300)), Pack{}));
@@ -211,7 +235,10 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     pocket_contacts<linear>(m, roller, q, b, group, loads, border, rows, jac, seen, touch);
     wall_contacts<linear>(m, roller, q, b, group, loads, border, rows, jac, seen, touch);
-    if constexpr (linear) add_inertial(m, roller, q, loads, *g);
+    if constexpr (linear) {
+      seen->net_power_rate += roller_power_rate(roller, q, loads, m.gravity, *g);
+      add_inertial(m, roller, q, loads, *g);
+    }
     store_rates(m, roller, q, loads, y, rate, group);
   }
   double soonest = 1e30;
@@ -224,6 +251,10 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     jac->border_velocity(kCageAxisY, kCagePhi) -= m.cage_polar * b.axis_rate[1];
     jac->border_velocity(kCageAxisZ, kCagePhi) += m.cage_polar * b.axis_rate[0];
     seen->load_power = -load_at(m, t) * b.ring_rate[1];
+    jac->power_velocity[kRingZ] -= load_at(m, t);
+    const double *border_v = y + m.layout.border_velocity(0), *border_a = rate + m.layout.border_velocity(0);
+    for (int i = 0; i < m.layout.border(); ++i)
+      seen->net_power_rate += jac->power_position[i] * border_v[i] + jac->power_velocity[i] * border_a[i];
     seen->time_to_touch = std::min(soonest, smallest(touch));
   }
 }
@@ -240,7 +271,7 @@ void Observation::clear() {
     std::fill(v->begin(), v->end(), 0.0);
   land_force[0] = land_force[1] = 0;
   ring_elastic_y = ring_elastic_z = 0;
-  drive_power = load_power = friction_power = damping_power = elastic_energy = time_to_touch = 0;
+  drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy = time_to_touch = 0;
 }
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {

@@ -67,7 +67,9 @@ void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads&
           rows->border[k][kRingZ] = -channels[k][1];
         }
       }
-      add_contact(*rows, {normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2}, -1, *jac);
+      add_contact(*rows, {normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2, normal.elastic,
+                          normal.elastic_stiffness, rate},
+                  -1, *jac);
       // n and t turn as the cage moves along t: with them the force, and p'.
       const std::vector<double>&gn = rows->border[0], &g1 = rows->border[1], &g2 = rows->border[2];
       double turn[kRigidBorder] = {inner ? nz : 0, inner ? -ny : 0, -nz, ny, 0, 0, -X * nz, X * ny};

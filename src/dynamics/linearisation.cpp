@@ -6,6 +6,8 @@ Linearisation::Linearisation(const StateLayout& layout)
     : groups(static_cast<std::size_t>(layout.groups)),
       border_position(Eigen::MatrixXd::Zero(layout.border(), layout.border())),
       border_velocity(Eigen::MatrixXd::Zero(layout.border(), layout.border())),
+      power_position(Eigen::VectorXd::Zero(layout.border())),
+      power_velocity(Eigen::VectorXd::Zero(layout.border())),
       couplings(static_cast<std::size_t>(layout.rollers)),
       slot(static_cast<std::size_t>(layout.rollers), -1) {
   for (auto& row : scratch.border) row.assign(static_cast<std::size_t>(layout.border()), 0.0);
@@ -22,6 +24,8 @@ void Linearisation::clear() {
   for (auto& g : groups) g = GroupLinear{};
   border_position.setZero();
   border_velocity.setZero();
+  power_position.setZero();
+  power_velocity.setZero();
   for (int i = 0; i < coupled; ++i) slot[static_cast<std::size_t>(couplings[static_cast<std::size_t>(i)].roller)] = -1;
   coupled = 0;
 }
@@ -56,6 +60,8 @@ void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller, Li
   const int lane = roller % kLanes;
   GroupLinear* group = roller < 0 ? nullptr : &linear.groups[static_cast<std::size_t>(roller / kLanes)];
   CageCoupling* coupling = roller < 0 ? nullptr : &linear.coupling(roller);
+  const auto lost = dissipation_slopes(s.force, s.stiffness, s.damping, s.ratio, s.bend, s.v1, s.v2, s.elastic,
+                                       s.elastic_stiffness, s.rate);
   double e, w1, w2;
   if (roller >= 0) {
     for (int i = 0; i < kLocalVelocities; ++i) {
@@ -65,6 +71,10 @@ void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller, Li
             e * s.damping * rows.roller[0][j] + w1 * rows.roller[1][j] + w2 * rows.roller[2][j];
       for (int j = 0; j < kLocalPositions; ++j)
         group->position[i][j][lane] -= e * s.stiffness * rows.roller[0][j] + w2 * rows.lean[j];
+      group->power_velocity[i][lane] +=
+          lost.rate * rows.roller[0][i] - lost.v1 * rows.roller[1][i] - lost.v2 * rows.roller[2][i];
+      if (i < kLocalPositions)
+        group->power_position[i][lane] += lost.p * rows.roller[0][i] - lost.v2 * rows.lean[i];
       for (int j = first; j < border; ++j) {
         coupling->velocity(i, j - first) -= e * s.damping * bn[j] + w1 * b1[j] + w2 * b2[j];
         coupling->position(i, j - first) -= e * s.stiffness * bn[j];
@@ -73,6 +83,8 @@ void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller, Li
   }
   for (int i = first; i < border; ++i) {
     mixed(bn[i], b1[i], b2[i], e, w1, w2);
+    linear.power_velocity[i] += lost.rate * bn[i] - lost.v1 * b1[i] - lost.v2 * b2[i];
+    linear.power_position[i] += lost.p * bn[i];
     if (roller >= 0) {
       for (int j = 0; j < kLocalVelocities; ++j)
         coupling->to_velocity(i - first, j) -=

@@ -19,6 +19,7 @@ struct GroupLinear {
   Pack velocity[kLocalVelocities][kLocalVelocities];  ///< dF/dV
   Pack ring_position[kLocalVelocities][2], ring_velocity[kLocalVelocities][2];  ///< dF/d(ring in r, t)
   Pack to_ring_position[2][kLocalPositions], to_ring_velocity[2][kLocalVelocities];  ///< d(ring force in r, t)/dP, dV
+  Pack power_position[kLocalPositions], power_velocity[kLocalVelocities];  ///< gradient of the net power, see below
   Pack cosine, sine;  ///< of the roller's angle
   Pack radius;        ///< r [m]
 };
@@ -47,6 +48,9 @@ struct Linearisation {
 
   std::vector<GroupLinear> groups;
   Eigen::MatrixXd border_position, border_velocity;
+  /// Gradient over the border of the net power: drive + load - dissipation, the rate of the stored energy. Its time derivative
+  /// makes the energy account's quadrature one order better than the powers alone would.
+  Eigen::VectorXd power_position, power_velocity;
   std::vector<CageCoupling> couplings;  ///< the first `coupled` are in use, in order of first touch
   int coupled = 0;
   std::vector<int> slot;  ///< roller -> index into couplings, or -1
@@ -56,7 +60,21 @@ struct Linearisation {
 /// What a contact's law says at a state: see NormalForce and Friction.
 struct ContactSlopes {
   double force, stiffness, damping, ratio, bend, v1, v2;
+  double elastic, elastic_stiffness, rate;  ///< elastic part of the force and its slope; p'
 };
+
+/// Gradient of the dissipated power D = Q ratio v^2 + (Q - K p^e) p' of a contact with respect to p, p', v1, v2.
+template <class T>
+struct DissipationSlopes {
+  T p, rate, v1, v2;
+};
+template <class T>
+DissipationSlopes<T> dissipation_slopes(T force, T stiffness, T damping, T ratio, T bend, T v1, T v2, T elastic,
+                                        T elastic_stiffness, T rate) {
+  const T speed2 = v1 * v1 + v2 * v2, along = ratio * speed2 + rate;
+  const T slide = force * (2.0 * ratio + bend * speed2);
+  return {along * stiffness - elastic_stiffness * rate, along * damping + force - elastic, slide * v1, slide * v2};
+}
 
 /// Adds one contact. `roller` < 0: border only.
 void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller, Linearisation& linear);

@@ -105,7 +105,7 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
             linearise_bar(b, group * kLanes + i, R[i], q.spin[i], xi, s, kappa[i], cos_b[i], sin_b[i],
                           cos_p[i], sin_p[i], D_R[i], D_T[i], X[i], A_R[i], A_T[i], a_R[i],
                           {normal.force[i], normal.stiffness[i], normal.damping[i], fr.ratio[i], fr.bend[i], v1[i],
-                           v2[i]},
+                           v2[i], normal.elastic[i], normal.elastic_stiffness[i], rate[i]},
                           *rows, *jac);
       }
     }

@@ -79,6 +79,19 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       const Pack m1 = fr.ratio * v1, m2 = fr.ratio * v2;
       const Pack turn = normal.damping * inverse * along;  // p' changes as n turns with the axis moving along t
       const Pack spread = q0 * inverse;                    // and so does the direction of the force
+      const auto lost = dissipation_slopes(q0, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2,
+                                           normal.elastic, normal.elastic_stiffness, rate);
+      // Net power = drive - dissipation; the drive's F1 and F2 follow Q and the sliding speeds.
+      const Pack driven = m1 * surface + m2 * swash;
+      const Pack by_p = lost.p + driven * normal.stiffness, by_rate = lost.rate + driven * normal.damping;
+      const Pack by_v1 = lost.v1 + d11 * surface + d12 * swash, by_v2 = lost.v2 + d12 * surface + d22 * swash;
+      const Pack by_turn = by_rate * inverse * along;
+      for (int i = 0; i < kLocalVelocities; ++i) {
+        jac->power_velocity[i] += by_rate * gn[i] - by_v1 * g1[i] - by_v2 * g2[i];
+        if (i < kLocalPositions) jac->power_position[i] += by_p * gn[i] + by_turn * g1[i];
+      }
+      jac->power_position[kLar] -= by_v2 * lean_r;
+      jac->power_position[kLat] -= by_v2 * lean_t;
       for (int i = 0; i < kLocalVelocities; ++i) {
         const Pack e = gn[i] - m1 * g1[i] - m2 * g2[i];
         const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];

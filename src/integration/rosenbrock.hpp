@@ -23,6 +23,9 @@ struct RosenbrockTable {
 /// RODAS3: 4 stages, order 3(2), L-stable, stiffly accurate. Sandu et al. 1997 (doi 10.1016/S1352-2310(97)83212-8).
 extern const RosenbrockTable kRodas3;
 
+/// RODAS4: 6 stages, order 4(3), L-stable, stiffly accurate. Hairer & Wanner, Solving ODEs II, section IV.10 (code RODAS).
+extern const RosenbrockTable kRodas4;
+
 class Rosenbrock : public Integrator {
  public:
   Rosenbrock(const RosenbrockTable& table, const Integration& keys, const System& system);

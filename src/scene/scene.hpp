@@ -114,7 +114,7 @@ struct Discretisation {
 
 struct Integration {
   std::string method = "rodas3";
-  double tolerance = 0.01;       ///< multiple of the error scales (1 um, 1 cm/s and kin)
+  double tolerance = 0.001;      ///< multiple of the error scales (1 um, 1 cm/s and kin)
   double max_step = 100e-6;      ///< [s]
   double fixed_step = 1e-6;      ///< of fixed-step methods [s]
   long max_order = 2;            ///< cap of cvode-bdf
@@ -125,7 +125,7 @@ struct Integration {
 
 struct Watch {
   double static_consistency_max = 0.02;
-  double energy_residual_max = 0.01;
+  double energy_residual_max = 0.05;
 };
 
 struct Scene {
