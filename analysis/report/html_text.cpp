@@ -72,6 +72,7 @@ std::string percent(const Json& share) {
   if (!share.is_number()) return "-";
   const double x = 100 * share.get<double>();
   const double distance = std::min(std::abs(x), std::abs(100 - x));
+  if (x < 100 && x >= 99.995) return "> 99.99 %";
   return fixed(x, distance > 0 && distance < 0.1 ? 2 : 1) + " %";
 }
 

@@ -167,6 +167,7 @@ TEST(HtmlText, NumbersAreRoundedSensibly) {
   EXPECT_EQ(rounded(Json()), "-");
   EXPECT_EQ(percent(Json(0.99853)), "99.9 %");
   EXPECT_EQ(percent(Json(0.99953)), "99.95 %");
+  EXPECT_EQ(percent(Json(0.99999)), "> 99.99 %");
   EXPECT_EQ(with_interval({{"value", 83.4567}, {"lower", 82.91}, {"upper", 83.97}}),
             "83.5<br><small>82.9 to 84.0</small>");
   EXPECT_EQ(escaped("a<b & \"c\""), "a&lt;b &amp; &quot;c&quot;");
