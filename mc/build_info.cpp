@@ -7,11 +7,11 @@
 #include <sundials/sundials_version.h>
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 
 #include "cagetol_build.hpp"
-#include "mc/resolved_study.hpp"
 
 namespace cagetol {
 namespace {
@@ -32,10 +32,16 @@ std::string program_hash() {
   std::ifstream file("/proc/self/exe", std::ios::binary);
   std::ostringstream bytes;
   bytes << file.rdbuf();
-  return hash_text(bytes.str());
+  return text_hash(bytes.str());
 }
 
 }  // namespace
+
+std::string text_hash(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
+  return fmt::format("{:016x}", hash);
+}
 
 BuildInfo build_info() {
   BuildInfo info;

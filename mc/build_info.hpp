@@ -19,4 +19,7 @@ BuildInfo build_info();
 /// One line that names a build in journals and messages; equal lines mean equal programs.
 std::string build_id(const BuildInfo& info);
 
+/// 16 hex digits (FNV-1a, 64 bit). Tells texts and files apart; not meant against forgery.
+std::string text_hash(const std::string& text);
+
 }  // namespace cagetol

@@ -17,6 +17,8 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  cagetol check inputs/studies/nu205.toml\n"
     "  cagetol simulate inputs/scenes/nu205.toml --json\n"
+    "  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
+    "  cagetol replay out/nu205 --sample 17\n"
     "  cagetol --dump-default scene";
 
 }  // namespace
@@ -31,6 +33,8 @@ int main(int argc, char** argv) {
   Chosen chosen;
   add_check_command(app, chosen);
   add_simulate_command(app, chosen);
+  add_sweep_command(app, chosen);
+  add_replay_command(app, chosen);
   add_report_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);

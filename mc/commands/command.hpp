@@ -22,6 +22,8 @@ using Chosen = std::function<int()>;
 
 void add_check_command(CLI::App& app, Chosen& chosen);
 void add_simulate_command(CLI::App& app, Chosen& chosen);
+void add_sweep_command(CLI::App& app, Chosen& chosen);
+void add_replay_command(CLI::App& app, Chosen& chosen);
 void add_report_command(CLI::App& app, Chosen& chosen);
 
 /// --dump-default scene|study|keys, an option of the program itself.

@@ -1,16 +1,14 @@
 // cagetol simulate SCENE: one bearing, its quantities of interest as a table or as JSON.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "mc/commands/command.hpp"
+#include "mc/commands/outcome_text.hpp"
 #include "mc/run_history.hpp"
 #include "mc/sample.hpp"
 #include "mc/study.hpp"
 #include "src/input/input_error.hpp"
-#include "src/quantities/quantity_table.hpp"
 #include "src/simulate.hpp"
 
 namespace cagetol {
@@ -23,43 +21,11 @@ struct Options {
   bool json = false;
 };
 
-nlohmann::ordered_json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
-std::string json_text(const Outcome& outcome) {
-  nlohmann::ordered_json json = {{"status", status_name(outcome.status)},
-                                 {"reason", outcome.reason}};
-  auto& quantities = json["qoi"] = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < quantity_table().size(); ++i)
-    quantities[quantity_table()[i].key] =
-        i < outcome.quantities.size() ? number_or_null(outcome.quantities[i]) : nullptr;
-  auto& run = json["run"] = nlohmann::ordered_json::object();
-  const auto values = run_values(outcome.run);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    run[run_fields()[i].key] = number_or_null(values[i]);
-  run["wall_s"] = number_or_null(outcome.run.wall_s);
-  return json.dump(2) + "\n";
-}
-
-std::string row(const std::string& key, double value, const std::string& unit) {
-  const std::string number = std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
-  return fmt::format("  {:<36}{:>14}  {}\n", key, number, unit == "-" ? "" : unit);
-}
-
 std::string table_text(const Study& study, const Outcome& outcome, std::uint64_t id) {
-  std::string text =
+  const std::string text =
       fmt::format("scene {}, sample {} of {}: {}{}\n", study.scene.name, id, sample_count(study),
                   status_name(outcome.status), outcome.reason.empty() ? "" : ", " + outcome.reason);
-  text += "quantities of interest\n";
-  for (std::size_t i = 0; i < outcome.quantities.size(); ++i)
-    text += row(quantity_table()[i].key, outcome.quantities[i], quantity_table()[i].unit);
-  text += "run\n";
-  const auto values = run_values(outcome.run);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    text += row(run_fields()[i].key, values[i], run_fields()[i].unit);
-  text += row("wall_s", outcome.run.wall_s, "s");
-  return text;
+  return text + outcome_table(outcome);
 }
 
 // A jam is an outcome of the bearing; the others are failures of the run.
@@ -83,7 +49,8 @@ int run(const Options& options) {
     };
   const Outcome outcome = simulate(sample.scene, extras);
   if (!options.history.empty()) history.write(options.history);
-  print(options.json ? json_text(outcome) : table_text(study, outcome, options.sample));
+  print(options.json ? outcome_json(outcome).dump(2) + "\n"
+                     : table_text(study, outcome, options.sample));
   return exit_code(outcome.status);
 }
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "mc/resolved_study.hpp"
+#include "mc/build_info.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -52,7 +52,7 @@ Study make_study(const StandinOptions& options) {
   study.resolved_json =
       R"({"inputs":[{"key":"cage.pocket_width_mm","lot":{"law":"normal","sigma":1}}]})";
   study.files = {{"measured.csv", "0123456789abcdef"}};
-  study.hash = hash_text(study.resolved_toml);
+  study.hash = text_hash(study.resolved_toml);
   return study;
 }
 
