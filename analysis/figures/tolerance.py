@@ -55,11 +55,11 @@ def yield_map(report):
                        f"at least {bound[place]:.1f} %\n({candidate['yield']['effective_runs']:.0f} runs)")
     target = 100 * report["verdict"]["target_yield"]
     figure, axis = plt.subplots(figsize=(WIDTH, 0.9 + 0.62 * len(rows)))
-    reach = max(100 - target, 1.0) * 2
+    reach = max(100 - target, 1.0)  # the colours end at 100 % and as far below the target
     image = axis.imshow(bound, cmap="PuOr", vmin=target - reach, vmax=target + reach, aspect="auto", origin="lower")
     chosen = tolerance["chosen_candidate"]
     for place, words in text.items():
-        strong = abs(np.nan_to_num(bound[place], nan=target) - target) > 0.6 * reach
+        strong = abs(np.nan_to_num(bound[place], nan=target) - target) > 0.5 * reach
         axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8, color="white" if strong else "black")
     if chosen is not None:
         bands = tolerance["candidates"][chosen]["bands_mm"]

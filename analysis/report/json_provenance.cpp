@@ -11,8 +11,12 @@ Json provenance_json(const StudyData& study) {
   if (libraries.is_discarded()) libraries = from.libraries;
   Json inputs = Json::array();
   for (const InputPlan& input : study.plan.inputs)
-    inputs.push_back({{"key", input.key}, {"unit", input.unit}, {"nominal", input.nominal},
-                      {"lot", input.lot}, {"pocket", input.pocket}, {"noise", input.noise}});
+    inputs.push_back({{"key", input.key},
+                      {"unit", input.unit},
+                      {"nominal", input.nominal},
+                      {"lot", input.lot},
+                      {"pocket", input.pocket},
+                      {"noise", input.noise}});
   Json correlations = Json::array();
   for (const CorrelationPlan& pair : study.plan.correlations)
     correlations.push_back({{"first", pair.first}, {"second", pair.second}, {"rho", pair.rho}});

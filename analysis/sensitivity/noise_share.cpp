@@ -12,8 +12,8 @@ namespace cagetol {
 namespace {
 
 struct Row {
-  double first = kUndefined;            ///< value of the first run
-  double square = 0, freedom = 0;       ///< sum of squares within the row
+  double first = kUndefined;       ///< value of the first run
+  double square = 0, freedom = 0;  ///< sum of squares within the row
 };
 
 std::vector<Row> rows_of(const StudyData& study, std::span<const double> output) {
