@@ -13,6 +13,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// Exponent of the grading towards the pocket's corners; 1 is even.
+constexpr double kGrading = 1.5;
+
 /// Angle of a pocket face or of a line across the pocket at u = s S/2 + x gamma.
 double pocket_angle(const PocketDeviation& deviation, double half_width, double s, double x,
                     double radius) {
@@ -59,6 +62,17 @@ std::optional<CageFault> pocket_fault(const CageDimensions& cage, const PocketDe
   return std::nullopt;
 }
 
+/// Line `p` of a row of `inner` elements from -1 to 1 between two rows of `outer` elements that reach to
+/// -2 and 2. Elements shrink towards -1 and 1, where the pocket's corners concentrate the strain.
+double graded(long p, long inner, long outer) {
+  if (p < 0) return -graded(inner - p, inner, outer);
+  if (p > inner) {
+    return 1 + std::pow(static_cast<double>(p - inner) / static_cast<double>(outer), kGrading);
+  }
+  const double t = -1 + 2 * static_cast<double>(p) / static_cast<double>(inner);
+  return std::copysign(1 - std::pow(1 - std::abs(t), kGrading), t);
+}
+
 }  // namespace
 
 MeshCounts mesh_counts(const CageDimensions& cage, long density) {
@@ -71,10 +85,10 @@ MeshCounts mesh_counts(const CageDimensions& cage, long density) {
     return std::max(1L, static_cast<long>(std::ceil(length / step - 1e-9)));
   };
   return {.radial = density,
-          .half_bar = count(half_bar, size),
+          .half_bar = count(half_bar, 0.75 * size),
           .pocket = 2 * count(0.5 * cage.pocket_width, 2 * size),
-          .side = count(0.5 * (cage.width - cage.pocket_length), size),
-          .length = 2 * count(0.5 * cage.pocket_length, size)};
+          .side = count(0.5 * (cage.width - cage.pocket_length), 0.75 * size),
+          .length = 2 * count(0.5 * cage.pocket_length, 0.75 * size)};
 }
 
 Eigen::Vector3d sector_position(const CageDimensions& cage, const PocketDeviation& deviation,
@@ -104,21 +118,9 @@ SectorGrid make_sector_grid(const MeshCounts& counts) {
   grid.columns = 2 * counts.half_bar + counts.pocket;
   const long rows = 2 * counts.side + counts.length;
   const auto around = [&](long c) {
-    const long p = c - counts.half_bar;
-    if (p < 0) return -1 + static_cast<double>(p) / static_cast<double>(counts.half_bar);
-    if (p > counts.pocket) {
-      return 1 + static_cast<double>(p - counts.pocket) / static_cast<double>(counts.half_bar);
-    }
-    return -1 + 2 * static_cast<double>(p) / static_cast<double>(counts.pocket);
+    return graded(c - counts.half_bar, counts.pocket, counts.half_bar);
   };
-  const auto axial = [&](long x) {
-    const long p = x - counts.side;
-    if (p < 0) return -1 + static_cast<double>(p) / static_cast<double>(counts.side);
-    if (p > counts.length) {
-      return 1 + static_cast<double>(p - counts.length) / static_cast<double>(counts.side);
-    }
-    return -1 + 2 * static_cast<double>(p) / static_cast<double>(counts.length);
-  };
+  const auto axial = [&](long x) { return graded(x - counts.side, counts.length, counts.side); };
   const auto open = [&](double c, double x) { return std::abs(c) < 1 && std::abs(x) < 1; };
 
   const long nr = counts.radial + 1;

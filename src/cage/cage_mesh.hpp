@@ -55,8 +55,8 @@ struct MeshCounts {
   long length = 8;    ///< along a pocket
 };
 
-/// Counts for elements of about thickness / density in the bars and side rings, twice that across the
-/// pocket, where the side ring only bends.
+/// `density` elements through the thickness, a little finer along the bars and across bars and side rings,
+/// coarser across the pocket, where the side ring only bends.
 MeshCounts mesh_counts(const CageDimensions& cage, long density);
 
 enum class CageFaultKind {
