@@ -8,6 +8,7 @@
 
 #include "src/cage/field_recovery.hpp"
 #include "src/cage/sector_polynomial.hpp"
+#include "src/cage/sector_share.hpp"
 
 namespace cagetol {
 namespace {
@@ -30,112 +31,116 @@ std::optional<CageFault> model_fault(const CageTable& table,
   return std::nullopt;
 }
 
-struct Projected {
-  MatrixXd stiffness;
-  MatrixXd mass;
-};
-
-MatrixXd unpack(const Eigen::Ref<const Eigen::VectorXd>& packed, Index size) {
-  MatrixXd matrix(size, size);
-  Index next = 0;
-  for (Index j = 0; j < size; ++j) {
-    matrix.col(j).tail(size - j) = packed.segment(next, size - j);
-    next += size - j;
-  }
-  matrix.triangularView<Eigen::StrictlyUpper>() = matrix.transpose();
-  return matrix;
-}
-
-/// Sum over sectors of R^k^T A_k R^k.
-Projected assemble(const CageTable& table, const MatrixXd& terms) {
-  const Index size = table.columns;
-  const Index packed = size * (size + 1) / 2;
-  const MatrixXd shares = table.projection * terms;
-  Projected sum{MatrixXd::Zero(size, size), MatrixXd::Zero(size, size)};
-  for (Index k = 0; k < terms.cols(); ++k) {
-    const auto turned = [&](const Eigen::Ref<const Eigen::VectorXd>& share) {
-      const MatrixXd half = turn_columns(table, unpack(share, size), k);
-      return turn_columns(table, half.transpose(), k);
-    };
-    sum.stiffness += turned(shares.col(k).head(packed));
-    sum.mass += turned(shares.col(k).tail(packed));
-  }
-  return sum;
-}
-
-/// Coefficients in the basis: of the kept modes, and of the static rest per contact force.
+/// Coefficients of all columns: of the kept modes, and of the static rest per contact force.
 struct Coefficients {
   MatrixXd modes;
   MatrixXd residual;
 };
 
-/// Elastic modes with their rigid part removed: K has no entries on rigid motions, exactly, so the problem is
-/// that of the other columns with the mass that remains when rigid motions follow freely.
-void solve_modes(const CageTable& table, const Projected& p, long count, CageModel& model,
-                 Coefficients& out) {
-  const Index elastic = table.modes - 6;
-  const Eigen::LLT<Eigen::Matrix<double, 6, 6>> rigid(p.mass.topLeftCorner<6, 6>());
-  const MatrixXd follow = rigid.solve(p.mass.block(0, 6, 6, elastic));
-  const MatrixXd mass = p.mass.block(6, 6, elastic, elastic) -
-                        p.mass.block(6, 0, elastic, 6) * follow;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
-      p.stiffness.block(6, 6, elastic, elastic), mass);
+/// The projections with what follows freely or statically.
+struct Followed {
+  Eigen::LLT<Eigen::Matrix<double, 6, 6>> rigid_mass;
+  Eigen::LLT<MatrixXd> local_stiffness;
+  MatrixXd local;  ///< l x elastic: local fields that go with each mode
+};
+
+/// Elastic modes. K has no entries on rigid motions, exactly, so these follow freely and what remains of the
+/// mass decides; local fields follow statically.
+void solve_modes(const SectorTurn& turn, const CageProjection& p, const Followed& followed, long count,
+                 CageModel& model, Coefficients& out) {
+  const Index elastic = turn.modes - 6;
+  const MatrixXd stiffness = p.modal_stiffness + p.cross_stiffness.transpose() * followed.local;
+  const MatrixXd coupling = p.modal_mass.topRightCorner(6, elastic) +
+                            p.cross_mass.transpose() * followed.local;
+  const MatrixXd rigid = -followed.rigid_mass.solve(coupling);
+  const MatrixXd mass =
+      p.modal_mass.bottomRightCorner(elastic, elastic) + coupling.transpose() * rigid;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(stiffness, mass);
   const Index kept = std::min<Index>(count, elastic);
-  model.frequency = solver.eigenvalues().head(kept).cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
-  out.modes = MatrixXd::Zero(table.columns, kept);
-  out.modes.middleRows(6, elastic) = solver.eigenvectors().leftCols(kept);
-  out.modes.topRows<6>() = -follow * solver.eigenvectors().leftCols(kept);
+  const auto vectors = solver.eigenvectors().leftCols(kept);
+  model.frequency =
+      solver.eigenvalues().head(kept).cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
+  out.modes.resize(turn.all(), kept);
+  out.modes.topRows<6>() = rigid * vectors;
+  out.modes.middleRows(6, elastic) = vectors;
+  out.modes.bottomRows(turn.all() - turn.modes) = followed.local * vectors;
 }
 
-/// Static response to the loads (rows of the basis at the loaded points), inertia relief, minus what the kept
-/// modes carry.
-void solve_residual(const CageTable& table, const Projected& p, const MatrixXd& load_rows,
-                    const Eigen::VectorXd& frequency, Coefficients& out) {
-  const Index elastic = table.columns - 6;
-  const Eigen::LLT<Eigen::Matrix<double, 6, 6>> rigid(p.mass.topLeftCorner<6, 6>());
-  const MatrixXd follow = rigid.solve(p.mass.block(0, 6, 6, elastic));
-  const MatrixXd force = load_rows.rightCols(elastic).transpose() -
-                         follow.transpose() * load_rows.leftCols<6>().transpose();
-  const Eigen::LLT<MatrixXd> stiffness(p.stiffness.block(6, 6, elastic, elastic));
-  out.residual.resize(table.columns, load_rows.rows());
-  out.residual.bottomRows(elastic) = stiffness.solve(force);
-  out.residual.topRows<6>() = -follow * out.residual.bottomRows(elastic);
+/// Static response to the loads (rows of all columns at the loaded points), inertia relief, minus what the
+/// kept modes carry. Solved by elimination of the local fields.
+void solve_residual(const SectorTurn& turn, const CageProjection& p, const Followed& followed,
+                    const MatrixXd& load_rows, const Eigen::VectorXd& frequency, Coefficients& out) {
+  const Index elastic = turn.modes - 6;
+  const Index local = turn.all() - turn.modes;
+  const MatrixXd acceleration = followed.rigid_mass.solve(load_rows.leftCols<6>().transpose());
+  const MatrixXd modal_force = load_rows.middleCols(6, elastic).transpose() -
+                               p.modal_mass.bottomLeftCorner(elastic, 6) * acceleration;
+  const MatrixXd local_force = load_rows.rightCols(local).transpose() - p.cross_mass * acceleration;
+  const MatrixXd stiffness = p.modal_stiffness + p.cross_stiffness.transpose() * followed.local;
+  out.residual.resize(turn.all(), load_rows.rows());
+  out.residual.middleRows(6, elastic) =
+      stiffness.llt().solve(modal_force + followed.local.transpose() * local_force);
+  out.residual.bottomRows(local) = followed.local_stiffness.solve(local_force) +
+                                   followed.local * out.residual.middleRows(6, elastic);
+  out.residual.topRows<6>() = -followed.rigid_mass.solve(
+      p.modal_mass.topRightCorner(6, elastic) * out.residual.middleRows(6, elastic) +
+      p.cross_mass.transpose() * out.residual.bottomRows(local));
   const Eigen::ArrayXd omega = 2 * std::numbers::pi * frequency.array();
   const MatrixXd modal = (load_rows * out.modes).transpose();
   out.residual -= out.modes * (omega.square().inverse().matrix().asDiagonal() * modal);
 }
 
-/// Rows of `tabulated` for each sector, in the basis of the whole cage.
-std::vector<MatrixXd> sector_rows(const CageTable& table, const MatrixXd& tabulated,
-                                  const MatrixXd& terms) {
-  const MatrixXd flat = tabulated * terms;
-  std::vector<MatrixXd> rows;
-  for (Index k = 0; k < terms.cols(); ++k) {
-    rows.push_back(
-        turn_columns(table, flat.col(k).reshaped(flat.rows() / table.columns, table.columns), k));
+/// Column k of `flat` as the rows that sector k reads, on seen columns.
+Eigen::Map<const MatrixXd> sector_rows(const SectorTurn& turn, const MatrixXd& flat, Index k) {
+  return {flat.col(k).data(), flat.rows() / turn.seen(), turn.seen()};
+}
+
+void fill_contact(const CageTable& table, const MatrixXd& terms, const Coefficients& coefficients,
+                  const MatrixXd& load_rows, const MatrixXd& flat, CageModel& model) {
+  const Index sectors = terms.cols();
+  const Index per_sector = 3 * model.points;
+  const Index n = model.bar_stations;
+  model.contact.resize(sectors * per_sector, model.frequency.size());
+  const MatrixXd modes = coefficients.modes.transpose();
+  for (Index k = 0; k < sectors; ++k) {
+    model.contact.middleRows(k * per_sector, per_sector).noalias() =
+        sector_rows(table.turn, flat, k) * seen_coefficients(table.turn, modes, k).transpose();
   }
-  return rows;
+  model.residual_compliance.resize(2 * n, 2 * n * sectors);
+  for (Index j = 0; j < sectors; ++j) {
+    const Index own = 2 * n * j + n;
+    const Index next = 2 * n * ((j + 1) % sectors);
+    MatrixXd rows(2 * n, table.turn.all());
+    rows << load_rows.middleRows(own, n), load_rows.middleRows(next, n);
+    MatrixXd response(table.turn.all(), 2 * n);
+    response << coefficients.residual.middleCols(own, n), coefficients.residual.middleCols(next, n);
+    model.residual_compliance.middleCols(2 * n * j, 2 * n).noalias() = rows * response;
+  }
 }
 
 void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficients& coefficients,
                  CageModel& model) {
-  const std::vector<MatrixXd> rows = sector_rows(table, table.stress, terms);
-  const Index per_sector = rows.front().rows();
-  const Index per_pocket = 2 * model.bar_stations;
+  const MatrixXd flat = table.stress * terms;
   const Index sectors = terms.cols();
-  model.stress.resize(sectors * per_sector, model.frequency.size());
-  model.stress_residual.resize(sectors * per_sector, (2 * model.span + 1) * per_pocket);
-  MatrixXd near(table.columns, model.stress_residual.cols());
+  const Index per_sector = flat.rows() / table.turn.seen();
+  const Index per_pocket = 2 * model.bar_stations;
+  const Index kept = model.frequency.size();
+  const Index forces = (2 * model.span + 1) * per_pocket;
+  model.stress.resize(sectors * per_sector, kept);
+  model.stress_residual.resize(sectors * per_sector, forces);
+  const MatrixXd residual = coefficients.residual.transpose();
+  MatrixXd coefficient(kept + forces, table.turn.all());
+  coefficient.topRows(kept) = coefficients.modes.transpose();
   for (Index k = 0; k < sectors; ++k) {
     for (Index o = -model.span; o <= model.span; ++o) {
       const Index pocket = (k + o + sectors) % sectors;
-      near.middleCols((o + model.span) * per_pocket, per_pocket) =
-          coefficients.residual.middleCols(pocket * per_pocket, per_pocket);
+      coefficient.middleRows(kept + (o + model.span) * per_pocket, per_pocket) =
+          residual.middleRows(pocket * per_pocket, per_pocket);
     }
-    const MatrixXd& stress = rows[static_cast<std::size_t>(k)];
-    model.stress.middleRows(k * per_sector, per_sector).noalias() =
-        stress.leftCols(table.modes) * coefficients.modes.topRows(table.modes);
-    model.stress_residual.middleRows(k * per_sector, per_sector).noalias() = stress * near;
+    const MatrixXd stress =
+        sector_rows(table.turn, flat, k) * seen_coefficients(table.turn, coefficient, k).transpose();
+    model.stress.middleRows(k * per_sector, per_sector) = stress.leftCols(kept);
+    model.stress_residual.middleRows(k * per_sector, per_sector) = stress.rightCols(forces);
   }
 }
 
@@ -150,42 +155,37 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
   for (Index k = 0; k < sectors; ++k) {
     terms.col(k) = polynomial_terms(deviations[static_cast<std::size_t>(k)], table.range);
   }
-  const Projected projected = assemble(table, terms);
+  const SectorTurn& turn = table.turn;
+  CageProjection projection = table.undeviated;
+  add_shares(turn, table.projection * terms, projection);
+  Followed followed;
+  followed.rigid_mass.compute(projection.modal_mass.topLeftCorner<6, 6>());
+  followed.local_stiffness.compute(projection.local_stiffness);
+  followed.local = -followed.local_stiffness.solve(projection.cross_stiffness);
 
   CageModel model;
   model.points = contact_points(table.stations);
   model.bar_stations = static_cast<long>(table.stations.bar_x.size());
-  model.body = mass_properties(projected.mass.topLeftCorner<6, 6>());
+  model.body = mass_properties(projection.modal_mass.topLeftCorner<6, 6>());
   Coefficients coefficients;
-  solve_modes(table, projected, options.modes, model, coefficients);
+  solve_modes(turn, projection, followed, options.modes, model, coefficients);
 
-  const std::vector<MatrixXd> contact = sector_rows(table, table.contact, terms);
-  const Index per_sector = 3 * model.points;
+  const MatrixXd contact = table.contact * terms;
   const Index n = model.bar_stations;
-  model.contact.resize(sectors * per_sector, model.frequency.size());
-  MatrixXd load_rows(sectors * 2 * n, table.columns);
+  MatrixXd load_rows(sectors * 2 * n, turn.all());
   for (Index k = 0; k < sectors; ++k) {
-    const MatrixXd& rows = contact[static_cast<std::size_t>(k)];
-    model.contact.middleRows(k * per_sector, per_sector).noalias() = rows * coefficients.modes;
-    for (Index i = 0; i < 2 * n; ++i) load_rows.row(2 * n * k + i) = rows.row(3 * i + 1);
+    const auto rows = sector_rows(turn, contact, k);
+    MatrixXd tangential(2 * n, turn.seen());
+    for (Index i = 0; i < 2 * n; ++i) tangential.row(i) = rows.row(3 * i + 1);
+    load_rows.middleRows(2 * n * k, 2 * n) = to_all_columns(turn, tangential, k);
   }
-  solve_residual(table, projected, load_rows, model.frequency, coefficients);
-  model.residual_compliance.resize(2 * n, 2 * n * sectors);
-  for (Index j = 0; j < sectors; ++j) {
-    MatrixXd rows(2 * n, table.columns);
-    MatrixXd response(table.columns, 2 * n);
-    const Index next = (j + 1) % sectors;
-    rows.topRows(n) = load_rows.middleRows(2 * n * j + n, n);
-    rows.bottomRows(n) = load_rows.middleRows(2 * n * next, n);
-    response.leftCols(n) = coefficients.residual.middleCols(2 * n * j + n, n);
-    response.rightCols(n) = coefficients.residual.middleCols(2 * n * next, n);
-    model.residual_compliance.middleCols(2 * n * j, 2 * n).noalias() = rows * response;
-  }
+  solve_residual(turn, projection, followed, load_rows, model.frequency, coefficients);
+  fill_contact(table, terms, coefficients, load_rows, contact, model);
   model.stress_stations = static_cast<long>(table.stress_points.size());
   model.span = std::min<long>(options.span, (sectors - 1) / 2);
   if (options.stress) fill_stress(table, terms, coefficients, model);
 
-  const MatrixXd kept = coefficients.modes.topRows(table.modes);
+  const MatrixXd kept = coefficients.modes.topRows(turn.modes);
   model.gyroscopic = kept.transpose() * table.gyroscopic * kept;
   model.in_plane = kept.transpose() * table.in_plane * kept;
   model.centrifugal = kept.transpose() * table.centrifugal;

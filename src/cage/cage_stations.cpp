@@ -51,6 +51,14 @@ long contact_points(const CageStations& stations) {
   return 2 * static_cast<long>(stations.bar_x.size()) + 8;
 }
 
+SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations,
+                        const PocketDeviation& deviation, double face, double x) {
+  const double depth = (stations.pitch_radius - cage.inner_radius) /
+                       (cage.outer_radius - cage.inner_radius);
+  const double half_length = 0.5 * (cage.pocket_length + deviation.length);
+  return {std::clamp(depth, 0.0, 1.0), face, std::clamp(x / half_length, -1.0, 1.0)};
+}
+
 SectorReading read_at(const SectorGrid& grid, const SectorPoint& place) {
   for (const auto& element : grid.elements) {
     const SectorPoint& low = grid.points[static_cast<std::size_t>(element[0])];
@@ -93,16 +101,14 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
     }
     next += 3;
   };
-  const double depth = (stations.pitch_radius - cage.inner_radius) /
-                       (cage.outer_radius - cage.inner_radius);
-  const double radial = std::clamp(depth, 0.0, 1.0);
   const double half_length = 0.5 * (cage.pocket_length + deviation.length);
   const double half_width = 0.5 * (cage.pocket_width + deviation.width);
   for (double face : {-1.0, 1.0}) {
     for (double x : stations.bar_x) {
-      add({radial, face, std::clamp(x / half_length, -1.0, 1.0)}, deviation.pitch);
+      add(bar_station(cage, stations, deviation, face, x), deviation.pitch);
     }
   }
+  const double radial = bar_station(cage, stations, deviation, 1, 0).radial;
   const double across = std::min(1.0, stations.end_offset / half_width);
   for (double end : {-1.0, 1.0}) {
     for (double side : {-1.0, 1.0}) add({radial, side * across, end}, deviation.pitch);

@@ -32,6 +32,10 @@ CageStations cage_stations(const Scene& scene);
 
 long contact_points(const CageStations& stations);  ///< per pocket
 
+/// Place of a bar station at axial position x; face -1: trailing, +1: leading. Beyond the pocket's end: there.
+SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations,
+                        const PocketDeviation& deviation, double face, double x);
+
 /// A displacement reading: weights on the grid points of one element.
 struct SectorReading {
   std::array<int, 8> point{};

@@ -34,6 +34,7 @@ class Writer {
   explicit Writer(std::ostream& out) : out_(&out) {}
   void operator()(const double& value) { raw(&value, sizeof value); }
   void operator()(const Eigen::Index& value) { raw(&value, sizeof value); }
+  void operator()(const bool& value) { raw(&value, sizeof value); }
   template <typename Derived>
   void operator()(const Eigen::PlainObjectBase<Derived>& matrix) {
     (*this)(matrix.rows());
@@ -53,6 +54,7 @@ class Reader {
   explicit Reader(std::istream& in) : in_(&in) {}
   void operator()(double& value) { raw(&value, sizeof value); }
   void operator()(Eigen::Index& value) { raw(&value, sizeof value); }
+  void operator()(bool& value) { raw(&value, sizeof value); }
   template <typename Derived>
   void operator()(Eigen::PlainObjectBase<Derived>& matrix) {
     Eigen::Index rows = 0;
@@ -78,14 +80,24 @@ class Reader {
 /// Everything that is computed; the rest follows from what the key covers.
 template <typename Stream, typename Table>
 void transfer(Stream stream, Table& table) {
-  stream(table.modes);
-  stream(table.columns);
-  stream(table.partner);
-  stream(table.angle);
+  stream(table.turn.sectors);
+  stream(table.turn.modes);
+  stream(table.turn.per_sector);
+  stream(table.turn.reach);
+  stream(table.turn.partner);
+  stream(table.turn.angle);
   stream(table.frequency);
-  stream(table.harmonic);
-  stream(table.axial_share);
-  stream(table.mirror);
+  table.family.resize(static_cast<std::size_t>(table.frequency.size()));
+  for (auto& family : table.family) {
+    stream(family.waves);
+    stream(family.axial_share);
+    stream(family.opposed);
+  }
+  stream(table.undeviated.modal_stiffness);
+  stream(table.undeviated.cross_stiffness);
+  stream(table.undeviated.local_stiffness);
+  stream(table.undeviated.modal_mass);
+  stream(table.undeviated.cross_mass);
   stream(table.projection);
   stream(table.contact);
   stream(table.stress);
@@ -116,7 +128,8 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
         cage.pocket_width, cage.pocket_length, material.young, material.poisson, material.density,
         stations.pitch_radius, stations.end_offset, stations.land_offset,
         stations.outer_guided ? 1.0 : 0.0, static_cast<double>(options.density),
-        static_cast<double>(options.basis_modes)}) {
+        static_cast<double>(options.basis_modes), static_cast<double>(options.corrections),
+        static_cast<double>(options.corrected_modes), static_cast<double>(options.reach)}) {
     hash.add(value);
   }
   for (double x : stations.bar_x) hash.add(x);

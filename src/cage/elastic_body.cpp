@@ -103,7 +103,7 @@ double ring_shift(const HexMesh& mesh, const BodyMatrices& body) {
   }
   const double stiffness = oval.dot(body.stiffness.selfadjointView<Eigen::Lower>() * oval);
   const double mass = oval.dot(body.mass.selfadjointView<Eigen::Lower>() * oval);
-  return 0.02 * stiffness / mass;
+  return 0.002 * stiffness / mass;
 }
 
 Eigen::MatrixXd free_static_response(const BodyMatrices& body, const ShiftedFactor& factor,
@@ -116,7 +116,7 @@ Eigen::MatrixXd free_static_response(const BodyMatrices& body, const ShiftedFact
   const Eigen::MatrixXd balanced = loads - mass_rigid * (rigid.transpose() * loads);
   Eigen::MatrixXd response = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
   Eigen::MatrixXd residual = balanced;
-  const double target = 1e-10 * balanced.norm();
+  const double target = 1e-9 * balanced.norm();
   for (int sweep = 0; sweep < 60 && residual.norm() > target; ++sweep) {
     Eigen::MatrixXd step = factor.solve(residual);
     step -= rigid * (mass_rigid.transpose() * step);

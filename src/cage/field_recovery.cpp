@@ -17,34 +17,6 @@ Eigen::MatrixXd corner_values(const std::array<int, 8>& element, const Eigen::Ma
 
 }  // namespace
 
-std::array<Eigen::MatrixXd, 3> nodal_gradient(const HexMesh& mesh, const Material& material,
-                                              const Eigen::MatrixXd& fields) {
-  std::array<Eigen::MatrixXd, 3> gradient;
-  gradient.fill(Eigen::MatrixXd::Zero(fields.rows(), fields.cols()));
-  Eigen::VectorXd meeting = Eigen::VectorXd::Zero(mesh.nodes.cols());
-  for (const auto& element : mesh.elements) {
-    const Hex8Nodes nodes = element_nodes(mesh, element);
-    Eigen::MatrixXd values(33, fields.cols());
-    values.topRows<24>() = corner_values(element, fields);
-    values.bottomRows<9>() = hex8_stiffness(nodes, material).internal * values.topRows<24>();
-    for (int a = 0; a < 8; ++a) {
-      const Hex8Derivatives derivatives = hex8_derivatives(nodes, hex8_corner(a));
-      const int node = element[static_cast<std::size_t>(a)];
-      meeting[node] += 1;
-      for (int axis = 0; axis < 3; ++axis) {
-        auto at_node = gradient[static_cast<std::size_t>(axis)].middleRows<3>(3 * node);
-        for (int b = 0; b < 11; ++b) at_node += derivatives(axis, b) * values.middleRows<3>(3 * b);
-      }
-    }
-  }
-  for (Eigen::Index n = 0; n < meeting.size(); ++n) {
-    for (auto& derivative : gradient) {
-      if (meeting[n] > 1) derivative.middleRows<3>(3 * n) /= meeting[n];
-    }
-  }
-  return gradient;
-}
-
 Eigen::MatrixXd nodal_stress(const HexMesh& mesh, const Material& material,
                              const Eigen::MatrixXd& fields, const std::vector<int>& nodes) {
   std::vector<int> place(static_cast<std::size_t>(mesh.nodes.cols()), -1);

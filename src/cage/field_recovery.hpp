@@ -1,19 +1,14 @@
-// Gradients and stresses of displacement fields at the nodes of a mesh.
+// Stresses of displacement fields at the nodes of a mesh.
 //
 // A field has one displacement vector per node (3 n + d); several fields are the columns of a matrix.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <vector>
 
 #include "src/cage/cage_mesh.hpp"
 
 namespace cagetol {
-
-/// Derivative of each field along x, y and z at the nodes, the incompatible modes included, averaged over
-/// the elements that meet at a node. Exact for linear fields. Nodes without elements stay zero.
-std::array<Eigen::MatrixXd, 3> nodal_gradient(const HexMesh& mesh, const Material& material,
-                                              const Eigen::MatrixXd& fields);
 
 /// Stress of each field at chosen nodes: rows 6 i + (xx, yy, zz, xy, yz, zx) for node `nodes[i]`. Values
 /// extrapolated from the Gauss points and averaged over the elements that meet at the node [Pa per unit].
