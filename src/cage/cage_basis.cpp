@@ -26,24 +26,15 @@ Eigen::MatrixXd turn_fields(const CageMesh& mesh, const Eigen::MatrixXd& fields,
   return turned;
 }
 
-/// Tangential unit forces on the bar after pocket 0, half on either face, on the whole undeviated cage.
-Eigen::MatrixXd bar_loads(const CageMesh& mesh, const CageStations& stations) {
-  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(3 * mesh.mesh.nodes.cols(),
-                                                static_cast<Eigen::Index>(stations.bar_x.size()));
-  for (Eigen::Index i = 0; i < loads.cols(); ++i) {
-    for (long sector = 0; sector < 2; ++sector) {
-      const Eigen::VectorXd half =
-          half_bar_load(mesh.cage, stations, mesh.grid, {}, sector == 0 ? 1.0 : -1.0,
-                        stations.bar_x[static_cast<std::size_t>(i)]);
-      const auto& node = mesh.sector_node[static_cast<std::size_t>(sector)];
-      const Eigen::Matrix3d rotation = sector_rotation(mesh.cage, sector);
-      for (std::size_t p = 0; p < node.size(); ++p) {
-        loads.block<3, 1>(3 * node[p], i) +=
-            rotation * half.segment<3>(3 * static_cast<Eigen::Index>(p));
-      }
-    }
+/// Forces on the nodes of sector 0 as forces on all nodes.
+Eigen::MatrixXd on_whole_cage(const CageMesh& mesh, const Eigen::MatrixXd& sector_forces) {
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(3 * mesh.mesh.nodes.cols(), sector_forces.cols());
+  const auto& node = mesh.sector_node[0];
+  for (std::size_t p = 0; p < node.size(); ++p) {
+    forces.middleRows<3>(3 * node[p]) +=
+        sector_forces.middleRows<3>(3 * static_cast<Eigen::Index>(p));
   }
-  return loads;
+  return forces;
 }
 
 /// Rows of the nodes of sector 0.
@@ -148,12 +139,8 @@ Eigen::MatrixXd seen_loads(const SectorTurn& turn, const CageDimensions& cage,
                            const PocketDeviation& deviation) {
   Eigen::MatrixXd loads =
       Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(grid.points.size()), turn.seen());
-  for (std::size_t i = 0; i < stations.bar_x.size(); ++i) {
-    const auto station = static_cast<Eigen::Index>(i);
-    const double x = stations.bar_x[i];
-    loads.col(turn.seen_column(0) + station) = half_bar_load(cage, stations, grid, deviation, 1, x);
-    loads.col(turn.seen_column(-1) + station) = half_bar_load(cage, stations, grid, deviation, -1, x);
-  }
+  loads.middleCols(turn.seen_column(0), 2 * static_cast<Eigen::Index>(stations.bar_x.size())) =
+      bar_loads(cage, stations, grid, deviation);
   return loads;
 }
 
@@ -179,7 +166,7 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
     basis.family.push_back(mode_family(mesh, body.mass, modes.shape.col(i), turn.angle[6 + i]));
   }
 
-  const Eigen::MatrixXd bars = bar_loads(mesh, stations);
+  const Eigen::MatrixXd bars = on_whole_cage(mesh, bar_loads(mesh.cage, stations, mesh.grid, {}));
   Eigen::MatrixXd loads(bars.rows(), bars.cols() + options.corrections);
   loads << bars, correction_loads(mesh, material, range, body, factor, modes, options);
   const Eigen::MatrixXd local = residual_response(body, factor, modes, loads);

@@ -1,8 +1,7 @@
 // Displacement fields of the undeviated cage from which the cage of every sample is composed.
 //
 //   modes        6 rigid motions (unit translations and rotations), then the lowest free-free modes
-//   attachments  per sector and bar station: static response to a tangential unit force on the bar after the
-//                sector's pocket
+//   attachments  per sector: static response to a unit force on each bar station of its pocket, both faces
 //   corrections  per sector: static response to the forces by which a deviating pocket upsets the modes
 // Attachments and corrections hold no part of the modes (residual: orthogonal in stiffness and mass), so on
 // the undeviated cage they change nothing.
@@ -23,7 +22,7 @@ struct CageTableOptions {
   long basis_modes = 36;      ///< elastic modes of the undeviated cage in the basis
   long corrections = 2;       ///< correction fields per pocket
   long corrected_modes = 16;  ///< lowest elastic modes for which the corrections are chosen
-  long reach = 2;             ///< sectors within which attachments and corrections are felt
+  long reach = 1;             ///< sectors within which attachments and corrections are felt
 };
 
 /// What kind of mode an elastic mode is, for reports.

@@ -95,6 +95,29 @@ Eigen::Map<const MatrixXd> sector_rows(const SectorTurn& turn, const MatrixXd& f
   return {flat.col(k).data(), flat.rows() / turn.seen(), turn.seen()};
 }
 
+/// Tangential rows of all bar stations on all columns. A unit force is what drives its attachment, so on the
+/// undeviated cage its row on the local fields is the attachment's row of the stiffness, without limit of
+/// reach; only the change is read from the sector.
+MatrixXd bar_rows(const CageTable& table, const MatrixXd& contact, Index n) {
+  const SectorTurn& turn = table.turn;
+  const Index local = turn.all() - turn.modes;
+  const Index seen_local = turn.seen() - turn.modes;
+  const auto undeviated = sector_rows(turn, table.contact, 0);
+  MatrixXd all(turn.sectors * 2 * n, turn.all());
+  MatrixXd tangential(2 * n, turn.seen());
+  for (Index k = 0; k < turn.sectors; ++k) {
+    const auto rows = sector_rows(turn, contact, k);
+    for (Index i = 0; i < 2 * n; ++i) {
+      tangential.row(i) = rows.row(3 * i + 1);
+      tangential.row(i).tail(seen_local) -= undeviated.row(3 * i + 1).tail(seen_local);
+    }
+    auto out = all.middleRows(2 * n * k, 2 * n);
+    out = to_all_columns(turn, tangential, k);
+    out.rightCols(local) += table.undeviated.local_stiffness.middleRows(k * turn.per_sector, 2 * n);
+  }
+  return all;
+}
+
 void fill_contact(const CageTable& table, const MatrixXd& terms, const Coefficients& coefficients,
                   const MatrixXd& load_rows, const MatrixXd& flat, CageModel& model) {
   const Index sectors = terms.cols();
@@ -172,17 +195,11 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
 
   const MatrixXd contact = table.contact * terms;
   const Index n = model.bar_stations;
-  MatrixXd load_rows(sectors * 2 * n, turn.all());
-  for (Index k = 0; k < sectors; ++k) {
-    const auto rows = sector_rows(turn, contact, k);
-    MatrixXd tangential(2 * n, turn.seen());
-    for (Index i = 0; i < 2 * n; ++i) tangential.row(i) = rows.row(3 * i + 1);
-    load_rows.middleRows(2 * n * k, 2 * n) = to_all_columns(turn, tangential, k);
-  }
+  const MatrixXd load_rows = bar_rows(table, contact, n);
   solve_residual(turn, projection, followed, load_rows, model.frequency, coefficients);
   fill_contact(table, terms, coefficients, load_rows, contact, model);
   model.stress_stations = static_cast<long>(table.stress_points.size());
-  model.span = std::min<long>(options.span, (sectors - 1) / 2);
+  model.span = turn.reach;
   if (options.stress) fill_stress(table, terms, coefficients, model);
 
   const MatrixXd kept = coefficients.modes.topRows(turn.modes);

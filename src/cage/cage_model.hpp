@@ -22,7 +22,6 @@ namespace cagetol {
 struct CageModelOptions {
   long modes = 20;     ///< elastic modes kept
   bool stress = true;  ///< stress rows too
-  long span = 2;       ///< stress takes the residual of forces on pockets up to this many sectors away
 };
 
 struct CageModel {
@@ -41,7 +40,7 @@ struct CageModel {
   /// pocket j + o, o = -span ... span; trailing stations first, then leading [Pa/N].
   Eigen::MatrixXd stress_residual;
   long stress_stations = 0;  ///< per sector
-  long span = 0;
+  long span = 0;  ///< stress takes the residual of forces on pockets up to this many sectors away
   Eigen::MatrixXd gyroscopic;
   Eigen::MatrixXd in_plane;
   Eigen::VectorXd centrifugal;

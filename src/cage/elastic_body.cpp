@@ -58,7 +58,6 @@ MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& rigid_mass) {
   const Eigen::Matrix3d first = rigid_mass.topRightCorner<3, 3>() / properties.mass;
   properties.centre << 0.5 * (first(1, 2) - first(2, 1)), 0.5 * (first(2, 0) - first(0, 2)),
       0.5 * (first(0, 1) - first(1, 0));
-  properties.centre = -properties.centre;
   const Eigen::Vector3d& c = properties.centre;
   properties.inertia =
       rigid_mass.bottomRightCorner<3, 3>() -

@@ -2,7 +2,6 @@
 
 #include <Eigen/CholmodSupport>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace cagetol {
@@ -45,17 +44,20 @@ Eigen::MatrixXd carry_fields(const SectorGrid& grid, const BodyMatrices& body,
   return carried;
 }
 
-Eigen::VectorXd half_bar_load(const CageDimensions& cage, const CageStations& stations,
-                              const SectorGrid& grid, const PocketDeviation& deviation, double face,
-                              double x) {
-  const double middle = face * std::numbers::pi / static_cast<double>(cage.pocket_count);
-  const Eigen::Vector3d tangent(0, -std::sin(middle), std::cos(middle));
-  const SectorReading place = read_at(grid, bar_station(cage, stations, deviation, face, x));
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(grid.points.size()));
-  for (int a = 0; a < 8; ++a) {
-    load.segment<3>(3 * place.point[static_cast<std::size_t>(a)]) += 0.5 * place.weight[a] * tangent;
+Eigen::MatrixXd bar_loads(const CageDimensions& cage, const CageStations& stations,
+                          const SectorGrid& grid, const PocketDeviation& deviation) {
+  const auto n = static_cast<Eigen::Index>(stations.bar_x.size());
+  const Eigen::Vector3d tangent(0, -std::sin(deviation.pitch), std::cos(deviation.pitch));
+  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(grid.points.size()), 2 * n);
+  for (Eigen::Index i = 0; i < 2 * n; ++i) {
+    const double x = stations.bar_x[static_cast<std::size_t>(i % n)];
+    const SectorReading place =
+        read_at(grid, bar_station(cage, stations, deviation, i < n ? -1 : 1, x));
+    for (int a = 0; a < 8; ++a) {
+      loads.block<3, 1>(3 * place.point[static_cast<std::size_t>(a)], i) += place.weight[a] * tangent;
+    }
   }
-  return load;
+  return loads;
 }
 
 }  // namespace cagetol

@@ -31,10 +31,9 @@ inline bool on_middle_plane(const SectorGrid& grid, std::size_t point) {
 Eigen::MatrixXd carry_fields(const SectorGrid& grid, const BodyMatrices& body,
                              const Eigen::MatrixXd& fields, const FieldDrive& drive, int passes = 2);
 
-/// Half a tangential unit force on a bar station, on face -1 (trailing) or +1 (leading), along the tangent of
-/// the bar's middle plane, as forces on the nodes of the sector.
-Eigen::VectorXd half_bar_load(const CageDimensions& cage, const CageStations& stations,
-                              const SectorGrid& grid, const PocketDeviation& deviation, double face,
-                              double x);
+/// Unit forces on the bar stations of the pocket, along its tangent (normal to its faces), as forces on the
+/// nodes of the sector; columns: trailing face, then leading face.
+Eigen::MatrixXd bar_loads(const CageDimensions& cage, const CageStations& stations,
+                          const SectorGrid& grid, const PocketDeviation& deviation);
 
 }  // namespace cagetol

@@ -64,7 +64,7 @@ MatrixXd to_all_columns(const SectorTurn& sector, const MatrixXd& rows, Index k)
 
 MatrixXd seen_coefficients(const SectorTurn& sector, const MatrixXd& coefficients, Index k) {
   MatrixXd seen(coefficients.rows(), sector.seen());
-  seen.leftCols(sector.modes) = turn_modes(sector, coefficients, k);
+  seen.leftCols(sector.modes) = turn_modes(sector, coefficients, -k);  // R^k turns back as R^-k
   for (Index o = -sector.reach; o <= sector.reach; ++o) {
     seen.middleCols(sector.seen_column(o), sector.per_sector) =
         coefficients.middleCols(sector.local_column(k, o), sector.per_sector);
