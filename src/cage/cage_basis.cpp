@@ -18,7 +18,8 @@ Eigen::MatrixXd turn_fields(const CageMesh& mesh, const Eigen::MatrixXd& fields,
   Eigen::MatrixXd turned(fields.rows(), fields.cols());
   for (long j = 0; j < sectors; ++j) {
     const auto& to = mesh.sector_node[static_cast<std::size_t>(j)];
-    const auto& from = mesh.sector_node[static_cast<std::size_t>((j - steps + 2 * sectors) % sectors)];
+    const auto& from =
+        mesh.sector_node[static_cast<std::size_t>((j - steps + 2 * sectors) % sectors)];
     for (std::size_t p = 0; p < to.size(); ++p) {
       turned.middleRows<3>(3 * to[p]).noalias() = rotation * fields.middleRows<3>(3 * from[p]);
     }
@@ -47,7 +48,8 @@ Eigen::MatrixXd first_sector(const CageMesh& mesh, const Eigen::MatrixXd& fields
   return rows;
 }
 
-/// Static response without what the modes of the basis carry: orthogonal to them in stiffness and mass.
+/// Static response without what the modes of the basis carry: orthogonal to them in stiffness and
+/// mass.
 Eigen::MatrixXd residual_response(const BodyMatrices& body, const ShiftedFactor& factor,
                                   const FreeModes& modes, const Eigen::MatrixXd& loads) {
   const Eigen::ArrayXd omega = 2 * pi * modes.frequency.array();
@@ -56,15 +58,18 @@ Eigen::MatrixXd residual_response(const BodyMatrices& body, const ShiftedFactor&
          modes.shape * (omega.square().inverse().matrix().asDiagonal() * carried);
 }
 
-/// Forces on the middle planes of the bars around pocket 0 whose static response corrects what a carried basis
-/// leaves out: carried modes keep their displacement on these planes, and when the pocket deviates the two
-/// sides no longer pull there with equal force. The forces left over, for every mode and deviation, are
-/// condensed to the few combinations that change the modes' frequencies most.
+/// Forces on the middle planes of the bars around pocket 0 whose static response corrects what a
+/// carried basis leaves out: carried modes keep their displacement on these planes, and when the
+/// pocket deviates the two sides no longer pull there with equal force. The forces left over, for
+/// every mode and deviation, are condensed to the few combinations that change the modes'
+/// frequencies most.
 Eigen::MatrixXd correction_loads(const CageMesh& mesh, const Material& material,
-                                 const PocketDeviation& range, const BodyMatrices& body, const ShiftedFactor& factor,
-                                 const FreeModes& modes, const CageTableOptions& options) {
+                                 const PocketDeviation& range, const BodyMatrices& body,
+                                 const ShiftedFactor& factor, const FreeModes& modes,
+                                 const CageTableOptions& options) {
   const SectorGrid& grid = mesh.grid;
-  const Eigen::Index count = std::min<Eigen::Index>(modes.frequency.size(), options.corrected_modes);
+  const Eigen::Index count =
+      std::min<Eigen::Index>(modes.frequency.size(), options.corrected_modes);
   const Eigen::MatrixXd fields = first_sector(mesh, modes.shape.leftCols(count));
   const Eigen::VectorXd eigenvalue = (2 * pi * modes.frequency.head(count).array()).square();
   const FieldDrive drive{eigenvalue.asDiagonal(), Eigen::MatrixXd::Zero(fields.rows(), count)};
@@ -77,13 +82,13 @@ Eigen::MatrixXd correction_loads(const CageMesh& mesh, const Material& material,
     force -= part.stiffness.selfadjointView<Eigen::Lower>() * carried;
     return force;
   };
-  const std::array<PocketDeviation, 4> deviations{PocketDeviation{.width = -0.5 * range.width},
-                                                  PocketDeviation{.length = -0.5 * range.length},
-                                                  PocketDeviation{.pitch = 0.5 * range.pitch},
-                                                  PocketDeviation{.squareness = 0.5 * range.squareness}};
+  const std::array<PocketDeviation, 4> deviations{
+      PocketDeviation{.width = -0.5 * range.width}, PocketDeviation{.length = -0.5 * range.length},
+      PocketDeviation{.pitch = 0.5 * range.pitch},
+      PocketDeviation{.squareness = 0.5 * range.squareness}};
   const Eigen::MatrixXd balanced = unbalance({});
-  Eigen::MatrixXd loads =
-      Eigen::MatrixXd::Zero(modes.shape.rows(), count * static_cast<Eigen::Index>(deviations.size()));
+  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(
+      modes.shape.rows(), count * static_cast<Eigen::Index>(deviations.size()));
   for (std::size_t i = 0; i < deviations.size(); ++i) {
     const Eigen::MatrixXd force = unbalance(deviations[i]) - balanced;
     for (std::size_t p = 0; p < grid.points.size(); ++p) {
@@ -112,7 +117,8 @@ Eigen::Vector2d end_face_motion(const std::vector<int>& node, const SectorReadin
 ModeFamily mode_family(const CageMesh& mesh, const SparseMatrix& mass,
                        const Eigen::Ref<const Eigen::VectorXd>& shape, double angle) {
   ModeFamily family;
-  family.waves = std::lround(std::abs(angle) * static_cast<double>(mesh.cage.pocket_count) / (2 * pi));
+  family.waves =
+      std::lround(std::abs(angle) * static_cast<double>(mesh.cage.pocket_count) / (2 * pi));
   Eigen::VectorXd axial = shape;
   for (Eigen::Index n = 0; n < mesh.mesh.nodes.cols(); ++n) axial.segment<2>(3 * n + 1).setZero();
   family.axial_share = axial.dot(mass.selfadjointView<Eigen::Lower>() * axial);
@@ -178,7 +184,8 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
   const Eigen::MatrixXd gram = basis.shapes.transpose() * (mass * basis.shapes);
   for (Eigen::Index o = -turn.reach; o <= turn.reach; ++o) {
     const Eigen::Index column = turn.seen_column(o);
-    basis.seen.middleCols(column, turn.per_sector) = first_sector(mesh, turn_fields(mesh, local, o));
+    basis.seen.middleCols(column, turn.per_sector) =
+        first_sector(mesh, turn_fields(mesh, local, o));
     const Eigen::MatrixXd carried = basis.shapes.transpose() * turn_fields(mesh, loads, o);
     basis.inertia.block(0, column, turn.modes, turn.per_sector) = -gram.llt().solve(carried);
   }
@@ -192,8 +199,9 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
   for (Eigen::Index o = 0; o < turn.sectors; ++o) {
     const Eigen::MatrixXd energy = turn_fields(mesh, local, o).transpose() * loads;
     for (Eigen::Index k = 0; k < turn.sectors; ++k) {
-      p.local_stiffness.block(turn.local_column(k, o) - turn.modes, turn.local_column(k, 0) - turn.modes,
-                              turn.per_sector, turn.per_sector) = energy;
+      p.local_stiffness.block(turn.local_column(k, o) - turn.modes,
+                              turn.local_column(k, 0) - turn.modes, turn.per_sector,
+                              turn.per_sector) = energy;
     }
   }
   return basis;

@@ -1,10 +1,11 @@
 // Displacement fields of the undeviated cage from which the cage of every sample is composed.
 //
 //   modes        6 rigid motions (unit translations and rotations), then the lowest free-free modes
-//   attachments  per sector: static response to a unit force on each bar station of its pocket, both faces
-//   corrections  per sector: static response to the forces by which a deviating pocket upsets the modes
-// Attachments and corrections hold no part of the modes (residual: orthogonal in stiffness and mass), so on
-// the undeviated cage they change nothing.
+//   attachments  per sector: static response to a unit force on each bar station of its pocket,
+//   both faces corrections  per sector: static response to the forces by which a deviating pocket
+//   upsets the modes
+// Attachments and corrections hold no part of the modes (residual: orthogonal in stiffness and
+// mass), so on the undeviated cage they change nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,9 +38,9 @@ std::string family_name(const ModeFamily& family);
 
 struct CageBasis {
   SectorTurn turn;
-  Eigen::MatrixXd shapes;  ///< modes on all nodes
-  Eigen::MatrixXd seen;    ///< seen columns on the nodes of sector 0
-  Eigen::MatrixXd inertia; ///< drive of the seen columns, see FieldDrive
+  Eigen::MatrixXd shapes;     ///< modes on all nodes
+  Eigen::MatrixXd seen;       ///< seen columns on the nodes of sector 0
+  Eigen::MatrixXd inertia;    ///< drive of the seen columns, see FieldDrive
   Eigen::VectorXd frequency;  ///< elastic modes [Hz]
   CageProjection projection;  ///< of the undeviated cage
   std::vector<ModeFamily> family;

@@ -39,31 +39,36 @@ std::optional<CageFault> pocket_fault(const CageDimensions& cage, const PocketDe
   if (!std::isfinite(width + length + deviation.pitch + deviation.squareness)) {
     return geometry_fault(pocket, "a deviation of the pocket is not a finite number");
   }
-  if (width <= 0) return geometry_fault(pocket, format_reason("pocket width is %.4g mm", 1e3 * width));
+  if (width <= 0)
+    return geometry_fault(pocket, format_reason("pocket width is %.4g mm", 1e3 * width));
   if (length <= 0) {
     return geometry_fault(pocket, format_reason("pocket length is %.4g mm", 1e3 * length));
   }
   const double side = 0.5 * (cage.width - length);
   if (side <= 0) {
     return geometry_fault(
-        pocket, format_reason("pocket breaks through the side rings, which are %.4g mm thick", 1e3 * side));
+        pocket,
+        format_reason("pocket breaks through the side rings, which are %.4g mm thick", 1e3 * side));
   }
-  // The narrowest place of a half bar: inner surface, at the pocket end towards which the face leans.
+  // The narrowest place of a half bar: inner surface, at the pocket end towards which the face
+  // leans.
   const double offset = 0.5 * width + 0.5 * cage.width * std::abs(deviation.squareness);
   const double bar = offset < cage.inner_radius
                          ? pi / static_cast<double>(cage.pocket_count) - std::abs(deviation.pitch) -
                                std::asin(offset / cage.inner_radius)
                          : -1.0;
   if (bar <= 0) {
-    return geometry_fault(pocket, format_reason("pocket reaches past the middle of a bar, which keeps "
-                                                "%.4g mm of its half at the inner surface",
-                                                1e3 * bar * cage.inner_radius));
+    return geometry_fault(pocket,
+                          format_reason("pocket reaches past the middle of a bar, which keeps "
+                                        "%.4g mm of its half at the inner surface",
+                                        1e3 * bar * cage.inner_radius));
   }
   return std::nullopt;
 }
 
-/// Line `p` of a row of `inner` elements from -1 to 1 between two rows of `outer` elements that reach to
-/// -2 and 2. Elements shrink towards -1 and 1, where the pocket's corners concentrate the strain.
+/// Line `p` of a row of `inner` elements from -1 to 1 between two rows of `outer` elements that
+/// reach to -2 and 2. Elements shrink towards -1 and 1, where the pocket's corners concentrate the
+/// strain.
 double graded(long p, long inner, long outer) {
   if (p < 0) return -graded(inner - p, inner, outer);
   if (p > inner) {
@@ -108,7 +113,8 @@ Eigen::Vector3d sector_position(const CageDimensions& cage, const PocketDeviatio
 }
 
 Eigen::Matrix3d sector_rotation(const CageDimensions& cage, long sector) {
-  const double angle = 2 * pi * static_cast<double>(sector) / static_cast<double>(cage.pocket_count);
+  const double angle =
+      2 * pi * static_cast<double>(sector) / static_cast<double>(cage.pocket_count);
   return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
 }
 
@@ -193,14 +199,15 @@ std::variant<CageMesh, CageFault> make_cage_mesh(const CageDimensions& cage,
   }
   for (std::size_t j = 0; j < sectors; ++j) {
     for (std::size_t i = 0; i < last_column.size(); ++i) {
-      result.sector_node[j][last_column[i]] = result.sector_node[(j + 1) % sectors][first_column[i]];
+      result.sector_node[j][last_column[i]] =
+          result.sector_node[(j + 1) % sectors][first_column[i]];
     }
   }
 
   result.mesh.nodes.resize(3, count);
   for (std::size_t j = 0; j < sectors; ++j) {
-    const Eigen::Matrix3Xd nodes = sector_rotation(cage, static_cast<long>(j)) *
-                                   sector_nodes(cage, deviations[j], grid);
+    const Eigen::Matrix3Xd nodes =
+        sector_rotation(cage, static_cast<long>(j)) * sector_nodes(cage, deviations[j], grid);
     for (std::size_t p = 0; p < grid.points.size(); ++p) {
       result.mesh.nodes.col(result.sector_node[j][p]) = nodes.col(static_cast<Eigen::Index>(p));
     }
@@ -211,7 +218,8 @@ std::variant<CageMesh, CageFault> make_cage_mesh(const CageDimensions& cage,
       }
       result.mesh.elements.push_back(element);
       if (hex8_smallest_jacobian(element_nodes(result.mesh, element)) <= 0) {
-        return geometry_fault(static_cast<long>(j), "an element of the pocket's sector is inverted");
+        return geometry_fault(static_cast<long>(j),
+                              "an element of the pocket's sector is inverted");
       }
     }
   }

@@ -1,13 +1,14 @@
-// Structured hexahedral mesh of a window cage: two side rings joined by Z bars, built from its dimensions.
+// Structured hexahedral mesh of a window cage: two side rings joined by Z bars, built from its
+// dimensions.
 //
-// Frame of the cage: x along the axis, angle theta from y towards z. The nominal centre of pocket j is
-// at theta = 2 pi j / Z. Sector j reaches from the middle plane of the bar before pocket j to the
-// middle plane of the bar after it; these planes stay where they are, so everything inside a sector
-// depends on the deviations of its own pocket only.
+// Frame of the cage: x along the axis, angle theta from y towards z. The nominal centre of pocket j
+// is at theta = 2 pi j / Z. Sector j reaches from the middle plane of the bar before pocket j to
+// the middle plane of the bar after it; these planes stay where they are, so everything inside a
+// sector depends on the deviations of its own pocket only.
 //
-// Faces of pocket j, in its own frame turned to 2 pi j / Z + pitch: leading face u = +S/2 + x gamma,
-// trailing face u = -S/2 + x gamma, end walls x = +-L/2; u is the tangential offset from the pocket's
-// central radial plane, so bars are wedges.
+// Faces of pocket j, in its own frame turned to 2 pi j / Z + pitch: leading face u = +S/2 + x
+// gamma, trailing face u = -S/2 + x gamma, end walls x = +-L/2; u is the tangential offset from the
+// pocket's central radial plane, so bars are wedges.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,8 +22,8 @@
 
 namespace cagetol {
 
-/// A mesh of 8-node hexahedra. Corners in the order of Abaqus, CalculiX and VTK: four around the lower
-/// face, four around the upper.
+/// A mesh of 8-node hexahedra. Corners in the order of Abaqus, CalculiX and VTK: four around the
+/// lower face, four around the upper.
 struct HexMesh {
   Eigen::Matrix3Xd nodes;  ///< [m]
   std::vector<std::array<int, 8>> elements;
@@ -55,8 +56,8 @@ struct MeshCounts {
   long length = 8;    ///< along a pocket
 };
 
-/// `density` elements through the thickness, a little finer along the bars and across bars and side rings,
-/// coarser across the pocket, where the side ring only bends.
+/// `density` elements through the thickness, a little finer along the bars and across bars and side
+/// rings, coarser across the pocket, where the side ring only bends.
 MeshCounts mesh_counts(const CageDimensions& cage, long density);
 
 enum class CageFaultKind {
@@ -108,8 +109,8 @@ struct CageMesh {
   std::vector<std::vector<int>> sector_node;
 };
 
-/// Impossible geometry, found from the dimensions alone: a pocket that breaks through a side ring, into
-/// its neighbour, or past the middle of a bar. Nothing where the cage is possible.
+/// Impossible geometry, found from the dimensions alone: a pocket that breaks through a side ring,
+/// into its neighbour, or past the middle of a bar. Nothing where the cage is possible.
 std::optional<CageFault> cage_fault(const CageDimensions& cage,
                                     const std::vector<PocketDeviation>& deviations);
 

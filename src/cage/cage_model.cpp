@@ -44,14 +44,14 @@ struct Followed {
   MatrixXd local;  ///< l x elastic: local fields that go with each mode
 };
 
-/// Elastic modes. K has no entries on rigid motions, exactly, so these follow freely and what remains of the
-/// mass decides; local fields follow statically.
-void solve_modes(const SectorTurn& turn, const CageProjection& p, const Followed& followed, long count,
-                 CageModel& model, Coefficients& out) {
+/// Elastic modes. K has no entries on rigid motions, exactly, so these follow freely and what
+/// remains of the mass decides; local fields follow statically.
+void solve_modes(const SectorTurn& turn, const CageProjection& p, const Followed& followed,
+                 long count, CageModel& model, Coefficients& out) {
   const Index elastic = turn.modes - 6;
   const MatrixXd stiffness = p.modal_stiffness + p.cross_stiffness.transpose() * followed.local;
-  const MatrixXd coupling = p.modal_mass.topRightCorner(6, elastic) +
-                            p.cross_mass.transpose() * followed.local;
+  const MatrixXd coupling =
+      p.modal_mass.topRightCorner(6, elastic) + p.cross_mass.transpose() * followed.local;
   const MatrixXd rigid = -followed.rigid_mass.solve(coupling);
   const MatrixXd mass =
       p.modal_mass.bottomRightCorner(elastic, elastic) + coupling.transpose() * rigid;
@@ -66,10 +66,11 @@ void solve_modes(const SectorTurn& turn, const CageProjection& p, const Followed
   out.modes.bottomRows(turn.all() - turn.modes) = followed.local * vectors;
 }
 
-/// Static response to the loads (rows of all columns at the loaded points), inertia relief, minus what the
-/// kept modes carry. Solved by elimination of the local fields.
+/// Static response to the loads (rows of all columns at the loaded points), inertia relief, minus
+/// what the kept modes carry. Solved by elimination of the local fields.
 void solve_residual(const SectorTurn& turn, const CageProjection& p, const Followed& followed,
-                    const MatrixXd& load_rows, const Eigen::VectorXd& frequency, Coefficients& out) {
+                    const MatrixXd& load_rows, const Eigen::VectorXd& frequency,
+                    Coefficients& out) {
   const Index elastic = turn.modes - 6;
   const Index local = turn.all() - turn.modes;
   const MatrixXd acceleration = followed.rigid_mass.solve(load_rows.leftCols<6>().transpose());
@@ -95,9 +96,9 @@ Eigen::Map<const MatrixXd> sector_rows(const SectorTurn& turn, const MatrixXd& f
   return {flat.col(k).data(), flat.rows() / turn.seen(), turn.seen()};
 }
 
-/// Tangential rows of all bar stations on all columns. A unit force is what drives its attachment, so on the
-/// undeviated cage its row on the local fields is the attachment's row of the stiffness, without limit of
-/// reach; only the change is read from the sector.
+/// Tangential rows of all bar stations on all columns. A unit force is what drives its attachment,
+/// so on the undeviated cage its row on the local fields is the attachment's row of the stiffness,
+/// without limit of reach; only the change is read from the sector.
 MatrixXd bar_rows(const CageTable& table, const MatrixXd& contact, Index n) {
   const SectorTurn& turn = table.turn;
   const Index local = turn.all() - turn.modes;
@@ -160,8 +161,8 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
       coefficient.middleRows(kept + (o + model.span) * per_pocket, per_pocket) =
           residual.middleRows(pocket * per_pocket, per_pocket);
     }
-    const MatrixXd stress =
-        sector_rows(table.turn, flat, k) * seen_coefficients(table.turn, coefficient, k).transpose();
+    const MatrixXd stress = sector_rows(table.turn, flat, k) *
+                            seen_coefficients(table.turn, coefficient, k).transpose();
     model.stress.middleRows(k * per_sector, per_sector) = stress.leftCols(kept);
     model.stress_residual.middleRows(k * per_sector, per_sector) = stress.rightCols(forces);
   }

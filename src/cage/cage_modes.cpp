@@ -18,7 +18,8 @@ using Map = Eigen::Map<Eigen::VectorXd>;
 class ElasticInverse {
  public:
   using Scalar = double;
-  ElasticInverse(const ShiftedFactor& factor, const RigidMotions& rigid, const RigidMotions& mass_rigid)
+  ElasticInverse(const ShiftedFactor& factor, const RigidMotions& rigid,
+                 const RigidMotions& mass_rigid)
       : factor_(&factor), rigid_(&rigid), mass_rigid_(&mass_rigid) {}
   Eigen::Index rows() const { return rigid_->rows(); }
   Eigen::Index cols() const { return rigid_->rows(); }
@@ -114,7 +115,9 @@ FreeModes checked_free_modes(const HexMesh& mesh, const BodyMatrices& body,
   for (long attempt = 1; attempt <= 4; ++attempt) {
     const long vectors = std::min<long>(body.mass.rows() - 6, (attempt + 1) * wanted + 20);
     FreeModes modes = lanczos(mesh, body, factor, wanted, vectors);
-    const auto gap = [&](Eigen::Index i) { return modes.frequency[i] / modes.frequency[i - 1] - 1; };
+    const auto gap = [&](Eigen::Index i) {
+      return modes.frequency[i] / modes.frequency[i - 1] - 1;
+    };
     Eigen::Index kept = count;
     while (kept > 1 && gap(kept) < 1e-6) --kept;
     const double between = 0.5 * (modes.frequency[kept - 1] + modes.frequency[kept]);

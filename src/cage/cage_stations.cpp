@@ -29,7 +29,8 @@ CageStations cage_stations(const Scene& scene) {
   CageStations stations;
   const CageGeometry& cage = scene.cage;
   double diameter = 0;
-  for (double d : scene.roller.diameter) diameter += d / static_cast<double>(scene.roller.diameter.size());
+  for (double d : scene.roller.diameter)
+    diameter += d / static_cast<double>(scene.roller.diameter.size());
   const long n = scene.discretisation.bar_stations;
   stations.bar_x.clear();
   for (long i = 0; i < n; ++i) {
@@ -53,8 +54,8 @@ long contact_points(const CageStations& stations) {
 
 SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations,
                         const PocketDeviation& deviation, double face, double x) {
-  const double depth = (stations.pitch_radius - cage.inner_radius) /
-                       (cage.outer_radius - cage.inner_radius);
+  const double depth =
+      (stations.pitch_radius - cage.inner_radius) / (cage.outer_radius - cage.inner_radius);
   const double half_length = 0.5 * (cage.pocket_length + deviation.length);
   return {std::clamp(depth, 0.0, 1.0), face, std::clamp(x / half_length, -1.0, 1.0)};
 }
@@ -124,19 +125,29 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
   for (double end : {-1.0, 1.0}) {
     add({surface, 0, end * std::max(1.0, land(half_length))}, deviation.pitch);
   }
-  for (double end : {-1.0, 1.0}) add({surface, 2, end * land(0.5 * cage.pocket_length)}, bar_middle);
+  for (double end : {-1.0, 1.0})
+    add({surface, 2, end * land(0.5 * cage.pocket_length)}, bar_middle);
   return rows;
 }
 
 std::vector<int> stress_stations(const SectorGrid& grid) {
+  // Forces off the middle put the largest moment between middle and root: the line of nodes next to
+  // 0.4.
+  double between = 0;
+  for (const SectorPoint& point : grid.points) {
+    if (std::abs(point.axial - 0.4) < std::abs(between - 0.4)) between = point.axial;
+  }
   std::vector<int> stations;
   for (std::size_t p = 0; p < grid.points.size(); ++p) {
     const SectorPoint& point = grid.points[p];
     const bool surface = point.radial == 0 || point.radial == 1;
     const double around = std::abs(point.around);
     const double axial = std::abs(point.axial);
-    const bool corner = around == 1 && axial == 1;
-    const bool bar_middle = around == 1 && axial == 0 && surface;
+    const bool middle_depth =
+        std::abs(point.radial - 0.5) < 0.51 / static_cast<double>(grid.counts.radial) &&
+        (grid.counts.radial % 2 == 1 || point.radial == 0.5);
+    const bool corner = around == 1 && axial == 1 && (surface || middle_depth);
+    const bool bar_middle = around == 1 && (axial == 0 || axial == between) && surface;
     const bool side_ring = around == 0 && (axial == 1 || axial == 2) && surface;
     if (corner || bar_middle || side_ring) stations.push_back(static_cast<int>(p));
   }
@@ -152,9 +163,11 @@ std::string station_name(const SectorPoint& point) {
   if (std::abs(point.around) == 1 && std::abs(point.axial) == 1) {
     return "bar root, " + face + ", " + half + ", " + surface;
   }
-  if (std::abs(point.around) == 1) return "bar middle, " + face + ", " + surface;
-  return std::string("side ring, ") + (std::abs(point.axial) == 1 ? "pocket end" : "end face") + ", " +
-         half + ", " + surface;
+  if (std::abs(point.around) == 1)
+    return (point.axial == 0 ? "bar middle, " + face : "bar, " + face + ", " + half) + ", " +
+           surface;
+  return std::string("side ring, ") + (std::abs(point.axial) == 1 ? "pocket end" : "end face") +
+         ", " + half + ", " + surface;
 }
 
 }  // namespace cagetol

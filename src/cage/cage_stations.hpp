@@ -1,4 +1,5 @@
-// Where the cage is touched and where its stress is watched, and the reading of displacement fields there.
+// Where the cage is touched and where its stress is watched, and the reading of displacement fields
+// there.
 //
 // Contact points of a pocket, in this order (n bar stations per face):
 //   0 ... n-1           trailing face (u = -S/2), rising x     bar stations at the pitch radius
@@ -7,8 +8,9 @@
 //   2n+2, 2n+3          end wall at x = +L/2, u = -a and +a
 //   2n+4, 2n+5          guiding surface at x = -+land_offset, middle of the pocket
 //   2n+6, 2n+7          guiding surface at x = -+land_offset, middle of the bar after the pocket
-// Each point has three displacement rows: radial, tangential, axial, along e_r and e_t of the pocket's own
-// centre (nominal angle plus pitch deviation); at the bar's middle along those of the bar's middle plane.
+// Each point has three displacement rows: radial, tangential, axial, along e_r and e_t of the
+// pocket's own centre (nominal angle plus pitch deviation); at the bar's middle along those of the
+// bar's middle plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,13 +28,14 @@ struct CageStations {
   bool outer_guided = true;                          ///< guiding surface is the outer one
 };
 
-/// Stations of a scene: bar_stations at the middles' span +-0.4 L_w, end points at 0.8 of the roller radius,
-/// lands at scene.cage.land_offset or, if auto, in the middle of the side rings.
+/// Stations of a scene: bar_stations at the middles' span +-0.4 L_w, end points at 0.8 of the
+/// roller radius, lands at scene.cage.land_offset or, if auto, in the middle of the side rings.
 CageStations cage_stations(const Scene& scene);
 
 long contact_points(const CageStations& stations);  ///< per pocket
 
-/// Place of a bar station at axial position x; face -1: trailing, +1: leading. Beyond the pocket's end: there.
+/// Place of a bar station at axial position x; face -1: trailing, +1: leading. Beyond the pocket's
+/// end: there.
 SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations,
                         const PocketDeviation& deviation, double face, double x);
 
@@ -45,14 +48,14 @@ struct SectorReading {
 /// Reads at a place of the grid. The place must lie in the material.
 SectorReading read_at(const SectorGrid& grid, const SectorPoint& place);
 
-/// The rows of all contact points of a pocket: 3 contact_points x 3 points of the grid, times fields in the
-/// sector's own frame. A bar station beyond the pocket's end reads at the end.
+/// The rows of all contact points of a pocket: 3 contact_points x 3 points of the grid, times
+/// fields in the sector's own frame. A bar station beyond the pocket's end reads at the end.
 Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& stations,
                              const SectorGrid& grid, const PocketDeviation& deviation,
                              const Eigen::MatrixXd& sector_fields);
 
-/// Grid points at which the stress can be largest: the pocket's four corners at all depths, the bar faces
-/// half-way, the side rings' edges at the pocket's middle.
+/// Grid points at which the stress can be largest: the pocket's four corners at three depths, the
+/// bar faces at and beside the middle, the side rings' edges at the pocket's middle.
 std::vector<int> stress_stations(const SectorGrid& grid);
 
 /// "pocket corner, leading face, x > 0, outer surface" and the like, for reports.

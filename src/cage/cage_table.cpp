@@ -36,8 +36,7 @@ void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis) 
       return Eigen::MatrixXd(carried.transpose() * product);
     };
     pack_share(turn, project(body.stiffness), project(body.mass), projection.col(s));
-    contact.col(s) =
-        contact_rows(table.cage, table.stations, grid, deviation, carried).reshaped();
+    contact.col(s) = contact_rows(table.cage, table.stations, grid, deviation, carried).reshaped();
     stress.col(s) = nodal_stress(sector, table.material, carried, watched).reshaped();
   }
   table.projection = fit_polynomial(projection, table.range);

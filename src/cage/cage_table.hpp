@@ -1,8 +1,8 @@
 // What a scene tabulates once so that the cage of every sample costs about a millisecond.
 //
-// A sector's share of the projected stiffness and mass, its contact rows and its stress rows depend on the
-// deviations of its own pocket only (sector_carry.hpp). They are fitted by polynomials (sector_polynomial.hpp),
-// for one sector: the basis looks the same from all (sector_turn.hpp).
+// A sector's share of the projected stiffness and mass, its contact rows and its stress rows depend
+// on the deviations of its own pocket only (sector_carry.hpp). They are fitted by polynomials
+// (sector_polynomial.hpp), for one sector: the basis looks the same from all (sector_turn.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -53,7 +53,8 @@ void complete_cage_table(CageTable& table, const CageDimensions& cage, const Mat
 std::string cage_table_key(const CageDimensions& cage, const Material& material,
                            const CageStations& stations, const CageTableOptions& options);
 
-/// The table from `folder`/cage-<key>.bin where that file exists and is whole, else made and written there.
+/// The table from `folder`/cage-<key>.bin where that file exists and is whole, else made and
+/// written there.
 CageTable cached_cage_table(const std::filesystem::path& folder, const CageDimensions& cage,
                             const Material& material, const CageStations& stations,
                             const CageTableOptions& options = {});

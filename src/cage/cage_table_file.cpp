@@ -1,4 +1,5 @@
-// Cache file of a cage table: a magic line, the key, then every array as sizes and doubles, native byte order.
+// Cache file of a cage table: a magic line, the key, then every array as sizes and doubles, native
+// byte order.
 #include <unistd.h>
 
 #include <bit>
@@ -112,7 +113,8 @@ void transfer(Stream stream, Table& table) {
 bool read_table(const std::filesystem::path& file, const std::string& head, CageTable& table) {
   std::ifstream in(file, std::ios::binary);
   std::string found(head.size(), '\0');
-  if (!in.read(found.data(), static_cast<std::streamsize>(found.size())) || found != head) return false;
+  if (!in.read(found.data(), static_cast<std::streamsize>(found.size())) || found != head)
+    return false;
   transfer(Reader(in), table);
   std::string tail(head.size(), '\0');
   return in.read(tail.data(), static_cast<std::streamsize>(tail.size())) && tail == head;
@@ -150,8 +152,8 @@ CageTable cached_cage_table(const std::filesystem::path& folder, const CageDimen
     return table;
   }
   table = make_cage_table(cage, material, stations, options);
-  // Written under a name of its own and renamed, so that several processes may start together. A cache that
-  // cannot be written costs time, not the run.
+  // Written under a name of its own and renamed, so that several processes may start together. A
+  // cache that cannot be written costs time, not the run.
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const std::filesystem::path part = file.string() + "." + std::to_string(getpid());

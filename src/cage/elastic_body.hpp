@@ -19,15 +19,15 @@ struct BodyMatrices {
 };
 BodyMatrices assemble_body(const HexMesh& mesh, const Material& material);
 
-/// Columns: unit translation along x, y, z and unit rotation about x, y, z through the origin (linear
-/// displacement omega x X). These six are exact for any mesh.
+/// Columns: unit translation along x, y, z and unit rotation about x, y, z through the origin
+/// (linear displacement omega x X). These six are exact for any mesh.
 using RigidMotions = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 RigidMotions rigid_motions(const Eigen::Matrix3Xd& nodes);
 
 struct MassProperties {
-  double mass = 0;                                          ///< [kg]
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();         ///< [m]
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();        ///< about the mass centre [kg m^2]
+  double mass = 0;                                    ///< [kg]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about the mass centre [kg m^2]
 };
 /// From the 6 x 6 mass matrix of the rigid motions above.
 MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& rigid_mass);
@@ -35,7 +35,8 @@ MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& rigid_mass);
 /// Rigid motions combined to be mass-orthonormal.
 RigidMotions mass_orthonormal(const RigidMotions& motions, const SparseMatrix& mass);
 
-/// Cholesky factor of K + s M, s > 0: positive definite although K alone is singular. Supernodal (CHOLMOD).
+/// Cholesky factor of K + s M, s > 0: positive definite although K alone is singular. Supernodal
+/// (CHOLMOD).
 class ShiftedFactor {
  public:
   ShiftedFactor(const BodyMatrices& body, double shift);
@@ -52,13 +53,15 @@ class ShiftedFactor {
   double shift_;
 };
 
-/// A shift well below the first elastic eigenvalue [rad^2/s^2]: a fraction of the Rayleigh quotient of the
-/// oval (n = 2) deformation of a ring about the x axis, which bounds that eigenvalue from above.
+/// A shift well below the first elastic eigenvalue [rad^2/s^2]: a fraction of the Rayleigh quotient
+/// of the oval (n = 2) deformation of a ring about the x axis, which bounds that eigenvalue from
+/// above.
 double ring_shift(const HexMesh& mesh, const BodyMatrices& body);
 
-/// Static elastic displacement under each column of `loads`, inertia relief: the rigid-body acceleration
-/// balances the load, and the displacement holds no rigid motion (mass-orthogonal to all six).
-/// Iterates with the shifted factor, whose error shrinks by shift / (shift + first eigenvalue) each time.
+/// Static elastic displacement under each column of `loads`, inertia relief: the rigid-body
+/// acceleration balances the load, and the displacement holds no rigid motion (mass-orthogonal to
+/// all six). Iterates with the shifted factor, whose error shrinks by shift / (shift + first
+/// eigenvalue) each time.
 Eigen::MatrixXd free_static_response(const BodyMatrices& body, const ShiftedFactor& factor,
                                      const RigidMotions& rigid_orthonormal,
                                      const Eigen::MatrixXd& loads);

@@ -1,6 +1,7 @@
 // Stresses of displacement fields at the nodes of a mesh.
 //
-// A field has one displacement vector per node (3 n + d); several fields are the columns of a matrix.
+// A field has one displacement vector per node (3 n + d); several fields are the columns of a
+// matrix.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +11,9 @@
 
 namespace cagetol {
 
-/// Stress of each field at chosen nodes: rows 6 i + (xx, yy, zz, xy, yz, zx) for node `nodes[i]`. Values
-/// extrapolated from the Gauss points and averaged over the elements that meet at the node [Pa per unit].
+/// Stress of each field at chosen nodes: rows 6 i + (xx, yy, zz, xy, yz, zx) for node `nodes[i]`.
+/// Values extrapolated from the Gauss points and averaged over the elements that meet at the node
+/// [Pa per unit].
 Eigen::MatrixXd nodal_stress(const HexMesh& mesh, const Material& material,
                              const Eigen::MatrixXd& fields, const std::vector<int>& nodes);
 

@@ -40,7 +40,9 @@ ShapeDerivatives shape_derivatives(const Eigen::Vector3d& xi) {
   return value;
 }
 
-Eigen::Vector3d gauss_point(int g) { return hex8_corner(g) / std::sqrt(3.0); }
+Eigen::Vector3d gauss_point(int g) {
+  return hex8_corner(g) / std::sqrt(3.0);
+}
 
 /// Jacobian dx/dxi: row i is the derivative of the position with respect to xi_i.
 Eigen::Matrix3d jacobian(const Hex8Nodes& nodes, const ShapeDerivatives& derivatives) {
@@ -83,7 +85,8 @@ StrainMatrix strain_matrix(const Hex8Derivatives& derivatives) {
   return b;
 }
 
-Eigen::Matrix<double, 6, 24> eliminate_internal(const StrainMatrix& b, const Hex8Internal& internal) {
+Eigen::Matrix<double, 6, 24> eliminate_internal(const StrainMatrix& b,
+                                                const Hex8Internal& internal) {
   return b.leftCols<24>() + b.rightCols<9>() * internal;
 }
 
@@ -103,8 +106,7 @@ Hex8Nodes element_nodes(const HexMesh& mesh, const std::array<int, 8>& element) 
 double hex8_smallest_jacobian(const Hex8Nodes& nodes) {
   double smallest = jacobian(nodes, shape_derivatives(Eigen::Vector3d::Zero())).determinant();
   for (int a = 0; a < 8; ++a) {
-    smallest =
-        std::min(smallest, jacobian(nodes, shape_derivatives(hex8_corner(a))).determinant());
+    smallest = std::min(smallest, jacobian(nodes, shape_derivatives(hex8_corner(a))).determinant());
   }
   return smallest;
 }
@@ -175,7 +177,8 @@ std::array<Eigen::Matrix<double, 6, 24>, 8> hex8_corner_strain(const Hex8Nodes& 
     at_gauss[static_cast<std::size_t>(g)] = eliminate_internal(strain_matrix(point), internal);
   }
   for (int a = 0; a < 8; ++a) {
-    // Gauss points are the corners of a cube 1/sqrt(3) the size; the corner lies at sqrt(3) in its frame.
+    // Gauss points are the corners of a cube 1/sqrt(3) the size; the corner lies at sqrt(3) in its
+    // frame.
     const Eigen::Matrix<double, 8, 1> weight = shape(std::sqrt(3.0) * hex8_corner(a));
     auto& strain = at_corner[static_cast<std::size_t>(a)];
     strain.setZero();

@@ -1,11 +1,12 @@
-// 8-node hexahedron with incompatible modes (the class of C3D8I): the three bending modes 1 - xi_i^2 that
-// the plain element lacks, without which a bar one element thick is a third too stiff.
+// 8-node hexahedron with incompatible modes (the class of C3D8I): the three bending modes 1 -
+// xi_i^2 that the plain element lacks, without which a bar one element thick is a third too stiff.
 //
-// Wilson et al., Incompatible displacement models (1973), with the correction of Taylor, Beresford and
-// Wilson, IJNME 10 (1976) 1211, doi 10.1002/nme.1620100602: derivatives of the incompatible modes use the
-// Jacobian at the element's centre, scaled by det J0 / det J, so that their integral vanishes and every
-// constant stress state passes the patch test on distorted meshes. 2 x 2 x 2 Gauss points; consistent mass.
-// Isotropic linear elasticity. Stress and strain order: xx, yy, zz, xy, yz, zx (engineering shear).
+// Wilson et al., Incompatible displacement models (1973), with the correction of Taylor, Beresford
+// and Wilson, IJNME 10 (1976) 1211, doi 10.1002/nme.1620100602: derivatives of the incompatible
+// modes use the Jacobian at the element's centre, scaled by det J0 / det J, so that their integral
+// vanishes and every constant stress state passes the patch test on distorted meshes. 2 x 2 x 2
+// Gauss points; consistent mass. Isotropic linear elasticity. Stress and strain order: xx, yy, zz,
+// xy, yz, zx (engineering shear).
 #pragma once
 
 #include <Eigen/Core>
@@ -32,7 +33,8 @@ double hex8_smallest_jacobian(const Hex8Nodes& nodes);
 Eigen::Matrix<double, 6, 6> elasticity(const Material& material);
 
 struct Hex8 {
-  Hex8Matrix stiffness;   ///< incompatible modes eliminated; unknown 3 a + d: corner a, direction d [N/m]
+  Hex8Matrix
+      stiffness;  ///< incompatible modes eliminated; unknown 3 a + d: corner a, direction d [N/m]
   Hex8Internal internal;  ///< incompatible parameters that go with corner displacements
 };
 Hex8 hex8_stiffness(const Hex8Nodes& nodes, const Material& material);
@@ -50,8 +52,8 @@ Eigen::Matrix<double, 6, 24> hex8_strain(const Hex8Nodes& nodes, const Hex8Inter
 /// Local coordinates of corner a.
 Eigen::Vector3d hex8_corner(int a);
 
-/// Strain operators at the 8 corners, extrapolated trilinearly from the Gauss points, where the element is
-/// most accurate.
+/// Strain operators at the 8 corners, extrapolated trilinearly from the Gauss points, where the
+/// element is most accurate.
 std::array<Eigen::Matrix<double, 6, 24>, 8> hex8_corner_strain(const Hex8Nodes& nodes,
                                                                const Hex8Internal& internal);
 

@@ -48,13 +48,15 @@ Eigen::MatrixXd bar_loads(const CageDimensions& cage, const CageStations& statio
                           const SectorGrid& grid, const PocketDeviation& deviation) {
   const auto n = static_cast<Eigen::Index>(stations.bar_x.size());
   const Eigen::Vector3d tangent(0, -std::sin(deviation.pitch), std::cos(deviation.pitch));
-  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(grid.points.size()), 2 * n);
+  Eigen::MatrixXd loads =
+      Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(grid.points.size()), 2 * n);
   for (Eigen::Index i = 0; i < 2 * n; ++i) {
     const double x = stations.bar_x[static_cast<std::size_t>(i % n)];
     const SectorReading place =
         read_at(grid, bar_station(cage, stations, deviation, i < n ? -1 : 1, x));
     for (int a = 0; a < 8; ++a) {
-      loads.block<3, 1>(3 * place.point[static_cast<std::size_t>(a)], i) += place.weight[a] * tangent;
+      loads.block<3, 1>(3 * place.point[static_cast<std::size_t>(a)], i) +=
+          place.weight[a] * tangent;
     }
   }
   return loads;

@@ -22,8 +22,8 @@ PocketDeviation unscaled(const Point& p, const PocketDeviation& range) {
 }  // namespace
 
 PocketDeviation table_range(const CageDimensions& cage) {
-  const double half_bar = cage.inner_radius *
-                          (std::numbers::pi / static_cast<double>(cage.pocket_count) -
+  const double half_bar =
+      cage.inner_radius * (std::numbers::pi / static_cast<double>(cage.pocket_count) -
                            std::asin(0.5 * cage.pocket_width / cage.inner_radius));
   const double side = 0.5 * (cage.width - cage.pocket_length);
   return {.width = 0.5 * half_bar,
@@ -87,8 +87,7 @@ Eigen::MatrixXd fit_polynomial(const Eigen::MatrixXd& values, const PocketDeviat
     rises.row(i - 1) =
         polynomial_terms(samples[static_cast<std::size_t>(i)], range).tail(terms - 1).transpose();
   }
-  const Eigen::MatrixXd inverse =
-      rises.completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::MatrixXd inverse = rises.completeOrthogonalDecomposition().pseudoInverse();
   Eigen::MatrixXd coefficients(values.rows(), terms);
   coefficients.col(0) = values.col(0);
   coefficients.rightCols(terms - 1).noalias() =

@@ -1,7 +1,7 @@
 // Quantities of a sector as polynomials of its pocket's own deviations.
 //
-// The carried basis is linear in the deviations and the element matrices bend gently with the nodes, so a
-// quadratic in all four deviations and a cubic in width and length follow them closely.
+// The carried basis is linear in the deviations and the element matrices bend gently with the
+// nodes, so a quadratic in all four deviations and a cubic in width and length follow them closely.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +22,8 @@ Eigen::VectorXd polynomial_terms(const PocketDeviation& deviation, const PocketD
 /// Deviations at which a sector is computed to fit the polynomial; the first is zero.
 std::vector<PocketDeviation> polynomial_samples(const PocketDeviation& range);
 
-/// Least-squares coefficients (quantities x terms) from values at the samples (quantities x samples); the
-/// sample at zero deviation is met exactly.
+/// Least-squares coefficients (quantities x terms) from values at the samples (quantities x
+/// samples); the sample at zero deviation is met exactly.
 Eigen::MatrixXd fit_polynomial(const Eigen::MatrixXd& values, const PocketDeviation& range);
 
 }  // namespace cagetol

@@ -6,7 +6,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-Index triangle(Index n) { return n * (n + 1) / 2; }
+Index triangle(Index n) {
+  return n * (n + 1) / 2;
+}
 
 void pack_lower(const Eigen::Ref<const MatrixXd>& matrix, double* to) {
   for (Index j = 0; j < matrix.cols(); ++j) {
@@ -25,8 +27,8 @@ void unpack_lower(const double* from, Eigen::Ref<MatrixXd> matrix) {
 ShareLayout share_layout(const SectorTurn& turn) {
   const Index elastic = turn.modes - 6;
   const Index local = turn.seen() - turn.modes;
-  ShareLayout layout{triangle(elastic), local * elastic, triangle(local), triangle(turn.modes),
-                     local * 6, 0};
+  ShareLayout layout{triangle(elastic),    local * elastic, triangle(local),
+                     triangle(turn.modes), local * 6,       0};
   layout.size = layout.modal_stiffness + layout.cross_stiffness + layout.local_stiffness +
                 layout.modal_mass + layout.cross_mass;
   return layout;

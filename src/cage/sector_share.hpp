@@ -1,7 +1,8 @@
 // A sector's share of the cage's projected stiffness and mass, packed for the table, and their sum.
 //
-// Kept: stiffness of elastic modes and local fields (rigid motions have none, exactly); mass of all modes, and
-// of local fields with rigid motions. The mass of local fields otherwise is left out: they follow statically.
+// Kept: stiffness of elastic modes and local fields (rigid motions have none, exactly); mass of all
+// modes, and of local fields with rigid motions. The mass of local fields otherwise is left out:
+// they follow statically.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +23,8 @@ struct ShareLayout {
 ShareLayout share_layout(const SectorTurn& turn);
 
 /// Packs the projections on the seen columns.
-void pack_share(const SectorTurn& turn, const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& mass,
-                Eigen::Ref<Eigen::VectorXd> share);
+void pack_share(const SectorTurn& turn, const Eigen::MatrixXd& stiffness,
+                const Eigen::MatrixXd& mass, Eigen::Ref<Eigen::VectorXd> share);
 
 /// Projections of the whole cage; l runs over the local fields of all sectors.
 struct CageProjection {
@@ -34,9 +35,9 @@ struct CageProjection {
   Eigen::MatrixXd cross_mass;       ///< l x rigid
 };
 
-/// Adds the change of each sector's share (columns of `changes`), turned to its place. Only changes may be
-/// summed this way: the small parts beyond the reach of local fields, left out here, cancel in the projections
-/// of the undeviated cage, where local fields are orthogonal to modes.
+/// Adds the change of each sector's share (columns of `changes`), turned to its place. Only changes
+/// may be summed this way: the small parts beyond the reach of local fields, left out here, cancel
+/// in the projections of the undeviated cage, where local fields are orthogonal to modes.
 void add_shares(const SectorTurn& turn, const Eigen::MatrixXd& changes, CageProjection& projection);
 
 }  // namespace cagetol

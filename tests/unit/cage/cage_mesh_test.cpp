@@ -10,7 +10,8 @@
 namespace cagetol {
 namespace {
 
-/// Area of the part of the annulus between -half and +half of the tangential offset, by its exact integral.
+/// Area of the part of the annulus between -half and +half of the tangential offset, by its exact
+/// integral.
 double strip_area(double inner, double outer, double half) {
   const auto under = [&](double r) {
     return half * std::sqrt(r * r - half * half) + r * r * std::asin(half / r);
@@ -20,7 +21,8 @@ double strip_area(double inner, double outer, double half) {
 
 double mesh_volume(const HexMesh& mesh) {
   double volume = 0;
-  for (const auto& element : mesh.elements) volume += hex8_mass(element_nodes(mesh, element), 1).sum();
+  for (const auto& element : mesh.elements)
+    volume += hex8_mass(element_nodes(mesh, element), 1).sum();
   return volume;
 }
 
@@ -35,8 +37,8 @@ TEST(CageMesh, VolumeOfRingMinusPockets) {
     deviations[3].pitch = 4e-3;
     const auto meshed = make_cage_mesh(cage, deviations, mesh_counts(cage, 6));
     const auto& mesh = std::get<CageMesh>(meshed).mesh;
-    double exact = std::numbers::pi * (std::pow(cage.outer_radius, 2) - std::pow(cage.inner_radius, 2)) *
-                   cage.width;
+    double exact = std::numbers::pi *
+                   (std::pow(cage.outer_radius, 2) - std::pow(cage.inner_radius, 2)) * cage.width;
     for (const auto& deviation : deviations) {
       exact -= strip_area(cage.inner_radius, cage.outer_radius,
                           0.5 * (cage.pocket_width + deviation.width)) *

@@ -73,7 +73,8 @@ TEST(CageModel, UndeviatedCageIsExact) {
 }
 
 TEST(CageModel, ScatteredPocketsWithinTwoPermille) {
-  for (unsigned seed = 1; seed <= 6; ++seed) EXPECT_LT(frequency_error(scattered(seed)), 0.002) << seed;
+  for (unsigned seed = 1; seed <= 6; ++seed)
+    EXPECT_LT(frequency_error(scattered(seed)), 0.002) << seed;
 }
 
 TEST(CageModel, UniformExtremesWithinFivePermille) {
@@ -89,8 +90,8 @@ TEST(CageModel, MassCentreAndInertiaAreThoseOfTheMesh) {
   const Deviations deviations = scattered(3);
   const FullCage full(deviations);
   const RigidMotions rigid = rigid_motions(full.mesh.mesh.nodes);
-  const MassProperties exact = mass_properties(
-      rigid.transpose() * (full.body.mass.selfadjointView<Eigen::Lower>() * rigid));
+  const MassProperties exact =
+      mass_properties(rigid.transpose() * (full.body.mass.selfadjointView<Eigen::Lower>() * rigid));
   const MassProperties got = model_of(deviations).body;
   EXPECT_NEAR(got.mass / exact.mass, 1, 1e-6);
   EXPECT_GT(exact.centre.norm(), 1e-5);
@@ -98,7 +99,8 @@ TEST(CageModel, MassCentreAndInertiaAreThoseOfTheMesh) {
   EXPECT_LT((got.inertia - exact.inertia).norm(), 1e-5 * exact.inertia.norm());
 }
 
-/// Lengthening one pocket takes material from its place: the mass centre moves away from the pocket.
+/// Lengthening one pocket takes material from its place: the mass centre moves away from the
+/// pocket.
 TEST(CageModel, MassCentreMovesAwayFromTheLongPocket) {
   Deviations deviations(13);
   deviations[4].length = 0.3e-3;
@@ -108,21 +110,22 @@ TEST(CageModel, MassCentreMovesAwayFromTheLongPocket) {
   EXPECT_NEAR(centre[0], 0, 1e-12);
 }
 
-/// Compliance at contact points by the kept modes and the residual, against a full static solve of the
-/// deviated cage; and the stress at all stations.
+/// Compliance at contact points by the kept modes and the residual, against a full static solve of
+/// the deviated cage; and the stress at all stations.
 TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
   const CageStations& stations = table().stations;
   for (unsigned seed : {1U, 2U, 3U}) {
-    const Deviations deviations = seed == 3 ? Deviations(13, {.width = -0.2e-3, .length = -0.25e-3})
-                                            : scattered(seed);
+    const Deviations deviations =
+        seed == 3 ? Deviations(13, {.width = -0.2e-3, .length = -0.25e-3}) : scattered(seed);
     const FullCage full(deviations);
     const CageModel model = model_of(deviations);
-    const RigidMotions rigid = mass_orthonormal(rigid_motions(full.mesh.mesh.nodes), full.body.mass);
+    const RigidMotions rigid =
+        mass_orthonormal(rigid_motions(full.mesh.mesh.nodes), full.body.mass);
     const long pocket = 5;
     const long n = model.bar_stations;
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * n * 13);
-    forces[2 * n * pocket + n] = 1;          // leading face, first station
-    forces[2 * n * pocket + n + 1] = 2;      // leading face, middle
+    forces[2 * n * pocket + n] = 1;           // leading face, first station
+    forces[2 * n * pocket + n + 1] = 2;       // leading face, middle
     forces[2 * n * (pocket + 1) + 2] = -1.5;  // trailing face of the next pocket, last station
 
     const Eigen::Index nodes = 3 * full.mesh.mesh.nodes.cols();
@@ -133,10 +136,9 @@ TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
       const Eigen::Vector3d tangent =
           sector_rotation(table().cage, j) * Eigen::Vector3d(0, -std::sin(psi), std::cos(psi));
       for (long i = 0; i < 2 * n; ++i) {
-        const SectorReading place =
-            read_at(full.mesh.grid, bar_station(table().cage, stations, deviations[sector],
-                                                i < n ? -1 : 1,
-                                                stations.bar_x[static_cast<std::size_t>(i % n)]));
+        const SectorReading place = read_at(
+            full.mesh.grid, bar_station(table().cage, stations, deviations[sector], i < n ? -1 : 1,
+                                        stations.bar_x[static_cast<std::size_t>(i % n)]));
         for (int a = 0; a < 8; ++a) {
           const auto point = static_cast<std::size_t>(place.point[static_cast<std::size_t>(a)]);
           load.segment<3>(3 * full.mesh.sector_node[sector][point]) +=
@@ -149,7 +151,8 @@ TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
     Eigen::VectorXd modal_force = Eigen::VectorXd::Zero(model.frequency.size());
     for (long j = 0; j < 13; ++j) {
       for (long i = 0; i < 2 * n; ++i) {
-        modal_force += forces[2 * n * j + i] * model.contact.row(model.contact_row(j, i, 1)).transpose();
+        modal_force +=
+            forces[2 * n * j + i] * model.contact.row(model.contact_row(j, i, 1)).transpose();
       }
     }
     const Eigen::ArrayXd omega = 2 * std::numbers::pi * model.frequency.array();
@@ -168,7 +171,8 @@ TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
     for (long j = 0; j < 13; ++j) {
       std::vector<int> watched;
       for (int p : stress_stations(full.mesh.grid)) {
-        watched.push_back(full.mesh.sector_node[static_cast<std::size_t>(j)][static_cast<std::size_t>(p)]);
+        watched.push_back(
+            full.mesh.sector_node[static_cast<std::size_t>(j)][static_cast<std::size_t>(p)]);
       }
       const Eigen::MatrixXd exact = nodal_stress(full.mesh.mesh, kSteel, u, watched);
       for (long s = 0; s < model.stress_stations; ++s) {
@@ -241,15 +245,15 @@ TEST(CageModel, FaultsNameThePocket) {
 TEST(CageModel, EvenPocketCountsHaveSingleModesOfAlternatingSign) {
   const CageDimensions cage{.pocket_count = 8, .pocket_width = 9e-3};
   const CageTable even = make_cage_table(cage, kSteel, {}, {.density = 1, .basis_modes = 24});
-  const CageModel model =
-      std::get<CageModel>(make_cage_model(even, Deviations(8), {.modes = 12}));
+  const CageModel model = std::get<CageModel>(make_cage_model(even, Deviations(8), {.modes = 12}));
   for (Eigen::Index i = 0; i < 12; ++i) {
     EXPECT_NEAR(model.frequency[i] / even.frequency[i], 1, 1e-8);
   }
 }
 
 TEST(CageModel, CacheGivesTheSameModelAndSurvivesDamage) {
-  const auto folder = std::filesystem::temp_directory_path() / ("cagetol-cage-" + std::to_string(getpid()));
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("cagetol-cage-" + std::to_string(getpid()));
   const CageTableOptions options{.density = 1, .basis_modes = 20};
   const CageTable made = cached_cage_table(folder, {}, kSteel, {}, options);
   const CageTable read = cached_cage_table(folder, {}, kSteel, {}, options);
@@ -259,8 +263,7 @@ TEST(CageModel, CacheGivesTheSameModelAndSurvivesDamage) {
   const CageModel b = std::get<CageModel>(make_cage_model(read, deviations));
   EXPECT_TRUE(a.frequency == b.frequency);
   EXPECT_TRUE(a.stress_residual == b.stress_residual);
-  const auto file =
-      folder / ("cage-" + cage_table_key({}, kSteel, {}, options) + ".bin");
+  const auto file = folder / ("cage-" + cage_table_key({}, kSteel, {}, options) + ".bin");
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   const CageTable again = cached_cage_table(folder, {}, kSteel, {}, options);
   EXPECT_NE(again.seconds_table, made.seconds_table);

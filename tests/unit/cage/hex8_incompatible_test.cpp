@@ -19,15 +19,18 @@ HexMesh distorted_cube() {
   HexMesh mesh = test::box_mesh({1e-3, 1e-3, 1e-3}, 2, 2, 2);
   for (Eigen::Index n = 0; n < mesh.nodes.cols(); ++n) {
     const double s = static_cast<double>(n);
-    mesh.nodes.col(n) += 0.08e-3 * Eigen::Vector3d(std::sin(3 * s), std::sin(5 * s + 1), std::cos(7 * s));
+    mesh.nodes.col(n) +=
+        0.08e-3 * Eigen::Vector3d(std::sin(3 * s), std::sin(5 * s + 1), std::cos(7 * s));
   }
   return mesh;
 }
 
-/// Every linear displacement field must leave the inner node without force and give its constant stress.
+/// Every linear displacement field must leave the inner node without force and give its constant
+/// stress.
 TEST(Hex8Incompatible, PatchTestOnDistortedMesh) {
   const HexMesh mesh = distorted_cube();
-  const SparseMatrix stiffness = assemble_body(mesh, kSteel).stiffness.selfadjointView<Eigen::Lower>();
+  const SparseMatrix stiffness =
+      assemble_body(mesh, kSteel).stiffness.selfadjointView<Eigen::Lower>();
   const int inner = 13;
   std::vector<int> all(27);
   for (int n = 0; n < 27; ++n) all[static_cast<std::size_t>(n)] = n;
@@ -35,7 +38,8 @@ TEST(Hex8Incompatible, PatchTestOnDistortedMesh) {
     Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
     slope(mode / 3, mode % 3) = 1e-3;
     Eigen::VectorXd u(3 * mesh.nodes.cols());
-    for (Eigen::Index n = 0; n < mesh.nodes.cols(); ++n) u.segment<3>(3 * n) = slope * mesh.nodes.col(n);
+    for (Eigen::Index n = 0; n < mesh.nodes.cols(); ++n)
+      u.segment<3>(3 * n) = slope * mesh.nodes.col(n);
     const Eigen::VectorXd force = stiffness * u;
     EXPECT_LT(force.segment<3>(3 * inner).norm(), 1e-11 * kSteel.young * 1e-3 * 1e-6);
     Eigen::Matrix<double, 6, 1> strain;
@@ -62,12 +66,13 @@ TEST(Hex8Incompatible, SingleElementHasSixRigidModesAndNoMore) {
 TEST(Hex8Incompatible, ConsistentMassSumsToTheVolume) {
   const HexMesh box = test::box_mesh({2e-3, 3e-3, 4e-3}, 2, 1, 3);
   double mass = 0;
-  for (const auto& element : box.elements) mass += hex8_mass(element_nodes(box, element), 1000).sum();
+  for (const auto& element : box.elements)
+    mass += hex8_mass(element_nodes(box, element), 1000).sum();
   EXPECT_NEAR(mass, 1000 * 24e-9, 1e-17);
 }
 
-/// Cantilever 50 x 1 x 1 mm, one element through the thickness, against P L^3/(3 E I) with shear. The plain
-/// 8-node element is a third too stiff here.
+/// Cantilever 50 x 1 x 1 mm, one element through the thickness, against P L^3/(3 E I) with shear.
+/// The plain 8-node element is a third too stiff here.
 TEST(Hex8Incompatible, ThinBarBends) {
   const double length = 50e-3;
   const double side = 1e-3;

@@ -1,4 +1,6 @@
-// The same mesh in CalculiX (C3D8I): modes of the nominal cage within 0.5 %, static bar stress within 3 %.
+// The same mesh in CalculiX (C3D8I): modes of the nominal cage up to 20 kHz within 0.5 %, static
+// bar stress within 3 %. The two incompatible elements differ in detail; their difference halves
+// from density 2 to 3.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,9 +22,10 @@ namespace {
 namespace fs = std::filesystem;
 const Material kSteel{206e9, 0.30, 7850};
 
-CageMesh nominal_cage() {
+CageMesh nominal_cage(long density) {
   const CageDimensions cage;
-  const auto mesh = make_cage_mesh(cage, std::vector<PocketDeviation>(13), mesh_counts(cage, 2));
+  const auto mesh =
+      make_cage_mesh(cage, std::vector<PocketDeviation>(13), mesh_counts(cage, density));
   return std::get<CageMesh>(mesh);
 }
 
@@ -44,7 +47,9 @@ void write_model(std::ostream& out, const HexMesh& mesh) {
       << "*SOLID SECTION, ELSET=EALL, MATERIAL=STEEL\n";
 }
 
-bool calculix_missing() { return std::system("command -v ccx > /dev/null 2>&1") != 0; }
+bool calculix_missing() {
+  return std::system("command -v ccx > /dev/null 2>&1") != 0;
+}
 
 /// Runs CalculiX on `deck` in a folder of its own and gives the .dat file's text.
 std::string run_calculix(const std::string& deck) {
@@ -64,10 +69,10 @@ std::string run_calculix(const std::string& deck) {
 
 TEST(CalculiX, ModesOfTheNominalCage) {
   if (calculix_missing()) GTEST_SKIP() << "CalculiX (ccx) is not installed";
-  const CageMesh cage = nominal_cage();
+  const CageMesh cage = nominal_cage(3);
   std::ostringstream deck;
   write_model(deck, cage.mesh);
-  deck << "*STEP\n*FREQUENCY\n22\n*END STEP\n";
+  deck << "*STEP\n*FREQUENCY\n19\n*END STEP\n";
   std::istringstream dat(run_calculix(deck.str()));
   // Lines "number  eigenvalue  rad/s  cycles/s  imaginary part" after the heading.
   std::vector<double> found;
@@ -78,25 +83,25 @@ TEST(CalculiX, ModesOfTheNominalCage) {
     double omega = 0;
     double hertz = 0;
     if (fields >> number >> eigenvalue >> omega >> hertz && number == found.size() + 1 &&
-        found.size() < 22) {
+        found.size() < 19) {
       found.push_back(hertz);
     }
   }
-  ASSERT_EQ(found.size(), 22U);
+  ASSERT_EQ(found.size(), 19U);
   const BodyMatrices body = assemble_body(cage.mesh, kSteel);
   const ShiftedFactor factor(body, ring_shift(cage.mesh, body));
-  const FreeModes modes = free_modes(cage.mesh, body, factor, 16);
+  const FreeModes modes = free_modes(cage.mesh, body, factor, 13);
   for (int i = 0; i < 6; ++i) EXPECT_LT(found[static_cast<std::size_t>(i)], 20);
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 13; ++i) {
     EXPECT_NEAR(modes.frequency[i] / found[static_cast<std::size_t>(i + 6)], 1, 0.005) << i;
   }
 }
 
-/// A unit force on the middle of a bar, balanced on the opposite bar; three nodes pinned just enough to take
-/// the rigid motion, without reaction since the forces balance.
+/// A unit force on the middle of a bar, balanced on the opposite bar; three nodes pinned just
+/// enough to take the rigid motion, without reaction since the forces balance.
 TEST(CalculiX, StressOfALoadedBar) {
   if (calculix_missing()) GTEST_SKIP() << "CalculiX (ccx) is not installed";
-  const CageMesh cage = nominal_cage();
+  const CageMesh cage = nominal_cage(2);
   const Eigen::MatrixXd sector = bar_loads(cage.cage, {}, cage.grid, {}).col(1);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(3 * cage.mesh.nodes.cols());
   for (std::size_t p = 0; p < cage.grid.points.size(); ++p) {
@@ -115,7 +120,10 @@ TEST(CalculiX, StressOfALoadedBar) {
   write_model(deck, cage.mesh);
   // Nodes of the first, fifth and ninth sector: all directions, two, one.
   const auto pin = [&](std::size_t j) { return cage.sector_node[j][0] + 1; };
-  deck << "*BOUNDARY\n" << pin(0) << ", 1, 3\n" << pin(4) << ", 1, 1\n" << pin(4) << ", 2, 2\n"
+  deck << "*BOUNDARY\n"
+       << pin(0) << ", 1, 3\n"
+       << pin(4) << ", 1, 1\n"
+       << pin(4) << ", 2, 2\n"
        << pin(9) << ", 1, 1\n";
   deck << "*STEP\n*STATIC\n*CLOAD\n";
   for (Eigen::Index i = 0; i < balanced.size(); ++i) {
@@ -123,7 +131,8 @@ TEST(CalculiX, StressOfALoadedBar) {
   }
   deck << "*EL PRINT, ELSET=EALL\nS\n*END STEP\n";
   std::istringstream dat(run_calculix(deck.str()));
-  // "element, integration point, sxx, syy, szz, sxy, sxz, syz"; each element's mean over its points.
+  // "element, integration point, sxx, syy, szz, sxy, sxz, syz"; each element's mean over its
+  // points.
   std::vector<Eigen::Matrix<double, 6, 1>> mean(cage.mesh.elements.size(),
                                                 Eigen::Matrix<double, 6, 1>::Zero());
   long values = 0;

@@ -1,5 +1,5 @@
-// Free ring of Code_Aster SDLS109: mean radius 0.369 m, thickness 0.048 m, width 0.05 m, E 185 GPa, nu 0.3,
-// rho 7800: in-plane pairs 210.55 and 587.92 Hz, out-of-plane pairs 205.89 and 588.88 Hz.
+// Free ring of Code_Aster SDLS109: mean radius 0.369 m, thickness 0.048 m, width 0.05 m, E 185 GPa,
+// nu 0.3, rho 7800: in-plane pairs 210.55 and 587.92 Hz, out-of-plane pairs 205.89 and 588.88 Hz.
 #include <gtest/gtest.h>
 
 #include "src/cage/cage_modes.hpp"
