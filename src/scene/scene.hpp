@@ -58,6 +58,9 @@ struct CageGeometry {
   std::string guidance = "outer";            ///< "outer", "inner" or "roller"
   double guide_clearance = kAuto;            ///< radial [m]
   double land_offset = kAuto;                ///< lands at x = +-land_offset [m]
+  long mesh_density = 4;                     ///< of a flexible cage: elements through the thickness
+  long modes = 20;                           ///< elastic modes kept of a flexible cage
+  double mode_damping = 0.01;                ///< damping ratio of elastic modes
 };
 
 /// Parameters of one contact kind.
