@@ -9,7 +9,7 @@ from common import BLUE, GREY, RED, WIDTH, known
 def yield_curves(report):
     """One panel for each dimension: yield with its bounds over the width of the tolerance."""
     dimensions = report["tolerance"].get("dimensions", []) if report["tolerance"] else []
-    if not dimensions:
+    if not any(level["shown"] for dimension in dimensions for level in dimension["levels"]):
         return None
     figure, axes = plt.subplots(1, len(dimensions), figsize=(WIDTH, 3.1), sharey=True, squeeze=False)
     for axis, dimension in zip(axes[0], dimensions):
@@ -38,7 +38,7 @@ def yield_curves(report):
 def yield_map(report):
     """Lower yield bound for two dimensions together."""
     tolerance = report["tolerance"]
-    if not tolerance or len(tolerance["dimensions"]) != 2:
+    if not tolerance or len(tolerance["dimensions"]) != 2 or not any(c["shown"] for c in tolerance["candidates"]):
         return None
     first, second = tolerance["dimensions"]
     rows = [level["band_mm"] for level in first["levels"]]

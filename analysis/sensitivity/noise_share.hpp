@@ -16,7 +16,8 @@ struct NoiseShare {
       kUndefined;  ///< of one run about the mean of its cage, in the output's unit
 };
 
-/// From all samples of the study, replicates included. Interval by drawing rows again.
+/// From all samples of the study, replicates included; needs at least eight repeated rows. Interval
+/// by drawing rows again.
 NoiseShare noise_share(const StudyData& study, std::span<const double> output, double confidence,
                        std::size_t resamples);
 

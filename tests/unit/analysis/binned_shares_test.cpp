@@ -124,8 +124,9 @@ Coverage ishigami_coverage(int repeats, std::int64_t runs) {
 
 TEST(BinnedShares, IntervalsCoverIshigami) {
   const Coverage coverage = ishigami_coverage(60, 4096);
-  EXPECT_GE(coverage.held[0], 88);
-  EXPECT_GE(coverage.held[1], 88);
+  // Three standard errors of 60 repeats below the 93 % that a thousand repeats give.
+  EXPECT_GE(coverage.held[0], 83);
+  EXPECT_GE(coverage.held[1], 83);
   EXPECT_GE(coverage.small, 90);
 }
 
