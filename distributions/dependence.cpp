@@ -5,6 +5,7 @@
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -139,7 +140,11 @@ void GaussianCopula::correlate(std::span<double> u) const {
       independent = false;
       sum += row[j] * z[j];
     }
-    if (!independent) u[i] = gsl_cdf_ugaussian_P(sum);
+    if (independent) continue;
+    require(!std::isnan(sum), "coordinate ", i, " depends on coordinates 0 and 1, whose normal ",
+            "numbers are infinite; give the design a trim > 0");
+    u[i] = gsl_cdf_ugaussian_P(sum);
+    if (std::isfinite(sum)) u[i] = std::clamp(u[i], 0x1p-53, 1 - 0x1p-53);
   }
 }
 

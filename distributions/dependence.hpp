@@ -3,7 +3,7 @@
 // Phi^-1(u), the vector z is given a correlation matrix by its Cholesky factor, and Phi takes it
 // back to uniform coordinates, so that every law keeps its marginal exactly.
 //
-// Three correlations must not be mixed up. The copula takes the correlation of z. A study states
+// Two correlations must not be mixed up. The copula takes the correlation of z. A study states
 // the Pearson correlation of the deviations themselves; normal_correlation() converts it. Between
 // normal laws both are the same number.
 #pragma once

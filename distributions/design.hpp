@@ -3,12 +3,13 @@
 // A design is a pure function of its specification: point(row) costs O(d), in any order, and gives
 // the same bits each time.
 //
-//   kind         rows                                block_of(row) base_of(row) random       any 0
-//   row lhs          any up to 2^28                      0                                   row
-//   sobol        scrambles * classes * 2^m           scramble                            index
-//   within the scramble grid         product of grid_levels              0 row pick-freeze  base
-//   points * (groups + 2)          0 = A, 1 = B, 2+g = A but g from B  base point morris
-//   trajectories * (groups + 1)         step along the trajectory           trajectory
+//   kind         rows                         block_of(row)                base_of(row)
+//   random       any                          0                            row
+//   lhs          any up to 2^28               0                            row
+//   sobol        scrambles * classes * 2^m    scramble                     index in the scramble
+//   grid         product of grid_levels       0                            row
+//   pick-freeze  bases * (groups + 2)         0: A, 1: B, 2+g: A, g of B   base point
+//   morris       trajectories * (groups + 1)  step of the trajectory       trajectory
 //
 // pick-freeze and morris rows run block by block within a base, so that an interrupted study holds
 // whole bases.
@@ -39,16 +40,27 @@ struct DesignSpec {
   std::uint64_t rows = 0;
   std::uint64_t seed = 1;
   std::vector<DesignColumn> columns;
-  std::uint32_t groups =
-      0;  ///< 0: as many as the columns name; more: groups without columns (noise)
-  std::uint64_t cages_per_lot =
-      1;  ///< random only: rows of one lot share their columns of Purpose::lot
-  std::uint64_t scrambles = 8;  ///< sobol: independent replicates
-  std::uint64_t classes =
-      1;  ///< sobol: rows r, r + classes, ... of a scramble are a net of their own
-  std::vector<std::uint64_t> grid_levels;  ///< grid: for each group
-  std::uint64_t morris_levels = 4;         ///< morris: even
-  double trim = 0;  ///< grid, morris: levels span [trim, 1 - trim]; laws without ends need trim > 0
+
+  /// 0: as many as the columns name. More: the last ones have no columns (noise).
+  std::uint32_t groups = 0;
+
+  /// random only: the rows of one lot share their columns of Purpose::lot.
+  std::uint64_t cages_per_lot = 1;
+
+  /// sobol: independent replicates.
+  std::uint64_t scrambles = 8;
+
+  /// sobol: rows r, r + classes, r + 2 classes, ... of a scramble are a net of their own.
+  std::uint64_t classes = 1;
+
+  /// grid: number of levels of each group.
+  std::vector<std::uint64_t> grid_levels;
+
+  /// morris: number of levels, even.
+  std::uint64_t morris_levels = 4;
+
+  /// grid, morris: levels span [trim, 1 - trim]. Laws without ends need trim > 0.
+  double trim = 0;
 };
 
 /// The smallest number of rows >= spec.rows (grid: the number) with which the design is complete.
@@ -76,8 +88,8 @@ class Design {
   /// row / cages_per_lot.
   std::uint64_t lot_of(std::uint64_t row) const;
 
-  /// Rows with equal sources share all random choices of the group. Noise as a group without
-  /// columns is drawn with this as id.
+  /// Rows with equal sources have equal values in the columns of the group. Noise as a group
+  /// without columns is drawn with this as id.
   std::uint64_t source_of(std::uint64_t row, std::uint32_t group) const;
 
   /// morris: the group that moved between row - 1 and row; none in the first row of a trajectory

@@ -5,9 +5,9 @@
 // 1, 2, 3. SC11, doi:10.1145/2063384.2063405), a keyed bijection of 128-bit counters. Words, least
 // significant first:
 //
-//   key      (2 x 32 bit)  words 0 and 1 of Philox(counter = {purpose, 0, 0, 0}, key = {seed low,
-//   seed high}) counter  (4 x 32 bit)  {id low, id high, stream, draw} result   (4 x 32 bit)  words
-//   0 and 1 make one uniform number; words 2 and 3 stay unused
+//   key      2 words  words 0 and 1 of Philox(counter = {purpose, 0, 0, 0}, key = seed)
+//   counter  4 words  {id low, id high, stream, draw}
+//   result   4 words  words 0 and 1 make one uniform number; words 2 and 3 stay unused
 //
 // All 64 bits of seed and id enter. Two draws of one seed and purpose that differ in id, stream or
 // draw use different counters, so nothing that is added elsewhere (a pocket, an input, an output)

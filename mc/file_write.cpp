@@ -32,11 +32,17 @@ std::string remedy(int error_number) {
   }
 }
 
+bool is_passing(int error_number) {
+  return error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG ||
+         error_number == EIO;
+}
+
 }  // namespace
 
 WriteError::WriteError(const std::string& file, const std::string& action, int error_number)
     : std::runtime_error(file + ": cannot " + action + ": " + std::strerror(error_number) +
-                         "\n  remedy: " + remedy(error_number)) {}
+                         "\n  remedy: " + remedy(error_number)),
+      can_go_on_(is_passing(error_number)) {}
 
 FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);

@@ -15,6 +15,12 @@ class WriteError : public std::runtime_error {
   /// Message: "FILE: cannot ACTION: REASON\n  remedy: ..."; the remedy follows from `error_number`
   /// (an errno).
   WriteError(const std::string& file, const std::string& action, int error_number);
+  /// True when the place itself is fine and the same command can go on later: a full disk, a quota,
+  /// a limit, a bad moment.
+  bool can_go_on() const { return can_go_on_; }
+
+ private:
+  bool can_go_on_;
 };
 
 /// A POSIX file descriptor, closed once.

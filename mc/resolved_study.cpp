@@ -1,8 +1,5 @@
 #include "mc/resolved_study.hpp"
 
-#include <cstdint>
-#include <cstdio>
-
 #include "mc/law_reader.hpp"
 #include "mc/study_keys.hpp"
 #include "src/scene/scene_keys.hpp"
@@ -116,14 +113,6 @@ void unresolve(toml::table& root, const std::string& file) {
   }
   root.erase("inputs");
   root.erase("candidates");
-}
-
-std::string hash_text(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
 }
 
 }  // namespace cagetol

@@ -16,7 +16,4 @@ toml::table resolved_table(const Study& study);
 /// the scene. Does nothing to a document that is not resolved. Throws InputError.
 void unresolve(toml::table& root, const std::string& file);
 
-/// 64-bit FNV-1a (Fowler, Noll, Vo) as 16 hex digits.
-std::string hash_text(const std::string& text);
-
 }  // namespace cagetol

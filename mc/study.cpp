@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "mc/build_info.hpp"
 #include "mc/resolved_study.hpp"
 #include "mc/sample.hpp"
 #include "mc/study_inputs.hpp"
@@ -79,7 +80,7 @@ void resolve(Study& study) {
   study.resolved_json = json_text.str();
   std::string all = study.resolved_toml;
   for (const auto& [name, hash] : study.files) all += name + "\n" + hash + "\n";
-  study.hash = hash_text(all);
+  study.hash = text_hash(all);
 }
 
 Study study_of(const toml::table& root, const std::string& file) {
@@ -89,7 +90,7 @@ Study study_of(const toml::table& root, const std::string& file) {
   study.scene = read_scene(scene, file);
   MeasurementFiles measurements;
   study.inputs = read_inputs(scene, file, study.scene, measurements);
-  for (const auto& [name, text] : measurements) study.files.emplace_back(name, hash_text(text));
+  for (const auto& [name, text] : measurements) study.files.emplace_back(name, text_hash(text));
   study.correlations = read_correlations(root, file, study.inputs);
   study.limits = read_limits(root, file);
   study.tolerance.dimensions = read_dimensions(root, file, study.inputs);

@@ -207,22 +207,32 @@ int Leader::conclude(const WorkList::State& state, bool written) const {
   return kDone;
 }
 
-/// Calls `work` and keeps what went wrong as text.
+/// What went wrong before the first sample, if anything.
+struct Problem {
+  std::string text;
+  int code = kDone;
+};
+
 template <class Work>
-std::string problem_of(Work work) {
+Problem problem_of(Work work) {
   try {
     work();
-    return "";
+    return {};
+  } catch (const WriteError& problem) {
+    return {problem.what(), problem.can_go_on() ? kStartAgain : kBadInput};
   } catch (const std::exception& problem) {
-    return problem.what();
+    return {problem.what(), kBadInput};
   }
 }
 
-/// True when no rank has a problem; otherwise the first rank that has one prints it.
-bool all_well(const Team& team, const std::string& problem) {
-  const int first = team.smallest(problem.empty() ? INT_MAX : team.rank());
-  if (first == team.rank() && !problem.empty()) fmt::print(stderr, "error: {}\n", problem);
-  return first == INT_MAX;
+/// The exit code that all ranks agree on: kDone when none has a problem. The first rank that has
+/// one prints it.
+int agreed(const Team& team, const Problem& problem) {
+  const bool well = problem.code == kDone;
+  const int first = team.smallest(well ? INT_MAX : team.rank());
+  if (first == team.rank() && !well) fmt::print(stderr, "cagetol: {}\n", problem.text);
+  const int code = team.smallest(well ? INT_MAX : problem.code);
+  return code == INT_MAX ? kDone : code;
 }
 
 }  // namespace
@@ -242,7 +252,7 @@ int run_sweep(const std::function<SweepPlan()>& make_plan, const SweepOptions& o
   };
 
   // Suspects run before MPI starts: a process with MPI must not fork.
-  std::string problem = problem_of([&] {
+  Problem problem = problem_of([&] {
     plan = make_plan();
     if (!leads) return;
     directory = std::make_unique<SweepDirectory>(options.directory, plan.study, build);
@@ -252,11 +262,11 @@ int run_sweep(const std::function<SweepPlan()>& make_plan, const SweepOptions& o
     run_suspects(plan, directory->stored(), *journal);
   });
   const Team team(launch);
-  if (!all_well(team, problem)) return leads ? kBadInput : 0;
+  if (const int code = agreed(team, problem)) return leads ? code : 0;
   problem = problem_of([&] {
     if (!leads) open_journal();
   });
-  if (!all_well(team, problem)) return leads ? kBadInput : 0;
+  if (const int code = agreed(team, problem)) return leads ? code : 0;
 
   const RunSample run = [&](std::uint64_t id) {
     return run_with_journal(plan, *journal, id, launch.rank);

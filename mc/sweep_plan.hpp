@@ -23,4 +23,7 @@ struct SweepPlan {
   std::function<Outcome(const Sample&, const StopRequested&)> job;
 };
 
+/// The plan of a real study: its sampler and the physics.
+SweepPlan make_sweep_plan(const Study& study);
+
 }  // namespace cagetol

@@ -24,7 +24,7 @@ const std::vector<RunField>& run_fields() {
       {"jacobian_evaluations", "1", "of these, with derivatives"},
       {"factorisations", "1", "factorisations of the Newton matrix"},
       {"smallest_step_s", "s", "smallest accepted step"},
-      {"energy_residual", "-", "|work in - dissipation - change of stored energy| / dissipation over the window"},
+      {"energy_residual", "-", "|work in - dissipation - change of stored energy| over the dissipation (at least 1/1000 of the stored energy)"},
       {"static_consistency_error", "-", "elastic ring force and mean ring displacement against statics"},
   };
   return fields;

@@ -6,9 +6,9 @@ namespace cagetol {
 
 namespace {
 
-// With four rounds small sizes still show unequal frequencies of permutations; eight pass for every
-// size from 2 on.
-constexpr std::uint32_t rounds = 8;
+// Orders of 6 elements still differ in frequency with 12 rounds (chi-squared over 200 000 keys: 39
+// standard deviations too large), no longer with 16.
+constexpr std::uint32_t rounds = 20;
 
 }  // namespace
 

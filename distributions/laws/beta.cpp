@@ -35,10 +35,11 @@ void check(const Beta& law) {
 }
 
 double quantile(const Beta& law, double p) {
+  if (p == 1) return law.upper;
   const double t =
       invert_cdf([&](double x) { return gsl_cdf_beta_P(x, law.alpha, law.beta); },
                  [&](double x) { return gsl_cdf_beta_Q(x, law.alpha, law.beta); }, p, 1);
-  return t == 1 ? law.upper : law.lower + (law.upper - law.lower) * t;
+  return law.lower + (law.upper - law.lower) * t;
 }
 
 double cdf(const Beta& law, double x) {

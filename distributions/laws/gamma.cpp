@@ -37,6 +37,7 @@ double quantile(const Gamma& law, double p) {
 }
 
 double cdf(const Gamma& law, double x) {
+  if (std::isinf(x)) return x > 0 ? 1 : 0;
   return x <= law.shift ? 0 : gsl_cdf_gamma_P(x - law.shift, law.shape, law.scale);
 }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 
 namespace cagetol {
 namespace {
@@ -36,7 +37,7 @@ toml::table setting_value(const std::string& setting, std::string_view value) {
   try {
     auto parsed = toml::parse("value = " + std::string(value), std::string_view(kSettings));
     if (parsed.size() == 1) return parsed;
-  } catch (const toml::parse_error&) {
+  } catch (const std::exception&) {  // a parse_error, or the parser's own assertion
     if (is_bare_word(value))
       return toml::parse("value = '" + std::string(value) + "'", std::string_view(kSettings));
   }
@@ -114,6 +115,35 @@ toml::table read_toml(const std::string& path) {
   return parse_toml(read_text_file(path), path);
 }
 
+namespace {
+
+// The first line on which the parser gives up without saying where: 0 for texts too long to try.
+int line_of_broken_parse(std::string_view text) {
+  constexpr std::size_t longest = 100000;
+  int line = 1;
+  for (std::size_t end = text.find('\n'); text.size() < longest;
+       end = text.find('\n', end + 1), ++line) {
+    try {
+      [[maybe_unused]] const auto parsed = toml::parse(text.substr(0, end));
+    } catch (const std::logic_error&) {
+      return line;
+    } catch (const std::exception&) {
+    }
+    if (end == std::string_view::npos) break;
+  }
+  return 0;
+}
+
+InputError not_toml(const std::string& name, int line, const std::string& description) {
+  return {{name, line},
+          "",
+          "",
+          "not valid TOML: " + description,
+          "correct the line; keys look like  pocket_width_mm = 7.65  below a section like  [cage]"};
+}
+
+}  // namespace
+
 toml::table parse_toml(std::string_view text, const std::string& name) {
   // A dotted key of a million parts would be a table a million deep: no input file needs such
   // lines.
@@ -130,10 +160,10 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
   try {
     return toml::parse(text, std::string_view(name));
   } catch (const toml::parse_error& error) {
-    throw InputError({name, static_cast<int>(error.source().begin.line)}, "", "",
-                     "not valid TOML: " + std::string(error.description()),
-                     "correct the line; keys look like  pocket_width_mm = 7.65  below a section "
-                     "like  [cage]");
+    throw not_toml(name, static_cast<int>(error.source().begin.line),
+                   std::string(error.description()));
+  } catch (const std::logic_error&) {
+    throw not_toml(name, line_of_broken_parse(text), "a key or a value is missing or misplaced");
   }
 }
 

@@ -13,6 +13,8 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
+constexpr double kRecordInterval = 20e-6;        // of the thinner record that quantiles use [s]
+constexpr double kEnergyFloor = 1e-3;            // of the stored energy: runs that hardly dissipate
 constexpr double kLoadedShare = 0.01;            // of the applied load
 constexpr double kForceFloor = 1, kDisplacementFloor = 1e-6;  // of the consistency error at zero load [N], [m]
 
@@ -42,6 +44,9 @@ void Observer::record(double t, const double* y, const System& system) {
   // Each state stands for the time since the one before it (the trapezoid's second half is a difference of one step in thousands).
   const double weight = first ? 0 : t - last_time_;
 
+  const bool keep = t >= next_record_;
+  if (keep) next_record_ = std::max(next_record_ + kRecordInterval, t);
+
   const double c = std::cos(q[kCagePhi]), s = std::sin(q[kCagePhi]);
   const double e_y = c * model_.unbalance_y - s * model_.unbalance_z;
   const double e_z = s * model_.unbalance_y + c * model_.unbalance_z;
@@ -66,24 +71,24 @@ void Observer::record(double t, const double* y, const System& system) {
 
   cage_speed_.add(v[kCagePhi], weight);
   inner_speed_.add(inner_speed_at(model_, t), weight);
-  whirl_radius_.add(std::hypot(cage_y, cage_z), weight);
+  whirl_radius_.add(std::hypot(cage_y, cage_z), weight, keep);
   whirl_speed_.add(std::hypot(cage_vy, cage_vz), weight);
   cage_axial_.add(q[kCageX], weight);
-  cage_tilt_.add(q[kCageAxisY], weight);
-  cage_tilt_.add(q[kCageAxisZ], weight);
-  ring_y_.add(q[kRingY], weight);
-  ring_z_.add(q[kRingZ], weight);
+  cage_lean_y_.add(q[kCageAxisY], weight);
+  cage_lean_z_.add(q[kCageAxisZ], weight);
+  ring_y_.add(q[kRingY], weight, keep);
+  ring_z_.add(q[kRingZ], weight, keep);
   ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), weight);
   ring_elastic_z_.add(seen.ring_elastic_z, weight);
-  guide_force_.add(seen.land_force[0] + seen.land_force[1], weight);
+  guide_force_.add(seen.land_force[0] + seen.land_force[1], weight, keep);
   for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_force[k] > 0);
   end_displacement_ = -q[kRingZ];
-  record_rollers(y, system, weight);
+  record_rollers(y, system, weight, keep);
   record_statics(t, y);
   last_time_ = t;
 }
 
-void Observer::record_rollers(const double* y, const System& system, double weight) {
+void Observer::record_rollers(const double* y, const System& system, double weight, bool keep) {
   const StateLayout& l = model_.layout;
   const Observation& seen = system.seen;
   const double ratio = model_.nominal_diameter / (2 * model_.pitch_radius);
@@ -95,8 +100,8 @@ void Observer::record_rollers(const double* y, const System& system, double weig
     const double angle = y[l.position(kAngle, j)], spin = y[l.velocity(kSpin, j)];
     const double c = std::cos(angle), s = std::sin(angle);
     const double ay = y[l.position(kAxisY, j)], az = y[l.position(kAxisZ, j)];
-    skew_.add(std::abs(c * az - s * ay), weight);
-    tilt_.add(std::abs(c * ay + s * az), weight);
+    skew_.add(std::abs(c * az - s * ay), weight, keep);
+    tilt_.add(std::abs(c * ay + s * az), weight, keep);
     roller_speed_.add(spin, weight);
     const double slip = rolling != 0 ? 1 - std::abs(spin - y[l.velocity(kOrbitRate, j)]) / std::abs(rolling) : 0;
     slip_all_.add(slip, weight);
@@ -104,10 +109,10 @@ void Observer::record_rollers(const double* y, const System& system, double weig
       slip_loaded_.add(slip, weight);
       sliding_.add(seen.inner_sliding[k], weight);
     }
-    pocket_force_.add(seen.leading_force[k] + seen.trailing_force[k], weight);
+    pocket_force_.add(seen.leading_force[k] + seen.trailing_force[k], weight, keep);
     pocket_impacts_.see(2 * k, seen.leading_force[k] > 0);
     pocket_impacts_.see(2 * k + 1, seen.trailing_force[k] > 0);
-    wall_force_.add(seen.wall_force[k], weight);
+    wall_force_.add(seen.wall_force[k], weight, keep);
     wall_impacts_.see(k, seen.wall_force[k] > 0);
   }
 }
@@ -126,7 +131,8 @@ void Observer::record_statics(double t, const double* y) {
 
 double Observer::energy_residual() const {
   const double lost = dissipation_.integral();
-  return std::abs(net_work_.integral() - (last_energy_ - first_energy_)) / std::max(std::abs(lost), 1e-12);
+  return std::abs(net_work_.integral() - (last_energy_ - first_energy_)) /
+         std::max(std::abs(lost), kEnergyFloor * std::abs(first_energy_));
 }
 
 double Observer::static_consistency_error() const {
@@ -168,7 +174,7 @@ std::vector<double> Observer::quantities() const {
   force("end", wall_force_, wall_impacts_);
   q["cage_speed_std_ratio"] = cage_speed_.standard_deviation() / std::abs(cage_speed);
   q["cage_axial_std_um"] = 1e6 * cage_axial_.standard_deviation();
-  q["cage_tilt_std_mrad"] = 1e3 * std::numbers::sqrt2 * cage_tilt_.standard_deviation();
+  q["cage_tilt_std_mrad"] = 1e3 * std::hypot(cage_lean_y_.standard_deviation(), cage_lean_z_.standard_deviation());
   q["ring_displacement_mean_um"] = -1e6 * ring_z_.mean();
   q["ring_displacement_end_um"] = 1e6 * end_displacement_;
   q["ring_orbit_p95_um"] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);

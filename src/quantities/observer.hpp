@@ -20,7 +20,8 @@ class Observer {
 
   /// All quantities in the order of quantity_table().
   std::vector<double> quantities() const;
-  /// |work in - dissipation - change of stored energy| / dissipation.
+  /// |work in - dissipation - change of stored energy| over the dissipation, or over a thousandth of the stored energy where a run
+  /// dissipates less than that.
   double energy_residual() const;
   double static_consistency_error() const;
   /// Revolutions of the cage within the window.
@@ -32,7 +33,7 @@ class Observer {
     long count = 0;
     void see(std::size_t contact, bool touching);
   };
-  void record_rollers(const double* y, const System& system, double weight);
+  void record_rollers(const double* y, const System& system, double weight, bool keep);
   void record_statics(double t, const double* y);
 
   const BearingModel& model_;
@@ -43,9 +44,9 @@ class Observer {
   double statics_interval_;
   Series dynamic_displacement_, static_displacement_;
 
-  double last_time_ = -1;
+  double last_time_ = -1, next_record_ = 0;
 
-  Series cage_speed_, inner_speed_, whirl_radius_, whirl_speed_, cage_axial_, cage_tilt_;
+  Series cage_speed_, inner_speed_, whirl_radius_, whirl_speed_, cage_axial_, cage_lean_y_, cage_lean_z_;
   Series slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_, guide_force_, roller_speed_;
   Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_;
   double orbit_turned_ = 0, orbit_angle_ = 0;

@@ -3,63 +3,43 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace cagetol {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-template <class F>
-double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights, F f) {
-  double sum = 0, total = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    sum += weights[i] * f(values[i]);
-    total += weights[i];
-  }
-  return total > 0 ? sum / total : kNone;
-}
-
 }  // namespace
 
-double Series::mean() const {
-  return weighted_mean(values_, weights_, [](double x) { return x; });
-}
+double Series::mean() const { return weight_ > 0 ? shift_ + sum_ / weight_ : kNone; }
 
 double Series::rms() const {
-  return std::sqrt(weighted_mean(values_, weights_, [](double x) { return x * x; }));
+  const double spread = standard_deviation(), centre = mean();
+  return std::sqrt(spread * spread + centre * centre);
 }
 
 double Series::standard_deviation() const {
-  const double centre = mean();
-  return std::sqrt(weighted_mean(values_, weights_, [centre](double x) { return (x - centre) * (x - centre); }));
+  if (!(weight_ > 0)) return kNone;
+  const double centre = sum_ / weight_;
+  return std::sqrt(std::max(0.0, squares_ / weight_ - centre * centre));
 }
 
-double Series::peak() const {
-  double largest = values_.empty() ? kNone : 0;
-  for (double x : values_) largest = std::max(largest, std::abs(x));
-  return largest;
-}
+double Series::peak() const { return count_ > 0 ? peak_ : kNone; }
 
 double Series::quantile(double p) const {
-  if (values_.empty()) return kNone;
-  std::vector<std::size_t> order(values_.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [this](auto a, auto b) { return values_[a] < values_[b]; });
-  const double total = std::accumulate(weights_.begin(), weights_.end(), 0.0);
-  double below = 0;
-  for (std::size_t i : order) {
-    below += weights_[i];
-    if (below >= p * total) return values_[i];
-  }
-  return values_[order.back()];
+  if (record_.empty()) return kNone;
+  std::vector<double> values = record_;
+  const double rank = std::ceil(p * static_cast<double>(values.size()));
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 double distance_quantile(const Series& x, const Series& y, double p) {
   Series distance;
   const double mean_x = x.mean(), mean_y = y.mean();
-  for (std::size_t i = 0; i < x.values_.size(); ++i)
-    distance.add(std::hypot(x.values_[i] - mean_x, y.values_[i] - mean_y), x.weights_[i]);
+  for (std::size_t i = 0; i < x.record_.size(); ++i)
+    distance.add(std::hypot(x.record_[i] - mean_x, y.record_[i] - mean_y), 1, true);
   return distance.quantile(p);
 }
 

@@ -1,4 +1,5 @@
-// A quantity seen at the accepted steps of a window, each value weighted with the time it stands for.
+// A quantity seen at the accepted steps of a window, each value weighted with the time it stands for. Means and peaks use every
+// step; quantiles use a thinner record, one value per `thin` seconds, which is what a quantile over time needs.
 #pragma once
 
 #include <vector>
@@ -7,24 +8,34 @@ namespace cagetol {
 
 class Series {
  public:
-  void add(double value, double weight) {
-    values_.push_back(value);
-    weights_.push_back(weight);
+  /// `keep`: the value also enters the record for quantiles.
+  void add(double value, double weight, bool keep = false) {
+    if (count_++ == 0) shift_ = value;
+    const double x = value - shift_;
+    weight_ += weight;
+    sum_ += weight * x;
+    squares_ += weight * x * x;
+    const double size = value < 0 ? -value : value;
+    if (size > peak_) peak_ = size;
+    if (keep) record_.push_back(value);
   }
-  bool empty() const { return values_.empty(); }
+  bool empty() const { return count_ == 0; }
   double mean() const;
   double rms() const;
   double standard_deviation() const;
   double peak() const;  ///< largest magnitude
-  /// Smallest value with at least the share `p` of the weight at or below it.
+  /// Smallest recorded value with at least the share `p` of the record at or below it.
   double quantile(double p) const;
 
  private:
   friend double distance_quantile(const Series& x, const Series& y, double p);
-  std::vector<double> values_, weights_;
+  long count_ = 0;
+  double shift_ = 0;  ///< the first value: keeps the variance of nearly constant series
+  double weight_ = 0, sum_ = 0, squares_ = 0, peak_ = 0;
+  std::vector<double> record_;
 };
 
-/// Quantile of the distance of the points (x, y) from their mean.
+/// Quantile of the distance of the recorded points (x, y) from their mean.
 double distance_quantile(const Series& x, const Series& y, double p);
 
 /// Integral of a function known with its derivative at the accepted steps: Hermite's corrected trapezium, order 4 within each step.

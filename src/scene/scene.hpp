@@ -125,7 +125,7 @@ struct Integration {
 
 struct Watch {
   double static_consistency_max = 0.02;
-  double energy_residual_max = 0.01;
+  double energy_residual_max = 0.05;
 };
 
 struct Scene {

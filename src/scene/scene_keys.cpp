@@ -7,14 +7,14 @@
 namespace cagetol {
 namespace {
 
-// clang-format off
-#define AT(member) [](Scene& s) -> auto& { return s.member; }
-
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
-  for (const MethodName& method : integration_methods()) names.push_back(method.name);
+  for (const auto& method : integration_methods()) names.emplace_back(method.name);
   return names;
 }
+
+// clang-format off
+#define AT(member) [](Scene& s) -> auto& { return s.member; }
 
 void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {

@@ -2,6 +2,7 @@
 // alone and under mpirun.
 #include <CLI/CLI.hpp>
 
+#include "mc/log.hpp"
 #include "mc/sweep.hpp"
 #include "tests/support/standin_study.hpp"
 
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
   app.add_option("--rebuild", sweep.rebuild_interval_s);
   app.add_flag("--bad-study", bad_study);
   CLI11_PARSE(app, argc, argv);
+  cagetol::log_to_stderr();
   return cagetol::run_sweep(
       [&] {
         if (bad_study) throw std::runtime_error("study.toml:3: sigma = -1: must not be negative");

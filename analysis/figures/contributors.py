@@ -1,0 +1,111 @@
+"""Which features of a cage drive which quantity."""
+
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from common import BLUE, GREY, RED, SKY, WIDTH, interval_bars, known, readable, with_unit
+
+
+def outputs_to_explain(report):
+    """The outputs that decide: pass or fail, jams, then the limited quantities."""
+    names = ["meets all limits", "jams"] + [entry["quantity"] for entry in report["limits"]["each"]]
+    by_name = {entry["output"]: entry for entry in report["contributors"]["outputs"]}
+    chosen = [by_name[name] for name in names if name in by_name]
+    return chosen or report["contributors"]["outputs"][:2]
+
+
+def pareto(report):
+    """Largest contributors of each deciding output, with intervals."""
+    outputs = [output for output in outputs_to_explain(report) if output["shares"]]
+    if not outputs:
+        return None
+    most = 6
+    columns = min(2, len(outputs))
+    rows = -(-len(outputs) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 2.1 * rows), squeeze=False, sharex=True)
+    for axis in axes.flat[len(outputs):]:
+        axis.set_visible(False)
+    for axis, output in zip(axes.flat, outputs):
+        shares = sorted(output["shares"], key=lambda share: -known(share["value"]))[:most]
+        places = range(len(shares))
+        axis.barh(places, [100 * max(known(share["value"]), 0) for share in shares], color=SKY, height=0.65,
+                  xerr=100 * np.array(interval_bars(shares)), error_kw={"ecolor": "#333333", "elinewidth": 1, "capsize": 2})
+        axis.set_yticks(places, [share["feature"].removeprefix("pocket ") for share in shares], fontsize=7.5)
+        axis.invert_yaxis()
+        axis.set_title(readable(output["output"]), loc="center")
+        axis.set_xlim(0, 100)
+        axis.grid(axis="y", visible=False)
+        axis.set_xlabel("share of variance [%]")
+        axis.xaxis.set_tick_params(labelbottom=True)
+    return figure
+
+
+def matrix(report):
+    """Contributor by quantity heat map."""
+    outputs = report["contributors"]["outputs"]
+    features = [feature["name"].removeprefix("pocket ") for feature in report["contributors"]["features"]]
+    if not outputs or not features:
+        return None
+    shares = np.array([[100 * known(share["value"]) for share in output["shares"]] for output in outputs])
+    figure, axis = plt.subplots(figsize=(WIDTH, 1.9 + 0.2 * len(outputs)))
+    image = axis.imshow(np.clip(shares, 0, None), cmap="Blues", vmin=0, vmax=100, aspect="auto")
+    for row in range(shares.shape[0]):
+        for column in range(shares.shape[1]):
+            value = shares[row, column]
+            if not math.isnan(value) and value >= 5:
+                axis.text(column, row, f"{value:.0f}", ha="center", va="center", fontsize=7,
+                          color="white" if value > 50 else "black")
+    axis.set_xticks(range(len(features)), features, rotation=40, ha="right", rotation_mode="anchor", fontsize=7)
+    axis.set_yticks(range(len(outputs)), [readable(output["output"]) for output in outputs], fontsize=7)
+    axis.grid(False)
+    figure.colorbar(image, ax=axis, pad=0.01).set_label("share of variance [%]")
+    return figure
+
+
+def standing_out(report):
+    """The two clearest maps in which a single pocket explains more than its neighbours."""
+    return sorted(report["contributors"]["pockets"], key=lambda entry: -max(known(share) for share in entry["shares"]))[:2]
+
+
+def pocket_map(report):
+    """Share of each single pocket around the bearing."""
+    maps = standing_out(report)
+    if not maps:
+        return None
+    figure, axes = plt.subplots(1, len(maps), figsize=(WIDTH, 3.2), subplot_kw={"projection": "polar"}, squeeze=False)
+    for axis, entry in zip(axes[0], maps):
+        shares = [max(100 * known(share), 0) for share in entry["shares"]]
+        count = len(shares)
+        angles = 2 * np.pi * np.arange(count) / count
+        axis.bar(angles, shares, width=0.8 * 2 * np.pi / count, color=BLUE)
+        axis.set_xticks(angles, [str(pocket) for pocket in range(count)])
+        axis.tick_params(pad=1)
+        axis.set_rlabel_position(360 / count * 0.5)
+        axis.set_title(f"{entry['name']} → {readable(entry['output'])}\nshare of variance [%] by pocket", loc="center", fontsize=8.5)
+    return figure
+
+
+def responses(report):
+    """Mean of each deciding output over its strongest contributor."""
+    outputs = [output for output in outputs_to_explain(report) if output.get("response", {}).get("points")]
+    if not outputs:
+        return None
+    columns = min(2, len(outputs))
+    rows = -(-len(outputs) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 2.2 * rows), squeeze=False)
+    for axis in axes.flat[len(outputs):]:
+        axis.set_visible(False)
+    for axis, output in zip(axes.flat, outputs):
+        points = output["response"]["points"]
+        indicator = output["output"] in ("meets all limits", "jams")
+        factor = 100 if indicator else 1
+        error = [2 * factor * (0 if math.isnan(known(p["standard_error"])) else p["standard_error"]) for p in points]
+        axis.errorbar([known(p["feature"]) for p in points], [factor * known(p["mean"]) for p in points], yerr=error,
+                      fmt="o-", color=BLUE, ecolor=GREY, capsize=2)
+        axis.set_xlabel(with_unit(output["response"]["feature"], output["response"]["unit"]))
+        axis.set_ylabel(f"runs that {'meet' if 'meets' in output['output'] else 'jam'} [%]" if indicator
+                        else with_unit("mean", output["unit"]))
+        axis.set_title(readable(output["output"]))
+    return figure

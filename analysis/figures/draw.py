@@ -1,0 +1,50 @@
+"""Draws every figure of a report from its numbers: draw.py REPORT_JSON OUTPUT_DIR.
+
+Computes nothing that is not in report.json. Each figure becomes OUTPUT_DIR/NAME.svg; a figure for which the report has no data is
+left out. A figure that fails is named on standard error, the others are still drawn, and the exit code is 1.
+"""
+
+import json
+import pathlib
+import sys
+import traceback
+
+
+def main(report_file, output_dir):
+    here = pathlib.Path(__file__).resolve().parent
+    sys.path.insert(0, str(here))
+    import matplotlib
+    matplotlib.use("svg")
+    import matplotlib.pyplot as plt
+    plt.style.use(str(here / "cagetol.mplstyle"))
+    import contributors
+    import quantities
+    import tolerance
+
+    figures = {
+        "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
+        "limited_quantities": quantities.limited_quantities, "other_quantities": quantities.other_quantities,
+        "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
+        "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
+    }
+    with open(report_file, encoding="utf-8") as source:
+        report = json.load(source)
+    output = pathlib.Path(output_dir)
+    output.mkdir(parents=True, exist_ok=True)
+    failed = 0
+    for name, draw in figures.items():
+        target = output / f"{name}.svg"
+        target.unlink(missing_ok=True)
+        try:
+            figure = draw(report)
+            if figure is not None:
+                figure.savefig(target, metadata={"Date": None})
+                plt.close(figure)
+        except Exception:  # one broken figure must not cost the others
+            failed += 1
+            print(f"figure {name}: {traceback.format_exc(limit=-2)}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2]))

@@ -1,0 +1,77 @@
+"""Yield against tolerance."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from common import BLUE, GREY, RED, WIDTH, known
+
+
+def yield_curves(report):
+    """One panel for each dimension: yield with its bounds over the width of the tolerance."""
+    dimensions = report["tolerance"].get("dimensions", []) if report["tolerance"] else []
+    if not dimensions:
+        return None
+    figure, axes = plt.subplots(1, len(dimensions), figsize=(WIDTH, 3.1), sharey=True, squeeze=False)
+    for axis, dimension in zip(axes[0], dimensions):
+        levels = [level for level in dimension["levels"] if level["shown"]]
+        bands = [1e3 * level["band_mm"] for level in levels]
+        low = [100 * known(level["yield"]["if_unknown_fail"]) for level in levels]
+        high = [100 * known(level["yield"]["if_unknown_pass"]) for level in levels]
+        lower = [100 * known(level["yield"]["lower_bound"]) for level in levels]
+        upper = [100 * known(level["yield"]["upper_bound"]) for level in levels]
+        axis.fill_between(bands, lower, upper, color=BLUE, alpha=0.15, linewidth=0, label="between the bounds")
+        axis.plot(bands, low, "o-", color=BLUE, label="runs without result fail")
+        if any(abs(a - b) > 0.05 for a, b in zip(low, high)):
+            axis.plot(bands, high, "s:", color=BLUE, markerfacecolor="white", label="runs without result pass")
+        axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
+        axis.set_xlabel(f"tolerance of pocket {dimension['name']}, full width [µm]")
+        axis.set_title(f"{dimension['name']}: {dimension['binding']}")
+        axis.set_xticks(bands)
+        axis.set_xticklabels([f"{band:.0f}\n{level['grade']}\n({level['yield']['effective_runs']:.0f})"
+                              for band, level in zip(bands, levels)])
+        axis.margins(x=0.08)
+    axes[0][0].set_ylabel("yield [%]")
+    axes[0][0].legend(loc="lower left")
+    return figure
+
+
+def yield_map(report):
+    """Lower yield bound for two dimensions together."""
+    tolerance = report["tolerance"]
+    if not tolerance or len(tolerance["dimensions"]) != 2:
+        return None
+    first, second = tolerance["dimensions"]
+    rows = [level["band_mm"] for level in first["levels"]]
+    columns = [level["band_mm"] for level in second["levels"]]
+    bound = np.full((len(rows), len(columns)), np.nan)
+    text = {}
+    for candidate in tolerance["candidates"]:
+        place = rows.index(candidate["bands_mm"][0]), columns.index(candidate["bands_mm"][1])
+        if not candidate["shown"]:
+            text[place] = f"too few runs\n({candidate['yield']['effective_runs']:.0f} effective)"
+            continue
+        bound[place] = 100 * candidate["yield"]["lower_bound"]
+        text[place] = (f"{100 * candidate['yield']['if_unknown_fail']:.1f} %\n"
+                       f"at least {bound[place]:.1f} %\n({candidate['yield']['effective_runs']:.0f} runs)")
+    target = 100 * report["verdict"]["target_yield"]
+    figure, axis = plt.subplots(figsize=(WIDTH, 0.9 + 0.62 * len(rows)))
+    reach = max(100 - target, 1.0) * 2
+    image = axis.imshow(bound, cmap="PuOr", vmin=target - reach, vmax=target + reach, aspect="auto", origin="lower")
+    chosen = tolerance["chosen_candidate"]
+    for place, words in text.items():
+        strong = abs(np.nan_to_num(bound[place], nan=target) - target) > 0.6 * reach
+        axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8, color="white" if strong else "black")
+    if chosen is not None:
+        bands = tolerance["candidates"][chosen]["bands_mm"]
+        axis.add_patch(plt.Rectangle((columns.index(bands[1]) - 0.48, rows.index(bands[0]) - 0.46), 0.96, 0.92,
+                                     fill=False, edgecolor="black", linewidth=2))
+    label = lambda levels: [f"{1e3 * level['band_mm']:.0f} µm  {level['grade']}" for level in levels]
+    axis.set_xticks(range(len(columns)), label(second["levels"]))
+    axis.set_yticks(range(len(rows)), label(first["levels"]))
+    axis.set_xlabel(f"tolerance of pocket {second['name']}")
+    axis.set_ylabel(f"tolerance of pocket {first['name']}")
+    axis.grid(False)
+    bar = figure.colorbar(image, ax=axis, pad=0.02)
+    bar.set_label("lower bound of the yield [%]")
+    bar.ax.axhline(target, color="black", linewidth=1.5)
+    return figure

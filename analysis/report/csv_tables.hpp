@@ -1,0 +1,15 @@
+// The numbers of the report as CSV, for spreadsheets. First line: column names, units in them.
+#pragma once
+
+#include <filesystem>
+
+#include "analysis/report/json_parts.hpp"
+#include "analysis/study/study_data.hpp"
+
+namespace cagetol {
+
+/// samples.csv: one line a sample, with outcome, features of the cage and quantities. quantities.csv, contributors.csv and
+/// yield.csv: the tables of report.json. Throws StudyFileError when a file cannot be written.
+void write_csv_tables(const std::filesystem::path& directory, const StudyData& study, const Json& report);
+
+}  // namespace cagetol

@@ -1,0 +1,48 @@
+// The chapters of report.json. Each takes what it needs and returns one object or list.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/resampling.hpp"
+#include "analysis/statistics/yield.hpp"
+#include "analysis/study/study_data.hpp"
+
+namespace cagetol {
+
+using Json = nlohmann::ordered_json;
+
+/// What every chapter works on.
+struct ReportBasis {
+  const StudyData& study;  ///< all samples, noise replicates included
+  const StudyData& runs;   ///< the first run of each row that has an outcome
+  const std::vector<Judgement>& joint;
+  const Resampling& resampling;
+  double confidence = 0.95;
+};
+
+Json to_json(const Estimate& estimate);
+Json to_json(const Yield& yield);
+/// NaN and infinities become null.
+Json number(double value);
+
+Json provenance_json(const StudyData& study);
+Json assumptions_json(const StudyData& study);
+Json outcomes_json(const ReportBasis& basis);
+Json limits_json(const ReportBasis& basis);
+Json quantities_json(const ReportBasis& basis);
+Json capability_json(const ReportBasis& basis);
+Json convergence_json(const ReportBasis& basis);
+Json health_json(const ReportBasis& basis);
+Json failures_json(const ReportBasis& basis);
+Json worst_samples_json(const ReportBasis& basis);
+Json contributors_json(const ReportBasis& basis);
+
+/// Yield curves, binding tests and recommendation, and the verdict drawn from them.
+struct TolerancePart {
+  Json tolerance, verdict;
+};
+TolerancePart tolerance_json(const ReportBasis& basis);
+
+}  // namespace cagetol

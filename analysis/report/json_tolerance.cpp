@@ -1,0 +1,169 @@
+// Yield against tolerance, and the verdict.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/report/json_parts.hpp"
+#include "analysis/tolerance/recommendation.hpp"
+
+namespace cagetol {
+namespace {
+
+/// "97.3 %": as many decimals as the distance to 100 % needs.
+std::string percent(double share) {
+  const double distance = std::min(std::abs(1 - share), std::abs(share));
+  const int decimals = distance >= 0.1 || distance == 0 ? 0 : distance >= 0.01 ? 1 : 2;
+  return fmt::format("{:.{}f} %", 100 * share, std::max(decimals, share > 0.9 ? 1 : 0));
+}
+
+/// A stated share as stated: "95 %".
+std::string plain_percent(double share) { return fmt::format("{:.6g} %", 100 * share); }
+
+bool shown(const Yield& yield) { return yield.ess >= kFewestEffectiveRuns; }
+
+Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < curves.candidates.size(); ++k) {
+    const CandidatePlan& plan = basis.study.plan.candidates[k];
+    list.push_back({{"candidate", k},
+                    {"bands_mm", plan.bands_mm},
+                    {"grades", plan.grades},
+                    {"shown", shown(curves.candidates[k])},
+                    {"yield", to_json(curves.candidates[k])}});
+  }
+  return list;
+}
+
+Json dimensions_json(const YieldCurves& curves, const std::vector<BindingTest>& tests) {
+  Json list = Json::array();
+  for (std::size_t d = 0; d < curves.dimensions.size(); ++d) {
+    const BindingTest& test = tests[d];
+    Json levels = Json::array();
+    for (const LevelYield& level : curves.dimensions[d].levels)
+      levels.push_back({{"band_mm", level.band_mm},
+                        {"grade", level.grade},
+                        {"name", band_name(level.grade, level.band_mm)},
+                        {"shown", shown(level.yield)},
+                        {"yield", to_json(level.yield)}});
+    list.push_back({{"key", test.key},
+                    {"name", dimension_name(test.key)},
+                    {"levels", levels},
+                    {"binding", binding_name(test.answer)},
+                    {"largest_loss", number(test.largest_loss)},
+                    {"largest_loss_bound", number(test.largest_loss_bound)},
+                    {"allowed_loss", test.allowed_loss}});
+  }
+  return list;
+}
+
+Json bands_json(const Recommendation& result) {
+  Json bands = Json::array();
+  for (const RecommendedBand& band : result.bands)
+    bands.push_back({{"key", band.key}, {"name", band.name}, {"not_binding", band.not_binding},
+                     {"band_mm", band.band_mm}, {"grade", band.grade}, {"widest_studied", band.widest_studied}});
+  return bands;
+}
+
+Json steps_json(const Recommendation& result) {
+  Json steps = Json::array();
+  for (const StepEffect& step : result.steps)
+    steps.push_back({{"key", step.key}, {"name", dimension_name(step.key)}, {"from", step.from}, {"to", step.to},
+                     {"change", step.change}, {"lower", step.lower}, {"upper", step.upper}});
+  return steps;
+}
+
+std::string list_of(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+  return text;
+}
+
+std::string statement_of(const ReportBasis& basis, const Recommendation& result) {
+  const StudyPlan& plan = basis.study.plan;
+  std::vector<std::string> bands, free;
+  for (const RecommendedBand& band : result.bands) {
+    const std::string width = fmt::format("{} {:.3f} mm{}", band.name, band.band_mm,
+                                          band.grade.empty() ? "" : " (" + band.grade + ")");
+    (band.not_binding ? free : bands).push_back(width);
+  }
+  std::string text;
+  if (bands.empty())
+    text = result.meets_target ? "No tolerance studied limits the yield: the study gives no band to print."
+                               : "The target is not met, and no tolerance studied changes that: look at the contributors.";
+  else if (result.meets_target)
+    text = fmt::format("Recommended: pocket {}, full width of the tolerance.", list_of(bands));
+  else
+    text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.", list_of(bands));
+  text += fmt::format(" The estimated yield is {}, at least {} with {} confidence{}; the target is {}.",
+                      percent(result.yield.if_unknown_fail), percent(result.yield.lower_bound),
+                      plain_percent(plan.confidence),
+                      result.yield.unknown_runs > 0 ? ", runs without a result counted as failing" : "",
+                      plain_percent(plan.target_yield));
+  if (!free.empty())
+    text += fmt::format(" Not binding within the range studied: {}; the yield holds with it at that width, which is no "
+                        "recommendation.", list_of(free));
+  text += " Unconfirmed: no fresh runs were made at this tolerance.";
+  return text;
+}
+
+std::string statement_without_candidates(const ReportBasis& basis, bool too_few) {
+  if (too_few)
+    return fmt::format("No tolerance can be recommended: every candidate has fewer than {:.0f} effective runs. Run more samples "
+                       "or fewer candidates.", kFewestEffectiveRuns);
+  if (basis.study.plan.limits.empty()) return "The study states no limits: there is nothing to judge a tolerance by.";
+  return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
+}
+
+Json band_verdict(const RecommendedBand& band) {
+  if (band.not_binding)
+    return {{"band_mm", nullptr}, {"grade", nullptr}, {"yield_stated_at_mm", band.band_mm}, {"yield_stated_at_grade", band.grade}};
+  return {{"band_mm", band.band_mm}, {"grade", band.grade}};
+}
+
+}  // namespace
+
+TolerancePart tolerance_json(const ReportBasis& basis) {
+  const StudyPlan& plan = basis.study.plan;
+  TolerancePart part;
+  Json& verdict = part.verdict;
+  verdict["width"] = nullptr;
+  verdict["length"] = nullptr;
+  const std::vector<double> equal(basis.runs.size(), 1.0);
+  Yield overall = estimate_yield(basis.runs, basis.joint, equal, basis.resampling, plan.confidence);
+  Recommendation result;
+  Json not_binding = Json::array(), undecided = Json::array();
+  const bool candidates = !plan.candidates.empty() && !plan.dimensions.empty() && !plan.limits.empty() && basis.runs.size() > 0;
+  if (candidates) {
+    const MixtureWeights mixture = mixture_weights(basis.runs);
+    const YieldCurves curves = yield_curves(basis.runs, mixture, basis.joint, basis.resampling, plan.confidence);
+    const auto tests = test_binding(basis.runs, mixture, curves, basis.joint, basis.resampling);
+    result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling);
+    for (const BindingTest& test : tests) {
+      if (test.answer == Binding::not_binding) not_binding.push_back(dimension_name(test.key));
+      if (test.answer == Binding::undecided) undecided.push_back(dimension_name(test.key));
+    }
+    part.tolerance = {{"candidates", candidates_json(basis, curves)},
+                      {"dimensions", dimensions_json(curves, tests)},
+                      {"fewest_effective_runs", kFewestEffectiveRuns},
+                      {"note", mixture.note},
+                      {"chosen_candidate", result.possible ? Json(result.candidate) : Json()},
+                      {"bands", bands_json(result)},
+                      {"steps", steps_json(result)}};
+  }
+  for (const RecommendedBand& band : result.bands) verdict[band.name] = band_verdict(band);
+  const Yield& yield = result.possible ? result.yield : overall;
+  verdict["meets_target"] = candidates ? result.possible && result.meets_target : overall.lower_bound >= plan.target_yield;
+  verdict["yield"] = to_json(yield);
+  verdict["yield_lower_bound"] = plan.limits.empty() ? Json() : number(yield.lower_bound);
+  verdict["target_yield"] = plan.target_yield;
+  verdict["confidence"] = plan.confidence;
+  verdict["confirmation"] = nullptr;
+  verdict["not_binding"] = not_binding;
+  verdict["undecided"] = undecided;
+  verdict["statement"] = result.possible ? statement_of(basis, result) : statement_without_candidates(basis, candidates);
+  return part;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,27 @@
+// The report of a study: report.json with every number, CSV tables, figures and one self-contained report.html.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "analysis/study/study_data.hpp"
+
+namespace cagetol {
+
+struct ReportOptions {
+  /// Python scripts that draw from report.json.
+  std::filesystem::path figures_dir = CAGETOL_FIGURES_DIR;
+  /// Debian's own interpreter: it has matplotlib, whatever other python3 comes first on the PATH.
+  std::string python = "/usr/bin/python3";
+  bool json_to_stdout = false;  ///< print report.json instead of the verdict
+};
+
+/// Every number of the report, from the study alone: the same study gives the same bytes.
+nlohmann::ordered_json make_report(const StudyData& study);
+
+/// Reads DIR/study.h5 and writes report.json, report.html, samples.csv, quantities.csv, contributors.csv, yield.csv and figures/
+/// beside it. Figures that cannot be drawn are replaced by the reason. Prints the verdict. Returns 0; throws StudyFileError.
+int run_report(const std::filesystem::path& study_dir, const ReportOptions& options = {});
+
+}  // namespace cagetol

@@ -1,0 +1,41 @@
+#include <algorithm>
+
+#include "analysis/report/json_parts.hpp"
+#include "analysis/report/report.hpp"
+
+namespace cagetol {
+namespace {
+
+/// About two million weights in all: the bootstrap stays within seconds and a few ten megabytes.
+std::size_t resample_count(std::size_t runs) {
+  return std::clamp<std::size_t>(2'000'000 / std::max<std::size_t>(runs, 1), 200, 1000);
+}
+
+}  // namespace
+
+nlohmann::ordered_json make_report(const StudyData& study) {
+  const StudyData runs = select_samples(study, first_runs(study));
+  const auto joint = judge_all(runs);
+  const Resampling resampling(runs, resample_count(runs.size()));
+  const ReportBasis basis{study, runs, joint, resampling, study.plan.confidence};
+  TolerancePart tolerance = tolerance_json(basis);
+  Json report;
+  report["report_version"] = 1;
+  report["verdict"] = std::move(tolerance.verdict);
+  report["tolerance"] = std::move(tolerance.tolerance);
+  report["outcomes"] = outcomes_json(basis);
+  report["limits"] = limits_json(basis);
+  report["contributors"] = contributors_json(basis);
+  report["quantities"] = quantities_json(basis);
+  report["capability"] = capability_json(basis);
+  report["convergence"] = convergence_json(basis);
+  report["failures"] = failures_json(basis);
+  report["worst_samples"] = worst_samples_json(basis);
+  report["health"] = health_json(basis);
+  report["intervals"] = {{"confidence", basis.confidence}, {"method", resampling.description()}};
+  report["assumptions"] = assumptions_json(study);
+  report["provenance"] = provenance_json(study);
+  return report;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace cagetol {
+
+/// Replaces the file at once, by renaming. Throws StudyFileError with the reason (no permission, disk full).
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace cagetol

@@ -1,0 +1,33 @@
+// Scalar features of a cage: what a tolerance or an inspection could act on. Shares of variance are given for these.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/study/study_data.hpp"
+
+namespace cagetol {
+
+struct Feature {
+  std::string input;       ///< key of the scene, e.g. "cage.pocket_width_mm"
+  std::string name;        ///< short and unique: "pocket width: lot"
+  std::string definition;  ///< one sentence for the report
+  std::string unit;
+  std::vector<double> values;  ///< N
+};
+
+/// Every feature that varies in the study:
+///   KEY: lot                    deviation shared by the cage
+///   KEY: within-cage scatter    standard deviation over the cage's pockets
+///   KEY: smallest pocket        smallest value of the cage (keys with nominal 0: largest deviation, in magnitude)
+///   KEY: pocket in load zone    value of the pocket nearest to the load's direction when the run starts
+///   KEY                         for keys drawn from the noise of the run
+std::vector<Feature> cage_features(const StudyData& study);
+
+/// Deviation of each single pocket of the key, one feature for each pocket.
+std::vector<Feature> pocket_features(const StudyData& study, const InputColumns& input);
+
+/// "cage.pocket_width_mm" -> "pocket width".
+std::string plain_name(const std::string& key);
+
+}  // namespace cagetol

@@ -1,0 +1,137 @@
+#include "analysis/statistics/resampling.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analysis/statistics/order_statistics.hpp"
+#include "analysis/study/design_blocks.hpp"
+#include "analysis/study/study_file_error.hpp"
+#include "distributions/random_stream.hpp"
+
+namespace cagetol {
+namespace {
+
+/// With fewer scrambles their scatter says too little about itself.
+constexpr std::int64_t kFewestScrambles = 4;
+constexpr std::size_t kFewestLots = 8;
+
+/// Rows of one base of a pick-freeze design share their points and go together, whatever their lot.
+std::vector<std::size_t> number_lots(const StudyData& study, std::size_t& lots) {
+  const auto base = static_cast<std::int64_t>(design_blocks(study).rows_per_base);
+  std::map<std::int64_t, std::size_t> numbers;
+  std::vector<std::size_t> lot_of;
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    const std::int64_t cluster = base > 1 ? study.row[i] / base : study.lot[i];
+    lot_of.push_back(numbers.try_emplace(cluster, numbers.size()).first->second);
+  }
+  lots = numbers.size();
+  return lot_of;
+}
+
+}  // namespace
+
+Resampling::Resampling(const StudyData& study, std::size_t resamples) {
+  lot_of_ = number_lots(study, lots_);
+  const std::string& design = study.design.kind;
+  if (design == "sobol") {
+    if (study.design.scrambles < kFewestScrambles) return;
+    kind_ = IntervalKind::scrambles;
+    const auto scrambles = static_cast<std::size_t>(study.design.scrambles);
+    const auto rows = static_cast<std::size_t>(study.design.rows_planned) / scrambles;
+    weights_.assign(scrambles, std::vector<double>(study.size(), 0.0));
+    for (std::size_t i = 0; i < study.size(); ++i)
+      weights_[std::min(static_cast<std::size_t>(study.row[i]) / rows, scrambles - 1)][i] = 1;
+    return;
+  }
+  if (design == "grid" || lots_ < kFewestLots) return;
+  kind_ = IntervalKind::lots;
+  std::vector<double> drawn(lots_);
+  for (std::size_t b = 0; b < resamples; ++b) {
+    std::fill(drawn.begin(), drawn.end(), 0.0);
+    RandomStream stream(static_cast<std::uint64_t>(study.provenance.seed), Purpose::bootstrap, b);
+    for (std::size_t i = 0; i < lots_; ++i) drawn[stream.next_index(lots_)] += 1;
+    std::vector<double> weights(study.size());
+    for (std::size_t i = 0; i < study.size(); ++i) weights[i] = drawn[lot_of_[i]];
+    weights_.push_back(std::move(weights));
+  }
+}
+
+std::string Resampling::description() const {
+  switch (kind_) {
+    case IntervalKind::lots:
+      return fmt::format("bootstrap: {} times, {} lots are drawn again with replacement; the interval holds the middle "
+                         "of the results", weights_.size(), lots_);
+    case IntervalKind::scrambles:
+      return fmt::format("scatter of {} independent scrambles of the Sobol' points (Student t)", weights_.size());
+    case IntervalKind::none: break;
+  }
+  return "none: this design has no independent repeats to tell how far a result would move";
+}
+
+Estimate Resampling::estimate(const WeightedStatistic& statistic, double confidence,
+                              std::span<const double> base) const {
+  return interval(statistic, 0.5 * (1 - confidence), base);
+}
+
+Estimate Resampling::one_sided(const WeightedStatistic& statistic, double confidence,
+                               std::span<const double> base) const {
+  return interval(statistic, 1 - confidence, base);
+}
+
+Estimate Resampling::interval(const WeightedStatistic& statistic, double tail,
+                              std::span<const double> base) const {
+  std::vector<double> ones;
+  if (base.empty()) {
+    ones.assign(lot_of_.size(), 1.0);
+    base = ones;
+  }
+  Estimate estimate;
+  estimate.value = statistic(base);
+  if (kind_ == IntervalKind::none || std::isnan(estimate.value)) return estimate;
+  std::vector<double> results, weights(base.size());
+  for (const auto& resample : weights_) {
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = base[i] * resample[i];
+    const double result = statistic(weights);
+    if (!std::isnan(result)) results.push_back(result);
+  }
+  const auto count = static_cast<double>(results.size());
+  if (2 * results.size() < weights_.size() || count < kFewestScrambles) return estimate;
+  if (kind_ == IntervalKind::scrambles) {
+    double mean = 0, square = 0;
+    for (const double result : results) mean += result / count;
+    for (const double result : results) square += (result - mean) * (result - mean);
+    const double error = std::sqrt(square / (count - 1) / count);
+    const double t = gsl_cdf_tdist_Qinv(tail, count - 1);
+    estimate.lower = estimate.value - t * error;
+    estimate.upper = estimate.value + t * error;
+    return estimate;
+  }
+  const std::vector<double> equal(results.size(), 1.0);
+  const auto order = ascending_order(results);
+  estimate.lower = weighted_quantile(results, order, equal, tail);
+  estimate.upper = weighted_quantile(results, order, equal, 1 - tail);
+  return estimate;
+}
+
+bool independent_runs(const StudyData& study, std::string* why_not) {
+  std::string reason;
+  std::size_t lots = 0;
+  number_lots(study, lots);
+  if (study.design.kind != "random")
+    reason = "the rows of a `" + study.design.kind + "` design are not independent of each other";
+  else if (lots < study.size())
+    reason = "cages of one lot share their lot deviation: the runs are not independent of each other";
+  if (why_not != nullptr) *why_not = reason;
+  return reason.empty();
+}
+
+void require_independent_runs(const StudyData& study, const std::string& what) {
+  std::string reason;
+  if (!independent_runs(study, &reason)) throw Refused(what + " refused: " + reason);
+}
+
+}  // namespace cagetol

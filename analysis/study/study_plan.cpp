@@ -1,0 +1,95 @@
+#include "analysis/study/study_plan.hpp"
+
+#include "analysis/study/study_file_error.hpp"
+
+namespace cagetol {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json part(const Json& object, const char* key) {
+  return object.contains(key) ? object.at(key) : Json();
+}
+
+std::optional<double> optional_number(const Json& object, const char* key) {
+  const Json value = part(object, key);
+  if (value.is_null()) return std::nullopt;
+  return value.get<double>();
+}
+
+std::vector<double> numbers(const Json& value) {
+  if (value.is_null()) return {};
+  if (value.is_array()) return value.get<std::vector<double>>();
+  return {value.get<double>()};
+}
+
+InputPlan read_input(const Json& object) {
+  InputPlan input;
+  input.key = object.at("key").get<std::string>();
+  input.unit = object.value("unit", "-");
+  input.nominal = numbers(part(object, "nominal"));
+  input.lot = part(object, "lot");
+  input.pocket = part(object, "pocket");
+  input.noise = part(object, "noise");
+  return input;
+}
+
+LimitPlan read_limit(const Json& object) {
+  LimitPlan limit;
+  limit.quantity = object.at("quantity").get<std::string>();
+  limit.minimum = optional_number(object, "min");
+  limit.maximum = optional_number(object, "max");
+  limit.source = object.value("source", "");
+  limit.cage_revolutions = object.value("cage_revolutions", 0.0);
+  return limit;
+}
+
+CandidatePlan read_candidate(const Json& object) {
+  return {object.at("bands_mm").get<std::vector<double>>(),
+          object.at("grades").get<std::vector<std::string>>(),
+          object.at("scales").get<std::vector<double>>()};
+}
+
+CorrelationPlan read_correlation(const Json& object) {
+  const auto between = object.at("between").get<std::vector<std::string>>();
+  return {between.at(0), between.at(1), object.at("rho").get<double>()};
+}
+
+template <class T>
+std::vector<T> read_list(const Json& root, const char* key, T (*read)(const Json&)) {
+  std::vector<T> items;
+  for (const Json& object : part(root, key)) items.push_back(read(object));
+  return items;
+}
+
+}  // namespace
+
+StudyPlan read_study_plan(const std::string& text, const std::string& file) {
+  try {
+    StudyPlan plan;
+    plan.whole = Json::parse(text);
+    const Json& root = plan.whole;
+    plan.name = root.value("name", "study");
+    plan.cages_per_lot = root.value("cages_per_lot", 1.0);
+    plan.allowed_failure_share = root.value("allowed_failure_share", 0.02);
+    plan.scene = part(root, "scene");
+    plan.inputs = read_list(root, "inputs", read_input);
+    plan.limits = read_list(root, "limit", read_limit);
+    plan.candidates = read_list(root, "candidates", read_candidate);
+    plan.correlations = read_list(root, "correlation", read_correlation);
+    const Json tolerance = part(root, "tolerance");
+    if (!tolerance.is_null()) {
+      plan.target_yield = tolerance.value("target_yield", 0.95);
+      plan.confidence = tolerance.value("confidence", 0.95);
+      for (const Json& object : part(tolerance, "dimension"))
+        plan.dimensions.push_back(
+            {object.at("key").get<std::string>(), object.at("band_mm").get<double>()});
+    }
+    return plan;
+  } catch (const std::exception& error) {
+    throw StudyFileError(file, std::string("/study/json cannot be understood: ") + error.what(),
+                         "run the study again with the version of the program that reads it");
+  }
+}
+
+}  // namespace cagetol

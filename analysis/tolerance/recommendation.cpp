@@ -1,0 +1,156 @@
+#include "analysis/tolerance/recommendation.hpp"
+
+#include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/sensitivity/features.hpp"
+#include "analysis/study/study_file_error.hpp"
+#include "distributions/iso286.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+/// Product of the bands of the dimensions that matter, each relative to its widest candidate.
+double width_of(const CandidatePlan& candidate, const YieldCurves& curves,
+                const std::vector<BindingTest>& tests) {
+  double product = 1;
+  for (std::size_t d = 0; d < tests.size(); ++d)
+    if (tests[d].answer != Binding::not_binding)
+      product *= candidate.bands_mm[d] / curves.dimensions[d].levels.back().band_mm;
+  return product;
+}
+
+/// Dimensions that are not binding stay at their widest candidate.
+bool eligible(const CandidatePlan& candidate, const Yield& yield, const YieldCurves& curves,
+              const std::vector<BindingTest>& tests) {
+  for (std::size_t d = 0; d < tests.size(); ++d)
+    if (tests[d].answer == Binding::not_binding &&
+        candidate.bands_mm[d] != curves.dimensions[d].levels.back().band_mm)
+      return false;
+  return yield.ess >= kFewestEffectiveRuns;
+}
+
+/// The widest that meets the target, or the best where none does.
+void choose(const StudyPlan& plan, const YieldCurves& curves, const std::vector<BindingTest>& tests,
+            Recommendation& result) {
+  double widest = 0, best = -1;
+  for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
+    const Yield& yield = curves.candidates[k];
+    if (!eligible(plan.candidates[k], yield, curves, tests)) continue;
+    result.possible = true;
+    const bool meets = yield.lower_bound >= plan.target_yield;
+    const double width = width_of(plan.candidates[k], curves, tests);
+    if (result.meets_target && !meets) continue;
+    const bool first_to_meet = meets && !result.meets_target;
+    const bool better = meets ? width > widest || (width == widest && yield.lower_bound > best)
+                              : yield.lower_bound > best;
+    if (!first_to_meet && !better) continue;
+    result.meets_target = meets;
+    result.candidate = k;
+    widest = width;
+    best = yield.lower_bound;
+  }
+}
+
+double nominal_of(const StudyData& runs, const std::string& key) {
+  const InputColumns* input = find_input(runs, key);
+  return input == nullptr || input->nominal.empty() ? 0 : input->nominal.front();
+}
+
+/// Bands of the chosen combination; a band given in mm is snapped down. True when any band moved.
+bool set_bands(const StudyData& runs, const YieldCurves& curves, const std::vector<BindingTest>& tests,
+               Recommendation& result) {
+  bool moved = false;
+  const CandidatePlan& chosen = runs.plan.candidates[result.candidate];
+  for (std::size_t d = 0; d < tests.size(); ++d) {
+    const auto& key = runs.plan.dimensions[d].key;
+    RecommendedBand band{key, dimension_name(key), tests[d].answer == Binding::not_binding,
+                         chosen.bands_mm[d], chosen.grades[d], false};
+    band.widest_studied = chosen.bands_mm[d] == curves.dimensions[d].levels.back().band_mm;
+    const double nominal = nominal_of(runs, key);
+    if (band.grade.empty() && !band.not_binding && nominal > 0)
+      if (const auto grade = grade_within(1e3 * band.band_mm * (1 + kRounding), nominal)) {
+        const double snapped = 1e-3 * grade_width_um(*grade, nominal);
+        moved = moved || snapped < band.band_mm * (1 - kRounding);
+        band.band_mm = snapped;
+        band.grade = grade_name(*grade);
+      }
+    result.bands.push_back(band);
+  }
+  return moved;
+}
+
+/// The yield at the snapped bands, where the runs can tell; narrower bands cannot be claimed to do better otherwise.
+void judge_snapped(const StudyData& runs, const MixtureWeights& mixture, const std::vector<Judgement>& joint,
+                   const Resampling& resampling, Recommendation& result) {
+  if (mixture.log_mixture.empty()) return;
+  std::vector<double> scales;
+  for (std::size_t d = 0; d < result.bands.size(); ++d)
+    scales.push_back(result.bands[d].band_mm / runs.plan.dimensions[d].band_mm);
+  auto weights = weights_of_scales(runs, mixture, scales);
+  if (effective_sample_size(weights) < kFewestEffectiveRuns) return;
+  result.yield = estimate_yield(runs, joint, weights, resampling, runs.plan.confidence);
+  result.weights = std::move(weights);
+}
+
+/// The candidate that differs from `chosen` only in dimension d, one band narrower (step -1) or wider (+1); npos for none.
+std::size_t neighbour(const StudyPlan& plan, const YieldCurves& curves, std::size_t chosen, std::size_t d, int step) {
+  const auto& levels = curves.dimensions[d].levels;
+  auto bands = plan.candidates[chosen].bands_mm;
+  std::ptrdiff_t level = 0;
+  while (levels[static_cast<std::size_t>(level)].band_mm != bands[d]) ++level;
+  level += step;
+  if (level < 0 || level >= static_cast<std::ptrdiff_t>(levels.size())) return std::string::npos;
+  bands[d] = levels[static_cast<std::size_t>(level)].band_mm;
+  for (std::size_t k = 0; k < plan.candidates.size(); ++k)
+    if (plan.candidates[k].bands_mm == bands) return k;
+  return std::string::npos;
+}
+
+void add_steps(const StudyData& runs, const MixtureWeights& mixture, const YieldCurves& curves,
+               const std::vector<Judgement>& joint, const Resampling& resampling, Recommendation& result) {
+  const auto& plan = runs.plan;
+  const double z = gsl_cdf_ugaussian_Qinv(0.5 * (1 - plan.confidence));
+  for (std::size_t d = 0; d < plan.dimensions.size(); ++d)
+    for (const int step : {-1, 1}) {
+      const std::size_t other = neighbour(plan, curves, result.candidate, d, step);
+      if (other == std::string::npos || curves.candidates[other].ess < kFewestEffectiveRuns) continue;
+      const auto difference = yield_difference(joint, mixture.candidate[other],
+                                               mixture.candidate[result.candidate], resampling);
+      const auto name = [&](std::size_t k) {
+        return band_name(plan.candidates[k].grades[d], plan.candidates[k].bands_mm[d]);
+      };
+      result.steps.push_back({plan.dimensions[d].key, name(result.candidate), name(other), difference.value,
+                              difference.value - z * difference.standard_error,
+                              difference.value + z * difference.standard_error});
+    }
+}
+
+}  // namespace
+
+Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& mixture,
+                                   const YieldCurves& curves, const std::vector<BindingTest>& tests,
+                                   const std::vector<Judgement>& joint, const Resampling& resampling) {
+  Recommendation result;
+  if (mixture.candidate.empty()) return result;
+  choose(runs.plan, curves, tests, result);
+  if (!result.possible) return result;
+  result.yield = curves.candidates[result.candidate];
+  result.weights = mixture.candidate[result.candidate];
+  if (set_bands(runs, curves, tests, result)) judge_snapped(runs, mixture, joint, resampling, result);
+  add_steps(runs, mixture, curves, joint, resampling, result);
+  return result;
+}
+
+std::string dimension_name(const std::string& key) {
+  std::string name = plain_name(key);
+  const std::string prefix = "pocket ";
+  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
+}
+
+}  // namespace cagetol

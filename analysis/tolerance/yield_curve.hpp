@@ -1,0 +1,41 @@
+// Yield of every candidate tolerance, and of each dimension by itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/statistics/yield.hpp"
+#include "analysis/tolerance/mixture_weights.hpp"
+
+namespace cagetol {
+
+/// One dimension at one of its candidate bands, the other dimensions drawn from all of theirs.
+struct LevelYield {
+  double band_mm = 0;
+  std::string grade;
+  std::vector<std::size_t> candidates;  ///< the combinations with this band
+  Yield yield;
+};
+
+struct DimensionCurve {
+  std::string key;
+  std::vector<LevelYield> levels;  ///< narrowest first
+};
+
+struct YieldCurves {
+  std::vector<Yield> candidates;  ///< in the order of the study's candidates
+  std::vector<DimensionCurve> dimensions;
+};
+
+YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
+                         const std::vector<Judgement>& joint, const Resampling& resampling, double confidence);
+
+/// Yield of `narrow` minus yield of `wide` on the same runs, unknown samples failing, with its standard error linearised over
+/// lots: the weights are compared run by run, so what both share cancels.
+struct YieldDifference {
+  double value = 0, standard_error = 0;
+};
+YieldDifference yield_difference(const std::vector<Judgement>& joint, std::span<const double> narrow,
+                                 std::span<const double> wide, const Resampling& resampling);
+
+}  // namespace cagetol

@@ -1,0 +1,82 @@
+// cagetol check FILE: reads a scene or study and says what it amounts to, without simulating.
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
+
+#include "mc/commands/command.hpp"
+#include "mc/law_reader.hpp"
+#include "mc/sample.hpp"
+#include "mc/study.hpp"
+
+namespace cagetol {
+namespace {
+
+std::string law_text(const std::optional<Law>& law, const char* scope, const std::string& unit) {
+  if (!law) return "";
+  return fmt::format("    {:<7}{}, mean {:.6g}, standard deviation {:.6g} {}\n", scope,
+                     law_name(*law), mean(*law), standard_deviation(*law), unit);
+}
+
+std::string nominal_text(const UncertainInput& input) {
+  if (input.nominal.size() > 1) return fmt::format("{} nominal values", input.nominal.size());
+  return fmt::format("nominal {:.10g} {}", input.nominal[0], input.unit);
+}
+
+std::string limit_text(const Limit& limit) {
+  std::string text = "    " + limit.quantity;
+  if (limit.minimum) text += fmt::format(", at least {:.6g}", *limit.minimum);
+  if (limit.maximum) text += fmt::format(", at most {:.6g}", *limit.maximum);
+  return text + fmt::format(" ({})\n", limit.source);
+}
+
+std::string summary(const Study& study) {
+  const auto columns = design_columns(study);
+  const std::set<std::string> groups(columns.groups.begin(), columns.groups.end());
+  std::string text = fmt::format("study {}: {} rows ({}), {} samples in all, hash {}\n", study.name,
+                                 study.samples, study.design, sample_count(study), study.hash);
+  text += fmt::format("scene {}: {} rollers, {} cage, {:.6g} N, {:.6g} rpm\n", study.scene.name,
+                      study.scene.bearing.roller_count, study.scene.cage.model,
+                      study.scene.operation.radial_load,
+                      study.scene.operation.inner_speed / 0.10471975511965977);
+  if (!study.inputs.empty())
+    text += fmt::format("uncertain inputs: {} with {} columns in {} groups\n", study.inputs.size(),
+                        columns.names.size(), groups.size());
+  for (const auto& input : study.inputs)
+    text += fmt::format("  {}, {}\n", input.key, nominal_text(input)) +
+            law_text(input.lot, "lot", input.unit) + law_text(input.pocket, "pocket", input.unit) +
+            law_text(input.noise, "noise", input.unit);
+  if (!study.limits.empty()) text += "limits:\n";
+  for (const auto& limit : study.limits) text += limit_text(limit);
+  if (!study.candidates.empty())
+    text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
+                        study.candidates.size(), study.tolerance.dimensions.size());
+  for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
+  return text + "no mistakes found\n";
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, Chosen& chosen) {
+  struct Options {
+    std::string file;
+    std::vector<std::string> settings;
+    bool json = false;
+  };
+  auto* command =
+      app.add_subcommand("check", "Read a scene or study file and say what it amounts to");
+  command->footer("Example:\n  cagetol check inputs/studies/nu205.toml");
+  auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->file, "Scene or study file")->required();
+  command->add_flag("--json", options->json, "Print the resolved study as JSON");
+  add_settings_option(*command, options->settings);
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      const Study study = read_study(options->file, options->settings);
+      print(options->json ? study.resolved_json : summary(study));
+      return kDone;
+    };
+  });
+}
+
+}  // namespace cagetol

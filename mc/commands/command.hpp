@@ -1,0 +1,44 @@
+// The subcommands of cagetol. Each registers itself with the command line and, when it is the one
+// chosen, leaves in `chosen` what is to be done; its result is the exit code of the program.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace cagetol {
+
+/// Exit codes of the program; --help lists them.
+enum ExitCode : int {
+  kDone = 0,
+  kLimitsNotMet = 1,
+  kBadInput = 2,
+  kSamplesFailed = 3,
+  kInterrupted = 75,
+};
+
+using Chosen = std::function<int()>;
+
+void add_check_command(CLI::App& app, Chosen& chosen);
+void add_simulate_command(CLI::App& app, Chosen& chosen);
+<<<<<<< HEAD
+void add_sweep_command(CLI::App& app, Chosen& chosen);
+void add_replay_command(CLI::App& app, Chosen& chosen);
+=======
+void add_report_command(CLI::App& app, Chosen& chosen);
+>>>>>>> analysis
+
+/// --dump-default scene|study|keys, an option of the program itself.
+void add_dump_default_option(CLI::App& app, Chosen& chosen);
+/// --version, likewise.
+void add_version_option(CLI::App& app, Chosen& chosen);
+
+/// The repeatable option --set dotted.key=value of every command that reads a file.
+void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
+
+/// Prints a text on standard output. Throws InputError when it cannot be written (a full disk, a
+/// closed pipe).
+void print(const std::string& text);
+
+}  // namespace cagetol

@@ -1,0 +1,50 @@
+#include "mc/commands/outcome_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+namespace {
+
+nlohmann::ordered_json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+std::string row(const std::string& key, double value, const std::string& unit) {
+  const std::string number = std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
+  return fmt::format("  {:<36}{:>14}  {}\n", key, number, unit == "-" ? "" : unit);
+}
+
+}  // namespace
+
+nlohmann::ordered_json outcome_json(const Outcome& outcome) {
+  nlohmann::ordered_json json = {{"status", status_name(outcome.status)},
+                                 {"reason", outcome.reason}};
+  auto& quantities = json["qoi"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < quantity_table().size(); ++i)
+    quantities[quantity_table()[i].key] =
+        i < outcome.quantities.size() ? number_or_null(outcome.quantities[i]) : nullptr;
+  auto& run = json["run"] = nlohmann::ordered_json::object();
+  const auto values = run_values(outcome.run);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    run[run_fields()[i].key] = number_or_null(values[i]);
+  run["wall_s"] = outcome.run.wall_s;
+  return json;
+}
+
+std::string outcome_table(const Outcome& outcome) {
+  std::string text = "quantities of interest\n";
+  for (std::size_t i = 0; i < outcome.quantities.size(); ++i)
+    text += row(quantity_table()[i].key, outcome.quantities[i], quantity_table()[i].unit);
+  text += "run\n";
+  const auto values = run_values(outcome.run);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += row(run_fields()[i].key, values[i], run_fields()[i].unit);
+  text += row("wall_s", outcome.run.wall_s, "s");
+  return text;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,92 @@
+// cagetol replay DIR --sample ID: one sample of a sweep once more, compared to the bit with what is
+// stored.
+#include "mc/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "mc/commands/command.hpp"
+#include "mc/commands/outcome_text.hpp"
+#include "mc/run_history.hpp"
+#include "src/simulate.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Options {
+  std::string directory, history;
+  std::uint64_t sample = 0;
+  bool json = false;
+};
+
+std::string verdict(const StoredSample& stored, const std::vector<std::string>& differences) {
+  if (!stored.stored) return "study.h5 has no outcome of this sample yet: nothing to compare";
+  if (differences.empty()) return "reproduced to the bit";
+  std::string text = "NOT reproduced; stored and now:";
+  for (const std::string& difference : differences) text += "\n  " + difference;
+  return text;
+}
+
+std::string json_text(const StoredSample& stored, const Outcome& outcome,
+                      const std::vector<std::string>& differences) {
+  nlohmann::ordered_json json = {{"sample", stored.sample.id}};
+  json["reproduced"] =
+      stored.stored ? nlohmann::ordered_json(differences.empty()) : nlohmann::ordered_json(nullptr);
+  json["differences"] = differences;
+  json["stored_build"] = stored.stored_build;
+  json["notes"] = stored.notes;
+  json.update(outcome_json(outcome));
+  return json.dump(2) + "\n";
+}
+
+Outcome run_again(const StoredSample& stored, const std::string& history_file) {
+  SimulateOptions extras;
+  RunHistory history(stored.sample.scene);
+  if (!history_file.empty())
+    extras.on_state = [&history](double t, const double* y, const System& system) {
+      history.record(t, y, system);
+    };
+  const Outcome outcome = simulate(stored.sample.scene, extras);
+  if (!history_file.empty()) history.write(history_file);
+  return outcome;
+}
+
+int run(const Options& options) {
+  const StoredSample stored = read_stored_sample(options.directory, options.sample);
+  for (const std::string& note : stored.notes) fmt::print(stderr, "cagetol: {}\n", note);
+  if (stored.stored && stored.stored->status == Status::poisoned)
+    fmt::print(stderr,
+               "cagetol: this sample ended its process during the sweep and may do so now\n");
+
+  const Outcome outcome = run_again(stored, options.history);
+  const auto differences =
+      stored.stored
+          ? outcome_differences(*stored.stored, make_stored_outcome(options.sample, outcome, 0, 0))
+          : std::vector<std::string>{};
+  if (options.json)
+    print(json_text(stored, outcome, differences));
+  else
+    print(fmt::format("{}{}\n", outcome_table(outcome), verdict(stored, differences)));
+  return differences.empty() ? kDone : kLimitsNotMet;
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, Chosen& chosen) {
+  auto* command = app.add_subcommand(
+      "replay", "Run one sample of a sweep again and compare it to the bit with what is stored");
+  command->footer(
+      "Needs DIR/study.h5 alone. Exit code 0 when reproduced, 1 when not.\n\n"
+      "Examples:\n  cagetol replay out/nu205 --sample 17\n"
+      "  cagetol replay out/nu205 --sample 17 -o out/run17.h5");
+  auto options = std::make_shared<Options>();
+  command->add_option("DIR", options->directory, "Directory of a sweep")->required();
+  command->add_option("--sample", options->sample, "Id of the sample")->required();
+  command->add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
+  command->add_option("-o,--output", options->history, "Write time histories to this HDF5 file");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace cagetol

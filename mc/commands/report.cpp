@@ -1,0 +1,33 @@
+// cagetol report: statistics, contributors, tolerance and pictures of a finished sweep.
+#include <cstdio>
+#include <memory>
+
+#include "analysis/report/report.hpp"
+#include "analysis/study/study_file_error.hpp"
+#include "mc/commands/command.hpp"
+
+namespace cagetol {
+
+void add_report_command(CLI::App& app, Chosen& chosen) {
+  CLI::App* command = app.add_subcommand("report", "Write report.html, report.json and CSV tables from DIR/study.h5");
+  command->footer("Example:\n  cagetol report out/nu205");
+  struct Arguments {
+    std::string directory;
+    ReportOptions options;
+  };
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("DIR", arguments->directory, "directory of the sweep")->required();
+  command->add_flag("--json", arguments->options.json_to_stdout, "print report.json on standard output");
+  command->callback([arguments, &chosen] {
+    chosen = [arguments] {
+      try {
+        return run_report(arguments->directory, arguments->options);
+      } catch (const StudyFileError& error) {
+        std::fprintf(stderr, "cagetol: %s\n", error.what());
+        return static_cast<int>(kBadInput);
+      }
+    };
+  });
+}
+
+}  // namespace cagetol

@@ -1,0 +1,76 @@
+// cagetol simulate SCENE: one bearing, its quantities of interest as a table or as JSON.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "mc/commands/command.hpp"
+#include "mc/commands/outcome_text.hpp"
+#include "mc/run_history.hpp"
+#include "mc/sample.hpp"
+#include "mc/study.hpp"
+#include "src/input/input_error.hpp"
+#include "src/simulate.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Options {
+  std::string file, history;
+  std::vector<std::string> settings;
+  std::uint64_t sample = 0;
+  bool json = false;
+};
+
+std::string table_text(const Study& study, const Outcome& outcome, std::uint64_t id) {
+  const std::string text =
+      fmt::format("scene {}, sample {} of {}: {}{}\n", study.scene.name, id, sample_count(study),
+                  status_name(outcome.status), outcome.reason.empty() ? "" : ", " + outcome.reason);
+  return text + outcome_table(outcome);
+}
+
+// A jam is an outcome of the bearing; the others are failures of the run.
+int exit_code(Status status) {
+  if (status == Status::ok || status == Status::jammed) return kDone;
+  return status == Status::not_run ? kInterrupted : kSamplesFailed;
+}
+
+int run(const Options& options) {
+  const Study study = read_study(options.file, options.settings);
+  if (options.sample >= sample_count(study))
+    throw InputError({}, "--sample", std::to_string(options.sample),
+                     fmt::format("the study has the samples 0 to {}", sample_count(study) - 1),
+                     "choose one of them, or ask for more with --set samples=...");
+  const Sample sample = draw_sample(study, options.sample);
+  SimulateOptions extras;
+  RunHistory history(sample.scene);
+  if (!options.history.empty())
+    extras.on_state = [&history](double t, const double* y, const System& system) {
+      history.record(t, y, system);
+    };
+  const Outcome outcome = simulate(sample.scene, extras);
+  if (!options.history.empty()) history.write(options.history);
+  print(options.json ? outcome_json(outcome).dump(2) + "\n"
+                     : table_text(study, outcome, options.sample));
+  return exit_code(outcome.status);
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app, Chosen& chosen) {
+  auto* command =
+      app.add_subcommand("simulate", "Simulate one bearing: a scene, or a sample of a study");
+  command->footer(
+      "Examples:\n  cagetol simulate inputs/scenes/nu205.toml --json\n"
+      "  cagetol simulate inputs/scenes/speed-z16.toml --set load.radial_N=300 -o out/run.h5\n"
+      "  cagetol simulate inputs/studies/nu205.toml --sample 17");
+  auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->file, "Scene or study file")->required();
+  command->add_flag("--json", options->json, "Print status, quantities and run as JSON");
+  command->add_option("-o,--output", options->history, "Write time histories to this HDF5 file");
+  command->add_option("--sample", options->sample, "Sample of the study to run")
+      ->capture_default_str();
+  add_settings_option(*command, options->settings);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace cagetol

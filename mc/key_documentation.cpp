@@ -1,0 +1,82 @@
+#include "mc/key_documentation.hpp"
+
+#include "mc/study_keys.hpp"
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr const char* kExamples = R"(
+# Any number of the scene may be a distribution of deviations from a nominal value:
+#   pocket_width_mm = { nominal = 7.65, lot = { law = "normal", sigma = 0.009 }, pocket = { law = "normal", sigma = 0.009 } }
+# What a cage must meet, as often as needed:
+#   [[limit]]
+#   quantity = "whirl_radius_ratio_p95"
+#   max = 1.1
+#   source = "drawing"
+#   cage_revolutions = 6
+# A tolerance in question: the band to which the laws belong, and the bands to choose from:
+#   [[tolerance.dimension]]
+#   key = "cage.pocket_width_mm"
+#   band_mm = 0.1
+#   candidates = ["IT9", "IT10", 0.08]
+# Two inputs that deviate together:
+#   [[correlation]]
+#   between = ["cage.pocket_width_mm:lot", "cage.pocket_length_mm:lot"]
+#   rho = 0.5
+# Levels of design "grid", one number for each group of inputs or one for all (above the first section):
+#   grid_levels = [5]
+)";
+
+// Keys of list entries have no default; the dots of their lists are shown as users write them.
+std::string list_rows(const std::vector<KeyInfo>& keys, const std::string& required) {
+  std::string text = "| key | unit | range | meaning |\n|---|---|---|---|\n";
+  for (const auto& key : keys)
+    text += "| `" + key.name + "` | " + key.unit + " | " +
+            (key.kind == KeyKind::text ? "text" : range_text(key)) + " | " + key.meaning + " |\n";
+  return text + "\n" + required + "\n";
+}
+
+}  // namespace
+
+std::string default_scene_text() {
+  return "# A scene with every key at its default: the reference bearing NU 205. Keys left out "
+         "keep their "
+         "default.\n" +
+         dump_keys(scene_keys(), Scene{});
+}
+
+std::string default_study_text() {
+  Study study;
+  std::string text = "# A study with every key at its default. Keys left out keep their default.\n";
+  text += dump_keys(study_keys(), study) + kExamples;
+  return text +
+         "\n# The scene. file = \"../scenes/nu205.toml\" below [scene] reads a scene file; keys "
+         "given "
+         "here replace its keys.\n" +
+         dump_keys(scene_keys(), Scene{}, "scene.");
+}
+
+std::string key_documentation() {
+  std::string text = "## Keys of a scene\n\n" + key_table_markdown(scene_keys(), Scene{});
+  text +=
+      "\n## Keys of a study\n\nA study holds its scene below `[scene]`: `file` names a scene file, "
+      "relative to "
+      "the study; every key of a scene may be given again there, and any number may be a "
+      "distribution.\n\n";
+  text += key_table_markdown(study_keys(), Study{});
+  text +=
+      "| `grid_levels` | - | none | whole numbers above 0 | design grid: levels of each group of "
+      "inputs, or one "
+      "number for all |\n";
+  text += "| `scene.file` | - | none | a path | scene file on which the study builds |\n";
+  text += "\n### `[[limit]]`: what a cage must meet\n\n" +
+          list_rows(limit_keys(), "`quantity`, `source` and one of `min` and `max` must be given.");
+  text += "\n### `[[tolerance.dimension]]`: a tolerance in question\n\n" +
+          list_rows(dimension_keys(), "All must be given.");
+  text += "\n### `[[correlation]]`: inputs that deviate together\n\n" +
+          list_rows(correlation_keys(), "Both must be given.");
+  return text;
+}
+
+}  // namespace cagetol

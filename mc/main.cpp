@@ -1,0 +1,58 @@
+// The program: parses the command line, runs the command chosen, turns what it meets into an exit
+// code.
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+
+#include "mc/commands/command.hpp"
+#include "mc/file_write.hpp"
+#include "src/input/input_error.hpp"
+
+namespace {
+
+constexpr const char* kExamples =
+    "Exit codes: 0 done, 1 limits not met where asked to judge, 2 bad input, 3 samples failed\n"
+    "beyond the allowed share, 75 interrupted: start the same command again to go on.\n\n"
+    "Examples:\n"
+    "  cagetol check inputs/studies/nu205.toml\n"
+    "  cagetol simulate inputs/scenes/nu205.toml --json\n"
+    "  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
+    "  cagetol replay out/nu205 --sample 17\n"
+    "  cagetol --dump-default scene";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace cagetol;
+  CLI::App app{
+      "Monte Carlo tolerance sensitivity of cylindrical roller bearings with flexible cages",
+      "cagetol"};
+  app.footer(kExamples);
+  app.require_subcommand(0, 1);
+  Chosen chosen;
+  add_check_command(app, chosen);
+  add_simulate_command(app, chosen);
+  add_sweep_command(app, chosen);
+  add_replay_command(app, chosen);
+  add_report_command(app, chosen);
+  add_dump_default_option(app, chosen);
+  add_version_option(app, chosen);
+  try {
+    app.parse(argc, argv);
+    if (chosen) return chosen();
+    std::fputs(app.help().c_str(), stderr);
+    return kBadInput;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kBadInput;
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "cagetol: %s\n", error.what());
+    return kBadInput;
+  } catch (const WriteError& error) {
+    std::fprintf(stderr, "cagetol: %s\n", error.what());
+    return kBadInput;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "cagetol: unexpected: %s\n", error.what());
+    return kSamplesFailed;
+  }
+}

@@ -1,0 +1,53 @@
+#include "mc/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "mc/build_info.hpp"
+#include "mc/h5.hpp"
+#include "mc/study_file.hpp"
+#include "mc/sweep_directory.hpp"
+#include "src/input/input_error.hpp"
+
+namespace cagetol {
+namespace {
+
+StudyFile read_or_explain(const std::string& directory) {
+  const std::string path = study_file_path(directory);
+  if (!std::filesystem::exists(path))
+    throw InputError({path, 0}, "", "", "there is no such file",
+                     "give the directory that `cagetol sweep STUDY -o DIR` has filled");
+  try {
+    return read_study_file(path);
+  } catch (const H5Error& problem) {
+    throw InputError({path, 0}, "", "", problem.what(),
+                     "start the sweep again: it builds the file anew from its journals");
+  }
+}
+
+}  // namespace
+
+StoredSample read_stored_sample(const std::string& directory, std::uint64_t id) {
+  const StudyFile file = read_or_explain(directory);
+  const Study study = read_resolved_study(file.study_toml, study_file_path(directory));
+  if (id >= sample_count(study))
+    throw InputError({}, "--sample", std::to_string(id),
+                     fmt::format("the study has the samples 0 to {}", sample_count(study) - 1),
+                     "choose one of them");
+  StoredSample sample{
+      .sample = Sampler(study).draw(id), .stored = {}, .stored_build = file.build, .notes = {}};
+  if (const auto found = file.outcomes.find(id); found != file.outcomes.end())
+    sample.stored = found->second;
+  const std::string now = build_id(build_info());
+  if (file.build != now)
+    sample.notes.push_back(
+        fmt::format("written by another build:\n  stored {}\n  now    {}", file.build, now));
+  if (study.hash != file.study_hash)
+    sample.notes.push_back(
+        fmt::format("this program reads the stored study as another one: hash {} stored, {} now",
+                    file.study_hash, study.hash));
+  return sample;
+}
+
+}  // namespace cagetol

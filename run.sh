@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# The default study, from a bare Debian 12 to its report: ./run.sh [STUDY [OUTPUT_DIR]]
+set -euo pipefail
+cd "$(dirname "$0")"
+. .ci/setup.sh
+study=${1:-inputs/studies/nu205.toml}
+out=${2:-out/$(basename "$study" .toml)}
+need_packages "${program_packages[@]}"
+build cagetol
+ranks=$(nproc)
+echo "Sweeping $study with $ranks ranks"
+mpirun -n "$ranks" build/cagetol sweep "$study" -o "$out"
+build/cagetol report "$out"

@@ -1,0 +1,100 @@
+// Ranks are killed at random moments; starting the same command again ends with the same study
+// file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "tests/mpi/standin.hpp"
+#include "tests/support/study_compare.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::IsEmpty;
+
+constexpr std::size_t kSamples = 60;
+constexpr std::size_t kRanks = 3;
+
+int rounds(int usual) {
+  const char* asked = std::getenv("CAGETOL_KILLS");
+  return asked == nullptr ? usual : std::atoi(asked);
+}
+
+const std::vector<std::string> kOptions = {
+    "--samples", std::to_string(kSamples), "--mean-ms", "8", "--rebuild", "0.05"};
+
+class KillTest : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_EQ(run(standin(scratch_ / "whole", kOptions)).code, 0); }
+
+  /// Starts a sweep of DIR and calls `kill` with its ranks when a random number of samples is done.
+  template <class Kill>
+  void kill_at_random(const std::string& directory, std::mt19937& random, Kill kill) {
+    const std::size_t done = finished_in(directory);
+    Process sweep(with_mpirun(kRanks, standin(directory, kOptions)));
+    const std::vector<pid_t> ranks = ranks_of(sweep, kRanks);
+    wait_for(sweep, directory, done + random() % (kSamples - done));
+    if (!ranks.empty()) kill(sweep, ranks);
+    sweep.wait();
+    EXPECT_GE(finished_in(directory), done);
+  }
+
+  void expect_goes_on_to_the_same_end(const std::string& directory) {
+    const Ended ended = run(with_mpirun(kRanks, standin(directory, kOptions)));
+    ASSERT_EQ(ended.code, 0) << ended.output;
+    EXPECT_THAT(study_file_differences(study_file_of(scratch_ / "whole"), study_file_of(directory)),
+                IsEmpty());
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(KillTest, OneRankKilledAndResumed) {
+  for (int round = 0; round < rounds(10); ++round) {
+    SCOPED_TRACE(round);
+    std::mt19937 random(static_cast<unsigned>(round));
+    const std::string directory = scratch_ / ("round" + std::to_string(round));
+    kill_at_random(directory, random, [&](Process&, const std::vector<pid_t>& ranks) {
+      ::kill(ranks[random() % ranks.size()], SIGKILL);
+    });
+    expect_goes_on_to_the_same_end(directory);
+  }
+}
+
+TEST_F(KillTest, KilledOverAndOverInOneDirectory) {
+  std::mt19937 random(99);
+  for (int round = 0; round < 4; ++round)
+    kill_at_random(scratch_ / "out", random, [&](Process&, const std::vector<pid_t>& ranks) {
+      ::kill(ranks[random() % ranks.size()], SIGKILL);
+    });
+  expect_goes_on_to_the_same_end(scratch_ / "out");
+}
+
+TEST_F(KillTest, AllKilledAtOnce) {
+  for (int round = 0; round < rounds(3); ++round) {
+    SCOPED_TRACE(round);
+    std::mt19937 random(static_cast<unsigned>(1000 + round));
+    const std::string directory = scratch_ / ("all" + std::to_string(round));
+    kill_at_random(directory, random, [](Process& sweep, const std::vector<pid_t>& ranks) {
+      sweep.signal(SIGKILL);
+      for (const pid_t rank : ranks) ::kill(rank, SIGKILL);
+    });
+    expect_goes_on_to_the_same_end(directory);
+  }
+}
+
+TEST_F(KillTest, SerialSweepKilledGoesOnUnderMpirun) {
+  const std::string directory = scratch_ / "serial";
+  Process sweep(standin(directory, kOptions));
+  wait_for(sweep, directory, 5);
+  sweep.signal(SIGKILL);
+  sweep.wait();
+  EXPECT_LT(finished_in(directory), kSamples);
+  expect_goes_on_to_the_same_end(directory);
+}
+
+}  // namespace
+}  // namespace cagetol

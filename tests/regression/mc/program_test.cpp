@@ -1,0 +1,171 @@
+// The program as users start it: exit codes, messages, JSON.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "src/input/toml_file.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "tests/support/process.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+
+struct Ended {
+  int code;
+  std::string output;
+};
+
+Ended run(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), std::string(CAGETOL_BINARY_DIR) + "/cagetol");
+  Process process(arguments);
+  const int code = process.wait();
+  return {code, process.output()};
+}
+
+std::string shipped(const std::string& path) {
+  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/" + path;
+}
+
+TEST(Program, HelpHasAnExampleForEachCommand) {
+  const auto help = run({"--help"});
+  EXPECT_EQ(help.code, 0);
+  for (const char* part : {"Exit codes: 0 done", "75 interrupted", "check", "simulate",
+                           "cagetol simulate inputs/scenes/nu205.toml"})
+    EXPECT_THAT(help.output, HasSubstr(part));
+  for (const char* command : {"check", "simulate"}) {
+    const auto own = run({command, "--help"});
+    EXPECT_EQ(own.code, 0);
+    EXPECT_THAT(own.output, HasSubstr("Example"));
+    EXPECT_THAT(own.output, HasSubstr(std::string("cagetol ") + command + " inputs/"));
+    EXPECT_THAT(own.output, HasSubstr("--set"));
+  }
+}
+
+TEST(Program, VersionNamesWhatItWasBuiltFrom) {
+  const auto version = run({"--version"});
+  EXPECT_EQ(version.code, 0);
+  for (const char* part :
+       {"cagetol 0.", "commit ", "built with GNU", "gsl ", "hdf5 ", "openmpi ", "sundials "})
+    EXPECT_THAT(version.output, HasSubstr(part));
+}
+
+TEST(Program, BadCommandLinesEndWithTwo) {
+  EXPECT_EQ(run({}).code, 2);
+  EXPECT_EQ(run({"simulate"}).code, 2);
+  EXPECT_EQ(run({"simulaet", "x"}).code, 2);
+  EXPECT_EQ(run({"simulate", shipped("scenes/nu205.toml"), "--jsn"}).code, 2);
+  EXPECT_EQ(run({"--dump-default", "everything"}).code, 2);
+  EXPECT_EQ(run({"simulate", shipped("scenes/nu205.toml"), "--sample", "-1"}).code, 2);
+  const auto absent = run({"simulate", shipped("scenes/nu205.toml"), "--sample", "7"});
+  EXPECT_EQ(absent.code, 2);
+  EXPECT_THAT(absent.output, HasSubstr("--sample = 7: the study has the samples 0 to 0"));
+}
+
+TEST(Program, BadInputEndsWithTwoAndSaysWhy) {
+  const ScratchDirectory scratch;
+  const auto written = [&](const std::string& text) {
+    std::ofstream(scratch / "file.toml", std::ios::binary) << text;
+    return scratch / "file.toml";
+  };
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"[cage]\npocket_widht_mm = 7.6\n", "file.toml:2: cage.pocket_widht_mm = 7.6: no such key"},
+      {"[cage]\npocket_width_um = 7650\n", "wrong unit"},
+      {"[cage]\nwidth_mm = -14\n", "file.toml:2: cage.width_mm = -14: outside the range"},
+      {"[cage]\npocket_width_mm = 7.4\n", "the nominal pocket is not wider than its roller"},
+      {"[cage\n", "file.toml:1: not valid TOML"},
+      {std::string("\x7f"
+                   "ELF\0\0\1\2\xff\xfe",
+                   10),
+       "file.toml:1: not valid TOML"},
+  };
+  for (const auto& [text, message] : cases)
+    for (const char* command : {"check", "simulate"}) {
+      const auto ended = run({command, written(text)});
+      EXPECT_EQ(ended.code, 2) << ended.output;
+      EXPECT_THAT(ended.output, HasSubstr(message));
+      EXPECT_THAT(ended.output, HasSubstr("remedy: "));
+    }
+  const auto absent = run({"check", scratch / "absent.toml"});
+  EXPECT_EQ(absent.code, 2);
+  EXPECT_THAT(absent.output, HasSubstr("absent.toml: no such file"));
+  EXPECT_EQ(run({"check", scratch.path()}).code, 2);
+  EXPECT_EQ(run({"check", shipped("scenes/nu205.toml"), "--set", "load.radial_N=-5"}).code, 2);
+}
+
+TEST(Program, ChecksEveryShippedFile) {
+  for (const char* path :
+       {"scenes/nu205.toml", "scenes/nu205-paper.toml", "scenes/nu205-paper-tight.toml",
+        "scenes/speed-z16.toml", "scenes/speed-z16-skew.toml", "studies/nu205.toml",
+        "studies/nu205-measured.toml"}) {
+    const auto ended = run({"check", shipped(path)});
+    EXPECT_EQ(ended.code, 0) << path << ended.output;
+    EXPECT_THAT(ended.output, HasSubstr("no mistakes found"));
+  }
+}
+
+TEST(Program, SimulatePrintsJsonWithEveryQuantity) {
+  const auto ended =
+      run({"simulate", shipped("scenes/nu205.toml"), "--json", "--set",
+           "window.settle_revolutions=0.2", "--set", "window.measure_revolutions=0.2", "--set",
+           "watch.energy_residual_max=1000", "--set", "watch.static_consistency_max=1000"});
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  const auto json = nlohmann::json::parse(ended.output);
+  EXPECT_EQ(json["status"], "ok");
+  for (const auto& quantity : quantity_table()) {
+    ASSERT_TRUE(json["qoi"].contains(quantity.key)) << quantity.key;
+    EXPECT_TRUE(json["qoi"][quantity.key].is_number() || json["qoi"][quantity.key].is_null());
+  }
+  for (const char* key : {"simulated_s", "wall_s", "steps", "rhs_evaluations", "energy_residual"})
+    EXPECT_TRUE(json["run"][key].is_number()) << key;
+}
+
+TEST(Program, AJamIsAnOutcome) {
+  const auto ended = run({"simulate", shipped("scenes/nu205.toml"), "--json", "--set",
+                          "cage.pocket_width_mm={ nominal = 7.65, lot = { law = 'normal', mean = "
+                          "-0.2, sigma = 0 } }"});
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  const auto json = nlohmann::json::parse(ended.output);
+  EXPECT_EQ(json["status"], "jammed");
+  EXPECT_THAT(json["reason"].get<std::string>(), HasSubstr("50 um too large"));
+  EXPECT_TRUE(json["qoi"]["cage_slip_ratio"].is_null());
+}
+
+TEST(Program, OutputThatCannotBeWrittenIsSaid) {
+  const auto ended =
+      run({"simulate", shipped("scenes/nu205.toml"), "--set", "window.settle_revolutions=0.01",
+           "--set", "window.measure_revolutions=0.01", "-o", "/no/such/folder/run.h5"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.output, HasSubstr("/no/such/folder"));
+  EXPECT_THAT(ended.output, HasSubstr("remedy: "));
+  Process full({"/bin/sh", "-c",
+                std::string(CAGETOL_BINARY_DIR) + "/cagetol --dump-default keys > /dev/full"});
+  EXPECT_EQ(full.wait(), 2);
+  EXPECT_THAT(full.output(), HasSubstr("cannot write the output: No space left on device"));
+}
+
+TEST(Program, DumpedDefaultsAreValidFiles) {
+  const ScratchDirectory scratch;
+  for (const char* what : {"scene", "study"}) {
+    const auto dumped = run({"--dump-default", what});
+    ASSERT_EQ(dumped.code, 0);
+    std::ofstream(scratch / "dumped.toml") << dumped.output;
+    EXPECT_EQ(run({"check", scratch / "dumped.toml"}).code, 0);
+  }
+}
+
+TEST(Program, TheTablesOfInputsReadmeAreTrue) {
+  const auto keys = run({"--dump-default", "keys"});
+  ASSERT_EQ(keys.code, 0);
+  EXPECT_THAT(read_text_file(shipped("README.md")),
+              testing::EndsWith("<!-- keys -->\n" + keys.output))
+      << "write the output of `cagetol --dump-default keys` below the mark in inputs/README.md";
+}
+
+}  // namespace
+}  // namespace cagetol

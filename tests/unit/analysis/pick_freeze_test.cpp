@@ -1,0 +1,146 @@
+#include "analysis/sensitivity/pick_freeze.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/sensitivity/morris.hpp"
+#include "analysis/sensitivity/noise_share.hpp"
+#include "analysis/study/design_blocks.hpp"
+#include "analysis/study/study_file_error.hpp"
+#include "distributions/design.hpp"
+#include "tests/support/synthetic_study.hpp"
+#include "tests/support/test_functions.hpp"
+
+namespace cagetol {
+namespace {
+
+/// A study whose rows are those of the design, one column a group.
+StudyData study_of_design(const std::string& kind, std::uint64_t bases, std::uint32_t columns, bool noise_group = false) {
+  DesignSpec spec;
+  spec.kind = kind;
+  spec.seed = 5;
+  for (std::uint32_t c = 0; c < columns; ++c) spec.columns.push_back({Purpose::lot, 100 + c, 0, c});
+  if (noise_group) spec.groups = columns + 1;
+  const std::uint64_t groups = noise_group ? columns + 1 : columns;
+  spec.rows = bases * (kind == "morris" ? groups + 1 : groups + 2);
+  const Design design(spec);
+  StudyData study = plain_study(static_cast<std::int64_t>(design.rows()), kind);
+  std::vector<double> u(columns);
+  for (std::uint64_t row = 0; row < design.rows(); ++row) {
+    design.point(row, u);
+    study.design.point.insert(study.design.point.end(), u.begin(), u.end());
+  }
+  for (std::uint32_t c = 0; c < columns; ++c) {
+    study.design.columns.push_back("x" + std::to_string(c) + ":lot");
+    study.design.groups.push_back("x" + std::to_string(c) + ":lot");
+  }
+  return study;
+}
+
+template <class Function>
+std::vector<double> outputs_of(const StudyData& study, const Function& function) {
+  std::vector<double> outputs;
+  const std::size_t width = study.design.columns.size();
+  for (std::size_t i = 0; i < study.size(); ++i)
+    outputs.push_back(function(std::span(study.design.point).subspan(i * width, width)));
+  return outputs;
+}
+
+TEST(PickFreeze, IshigamiFirstOrderAndTotals) {
+  const StudyData study = study_of_design("pick-freeze", 16384, 3);
+  const auto shares = pick_freeze_shares(study, outputs_of(study, ishigami), 0, 0.95, 100);
+  const double first[] = {0.313905, 0.442411, 0}, total[] = {0.557589, 0.442411, 0.243684};
+  ASSERT_EQ(shares.size(), 3u);
+  for (std::size_t g = 0; g < 3; ++g) {
+    EXPECT_NEAR(shares[g].first_order.value, first[g], 0.03) << g;
+    EXPECT_NEAR(shares[g].total.value, total[g], 0.04) << g;
+    EXPECT_LT(shares[g].total.lower, shares[g].total.upper);
+    EXPECT_NEAR(0.5 * (shares[g].total.lower + shares[g].total.upper), total[g], 0.04) << g;
+  }
+}
+
+TEST(PickFreeze, GFunctionTotals) {
+  const StudyData study = study_of_design("pick-freeze", 8192, 8);
+  const auto shares = pick_freeze_shares(study, outputs_of(study, g_function), 0, 0.95, 20);
+  const double first[] = {0.716193, 0.179048, 0.023676, 0.007162}, total[] = {0.787144, 0.242198, 0.034317, 0.010460};
+  for (std::size_t g = 0; g < 4; ++g) {
+    EXPECT_NEAR(shares[g].first_order.value, first[g], 0.03) << g;
+    EXPECT_NEAR(shares[g].total.value, total[g], 0.02) << g;
+  }
+}
+
+TEST(PickFreeze, NoiseIsTakenOut) {
+  // Y = x0 + x1 + noise of the same variance as both together: half of the variance is noise.
+  const StudyData study = study_of_design("pick-freeze", 8192, 2);
+  auto outputs = outputs_of(study, [](std::span<const double> u) { return u[0] + u[1]; });
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    RandomStream stream(3, Purpose::noise, i);
+    outputs[i] += std::sqrt(2.0) * (stream.next() - 0.5);
+  }
+  const auto shares = pick_freeze_shares(study, outputs, 0.5, 0.95, 20);
+  EXPECT_NEAR(shares[0].total.value, 0.25, 0.02);
+  EXPECT_NEAR(shares[0].first_order.value, 0.25, 0.02);
+  EXPECT_NEAR(pick_freeze_shares(study, outputs, 0, 0.95, 20)[0].total.value, 0.75, 0.02);
+}
+
+TEST(PickFreeze, GroupOfNoiseHasItsOwnRows) {
+  const StudyData study = study_of_design("pick-freeze", 16, 2, true);
+  EXPECT_THAT(design_blocks(study).groups, testing::ElementsAre("x0:lot", "x1:lot", "noise"));
+}
+
+TEST(PickFreeze, CorrelatedGroupsAreRefused) {
+  StudyData study = study_of_design("pick-freeze", 16, 2);
+  const auto outputs = outputs_of(study, [](std::span<const double> u) { return u[0]; });
+  study.plan.correlations = {{"x0:lot", "x1:lot", 0.5}};
+  EXPECT_THROW(pick_freeze_shares(study, outputs, 0, 0.95, 10), Refused);
+  study.plan.correlations[0].rho = 0;
+  EXPECT_NO_THROW(pick_freeze_shares(study, outputs, 0, 0.95, 10));
+}
+
+TEST(PickFreeze, OtherDesignsAreRefused) {
+  const StudyData study = plain_study(20);
+  const std::vector<double> outputs(20, 1.0);
+  EXPECT_THROW(pick_freeze_shares(study, outputs, 0, 0.95, 10), Refused);
+  EXPECT_THROW(elementary_effects(study, outputs), Refused);
+  StudyData random_points = study_of_design("pick-freeze", 16, 2);
+  for (std::size_t i = 0; i < random_points.design.point.size(); ++i) random_points.design.point[i] = static_cast<double>(i);
+  EXPECT_THROW(design_blocks(random_points), Refused);
+}
+
+TEST(Morris, LinearFunctionHasConstantEffects) {
+  const StudyData study = study_of_design("morris", 12, 3);
+  const auto effects = elementary_effects(study, outputs_of(study, [](std::span<const double> u) { return 3 * u[0] - 2 * u[1]; }));
+  ASSERT_EQ(effects.size(), 3u);
+  EXPECT_EQ(effects[0].steps, 12u);
+  EXPECT_NEAR(effects[0].mean, 3, 1e-12);
+  EXPECT_NEAR(effects[1].mean, -2, 1e-12);
+  EXPECT_NEAR(effects[1].mean_magnitude, 2, 1e-12);
+  EXPECT_NEAR(effects[0].scatter, 0, 1e-12);
+  EXPECT_NEAR(effects[2].mean_magnitude, 0, 1e-12);
+}
+
+TEST(NoiseShare, VarianceWithinRowsOverTheWhole) {
+  StudyData study = plain_study(2000);
+  std::vector<double> outputs;
+  for (std::int64_t id = 0; id < 2400; ++id) {
+    if (id >= 2000) {
+      study.id.push_back(id);
+      study.row.push_back(id - 2000);
+      study.replicate.push_back(1);
+    }
+    RandomStream cage(1, Purpose::lot, static_cast<std::uint64_t>(id % 2000)), noise(1, Purpose::noise, static_cast<std::uint64_t>(id));
+    outputs.push_back(3 * cage.next() + noise.next());
+  }
+  const NoiseShare noise = noise_share(study, outputs, 0.95, 200);
+  EXPECT_EQ(noise.rows, 400u);
+  EXPECT_NEAR(noise.share.value, 0.1, 0.02);
+  EXPECT_NEAR(noise.standard_deviation, std::sqrt(1.0 / 12), 0.02);
+  EXPECT_LT(noise.share.lower, 0.1);
+  EXPECT_GT(noise.share.upper, 0.1);
+  EXPECT_EQ(noise_share(plain_study(5), std::vector<double>(5, 1.0), 0.95, 10).rows, 0u);
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,162 @@
+#include "analysis/report/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "analysis/report/html_text.hpp"
+#include "analysis/study/study_file_error.hpp"
+#include "tests/support/synthetic_study.hpp"
+
+namespace cagetol {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+class Report : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = std::filesystem::path(testing::TempDir()) / (std::string("report_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(directory_);
+  }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
+
+  int report_on(const StudyData& study, const ReportOptions& options = {}) {
+    write_synthetic_study(study, directory_ / "study.h5");
+    testing::internal::CaptureStdout();
+    const int code = run_report(directory_, options);
+    printed_ = testing::internal::GetCapturedStdout();
+    return code;
+  }
+
+  std::filesystem::path directory_;
+  std::string printed_;
+};
+
+const ReportOptions kNoPython{.python = "/nonexistent/python3"};
+
+TEST_F(Report, WritesEverythingInOnePage) {
+  ASSERT_EQ(report_on(make_synthetic_study()), 0);
+  const std::string html = text_of(directory_ / "report.html");
+  for (const char* title : {"What may be printed on the drawing", "Outcomes and limits", "Yield against tolerance", "What drives the quantities",
+                            "Statistics of every quantity", "Capability against the limits", "Failures and worst samples", "Are there enough runs?",
+                            "Run health", "Where this comes from"})
+    EXPECT_THAT(html, testing::HasSubstr(title));
+  EXPECT_THAT(html, testing::HasSubstr("cagetol replay DIR --sample"));
+  EXPECT_THAT(html, testing::HasSubstr("contact.static_speed_m_s"));
+  EXPECT_THAT(html, testing::HasSubstr("fatigue limit of the cage steel"));
+  // Self-contained: every image is embedded, nothing is fetched.
+  EXPECT_THAT(html, testing::Not(testing::HasSubstr("http")));
+  EXPECT_THAT(html, testing::Not(testing::ContainsRegex("src=\"[^d]")));
+  EXPECT_THAT(html, testing::Not(testing::ContainsRegex(">-?nan")));
+  const std::regex figure("<figure>");
+  EXPECT_GE(std::distance(std::sregex_iterator(html.begin(), html.end(), figure), std::sregex_iterator()), 9);
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "figures" / "draw.log"));
+  EXPECT_THAT(printed_, testing::HasSubstr("Recommended: pocket width"));
+}
+
+TEST_F(Report, SameStudySameBytes) {
+  report_on(make_synthetic_study({.rows = 400}), kNoPython);
+  const std::string first = text_of(directory_ / "report.json"), page = text_of(directory_ / "report.html");
+  report_on(make_synthetic_study({.rows = 400}), kNoPython);
+  EXPECT_EQ(first, text_of(directory_ / "report.json"));
+  EXPECT_EQ(page, text_of(directory_ / "report.html"));
+}
+
+TEST_F(Report, VerdictHasItsKeys) {
+  report_on(make_synthetic_study(), {.python = "/nonexistent/python3", .json_to_stdout = true});
+  const auto verdict = nlohmann::json::parse(printed_).at("verdict");
+  EXPECT_EQ(verdict.at("width").at("grade"), "IT11");
+  EXPECT_DOUBLE_EQ(verdict.at("width").at("band_mm"), 0.09);
+  EXPECT_TRUE(verdict.at("length").at("grade").is_null());  // length changes nothing: never recommended
+  EXPECT_EQ(verdict.at("not_binding"), nlohmann::json({"length"}));
+  EXPECT_TRUE(verdict.at("confirmation").is_null());
+  EXPECT_GE(verdict.at("yield_lower_bound"), 0.95);
+  EXPECT_DOUBLE_EQ(verdict.at("confidence"), 0.95);
+  EXPECT_THAT(verdict.at("statement").get<std::string>(), testing::HasSubstr("Unconfirmed"));
+}
+
+TEST_F(Report, ComesWithoutFiguresWhenPythonFails) {
+  ASSERT_EQ(report_on(make_synthetic_study({.rows = 200}), kNoPython), 0);
+  EXPECT_THAT(text_of(directory_ / "report.html"), testing::AllOf(testing::HasSubstr("Figures are missing"), testing::HasSubstr("/nonexistent/python3"),
+                                                                  testing::HasSubstr("Where this comes from")));
+  ASSERT_EQ(report_on(make_synthetic_study({.rows = 200}), {.python = "/bin/false"}), 0);
+  EXPECT_THAT(text_of(directory_ / "report.html"), testing::HasSubstr("ended with code 1"));
+}
+
+TEST_F(Report, ContributorsAreFound) {
+  const StudyData study = make_synthetic_study();
+  for (const auto& output : make_report(study).at("contributors").at("outputs")) {
+    std::string best;
+    double largest = 0;
+    for (const auto& share : output.at("shares"))
+      if (share.at("value").is_number() && share.at("value") > largest) largest = share.at("value"), best = share.at("feature");
+    if (output.at("output") == "whirl_radius_ratio_p95") {
+      EXPECT_EQ(best, "pocket width: lot");
+    } else if (output.at("output") == "cage_slip_ratio") {
+      EXPECT_EQ(best, "pocket squareness: within-cage scatter");
+    }
+  }
+  const auto pockets = make_report(study).at("contributors").at("pockets");
+  ASSERT_EQ(pockets.size(), 1u);  // pocket 4 drives the pocket force, and no other pocket stands out anywhere
+  EXPECT_EQ(pockets[0].at("output"), "pocket_force_peak_N");
+  const auto shares = pockets[0].at("shares").get<std::vector<double>>();
+  EXPECT_EQ(std::max_element(shares.begin(), shares.end()) - shares.begin(), 4);
+}
+
+TEST_F(Report, StudiesThatLackThings) {
+  StudyData bare = make_synthetic_study({.rows = 60, .replicate_share = 0, .candidates = false});
+  EXPECT_EQ(report_on(bare, kNoPython), 0);
+  bare.plan.whole["limit"] = nlohmann::json::array();
+  bare.inputs.clear();
+  bare.plan.whole["inputs"] = nlohmann::json::array();
+  EXPECT_EQ(report_on(bare, kNoPython), 0);
+  EXPECT_THAT(printed_, testing::HasSubstr("no limits"));
+  EXPECT_EQ(report_on(make_synthetic_study({.rows = 1, .replicate_share = 0}), kNoPython), 0);
+  StudyData all_failed = make_synthetic_study({.rows = 50, .failed_share = 1.0});
+  EXPECT_EQ(report_on(all_failed, kNoPython), 0);
+  const auto joint = make_report(all_failed).at("limits").at("joint");
+  EXPECT_EQ(joint.at("if_unknown_fail"), 0);
+  StudyData empty = select_samples(make_synthetic_study({.rows = 10}), {});
+  EXPECT_EQ(report_on(empty, kNoPython), 0);
+  EXPECT_EQ(report_on(make_synthetic_study({.rows = 200, .cages_per_lot = 4}), kNoPython), 0);
+  EXPECT_EQ(report_on(make_synthetic_study({.rows = 200, .design = "grid"}), kNoPython), 0);
+}
+
+TEST_F(Report, TablesHaveALineForEveryRow) {
+  report_on(make_synthetic_study({.rows = 100}), kNoPython);
+  const auto lines = [&](const char* name) {
+    const std::string text = text_of(directory_ / name);
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  EXPECT_EQ(lines("samples.csv"), 1 + 115);
+  EXPECT_EQ(lines("quantities.csv"), 1 + 5);
+  EXPECT_EQ(lines("yield.csv"), 1 + 2 + 1 + 6 + 8);
+  EXPECT_GT(lines("contributors.csv"), 20);
+}
+
+TEST_F(Report, DirectoryWithoutStudyIsNamed) { EXPECT_THROW(run_report(directory_), StudyFileError); }
+
+TEST(HtmlText, NumbersAreRoundedSensibly) {
+  EXPECT_EQ(rounded(Json(1234)), "1234");
+  EXPECT_EQ(rounded(Json(0.0123456)), "0.0123");
+  EXPECT_EQ(rounded(Json(83.4567)), "83.5");
+  EXPECT_EQ(rounded(Json(0.0000123)), "1.23e-05");
+  EXPECT_EQ(rounded(Json()), "-");
+  EXPECT_EQ(percent(Json(0.99853)), "99.9 %");
+  EXPECT_EQ(percent(Json(0.99953)), "99.95 %");
+  EXPECT_EQ(with_interval({{"value", 83.4567}, {"lower", 82.91}, {"upper", 83.97}}), "83.5<br><small>82.9 to 84.0</small>");
+  EXPECT_EQ(escaped("a<b & \"c\""), "a&lt;b &amp; &quot;c&quot;");
+  EXPECT_EQ(readable("pocket_force_peak_N"), "pocket force peak");
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,163 @@
+// What holds for every design, and what is refused.
+#include "distributions/design.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "tests/unit/distributions/design_helpers.hpp"
+
+namespace cagetol {
+namespace {
+
+DesignSpec small_spec(const std::string& kind, std::uint32_t columns) {
+  DesignSpec spec = spec_of(kind, 32, columns);
+  spec.scrambles = 2;
+  // A grid of many columns varies few of them.
+  spec.grid_levels.assign(columns, 1);
+  for (std::size_t i = 0; i < spec.grid_levels.size() && i < 3; ++i) spec.grid_levels[i] = 3;
+  spec.rows = complete_rows(spec);
+  return spec;
+}
+
+std::string refusal(const DesignSpec& spec) {
+  try {
+    const Design design(spec);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+class EveryDesign : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryDesign, HasTheSameBitsInAnyOrder) {
+  const Design design(small_spec(GetParam(), 5)), other(small_spec(GetParam(), 5));
+  const auto forward = points_of(design);
+  for (std::uint64_t row = design.rows(); row-- > 0;) {
+    EXPECT_EQ(point_of(other, row), forward[row]);
+  }
+}
+
+TEST_P(EveryDesign, HasRowsForEveryBlockAndBase) {
+  const Design design(small_spec(GetParam(), 5));
+  for (std::uint64_t row = 0; row < design.rows(); ++row) {
+    EXPECT_LT(design.block_of(row), design.blocks());
+    EXPECT_EQ(design.row_of(design.block_of(row), design.base_of(row)), row);
+  }
+}
+
+TEST_P(EveryDesign, TakesHundredsOfColumns) {
+  const Design design(small_spec(GetParam(), 350));
+  EXPECT_EQ(design.dimensions(), 350u);
+  EXPECT_EQ(design.groups(), 350u);
+  for (const std::uint64_t row : {std::uint64_t{0}, design.rows() / 2, design.rows() - 1}) {
+    for (const double u : point_of(design, row)) {
+      EXPECT_GE(u, 0);
+      EXPECT_LE(u, 1);
+    }
+  }
+}
+
+TEST_P(EveryDesign, MayHaveNoColumns) {
+  const Design design(small_spec(GetParam(), 0));
+  EXPECT_TRUE(point_of(design, 0).empty());
+}
+
+TEST_P(EveryDesign, DependsOnItsSeed) {
+  DesignSpec spec = small_spec(GetParam(), 5);
+  const auto points = points_of(Design(spec));
+  spec.seed += std::uint64_t{1} << 40;
+  EXPECT_EQ(points_of(Design(spec)) == points, GetParam() == "grid");
+}
+
+// Appending an input leaves what the earlier inputs were given. (A grid has more rows; groups
+// appended to pick-freeze and morris change the rows.)
+TEST_P(EveryDesign, KeepsItsColumnsWhenOneIsAppended) {
+  if (GetParam() != "random" && GetParam() != "lhs" && GetParam() != "sobol") return;
+  const Design small(small_spec(GetParam(), 5)), large(small_spec(GetParam(), 6));
+  for (std::uint64_t row = 0; row < small.rows(); ++row) {
+    std::vector<double> u = point_of(large, row);
+    u.pop_back();
+    EXPECT_EQ(u, point_of(small, row));
+  }
+}
+
+TEST_P(EveryDesign, RefusesRowsBeyondItsEndAndWrongSizes) {
+  const Design design(small_spec(GetParam(), 5));
+  std::vector<double> u(5), wrong(4);
+  EXPECT_THROW(design.point(design.rows(), u), std::invalid_argument);
+  EXPECT_THROW(design.point(0, wrong), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryDesign,
+                         testing::Values("random", "lhs", "sobol", "grid", "pick-freeze", "morris"),
+                         [](const auto& of) {
+                           return of.param == "pick-freeze" ? "pick_freeze" : of.param;
+                         });
+
+TEST(CompleteRows, RoundUpToTheNextWholeDesign) {
+  DesignSpec spec = spec_of("random", 1000, 3);
+  EXPECT_EQ(complete_rows(spec), 1000u);
+  spec.kind = "lhs";
+  EXPECT_EQ(complete_rows(spec), 1000u);
+  spec.kind = "sobol";
+  EXPECT_EQ(complete_rows(spec), 1024u);  // 8 * 2^7
+  spec.classes = 3;
+  EXPECT_EQ(complete_rows(spec), 1536u);  // 8 * 3 * 2^6
+  spec.kind = "pick-freeze";
+  EXPECT_EQ(complete_rows(spec), 1000u);  // 200 * (3 + 2)
+  spec.groups = 4;
+  EXPECT_EQ(complete_rows(spec), 1002u);  // 167 * (4 + 2)
+  spec.kind = "morris";
+  EXPECT_EQ(complete_rows(spec), 1000u);  // 200 * (4 + 1)
+  spec.kind = "grid";
+  spec.grid_levels = {3, 4, 5, 1};
+  EXPECT_EQ(complete_rows(spec), 60u);
+}
+
+TEST(DesignRefusal, NamesTheReasonAndTheRemedy) {
+  using testing::HasSubstr;
+  EXPECT_THAT(refusal(spec_of("sobel", 8, 2)), HasSubstr("no design \"sobel\"; use random, lhs"));
+  EXPECT_THAT(refusal(spec_of("random", 0, 2)), HasSubstr("at least one row"));
+  EXPECT_THAT(refusal(spec_of("sobol", 1000, 2)),
+              HasSubstr("1000 rows is not complete: rows are 8 scrambles of a power of two; use "
+                        "1024"));
+  EXPECT_THAT(refusal(spec_of("pick-freeze", 10, 2)), HasSubstr("groups + 2 = 4; use 12"));
+  EXPECT_THAT(refusal(spec_of("morris", 10, 2)), HasSubstr("groups + 1 = 3; use 12"));
+  EXPECT_THAT(refusal(spec_of("lhs", (1u << 28) + 1, 2)), HasSubstr("at most 2^28"));
+  EXPECT_THAT(refusal(spec_of("grid", 9, 2)), HasSubstr("a grid of 2 groups needs as many"));
+
+  DesignSpec spec = spec_of("lhs", 16, 2);
+  spec.cages_per_lot = 4;
+  EXPECT_THAT(refusal(spec), HasSubstr("cages_per_lot = 4 needs design random"));
+  spec.cages_per_lot = 0;
+  EXPECT_THAT(refusal(spec), HasSubstr("at least one cage"));
+
+  spec = spec_of("random", 16, 2);
+  spec.columns[1] = spec.columns[0];
+  EXPECT_THAT(refusal(spec), HasSubstr("two columns have one address"));
+
+  spec = spec_of("grid", 9, 2);
+  spec.grid_levels = {3, 3};
+  spec.trim = 0.5;
+  EXPECT_THAT(refusal(spec), HasSubstr("trim = 0.5"));
+  spec.trim = 0;
+  spec.rows = 8;
+  EXPECT_THAT(refusal(spec), HasSubstr("product of its levels; use 9"));
+  spec.grid_levels = {3, 0};
+  EXPECT_THAT(refusal(spec), HasSubstr("at least one level"));
+  spec.grid_levels = {1u << 30, 1u << 30};
+  EXPECT_THAT(refusal(spec), HasSubstr("more than 2^40 rows"));
+
+  spec = spec_of("morris", 3, 2);
+  spec.morris_levels = 5;
+  EXPECT_THAT(refusal(spec), HasSubstr("even number of levels, not 5"));
+  EXPECT_THAT(refusal(spec_of("sobol", 8, 3668)), HasSubstr("at most 3667 columns"));
+}
+
+}  // namespace
+}  // namespace cagetol

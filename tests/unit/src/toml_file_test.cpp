@@ -1,0 +1,128 @@
+#include "src/input/toml_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <filesystem>
+#include <fstream>
+
+#include "src/input/key_table.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+
+template <class Action>
+std::string problem_of(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string written(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + "toml_file_" + name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+std::string reading(const std::string& path) {
+  return problem_of([&] { read_toml(path); });
+}
+
+TEST(TomlFile, MissingFolderAndUnreadable) {
+  EXPECT_THAT(reading("/no/such/file.toml"),
+              HasSubstr("/no/such/file.toml: no such file\n  remedy: "));
+  EXPECT_THAT(reading(testing::TempDir()), HasSubstr("this is a folder, not a file"));
+  const auto path = written("locked.toml", "a = 1\n");
+  std::filesystem::permissions(path, std::filesystem::perms::none);
+  if (geteuid() != 0) {
+    EXPECT_THAT(reading(path), HasSubstr("cannot be read: Permission denied"));
+  }
+  std::filesystem::remove(path);
+  EXPECT_THAT(reading("/dev/zero"), HasSubstr("more than 16777216 bytes"));
+}
+
+TEST(TomlFile, SyntaxErrorsNameTheLine) {
+  const auto path = written("syntax.toml", "a = 1\n[cage\nb = 2\n");
+  EXPECT_THAT(reading(path), HasSubstr("syntax.toml:2: not valid TOML"));
+  EXPECT_THAT(reading(path), HasSubstr("remedy: correct the line"));
+  std::filesystem::remove(path);
+  EXPECT_THAT(problem_of([] { parse_toml("a = 1\na = 2\n", "t"); }),
+              HasSubstr("t:2: not valid TOML"));
+  EXPECT_THAT(problem_of([] { parse_toml("a = 99999999999999999999\n", "t"); }),
+              HasSubstr("t:1: not valid TOML"));
+  EXPECT_THAT(problem_of([] { parse_toml("a = 1e999999\n", "t"); }), HasSubstr("t:1: "));
+}
+
+TEST(TomlFile, MalformedInlineTablesAreErrorsToo) {
+  const auto text = problem_of([] { parse_toml("a = 1\nb = { , }\nc = { = 1 }\n", "t"); });
+  EXPECT_THAT(text, HasSubstr("t:2: not valid TOML"));
+  EXPECT_THAT(problem_of([] { parse_toml("a = 1\nc = { a = 1, [ }\n", "t"); }),
+              HasSubstr("t:2: not valid TOML"));
+  toml::table root;
+  EXPECT_THAT(problem_of([&] { apply_setting(root, "a={ , }"); }),
+              HasSubstr("cannot read the value"));
+}
+
+TEST(TomlFile, BinaryAndHugeNonsense) {
+  std::string garbage(4096, '\0');
+  for (std::size_t i = 0; i < garbage.size(); ++i)
+    garbage[i] = static_cast<char>((i * 131) ^ (i >> 3));
+  EXPECT_THAT(problem_of([&] { parse_toml(garbage, "t"); }), HasSubstr("t:"));
+  const std::string line(100000, 'x');
+  EXPECT_THAT(problem_of([&] { parse_toml("a = 1\n" + line, "t"); }),
+              HasSubstr("t:2: a line of 100000 characters: this does not look like a TOML file"));
+  const auto path = written("huge.toml", std::string(17u << 20, '#'));
+  EXPECT_THAT(reading(path), HasSubstr("the file has 17825792 bytes"));
+  std::filesystem::remove(path);
+  std::string nonsense;
+  for (int i = 0; i < 100000; ++i)
+    nonsense += "key" + std::to_string(i) + " = " + std::to_string(i) + "\n";
+  EXPECT_EQ(parse_toml(nonsense, "t").size(), 100000u);
+}
+
+TEST(TomlFile, DeepNestingEndsInAMessage) {
+  std::string deep;
+  for (int i = 0; i < 8000; ++i) deep += "a.";
+  auto text =
+      problem_of([&] { toml_leaves(parse_toml("[" + deep + "a]\n" + deep + "b = 1\n", "t")); });
+  EXPECT_EQ(text, "no error");  // neither recursion nor its undoing overflows the stack
+  EXPECT_THAT(problem_of([] { parse_toml("a = " + std::string(5000, '['), "t"); }),
+              HasSubstr("t:1: not valid TOML"));
+}
+
+TEST(TomlFile, SettingsAreTyped) {
+  toml::table root;
+  apply_setting(root, "a.b=1.5");
+  apply_setting(root, "a.c = rigid");
+  apply_setting(root, "a.d=[1, 2]");
+  apply_setting(root, "a.e={ law = 'normal', sigma = 1 }");
+  apply_setting(root, "f=../scenes/x.toml");
+  apply_setting(root, "g=true");
+  EXPECT_EQ(root["a"]["b"].value<double>(), 1.5);
+  EXPECT_EQ(root["a"]["c"].value<std::string>(), "rigid");
+  EXPECT_EQ(root["a"]["d"].as_array()->size(), 2u);
+  EXPECT_TRUE(root["a"]["e"]["law"].is_string());
+  EXPECT_EQ(root["f"].value<std::string>(), "../scenes/x.toml");
+  EXPECT_EQ(root["g"].value<bool>(), true);
+  EXPECT_EQ(place_of(*root["a"].as_table()->get("b"), "other").file, "--set");
+  EXPECT_THAT(problem_of([&] { apply_setting(root, "a.b.c=1"); }),
+              HasSubstr("'b' holds a value, not keys"));
+  EXPECT_THAT(problem_of([&] { apply_setting(root, "a="); }), HasSubstr("cannot read the value"));
+  EXPECT_THAT(problem_of([&] { apply_setting(root, "a..b=1"); }),
+              HasSubstr("not of the form key=value"));
+}
+
+TEST(KeyTable, NearestName) {
+  EXPECT_EQ(nearest_name("pocket_widht", {"pocket_width", "pocket_length", "model"}),
+            "pocket_width");
+  EXPECT_EQ(nearest_name("", {"a", "bc"}), "a");
+  EXPECT_EQ(nearest_name("x", {}), "");
+}
+
+}  // namespace
+}  // namespace cagetol
