@@ -83,7 +83,7 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   const double orbit = kinematic_cage_speed(m, speed);
   const double sliding[] = {0.03, 0.3, 3};  // below v_s, between, above v_d
 
-  const double phi = draw.about(20);
+  const double phi = draw.about(0.5);
   const double turn_y = std::cos(phi) * m.unbalance_y - std::sin(phi) * m.unbalance_z;
   const double turn_z = std::sin(phi) * m.unbalance_y + std::cos(phi) * m.unbalance_z;
   const double whirl = draw.between(0, 2 * pi);

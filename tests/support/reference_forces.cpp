@@ -47,14 +47,26 @@ struct Roller {
   Motion own;
 };
 
+/// A generalised force and the sum of its contributions' sizes.
+struct Sum {
+  double net = 0, gross = 0;
+  void operator+=(double force) {
+    net += force;
+    gross += std::abs(force);
+  }
+};
+using Sum3 = std::array<Sum, 3>;
+Vector3d net(const Sum3& s) { return {s[0].net, s[1].net, s[2].net}; }
+double gross(const Sum3& s) { return std::max({s[0].gross, s[1].gross, s[2].gross}); }
+
 struct Forces {  // generalised, conjugate to Motion
-  Vector3d centre = Vector3d::Zero(), lean = Vector3d::Zero();
-  double spin = 0;
+  Sum3 centre, lean;
+  Sum spin;
 };
 
 struct Borders {
-  Vector3d ring = Vector3d::Zero(), cage = Vector3d::Zero(), cage_lean = Vector3d::Zero();
-  double cage_spin = 0;
+  Sum3 ring, cage, cage_lean;
+  Sum cage_spin;
 };
 
 double elastic_force(const ContactParameters& law, double length, double p) {
@@ -73,6 +85,7 @@ class Bearing {
 
   Reference run() {
     result_.rates.assign(y_.size(), 0.0);
+    result_.gross.assign(y_.size(), 0.0);
     for (int j = 0; j < layout_.rollers; ++j) roller(j);
     lands();
     border();
@@ -82,6 +95,7 @@ class Bearing {
 
  private:
   double state(int slot) const { return y_[static_cast<std::size_t>(slot)]; }
+  double& size(int slot) { return result_.gross[static_cast<std::size_t>(slot)]; }
   double& rate(int slot) { return result_.rates[static_cast<std::size_t>(slot)]; }
 
   double load() const {
@@ -143,27 +157,28 @@ class Bearing {
       return -Q * u.approach + F1 * u.v1 + F2 * u.v2;
     };
     for (int k = 0; k < 3; ++k) {
+      const auto at = static_cast<std::size_t>(k);
       const Vector3d direction = Vector3d::Unit(k);
       Motion unit;
       if (on_roller) {
         unit.roller = direction;
-        on_roller->centre[k] += power(unit);
+        on_roller->centre[at] += power(unit);
       }
       unit = {};
       unit.cage = direction;
-      border_.cage[k] += power(unit);
+      border_.cage[at] += power(unit);
       if (k == 0) continue;
       if (on_roller) {
         unit = {};
         unit.lean = direction;
-        on_roller->lean[k] += power(unit);
+        on_roller->lean[at] += power(unit);
       }
       unit = {};
       unit.ring = direction;
-      border_.ring[k] += power(unit);
+      border_.ring[at] += power(unit);
       unit = {};
       unit.cage_lean = direction;
-      border_.cage_lean[k] += power(unit);
+      border_.cage_lean[at] += power(unit);
     }
     Motion unit;
     unit.spin = 1;
@@ -315,8 +330,8 @@ class Bearing {
     bars(roller, j, forces);
     ends(roller, j, forces);
 
-    const Vector3d acceleration = forces.centre / roller.mass - scene_.operation.gravity * Vector3d::UnitZ();
-    const Vector3d lean = (forces.lean + roller.polar * roller.own.spin * kX.cross(roller.own.lean)) / roller.transverse;
+    const Vector3d acceleration = net(forces.centre) / roller.mass - scene_.operation.gravity * Vector3d::UnitZ();
+    const Vector3d lean = (net(forces.lean) + roller.polar * roller.own.spin * kX.cross(roller.own.lean)) / roller.transverse;
     rate(layout_.position(kRadius, j)) = roller.r_rate;
     rate(layout_.position(kAngle, j)) = roller.theta_rate;
     rate(layout_.position(kAxial, j)) = roller.own.roller.x();
@@ -328,7 +343,13 @@ class Bearing {
     rate(layout_.velocity(kAxialSpeed, j)) = acceleration.x();
     rate(layout_.velocity(kAxisRateY, j)) = lean.y();
     rate(layout_.velocity(kAxisRateZ, j)) = lean.z();
-    rate(layout_.velocity(kSpin, j)) = forces.spin / roller.polar;
+    rate(layout_.velocity(kSpin, j)) = forces.spin.net / roller.polar;
+    size(layout_.velocity(kRadialSpeed, j)) = gross(forces.centre) / roller.mass;
+    size(layout_.velocity(kOrbitRate, j)) = gross(forces.centre) / roller.mass / roller.r;
+    size(layout_.velocity(kAxialSpeed, j)) = forces.centre[0].gross / roller.mass;
+    size(layout_.velocity(kAxisRateY, j)) = gross(forces.lean) / roller.transverse;
+    size(layout_.velocity(kAxisRateZ, j)) = gross(forces.lean) / roller.transverse;
+    size(layout_.velocity(kSpin, j)) = forces.spin.gross / roller.polar;
   }
 
   void lands() {
@@ -372,16 +393,25 @@ class Bearing {
     const auto q = [&](int slot) -> double& { return rate(layout_.border_position(slot)); };
     const auto v = [&](int slot) -> double& { return rate(layout_.border_velocity(slot)); };
     for (int slot = 0; slot < kRigidBorder; ++slot) q(slot) = state(layout_.border_velocity(slot));
-    v(kRingY) = border_.ring.y() / ring_mass;
-    v(kRingZ) = (border_.ring.z() - load()) / ring_mass - g;
-    v(kCageX) = border_.cage.x() / cage_mass_;
-    v(kCageY) = border_.cage.y() / cage_mass_;
-    v(kCageZ) = border_.cage.z() / cage_mass_ - g;
-    v(kCagePhi) = border_.cage_spin / cage_polar_;
+    v(kRingY) = border_.ring[1].net / ring_mass;
+    v(kRingZ) = (border_.ring[2].net - load()) / ring_mass - g;
+    v(kCageX) = border_.cage[0].net / cage_mass_;
+    v(kCageY) = border_.cage[1].net / cage_mass_;
+    v(kCageZ) = border_.cage[2].net / cage_mass_ - g;
+    v(kCagePhi) = border_.cage_spin.net / cage_polar_;
     const Vector3d lean =
-        (border_.cage_lean + cage_polar_ * moving_.cage_spin * kX.cross(moving_.cage_lean)) / cage_transverse_;
+        (net(border_.cage_lean) + cage_polar_ * moving_.cage_spin * kX.cross(moving_.cage_lean)) / cage_transverse_;
     v(kCageAxisY) = lean.y();
     v(kCageAxisZ) = lean.z();
+    const double sizes[kRigidBorder] = {gross(border_.ring) / ring_mass,
+                                        gross(border_.ring) / ring_mass,
+                                        gross(border_.cage) / cage_mass_,
+                                        gross(border_.cage) / cage_mass_,
+                                        border_.cage[0].gross / cage_mass_,
+                                        border_.cage_spin.gross / cage_polar_,
+                                        gross(border_.cage_lean) / cage_transverse_,
+                                        gross(border_.cage_lean) / cage_transverse_};
+    for (int slot = 0; slot < kRigidBorder; ++slot) size(layout_.border_velocity(slot)) = sizes[slot];
   }
 
   const Scene& scene_;

@@ -16,6 +16,7 @@ enum ContactKind { kInnerRace, kOuterRace, kBar, kWall, kFlange, kLand, kContact
 
 struct Reference {
   std::vector<double> rates;                   ///< dy/dt in the order of the state vector; padding zero
+  std::vector<double> gross;                   ///< sum of the sizes of all contacts' contributions to each acceleration
   std::array<int, kContactKinds> touching{};   ///< contact points with penetration
   std::array<int, kContactKinds> pulling{};    ///< of these, clamped at zero force
   double elastic_energy = 0;                   ///< [J]

@@ -35,13 +35,13 @@ std::vector<Kind> acceleration_kinds(const StateLayout& l) {
   return kinds;
 }
 
-/// Largest difference of a kind over its largest acceleration.
-double difference(const Kind& kind, const std::vector<double>& a, const std::vector<double>& b) {
+/// Largest difference of a kind over the largest sum of contact contributions of that kind: opposite contacts may cancel.
+double difference(const Kind& kind, const std::vector<double>& rates, const Reference& reference) {
   double apart = 0, size = 0;
   for (int slot : kind.slots) {
     const auto k = static_cast<std::size_t>(slot);
-    apart = std::max(apart, std::abs(a[k] - b[k]));
-    size = std::max(size, std::abs(b[k]));
+    apart = std::max(apart, std::abs(rates[k] - reference.rates[k]));
+    size = std::max({size, std::abs(reference.rates[k]), reference.gross[k]});
   }
   return apart / std::max(size, 1e-300);
 }
@@ -64,9 +64,10 @@ TEST(ReferenceForces, AgreeInRandomStatesOfEveryKind) {
     const std::vector<Kind> kinds = acceleration_kinds(l);
     worst.resize(kinds.size());
     for (std::size_t k = 0; k < kinds.size(); ++k) {
-      const double apart = difference(kinds[k], rates, reference.rates);
+      const double apart = difference(kinds[k], rates, reference);
       worst[k] = std::max(worst[k], apart);
-      EXPECT_LT(apart, 1e-12) << kinds[k].name << ", seed " << seed << ", guidance " << b.scene.cage.guidance;
+      // An angle is known to 4e-16, a bar's gap of some 10 um on a radius of 20 to 33 mm therefore to 1e-12 of itself.
+      EXPECT_LT(apart, 1e-11) << kinds[k].name << ", seed " << seed << ", guidance " << b.scene.cage.guidance;
     }
   }
   for (int k = 0; k < kContactKinds; ++k) {
