@@ -16,9 +16,9 @@ TEST(HertzLine, ModulusOfSteelOnSteel) {
 }
 
 TEST(HertzLine, HandComputedPoint) {
-  // Q 1000 N, R 5 mm, l 10 mm, E' 226.3736 GPa: b^2 = 40/(pi 2.263736e9) = 5.624496e-9 m^2.
+  // Q 1000 N, R 5 mm, l 10 mm, E' 226.3736 GPa: b^2 = 40/(pi 2.263736e9) = 5.624505e-9 m^2.
   const HertzLine c = hertz_line(1000, 5e-3, 10e-3, 226.3736e9);
-  EXPECT_NEAR(c.half_width, 74.9966e-6, 1e-10);
+  EXPECT_NEAR(c.half_width, 74.9967e-6, 1e-10);
   EXPECT_NEAR(c.peak_pressure, 848.864e6, 1e4);
 }
 

@@ -36,8 +36,8 @@ double size_in_scales(const Eigen::MatrixXd& J, const std::vector<double>& scale
   return size;
 }
 
-double relative_difference(unsigned seed, double lean) {
-  const Linearised x(random_bearing(seed, {.lean = lean}));
+double relative_difference(unsigned seed, double lean, double depth) {
+  const Linearised x(random_bearing(seed, {.lean = lean, .depth = depth}));
   const auto& scale = x.system.scale;
   const Eigen::MatrixXd differenced =
       differenced_jacobian(x.bearing.model, x.bearing.t, x.bearing.y, scale, 1e-4);
@@ -45,24 +45,38 @@ double relative_difference(unsigned seed, double lean) {
   return size_in_scales(x.assembled - differenced, scale, 0, n) / size_in_scales(differenced, scale, 0, n);
 }
 
-TEST(Linearisation, RatesAreThoseOfTheRightHandSideToTheBit) {
+TEST(Linearisation, RatesAreThoseOfTheRightHandSide) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const Linearised x(random_bearing(seed));
+    const int n = x.system.size;
     std::vector<double> rates(x.bearing.y.size());
     evaluate_rates(x.bearing.model, x.bearing.t, x.bearing.y.data(), rates.data());
-    EXPECT_EQ(rates, x.system.rate) << seed;
+    // The same expressions; the compiler may fuse them differently.
+    double size = 0, apart = 0;
+    for (int i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      apart = std::max(apart, std::abs(rates[k] - x.system.rate[k]) / x.system.scale[k]);
+      size = std::max(size, std::abs(rates[k]) / x.system.scale[k]);
+    }
+    EXPECT_LT(apart, 1e-12 * size) << seed;
   }
 }
 
-TEST(Linearisation, AgreesWithDifferencesButForTermsOfTheLeanAngles) {
-  double worst = 0, worst_straight = 0;
-  for (unsigned seed = 0; seed < 48; ++seed) {
-    worst = std::max(worst, relative_difference(seed, 1));
-    worst_straight = std::max(worst_straight, relative_difference(seed, 0));
-  }
-  std::printf("worst %g straight %g\n", worst, worst_straight);
-  EXPECT_LT(worst, 1e-3);
-  EXPECT_LT(worst_straight, 1e-3);
+double worst_difference(double lean, double depth) {
+  double worst = 0;
+  for (unsigned seed = 0; seed < 48; ++seed) worst = std::max(worst, relative_difference(seed, lean, depth));
+  return worst;
+}
+
+// Left out of the derivatives: normal damping times the change of p' with position (the orbit's speed times a lean, at bars, walls
+// and flanges), and lean angles times the sliding slope. Damping grows with depth squared, so the first kind vanishes in shallow
+// contacts; these states, 30 um deep in every contact at once, are far beyond what a run meets.
+TEST(Linearisation, AgreesWithDifferencesButForStatedTerms) {
+  const double deep = worst_difference(1, 30e-6), shallow = worst_difference(1, 3e-6);
+  RecordProperty("deep", std::to_string(deep));
+  RecordProperty("shallow", std::to_string(shallow));
+  EXPECT_LT(deep, 0.04);
+  EXPECT_LT(shallow, 0.002);
 }
 
 TEST(NewtonMatrix, SolvesLikeDenseFactorsOfTheAssembledMatrix) {
@@ -88,13 +102,13 @@ TEST(NewtonMatrix, SolvesLikeDenseFactorsOfTheAssembledMatrix) {
       const Eigen::VectorXd ours = scale.cwiseInverse().cwiseProduct(solution);
       const double apart = (ours - dense).cwiseAbs().maxCoeff() / dense.cwiseAbs().maxCoeff();
       worst = std::max(worst, apart);
-      EXPECT_LT(apart, 1e-9) << "seed " << seed << ", beta " << beta;
+      EXPECT_LT(apart, 1e-11) << "seed " << seed << ", beta " << beta;
       // The right-hand side may be the solution's own storage.
       newton.solve(rhs.data(), rhs.data());
       EXPECT_EQ(rhs, solution);
     }
   }
-  std::printf("newton worst %g\n", worst);
+  RecordProperty("worst", std::to_string(worst));
 }
 
 }  // namespace
