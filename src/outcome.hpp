@@ -48,7 +48,7 @@ std::vector<double> run_values(const RunRecord& run);
 struct Outcome {
   Status status = Status::not_run;
   std::string reason;  ///< empty when ok; otherwise what happened, with numbers and units, for people
-  int pocket = -1;     ///< the pocket that jams, 0-based; -1 when not about a pocket
+  int pocket = -1;     ///< the pocket that jams (or, with allow_interference, pinches), 0-based; -1: none
   double interference_um = 0;  ///< how much the roller is too large for it
   std::vector<double> quantities;
   RunRecord run;

@@ -70,6 +70,10 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
 
   Outcome outcome;
+  if (jam.pocket >= 0) {  // the pinch is simulated on request, but never passed over in silence
+    outcome.pocket = jam.pocket;
+    outcome.interference_um = 1e6 * jam.interference;
+  }
   const BearingModel model = make_bearing_model(scene);
   const Times times = window_times(scene, model);
   std::vector<double> y = start_state(model, scene.start);

@@ -2,7 +2,8 @@
 //
 //   impact:  Q = max(0, K p^e + c_max S(p/d) p')          Adams IMPACT; Xin et al. 2024 (doi 10.3390/app14209433) eq. (5)
 //   hertz:   Q = K p^e max(0, 1 + chi p')                 line contact, e = 10/9, K = 77,652 L^(8/9) N/mm^(10/9) (L in mm, one
-//                                                          contact, steel on steel: Palmgren's delta = 3.84e-5 Q^0.9 / L^0.8)
+//                                                          contact, steel on steel: 2^(10/9) times ISO/TS 16281's c_L of the
+//                                                          pair; Palmgren's delta = 3.84e-5 Q^0.9 / L^0.8 is 3.8 % stiffer)
 // with p > 0 the penetration [m] and p' > 0 while approaching [m/s]; Q = 0 for p <= 0. The clamp at zero belongs to the law:
 // without it the damper would pull bodies together on separation.
 //

@@ -3,6 +3,8 @@
 // spin enters the sliding speed. The wall is normal to the cage's axis A, the flange to the bearing's axis:
 //   wall:    p = e (x - x_c + A . D) + L_w/2 - L_j/2,     flange:  p = e (x - h a_r - tau a_t) - c_fl/2
 // with D the point's radial-plane place relative to the cage's geometric centre, x at the point likewise less h a_r + tau a_t.
+// The points keep their place beside the roller's orbit: they turn with theta', not with the spin, so a roller whose lean goes round
+// with it neither approaches nor recedes, and p depends on theta through `turn` = dp/dtheta (times e) at a centre held still.
 #pragma once
 
 #include "src/dynamics/contact_frame.hpp"
@@ -42,8 +44,9 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
       const Pack X = q.x + xi - h * q.a_r - tau * q.a_t - b.cage[2];
       const Pack p = e * (X + c.a_r * D_r + c.a_t * D_t) - roller.half_length;
       const Pack V_r = q.vr + xi * q.b_r - c.dc_r, V_t = q.vt + xi * q.b_t - c.dc_t;
+      const Pack turn = h * (c.a_t - q.a_t) - tau * (c.a_r - q.a_r);
       const Pack rate = e * (q.vx - h * q.b_r - tau * q.b_t - b.cage_rate[2] + c.a_r * V_r + c.a_t * V_t +
-                             c.da_r * D_r + c.da_t * D_t);
+                             c.da_r * D_r + c.da_t * D_t + turn * q.omega);
       if constexpr (linear) touch = min(touch, touch_time(p, rate, roller.exists));
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;
@@ -55,7 +58,7 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
       const auto fr = friction(model.friction, speed2);
       const Pack g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2, push = e * normal.force;
       loads.f[kLr] += f1 - push * c.a_r;
-      loads.f[kLt] += f2 - push * c.a_t;
+      loads.f[kLt] += f2 - push * (c.a_t + turn / q.r);
       loads.f[kLx] -= push;
       loads.f[kLar] += xi * f1 + push * (h - xi * c.a_r);
       loads.f[kLat] += xi * f2 + push * (tau - xi * c.a_t);
@@ -78,7 +81,7 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
           if (!touching[i]) continue;
           const double A_r = c.a_r[i], A_t = c.a_t[i];
           const double rolling[3][kLocalVelocities] = {
-              {-e * A_r, -e * A_t, -e, e * (h - xi * A_r), e * (tau - xi * A_t), 0},
+              {-e * A_r, -e * (A_t + turn[i] / q.r[i]), -e, e * (h - xi * A_r), e * (tau - xi * A_t), 0},
               {1, 0, 0, xi, 0, -tau},
               {0, 1, 0, 0, xi, h}};
           const double caging[3][6] = {{e * A_r, e * A_t, e, 0, -e * D_r[i], -e * D_t[i]},
@@ -114,7 +117,8 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
     for (const EndPoint& point : model.flange_points) {
       const double h = point.radial, tau = point.tangential;
       const Pack p = e * (q.x - h * q.a_r - tau * q.a_t) - model.flange_half_clearance;
-      const Pack rate = e * (q.vx - h * q.b_r - tau * q.b_t);
+      const Pack turn = tau * q.a_r - h * q.a_t;
+      const Pack rate = e * (q.vx - h * q.b_r - tau * q.b_t + turn * q.omega);
       if constexpr (linear) touch = min(touch, touch_time(p, rate, roller.exists));
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;
@@ -124,7 +128,7 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
       const auto fr = friction(model.friction, speed2);
       const Pack g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2, push = e * normal.force;
       loads.f[kLr] += f1;
-      loads.f[kLt] += f2;
+      loads.f[kLt] += f2 - push * turn / q.r;
       loads.f[kLx] -= push;
       loads.f[kLar] += xi * f1 + h * push;
       loads.f[kLat] += xi * f2 + tau * push;
@@ -138,7 +142,7 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
         GroupLinear& to = jac->groups[static_cast<std::size_t>(group)];
         const Pack d11 = normal.force * (fr.ratio + fr.bend * v1 * v1), d12 = normal.force * fr.bend * v1 * v2;
         const Pack d22 = normal.force * (fr.ratio + fr.bend * v2 * v2);
-        const double gn[] = {0, 0, -e, e * h, e * tau, 0};
+        const Pack gn[] = {Pack{}, -e * turn / q.r, splat(-e), splat(e * h), splat(e * tau), Pack{}};
         const double g1[] = {1, 0, 0, xi, 0, -tau}, g2[] = {0, 1, 0, 0, xi, h};
         const auto lost = dissipation_slopes(normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2,
                                              normal.elastic, normal.elastic_stiffness, rate);

@@ -32,10 +32,11 @@ void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads&
       if (p < 0 && rate > 0) touch = min(touch, -p / rate);
     if (!(p > 0)) continue;
     const double ring_surface = inner ? b.inner_speed * side * model.guide_ring_radius : 0;
+    const double swash = ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny);
     const double along = ny * vz - nz * vy;
     const double n_A = b.axis[0] * nz - b.axis[1] * ny;  // (A x n)_x
     const double v1 = along + b.phi_rate * R - ring_surface;
-    const double v2 = b.cage_rate[2] + R * (b.phi_rate * n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz));
+    const double v2 = b.cage_rate[2] + R * (b.phi_rate * n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz)) - swash;
     const auto normal = normal_force(model.land, p, rate);
     const double speed2 = v1 * v1 + v2 * v2;
     const auto fr = friction(model.friction, speed2);
@@ -56,7 +57,7 @@ void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads&
       seen->friction_power += g * speed2;
       seen->damping_power += (normal.force - normal.elastic) * rate;
       seen->elastic_energy += normal.elastic * p / (model.land.exponent + 1);
-      if (inner) seen->drive_power += f1 * ring_surface;
+      if (inner) seen->drive_power += f1 * ring_surface + f2 * swash;
       const double channels[3][kCageRigid] = {{-ny, -nz, 0, 0, -X * ny, -X * nz},
                                               {-nz, ny, 0, R, -X * nz, X * ny},
                                               {0, 0, 1, R * n_A, -R * ny, -R * nz}};

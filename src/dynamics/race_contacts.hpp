@@ -2,7 +2,8 @@
 // to the axis of the roller in the radial plane at the slice, s = +1 inside (inner race), -1 outside:
 //   n = s d/|d|,  p = s (R_race - |d|) + R_slice,  p' = -n . (velocity of the roller's axis - velocity of the race's axis)
 // The inner race may be misaligned: its axis passes the slice at u + m X, X the slice's axial place, so n has the axial part
-// -n.m. Sliding speeds: v1 along t = e_x x n, v2 along e_x, of the roller's surface at -R n relative to the race's surface.
+// -n.m. Sliding speeds: v1 along t = e_x x n, v2 along e_x, of the roller's surface at -R_slice n relative to the race's
+// surface: a tapered or profiled roller slides differentially along its length.
 #pragma once
 
 #include "src/dynamics/contact_frame.hpp"
@@ -41,8 +42,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack w_r = q.spin * q.a_r - q.b_t, w_t = q.spin * q.a_t + q.b_r;
     const Pack surface = race.sign * race.speed * race.radius + Pack{};  // speed of the race along t
     const Pack swash = race.sign * race.speed * race.radius * (race.m_r * n_t - race.m_t * n_r);
-    const Pack v1 = along - roller.radius * q.spin - surface;
-    const Pack v2 = q.vx + roller.radius * (n_r * w_t - n_t * w_r) - swash;
+    const Pack v1 = along - radius * q.spin - surface;
+    const Pack v2 = q.vx + radius * (n_r * w_t - n_t * w_r) - swash;
 
     const auto normal = normal_force(model.race, select(touching, p, splat(-1.0)), rate);
     const Pack speed2 = v1 * v1 + v2 * v2;
@@ -54,9 +55,9 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     loads.f[kLr] += f_r;
     loads.f[kLt] += f_t;
     loads.f[kLx] += normal.force * n_x + f2;
-    loads.f[kLar] += xi * f_r + roller.radius * n_r * f2;
-    loads.f[kLat] += xi * f_t + roller.radius * n_t * f2;
-    loads.f[kLs] += roller.radius * (f2 * lean - f1);
+    loads.f[kLar] += xi * f_r + radius * n_r * f2;
+    loads.f[kLat] += xi * f_t + radius * n_t * f2;
+    loads.f[kLs] += radius * (f2 * lean - f1);
 
     if constexpr (linear) {
       total += normal.force;
@@ -70,9 +71,9 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
 
       const Pack zero{}, one = splat(1.0);
       const Pack gn[] = {n_r, n_t, n_x, xi * n_r, xi * n_t, zero};
-      const Pack g1[] = {-n_t, n_r, zero, -xi * n_t, xi * n_r, -roller.radius};
-      const Pack g2[] = {zero, zero, one, roller.radius * n_r, roller.radius * n_t, roller.radius * lean};
-      const Pack lean_r = -roller.radius * q.spin * n_t, lean_t = roller.radius * q.spin * n_r;
+      const Pack g1[] = {-n_t, n_r, zero, -xi * n_t, xi * n_r, -radius};
+      const Pack g2[] = {zero, zero, one, radius * n_r, radius * n_t, radius * lean};
+      const Pack lean_r = -radius * q.spin * n_t, lean_t = radius * q.spin * n_r;
       const Pack q0 = normal.force;
       const Pack d11 = q0 * (fr.ratio + fr.bend * v1 * v1), d12 = q0 * fr.bend * v1 * v2;
       const Pack d22 = q0 * (fr.ratio + fr.bend * v2 * v2);

@@ -1,0 +1,136 @@
+#include "tests/support/random_bearing.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace cagetol {
+namespace {
+
+using std::numbers::pi;
+
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : engine_(seed) {}
+  /// Uniform in [-size, size].
+  double about(double size) { return size * (2 * unit() - 1); }
+  double between(double low, double high) { return low + (high - low) * unit(); }
+  bool coin() { return unit() < 0.5; }
+
+ private:
+  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  std::mt19937_64 engine_;
+};
+
+}  // namespace
+
+Scene random_scene(unsigned seed, double lean) {
+  Draw draw(seed);
+  Scene s;
+  const bool sixteen = seed % 2 == 1;
+  s.bearing.roller_count = sixteen ? 16 : 13;
+  if (sixteen) {
+    s.bearing.inner_raceway_diameter = 56.49e-3;
+    s.bearing.outer_raceway_diameter = 74.51e-3;
+    s.bearing.shoulder_diameter = 70.3e-3;
+    s.bearing.bore_diameter = 45e-3;
+    s.bearing.internal_clearance = 0;
+    s.roller.length = 10e-3;
+    s.cage.inner_diameter = 62e-3;
+    s.cage.outer_diameter = 70e-3;
+    s.cage.width = 16e-3;
+  }
+  const double diameter = sixteen ? 9e-3 : 7.5e-3;
+  s.bearing.misalignment_y = lean * draw.about(2e-3);
+  s.bearing.misalignment_z = lean * draw.about(2e-3);
+  const auto n = static_cast<std::size_t>(s.bearing.roller_count);
+  for (auto* list : {&s.roller.diameter, &s.roller.taper, &s.cage.pocket_width, &s.cage.pocket_length,
+                     &s.cage.pocket_pitch, &s.cage.pocket_squareness})
+    list->assign(n, 0.0);
+  for (std::size_t j = 0; j < n; ++j) {
+    s.roller.diameter[j] = diameter + draw.about(5e-6);
+    s.roller.taper[j] = draw.about(8e-6);
+    s.cage.pocket_width[j] = diameter + draw.between(0.1e-3, 0.3e-3);
+    s.cage.pocket_length[j] = s.roller.length + draw.between(0.1e-3, 0.3e-3);
+    s.cage.pocket_pitch[j] = draw.about(2e-3);
+    s.cage.pocket_squareness[j] = lean * draw.about(3e-3);
+  }
+  s.roller.profile = draw.coin() ? "logarithmic" : "none";
+  const char* guidances[] = {"outer", "inner", "roller"};
+  s.cage.guidance = guidances[seed / 2 % 3];
+  s.cage.guide_clearance = 0.15e-3;
+  s.contact.race.law = draw.coin() ? "hertz" : "impact";
+  s.contact.bar.law = draw.coin() ? "hertz" : "impact";
+  s.discretisation.race_slices = seed / 6 % 2 == 0 ? 5 : 1;
+  s.discretisation.bar_stations = seed / 12 % 2 == 0 ? 3 : 2;
+  s.operation.radial_load = 1000;
+  s.operation.load_ramp = 1e-3;
+  s.operation.speed_ramp = draw.coin() ? 2e-3 : 0;
+  s.operation.speed_ramp_from = 500;
+  s.operation.gravity = draw.coin() ? 9.81 : 0;
+  return s;
+}
+
+RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
+  RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
+  b.model = make_bearing_model(b.scene);
+  const BearingModel& m = b.model;
+  const StateLayout& l = m.layout;
+  Draw draw(seed + 1000003);
+  b.t = draw.between(0, 1.5e-3);
+  b.y.assign(static_cast<std::size_t>(l.size()), 0.0);
+  const auto at = [&](int slot) -> double& { return b.y[static_cast<std::size_t>(slot)]; };
+  const double depth = options.depth, lean = options.lean, speed = inner_speed_at(m, b.t);
+  const double orbit = kinematic_cage_speed(m, speed);
+  const double sliding[] = {0.03, 0.3, 3};  // below v_s, between, above v_d
+
+  const double phi = draw.about(0.5);
+  const double turn_y = std::cos(phi) * m.unbalance_y - std::sin(phi) * m.unbalance_z;
+  const double turn_z = std::sin(phi) * m.unbalance_y + std::cos(phi) * m.unbalance_z;
+  const double whirl = draw.between(0, 2 * pi);
+  const double ring_y = draw.about(depth), ring_z = draw.about(depth);
+  double reach = m.guide_clearance + draw.about(depth);
+  double cage_y = reach * std::cos(whirl), cage_z = reach * std::sin(whirl);
+  if (m.guidance == Guidance::inner) cage_y += ring_y, cage_z += ring_z;
+  const double cage_x = draw.about(0.1e-3);
+  const double cage_axis_y = lean * draw.about(2e-3), cage_axis_z = lean * draw.about(2e-3);
+  const double cage_speed = orbit * (1 + draw.about(0.02));
+  for (int j = 0; j < l.rollers; ++j) {
+    const RollerGroup& g = m.groups[static_cast<std::size_t>(j / kLanes)];
+    const int lane = j % kLanes;
+    const double pocket = phi + std::atan2(g.pocket_sin[lane], g.pocket_cos[lane]);
+    const double radius = m.pitch_radius + draw.about(depth);
+    const double clearance = g.half_width[lane] - g.radius[lane];
+    const double side = draw.coin() ? 1 : -1;
+    // Where the pocket is, seen from the bearing's centre, then near one of its bars.
+    const double cage_t = -std::sin(pocket) * cage_y + std::cos(pocket) * cage_z;
+    const double offset = cage_t + side * (clearance + draw.about(depth));
+    const double slide = sliding[j % 3];
+    at(l.position(kRadius, j)) = radius;
+    at(l.position(kAngle, j)) = pocket + offset / radius;
+    const double axial = draw.coin() ? m.flange_half_clearance
+                                     : std::abs(cage_x) + g.half_length[lane] - m.roller_half_length;
+    at(l.position(kAxial, j)) = (draw.coin() ? 1 : -1) * (axial + draw.about(depth));
+    at(l.position(kAxisY, j)) = lean * draw.about(2e-3);
+    at(l.position(kAxisZ, j)) = lean * draw.about(2e-3);
+    at(l.velocity(kRadialSpeed, j)) = draw.about(0.1);
+    at(l.velocity(kOrbitRate, j)) = orbit + draw.about(slide) / radius;
+    at(l.velocity(kAxialSpeed, j)) = draw.about(0.1);
+    at(l.velocity(kAxisRateY, j)) = draw.about(10);
+    at(l.velocity(kAxisRateZ, j)) = draw.about(10);
+    const double rolling = (m.pitch_radius * orbit - m.inner_radius * speed) / g.radius[lane];
+    at(l.velocity(kSpin, j)) = rolling + draw.about(slide) / g.radius[lane];
+  }
+  const double positions[kRigidBorder] = {ring_y, ring_z, cage_y + turn_y, cage_z + turn_z,
+                                          cage_x, phi,    cage_axis_y,     cage_axis_z};
+  const double rates[kRigidBorder] = {draw.about(0.1), draw.about(0.1), draw.about(0.3), draw.about(0.3),
+                                      draw.about(0.1), cage_speed,      draw.about(10),  draw.about(10)};
+  for (int i = 0; i < kRigidBorder; ++i) {
+    at(l.border_position(i)) = positions[i];
+    at(l.border_velocity(i)) = rates[i];
+  }
+  // Padding as a run has it: somewhere harmless.
+  for (int j = l.rollers; j < l.padded(); ++j) at(l.position(kRadius, j)) = m.pitch_radius;
+  return b;
+}
+
+}  // namespace cagetol

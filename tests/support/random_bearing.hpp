@@ -1,0 +1,30 @@
+// Random scenes and states for tests that compare two ways of computing the same thing: every contact kind touches somewhere, every
+// option of a rigid bearing occurs. Deterministic in the seed.
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "src/dynamics/bearing_model.hpp"
+
+namespace cagetol {
+
+struct RandomBearing {
+  Scene scene;
+  BearingModel model;
+  std::vector<double> y;
+  double t = 0;
+};
+
+struct RandomBearingOptions {
+  double lean = 1;    ///< scales every small angle: axes, misalignment, squareness
+  double depth = 30e-6;  ///< typical penetration and gap [m]
+};
+
+/// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered, unbalanced, misaligned.
+Scene random_scene(unsigned seed, double lean = 1);
+
+/// The scene's bearing in a random state whose gaps and penetrations are of the order `depth`, sliding in every friction regime.
+RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options = {});
+
+}  // namespace cagetol

@@ -1,0 +1,30 @@
+// Scenes that ship with the program, and single quantities of an outcome, for tests.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "src/input/toml_file.hpp"
+#include "src/outcome.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+
+inline Scene shipped_scene(const std::string& name) {
+  const std::string path = std::string(CAGETOL_SOURCE_DIR) + "/inputs/scenes/" + name + ".toml";
+  return read_scene(read_toml(path), path);
+}
+
+inline double quantity(const Outcome& outcome, const std::string& key) {
+  const int index = quantity_index(key);
+  if (index < 0 || outcome.quantities.empty()) {
+    ADD_FAILURE() << "no quantity " << key;
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return outcome.quantities[static_cast<std::size_t>(index)];
+}
+
+}  // namespace cagetol

@@ -1,0 +1,93 @@
+// Force maps are the transposes of the velocity maps: power in = dissipation + rate of stored energy, at every state to rounding.
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
+
+#include "src/integration/system.hpp"
+#include "tests/support/random_bearing.hpp"
+#include "tests/support/reference_forces.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Value of f at the state moved by `step` along its own rates; time stands still.
+template <class F>
+double along_motion(const RandomBearing& b, const std::vector<double>& rates, double step, F f) {
+  std::vector<double> moved = b.y;
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += step * rates[i];
+  return f(moved);
+}
+
+/// Derivative along the motion, central and of fourth order.
+template <class F>
+double rate_along_motion(const RandomBearing& b, const std::vector<double>& rates, double step, F f) {
+  const auto at = [&](double s) { return along_motion(b, rates, s * step, f); };
+  return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step);
+}
+
+TEST(EnergyAccount, PowerInIsDissipationPlusStoredInEveryState) {
+  double worst = 0;
+  for (unsigned seed = 0; seed < 240; ++seed) {
+    const RandomBearing b = random_bearing(seed);
+    System system(b.model);
+    system.linearise_at(b.t, b.y.data());
+    const std::vector<double> rates = system.rate;
+    const Observation& seen = system.seen;
+    const double bodies = rate_along_motion(b, rates, 1e-7, [&](const std::vector<double>& y) {
+      return body_energy(b.model, y.data());
+    });
+    System moved(b.model);
+    const double elastic = rate_along_motion(b, rates, 2e-9, [&](const std::vector<double>& y) {
+      moved.linearise_at(b.t, y.data());
+      return moved.seen.elastic_energy;
+    });
+    const double in = seen.drive_power + seen.load_power, out = seen.friction_power + seen.damping_power;
+    const double size = std::abs(seen.drive_power) + std::abs(seen.load_power) + std::abs(seen.friction_power) +
+                        std::abs(seen.damping_power) + std::abs(elastic);
+    const double open = std::abs(bodies + elastic - (in - out)) / size;
+    worst = std::max(worst, open);
+    EXPECT_LT(open, 2e-9) << "seed " << seed;
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST(EnergyAccount, ObservationAgreesWithTheReference) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const RandomBearing b = random_bearing(seed);
+    System system(b.model);
+    system.linearise_at(b.t, b.y.data());
+    const Reference reference = reference_rates(b.scene, b.t, b.y);
+    const Observation& seen = system.seen;
+    const auto same = [&](double ours, double theirs, const char* what) {
+      EXPECT_NEAR(ours, theirs, 1e-10 * std::abs(theirs)) << what << ", seed " << seed;
+    };
+    same(seen.elastic_energy, reference.elastic_energy, "elastic energy");
+    same(seen.friction_power, reference.friction_power, "friction power");
+    same(seen.drive_power, reference.drive_power, "drive power");
+    same(seen.load_power, reference.load_power, "load power");
+    same(seen.damping_power, reference.damping_power, "damping power");
+  }
+}
+
+TEST(EnergyAccount, NetPowerRateIsTheDerivativeAlongTheMotion) {
+  double worst = 0;
+  for (unsigned seed = 0; seed < 96; ++seed) {
+    RandomBearing b = random_bearing(seed);
+    b.t = 1;  // after every ramp
+    System system(b.model), moved(b.model);
+    system.linearise_at(b.t, b.y.data());
+    const auto net = [&](const std::vector<double>& y) {
+      moved.linearise_at(b.t, y.data());
+      const Observation& o = moved.seen;
+      return o.drive_power + o.load_power - o.friction_power - o.damping_power;
+    };
+    const double expected = rate_along_motion(b, system.rate, 2e-9, net);
+    const double ours = system.seen.net_power_rate;
+    worst = std::max(worst, std::abs(ours - expected) / std::abs(expected));
+  }
+  // Holds what the derivatives of the forces hold; see linearisation_test.
+  EXPECT_LT(worst, 0.08);
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,115 @@
+#include "src/numerics/pack.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace cagetol {
+namespace {
+
+constexpr int kTrials = 200000;
+
+class PackMath : public testing::Test {
+ protected:
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+  }
+  double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
+  std::mt19937_64 engine_{7};
+};
+
+double ulp(double x) { return std::nextafter(std::abs(x), 1e308) - std::abs(x); }
+
+TEST_F(PackMath, Log2WithinItsBound) {
+  double worst = 0;
+  for (int n = 0; n < kTrials; ++n) {
+    const double x = n % 2 ? magnitude(1e-300, 1e300) : magnitude(0.5, 2);
+    const long double exact = std::log2(static_cast<long double>(x));
+    const double error = static_cast<double>(std::abs(log2(splat(x))[3] - exact));
+    worst = std::max(worst, error / ulp(std::max(1.0, std::abs(static_cast<double>(exact)))));
+  }
+  EXPECT_LT(worst, 2);
+  EXPECT_EQ(log2(splat(1))[0], 0);
+  EXPECT_EQ(log2(splat(1024))[0], 10);
+}
+
+TEST_F(PackMath, Exp2WithinItsBound) {
+  double worst = 0;
+  for (int n = 0; n < kTrials; ++n) {
+    const double y = n % 2 ? between(-999, 999) : between(-1, 1);
+    const long double exact = std::exp2(static_cast<long double>(y));
+    const double error = static_cast<double>(std::abs(exp2(splat(y))[5] - exact));
+    worst = std::max(worst, error / ulp(static_cast<double>(exact)));
+  }
+  EXPECT_LT(worst, 2);
+  EXPECT_EQ(exp2(splat(0))[0], 1);
+  EXPECT_EQ(exp2(splat(-10))[0], 1.0 / 1024);
+}
+
+TEST_F(PackMath, PowerWithinItsBound) {
+  double near = 0, far = 0;
+  for (int n = 0; n < kTrials; ++n) {
+    const double e = n % 3 ? between(0.1, 2.2) : 1.0 / 9;
+    const double x = std::exp2(between(-1, 1) * std::min(900.0, (n % 2 ? 8 : 60) / e));
+    const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(e));
+    const double error = static_cast<double>(std::abs(power(splat(x), e)[1] - exact) / exact);
+    (n % 2 ? near : far) = std::max(n % 2 ? near : far, error);
+  }
+  EXPECT_LT(near, 1e-15);
+  EXPECT_LT(far, 6e-15);
+}
+
+TEST_F(PackMath, SineAndCosineWithinTheirBound) {
+  double worst = 0;
+  for (int n = 0; n < kTrials; ++n) {
+    const double x = n % 2 ? between(-1e5, 1e5) : between(-10, 10);
+    Pack s, c;
+    sine_cosine(splat(x), s, c);
+    const long double exact_s = std::sin(static_cast<long double>(x)), exact_c = std::cos(static_cast<long double>(x));
+    worst = std::max({worst, static_cast<double>(std::abs(s[2] - exact_s)), static_cast<double>(std::abs(c[2] - exact_c))});
+  }
+  EXPECT_LT(worst, 3e-16) << worst;
+  Pack s, c;
+  sine_cosine(splat(0), s, c);
+  EXPECT_EQ(s[0], 0);
+  EXPECT_EQ(c[0], 1);
+}
+
+TEST_F(PackMath, ALaneDoesNotMatter) {
+  for (int n = 0; n < 1000; ++n) {
+    const double x = magnitude(1e-6, 1e3), angle = between(-100, 100);
+    Pack mixed = splat(3.7), turned = splat(-2.1);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      mixed[lane] = x;
+      turned[lane] = angle;
+      Pack s, c, s0, c0;
+      sine_cosine(turned, s, c);
+      sine_cosine(splat(angle), s0, c0);
+      ASSERT_EQ(power(mixed, 10.0 / 9)[lane], power(splat(x), 10.0 / 9)[0]);
+      ASSERT_EQ(sqrt(mixed)[lane], std::sqrt(x));
+      ASSERT_EQ(s[lane], s0[0]);
+      ASSERT_EQ(c[lane], c0[0]);
+    }
+  }
+}
+
+TEST_F(PackMath, SelectMinMaxAnySum) {
+  const Pack x = {1, -2, 3, -4, 5, -6, 7, -8};
+  EXPECT_EQ(sum(x), -4);
+  EXPECT_EQ(largest(x), 7);
+  EXPECT_EQ(smallest(x), -8);
+  EXPECT_TRUE(any(x > 6.0));
+  EXPECT_FALSE(any(x > 7.0));
+  EXPECT_EQ(sum(max(x, Pack{})), 16);
+  EXPECT_EQ(sum(select(x < 0.0, x, Pack{})), -20);
+  Pack lone{};
+  for (int lane = 0; lane < kLanes; ++lane) {
+    lone = Pack{};
+    lone[lane] = 1;
+    EXPECT_TRUE(any(lone > 0.0));
+  }
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,78 @@
+// The lane-parallel right-hand side against the plain reference of tests/support/reference_forces.hpp.
+#include "tests/support/reference_forces.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "src/dynamics/forces.hpp"
+#include "tests/support/random_bearing.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Accelerations that share a unit and a size.
+struct Kind {
+  std::string name;
+  std::vector<int> slots;
+};
+
+std::vector<Kind> acceleration_kinds(const StateLayout& l) {
+  std::vector<Kind> kinds;
+  const char* names[] = {"r''", "theta''", "x''", "a_y''", "a_z''", "w_s'"};
+  for (int slot = 0; slot < kRollerVelocities; ++slot) {
+    Kind kind{names[slot], {}};
+    for (int j = 0; j < l.rollers; ++j) kind.slots.push_back(l.velocity(static_cast<RollerVelocity>(slot), j));
+    kinds.push_back(kind);
+  }
+  const auto border = [&](int slot) { return l.border_velocity(slot); };
+  kinds.push_back({"ring''", {border(kRingY), border(kRingZ)}});
+  kinds.push_back({"cage''", {border(kCageY), border(kCageZ)}});
+  kinds.push_back({"cage x''", {border(kCageX)}});
+  kinds.push_back({"phi''", {border(kCagePhi)}});
+  kinds.push_back({"A''", {border(kCageAxisY), border(kCageAxisZ)}});
+  return kinds;
+}
+
+/// Largest difference of a kind over the largest sum of contact contributions of that kind: opposite contacts may cancel.
+double difference(const Kind& kind, const std::vector<double>& rates, const Reference& reference) {
+  double apart = 0, size = 0;
+  for (int slot : kind.slots) {
+    const auto k = static_cast<std::size_t>(slot);
+    apart = std::max(apart, std::abs(rates[k] - reference.rates[k]));
+    size = std::max({size, std::abs(reference.rates[k]), reference.gross[k]});
+  }
+  return apart / std::max(size, 1e-300);
+}
+
+TEST(ReferenceForces, AgreeInRandomStatesOfEveryKind) {
+  std::array<long, kContactKinds> touching{}, pulling{};
+  for (unsigned seed = 0; seed < 360; ++seed) {
+    const RandomBearing b = random_bearing(seed);
+    const StateLayout& l = b.model.layout;
+    std::vector<double> rates(b.y.size());
+    evaluate_rates(b.model, b.t, b.y.data(), rates.data());
+    const Reference reference = reference_rates(b.scene, b.t, b.y);
+    for (int k = 0; k < kContactKinds; ++k) {
+      touching[static_cast<std::size_t>(k)] += reference.touching[static_cast<std::size_t>(k)];
+      pulling[static_cast<std::size_t>(k)] += reference.pulling[static_cast<std::size_t>(k)];
+    }
+    for (int i = 0; i < l.positions(); ++i)
+      ASSERT_EQ(rates[static_cast<std::size_t>(i)], reference.rates[static_cast<std::size_t>(i)]) << "seed " << seed;
+    const std::vector<Kind> kinds = acceleration_kinds(l);
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      const double apart = difference(kinds[k], rates, reference);
+      // An angle is known to 4e-16, a bar's gap of some 10 um on a radius of 20 to 33 mm therefore to 1e-12 of itself.
+      EXPECT_LT(apart, 1e-11) << kinds[k].name << ", seed " << seed << ", guidance " << b.scene.cage.guidance;
+    }
+  }
+  for (int k = 0; k < kContactKinds; ++k) {
+    EXPECT_GT(touching[static_cast<std::size_t>(k)], 200) << "contact kind " << k;
+    RecordProperty("touching_" + std::to_string(k), std::to_string(touching[static_cast<std::size_t>(k)]));
+    RecordProperty("pulling_" + std::to_string(k), std::to_string(pulling[static_cast<std::size_t>(k)]));
+  }
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,60 @@
+// The square speed scene against displacements of an independent program with the same laws, and the watch that must catch a step
+// too long for explicit integration.
+#include <gtest/gtest.h>
+
+#include "src/simulate.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+Scene one_slice(double load) {
+  Scene scene = shipped_scene("speed-z16");
+  scene.discretisation.race_slices = 1;
+  scene.operation.radial_load = load;
+  scene.window.settle_time = 3e-3;
+  scene.window.measure_time = 1e-3;
+  return scene;
+}
+
+struct Point {
+  double load, displacement_um;
+};
+
+class SpeedScene : public testing::TestWithParam<Point> {};
+
+TEST_P(SpeedScene, RingStandsWhereTheIndependentProgramPutsIt) {
+  const Outcome outcome = simulate(one_slice(GetParam().load));
+  EXPECT_NEAR(quantity(outcome, "ring_displacement_end_um") / GetParam().displacement_um, 1, 1e-3);
+  std::printf("%g N: %g um, %s\n", GetParam().load, quantity(outcome, "ring_displacement_end_um"), outcome.reason.c_str());
+}
+
+TEST_P(SpeedScene, ElasticForceAndDisplacementAgreeWithStaticsOverTheSettledWindow) {
+  Scene scene = one_slice(GetParam().load);
+  scene.window.settle_time = 5e-3;
+  scene.window.measure_time = 15e-3;
+  const Outcome outcome = simulate(scene);
+  EXPECT_EQ(outcome.status, Status::ok) << outcome.reason;
+  EXPECT_LT(outcome.run.static_consistency_error, 0.005);
+  std::printf("%g N: consistency %g\n", GetParam().load, outcome.run.static_consistency_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Loads, SpeedScene,
+                         testing::Values(Point{300, 13.705}, Point{1000, 18.515}, Point{3000, 29.729}, Point{10000, 63.079}),
+                         [](const auto& test) { return std::to_string(static_cast<int>(test.param.load)) + "N"; });
+
+TEST(SpeedScene, ExplicitStepsTooLongAreCaughtByStatics) {
+  Scene scene = one_slice(3000);
+  scene.integration.method = "semi-implicit-euler";
+  scene.integration.fixed_step = 1e-6;
+  const Outcome wrong = simulate(scene);
+  EXPECT_EQ(wrong.status, Status::failed);
+  EXPECT_NE(wrong.reason.find("static consistency"), std::string::npos) << wrong.reason;
+  EXPECT_NEAR(quantity(wrong, "ring_displacement_end_um"), 22.0, 1.0);
+  scene.integration.fixed_step = 0.1e-6;
+  const Outcome right = simulate(scene);
+  EXPECT_NEAR(quantity(right, "ring_displacement_end_um") / 29.729, 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace cagetol
