@@ -39,16 +39,19 @@ std::string inputs_table(const Json& from) {
          table("tnttt", {"key", "nominal", "lot (whole cage)", "single pockets", "each run"}, rows);
 }
 
-std::string scene_list(const Json& scene) {
+std::string scene_items(const Json& section, const std::string& prefix) {
   std::string items;
-  for (const auto& [section, keys] : scene.items()) {
-    if (!keys.is_object()) {
-      items += "<div>" + code(section) + "<span>" + value_text(keys) + "</span></div>";
-      continue;
-    }
-    for (const auto& [key, value] : keys.items())
-      items += "<div>" + code(section + "." + key) + "<span>" + value_text(value) + "</span></div>";
+  for (const auto& [key, value] : section.items()) {
+    if (value.is_object())
+      items += scene_items(value, prefix + key + ".");
+    else if (prefix + key != "assumption")  // a chapter of its own
+      items += "<div>" + code(prefix + key) + "<span>" + value_text(value) + "</span></div>";
   }
+  return items;
+}
+
+std::string scene_list(const Json& scene) {
+  const std::string items = scene_items(scene, "");
   return "<h3>The scene, nominal values</h3>\n<div class=\"columns\">" + items + "</div>\n";
 }
 

@@ -131,8 +131,14 @@ struct Watch {
   double energy_residual_max = 0.05;
 };
 
+/// A value of the scene that nobody measured, and why it is what it is. Reports print them.
+struct Assumption {
+  std::string key, note;
+};
+
 struct Scene {
   std::string name = "nu205";
+  std::vector<Assumption> assumptions;
   BearingGeometry bearing;
   RollerGeometry roller;
   CageGeometry cage;
