@@ -97,7 +97,9 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         const Pack e = gn[i] - m1 * g1[i] - m2 * g2[i];
         const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
         const Pack ec = e * normal.damping, ek = e * normal.stiffness;
-        const Pack et = i == kLs ? -e * turn : g1[i] * spread - e * turn;
+        // Friction turns with t = e_x x n, and v1 is seen along the turned t.
+        const Pack bend = i == kLx ? zero : gn[i] * m1 * spread;
+        const Pack et = (i == kLs ? zero : g1[i] * spread) + bend - e * turn - w1 * inverse * rate;
         for (int j = 0; j < kLocalVelocities; ++j)
           jac->velocity[i][j] -= ec * gn[j] + w1 * g1[j] + w2 * g2[j];
         for (int j = 0; j < kLocalPositions; ++j) jac->position[i][j] += et * g1[j] - ek * gn[j];

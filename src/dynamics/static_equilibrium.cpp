@@ -112,7 +112,10 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
       state_.ring_y += dy;
       state_.ring_z += dz;
       f = settle_rollers(angle, orbit_rate);
-      if (imbalance() < now || std::hypot(dy, dz) < 1e-16) break;
+      // Energy is convex, so a step that still leads downhill at its end is sound even where the imbalance did not fall: crossing a
+      // clearance it stays the load itself until the rollers touch, and may be more just behind.
+      const bool downhill = f.y * dy + (f.z - weight) * dz > 0;
+      if (imbalance() < now || downhill || std::hypot(dy, dz) < 1e-16) break;
       state_.ring_y -= dy;
       state_.ring_z -= dz;
       dy /= 2;

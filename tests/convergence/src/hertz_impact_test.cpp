@@ -73,7 +73,6 @@ TEST(HertzImpact, RestitutionAtItsReferenceSpeedAndItsErrorFallsWithTolerance) {
   for (double tolerance : {1e-3, 1e-4, 1e-5}) {
     const double error = std::abs(throw_rollers(scene, 0.1, tolerance, "rodas3").restitution - 0.9);
     EXPECT_LT(error, last);
-    std::printf("restitution error %g at %g\n", error, tolerance);
     last = error;
   }
   EXPECT_LT(last, 1e-4);

@@ -19,9 +19,11 @@ TEST_P(LoadDistribution, GivesTheNumbersToTheirOwnDigits) {
   const Case& c = GetParam();
   Scene scene;
   scene.bearing.roller_count = c.rollers;
-  scene.bearing.inner_raceway_diameter = 91e-3;
-  scene.bearing.outer_raceway_diameter = 109e-3;
-  scene.bearing.shoulder_diameter = 106e-3;
+  // So large that the contact's direction does not turn with the ring's displacement, as the closed numbers have it; at a pitch of
+  // 0.1 m that turning changes the fifth digit.
+  scene.bearing.inner_raceway_diameter = 1.991;
+  scene.bearing.outer_raceway_diameter = 2.009;
+  scene.bearing.shoulder_diameter = 2.006;
   scene.bearing.internal_clearance = c.clearance_um * 1e-6;
   scene.roller.diameter = {9e-3};
   scene.roller.length = 10e-3;

@@ -20,23 +20,24 @@ Scene short_run(double settle = 4e-3, double measure = 6e-3) {
 struct Condition {
   const char* name;
   double load, gravity;
+  double consistency;  ///< bound of the watch on statics
 };
 
 class ReferenceBearing : public testing::TestWithParam<Condition> {};
 
+// Without load the ring bounces on its own weight, and its mean place is some 0.5 um above the static one of 15 um at any tolerance.
 TEST_P(ReferenceBearing, RunsWithinItsWatches) {
   Scene scene = short_run();
   scene.operation.radial_load = GetParam().load;
   scene.operation.gravity = GetParam().gravity;
+  scene.watch.static_consistency_max = GetParam().consistency;
   const Outcome outcome = simulate(scene);
   EXPECT_EQ(outcome.status, Status::ok) << outcome.reason;
-  std::printf("%s: consistency %g energy %g steps %g + %g\n", GetParam().name, outcome.run.static_consistency_error,
-              outcome.run.energy_residual, outcome.run.steps, outcome.run.rejected_steps);
 }
 
 INSTANTIATE_TEST_SUITE_P(Loads, ReferenceBearing,
-                         testing::Values(Condition{"Default", 1000, 9.81}, Condition{"NoLoad", 0, 9.81},
-                                         Condition{"Weightless", 0, 0}, Condition{"Heavy", 10000, 9.81}),
+                         testing::Values(Condition{"Default", 1000, 9.81, 0.005}, Condition{"NoLoad", 0, 9.81, 0.1},
+                                         Condition{"Weightless", 0, 0, 0.02}, Condition{"Heavy", 10000, 9.81, 0.005}),
                          [](const auto& test) { return test.param.name; });
 
 TEST(ReferenceBearing, TwoRunsAreTheSameToTheBit) {
