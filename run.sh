@@ -9,5 +9,6 @@ need_packages "${program_packages[@]}"
 build cagetol
 ranks=$(nproc)
 echo "Sweeping $study with $ranks ranks"
-mpirun -n "$ranks" build/cagetol sweep "$study" -o "$out"
+progress=plain; [ -t 2 ] && progress=line
+mpirun -n "$ranks" build/cagetol sweep "$study" -o "$out" --progress "$progress"
 build/cagetol report "$out"

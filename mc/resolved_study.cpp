@@ -73,6 +73,10 @@ toml::table resolved_table(const Study& study) {
   }
   toml::table scene;
   for (const auto& key : scene_keys()) insert_key(key, study.scene, scene);
+  toml::array assumptions;
+  for (const auto& assumption : study.scene.assumptions)
+    assumptions.push_back(toml::table{{"key", assumption.key}, {"note", assumption.note}});
+  if (!assumptions.empty()) scene.insert("assumption", std::move(assumptions));
   root.insert("scene", std::move(scene));
   toml::array inputs, correlations, limits, dimensions, candidates;
   for (const auto& input : study.inputs) inputs.push_back(input_table(input));

@@ -108,4 +108,5 @@ def responses(report):
         axis.set_ylabel(f"runs that {'meet' if 'meets' in output['output'] else 'jam'} [%]" if indicator
                         else with_unit("mean", output["unit"]))
         axis.set_title(readable(output["output"]))
+        axis.locator_params(axis="x", nbins=5)
     return figure

@@ -76,7 +76,8 @@ def convergence(report):
             value = [100 * known(look["yield"]["if_unknown_fail"]) for look in looks]
             lower = [100 * known(look["yield"]["lower_bound"]) for look in looks]
             upper = [100 * known(look["yield"]["upper_bound"]) for look in looks]
-            axis.set_ylabel("joint yield [%]")
+            axis.set_ylabel("yield [%]")
+            axis.set_title("joint yield")
         else:
             entries = [look["quantile_95"][name] for look in looks]
             value, lower, upper = ([known(entry[key]) for entry in entries] for key in ("value", "lower", "upper"))

@@ -9,7 +9,7 @@ from common import BLUE, GREY, RED, WIDTH, known
 def yield_curves(report):
     """One panel for each dimension: yield with its bounds over the width of the tolerance."""
     dimensions = report["tolerance"].get("dimensions", []) if report["tolerance"] else []
-    if not dimensions:
+    if not any(level["shown"] for dimension in dimensions for level in dimension["levels"]):
         return None
     figure, axes = plt.subplots(1, len(dimensions), figsize=(WIDTH, 3.1), sharey=True, squeeze=False)
     for axis, dimension in zip(axes[0], dimensions):
@@ -38,7 +38,7 @@ def yield_curves(report):
 def yield_map(report):
     """Lower yield bound for two dimensions together."""
     tolerance = report["tolerance"]
-    if not tolerance or len(tolerance["dimensions"]) != 2:
+    if not tolerance or len(tolerance["dimensions"]) != 2 or not any(c["shown"] for c in tolerance["candidates"]):
         return None
     first, second = tolerance["dimensions"]
     rows = [level["band_mm"] for level in first["levels"]]
@@ -55,11 +55,11 @@ def yield_map(report):
                        f"at least {bound[place]:.1f} %\n({candidate['yield']['effective_runs']:.0f} runs)")
     target = 100 * report["verdict"]["target_yield"]
     figure, axis = plt.subplots(figsize=(WIDTH, 0.9 + 0.62 * len(rows)))
-    reach = max(100 - target, 1.0) * 2
+    reach = max(100 - target, 1.0)  # the colours end at 100 % and as far below the target
     image = axis.imshow(bound, cmap="PuOr", vmin=target - reach, vmax=target + reach, aspect="auto", origin="lower")
     chosen = tolerance["chosen_candidate"]
     for place, words in text.items():
-        strong = abs(np.nan_to_num(bound[place], nan=target) - target) > 0.6 * reach
+        strong = abs(np.nan_to_num(bound[place], nan=target) - target) > 0.5 * reach
         axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8, color="white" if strong else "black")
     if chosen is not None:
         bands = tolerance["candidates"][chosen]["bands_mm"]

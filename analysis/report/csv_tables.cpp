@@ -20,7 +20,9 @@ std::string cell(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string cell(double value) { return std::isnan(value) ? std::string() : fmt::format("{}", value); }
+std::string cell(double value) {
+  return std::isnan(value) ? std::string() : fmt::format("{}", value);
+}
 
 std::string cell(const Json& value) {
   if (value.is_null()) return {};
@@ -45,13 +47,15 @@ const char* judgement_name(Judgement judgement) {
 std::string samples_csv(const StudyData& study) {
   const auto features = cage_features(study);
   const auto joint = judge_all(study);
-  std::vector<std::string> header = {"id", "row", "replicate", "lot", "candidate", "status", "limits"};
+  std::vector<std::string> header = {"id",        "row",    "replicate", "lot",
+                                     "candidate", "status", "limits"};
   for (const Feature& feature : features) header.push_back(named(feature.name, feature.unit));
   for (const Column& column : study.quantities) header.push_back(cell(column.name));
   std::string text = line(header);
   for (std::size_t i = 0; i < study.size(); ++i) {
     std::vector<std::string> cells;
-    for (const std::int64_t whole : {study.id[i], study.row[i], study.replicate[i], study.lot[i], study.candidate[i]})
+    for (const std::int64_t whole :
+         {study.id[i], study.row[i], study.replicate[i], study.lot[i], study.candidate[i]})
       cells.push_back(std::to_string(whole));
     cells.emplace_back(run_status_name(study.status[i]));
     cells.emplace_back(study.plan.limits.empty() ? "" : judgement_name(joint[i]));
@@ -67,7 +71,9 @@ void add_estimate(std::vector<std::string>& cells, const Json& estimate) {
 }
 
 std::string quantities_csv(const Json& report) {
-  std::string text = "quantity,unit,runs_with_value,mean,mean_lower,mean_upper,standard_deviation,standard_deviation_lower,standard_deviation_upper";
+  std::string text =
+      "quantity,unit,runs_with_value,mean,mean_lower,mean_upper,standard_deviation,standard_"
+      "deviation_lower,standard_deviation_upper";
   if (!report["quantities"].empty())
     for (const Json& quantile : report["quantities"][0]["statistics"]["quantiles"]) {
       const double level = quantile["level"];
@@ -76,7 +82,8 @@ std::string quantities_csv(const Json& report) {
   text += ",bound_of_95_quantile,noise_share,noise_share_lower,noise_share_upper\n";
   for (const Json& quantity : report["quantities"]) {
     const Json& statistics = quantity["statistics"];
-    std::vector<std::string> cells = {cell(quantity["quantity"]), cell(quantity["unit"]), cell(statistics["runs_with_value"])};
+    std::vector<std::string> cells = {cell(quantity["quantity"]), cell(quantity["unit"]),
+                                      cell(statistics["runs_with_value"])};
     add_estimate(cells, statistics["mean"]);
     add_estimate(cells, statistics["standard_deviation"]);
     for (const Json& quantile : statistics["quantiles"]) add_estimate(cells, quantile);
@@ -100,25 +107,33 @@ std::string contributors_csv(const Json& report) {
 }
 
 std::string yield_csv(const Json& report) {
-  const std::vector<const char*> keys = {"if_unknown_fail", "if_unknown_pass", "lower_bound", "upper_bound", "effective_runs"};
-  std::string text = "what,yield_if_unknown_fail,yield_if_unknown_pass,lower_bound,upper_bound,effective_runs,shown\n";
+  const std::vector<const char*> keys = {"if_unknown_fail", "if_unknown_pass", "lower_bound",
+                                         "upper_bound", "effective_runs"};
+  std::string text =
+      "what,yield_if_unknown_fail,yield_if_unknown_pass,lower_bound,upper_bound,effective_runs,"
+      "shown\n";
   const auto add = [&](const std::string& what, const Json& yield, bool shown) {
     std::vector<std::string> cells = {cell(what)};
     for (const char* key : keys) cells.push_back(cell(yield.at(key)));
     cells.emplace_back(shown ? "yes" : "no");
     text += line(cells);
   };
-  for (const Json& limit : report["limits"]["each"]) add("limit " + limit["quantity"].get<std::string>(), limit["yield"], true);
+  for (const Json& limit : report["limits"]["each"])
+    add("limit " + limit["quantity"].get<std::string>(), limit["yield"], true);
   add("all limits as sampled", report["limits"]["joint"], true);
   if (!report["tolerance"].is_object()) return text;
   const Json& dimensions = report["tolerance"]["dimensions"];
   for (const Json& dimension : dimensions)
     for (const Json& level : dimension["levels"])
-      add(fmt::format("{} {} mm {}", dimension["key"].get<std::string>(), level["band_mm"].get<double>(), level["grade"].get<std::string>()), level["yield"], level["shown"]);
+      add(fmt::format("{} {} mm {}", dimension["key"].get<std::string>(),
+                      level["band_mm"].get<double>(), level["grade"].get<std::string>()),
+          level["yield"], level["shown"]);
   for (const Json& candidate : report["tolerance"]["candidates"]) {
     std::string what = "candidate";
     for (std::size_t d = 0; d < candidate["bands_mm"].size(); ++d)
-      what += fmt::format(" {} {} mm {}", dimensions[d]["key"].get<std::string>(), candidate["bands_mm"][d].get<double>(), candidate["grades"][d].get<std::string>());
+      what += fmt::format(" {} {} mm {}", dimensions[d]["key"].get<std::string>(),
+                          candidate["bands_mm"][d].get<double>(),
+                          candidate["grades"][d].get<std::string>());
     add(what, candidate["yield"], candidate["shown"]);
   }
   return text;
@@ -126,7 +141,8 @@ std::string yield_csv(const Json& report) {
 
 }  // namespace
 
-void write_csv_tables(const std::filesystem::path& directory, const StudyData& study, const Json& report) {
+void write_csv_tables(const std::filesystem::path& directory, const StudyData& study,
+                      const Json& report) {
   write_text(directory / "samples.csv", samples_csv(study));
   write_text(directory / "quantities.csv", quantities_csv(report));
   write_text(directory / "contributors.csv", contributors_csv(report));

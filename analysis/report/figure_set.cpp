@@ -24,16 +24,19 @@ std::string file_text(const std::filesystem::path& path) {
 }
 
 /// Runs the program with its output in `log`; the exit code, or -1 and `problem`.
-int run_logged(const std::vector<std::string>& command, const std::filesystem::path& log, std::string& problem) {
+int run_logged(const std::vector<std::string>& command, const std::filesystem::path& log,
+               std::string& problem) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   pid_t child = -1;
-  const int error = posix_spawn(&child, command[0].c_str(), &actions, nullptr, arguments.data(), environ);
+  const int error =
+      posix_spawn(&child, command[0].c_str(), &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     problem = fmt::format("{} cannot be started ({})", command[0], std::strerror(error));
@@ -50,7 +53,8 @@ std::string last_line(const std::string& text) {
   const auto end = text.find_last_not_of(" \n\r\t");
   if (end == std::string::npos) return "no message";
   const auto begin = text.find_last_of('\n', end);
-  return text.substr(begin == std::string::npos ? 0 : begin + 1, end - (begin == std::string::npos ? 0 : begin + 1) + 1);
+  return text.substr(begin == std::string::npos ? 0 : begin + 1,
+                     end - (begin == std::string::npos ? 0 : begin + 1) + 1);
 }
 
 std::string base64(const std::string& bytes) {
@@ -69,29 +73,36 @@ std::string base64(const std::string& bytes) {
 }  // namespace
 
 FigureSet draw_figures(const std::string& python, const std::filesystem::path& scripts,
-                       const std::filesystem::path& report_json, const std::filesystem::path& output_dir) {
+                       const std::filesystem::path& report_json,
+                       const std::filesystem::path& output_dir) {
   FigureSet figures;
   std::error_code ignored;
   std::filesystem::remove_all(output_dir, ignored);
   std::filesystem::create_directories(output_dir, ignored);
   const auto log = output_dir / "draw.log";
-  const int code = run_logged({python, "-B", (scripts / "draw.py").string(), report_json.string(), output_dir.string()},
-                              log, figures.problem);
+  const int code = run_logged(
+      {python, "-B", (scripts / "draw.py").string(), report_json.string(), output_dir.string()},
+      log, figures.problem);
   const std::string said = file_text(log);
   if (code != 0 && figures.problem.empty())
-    figures.problem = fmt::format("{} {} ended with code {}: {}", python, (scripts / "draw.py").filename().string(), code, last_line(said));
+    figures.problem = fmt::format("{} {} ended with code {}: {}", python,
+                                  (scripts / "draw.py").filename().string(), code, last_line(said));
   if (said.empty()) std::filesystem::remove(log, ignored);
   std::filesystem::directory_iterator entries(output_dir, ignored), end;
   for (; entries != end; entries.increment(ignored))
-    if (entries->path().extension() == ".svg") figures.svg[entries->path().stem()] = file_text(entries->path());
+    if (entries->path().extension() == ".svg")
+      figures.svg[entries->path().stem()] = file_text(entries->path());
   return figures;
 }
 
-std::string figure_html(const FigureSet& figures, const std::string& name, const std::string& caption) {
+std::string figure_html(const FigureSet& figures, const std::string& name,
+                        const std::string& caption) {
   const auto found = figures.svg.find(name);
   if (found == figures.svg.end()) return {};
-  return fmt::format("<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"><figcaption>{}</figcaption></figure>\n",
-                     name, base64(found->second), caption);
+  return fmt::format(
+      "<figure><img alt=\"{}\" "
+      "src=\"data:image/svg+xml;base64,{}\"><figcaption>{}</figcaption></figure>\n",
+      name, base64(found->second), caption);
 }
 
 }  // namespace cagetol

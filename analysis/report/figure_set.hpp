@@ -12,11 +12,15 @@ struct FigureSet {
   std::string problem;                     ///< why figures are missing; empty when all was drawn
 };
 
-/// Runs `python draw.py REPORT_JSON OUTPUT_DIR` from `scripts`. Never throws for want of Python: `problem` says what happened.
+/// Runs `python draw.py REPORT_JSON OUTPUT_DIR` from `scripts`. Never throws for want of Python:
+/// `problem` says what happened.
 FigureSet draw_figures(const std::string& python, const std::filesystem::path& scripts,
-                       const std::filesystem::path& report_json, const std::filesystem::path& output_dir);
+                       const std::filesystem::path& report_json,
+                       const std::filesystem::path& output_dir);
 
-/// `<figure>` with the drawing embedded as an image, and its caption; empty for a figure that the study has no data for.
-std::string figure_html(const FigureSet& figures, const std::string& name, const std::string& caption);
+/// `<figure>` with the drawing embedded as an image, and its caption; empty for a figure that the
+/// study has no data for.
+std::string figure_html(const FigureSet& figures, const std::string& name,
+                        const std::string& caption);
 
 }  // namespace cagetol

@@ -9,7 +9,9 @@ namespace {
 
 constexpr std::size_t kFailuresShown = 25;
 
-std::string code(const std::string& text) { return "<code>" + escaped(text) + "</code>"; }
+std::string code(const std::string& text) {
+  return "<code>" + escaped(text) + "</code>";
+}
 
 std::string value_text(const Json& value) {
   if (value.is_string()) return escaped(value.get<std::string>());
@@ -22,46 +24,64 @@ std::string law_text(const Json& law) {
   if (law.is_null()) return "";
   std::string text = law.value("law", "?");
   for (const auto& [key, value] : law.items())
-    if (key != "law" && !value.is_null()) text += (text.find('(') == std::string::npos ? " (" : ", ") + key + " " + value_text(value);
+    if (key != "law" && !value.is_null())
+      text += (text.find('(') == std::string::npos ? " (" : ", ") + key + " " + value_text(value);
   return escaped(text) + (text.find('(') == std::string::npos ? "" : ")");
 }
 
 std::string inputs_table(const Json& from) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& input : from["inputs"])
-    rows.push_back({code(input["key"]), input["nominal"].empty() ? "" : value_text(input["nominal"][0]), law_text(input["lot"]), law_text(input["pocket"]), law_text(input["noise"])});
-  return "<h3>What scatters</h3>\n" + table("tnttt", {"key", "nominal", "lot (whole cage)", "single pockets", "each run"}, rows);
+    rows.push_back({code(input["key"]),
+                    input["nominal"].empty() ? "" : value_text(input["nominal"][0]),
+                    law_text(input["lot"]), law_text(input["pocket"]), law_text(input["noise"])});
+  return "<h3>What scatters</h3>\n" +
+         table("tnttt", {"key", "nominal", "lot (whole cage)", "single pockets", "each run"}, rows);
+}
+
+std::string scene_items(const Json& section, const std::string& prefix) {
+  std::string items;
+  for (const auto& [key, value] : section.items()) {
+    if (value.is_object())
+      items += scene_items(value, prefix + key + ".");
+    else if (prefix + key != "assumption")  // a chapter of its own
+      items += "<div>" + code(prefix + key) + "<span>" + value_text(value) + "</span></div>";
+  }
+  return items;
 }
 
 std::string scene_list(const Json& scene) {
-  std::string items;
-  for (const auto& [section, keys] : scene.items()) {
-    if (!keys.is_object()) {
-      items += "<div>" + code(section) + "<span>" + value_text(keys) + "</span></div>";
-      continue;
-    }
-    for (const auto& [key, value] : keys.items())
-      items += "<div>" + code(section + "." + key) + "<span>" + value_text(value) + "</span></div>";
-  }
+  const std::string items = scene_items(scene, "");
   return "<h3>The scene, nominal values</h3>\n<div class=\"columns\">" + items + "</div>\n";
 }
 
 std::string assumptions_text(const Json& assumptions) {
   std::string html = "<h3>Assumptions</h3>\n";
   std::string speeds;
-  for (const auto& [key, value] : assumptions["friction"].items()) speeds += (speeds.empty() ? "" : ", ") + code(key) + " = " + value_text(value);
+  for (const auto& [key, value] : assumptions["friction"].items())
+    speeds += (speeds.empty() ? "" : ", ") + code(key) + " = " + value_text(value);
   if (!speeds.empty())
-    html += paragraph("Friction law and its transition speeds: " + speeds + ". Slip, wear and power loss depend on them; they are assumptions unless measured for this lubricant.");
+    html += paragraph("Friction law and its transition speeds: " + speeds +
+                      ". Slip, wear and power loss depend on them; they are assumptions unless "
+                      "measured for this lubricant.");
   const Json& stated = assumptions["stated"];
   if (stated.is_null() || stated.empty())
-    return html + paragraph("The study does not mark which of its values are measured and which are assumed. Take every value of the scene below as an assumption unless you know where it comes from.");
+    return html + paragraph(
+                      "The study does not mark which of its values are measured and which are "
+                      "assumed. Take every value of the scene below as an assumption unless you "
+                      "know where it comes from.");
   std::vector<std::vector<std::string>> rows;
   if (stated.is_object())
     for (const auto& [key, text] : stated.items()) rows.push_back({code(key), value_text(text)});
   else
     for (const Json& entry : stated)
-      rows.push_back(entry.is_object() ? std::vector<std::string>{code(entry.value("key", "")), value_text(entry.contains("note") ? entry["note"] : Json(""))}
-                                       : std::vector<std::string>{code(entry.is_string() ? entry.get<std::string>() : entry.dump()), ""});
+      rows.push_back(
+          entry.is_object()
+              ? std::vector<std::string>{code(entry.value("key", "")),
+                                         value_text(entry.contains("note") ? entry["note"]
+                                                                           : Json(""))}
+              : std::vector<std::string>{
+                    code(entry.is_string() ? entry.get<std::string>() : entry.dump()), ""});
   return html + table("tt", {"value", "why it is an assumption"}, rows);
 }
 
@@ -74,24 +94,35 @@ std::string failures_chapter(const Json& report) {
     body = paragraph("Every run gave a result.");
   } else {
     const Json& joint = report["limits"]["joint"];
-    body = paragraph(fmt::format("Joint yield of the scatter as sampled: {} if every run without a result fails, {} if every one passes; jams count as failing in both.",
-                                 percent(joint["if_unknown_fail"]), percent(joint["if_unknown_pass"])));
+    body = paragraph(
+        fmt::format("Joint yield of the scatter as sampled: {} if every run without a result "
+                    "fails, {} if every one passes; jams count as failing in both.",
+                    percent(joint["if_unknown_fail"]), percent(joint["if_unknown_pass"])));
     std::vector<std::vector<std::string>> rows;
     for (const Json& failure : failures) {
       if (rows.size() == kFailuresShown) break;
-      rows.push_back({rounded(failure["id"]), escaped(failure["status"]), escaped(failure["reason"]), rounded(failure["pocket"]), rounded(failure["interference_um"]),
-                      code(failure["replay"])});
+      rows.push_back({rounded(failure["id"]), escaped(failure["status"]),
+                      escaped(failure["reason"]), rounded(failure["pocket"]),
+                      rounded(failure["interference_um"]), code(failure["replay"])});
     }
-    body += table("nttnnt", {"sample", "outcome", "reason", "pocket", "interference [µm]", "run it again"}, rows);
-    if (failures.size() > kFailuresShown) body += note(fmt::format("The first {} of {}; all are in report.json.", kFailuresShown, failures.size()));
+    body +=
+        table("nttnnt",
+              {"sample", "outcome", "reason", "pocket", "interference [µm]", "run it again"}, rows);
+    if (failures.size() > kFailuresShown)
+      body += note(fmt::format("The first {} of {}; all are in report.json.", kFailuresShown,
+                               failures.size()));
   }
   if (!report["worst_samples"].empty()) {
     std::vector<std::vector<std::string>> rows;
     for (const Json& worst : report["worst_samples"])
-      rows.push_back({escaped(readable(worst["quantity"])), rounded(worst["value"]) + unit_suffix(worst["unit"]), escaped(worst["limit"]), worst["meets_limit"].get<bool>() ? "meets" : "misses",
-                      rounded(worst["id"]), code(worst["replay"])});
-    body += "<h3>Worst samples</h3>\n" + table("tnttnt", {"quantity", "value", "limit", "", "sample", "run it again"}, rows) +
-            note("DIR is the directory of the study. A replay gives the same numbers to the last bit.");
+      rows.push_back({escaped(readable(worst["quantity"])),
+                      rounded(worst["value"]) + unit_suffix(worst["unit"]), escaped(worst["limit"]),
+                      worst["meets_limit"].get<bool>() ? "meets" : "misses", rounded(worst["id"]),
+                      code(worst["replay"])});
+    body +=
+        "<h3>Worst samples</h3>\n" +
+        table("tnttnt", {"quantity", "value", "limit", "", "sample", "run it again"}, rows) +
+        note("DIR is the directory of the study. A replay gives the same numbers to the last bit.");
   }
   return chapter("failures", "Failures and worst samples", body);
 }
@@ -100,21 +131,29 @@ std::string provenance_chapter(const Json& report) {
   const Json& from = report["provenance"];
   std::string libraries;
   if (from["libraries"].is_object())
-    for (const auto& [name, version] : from["libraries"].items()) libraries += (libraries.empty() ? "" : ", ") + escaped(name) + " " + value_text(version);
+    for (const auto& [name, version] : from["libraries"].items())
+      libraries += (libraries.empty() ? "" : ", ") + escaped(name) + " " + value_text(version);
   else
     libraries = value_text(from["libraries"]);
   std::string files;
   for (const Json& file : from["files"]) files += (files.empty() ? "" : "; ") + escaped(file);
-  std::string body = table("tt", {"", ""}, {{"study", escaped(from["study_name"]) + ", hash " + code(from["study_hash"]) + ", seed " + from["seed"].dump()},
-      {"program", "cagetol " + escaped(from["tool_version"]) + ", commit " + code(from["tool_commit"]) + "; " + escaped(from["build"])},
-      {"libraries", libraries}, {"further input files", files.empty() ? "none" : files},
-      {"design", fmt::format("{}; {} cage(s) of a lot; {} pockets", escaped(from["design"]), rounded(from["cages_per_lot"]), rounded(from["pockets"]))},
-      {"intervals", escaped(report["intervals"]["method"])}});
+  std::string body =
+      table("tt", {"", ""},
+            {{"study", escaped(from["study_name"]) + ", hash " + code(from["study_hash"]) +
+                           ", seed " + from["seed"].dump()},
+             {"program", "cagetol " + escaped(from["tool_version"]) + ", commit " +
+                             code(from["tool_commit"]) + "; " + escaped(from["build"])},
+             {"libraries", libraries},
+             {"further input files", files.empty() ? "none" : files},
+             {"design", fmt::format("{}; {} cage(s) of a lot; {} pockets", escaped(from["design"]),
+                                    rounded(from["cages_per_lot"]), rounded(from["pockets"]))},
+             {"intervals", escaped(report["intervals"]["method"])}});
   body += assumptions_text(report["assumptions"]);
   body += inputs_table(from);
   std::vector<std::vector<std::string>> rows;
   for (const Json& quantity : report["quantities"])
-    rows.push_back({code(quantity["quantity"]), escaped(quantity["unit"]), escaped(quantity["definition"])});
+    rows.push_back(
+        {code(quantity["quantity"]), escaped(quantity["unit"]), escaped(quantity["definition"])});
   body += "<h3>Definitions</h3>\n" + table("ttt", {"quantity", "unit", "definition"}, rows);
   body += scene_list(from["scene"]);
   return chapter("provenance", "Where this comes from", body);

@@ -57,26 +57,35 @@ std::string heading(const Json& report) {
   const Json& from = report["provenance"];
   const Json& outcomes = report["outcomes"];
   return fmt::format(
-      "<header><h1>Tolerance report: {}</h1>\n<p class=\"note\">{} runs of {} planned, {} of them repeats with fresh noise; design "
+      "<header><h1>Tolerance report: {}</h1>\n<p class=\"note\">{} runs of {} planned, {} of them "
+      "repeats with fresh noise; design "
       "<code>{}</code>; study <code>{}</code>, seed {}; cagetol {} ({})</p></header>\n"
-      "<nav><a href=\"#limits\">Limits</a><a href=\"#tolerance\">Yield and tolerance</a><a href=\"#contributors\">Contributors</a>"
-      "<a href=\"#quantities\">Quantities</a><a href=\"#failures\">Failures</a><a href=\"#convergence\">Convergence</a>"
+      "<nav><a href=\"#limits\">Limits</a><a href=\"#tolerance\">Yield and tolerance</a><a "
+      "href=\"#contributors\">Contributors</a>"
+      "<a href=\"#quantities\">Quantities</a><a href=\"#failures\">Failures</a><a "
+      "href=\"#convergence\">Convergence</a>"
       "<a href=\"#health\">Run health</a><a href=\"#provenance\">Where this comes from</a></nav>\n",
-      escaped(from["study_name"]), rounded(outcomes["samples"]), rounded(outcomes["samples_planned"]), rounded(outcomes["noise_repeats"]),
-      escaped(from["design"]), escaped(from["study_hash"]), from["seed"].dump(), escaped(from["tool_version"]), escaped(from["tool_commit"]));
+      escaped(from["study_name"]), rounded(outcomes["samples"]),
+      rounded(outcomes["samples_planned"]), rounded(outcomes["noise_repeats"]),
+      escaped(from["design"]), escaped(from["study_hash"]), from["seed"].dump(),
+      escaped(from["tool_version"]), escaped(from["tool_commit"]));
 }
 
 }  // namespace
 
 std::string html_report(const Json& report, const FigureSet& figures) {
-  std::string page = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Tolerance report: " +
-                     escaped(report["provenance"]["study_name"]) + "</title>\n<style>" + kStyle + "</style></head><body>\n";
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Tolerance "
+      "report: " +
+      escaped(report["provenance"]["study_name"]) + "</title>\n<style>" + kStyle +
+      "</style></head><body>\n";
   page += heading(report);
   page += verdict_chapter(report);
   if (!figures.problem.empty())
     page += "<p class=\"warning\">Figures are missing or incomplete: " + escaped(figures.problem) +
-            ". Install Debian's python3-matplotlib, then run <code>cagetol report DIR</code> again. The numbers are complete.</p>\n";
+            ". Install Debian's python3-matplotlib, then run <code>cagetol report DIR</code> "
+            "again. The numbers are complete.</p>\n";
   page += limits_chapter(report);
   page += tolerance_chapter(report, figures);
   page += contributors_chapter(report, figures);

@@ -1,4 +1,5 @@
-// report.html: every chapter is made from report.json alone, so that the page shows no number the file does not hold.
+// report.html: every chapter is made from report.json alone, so that the page shows no number the
+// file does not hold.
 #pragma once
 
 #include <string>

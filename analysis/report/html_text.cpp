@@ -17,16 +17,21 @@ int decimals_for(double size, int digits) {
 
 std::string fixed(double value, int decimals) {
   const std::string text = fmt::format("{:.{}f}", value, decimals);
-  return text.find_first_not_of("-0.") == std::string::npos && text.starts_with("-") ? text.substr(1) : text;
+  return text.find_first_not_of("-0.") == std::string::npos && text.starts_with("-")
+             ? text.substr(1)
+             : text;
 }
 
-/// The value and, below it in small print, its interval; as many decimals as the first digit of the interval's half width.
+/// The value and, below it in small print, its interval; as many decimals as the first digit of the
+/// interval's half width.
 std::string interval_text(double value, double lower, double upper) {
   const double half = 0.5 * (upper - lower);
   if (std::max({std::abs(value), std::abs(upper), half}) < 1e-3)
-    return fmt::format("{}<br><small>{} to {}</small>", fmt::format("{:.3g}", value), fmt::format("{:.2g}", lower), fmt::format("{:.2g}", upper));
+    return fmt::format("{}<br><small>{} to {}</small>", fmt::format("{:.3g}", value),
+                       fmt::format("{:.2g}", lower), fmt::format("{:.2g}", upper));
   const int decimals = half > 0 ? decimals_for(half, 1) : decimals_for(std::abs(value), 3);
-  return fmt::format("{}<br><small>{} to {}</small>", fixed(value, decimals), fixed(lower, decimals), fixed(upper, decimals));
+  return fmt::format("{}<br><small>{} to {}</small>", fixed(value, decimals),
+                     fixed(lower, decimals), fixed(upper, decimals));
 }
 
 }  // namespace
@@ -34,11 +39,16 @@ std::string interval_text(double value, double lower, double upper) {
 std::string escaped(const std::string& text) {
   std::string safe;
   for (const char c : text) {
-    if (c == '&') safe += "&amp;";
-    else if (c == '<') safe += "&lt;";
-    else if (c == '>') safe += "&gt;";
-    else if (c == '"') safe += "&quot;";
-    else safe += c;
+    if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += c;
   }
   return safe;
 }
@@ -53,7 +63,8 @@ std::string rounded(const Json& value) {
 
 std::string with_interval(const Json& estimate) {
   if (!estimate.at("value").is_number()) return "-";
-  if (!estimate.at("lower").is_number() || !estimate.at("upper").is_number()) return rounded(estimate.at("value"));
+  if (!estimate.at("lower").is_number() || !estimate.at("upper").is_number())
+    return rounded(estimate.at("value"));
   return interval_text(estimate.at("value"), estimate.at("lower"), estimate.at("upper"));
 }
 
@@ -61,6 +72,7 @@ std::string percent(const Json& share) {
   if (!share.is_number()) return "-";
   const double x = 100 * share.get<double>();
   const double distance = std::min(std::abs(x), std::abs(100 - x));
+  if (x < 100 && x >= 99.995) return "> 99.99 %";
   return fixed(x, distance > 0 && distance < 0.1 ? 2 : 1) + " %";
 }
 
@@ -68,15 +80,20 @@ std::string percent_interval(const Json& estimate) {
   if (!estimate.at("value").is_number()) return "-";
   if (!estimate.at("lower").is_number()) return percent(estimate.at("value"));
   return fmt::format("{} % ({} to {})", fixed(100 * estimate.at("value").get<double>(), 0),
-                     fixed(100 * estimate.at("lower").get<double>(), 0), fixed(100 * estimate.at("upper").get<double>(), 0));
+                     fixed(100 * estimate.at("lower").get<double>(), 0),
+                     fixed(100 * estimate.at("upper").get<double>(), 0));
 }
 
-std::string unit_suffix(const std::string& unit) { return unit.empty() || unit == "-" ? "" : " " + escaped(unit); }
+std::string unit_suffix(const std::string& unit) {
+  return unit.empty() || unit == "-" ? "" : " " + escaped(unit);
+}
 
 std::string readable(const std::string& quantity) {
-  static const std::set<std::string> units = {"MPa", "N", "um", "mrad", "W", "Nmm", "s", "m", "s2", "mm", "deg"};
+  static const std::set<std::string> units = {"MPa", "N", "um", "mrad", "W",  "Nmm",
+                                              "s",   "m", "s2", "mm",   "deg"};
   std::string words = quantity;
-  for (std::size_t last = words.rfind('_'); last != std::string::npos && units.count(words.substr(last + 1)) > 0;
+  for (std::size_t last = words.rfind('_');
+       last != std::string::npos && units.count(words.substr(last + 1)) > 0;
        last = words.rfind('_'))
     words.resize(last);
   std::replace(words.begin(), words.end(), '_', ' ');
@@ -104,8 +121,12 @@ std::string chapter(const std::string& id, const std::string& title, const std::
   return fmt::format("<section id=\"{}\"><h2>{}</h2>\n{}</section>\n", id, title, body);
 }
 
-std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n"; }
+std::string paragraph(const std::string& html) {
+  return "<p>" + html + "</p>\n";
+}
 
-std::string note(const std::string& html) { return "<p class=\"note\">" + html + "</p>\n"; }
+std::string note(const std::string& html) {
+  return "<p class=\"note\">" + html + "</p>\n";
+}
 
 }  // namespace cagetol

@@ -14,7 +14,8 @@ std::string escaped(const std::string& text);
 /// Three significant digits, without exponent where it can be avoided; "-" for null.
 std::string rounded(const Json& value);
 
-/// 83.4 and, below it in small print, 82.9 to 83.9: as many digits as the interval deserves; "-" for null.
+/// 83.4 and, below it in small print, 82.9 to 83.9: as many digits as the interval deserves; "-"
+/// for null.
 std::string with_interval(const Json& estimate);
 
 /// "97.3 %" of a share; "-" for null.

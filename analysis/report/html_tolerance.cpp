@@ -17,15 +17,19 @@ std::string candidate_table(const Json& tolerance) {
     headers.push_back("pocket " + escaped(dimension["name"]));
     columns += 't';
   }
-  for (const char* header : {"yield if runs without result fail", "… pass", "lower bound", "effective runs"}) headers.emplace_back(header);
+  for (const char* header :
+       {"yield if runs without result fail", "… pass", "lower bound", "effective runs"})
+    headers.emplace_back(header);
   columns += "nnnn";
   std::vector<std::vector<std::string>> rows;
   for (const Json& candidate : tolerance["candidates"]) {
     const Json& yield = candidate["yield"];
-    const bool shown = candidate["shown"], chosen = candidate["candidate"] == tolerance["chosen_candidate"];
+    const bool shown = candidate["shown"],
+               chosen = candidate["candidate"] == tolerance["chosen_candidate"];
     std::vector<std::string> row;
     for (std::size_t d = 0; d < candidate["bands_mm"].size(); ++d)
-      row.push_back(fmt::format("{:.3f} mm {}", candidate["bands_mm"][d].get<double>(), escaped(candidate["grades"][d])));
+      row.push_back(fmt::format("{:.3f} mm {}", candidate["bands_mm"][d].get<double>(),
+                                escaped(candidate["grades"][d])));
     row.push_back(shown ? percent(yield["if_unknown_fail"]) : "too few runs");
     row.push_back(shown ? percent(yield["if_unknown_pass"]) : "");
     row.push_back(shown ? percent(yield["lower_bound"]) : "");
@@ -45,26 +49,35 @@ std::string binding_list(const Json& tolerance) {
                     fmt::format("{:.1f}", 100 * dimension["largest_loss_bound"].get<double>()),
                     fmt::format("{:.1f}", 100 * dimension["allowed_loss"].get<double>())});
   return "<h3>Does the tolerance of a dimension change the yield?</h3>\n" +
-         table("ttnnn", {"dimension", "answer", "largest loss seen [points]", "at most [points]", "allowed by the target [points]"}, rows) +
-         note("Yield at the narrowest candidate against each wider one, on the same runs. Binding: a difference is significant. Not binding: none is, "
-              "and the loss is certainly smaller than the failures that the target allows. Undecided: too few runs to say either.");
+         table("ttnnn",
+               {"dimension", "answer", "largest loss seen [points]", "at most [points]",
+                "allowed by the target [points]"},
+               rows) +
+         note(
+             "Yield at the narrowest candidate against each wider one, on the same runs. Binding: "
+             "a difference is significant. Not binding: none is, "
+             "and the loss is certainly smaller than the failures that the target allows. "
+             "Undecided: too few runs to say either.");
 }
 
 std::string strongest(const Json& output) {
   std::vector<Json> shares(output["shares"].begin(), output["shares"].end());
   std::erase_if(shares, [](const Json& share) { return !share["value"].is_number(); });
-  std::stable_sort(shares.begin(), shares.end(), [](const Json& a, const Json& b) { return a["value"] > b["value"]; });
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const Json& a, const Json& b) { return a["value"] > b["value"]; });
   std::string text;
   for (std::size_t i = 0; i < std::min<std::size_t>(shares.size(), 3); ++i) {
     if (shares[i]["lower"].is_number() && shares[i]["lower"].get<double>() <= 0) break;
-    text += (text.empty() ? "" : "; ") + escaped(shares[i]["feature"]) + " " + percent_interval(shares[i]);
+    text += (text.empty() ? "" : "; ") + escaped(shares[i]["feature"]) + " " +
+            percent_interval(shares[i]);
   }
   return text.empty() ? "none stands out" : text;
 }
 
 std::string noise_of(const Json& report, const Json& output) {
   for (const Json& quantity : report["quantities"])
-    if (quantity["quantity"] == output["output"]) return percent_interval(quantity["noise"]["share"]);
+    if (quantity["quantity"] == output["output"])
+      return percent_interval(quantity["noise"]["share"]);
   return "-";
 }
 
@@ -76,12 +89,17 @@ std::string groups_table(const Json& groups) {
     std::vector<std::vector<std::string>> rows;
     const bool totals = groups["design"] == "pick-freeze";
     for (const Json& group : output["groups"]) {
-      if (totals) rows.push_back({escaped(group["group"]), percent_interval(group["first_order"]), percent_interval(group["total"])});
-      else rows.push_back({escaped(group["group"]), rounded(group["mean_magnitude"]), rounded(group["scatter"])});
+      if (totals)
+        rows.push_back({escaped(group["group"]), percent_interval(group["first_order"]),
+                        percent_interval(group["total"])});
+      else
+        rows.push_back(
+            {escaped(group["group"]), rounded(group["mean_magnitude"]), rounded(group["scatter"])});
     }
     html += "<h3>" + escaped(readable(output["output"])) + "</h3>\n" +
             (totals ? table("tnn", {"group", "alone", "alone and in interactions"}, rows)
-                    : table("tnn", {"group", "mean effect, in magnitude", "scatter of the effect"}, rows));
+                    : table("tnn", {"group", "mean effect, in magnitude", "scatter of the effect"},
+                            rows));
   }
   return html;
 }
@@ -91,17 +109,26 @@ std::string groups_table(const Json& groups) {
 std::string tolerance_chapter(const Json& report, const FigureSet& figures) {
   const Json& tolerance = report["tolerance"];
   if (!tolerance.is_object()) return {};
-  std::string body = figure_html(figures, "yield_curves",
-      "Yield over the width of each tolerance, the other dimensions taken from all their candidates in equal parts. Below each band: ISO 286 grade and, in "
-      "brackets, the effective number of runs behind the point. A curve that falls towards the right is a dimension that pays to narrow; a flat one does not.");
-  body += figure_html(figures, "yield_map",
-      "Both tolerances together: estimated yield, its lower bound, effective runs. Purple is above the target, orange below; the frame marks the combination of the verdict. "
+  std::string body =
+      figure_html(figures, "yield_curves",
+                  "Yield over the width of each tolerance, the other dimensions taken from all "
+                  "their candidates in equal parts. Below each band: ISO 286 grade and, in "
+                  "brackets, the effective number of runs behind the point. A curve that falls "
+                  "towards the right is a dimension that pays to narrow; a flat one does not.");
+  body += figure_html(
+      figures, "yield_map",
+      "Both tolerances together: estimated yield, its lower bound, effective runs. Purple is above "
+      "the target, orange below; the frame marks the combination of the verdict. "
       "Widest means: the largest product of the bands of the dimensions that matter.");
   body += candidate_table(tolerance);
-  body += note(fmt::format("All runs count for every candidate, each with the weight that its deviations have under that tolerance. The effective number of runs says how many equally "
-      "weighted runs would tell as much; below {} a figure is not shown as a result. Runs without a result count as failing in the lower bound ({}).",
+  body += note(fmt::format(
+      "All runs count for every candidate, each with the weight that its deviations have under "
+      "that tolerance. The effective number of runs says how many equally "
+      "weighted runs would tell as much; below {} a figure is not shown as a result. Runs without "
+      "a result count as failing in the lower bound ({}).",
       rounded(tolerance["fewest_effective_runs"]), escaped(report["verdict"]["yield"]["method"])));
-  if (!tolerance["note"].get<std::string>().empty()) body += "<p class=\"warning\">" + escaped(tolerance["note"]) + "</p>\n";
+  if (!tolerance["note"].get<std::string>().empty())
+    body += "<p class=\"warning\">" + escaped(tolerance["note"]) + "</p>\n";
   body += binding_list(tolerance);
   return chapter("tolerance", "Yield against tolerance", body);
 }
@@ -110,23 +137,45 @@ std::string contributors_chapter(const Json& report, const FigureSet& figures) {
   const Json& contributors = report["contributors"];
   if (contributors["features"].empty() || contributors["outputs"].empty()) return {};
   std::string body = paragraph(fmt::format(
-      "Share of a quantity's variance that goes when the feature of the cage is held. Features of one dimension depend on each other (a lot that is narrow has narrow smallest "
-      "pockets): their shares overlap and do not add up to 100 %. Shares of quantities are among the {} of cages whose run gave a result.",
+      "Share of a quantity's variance that goes when the feature of the cage is held. Features of "
+      "one dimension depend on each other (a lot that is narrow has narrow smallest "
+      "pockets): their shares overlap and do not add up to 100 %. Shares of quantities are among "
+      "the {} of cages whose run gave a result.",
       percent(report["outcomes"]["success_share"])));
-  body += figure_html(figures, "pareto", "The largest contributors to passing the limits, to jams, and to each limited quantity, with intervals. A bar whose interval reaches zero may be nothing.");
+  body +=
+      figure_html(figures, "pareto",
+                  "The largest contributors to passing the limits, to jams, and to each limited "
+                  "quantity, with intervals. A bar whose interval reaches zero may be nothing.");
   std::vector<std::vector<std::string>> rows;
   for (const Json& output : contributors["outputs"])
-    rows.push_back({escaped(readable(output["output"])), strongest(output), noise_of(report, output)});
-  body += table("ttn", {"quantity", "strongest contributors (share of variance, interval)", "noise"}, rows);
-  body += note("Noise: share of the variance between two runs of the same cage from another start, from the repeated rows; no tolerance can remove it.");
-  body += figure_html(figures, "responses", "How each deciding quantity follows its strongest contributor: means of twelve classes with two standard errors. Look for a bend: beyond it the dimension costs.");
-  body += figure_html(figures, "matrix", "Contributors by quantity: dark cells are what a quantity depends on (shares of 5 % and more are printed). An empty column is a feature that no quantity feels.");
-  const std::string map = figure_html(figures, "pocket_map", "Share of the variance explained by each single pocket, numbered around the cage: a long bar is a pocket that matters more than its neighbours.");
-  body += map.empty() ? paragraph("Single pockets: no pocket explains more of a quantity than its neighbours do beyond chance, so no map is shown.") : map;
+    rows.push_back(
+        {escaped(readable(output["output"])), strongest(output), noise_of(report, output)});
+  body += table(
+      "ttn", {"quantity", "strongest contributors (share of variance, interval)", "noise"}, rows);
+  body += note(
+      "Noise: share of the variance between two runs of the same cage from another start, from the "
+      "repeated rows; no tolerance can remove it.");
+  body += figure_html(
+      figures, "responses",
+      "How each deciding quantity follows its strongest contributor: means of twelve classes with "
+      "two standard errors. Look for a bend: beyond it the dimension costs.");
+  body += figure_html(
+      figures, "matrix",
+      "Contributors by quantity: dark cells are what a quantity depends on (shares of 5 % and more "
+      "are printed). An empty column is a feature that no quantity feels.");
+  const std::string map =
+      figure_html(figures, "pocket_map",
+                  "Share of the variance explained by each single pocket, numbered around the "
+                  "cage: a long bar is a pocket that matters more than its neighbours.");
+  body += map.empty() ? paragraph(
+                            "Single pockets: no pocket explains more of a quantity than its "
+                            "neighbours do beyond chance, so no map is shown.")
+                      : map;
   body += groups_table(contributors["groups"]);
   rows.clear();
   for (const Json& feature : contributors["features"])
-    rows.push_back({escaped(feature["name"]), escaped(feature["definition"]), escaped(feature["unit"])});
+    rows.push_back(
+        {escaped(feature["name"]), escaped(feature["definition"]), escaped(feature["unit"])});
   body += "<h3>What the features mean</h3>\n" + table("ttt", {"feature", "meaning", "unit"}, rows);
   return chapter("contributors", "What drives the quantities", body);
 }

@@ -1,4 +1,5 @@
-// First page: what may be printed on the drawing, how sure, which dimension pays; then outcomes and limits.
+// First page: what may be printed on the drawing, how sure, which dimension pays; then outcomes and
+// limits.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -23,7 +24,8 @@ std::string band_facts(const Json& report) {
       facts += fact("not binding", escaped(name) + ", within the range studied");
     else
       facts += fact(fmt::format("{:.3f} mm {}", band["band_mm"].get<double>(), escaped(grade)),
-                    escaped(name) + ", full width" + (band["widest_studied"].get<bool>() ? "; nothing wider was studied" : ""));
+                    escaped(name) + ", full width" +
+                        (band["widest_studied"].get<bool>() ? "; nothing wider was studied" : ""));
   }
   return facts;
 }
@@ -33,14 +35,21 @@ std::string steps_table(const Json& report) {
   if (!report["tolerance"].is_object() || report["tolerance"]["steps"].empty()) return {};
   std::vector<std::vector<std::string>> rows;
   for (const Json& step : report["tolerance"]["steps"]) {
-    const auto points = [&](const char* key) { return fmt::format("{:+.1f}", 100 * step[key].get<double>()); };
+    const auto points = [&](const char* key) {
+      return fmt::format("{:+.1f}", 100 * step[key].get<double>());
+    };
     const bool clear = step["lower"].get<double>() > 0 || step["upper"].get<double>() < 0;
-    rows.push_back({"pocket " + escaped(step["name"]), escaped(step["from"]) + " → " + escaped(step["to"]), points("change"),
-                    points("lower") + " to " + points("upper"), clear ? "yes" : "not told apart from none"});
+    rows.push_back({"pocket " + escaped(step["name"]),
+                    escaped(step["from"]) + " → " + escaped(step["to"]), points("change"),
+                    points("lower") + " to " + points("upper"),
+                    clear ? "yes" : "not told apart from none"});
   }
   return "<h3>Which dimension pays</h3>\n" +
-         table("ttnnt", {"dimension", "from → to", "change of yield [points]", "interval", "real?"}, rows) +
-         note("One step narrower or wider in one dimension, all others as in the verdict, compared on the same runs.");
+         table("ttnnt", {"dimension", "from → to", "change of yield [points]", "interval", "real?"},
+               rows) +
+         note(
+             "One step narrower or wider in one dimension, all others as in the verdict, compared "
+             "on the same runs.");
 }
 
 }  // namespace
@@ -51,19 +60,28 @@ std::string verdict_chapter(const Json& report) {
   std::string facts = band_facts(report);
   if (verdict["yield_lower_bound"].is_number()) {
     facts += fact("≥ " + percent(verdict["yield_lower_bound"]),
-                  fmt::format("yield, with {:g} % confidence (target {:g} %)", 100 * verdict["confidence"].get<double>(),
+                  fmt::format("yield, with {:g} % confidence (target {:g} %)",
+                              100 * verdict["confidence"].get<double>(),
                               100 * verdict["target_yield"].get<double>()));
-    facts += fact(percent(verdict["yield"]["if_unknown_fail"]),
-                  fmt::format("estimated yield from {} effective runs", rounded(std::round(verdict["yield"]["effective_runs"].get<double>()))));
+    facts +=
+        fact(percent(verdict["yield"]["if_unknown_fail"]),
+             fmt::format("estimated yield from {} effective runs",
+                         rounded(std::round(verdict["yield"]["effective_runs"].get<double>()))));
   }
   facts += fact(verdict["confirmation"].is_null() ? "unconfirmed" : "confirmed",
-                verdict["confirmation"].is_null() ? "no fresh runs at this tolerance yet" : "by fresh runs at this tolerance");
-  std::string body = fmt::format("<div class=\"verdict {}\"><p class=\"say\">{}</p><div class=\"big\">{}</div></div>\n",
-                                 meets ? "yes" : "no", escaped(verdict["statement"]), facts);
+                verdict["confirmation"].is_null() ? "no fresh runs at this tolerance yet"
+                                                  : "by fresh runs at this tolerance");
+  std::string body = fmt::format(
+      "<div class=\"verdict {}\"><p class=\"say\">{}</p><div class=\"big\">{}</div></div>\n",
+      meets ? "yes" : "no", escaped(verdict["statement"]), facts);
   if (!verdict["undecided"].empty()) {
     std::string names;
-    for (const Json& name : verdict["undecided"]) names += (names.empty() ? "" : ", ") + escaped(name);
-    body += paragraph("Too few runs to tell whether these dimensions matter at all; they are treated as if they did: " + names + ".");
+    for (const Json& name : verdict["undecided"])
+      names += (names.empty() ? "" : ", ") + escaped(name);
+    body += paragraph(
+        "Too few runs to tell whether these dimensions matter at all; they are treated as if they "
+        "did: " +
+        names + ".");
   }
   body += steps_table(report);
   return chapter("verdict", "What may be printed on the drawing", body);
@@ -76,13 +94,17 @@ std::string limits_chapter(const Json& report) {
     if (count["samples"].get<double>() > 0)
       rows.push_back({escaped(count["status"]), rounded(count["rows"]), rounded(count["samples"])});
   std::string body = table("tnn", {"outcome", "cages (first runs)", "all runs with repeats"}, rows);
-  body += note("A jammed cage counts as not meeting the limits. Runs that failed or ran out of steps have no result: every yield is given "
-               "twice, as if all of them failed and as if all of them passed. None is dropped.");
+  body += note(
+      "A jammed cage counts as not meeting the limits. Runs that failed or ran out of steps have "
+      "no result: every yield is given "
+      "twice, as if all of them failed and as if all of them passed. None is dropped.");
   if (outcomes["failed_share"].get<double>() > outcomes["allowed_failure_share"].get<double>())
-    body += "<p class=\"warning\">" + percent(outcomes["failed_share"]) + " of the runs gave no result, more than the " +
+    body += "<p class=\"warning\">" + percent(outcomes["failed_share"]) +
+            " of the runs gave no result, more than the " +
             percent(outcomes["allowed_failure_share"]) + " that the study allows.</p>\n";
   const Json& limits = report["limits"];
-  if (limits["each"].empty()) return chapter("limits", "Outcomes", body + paragraph("The study states no limits."));
+  if (limits["each"].empty())
+    return chapter("limits", "Outcomes", body + paragraph("The study states no limits."));
   rows.clear();
   const auto yield_cells = [](const Json& yield) -> std::vector<std::string> {
     return {percent(yield["if_unknown_fail"]), percent(yield["if_unknown_pass"]),
@@ -93,15 +115,24 @@ std::string limits_chapter(const Json& report) {
     rows.push_back(std::move(cells));
   };
   for (const Json& limit : limits["each"])
-    add({escaped(readable(limit["quantity"])), escaped(limit["text"]) + (limit.contains("note") ? "<br>" + escaped(limit["note"]) : ""),
-         escaped(limit["source"]), rounded(limit["cage_revolutions"])}, limit["yield"]);
+    add({escaped(readable(limit["quantity"])),
+         escaped(limit["text"]) + (limit.contains("note") ? "<br>" + escaped(limit["note"]) : ""),
+         escaped(limit["source"]), rounded(limit["cage_revolutions"])},
+        limit["yield"]);
   add({"<b>all together</b>", "", "", ""}, limits["joint"]);
   body += "<h3>Limits and yield of the scatter as sampled</h3>\n" +
-          table("tttnnnn", {"quantity", "limit", "source of the limit", "cage rev.", "yield if runs without result fail", "… pass", "bounds"}, rows);
-  body += note(fmt::format("Yield: share of cages of which one run, over the cage revolutions stated, meets the limit. Bounds: each one-sided at {:g} % "
-               "confidence ({}). {}",
-               100 * report["verdict"]["confidence"].get<double>(), escaped(limits["joint"]["method"]),
-               report["tolerance"].is_object() ? "These runs mix all candidate tolerances; the yield of each candidate follows below." : ""));
+          table("tttnnnn",
+                {"quantity", "limit", "source of the limit", "cage rev.",
+                 "yield if runs without result fail", "… pass", "bounds"},
+                rows);
+  body += note(fmt::format(
+      "Yield: share of cages of which one run, over the cage revolutions stated, meets the limit. "
+      "Bounds: each one-sided at {:g} % "
+      "confidence ({}). {}",
+      100 * report["verdict"]["confidence"].get<double>(), escaped(limits["joint"]["method"]),
+      report["tolerance"].is_object()
+          ? "These runs mix all candidate tolerances; the yield of each candidate follows below."
+          : ""));
   return chapter("limits", "Outcomes and limits", body);
 }
 

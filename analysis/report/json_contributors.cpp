@@ -25,10 +25,15 @@ struct Output {
 
 std::vector<Output> outputs_of(const ReportBasis& basis) {
   std::vector<Output> outputs;
-  Output meets{"meets all limits", "-", "1 when the run meets every limit, 0 when it misses one or jams; undefined without a result", {}};
+  Output meets{
+      "meets all limits",
+      "-",
+      "1 when the run meets every limit, 0 when it misses one or jams; undefined without a result",
+      {}};
   Output jams{"jams", "-", "1 when a roller does not fit its pocket, else 0; over all runs", {}};
   for (std::size_t i = 0; i < basis.runs.size(); ++i) {
-    meets.values.push_back(basis.joint[i] == Judgement::unknown ? kUndefined : basis.joint[i] == Judgement::meets);
+    meets.values.push_back(
+        basis.joint[i] == Judgement::unknown ? kUndefined : basis.joint[i] == Judgement::meets);
     jams.values.push_back(basis.runs.status[i] == RunStatus::jammed);
   }
   if (!basis.study.plan.limits.empty()) outputs.push_back(std::move(meets));
@@ -55,33 +60,41 @@ Json rank_json(const StudyDesign& design, const Feature& feature, const Output& 
 Json response_json(const Feature& feature, const Output& output) {
   Json points = Json::array();
   for (const ResponsePoint& point : response_curve(feature.values, output.values, kResponsePoints))
-    points.push_back({{"feature", number(point.feature)}, {"mean", number(point.mean)},
+    points.push_back({{"feature", number(point.feature)},
+                      {"mean", number(point.mean)},
                       {"standard_error", number(point.standard_error)}});
   return points;
 }
 
-/// A pocket stands out when its share exceeds the median pocket's by more than 3.5 standard errors: about one false alarm in a
-/// hundred maps. Every pocket mattering alike is no map worth printing.
+/// A pocket stands out when its share exceeds the median pocket's by more than 3.5 standard errors:
+/// about one false alarm in a hundred maps. Every pocket mattering alike is no map worth printing.
 bool stands_out(std::vector<double> shares, std::size_t runs) {
   std::sort(shares.begin(), shares.end());
   const double median = std::max(shares[shares.size() / 2], 0.0), count = static_cast<double>(runs);
   const double bins = static_cast<double>(bin_count(runs));
-  const double error = std::sqrt(2 * (bins - 1) + 4 * median * (1 - median) * (1 - median) * count) / count;
+  const double error =
+      std::sqrt(2 * (bins - 1) + 4 * median * (1 - median) * (1 - median) * count) / count;
   return shares.back() > median + 3.5 * error;
 }
 
-/// Share of each single pocket's deviation; an output moved by one pocket more than by the others shows here.
+/// Share of each single pocket's deviation; an output moved by one pocket more than by the others
+/// shows here.
 Json pockets_json(const ReportBasis& basis, const std::vector<Output>& outputs) {
   Json list = Json::array();
   const std::vector<double> equal(basis.runs.size(), 1.0);
   for (const InputColumns& input : basis.runs.inputs) {
     std::vector<Binning> binnings;
-    for (const Feature& feature : pocket_features(basis.runs, input)) binnings.push_back(make_binning(feature.values));
+    for (const Feature& feature : pocket_features(basis.runs, input))
+      binnings.push_back(make_binning(feature.values));
     for (const Output& output : outputs) {
       std::vector<double> shares;
-      for (const Binning& binning : binnings) shares.push_back(binned_share(binning, output.values, equal));
+      for (const Binning& binning : binnings)
+        shares.push_back(binned_share(binning, output.values, equal));
       if (shares.empty() || !stands_out(shares, basis.runs.size())) continue;
-      list.push_back({{"input", input.key}, {"name", plain_name(input.key)}, {"output", output.name}, {"shares", shares}});
+      list.push_back({{"input", input.key},
+                      {"name", plain_name(input.key)},
+                      {"output", output.name},
+                      {"shares", shares}});
     }
   }
   return list;
@@ -97,16 +110,25 @@ Json groups_json(const ReportBasis& basis, const std::vector<Output>& outputs) {
       Json entry{{"output", output.name}, {"groups", Json::array()}};
       if (kind == "pick-freeze") {
         const Column* column = find_quantity(basis.study, output.name);
-        const double noise = column == nullptr ? 0.0 : noise_share(basis.study, column->values, basis.confidence, 0).share.value;
+        const double noise =
+            column == nullptr
+                ? 0.0
+                : noise_share(basis.study, column->values, basis.confidence, 0).share.value;
         const bool corrected = column != nullptr && !std::isnan(noise);
         entry["corrected_for_noise"] = corrected;
-        for (const GroupShares& group : pick_freeze_shares(basis.runs, output.values, corrected ? noise : 0, basis.confidence, kGroupResamples))
-          entry["groups"].push_back({{"group", group.group}, {"first_order", to_json(group.first_order)}, {"total", to_json(group.total)}});
+        for (const GroupShares& group :
+             pick_freeze_shares(basis.runs, output.values, corrected ? noise : 0, basis.confidence,
+                                kGroupResamples))
+          entry["groups"].push_back({{"group", group.group},
+                                     {"first_order", to_json(group.first_order)},
+                                     {"total", to_json(group.total)}});
       } else {
         for (const ElementaryEffects& effects : elementary_effects(basis.runs, output.values))
-          entry["groups"].push_back({{"group", effects.group}, {"steps", effects.steps},
+          entry["groups"].push_back({{"group", effects.group},
+                                     {"steps", effects.steps},
                                      {"mean_magnitude", number(effects.mean_magnitude)},
-                                     {"mean", number(effects.mean)}, {"scatter", number(effects.scatter)}});
+                                     {"mean", number(effects.mean)},
+                                     {"scatter", number(effects.scatter)}});
       }
       result["outputs"].push_back(std::move(entry));
     }
@@ -125,8 +147,11 @@ Json contributors_json(const ReportBasis& basis) {
   Json feature_list = Json::array();
   for (const Feature& feature : features) {
     binnings.push_back(make_binning(feature.values));
-    feature_list.push_back({{"name", feature.name}, {"input", feature.input}, {"unit", feature.unit},
-                            {"definition", feature.definition}, {"bins", binnings.back().bins}});
+    feature_list.push_back({{"name", feature.name},
+                            {"input", feature.input},
+                            {"unit", feature.unit},
+                            {"definition", feature.definition},
+                            {"bins", binnings.back().bins}});
   }
   Json matrix = Json::array();
   for (const Output& output : outputs) {
@@ -134,16 +159,21 @@ Json contributors_json(const ReportBasis& basis) {
     std::size_t top = 0;
     double largest = -1;
     for (std::size_t f = 0; f < features.size(); ++f) {
-      const Estimate share = binned_share_estimate(binnings[f], output.values, basis.resampling, basis.confidence);
+      const Estimate share =
+          binned_share_estimate(binnings[f], output.values, basis.resampling, basis.confidence);
       Json entry = to_json(share);
       entry["feature"] = features[f].name;
       entry["rank_estimate"] = rank_json(basis.study.design, features[f], output);
       shares.push_back(std::move(entry));
       if (share.value > largest) largest = share.value, top = f;
     }
-    Json entry{{"output", output.name}, {"unit", output.unit}, {"definition", output.definition}, {"shares", shares}};
+    Json entry{{"output", output.name},
+               {"unit", output.unit},
+               {"definition", output.definition},
+               {"shares", shares}};
     if (!features.empty())
-      entry["response"] = {{"feature", features[top].name}, {"unit", features[top].unit},
+      entry["response"] = {{"feature", features[top].name},
+                           {"unit", features[top].unit},
                            {"points", response_json(features[top], output)}};
     matrix.push_back(std::move(entry));
   }

@@ -37,10 +37,14 @@ double excess(double value, const LimitPlan& limit) {
 
 }  // namespace
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
 
 Json to_json(const Estimate& estimate) {
-  return {{"value", number(estimate.value)}, {"lower", number(estimate.lower)}, {"upper", number(estimate.upper)}};
+  return {{"value", number(estimate.value)},
+          {"lower", number(estimate.lower)},
+          {"upper", number(estimate.upper)}};
 }
 
 Json to_json(const Yield& yield) {
@@ -61,8 +65,8 @@ Json outcomes_json(const ReportBasis& basis) {
   outcomes["samples_planned"] = basis.study.design.samples_planned;
   outcomes["rows"] = basis.runs.size();
   outcomes["rows_planned"] = basis.study.design.rows_planned;
-  outcomes["noise_repeats"] =
-      std::count_if(basis.study.replicate.begin(), basis.study.replicate.end(), [](auto k) { return k > 0; });
+  outcomes["noise_repeats"] = std::count_if(
+      basis.study.replicate.begin(), basis.study.replicate.end(), [](auto k) { return k > 0; });
   Json counts = Json::array();
   for (const RunStatus status : kStatuses) {
     const auto count = std::count(basis.study.status.begin(), basis.study.status.end(), status);
@@ -72,12 +76,16 @@ Json outcomes_json(const ReportBasis& basis) {
   outcomes["counts"] = counts;
   const double lost = static_cast<double>(
       std::count_if(basis.study.status.begin(), basis.study.status.end(), [](RunStatus status) {
-        return status == RunStatus::failed || status == RunStatus::censored || status == RunStatus::poisoned;
+        return status == RunStatus::failed || status == RunStatus::censored ||
+               status == RunStatus::poisoned;
       }));
-  outcomes["failed_share"] = basis.study.size() > 0 ? lost / static_cast<double>(basis.study.size()) : 0.0;
+  outcomes["failed_share"] =
+      basis.study.size() > 0 ? lost / static_cast<double>(basis.study.size()) : 0.0;
   outcomes["allowed_failure_share"] = basis.study.plan.allowed_failure_share;
-  const auto ok = static_cast<double>(std::count(basis.runs.status.begin(), basis.runs.status.end(), RunStatus::ok));
-  outcomes["success_share"] = basis.runs.size() > 0 ? ok / static_cast<double>(basis.runs.size()) : 0.0;
+  const auto ok = static_cast<double>(
+      std::count(basis.runs.status.begin(), basis.runs.status.end(), RunStatus::ok));
+  outcomes["success_share"] =
+      basis.runs.size() > 0 ? ok / static_cast<double>(basis.runs.size()) : 0.0;
   return outcomes;
 }
 
@@ -88,7 +96,8 @@ Json limits_json(const ReportBasis& basis) {
   for (const LimitPlan& limit : basis.study.plan.limits) {
     const Column* column = find_quantity(basis.runs, limit.quantity);
     const std::string unit = column == nullptr ? "" : column->unit;
-    const Yield yield = estimate_yield(basis.runs, judge(basis.runs, limit), equal, basis.resampling, basis.confidence);
+    const Yield yield = estimate_yield(basis.runs, judge(basis.runs, limit), equal,
+                                       basis.resampling, basis.confidence);
     Json entry{{"quantity", limit.quantity},
                {"unit", unit},
                {"minimum", limit.minimum ? Json(*limit.minimum) : Json()},
@@ -102,7 +111,8 @@ Json limits_json(const ReportBasis& basis) {
     single.push_back(std::move(entry));
   }
   limits["each"] = single;
-  limits["joint"] = to_json(estimate_yield(basis.runs, basis.joint, equal, basis.resampling, basis.confidence));
+  limits["joint"] =
+      to_json(estimate_yield(basis.runs, basis.joint, equal, basis.resampling, basis.confidence));
   return limits;
 }
 
@@ -111,18 +121,20 @@ Json failures_json(const ReportBasis& basis) {
   const StudyData& study = basis.study;
   for (std::size_t i = 0; i < study.size(); ++i) {
     if (study.status[i] == RunStatus::ok) continue;
-    list.push_back({{"id", study.id[i]},
-                    {"status", run_status_name(study.status[i])},
-                    {"reason", study.reason[i]},
-                    {"pocket", study.pocket[i] >= 0 ? Json(study.pocket[i]) : Json()},
-                    {"interference_um", study.pocket[i] >= 0 ? number(study.interference_um[i]) : Json()},
-                    {"replay", replay_command(study.id[i])}});
+    list.push_back(
+        {{"id", study.id[i]},
+         {"status", run_status_name(study.status[i])},
+         {"reason", study.reason[i]},
+         {"pocket", study.pocket[i] >= 0 ? Json(study.pocket[i]) : Json()},
+         {"interference_um", study.pocket[i] >= 0 ? number(study.interference_um[i]) : Json()},
+         {"replay", replay_command(study.id[i])}});
   }
   Json jams = Json::array();
   for (std::size_t j = 0; j < study.pockets; ++j) {
     double count = 0;
     for (std::size_t i = 0; i < basis.runs.size(); ++i)
-      count += basis.runs.status[i] == RunStatus::jammed && basis.runs.pocket[i] == static_cast<std::int64_t>(j);
+      count += basis.runs.status[i] == RunStatus::jammed &&
+               basis.runs.pocket[i] == static_cast<std::int64_t>(j);
     jams.push_back(count);
   }
   return {{"samples", list}, {"jams_by_pocket", jams}};

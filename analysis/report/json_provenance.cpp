@@ -11,8 +11,12 @@ Json provenance_json(const StudyData& study) {
   if (libraries.is_discarded()) libraries = from.libraries;
   Json inputs = Json::array();
   for (const InputPlan& input : study.plan.inputs)
-    inputs.push_back({{"key", input.key}, {"unit", input.unit}, {"nominal", input.nominal},
-                      {"lot", input.lot}, {"pocket", input.pocket}, {"noise", input.noise}});
+    inputs.push_back({{"key", input.key},
+                      {"unit", input.unit},
+                      {"nominal", input.nominal},
+                      {"lot", input.lot},
+                      {"pocket", input.pocket},
+                      {"noise", input.noise}});
   Json correlations = Json::array();
   for (const CorrelationPlan& pair : study.plan.correlations)
     correlations.push_back({{"first", pair.first}, {"second", pair.second}, {"rho", pair.rho}});
@@ -35,13 +39,11 @@ Json provenance_json(const StudyData& study) {
 }
 
 Json assumptions_json(const StudyData& study) {
-  const Json& whole = study.plan.whole;
-  Json stated = whole.contains("assumptions") ? whole.at("assumptions") : Json();
+  const Json& scene = study.plan.scene;
+  Json stated = scene.is_object() && scene.contains("assumption") ? scene.at("assumption") : Json();
   Json speeds = Json::object();
-  if (study.plan.scene.is_object() && study.plan.scene.contains("contact"))
-    for (const auto& [key, value] : study.plan.scene.at("contact").items())
-      if (key.find("speed") != std::string::npos || key.find("friction") != std::string::npos)
-        speeds["contact." + key] = value;
+  if (scene.is_object() && scene.contains("friction"))
+    for (const auto& [key, value] : scene.at("friction").items()) speeds["friction." + key] = value;
   return {{"stated", stated}, {"friction", speeds}};
 }
 

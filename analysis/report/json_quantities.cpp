@@ -48,9 +48,12 @@ Json summary_json(const Summary& summary) {
           {"bound_refused", summary.bound_95_refused}};
 }
 
-double half_width(const Estimate& estimate) { return 0.5 * (estimate.upper - estimate.lower); }
+double half_width(const Estimate& estimate) {
+  return 0.5 * (estimate.upper - estimate.lower);
+}
 
-/// Runs until the half width has shrunk to `target`, which it does with the square root of the runs.
+/// Runs until the half width has shrunk to `target`, which it does with the square root of the
+/// runs.
 double runs_needed(double runs, double half, double target) {
   if (!(target > 0) || std::isnan(half)) return kUndefined;
   return std::max(std::ceil(runs * (half / target) * (half / target)), runs);
@@ -63,14 +66,17 @@ Json look_json(const ReportBasis& basis, std::size_t count) {
   const Resampling resampling(part, kResamplesOfLook);
   const std::vector<double> equal(count, 1.0);
   Json look{{"runs", count}};
-  look["yield"] = to_json(estimate_yield(part, judge_all(part), equal, resampling, basis.confidence));
+  look["yield"] =
+      to_json(estimate_yield(part, judge_all(part), equal, resampling, basis.confidence));
   Json quantiles = Json::object();
   for (const LimitPlan& limit : part.plan.limits) {
     const Column* column = find_quantity(part, limit.quantity);
     if (column == nullptr) continue;
     const auto order = ascending_order(column->values);
     quantiles[limit.quantity] = to_json(resampling.estimate(
-        [&](std::span<const double> w) { return weighted_quantile(column->values, order, w, 0.95); },
+        [&](std::span<const double> w) {
+          return weighted_quantile(column->values, order, w, 0.95);
+        },
         basis.confidence));
   }
   look["quantile_95"] = quantiles;
@@ -82,14 +88,18 @@ Json look_json(const ReportBasis& basis, std::size_t count) {
 Json quantities_json(const ReportBasis& basis) {
   Json list = Json::array();
   for (const Column& column : basis.runs.quantities) {
-    const Summary summary = summarise(basis.runs, column.values, basis.resampling, basis.confidence);
-    const NoiseShare noise = noise_share(basis.study, find_quantity(basis.study, column.name)->values,
-                                         basis.confidence, kResamplesOfNoise);
+    const Summary summary =
+        summarise(basis.runs, column.values, basis.resampling, basis.confidence);
+    const NoiseShare noise =
+        noise_share(basis.study, find_quantity(basis.study, column.name)->values, basis.confidence,
+                    kResamplesOfNoise);
     const LimitPlan* limit = limit_of(basis.study.plan, column.name);
-    Json entry{{"quantity", column.name}, {"unit", column.unit}, {"definition", column.description}};
-    entry["limit"] = limit == nullptr ? Json()
-                                      : Json{{"minimum", limit->minimum ? Json(*limit->minimum) : Json()},
-                                             {"maximum", limit->maximum ? Json(*limit->maximum) : Json()}};
+    Json entry{
+        {"quantity", column.name}, {"unit", column.unit}, {"definition", column.description}};
+    entry["limit"] = limit == nullptr
+                         ? Json()
+                         : Json{{"minimum", limit->minimum ? Json(*limit->minimum) : Json()},
+                                {"maximum", limit->maximum ? Json(*limit->maximum) : Json()}};
     entry["statistics"] = summary_json(summary);
     entry["noise"] = {{"rows_repeated", noise.rows},
                       {"share", to_json(noise.share)},
@@ -105,12 +115,14 @@ Json capability_json(const ReportBasis& basis) {
   for (const LimitPlan& limit : basis.study.plan.limits) {
     const Column* column = find_quantity(basis.runs, limit.quantity);
     if (column == nullptr) continue;
-    const ProcessCapability result =
-        process_capability(column->values, limit.minimum, limit.maximum, basis.resampling, basis.confidence);
+    const ProcessCapability result = process_capability(
+        column->values, limit.minimum, limit.maximum, basis.resampling, basis.confidence);
     double outside = 0;
-    for (const Judgement judgement : judge(basis.runs, limit)) outside += judgement == Judgement::misses;
+    for (const Judgement judgement : judge(basis.runs, limit))
+      outside += judgement == Judgement::misses;
     const std::vector<double> equal(basis.runs.size(), 1.0);
-    const Yield yield = estimate_yield(basis.runs, judge(basis.runs, limit), equal, basis.resampling, basis.confidence);
+    const Yield yield = estimate_yield(basis.runs, judge(basis.runs, limit), equal,
+                                       basis.resampling, basis.confidence);
     list.push_back({{"quantity", limit.quantity},
                     {"two_sided", limit.minimum && limit.maximum},
                     {"runs_with_value", result.defined},
@@ -129,7 +141,8 @@ Json capability_json(const ReportBasis& basis) {
 Json convergence_json(const ReportBasis& basis) {
   const auto runs = static_cast<double>(basis.runs.size());
   Json rows = Json::array();
-  const auto add = [&](const std::string& name, const std::string& statistic, double value, double half, double target) {
+  const auto add = [&](const std::string& name, const std::string& statistic, double value,
+                       double half, double target) {
     rows.push_back({{"quantity", name},
                     {"statistic", statistic},
                     {"value", number(value)},
@@ -140,26 +153,32 @@ Json convergence_json(const ReportBasis& basis) {
   };
   const std::vector<double> equal(basis.runs.size(), 1.0);
   if (!basis.study.plan.limits.empty()) {
-    const Yield joint = estimate_yield(basis.runs, basis.joint, equal, basis.resampling, basis.confidence);
+    const Yield joint =
+        estimate_yield(basis.runs, basis.joint, equal, basis.resampling, basis.confidence);
     add("joint yield", "yield", joint.if_unknown_fail, joint.if_unknown_fail - joint.lower_bound,
         0.5 * (1 - basis.study.plan.target_yield));
   }
   for (const Column& column : basis.runs.quantities) {
     const bool limited = limit_of(basis.study.plan, column.name) != nullptr;
     if (!limited && !basis.study.plan.limits.empty()) continue;
-    const Summary summary = summarise(basis.runs, column.values, basis.resampling, basis.confidence);
+    const Summary summary =
+        summarise(basis.runs, column.values, basis.resampling, basis.confidence);
     if (summary.defined < 2) continue;
-    add(column.name, "mean", summary.mean.value, half_width(summary.mean), kMeanPrecision * std::abs(summary.mean.value));
+    add(column.name, "mean", summary.mean.value, half_width(summary.mean),
+        kMeanPrecision * std::abs(summary.mean.value));
     const Estimate& high = summary.quantiles[5];
-    add(column.name, "95 % quantile", high.value, half_width(high), kQuantilePrecision * std::abs(high.value));
+    add(column.name, "95 % quantile", high.value, half_width(high),
+        kQuantilePrecision * std::abs(high.value));
   }
   Json limiting;
   for (const Json& row : rows)
-    if (row["runs_needed"].is_number() && (limiting.is_null() || row["runs_needed"] > limiting["runs_needed"]))
+    if (row["runs_needed"].is_number() &&
+        (limiting.is_null() || row["runs_needed"] > limiting["runs_needed"]))
       limiting = row;
   Json looks = Json::array();
   std::vector<std::size_t> counts;
-  for (std::size_t count = basis.runs.size(); count >= kFewestForLook; count /= 2) counts.push_back(count);
+  for (std::size_t count = basis.runs.size(); count >= kFewestForLook; count /= 2)
+    counts.push_back(count);
   std::reverse(counts.begin(), counts.end());
   for (const std::size_t count : counts) looks.push_back(look_json(basis, count));
   return {{"rows", rows},
@@ -175,7 +194,9 @@ Json health_json(const ReportBasis& basis) {
     const auto order = ascending_order(column.values);
     if (order.empty()) return;
     const std::vector<double> equal(column.values.size(), 1.0);
-    const auto at = [&](double p) { return number(weighted_quantile(column.values, order, equal, p)); };
+    const auto at = [&](double p) {
+      return number(weighted_quantile(column.values, order, equal, p));
+    };
     list.push_back({{"field", column.name},
                     {"unit", column.unit},
                     {"definition", column.description},

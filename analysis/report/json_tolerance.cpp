@@ -18,9 +18,13 @@ std::string percent(double share) {
 }
 
 /// A stated share as stated: "95 %".
-std::string plain_percent(double share) { return fmt::format("{:.6g} %", 100 * share); }
+std::string plain_percent(double share) {
+  return fmt::format("{:.6g} %", 100 * share);
+}
 
-bool shown(const Yield& yield) { return yield.ess >= kFewestEffectiveRuns; }
+bool shown(const Yield& yield) {
+  return yield.ess >= kFewestEffectiveRuns;
+}
 
 Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
   Json list = Json::array();
@@ -60,16 +64,25 @@ Json dimensions_json(const YieldCurves& curves, const std::vector<BindingTest>& 
 Json bands_json(const Recommendation& result) {
   Json bands = Json::array();
   for (const RecommendedBand& band : result.bands)
-    bands.push_back({{"key", band.key}, {"name", band.name}, {"not_binding", band.not_binding},
-                     {"band_mm", band.band_mm}, {"grade", band.grade}, {"widest_studied", band.widest_studied}});
+    bands.push_back({{"key", band.key},
+                     {"name", band.name},
+                     {"not_binding", band.not_binding},
+                     {"band_mm", band.band_mm},
+                     {"grade", band.grade},
+                     {"widest_studied", band.widest_studied}});
   return bands;
 }
 
 Json steps_json(const Recommendation& result) {
   Json steps = Json::array();
   for (const StepEffect& step : result.steps)
-    steps.push_back({{"key", step.key}, {"name", dimension_name(step.key)}, {"from", step.from}, {"to", step.to},
-                     {"change", step.change}, {"lower", step.lower}, {"upper", step.upper}});
+    steps.push_back({{"key", step.key},
+                     {"name", dimension_name(step.key)},
+                     {"from", step.from},
+                     {"to", step.to},
+                     {"change", step.change},
+                     {"lower", step.lower},
+                     {"upper", step.upper}});
   return steps;
 }
 
@@ -90,35 +103,49 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result)
   }
   std::string text;
   if (bands.empty())
-    text = result.meets_target ? "No tolerance studied limits the yield: the study gives no band to print."
-                               : "The target is not met, and no tolerance studied changes that: look at the contributors.";
+    text = result.meets_target
+               ? "No tolerance studied limits the yield: the study gives no band to print."
+               : "The target is not met, and no tolerance studied changes that: look at the "
+                 "contributors.";
   else if (result.meets_target)
     text = fmt::format("Recommended: pocket {}, full width of the tolerance.", list_of(bands));
   else
-    text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.", list_of(bands));
-  text += fmt::format(" The estimated yield is {}, at least {} with {} confidence{}; the target is {}.",
-                      percent(result.yield.if_unknown_fail), percent(result.yield.lower_bound),
-                      plain_percent(plan.confidence),
-                      result.yield.unknown_runs > 0 ? ", runs without a result counted as failing" : "",
-                      plain_percent(plan.target_yield));
+    text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.",
+                       list_of(bands));
+  text +=
+      fmt::format(" The estimated yield is {}, at least {} with {} confidence{}; the target is {}.",
+                  percent(result.yield.if_unknown_fail), percent(result.yield.lower_bound),
+                  plain_percent(plan.confidence),
+                  result.yield.unknown_runs > 0 ? ", runs without a result counted as failing" : "",
+                  plain_percent(plan.target_yield));
   if (!free.empty())
-    text += fmt::format(" Not binding within the range studied: {}; the yield holds with it at that width, which is no "
-                        "recommendation.", list_of(free));
+    text += fmt::format(
+        " Not binding within the range studied: {}; the yield holds with it at that width, which "
+        "is no "
+        "recommendation.",
+        list_of(free));
   text += " Unconfirmed: no fresh runs were made at this tolerance.";
   return text;
 }
 
 std::string statement_without_candidates(const ReportBasis& basis, bool too_few) {
   if (too_few)
-    return fmt::format("No tolerance can be recommended: every candidate has fewer than {:.0f} effective runs. Run more samples "
-                       "or fewer candidates.", kFewestEffectiveRuns);
-  if (basis.study.plan.limits.empty()) return "The study states no limits: there is nothing to judge a tolerance by.";
+    return fmt::format(
+        "No tolerance can be recommended: every candidate has fewer than {:.0f} effective runs. "
+        "Run more samples "
+        "or fewer candidates.",
+        kFewestEffectiveRuns);
+  if (basis.study.plan.limits.empty())
+    return "The study states no limits: there is nothing to judge a tolerance by.";
   return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
 }
 
 Json band_verdict(const RecommendedBand& band) {
   if (band.not_binding)
-    return {{"band_mm", nullptr}, {"grade", nullptr}, {"yield_stated_at_mm", band.band_mm}, {"yield_stated_at_grade", band.grade}};
+    return {{"band_mm", nullptr},
+            {"grade", nullptr},
+            {"yield_stated_at_mm", band.band_mm},
+            {"yield_stated_at_grade", band.grade}};
   return {{"band_mm", band.band_mm}, {"grade", band.grade}};
 }
 
@@ -134,10 +161,12 @@ TolerancePart tolerance_json(const ReportBasis& basis) {
   Yield overall = estimate_yield(basis.runs, basis.joint, equal, basis.resampling, plan.confidence);
   Recommendation result;
   Json not_binding = Json::array(), undecided = Json::array();
-  const bool candidates = !plan.candidates.empty() && !plan.dimensions.empty() && !plan.limits.empty() && basis.runs.size() > 0;
+  const bool candidates = !plan.candidates.empty() && !plan.dimensions.empty() &&
+                          !plan.limits.empty() && basis.runs.size() > 0;
   if (candidates) {
     const MixtureWeights mixture = mixture_weights(basis.runs);
-    const YieldCurves curves = yield_curves(basis.runs, mixture, basis.joint, basis.resampling, plan.confidence);
+    const YieldCurves curves =
+        yield_curves(basis.runs, mixture, basis.joint, basis.resampling, plan.confidence);
     const auto tests = test_binding(basis.runs, mixture, curves, basis.joint, basis.resampling);
     result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling);
     for (const BindingTest& test : tests) {
@@ -154,7 +183,8 @@ TolerancePart tolerance_json(const ReportBasis& basis) {
   }
   for (const RecommendedBand& band : result.bands) verdict[band.name] = band_verdict(band);
   const Yield& yield = result.possible ? result.yield : overall;
-  verdict["meets_target"] = candidates ? result.possible && result.meets_target : overall.lower_bound >= plan.target_yield;
+  verdict["meets_target"] = candidates ? result.possible && result.meets_target
+                                       : overall.lower_bound >= plan.target_yield;
   verdict["yield"] = to_json(yield);
   verdict["yield_lower_bound"] = plan.limits.empty() ? Json() : number(yield.lower_bound);
   verdict["target_yield"] = plan.target_yield;
@@ -162,7 +192,8 @@ TolerancePart tolerance_json(const ReportBasis& basis) {
   verdict["confirmation"] = nullptr;
   verdict["not_binding"] = not_binding;
   verdict["undecided"] = undecided;
-  verdict["statement"] = result.possible ? statement_of(basis, result) : statement_without_candidates(basis, candidates);
+  verdict["statement"] = result.possible ? statement_of(basis, result)
+                                         : statement_without_candidates(basis, candidates);
   return part;
 }
 

@@ -17,7 +17,8 @@ int run_report(const std::filesystem::path& study_dir, const ReportOptions& opti
   const std::string text = report.dump(1) + "\n";
   write_text(study_dir / "report.json", text);
   write_csv_tables(study_dir, study, report);
-  const FigureSet figures = draw_figures(options.python, options.figures_dir, study_dir / "report.json", study_dir / "figures");
+  const FigureSet figures = draw_figures(options.python, options.figures_dir,
+                                         study_dir / "report.json", study_dir / "figures");
   write_text(study_dir / "report.html", html_report(report, figures));
   if (options.json_to_stdout) {
     fmt::print("{}", text);
@@ -25,7 +26,8 @@ int run_report(const std::filesystem::path& study_dir, const ReportOptions& opti
     fmt::print("{}\n", report["verdict"]["statement"].get<std::string>());
     fmt::print("report: {}\n", (study_dir / "report.html").string());
   }
-  if (!figures.problem.empty()) fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  if (!figures.problem.empty())
+    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
   return 0;
 }
 

@@ -1,4 +1,5 @@
-// The report of a study: report.json with every number, CSV tables, figures and one self-contained report.html.
+// The report of a study: report.json with every number, CSV tables, figures and one self-contained
+// report.html.
 #pragma once
 
 #include <filesystem>
@@ -20,8 +21,9 @@ struct ReportOptions {
 /// Every number of the report, from the study alone: the same study gives the same bytes.
 nlohmann::ordered_json make_report(const StudyData& study);
 
-/// Reads DIR/study.h5 and writes report.json, report.html, samples.csv, quantities.csv, contributors.csv, yield.csv and figures/
-/// beside it. Figures that cannot be drawn are replaced by the reason. Prints the verdict. Returns 0; throws StudyFileError.
+/// Reads DIR/study.h5 and writes report.json, report.html, samples.csv, quantities.csv,
+/// contributors.csv, yield.csv and figures/ beside it. Figures that cannot be drawn are replaced by
+/// the reason. Prints the verdict. Returns 0; throws StudyFileError.
 int run_report(const std::filesystem::path& study_dir, const ReportOptions& options = {});
 
 }  // namespace cagetol

@@ -20,7 +20,9 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   const std::string reason = error ? error.message() : std::strerror(errno != 0 ? errno : EIO);
   std::error_code ignored;
   std::filesystem::remove(temporary, ignored);
-  throw StudyFileError(file.string(), "cannot be written: " + reason, "check the directory's permissions and free space, then run `cagetol report DIR` again");
+  throw StudyFileError(
+      file.string(), "cannot be written: " + reason,
+      "check the directory's permissions and free space, then run `cagetol report DIR` again");
 }
 
 }  // namespace cagetol

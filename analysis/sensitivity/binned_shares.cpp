@@ -26,8 +26,10 @@ Binning make_binning(std::span<const double> feature, std::size_t bins) {
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     const bool tied = rank > 0 && feature[order[rank]] == feature[order[rank - 1]];
     const std::size_t wanted = std::min(rank * bins / order.size(), kMostBins - 1);
-    if (rank == 0) current = 0;
-    else if (!tied && wanted > binning.bin_of[order[rank - 1]] && wanted > current) current = wanted;
+    if (rank == 0)
+      current = 0;
+    else if (!tied && wanted > binning.bin_of[order[rank - 1]] && wanted > current)
+      current = wanted;
     binning.bin_of[order[rank]] = current;
   }
   // Ties can empty a class: number the classes in use 0, 1, 2, ...
@@ -93,8 +95,8 @@ Estimate binned_share_estimate(const Binning& binning, std::span<const double> o
   return estimate;
 }
 
-std::vector<ResponsePoint> response_curve(std::span<const double> feature, std::span<const double> output,
-                                          std::size_t bins) {
+std::vector<ResponsePoint> response_curve(std::span<const double> feature,
+                                          std::span<const double> output, std::size_t bins) {
   const Binning binning = make_binning(feature, bins);
   std::vector<ResponsePoint> points(binning.bins);
   std::vector<double> count(binning.bins), squares(binning.bins);

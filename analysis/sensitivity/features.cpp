@@ -12,7 +12,8 @@
 namespace cagetol {
 namespace {
 
-/// The load presses the inner ring along -z: the loaded rollers sit at 270 degrees, counted from y towards z.
+/// The load presses the inner ring along -z: the loaded rollers sit at 270 degrees, counted from y
+/// towards z.
 constexpr double kLoadZone_deg = 270;
 
 bool varies(const std::vector<double>& values) {
@@ -57,13 +58,15 @@ void add_pocket_features(const StudyData& study, const InputColumns& input,
                          std::vector<Feature>& features) {
   const std::string plain = plain_name(input.key);
   const std::size_t width = study.pockets;
-  const auto add = [&](const std::string& name, const std::string& definition, const auto& of_cage) {
+  const auto add = [&](const std::string& name, const std::string& definition,
+                       const auto& of_cage) {
     Feature feature{input.key, plain + ": " + name, definition, input.unit, {}};
     for (std::size_t i = 0; i < study.size(); ++i)
       feature.values.push_back(of_cage(i, std::span(input.value).subspan(i * width, width)));
     if (varies(feature.values)) features.push_back(std::move(feature));
   };
-  add("within-cage scatter", fmt::format("standard deviation of the {} over the pockets of one cage", plain),
+  add("within-cage scatter",
+      fmt::format("standard deviation of the {} over the pockets of one cage", plain),
       [](std::size_t, std::span<const double> cage) { return scatter(cage); });
   const bool around_zero = std::all_of(input.nominal.begin(), input.nominal.end(),
                                        [](double nominal) { return nominal == 0; });
@@ -72,16 +75,22 @@ void add_pocket_features(const StudyData& study, const InputColumns& input,
         [](std::size_t, std::span<const double> cage) { return largest_magnitude(cage); });
   else
     add("smallest pocket", fmt::format("smallest {} of the cage's pockets", plain),
-        [](std::size_t, std::span<const double> cage) { return *std::min_element(cage.begin(), cage.end()); });
+        [](std::size_t, std::span<const double> cage) {
+          return *std::min_element(cage.begin(), cage.end());
+        });
   const auto phase = start_phase_deg(study);
-  add("pocket in load zone", fmt::format("{} of the pocket that is nearest to the load when the run starts", plain),
-      [&](std::size_t i, std::span<const double> cage) { return cage[load_zone_pocket(phase[i], width)]; });
+  add("pocket in load zone",
+      fmt::format("{} of the pocket that is nearest to the load when the run starts", plain),
+      [&](std::size_t i, std::span<const double> cage) {
+        return cage[load_zone_pocket(phase[i], width)];
+      });
 }
 
 }  // namespace
 
 std::string plain_name(const std::string& key) {
-  static const std::set<std::string> units = {"mm", "um", "mrad", "deg", "N", "rpm", "Nmm", "MPa", "GPa", "s", "kg", "m"};
+  static const std::set<std::string> units = {"mm",  "um",  "mrad", "deg", "N",  "rpm",
+                                              "Nmm", "MPa", "GPa",  "s",   "kg", "m"};
   const std::size_t dot = key.rfind('.');
   std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
   const std::size_t last = name.rfind('_');
@@ -95,11 +104,13 @@ std::vector<Feature> cage_features(const StudyData& study) {
   for (const InputColumns& input : study.inputs) {
     const std::string plain = plain_name(input.key);
     if (!input.lot.empty() && varies(input.lot))
-      features.push_back({input.key, plain + ": lot", fmt::format("deviation of the {} shared by the whole cage", plain),
+      features.push_back({input.key, plain + ": lot",
+                          fmt::format("deviation of the {} shared by the whole cage", plain),
                           input.unit, input.lot});
     if (input.per_pocket && !input.pocket.empty()) add_pocket_features(study, input, features);
     if (!input.noise.empty() && varies(input.noise))
-      features.push_back({input.key, plain, fmt::format("{}, drawn for each run", plain), input.unit, input.noise});
+      features.push_back({input.key, plain, fmt::format("{}, drawn for each run", plain),
+                          input.unit, input.noise});
   }
   return features;
 }
@@ -108,8 +119,11 @@ std::vector<Feature> pocket_features(const StudyData& study, const InputColumns&
   std::vector<Feature> features;
   if (!input.per_pocket || input.pocket.empty()) return features;
   for (std::size_t j = 0; j < study.pockets; ++j) {
-    Feature feature{input.key, fmt::format("{}: pocket {}", plain_name(input.key), j),
-                    "deviation of this pocket from the rest of the cage", input.unit, {}};
+    Feature feature{input.key,
+                    fmt::format("{}: pocket {}", plain_name(input.key), j),
+                    "deviation of this pocket from the rest of the cage",
+                    input.unit,
+                    {}};
     for (std::size_t i = 0; i < study.size(); ++i)
       feature.values.push_back(input.pocket[i * study.pockets + j]);
     features.push_back(std::move(feature));

@@ -47,11 +47,13 @@ std::vector<ElementaryEffects> elementary_effects(const StudyData& runs,
     if (!neighbours || std::isnan(output[i]) || std::isnan(output[i - 1])) continue;
     const std::size_t column = first_moved(runs.design, i - 1, i);
     if (column == std::string::npos) continue;
-    const double delta = runs.design.point[i * width + column] - runs.design.point[(i - 1) * width + column];
+    const double delta =
+        runs.design.point[i * width + column] - runs.design.point[(i - 1) * width + column];
     effects[runs.design.groups[column]].push_back((output[i] - output[i - 1]) / delta);
   }
   std::vector<ElementaryEffects> all;
-  for (const std::string& group : group_names(runs.design)) all.push_back(effects_of(group, effects[group]));
+  for (const std::string& group : group_names(runs.design))
+    all.push_back(effects_of(group, effects[group]));
   return all;
 }
 

@@ -1,8 +1,9 @@
-// Screening by elementary effects (Morris 1991, doi:10.1080/00401706.1991.10484804; Campolongo et al. 2007).
+// Screening by elementary effects (Morris 1991, doi:10.1080/00401706.1991.10484804; Campolongo et
+// al. 2007).
 //
-// A trajectory moves one group at each step by delta in the unit cube. Effect d = (f(after) - f(before)) / delta, in the unit of
-// the output per full range of the input. mean |d| tells how much a group matters, the scatter of d how nonlinear it is or how
-// much it interacts.
+// A trajectory moves one group at each step by delta in the unit cube. Effect d = (f(after) -
+// f(before)) / delta, in the unit of the output per full range of the input. mean |d| tells how
+// much a group matters, the scatter of d how nonlinear it is or how much it interacts.
 #pragma once
 
 #include <span>
@@ -16,13 +17,14 @@ namespace cagetol {
 
 struct ElementaryEffects {
   std::string group;
-  std::size_t steps = 0;            ///< steps with a value on both sides
+  std::size_t steps = 0;               ///< steps with a value on both sides
   double mean_magnitude = kUndefined;  ///< mu*
-  double mean = kUndefined;            ///< mu; for groups of several columns the sign follows the first
-  double scatter = kUndefined;         ///< sigma
+  double mean = kUndefined;     ///< mu; for groups of several columns the sign follows the first
+  double scatter = kUndefined;  ///< sigma
 };
 
 /// Throws Refused unless the design is morris.
-std::vector<ElementaryEffects> elementary_effects(const StudyData& runs, std::span<const double> output);
+std::vector<ElementaryEffects> elementary_effects(const StudyData& runs,
+                                                  std::span<const double> output);
 
 }  // namespace cagetol

@@ -11,9 +11,12 @@
 namespace cagetol {
 namespace {
 
+/// Fewer repeated rows say too little about the scatter within a row.
+constexpr std::size_t kFewestRows = 8;
+
 struct Row {
-  double first = kUndefined;            ///< value of the first run
-  double square = 0, freedom = 0;       ///< sum of squares within the row
+  double first = kUndefined;       ///< value of the first run
+  double square = 0, freedom = 0;  ///< sum of squares within the row
 };
 
 std::vector<Row> rows_of(const StudyData& study, std::span<const double> output) {
@@ -64,7 +67,7 @@ NoiseShare noise_share(const StudyData& study, std::span<const double> output, d
     noise.rows += row.freedom > 0;
     firsts.push_back(row.first);
   }
-  if (noise.rows < 2) return noise;
+  if (noise.rows < kFewestRows) return noise;
   std::vector<double> weights(rows.size(), 1.0);
   noise.share.value = share_of(rows, firsts, weights);
   noise.standard_deviation = std::sqrt(within_variance(rows, weights));

@@ -25,8 +25,9 @@ std::string group_of(const StudyDesign& design, const std::string& input) {
 void require_independent_groups(const StudyData& runs) {
   for (const CorrelationPlan& pair : runs.plan.correlations)
     if (pair.rho != 0 && group_of(runs.design, pair.first) != group_of(runs.design, pair.second))
-      throw Refused("pick-freeze indices refused: " + pair.first + " and " + pair.second +
-                    " are correlated but belong to different groups; correlated inputs must share one");
+      throw Refused(
+          "pick-freeze indices refused: " + pair.first + " and " + pair.second +
+          " are correlated but belong to different groups; correlated inputs must share one");
 }
 
 std::vector<Base> complete_bases(const StudyData& runs, std::span<const double> output,
@@ -34,7 +35,8 @@ std::vector<Base> complete_bases(const StudyData& runs, std::span<const double> 
   std::map<std::int64_t, Base> bases;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto base = runs.row[i] / static_cast<std::int64_t>(rows_per_base);
-    const auto block = static_cast<std::size_t>(runs.row[i] % static_cast<std::int64_t>(rows_per_base));
+    const auto block =
+        static_cast<std::size_t>(runs.row[i] % static_cast<std::int64_t>(rows_per_base));
     bases.try_emplace(base, Base(rows_per_base, kUndefined)).first->second[block] = output[i];
   }
   std::vector<Base> complete;
@@ -90,7 +92,8 @@ std::vector<GroupShares> pick_freeze_shares(const StudyData& runs, std::span<con
                                             double noise_share, double confidence,
                                             std::size_t resamples) {
   if (runs.design.kind != "pick-freeze")
-    throw Refused("pick-freeze indices need a pick-freeze design, this is `" + runs.design.kind + "`");
+    throw Refused("pick-freeze indices need a pick-freeze design, this is `" + runs.design.kind +
+                  "`");
   require_independent_groups(runs);
   const DesignBlocks blocks = design_blocks(runs);
   auto bases = complete_bases(runs, output, blocks.rows_per_base);

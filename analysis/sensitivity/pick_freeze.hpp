@@ -4,8 +4,8 @@
 // Row A and row B are independent points, AB_g is A with group g taken from B:
 //   T_g = E[(f(A) - f(AB_g))^2] / (2 Var Y)          total: g alone and in every interaction
 //   S_g = 1 - E[(f(B) - f(AB_g))^2] / (2 Var Y)      first order: g alone
-// Each row has its own noise. S_g is the group's share of the whole variance, noise included; T_g holds the noise share on top,
-// which is taken off again when the replicates tell it.
+// Each row has its own noise. S_g is the group's share of the whole variance, noise included; T_g
+// holds the noise share on top, which is taken off again when the replicates tell it.
 #pragma once
 
 #include <span>
@@ -22,9 +22,11 @@ struct GroupShares {
   Estimate first_order, total;
 };
 
-/// One entry for each group, intervals by drawing bases again. Bases with a row that has no value are left out. Throws Refused
-/// unless the design is pick-freeze and correlated inputs share a group.
+/// One entry for each group, intervals by drawing bases again. Bases with a row that has no value
+/// are left out. Throws Refused unless the design is pick-freeze and correlated inputs share a
+/// group.
 std::vector<GroupShares> pick_freeze_shares(const StudyData& runs, std::span<const double> output,
-                                            double noise_share, double confidence, std::size_t resamples);
+                                            double noise_share, double confidence,
+                                            std::size_t resamples);
 
 }  // namespace cagetol

@@ -12,7 +12,8 @@ double rank_share(const StudyDesign& design, std::span<const double> feature,
                   std::span<const double> output) {
   if (design.kind != "random")
     throw Refused("the rank estimator is refused on a `" + design.kind +
-                  "` design: it needs independent rows, and fails on scrambled Sobol' points at any number of runs");
+                  "` design: it needs independent rows, and fails on scrambled Sobol' points at "
+                  "any number of runs");
   std::vector<double> in_order;
   for (const std::size_t i : ascending_order(feature))
     if (!std::isnan(output[i])) in_order.push_back(output[i]);

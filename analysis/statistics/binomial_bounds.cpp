@@ -8,7 +8,8 @@ namespace {
 /// Sums of weights reach n only up to rounding.
 constexpr double kRounding = 1e-9;
 
-/// Solves P(X <= x) = p for a beta variable by bisection: GSL's own inverse gives up at parameters like (999, 1 + 1e-6).
+/// Solves P(X <= x) = p for a beta variable by bisection: GSL's own inverse gives up at parameters
+/// like (999, 1 + 1e-6).
 double beta_quantile(double p, double a, double b) {
   double low = 0, high = 1;
   while (high - low > 1e-15) {

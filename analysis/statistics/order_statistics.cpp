@@ -51,7 +51,8 @@ std::size_t wilks_runs(double coverage, double confidence, std::size_t rank) {
 std::size_t wilks_rank(std::size_t runs, double coverage, double confidence) {
   std::size_t rank = 0;
   const auto n = static_cast<unsigned>(runs);
-  while (rank < runs && gsl_cdf_binomial_Q(static_cast<unsigned>(rank), 1 - coverage, n) >= confidence)
+  while (rank < runs &&
+         gsl_cdf_binomial_Q(static_cast<unsigned>(rank), 1 - coverage, n) >= confidence)
     ++rank;
   return rank;
 }

@@ -2,7 +2,8 @@
 //
 // The r-th largest of n independent runs exceeds the quantile of level `coverage` with probability
 //   1 - sum_{k=0}^{r-1} C(n,k) (1-coverage)^k coverage^(n-k),
-// so that it is an upper bound of the quantile once this reaches the confidence asked for. Valid for independent runs only.
+// so that it is an upper bound of the quantile once this reaches the confidence asked for. Valid
+// for independent runs only.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +15,17 @@ namespace cagetol {
 /// Positions that put `values` in ascending order; NaN is left out.
 std::vector<std::size_t> ascending_order(std::span<const double> values);
 
-/// Weighted quantile: the value at which the cumulative weight, counted to the middle of each value's own weight, reaches p;
-/// linear in between. With equal weights this is Hazen's definition, position p n + 1/2. NaN without weight.
+/// Weighted quantile: the value at which the cumulative weight, counted to the middle of each
+/// value's own weight, reaches p; linear in between. With equal weights this is Hazen's definition,
+/// position p n + 1/2. NaN without weight.
 double weighted_quantile(std::span<const double> values, std::span<const std::size_t> order,
                          std::span<const double> weights, double p);
 
 /// Fewest independent runs whose `rank`-th largest is an upper bound.
 std::size_t wilks_runs(double coverage, double confidence, std::size_t rank = 1);
 
-/// Largest rank r for which the r-th largest of `runs` is an upper bound; 0 when there are too few runs.
+/// Largest rank r for which the r-th largest of `runs` is an upper bound; 0 when there are too few
+/// runs.
 std::size_t wilks_rank(std::size_t runs, double coverage, double confidence);
 
 }  // namespace cagetol

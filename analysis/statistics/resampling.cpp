@@ -63,11 +63,16 @@ Resampling::Resampling(const StudyData& study, std::size_t resamples) {
 std::string Resampling::description() const {
   switch (kind_) {
     case IntervalKind::lots:
-      return fmt::format("bootstrap: {} times, {} lots are drawn again with replacement; the interval holds the middle "
-                         "of the results", weights_.size(), lots_);
+      return fmt::format(
+          "bootstrap: {} times, {} lots are drawn again with replacement; the interval holds the "
+          "middle "
+          "of the results",
+          weights_.size(), lots_);
     case IntervalKind::scrambles:
-      return fmt::format("scatter of {} independent scrambles of the Sobol' points (Student t)", weights_.size());
-    case IntervalKind::none: break;
+      return fmt::format("scatter of {} independent scrambles of the Sobol' points (Student t)",
+                         weights_.size());
+    case IntervalKind::none:
+      break;
   }
   return "none: this design has no independent repeats to tell how far a result would move";
 }
@@ -124,7 +129,8 @@ bool independent_runs(const StudyData& study, std::string* why_not) {
   if (study.design.kind != "random")
     reason = "the rows of a `" + study.design.kind + "` design are not independent of each other";
   else if (lots < study.size())
-    reason = "cages of one lot share their lot deviation: the runs are not independent of each other";
+    reason =
+        "cages of one lot share their lot deviation: the runs are not independent of each other";
   if (why_not != nullptr) *why_not = reason;
   return reason.empty();
 }

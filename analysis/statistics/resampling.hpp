@@ -1,10 +1,12 @@
 // Intervals from the study's own runs, by the way its rows were chosen.
 //
-// Runs that share a lot are not independent, and the repeated runs of one row neither: what is drawn again, with replacement,
-// are whole lots (cluster bootstrap). A scrambled Sobol' design holds R independent scrambles: its statistics are computed per
-// scramble and their scatter gives a Student t interval. Grids have no interval: nothing in them is random but the noise.
+// Runs that share a lot are not independent, and the repeated runs of one row neither: what is
+// drawn again, with replacement, are whole lots (cluster bootstrap). A scrambled Sobol' design
+// holds R independent scrambles: its statistics are computed per scramble and their scatter gives a
+// Student t interval. Grids have no interval: nothing in them is random but the noise.
 //
-// A resample is a weight for every sample: how often its lot was drawn. A statistic is a function of such weights.
+// A resample is a weight for every sample: how often its lot was drawn. A statistic is a function
+// of such weights.
 #pragma once
 
 #include <cstdint>
@@ -53,8 +55,8 @@ class Resampling {
   std::vector<std::vector<double>> weights_;
 };
 
-/// True where rows are drawn independently and every row has a lot of its own: what exact binomial and order-statistic bounds
-/// need. `why_not` then says what stands in the way.
+/// True where rows are drawn independently and every row has a lot of its own: what exact binomial
+/// and order-statistic bounds need. `why_not` then says what stands in the way.
 bool independent_runs(const StudyData& study, std::string* why_not = nullptr);
 
 /// Throws Refused with `what` and the reason unless independent_runs().

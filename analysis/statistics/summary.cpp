@@ -19,7 +19,8 @@ double weighted_mean(std::span<const double> values, std::span<const double> wei
   return total > 0 ? sum / total : kUndefined;
 }
 
-double weighted_standard_deviation(std::span<const double> values, std::span<const double> weights) {
+double weighted_standard_deviation(std::span<const double> values,
+                                   std::span<const double> weights) {
   const double mean = weighted_mean(values, weights);
   double square = 0, total = 0, squares_of_weights = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -32,8 +33,9 @@ double weighted_standard_deviation(std::span<const double> values, std::span<con
   return freedom > 0 ? std::sqrt(square / freedom) : kUndefined;
 }
 
-Summary summarise(const StudyData& runs, std::span<const double> values, const Resampling& resampling,
-                  double confidence, std::span<const double> weights) {
+Summary summarise(const StudyData& runs, std::span<const double> values,
+                  const Resampling& resampling, double confidence,
+                  std::span<const double> weights) {
   Summary summary;
   const auto order = ascending_order(values);
   summary.defined = order.size();
@@ -70,8 +72,9 @@ double wilks_bound(const StudyData& runs, std::span<const double> values, double
   const auto order = ascending_order(values);
   const std::size_t rank = wilks_rank(order.size(), coverage, confidence);
   if (rank == 0)
-    throw Refused(fmt::format("the distribution-free bound (Wilks) needs at least {} runs, there are {}",
-                              wilks_runs(coverage, confidence), order.size()));
+    throw Refused(
+        fmt::format("the distribution-free bound (Wilks) needs at least {} runs, there are {}",
+                    wilks_runs(coverage, confidence), order.size()));
   return values[order[order.size() - rank]];
 }
 

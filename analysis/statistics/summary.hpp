@@ -17,8 +17,9 @@ struct Summary {
   double smallest = kUndefined, largest = kUndefined;
   Estimate mean, standard_deviation;
   std::vector<Estimate> quantiles;  ///< at kQuantileLevels
-  double bound_95 = kUndefined;     ///< exceeds the 95 % quantile with the confidence given, whatever the law (Wilks)
-  std::string bound_95_refused;     ///< why there is no such bound
+  double bound_95 = kUndefined;  ///< exceeds the 95 % quantile with the confidence given, whatever
+                                 ///< the law (Wilks)
+  std::string bound_95_refused;  ///< why there is no such bound
 };
 
 double weighted_mean(std::span<const double> values, std::span<const double> weights);
@@ -27,10 +28,12 @@ double weighted_mean(std::span<const double> values, std::span<const double> wei
 double weighted_standard_deviation(std::span<const double> values, std::span<const double> weights);
 
 /// Over the runs with a value. `weights` as of the tolerance studied (empty: equal).
-Summary summarise(const StudyData& runs, std::span<const double> values, const Resampling& resampling,
-                  double confidence, std::span<const double> weights = {});
+Summary summarise(const StudyData& runs, std::span<const double> values,
+                  const Resampling& resampling, double confidence,
+                  std::span<const double> weights = {});
 
-/// The smallest run that is an upper bound of the 95 % quantile. Throws Refused for dependent runs, or when there are too few.
+/// The smallest run that is an upper bound of the 95 % quantile. Throws Refused for dependent runs,
+/// or when there are too few.
 double wilks_bound(const StudyData& runs, std::span<const double> values, double coverage,
                    double confidence);
 

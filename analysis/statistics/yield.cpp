@@ -44,8 +44,8 @@ LotSums lot_sums(std::span<const double> passes, std::span<const double> weights
 }
 
 /// n* of Korn and Graubard.
-double effective_trials(std::span<const double> passes, std::span<const double> weights, double share,
-                        const Resampling& resampling) {
+double effective_trials(std::span<const double> passes, std::span<const double> weights,
+                        double share, const Resampling& resampling) {
   const LotSums sums = lot_sums(passes, weights, share, resampling);
   const double ess = effective_sample_size(sums.weight);
   double total = 0, variance = 0;
@@ -107,12 +107,14 @@ Yield estimate_yield(const StudyData& runs, std::span<const Judgement> judgement
   yield.method = "Clopper-Pearson with the effective number of runs";
   if (resampling.kind() == IntervalKind::none) return yield;
   const auto share = [](const std::vector<double>& passes) {
-    return [&passes](std::span<const double> resampled) { return weighted_share(passes, resampled); };
+    return
+        [&passes](std::span<const double> resampled) { return weighted_share(passes, resampled); };
   };
   const Estimate low_boot = resampling.one_sided(share(low), confidence, weights);
   const Estimate high_boot = resampling.one_sided(share(high), confidence, weights);
   if (!std::isnan(low_boot.lower)) yield.lower_bound = std::min(yield.lower_bound, low_boot.lower);
-  if (!std::isnan(high_boot.upper)) yield.upper_bound = std::max(yield.upper_bound, high_boot.upper);
+  if (!std::isnan(high_boot.upper))
+    yield.upper_bound = std::max(yield.upper_bound, high_boot.upper);
   yield.lower_bound = std::max(yield.lower_bound, 0.0);
   yield.upper_bound = std::min(yield.upper_bound, 1.0);
   yield.method += " and bootstrap over lots, the wider of both";

@@ -12,10 +12,10 @@ namespace cagetol {
 
 /// Shares are weighted; with equal weights they are plain counts divided by the runs.
 struct Yield {
-  double runs = 0;          ///< samples with an outcome
-  double ess = 0;           ///< effective number of runs, (sum w)^2 / sum w^2
-  double missing_runs = 0;  ///< samples that miss a limit or jam, counted without weights
-  double unknown_runs = 0;  ///< samples without a judgement, counted without weights
+  double runs = 0;             ///< samples with an outcome
+  double ess = 0;              ///< effective number of runs, (sum w)^2 / sum w^2
+  double missing_runs = 0;     ///< samples that miss a limit or jam, counted without weights
+  double unknown_runs = 0;     ///< samples without a judgement, counted without weights
   double if_unknown_fail = 0;  ///< the yield when every unknown sample is counted as failing
   double if_unknown_pass = 0;  ///< the yield when every unknown sample is counted as passing
   double lower_bound = 0;      ///< one-sided bound of `if_unknown_fail`
@@ -26,10 +26,11 @@ struct Yield {
 /// (sum w)^2 / sum w^2; 0 without weight.
 double effective_sample_size(std::span<const double> weights);
 
-/// Independent runs of equal weight have exact Clopper-Pearson bounds. All others have the wider of two: bootstrap over lots,
-/// and Clopper-Pearson with the effective number of runs n* = y (1 - y) / Var(y), Var linearised over lots. With fewer than
-/// five effective failures, (1 - y) ESS < 5, Var says too little and n* is not taken above the effective sample size: runs
-/// without any failure never have the bound 1.
+/// Independent runs of equal weight have exact Clopper-Pearson bounds. All others have the wider of
+/// two: bootstrap over lots, and Clopper-Pearson with the effective number of runs n* = y (1 - y) /
+/// Var(y), Var linearised over lots. With fewer than five effective failures, (1 - y) ESS < 5, Var
+/// says too little and n* is not taken above the effective sample size: runs without any failure
+/// never have the bound 1.
 Yield estimate_yield(const StudyData& runs, std::span<const Judgement> judgements,
                      std::span<const double> weights, const Resampling& resampling,
                      double confidence);

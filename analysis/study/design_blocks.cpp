@@ -27,7 +27,8 @@ std::vector<std::string> moved_groups(const StudyDesign& design, std::size_t a, 
   return moved;
 }
 
-/// Rows 2 .. count-1 of the base that starts at `row` each move one group of row A; the list of these groups.
+/// Rows 2 .. count-1 of the base that starts at `row` each move one group of row A; the list of
+/// these groups.
 bool pick_freeze_base(const StudyData& study, const std::map<std::int64_t, std::size_t>& samples,
                       std::int64_t row, std::size_t count, std::vector<std::string>& groups) {
   groups.clear();
@@ -50,7 +51,8 @@ DesignBlocks pick_freeze_blocks(const StudyData& study) {
     const auto next = static_cast<std::int64_t>(blocks.rows_per_base);
     if (pick_freeze_base(study, samples, 0, blocks.rows_per_base, blocks.groups) &&
         (study.design.rows_planned <= next ||
-         (pick_freeze_base(study, samples, next, blocks.rows_per_base, second) && second == blocks.groups)))
+         (pick_freeze_base(study, samples, next, blocks.rows_per_base, second) &&
+          second == blocks.groups)))
       return blocks;
   }
   throw Refused("pick-freeze indices refused: the stored points do not vary one group at a time");

@@ -53,7 +53,8 @@ std::size_t count_of(const std::vector<std::size_t>& shape) {
   return count;
 }
 
-/// Strings as stored: variable-length, or fixed-length with padding. `read` fills a buffer of the memory type given.
+/// Strings as stored: variable-length, or fixed-length with padding. `read` fills a buffer of the
+/// memory type given.
 template <class Read>
 std::vector<std::string> read_strings(hid_t stored, hid_t space, std::size_t count,
                                       const Read& read, bool& ok) {
@@ -84,15 +85,18 @@ std::vector<std::string> read_strings(hid_t stored, hid_t space, std::size_t cou
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : file_name_(file.string()) {
   const SilentHdf5 silent;
   if (!std::filesystem::exists(file))
-    throw StudyFileError(file_name_, "there is no such file",
-                         "run `cagetol sweep STUDY -o DIR` first, or name the directory that holds study.h5");
+    throw StudyFileError(
+        file_name_, "there is no such file",
+        "run `cagetol sweep STUDY -o DIR` first, or name the directory that holds study.h5");
   if (H5Fis_hdf5(file_name_.c_str()) <= 0)
-    throw StudyFileError(file_name_, "this is not a complete HDF5 file (truncated, or another kind of file)",
-                         "start the same `cagetol sweep` again: it rebuilds study.h5 from its journals");
+    throw StudyFileError(
+        file_name_, "this is not a complete HDF5 file (truncated, or another kind of file)",
+        "start the same `cagetol sweep` again: it rebuilds study.h5 from its journals");
   file_ = H5Fopen(file_name_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file_ < 0)
-    throw StudyFileError(file_name_, "HDF5 cannot open it (truncated, or not readable)",
-                         "check its permissions, or start the same `cagetol sweep` again: it rebuilds study.h5");
+    throw StudyFileError(
+        file_name_, "HDF5 cannot open it (truncated, or not readable)",
+        "check its permissions, or start the same `cagetol sweep` again: it rebuilds study.h5");
 }
 
 Hdf5Reader::~Hdf5Reader() {
@@ -101,7 +105,8 @@ Hdf5Reader::~Hdf5Reader() {
 
 void Hdf5Reader::fail(const std::string& object, const std::string& problem) const {
   throw StudyFileError(file_name_, object + ": " + problem,
-                       "start the same `cagetol sweep` again with this version of the program: it rebuilds study.h5");
+                       "start the same `cagetol sweep` again with this version of the program: it "
+                       "rebuilds study.h5");
 }
 
 bool Hdf5Reader::has(const std::string& path) const {
@@ -121,8 +126,8 @@ std::vector<std::string> Hdf5Reader::children(const std::string& group) const {
   H5G_info_t info{};
   H5Gget_info(handle.id(), &info);
   for (hsize_t i = 0; i < info.nlinks; ++i) {
-    const auto size = H5Lget_name_by_idx(handle.id(), ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0,
-                                         H5P_DEFAULT);
+    const auto size = H5Lget_name_by_idx(handle.id(), ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr,
+                                         0, H5P_DEFAULT);
     if (size < 0) fail(group, "its list of members cannot be read");
     std::string name(static_cast<std::size_t>(size), '\0');
     H5Lget_name_by_idx(handle.id(), ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(),
@@ -141,8 +146,8 @@ RealArray Hdf5Reader::reals(const std::string& dataset) const {
   RealArray array;
   array.shape = shape_of(space.id());
   array.values.resize(count_of(array.shape));
-  if (!array.values.empty() && H5Dread(data.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                       array.values.data()) < 0)
+  if (!array.values.empty() &&
+      H5Dread(data.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) < 0)
     fail(dataset, "its numbers cannot be read");
   return array;
 }

@@ -15,7 +15,8 @@ struct RealArray {
   std::vector<double> values;
 };
 
-/// Opens a file read-only. Every member throws StudyFileError naming the file and the object that is missing or broken.
+/// Opens a file read-only. Every member throws StudyFileError naming the file and the object that
+/// is missing or broken.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& file);

@@ -1,4 +1,5 @@
-// Whether each sample meets the limits. Failed, jammed and censored samples are outcomes and never dropped.
+// Whether each sample meets the limits. Failed, jammed and censored samples are outcomes and never
+// dropped.
 #pragma once
 
 #include <vector>
@@ -7,8 +8,9 @@
 
 namespace cagetol {
 
-/// A jammed cage does not meet the limits. A run that failed, was censored or poisoned, or whose quantity is undefined, is
-/// unknown: every yield is then given twice, as if all of them failed and as if all of them passed.
+/// A jammed cage does not meet the limits. A run that failed, was censored or poisoned, or whose
+/// quantity is undefined, is unknown: every yield is then given twice, as if all of them failed and
+/// as if all of them passed.
 enum class Judgement { meets, misses, unknown };
 
 /// Judgement of every sample by one limit.

@@ -8,25 +8,28 @@ namespace {
 
 constexpr std::int64_t kSchemaVersion = 1;
 
-std::string text_or_empty(const Hdf5Reader& file, const std::string& object, const std::string& name) {
+std::string text_or_empty(const Hdf5Reader& file, const std::string& object,
+                          const std::string& name) {
   return file.has_attribute(object, name) ? file.text_attribute(object, name) : std::string();
 }
 
 void require_size(std::size_t size, std::size_t expected, const std::string& dataset,
                   const std::string& file) {
   if (size == expected) return;
-  throw StudyFileError(file, dataset + " has " + std::to_string(size) + " values where " +
-                                 std::to_string(expected) + " belong",
-                       "start the same `cagetol sweep` again: it rebuilds study.h5 from its journals");
+  throw StudyFileError(
+      file,
+      dataset + " has " + std::to_string(size) + " values where " + std::to_string(expected) +
+          " belong",
+      "start the same `cagetol sweep` again: it rebuilds study.h5 from its journals");
 }
 
-std::vector<Column> read_columns(const Hdf5Reader& file, const std::string& group, std::size_t count,
-                                 const std::string& name) {
+std::vector<Column> read_columns(const Hdf5Reader& file, const std::string& group,
+                                 std::size_t count, const std::string& name) {
   std::vector<Column> columns;
   for (const std::string& child : file.children(group)) {
     const std::string path = group + "/" + child;
-    Column column{child, text_or_empty(file, path, "unit"), text_or_empty(file, path, "description"),
-                  file.reals(path).values};
+    Column column{child, text_or_empty(file, path, "unit"),
+                  text_or_empty(file, path, "description"), file.reals(path).values};
     require_size(column.values.size(), count, path, name);
     columns.push_back(std::move(column));
   }
@@ -52,7 +55,8 @@ InputColumns read_input(const Hdf5Reader& file, const std::string& key, std::siz
   input.noise = read("noise", count);
   const RealArray value = file.reals(group + "/value");
   input.per_pocket = value.shape.size() == 2 && value.shape[1] > 1;
-  require_size(value.values.size(), input.per_pocket ? count * pockets : count, group + "/value", name);
+  require_size(value.values.size(), input.per_pocket ? count * pockets : count, group + "/value",
+               name);
   input.value = value.values;
   return input;
 }
@@ -76,12 +80,18 @@ void pick_columns(std::vector<Column>& columns, const std::vector<std::size_t>& 
 
 const char* run_status_name(RunStatus status) {
   switch (status) {
-    case RunStatus::ok: return "ok";
-    case RunStatus::jammed: return "jammed";
-    case RunStatus::failed: return "failed";
-    case RunStatus::censored: return "censored";
-    case RunStatus::not_run: return "not run";
-    case RunStatus::poisoned: return "poisoned";
+    case RunStatus::ok:
+      return "ok";
+    case RunStatus::jammed:
+      return "jammed";
+    case RunStatus::failed:
+      return "failed";
+    case RunStatus::censored:
+      return "censored";
+    case RunStatus::not_run:
+      return "not run";
+    case RunStatus::poisoned:
+      return "poisoned";
   }
   return "unknown";
 }
@@ -92,9 +102,10 @@ StudyData read_study_data(const std::filesystem::path& path) {
   StudyData study;
   study.provenance.schema_version = file.integer_attribute("/", "schema_version");
   if (study.provenance.schema_version != kSchemaVersion)
-    throw StudyFileError(name, "its schema version is " +
-                                   std::to_string(study.provenance.schema_version) +
-                                   ", this program reads version " + std::to_string(kSchemaVersion),
+    throw StudyFileError(name,
+                         "its schema version is " +
+                             std::to_string(study.provenance.schema_version) +
+                             ", this program reads version " + std::to_string(kSchemaVersion),
                          "report it with the version of the program that wrote it");
   study.provenance.tool_version = text_or_empty(file, "/", "tool_version");
   study.provenance.tool_commit = text_or_empty(file, "/", "tool_commit");
@@ -127,7 +138,8 @@ StudyData read_study_data(const std::filesystem::path& path) {
   study.pocket = whole("pocket");
   for (const std::int64_t status : whole("status")) {
     if (status < 0 || status > 5)
-      throw StudyFileError(name, "/samples/status holds " + std::to_string(status) + ", known are 0 to 5",
+      throw StudyFileError(name,
+                           "/samples/status holds " + std::to_string(status) + ", known are 0 to 5",
                            "report it with the version of the program that wrote it");
     study.status.push_back(static_cast<RunStatus>(status));
   }
@@ -141,7 +153,8 @@ StudyData read_study_data(const std::filesystem::path& path) {
     study.design.groups = file.strings("/design/groups");
     study.design.point = file.reals("/design/point").values;
     require_size(study.design.groups.size(), study.design.columns.size(), "/design/groups", name);
-    require_size(study.design.point.size(), count * study.design.columns.size(), "/design/point", name);
+    require_size(study.design.point.size(), count * study.design.columns.size(), "/design/point",
+                 name);
   }
   for (const std::string& key : file.children("/inputs"))
     study.inputs.push_back(read_input(file, key, count, study.pockets, name));

@@ -24,9 +24,9 @@ struct Column {
 struct InputColumns {
   std::string key, unit;
   std::vector<double> nominal;
-  std::vector<double> lot, noise;   ///< N values
-  std::vector<double> pocket;       ///< N x Z deviations, row-major
-  std::vector<double> value;        ///< N x Z where `per_pocket`, else N
+  std::vector<double> lot, noise;  ///< N values
+  std::vector<double> pocket;      ///< N x Z deviations, row-major
+  std::vector<double> value;       ///< N x Z where `per_pocket`, else N
   bool per_pocket = false;
 };
 
@@ -67,8 +67,8 @@ StudyData read_study_data(const std::filesystem::path& file);
 /// The samples at `keep`, in that order, with all their columns.
 StudyData select_samples(const StudyData& study, const std::vector<std::size_t>& keep);
 
-/// Samples that are the first run of their row and have an outcome (not_run is none): what every statistic but the noise share
-/// is computed from.
+/// Samples that are the first run of their row and have an outcome (not_run is none): what every
+/// statistic but the noise share is computed from.
 std::vector<std::size_t> first_runs(const StudyData& study);
 
 const Column* find_quantity(const StudyData& study, const std::string& name);

@@ -1,4 +1,5 @@
-// One type for everything that keeps a study file from being read, and one for estimators that decline.
+// One type for everything that keeps a study file from being read, and one for estimators that
+// decline.
 #pragma once
 
 #include <stdexcept>
@@ -13,7 +14,8 @@ class StudyFileError : public std::runtime_error {
       : std::runtime_error(file + ": " + reason + "\n  remedy: " + remedy) {}
 };
 
-/// An estimator whose assumptions the design of the study does not meet. The report prints the reason instead of a number.
+/// An estimator whose assumptions the design of the study does not meet. The report prints the
+/// reason instead of a number.
 class Refused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,7 +8,8 @@
 
 namespace cagetol {
 
-/// An uncertain key of the scene. Laws are kept as the JSON objects of the study; null where the scope is not varied.
+/// An uncertain key of the scene. Laws are kept as the JSON objects of the study; null where the
+/// scope is not varied.
 struct InputPlan {
   std::string key, unit;
   std::vector<double> nominal;

@@ -20,15 +20,17 @@ std::vector<double> rest_of(const CandidatePlan& candidate, std::size_t d) {
   return bands;
 }
 
-/// Candidates among which the decision lies: those whose other bands meet the target with at least one band of dimension d. All
-/// of them where none does.
-std::vector<bool> relevant_candidates(const StudyPlan& plan, const YieldCurves& curves, std::size_t d) {
+/// Candidates among which the decision lies: those whose other bands meet the target with at least
+/// one band of dimension d. All of them where none does.
+std::vector<bool> relevant_candidates(const StudyPlan& plan, const YieldCurves& curves,
+                                      std::size_t d) {
   std::vector<bool> relevant(plan.candidates.size(), false);
   for (std::size_t k = 0; k < relevant.size(); ++k) {
     const Yield& yield = curves.candidates[k];
     if (yield.ess < kFewestEffectiveRuns || yield.if_unknown_fail < plan.target_yield) continue;
     for (std::size_t other = 0; other < relevant.size(); ++other)
-      if (rest_of(plan.candidates[other], d) == rest_of(plan.candidates[k], d)) relevant[other] = true;
+      if (rest_of(plan.candidates[other], d) == rest_of(plan.candidates[k], d))
+        relevant[other] = true;
   }
   if (std::none_of(relevant.begin(), relevant.end(), [](bool is) { return is; }))
     relevant.assign(relevant.size(), true);
@@ -60,9 +62,14 @@ EffectiveRuns effective_runs(const std::vector<Judgement>& joint, std::span<cons
 
 BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mixture,
                            const std::vector<Judgement>& joint, const Resampling& resampling,
-                           const std::vector<bool>& relevant, double error_each, double target_yield) {
+                           const std::vector<bool>& relevant, double error_each,
+                           double target_yield) {
   const LevelYield& narrowest = curve.levels.front();
-  BindingTest test{curve.key, Binding::undecided, 0, 0, 1 - target_yield,
+  BindingTest test{curve.key,
+                   Binding::undecided,
+                   0,
+                   0,
+                   1 - target_yield,
                    band_name(narrowest.grade, narrowest.band_mm),
                    band_name(curve.levels.back().grade, curve.levels.back().band_mm)};
   const auto narrow = level_weights(narrowest, mixture, relevant);
@@ -94,15 +101,19 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
 
 const char* binding_name(Binding binding) {
   switch (binding) {
-    case Binding::binding: return "binding";
-    case Binding::not_binding: return "not binding";
-    case Binding::undecided: break;
+    case Binding::binding:
+      return "binding";
+    case Binding::not_binding:
+      return "not binding";
+    case Binding::undecided:
+      break;
   }
   return "undecided";
 }
 
 std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeights& mixture,
-                                      const YieldCurves& curves, const std::vector<Judgement>& joint,
+                                      const YieldCurves& curves,
+                                      const std::vector<Judgement>& joint,
                                       const Resampling& resampling) {
   std::size_t comparisons = 0;
   for (const DimensionCurve& curve : curves.dimensions) comparisons += curve.levels.size() - 1;

@@ -1,14 +1,18 @@
 // Does a dimension's tolerance change the yield at all?
 //
-// For each dimension the yield at its narrowest candidate is compared with the yield at each wider one, run by run on the same
-// samples (yield_difference), the other dimensions averaged over the combinations among which the decision lies: those that meet
-// the target with at least one band of the dimension tested (hopelessly wide ones would only add noise). Three answers:
-//   binding      some difference is significant. Two-sided normal test, family error 1 - confidence over all comparisons of all
+// For each dimension the yield at its narrowest candidate is compared with the yield at each wider
+// one, run by run on the same samples (yield_difference), the other dimensions averaged over the
+// combinations among which the decision lies: those that meet the target with at least one band of
+// the dimension tested (hopelessly wide ones would only add noise). Three answers:
+//   binding      some difference is significant. Two-sided normal test, family error 1 - confidence
+//   over all comparisons of all
 //                dimensions (Bonferroni).
-//   not binding  no difference is significant, AND the loss of yield from the narrowest to any wider candidate is, with that
-//                confidence, below the share of failures that the target allows (1 - target yield). Absence of evidence alone is
-//                not taken for an answer. With fewer than five effective failures at the wider candidate the loss is bounded by these
-//                failures (Clopper-Pearson at the effective sample size).
+//   not binding  no difference is significant, AND the loss of yield from the narrowest to any
+//   wider candidate is, with that
+//                confidence, below the share of failures that the target allows (1 - target yield).
+//                Absence of evidence alone is not taken for an answer. With fewer than five
+//                effective failures at the wider candidate the loss is bounded by these failures
+//                (Clopper-Pearson at the effective sample size).
 //   undecided    neither: too few runs. Such a dimension is treated as binding.
 #pragma once
 
@@ -25,14 +29,16 @@ const char* binding_name(Binding binding);
 struct BindingTest {
   std::string key;
   Binding answer = Binding::undecided;
-  double largest_loss = 0;        ///< largest estimated loss of yield from the narrowest to a wider candidate
+  double largest_loss =
+      0;  ///< largest estimated loss of yield from the narrowest to a wider candidate
   double largest_loss_bound = 1;  ///< its upper bound
   double allowed_loss = 0;        ///< 1 - target yield
   std::string narrowest, widest;  ///< names of the candidates compared
 };
 
 std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeights& mixture,
-                                      const YieldCurves& curves, const std::vector<Judgement>& joint,
+                                      const YieldCurves& curves,
+                                      const std::vector<Judgement>& joint,
                                       const Resampling& resampling);
 
 /// "IT9", or "0.05 mm" where the band is no grade.

@@ -43,7 +43,8 @@ Law read_law(const Json& object, const std::string& where) {
     check(law);
     return law;
   } catch (const std::exception& error) {
-    throw StudyFileError("study.h5", "/study/json: the law of " + where + " cannot be used: " + error.what(),
+    throw StudyFileError("study.h5",
+                         "/study/json: the law of " + where + " cannot be used: " + error.what(),
                          "run the study again with the version of the program that reads it");
   }
 }

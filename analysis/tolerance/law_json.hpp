@@ -7,7 +7,8 @@
 
 namespace cagetol {
 
-/// Throws StudyFileError for an unknown name, a missing key or parameters that make no law; `where` names the input.
+/// Throws StudyFileError for an unknown name, a missing key or parameters that make no law; `where`
+/// names the input.
 Law read_law(const nlohmann::json& object, const std::string& where);
 
 }  // namespace cagetol

@@ -19,7 +19,8 @@ std::vector<double> candidate_shares(const StudyData& runs) {
 }
 
 /// A candidate's own runs count 1/a_k, all others nothing.
-std::vector<std::vector<double>> own_runs_only(const StudyData& runs, std::span<const double> shares) {
+std::vector<std::vector<double>> own_runs_only(const StudyData& runs,
+                                               std::span<const double> shares) {
   std::vector<std::vector<double>> weights(shares.size(), std::vector<double>(runs.size(), 0.0));
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto k = static_cast<std::size_t>(runs.candidate[i]);
@@ -38,7 +39,8 @@ MixtureWeights mixture_weights(const StudyData& runs) {
     std::vector<std::vector<double>> log_densities;
     for (const CandidatePlan& candidate : runs.plan.candidates) {
       std::vector<double> column(runs.size());
-      for (std::size_t i = 0; i < runs.size(); ++i) column[i] = density.log_density(i, candidate.scales);
+      for (std::size_t i = 0; i < runs.size(); ++i)
+        column[i] = density.log_density(i, candidate.scales);
       log_densities.push_back(std::move(column));
     }
     mixture.candidate = weights_of_densities(log_densities, shares, &mixture.log_mixture);
@@ -59,9 +61,9 @@ std::vector<double> weights_of_scales(const StudyData& runs, const MixtureWeight
   return weights;
 }
 
-std::vector<std::vector<double>> weights_of_densities(const std::vector<std::vector<double>>& log_densities,
-                                                      std::span<const double> shares,
-                                                      std::vector<double>* log_mixture) {
+std::vector<std::vector<double>> weights_of_densities(
+    const std::vector<std::vector<double>>& log_densities, std::span<const double> shares,
+    std::vector<double>* log_mixture) {
   auto weights = log_densities;
   if (weights.empty()) return weights;
   const std::size_t samples = weights.front().size();

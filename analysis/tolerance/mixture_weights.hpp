@@ -1,9 +1,11 @@
-// Weights that turn runs sampled over all candidate tolerances into runs of one tolerance (deterministic mixture, Owen & Zhou
-// 2000, doi:10.1080/01621459.2000.10473909).
+// Weights that turn runs sampled over all candidate tolerances into runs of one tolerance
+// (deterministic mixture, Owen & Zhou 2000, doi:10.1080/01621459.2000.10473909).
 //
-// Candidate j was used for the share a_j of the runs (1/K when complete): the runs have the density sum_j a_j p_j. A run x counts
+// Candidate j was used for the share a_j of the runs (1/K when complete): the runs have the density
+// sum_j a_j p_j. A run x counts
 //   w_k(x) = p_k(x) / sum_j a_j p_j(x)  <=  1 / a_k   (= K)
-// for candidate k. The mean weight is 1 up to sampling; the effective sample size (sum w)^2 / sum w^2 is at least about N/K.
+// for candidate k. The mean weight is 1 up to sampling; the effective sample size (sum w)^2 / sum
+// w^2 is at least about N/K.
 #pragma once
 
 #include <span>
@@ -19,23 +21,28 @@ inline constexpr double kFewestEffectiveRuns = 100;
 
 struct MixtureWeights {
   std::vector<std::vector<double>> candidate;  ///< [candidate][sample]
-  std::vector<double> log_mixture;  ///< log sum_j a_j p_j(x) of each sample; empty where a law has no density
-  std::string note;                 ///< says so where candidates are judged by their own runs only, for want of a density
+  std::vector<double>
+      log_mixture;  ///< log sum_j a_j p_j(x) of each sample; empty where a law has no density
+  std::string
+      note;  ///< says so where candidates are judged by their own runs only, for want of a density
 };
 
 /// Weights of every candidate of the study.
 MixtureWeights mixture_weights(const StudyData& runs);
 
-/// Weights of any other tolerance, given by its scales. No bound holds for them: watch the effective sample size.
+/// Weights of any other tolerance, given by its scales. No bound holds for them: watch the
+/// effective sample size.
 std::vector<double> weights_of_scales(const StudyData& runs, const MixtureWeights& mixture,
                                       std::span<const double> scales);
 
-/// The same from densities alone: log_densities[candidate][sample], shares a_j of the runs. Fills `log_mixture` if given.
-std::vector<std::vector<double>> weights_of_densities(const std::vector<std::vector<double>>& log_densities,
-                                                      std::span<const double> shares,
-                                                      std::vector<double>* log_mixture = nullptr);
+/// The same from densities alone: log_densities[candidate][sample], shares a_j of the runs. Fills
+/// `log_mixture` if given.
+std::vector<std::vector<double>> weights_of_densities(
+    const std::vector<std::vector<double>>& log_densities, std::span<const double> shares,
+    std::vector<double>* log_mixture = nullptr);
 
 /// Mean of the weights of several candidates: a tolerance drawn from them with equal chance.
-std::vector<double> average_weights(const MixtureWeights& mixture, std::span<const std::size_t> candidates);
+std::vector<double> average_weights(const MixtureWeights& mixture,
+                                    std::span<const std::size_t> candidates);
 
 }  // namespace cagetol

@@ -63,14 +63,18 @@ double nominal_of(const StudyData& runs, const std::string& key) {
 }
 
 /// Bands of the chosen combination; a band given in mm is snapped down. True when any band moved.
-bool set_bands(const StudyData& runs, const YieldCurves& curves, const std::vector<BindingTest>& tests,
-               Recommendation& result) {
+bool set_bands(const StudyData& runs, const YieldCurves& curves,
+               const std::vector<BindingTest>& tests, Recommendation& result) {
   bool moved = false;
   const CandidatePlan& chosen = runs.plan.candidates[result.candidate];
   for (std::size_t d = 0; d < tests.size(); ++d) {
     const auto& key = runs.plan.dimensions[d].key;
-    RecommendedBand band{key, dimension_name(key), tests[d].answer == Binding::not_binding,
-                         chosen.bands_mm[d], chosen.grades[d], false};
+    RecommendedBand band{key,
+                         dimension_name(key),
+                         tests[d].answer == Binding::not_binding,
+                         chosen.bands_mm[d],
+                         chosen.grades[d],
+                         false};
     band.widest_studied = chosen.bands_mm[d] == curves.dimensions[d].levels.back().band_mm;
     const double nominal = nominal_of(runs, key);
     if (band.grade.empty() && !band.not_binding && nominal > 0)
@@ -85,9 +89,11 @@ bool set_bands(const StudyData& runs, const YieldCurves& curves, const std::vect
   return moved;
 }
 
-/// The yield at the snapped bands, where the runs can tell; narrower bands cannot be claimed to do better otherwise.
-void judge_snapped(const StudyData& runs, const MixtureWeights& mixture, const std::vector<Judgement>& joint,
-                   const Resampling& resampling, Recommendation& result) {
+/// The yield at the snapped bands, where the runs can tell; narrower bands cannot be claimed to do
+/// better otherwise.
+void judge_snapped(const StudyData& runs, const MixtureWeights& mixture,
+                   const std::vector<Judgement>& joint, const Resampling& resampling,
+                   Recommendation& result) {
   if (mixture.log_mixture.empty()) return;
   std::vector<double> scales;
   for (std::size_t d = 0; d < result.bands.size(); ++d)
@@ -98,8 +104,10 @@ void judge_snapped(const StudyData& runs, const MixtureWeights& mixture, const s
   result.weights = std::move(weights);
 }
 
-/// The candidate that differs from `chosen` only in dimension d, one band narrower (step -1) or wider (+1); npos for none.
-std::size_t neighbour(const StudyPlan& plan, const YieldCurves& curves, std::size_t chosen, std::size_t d, int step) {
+/// The candidate that differs from `chosen` only in dimension d, one band narrower (step -1) or
+/// wider (+1); npos for none.
+std::size_t neighbour(const StudyPlan& plan, const YieldCurves& curves, std::size_t chosen,
+                      std::size_t d, int step) {
   const auto& levels = curves.dimensions[d].levels;
   auto bands = plan.candidates[chosen].bands_mm;
   std::ptrdiff_t level = 0;
@@ -113,20 +121,22 @@ std::size_t neighbour(const StudyPlan& plan, const YieldCurves& curves, std::siz
 }
 
 void add_steps(const StudyData& runs, const MixtureWeights& mixture, const YieldCurves& curves,
-               const std::vector<Judgement>& joint, const Resampling& resampling, Recommendation& result) {
+               const std::vector<Judgement>& joint, const Resampling& resampling,
+               Recommendation& result) {
   const auto& plan = runs.plan;
   const double z = gsl_cdf_ugaussian_Qinv(0.5 * (1 - plan.confidence));
   for (std::size_t d = 0; d < plan.dimensions.size(); ++d)
     for (const int step : {-1, 1}) {
       const std::size_t other = neighbour(plan, curves, result.candidate, d, step);
-      if (other == std::string::npos || curves.candidates[other].ess < kFewestEffectiveRuns) continue;
+      if (other == std::string::npos || curves.candidates[other].ess < kFewestEffectiveRuns)
+        continue;
       const auto difference = yield_difference(joint, mixture.candidate[other],
                                                mixture.candidate[result.candidate], resampling);
       const auto name = [&](std::size_t k) {
         return band_name(plan.candidates[k].grades[d], plan.candidates[k].bands_mm[d]);
       };
-      result.steps.push_back({plan.dimensions[d].key, name(result.candidate), name(other), difference.value,
-                              difference.value - z * difference.standard_error,
+      result.steps.push_back({plan.dimensions[d].key, name(result.candidate), name(other),
+                              difference.value, difference.value - z * difference.standard_error,
                               difference.value + z * difference.standard_error});
     }
 }
@@ -135,14 +145,16 @@ void add_steps(const StudyData& runs, const MixtureWeights& mixture, const Yield
 
 Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& mixture,
                                    const YieldCurves& curves, const std::vector<BindingTest>& tests,
-                                   const std::vector<Judgement>& joint, const Resampling& resampling) {
+                                   const std::vector<Judgement>& joint,
+                                   const Resampling& resampling) {
   Recommendation result;
   if (mixture.candidate.empty()) return result;
   choose(runs.plan, curves, tests, result);
   if (!result.possible) return result;
   result.yield = curves.candidates[result.candidate];
   result.weights = mixture.candidate[result.candidate];
-  if (set_bands(runs, curves, tests, result)) judge_snapped(runs, mixture, joint, resampling, result);
+  if (set_bands(runs, curves, tests, result))
+    judge_snapped(runs, mixture, joint, resampling, result);
   add_steps(runs, mixture, curves, joint, resampling, result);
   return result;
 }

@@ -1,13 +1,14 @@
 // The tolerance that may be printed on the drawing, as far as one sweep can tell.
 //
-// Among the candidate combinations with an effective sample size of at least 100 whose lower yield bound meets the target, the
-// widest is taken: the largest product of the bands of the dimensions that matter, each in units of its widest candidate. A
-// dimension that is not binding is left out of this choice and never recommended; the yield is then the one with that dimension
-// at its widest candidate, so that a small effect that went unnoticed cannot flatter the result. Bands given in mm are snapped
-// down to an ISO 286 grade and judged again.
+// Among the candidate combinations with an effective sample size of at least 100 whose lower yield
+// bound meets the target, the widest is taken: the largest product of the bands of the dimensions
+// that matter, each in units of its widest candidate. A dimension that is not binding is left out
+// of this choice and never recommended; the yield is then the one with that dimension at its widest
+// candidate, so that a small effect that went unnoticed cannot flatter the result. Bands given in
+// mm are snapped down to an ISO 286 grade and judged again.
 //
-// The choice looks for the best of several noisy figures, so its bound is too good on average: it is a recommendation until fresh
-// independent runs at that band have confirmed it.
+// The choice looks for the best of several noisy figures, so its bound is too good on average: it
+// is a recommendation until fresh independent runs at that band have confirmed it.
 #pragma once
 
 #include <optional>
@@ -22,12 +23,14 @@ namespace cagetol {
 struct RecommendedBand {
   std::string key, name;  ///< "cage.pocket_width_mm", "width"
   bool not_binding = false;
-  double band_mm = 0;  ///< of a dimension that is not binding: the band for which the yield is stated, no recommendation
+  double band_mm = 0;  ///< of a dimension that is not binding: the band for which the yield is
+                       ///< stated, no recommendation
   std::string grade;
   bool widest_studied = false;  ///< there is no wider candidate: more may be possible
 };
 
-/// What narrowing one dimension by one candidate would gain, or widening lose, from the recommended (or best) combination.
+/// What narrowing one dimension by one candidate would gain, or widening lose, from the recommended
+/// (or best) combination.
 struct StepEffect {
   std::string key, from, to;
   double change = 0, lower = 0, upper = 0;  ///< of the yield, with its interval
@@ -36,7 +39,8 @@ struct StepEffect {
 struct Recommendation {
   bool possible = false;  ///< the study has candidates with enough effective runs
   bool meets_target = false;
-  std::size_t candidate = 0;  ///< the recommended combination, or the best where none meets the target
+  std::size_t candidate =
+      0;  ///< the recommended combination, or the best where none meets the target
   std::vector<RecommendedBand> bands;
   Yield yield;
   std::vector<double> weights;  ///< of the runs, for statistics at the recommended tolerance
@@ -45,7 +49,8 @@ struct Recommendation {
 
 Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& mixture,
                                    const YieldCurves& curves, const std::vector<BindingTest>& tests,
-                                   const std::vector<Judgement>& joint, const Resampling& resampling);
+                                   const std::vector<Judgement>& joint,
+                                   const Resampling& resampling);
 
 /// "cage.pocket_width_mm" -> "width".
 std::string dimension_name(const std::string& key);

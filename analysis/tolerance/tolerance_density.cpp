@@ -47,9 +47,10 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
   std::vector<std::string> names;
   std::vector<std::size_t> added;
   const auto tied = [&](const std::string& name) {
-    return std::any_of(runs.plan.correlations.begin(), runs.plan.correlations.end(), [&](const auto& pair) {
-      return pair.rho != 0 && (pair.first == name || pair.second == name);
-    });
+    return std::any_of(runs.plan.correlations.begin(), runs.plan.correlations.end(),
+                       [&](const auto& pair) {
+                         return pair.rho != 0 && (pair.first == name || pair.second == name);
+                       });
   };
   for (const InputPlan& input : runs.plan.inputs) {
     const nlohmann::json& stated = lot_scope ? input.lot : input.pocket;
@@ -61,11 +62,13 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
     const Law law = read_law(stated, input.key + scope);
     if (values.empty() || standard_deviation(law) == 0) continue;
     if (dimension >= 0 && std::holds_alternative<Empirical>(law))
-      throw Refused("weights refused: " + input.key + scope + " is a list of measured values, which has no density; state it "
+      throw Refused("weights refused: " + input.key + scope +
+                    " is a list of measured values, which has no density; state it "
                     "as a histogram");
     names.push_back(input.key + scope);
     added.push_back(parts_.size());
-    parts_.push_back({law, dimension, values, values.size() / std::max<std::size_t>(runs.size(), 1)});
+    parts_.push_back(
+        {law, dimension, values, values.size() / std::max<std::size_t>(runs.size(), 1)});
   }
   std::vector<double> matrix(names.size() * names.size(), 0.0);
   for (std::size_t i = 0; i < names.size(); ++i) matrix[i * names.size() + i] = 1;
@@ -75,8 +78,9 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
     const auto second = std::find(names.begin(), names.end(), pair.second) - names.begin();
     const auto count = static_cast<std::ptrdiff_t>(names.size());
     if (first == count || second == count || pair.rho == 0) continue;
-    const double rho = normal_correlation(parts_[added[static_cast<std::size_t>(first)]].law,
-                                          parts_[added[static_cast<std::size_t>(second)]].law, pair.rho);
+    const double rho =
+        normal_correlation(parts_[added[static_cast<std::size_t>(first)]].law,
+                           parts_[added[static_cast<std::size_t>(second)]].law, pair.rho);
     matrix[static_cast<std::size_t>(first * count + second)] = rho;
     matrix[static_cast<std::size_t>(second * count + first)] = rho;
     any = true;
@@ -84,7 +88,8 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
   if (!any) return;
   Copula copula{added, std::move(matrix), 0};
   copula.log_determinant = invert(copula.inverse_minus_one, names.size());
-  for (std::size_t i = 0; i < names.size(); ++i) copula.inverse_minus_one[i * names.size() + i] -= 1;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    copula.inverse_minus_one[i * names.size() + i] -= 1;
   copulas_.push_back(std::move(copula));
 }
 
@@ -111,7 +116,8 @@ double ToleranceDensity::log_copula(const Copula& copula, std::size_t sample,
   for (std::size_t j = 0; j < width; ++j) {
     for (std::size_t i = 0; i < count; ++i) {
       const Part& part = parts_[copula.parts[i]];
-      const double scale = part.dimension < 0 ? 1 : scales[static_cast<std::size_t>(part.dimension)];
+      const double scale =
+          part.dimension < 0 ? 1 : scales[static_cast<std::size_t>(part.dimension)];
       z[i] = standard_normal(part.law, part.values[sample * width + j] / scale);
     }
     sum -= 0.5 * copula.log_determinant;

@@ -1,8 +1,9 @@
 // How likely a sample's deviations are under a tolerance: the density that weights are made of.
 //
-// A tolerance scales the study's laws: deviation x of a key with scale s has the density p(x/s)/s. Only the parts that a
-// tolerance scales enter: the lot and pocket deviations of its dimensions; everything else has the same density under every
-// tolerance and cancels. Keys tied to them by a Gaussian copula enter through the copula: with z_i = Phi^-1(F_i(x_i/s_i)),
+// A tolerance scales the study's laws: deviation x of a key with scale s has the density p(x/s)/s.
+// Only the parts that a tolerance scales enter: the lot and pocket deviations of its dimensions;
+// everything else has the same density under every tolerance and cancels. Keys tied to them by a
+// Gaussian copula enter through the copula: with z_i = Phi^-1(F_i(x_i/s_i)),
 //   log c(z) = -1/2 log det R - 1/2 z' (R^-1 - 1) z.
 #pragma once
 
@@ -20,14 +21,16 @@ class ToleranceDensity {
   /// Throws Refused where a law of a tolerance dimension has no density (measured values).
   explicit ToleranceDensity(const StudyData& runs);
 
-  /// Logarithm of the density of sample i when dimension d is scaled by scales[d]; -inf where it cannot occur.
+  /// Logarithm of the density of sample i when dimension d is scaled by scales[d]; -inf where it
+  /// cannot occur.
   double log_density(std::size_t sample, std::span<const double> scales) const;
 
  private:
   /// One scope (lot, or all pockets) of one key.
   struct Part {
     Law law;
-    int dimension = -1;           ///< index of the tolerance dimension; -1: not scaled, here for the copula only
+    int dimension =
+        -1;  ///< index of the tolerance dimension; -1: not scaled, here for the copula only
     std::span<const double> values;  ///< N x width
     std::size_t width = 1;
   };

@@ -45,14 +45,16 @@ YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
   for (std::size_t d = 0; d < runs.plan.dimensions.size(); ++d) {
     DimensionCurve curve = curve_of(runs.plan, d);
     for (LevelYield& level : curve.levels)
-      level.yield = estimate_yield(runs, joint, average_weights(mixture, level.candidates), resampling, confidence);
+      level.yield = estimate_yield(runs, joint, average_weights(mixture, level.candidates),
+                                   resampling, confidence);
     curves.dimensions.push_back(std::move(curve));
   }
   return curves;
 }
 
-YieldDifference yield_difference(const std::vector<Judgement>& joint, std::span<const double> narrow,
-                                 std::span<const double> wide, const Resampling& resampling) {
+YieldDifference yield_difference(const std::vector<Judgement>& joint,
+                                 std::span<const double> narrow, std::span<const double> wide,
+                                 const Resampling& resampling) {
   const Share n = passing_share(joint, narrow), w = passing_share(joint, wide);
   std::vector<double> of_lot(resampling.lots(), 0.0);
   for (std::size_t i = 0; i < joint.size(); ++i) {

@@ -28,14 +28,17 @@ struct YieldCurves {
 };
 
 YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
-                         const std::vector<Judgement>& joint, const Resampling& resampling, double confidence);
+                         const std::vector<Judgement>& joint, const Resampling& resampling,
+                         double confidence);
 
-/// Yield of `narrow` minus yield of `wide` on the same runs, unknown samples failing, with its standard error linearised over
-/// lots: the weights are compared run by run, so what both share cancels.
+/// Yield of `narrow` minus yield of `wide` on the same runs, unknown samples failing, with its
+/// standard error linearised over lots: the weights are compared run by run, so what both share
+/// cancels.
 struct YieldDifference {
   double value = 0, standard_error = 0;
 };
-YieldDifference yield_difference(const std::vector<Judgement>& joint, std::span<const double> narrow,
-                                 std::span<const double> wide, const Resampling& resampling);
+YieldDifference yield_difference(const std::vector<Judgement>& joint,
+                                 std::span<const double> narrow, std::span<const double> wide,
+                                 const Resampling& resampling);
 
 }  // namespace cagetol

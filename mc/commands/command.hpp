@@ -22,12 +22,9 @@ using Chosen = std::function<int()>;
 
 void add_check_command(CLI::App& app, Chosen& chosen);
 void add_simulate_command(CLI::App& app, Chosen& chosen);
-<<<<<<< HEAD
 void add_sweep_command(CLI::App& app, Chosen& chosen);
 void add_replay_command(CLI::App& app, Chosen& chosen);
-=======
 void add_report_command(CLI::App& app, Chosen& chosen);
->>>>>>> analysis
 
 /// --dump-default scene|study|keys, an option of the program itself.
 void add_dump_default_option(CLI::App& app, Chosen& chosen);

@@ -9,7 +9,8 @@
 namespace cagetol {
 
 void add_report_command(CLI::App& app, Chosen& chosen) {
-  CLI::App* command = app.add_subcommand("report", "Write report.html, report.json and CSV tables from DIR/study.h5");
+  CLI::App* command = app.add_subcommand(
+      "report", "Write report.html, report.json and CSV tables from DIR/study.h5");
   command->footer("Example:\n  cagetol report out/nu205");
   struct Arguments {
     std::string directory;
@@ -17,7 +18,8 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
   };
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("DIR", arguments->directory, "directory of the sweep")->required();
-  command->add_flag("--json", arguments->options.json_to_stdout, "print report.json on standard output");
+  command->add_flag("--json", arguments->options.json_to_stdout,
+                    "print report.json on standard output");
   command->callback([arguments, &chosen] {
     chosen = [arguments] {
       try {

@@ -1,11 +1,15 @@
-// The one place where toml++ itself is compiled: header-only it would be compiled again in every source, and the packaged
-// library prints numbers with 17 digits. GCC has read and written floating-point <charconv> since version 11.
+// The one place where toml++ itself is compiled: header-only it would be compiled again in every
+// source, and the packaged library prints numbers with 17 digits. GCC has read and written
+// floating-point <charconv> since version 11.
 //
-// Its parser asserts where some malformed inline tables should be errors: asserting throws, so that parse_toml can say so.
+// Its parser asserts where some malformed inline tables should be errors: asserting throws, so that
+// parse_toml can say so.
 #include <stdexcept>
 
 namespace {
-[[noreturn]] void refuse(const char* expression) { throw std::logic_error(expression); }
+[[noreturn]] void refuse(const char* expression) {
+  throw std::logic_error(expression);
+}
 }  // namespace
 
 #define TOML_IMPLEMENTATION

@@ -58,6 +58,9 @@ struct CageGeometry {
   std::string guidance = "outer";            ///< "outer", "inner" or "roller"
   double guide_clearance = kAuto;            ///< radial [m]
   double land_offset = kAuto;                ///< lands at x = +-land_offset [m]
+  long mesh_density = 4;                     ///< of a flexible cage: elements through the thickness
+  long modes = 20;                           ///< elastic modes kept of a flexible cage
+  double mode_damping = 0.01;                ///< damping ratio of elastic modes
 };
 
 /// Parameters of one contact kind.
@@ -128,8 +131,14 @@ struct Watch {
   double energy_residual_max = 0.05;
 };
 
+/// A value of the scene that nobody measured, and why it is what it is. Reports print them.
+struct Assumption {
+  std::string key, note;
+};
+
 struct Scene {
   std::string name = "nu205";
+  std::vector<Assumption> assumptions;
   BearingGeometry bearing;
   RollerGeometry roller;
   CageGeometry cage;

@@ -166,10 +166,37 @@ bool is_distribution(const toml::table& table) {
   return false;
 }
 
+namespace {
+
+std::vector<Assumption> read_assumptions(const toml::node& node, const std::string& file) {
+  std::vector<Assumption> assumptions;
+  const auto wrong = [&](const toml::node& at, const std::string& problem) {
+    return InputError(place_of(at, file), "assumption", shown(at), problem,
+                      "write [[assumption]] with key = \"bearing.internal_clearance_um\" and note = \"why\"");
+  };
+  if (!node.is_array()) throw wrong(node, "this is a list of tables");
+  for (const auto& element : *node.as_array()) {
+    const auto* table = element.as_table();
+    const auto* key = table ? table->get_as<std::string>("key") : nullptr;
+    const auto* note = table ? table->get_as<std::string>("note") : nullptr;
+    if (!key || !note) throw wrong(element, "an assumption has a key and a note, both text");
+    if (!find_key(scene_keys(), key->get()))
+      throw wrong(element, "no key of a scene is called '" + key->get() + "'");
+    assumptions.push_back({key->get(), note->get()});
+  }
+  return assumptions;
+}
+
+}  // namespace
+
 Scene read_scene(const toml::table& root, const std::string& file) {
   Scene scene;
   const auto& keys = scene_keys();
   const auto read = [&](const TomlLeaf& leaf) {
+    if (leaf.name == "assumption") {
+      scene.assumptions = read_assumptions(*leaf.node, file);
+      return;
+    }
     const auto* key = find_key(keys, leaf.name);
     if (!key) {
       const bool empty_section =

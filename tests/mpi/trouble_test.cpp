@@ -157,6 +157,8 @@ TEST_F(TroubleTest, AFullDiskLosesNothing) {
                 AllOf(HasSubstr("No space left on device"), HasSubstr("free some space")));
   }
   EXPECT_GT(finished_in(directory_), 5u);
+  std::ofstream(directory_ + "/filler") << std::string(100000, 'x');
+  EXPECT_EQ(run(standin(directory_)).code, 75) << "no room for a journal either";
   ::mount("tmpfs", directory_.c_str(), "tmpfs", MS_REMOUNT, "size=4m");
   EXPECT_EQ(run(standin(directory_)).code, 0);
   expect_whole();

@@ -27,7 +27,7 @@ std::string value_text(hid_t type, hid_t space, Read read) {
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
   std::vector<char> bytes(count * H5Tget_size(type));
   if (count > 0 && read(static_cast<void*>(bytes.data())) < 0) return "unreadable";
-  if (H5Tis_variable_str(type) <= 0) return std::string(bytes.begin(), bytes.end());
+  if (count == 0 || H5Tis_variable_str(type) <= 0) return {bytes.begin(), bytes.end()};
   std::string text;
   for (std::size_t i = 0; i < count; ++i) {
     const char* one = nullptr;

@@ -16,7 +16,7 @@ struct SyntheticOptions {
   double replicate_share = 0.15;
   bool candidates = true;
   double failed_share = 0.004;
-  double stress_limit = 100;     ///< two-sided with a lower limit of 20
+  double stress_limit = 100;  ///< two-sided with a lower limit of 20
   double whirl_limit = 1.1;
 };
 
@@ -26,12 +26,13 @@ struct SyntheticOptions {
 ///   cage_slip_ratio         grows with the squareness scatter
 ///   pocket_force_peak_N     grows with the deviation of pocket 4
 ///   lambda_min              undefined
-/// Length changes nothing. A cage with a pocket narrower than 7.60 mm jams; `failed_share` of the runs fail.
+/// Length changes nothing. A cage with a pocket narrower than 7.60 mm jams; `failed_share` of the
+/// runs fail.
 StudyData make_synthetic_study(const SyntheticOptions& options = {});
 
 /// A study without inputs or quantities: rows that all are ok, each in its lot.
-StudyData plain_study(std::int64_t rows, const std::string& design = "random", std::int64_t cages_per_lot = 1,
-                      std::int64_t seed = 7);
+StudyData plain_study(std::int64_t rows, const std::string& design = "random",
+                      std::int64_t cages_per_lot = 1, std::int64_t seed = 7);
 
 /// Writes the study as mc/RESULTS_FORMAT.md says.
 void write_synthetic_study(const StudyData& study, const std::filesystem::path& file);

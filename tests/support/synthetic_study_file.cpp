@@ -30,7 +30,8 @@ void attribute(hid_t object, const char* name, const std::string& text) {
 
 void attribute(hid_t object, const char* name, std::int64_t value) {
   const hid_t space = H5Screate(H5S_SCALAR);
-  const hid_t id = checked(H5Acreate2(object, name, H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT));
+  const hid_t id =
+      checked(H5Acreate2(object, name, H5T_STD_I64LE, space, H5P_DEFAULT, H5P_DEFAULT));
   H5Awrite(id, H5T_NATIVE_INT64, &value);
   H5Aclose(id), H5Sclose(space);
 }
@@ -38,24 +39,26 @@ void attribute(hid_t object, const char* name, std::int64_t value) {
 void attribute(hid_t object, const char* name, const std::vector<double>& values) {
   const hsize_t count = values.size();
   const hid_t space = H5Screate_simple(1, &count, nullptr);
-  const hid_t id = checked(H5Acreate2(object, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT));
+  const hid_t id =
+      checked(H5Acreate2(object, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT));
   H5Awrite(id, H5T_NATIVE_DOUBLE, values.data());
   H5Aclose(id), H5Sclose(space);
 }
 
-void dataset(hid_t parent, const std::string& name, hid_t type, const void* data, std::size_t count, std::size_t width,
-             const std::string& unit, const std::string& description) {
+void dataset(hid_t parent, const std::string& name, hid_t type, const void* data, std::size_t count,
+             std::size_t width, const std::string& unit, const std::string& description) {
   const hsize_t sizes[2] = {width > 1 ? count / width : count, width};
   const hid_t space = H5Screate_simple(width > 1 ? 2 : 1, sizes, nullptr);
-  const hid_t id = checked(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  const hid_t id =
+      checked(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   if (count > 0) H5Dwrite(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data);
   attribute(id, "unit", unit);
   attribute(id, "description", description);
   H5Dclose(id), H5Sclose(space);
 }
 
-void reals(hid_t parent, const std::string& name, const std::vector<double>& values, const std::string& unit, std::size_t width = 1,
-           const std::string& description = "") {
+void reals(hid_t parent, const std::string& name, const std::vector<double>& values,
+           const std::string& unit, std::size_t width = 1, const std::string& description = "") {
   dataset(parent, name, H5T_NATIVE_DOUBLE, values.data(), values.size(), width, unit, description);
 }
 
@@ -109,7 +112,8 @@ void write_samples(hid_t file, const StudyData& study) {
 
 void write_columns(hid_t file, const char* name, const std::vector<Column>& columns) {
   const hid_t parent = group(file, name);
-  for (const Column& column : columns) reals(parent, column.name, column.values, column.unit, 1, column.description);
+  for (const Column& column : columns)
+    reals(parent, column.name, column.values, column.unit, 1, column.description);
   H5Gclose(parent);
 }
 

@@ -10,10 +10,13 @@ namespace {
 
 constexpr std::size_t kPockets = 13;
 
-nlohmann::json law(double sigma) { return sigma > 0 ? nlohmann::json{{"law", "normal"}, {"sigma", sigma}} : nlohmann::json(); }
+nlohmann::json law(double sigma) {
+  return sigma > 0 ? nlohmann::json{{"law", "normal"}, {"sigma", sigma}} : nlohmann::json();
+}
 
 /// All combinations of the dimensions' scales, the first dimension slowest.
-void add_candidates(StudyPlan& plan, const std::vector<StandinDimension>& dimensions, std::vector<double> scales) {
+void add_candidates(StudyPlan& plan, const std::vector<StandinDimension>& dimensions,
+                    std::vector<double> scales) {
   if (scales.size() == dimensions.size()) {
     CandidatePlan candidate{{}, std::vector<std::string>(scales.size()), scales};
     for (const double scale : scales) candidate.bands_mm.push_back(0.1 * scale);
@@ -29,15 +32,18 @@ void add_candidates(StudyPlan& plan, const std::vector<StandinDimension>& dimens
 
 }  // namespace
 
-StudyData tolerance_standin(std::int64_t rows, std::int64_t seed, const std::vector<StandinDimension>& dimensions, double target_yield,
-                            const std::function<double(const StandinCage&)>& badness, std::int64_t cages_per_lot) {
+StudyData tolerance_standin(std::int64_t rows, std::int64_t seed,
+                            const std::vector<StandinDimension>& dimensions, double target_yield,
+                            const std::function<double(const StandinCage&)>& badness,
+                            std::int64_t cages_per_lot) {
   StudyData study = plain_study(rows, "random", cages_per_lot, seed);
   study.plan.target_yield = target_yield;
   study.plan.limits = {{"badness", {}, 0.0, "stand-in", 1}};
   add_candidates(study.plan, dimensions, {});
   for (const StandinDimension& dimension : dimensions) {
     study.plan.dimensions.push_back({dimension.key, 0.1});
-    study.plan.inputs.push_back({dimension.key, "mm", {9}, law(dimension.lot_sigma), law(dimension.pocket_sigma), {}});
+    study.plan.inputs.push_back(
+        {dimension.key, "mm", {9}, law(dimension.lot_sigma), law(dimension.pocket_sigma), {}});
     study.inputs.push_back({dimension.key, "mm", {9}, {}, {}, {}, {}, true});
   }
   study.quantities = {{"badness", "-", "stand-in", {}}};
@@ -49,15 +55,19 @@ StudyData tolerance_standin(std::int64_t rows, std::int64_t seed, const std::vec
     for (std::size_t d = 0; d < dimensions.size(); ++d) {
       const auto stream = static_cast<std::uint32_t>(d);
       RandomStream lots(useed, Purpose::lot, static_cast<std::uint64_t>(study.lot[i]), stream);
-      RandomStream pockets(useed, Purpose::pocket, static_cast<std::uint64_t>(study.row[i]), stream);
+      RandomStream pockets(useed, Purpose::pocket, static_cast<std::uint64_t>(study.row[i]),
+                           stream);
       cage.lot.push_back(scales[d] * dimensions[d].lot_sigma * gsl_cdf_ugaussian_Pinv(lots.next()));
       cage.pocket.emplace_back();
       for (std::size_t j = 0; j < kPockets; ++j) {
-        cage.pocket[d].push_back(scales[d] * dimensions[d].pocket_sigma * gsl_cdf_ugaussian_Pinv(pockets.next()));
+        cage.pocket[d].push_back(scales[d] * dimensions[d].pocket_sigma *
+                                 gsl_cdf_ugaussian_Pinv(pockets.next()));
         study.inputs[d].value.push_back(9 + cage.lot[d] + cage.pocket[d][j]);
       }
       if (dimensions[d].lot_sigma > 0) study.inputs[d].lot.push_back(cage.lot[d]);
-      if (dimensions[d].pocket_sigma > 0) study.inputs[d].pocket.insert(study.inputs[d].pocket.end(), cage.pocket[d].begin(), cage.pocket[d].end());
+      if (dimensions[d].pocket_sigma > 0)
+        study.inputs[d].pocket.insert(study.inputs[d].pocket.end(), cage.pocket[d].begin(),
+                                      cage.pocket[d].end());
     }
     study.quantities[0].values.push_back(badness(cage));
   }

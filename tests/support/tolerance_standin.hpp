@@ -1,4 +1,5 @@
-// Analytic stand-ins for tolerance studies: normal deviations of 13 pockets, yields known in closed form.
+// Analytic stand-ins for tolerance studies: normal deviations of 13 pockets, yields known in closed
+// form.
 #pragma once
 
 #include <functional>
@@ -10,9 +11,9 @@
 namespace cagetol {
 
 struct StandinDimension {
-  std::string key;                ///< "cage.pocket_width_mm"
+  std::string key;                         ///< "cage.pocket_width_mm"
   double lot_sigma = 0, pocket_sigma = 0;  ///< at scale 1; 0: no such part
-  std::vector<double> scales;     ///< candidates; bands are 0.1 mm times these
+  std::vector<double> scales;              ///< candidates; bands are 0.1 mm times these
 };
 
 /// Deviations of one sample: lot and 13 pockets of each dimension.
@@ -21,8 +22,11 @@ struct StandinCage {
   std::vector<std::vector<double>> pocket;
 };
 
-/// A study over all candidate combinations whose only limit is quantity "badness" <= 0; `badness` gives it.
-StudyData tolerance_standin(std::int64_t rows, std::int64_t seed, const std::vector<StandinDimension>& dimensions, double target_yield,
-                            const std::function<double(const StandinCage&)>& badness, std::int64_t cages_per_lot = 1);
+/// A study over all candidate combinations whose only limit is quantity "badness" <= 0; `badness`
+/// gives it.
+StudyData tolerance_standin(std::int64_t rows, std::int64_t seed,
+                            const std::vector<StandinDimension>& dimensions, double target_yield,
+                            const std::function<double(const StandinCage&)>& badness,
+                            std::int64_t cages_per_lot = 1);
 
 }  // namespace cagetol

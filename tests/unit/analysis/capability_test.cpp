@@ -22,7 +22,8 @@ std::vector<double> even_sample(std::size_t count, const Quantile& quantile) {
 
 TEST(Capability, NormalScatterHasTextbookValues) {
   const StudyData study = plain_study(20000, "grid");
-  const auto values = even_sample(20000, [](double p) { return 10 + 2 * gsl_cdf_ugaussian_Pinv(p); });
+  const auto values =
+      even_sample(20000, [](double p) { return 10 + 2 * gsl_cdf_ugaussian_Pinv(p); });
   const auto result = process_capability(values, 2.0, 16.0, Resampling(study, 0), 0.95);
   EXPECT_NEAR(result.cp.value, 14.0 / 12, 2e-3);
   EXPECT_NEAR(result.cpk.value, 1.0, 2e-3);

@@ -27,16 +27,23 @@ TEST(Features, OfThePocketsOfACage) {
   study.pockets = 4;
   // Pocket 0 starts at the phase; pockets are 90 degrees apart; the load zone is at 270 degrees.
   InputColumns phase{"start.cage_phase_deg", "deg", {0}, {}, {10, 100}, {}, {10, 100}, false};
-  InputColumns width{"cage.pocket_width_mm", "mm", {7}, {0.5, 1}, {}, {1, 2, 3, 4, 4, 4, 4, 6}, {8, 9, 10, 11, 12, 12, 12, 14}, true};
+  InputColumns width{
+      "cage.pocket_width_mm",         "mm", {7}, {0.5, 1}, {}, {1, 2, 3, 4, 4, 4, 4, 6},
+      {8, 9, 10, 11, 12, 12, 12, 14}, true};
   width.value = {8.5, 9.5, 10.5, 11.5, 12, 12, 12, 14};
-  InputColumns square{"cage.pocket_squareness_mrad", "mrad", {0}, {}, {}, {1, -3, 2, 0, 1, 1, 1, 2}, {1, -3, 2, 0, 1, 1, 1, 2}, true};
+  InputColumns square{"cage.pocket_squareness_mrad", "mrad", {0}, {}, {}, {1, -3, 2, 0, 1, 1, 1, 2},
+                      {1, -3, 2, 0, 1, 1, 1, 2},     true};
   study.inputs = {phase, width, square};
   const auto features = cage_features(study);
   EXPECT_THAT(find(features, "pocket width: lot").values, testing::ElementsAre(0.5, 1));
-  EXPECT_THAT(find(features, "pocket width: smallest pocket").values, testing::ElementsAre(8.5, 12));
-  EXPECT_THAT(find(features, "pocket width: within-cage scatter").values, testing::ElementsAre(testing::DoubleEq(std::sqrt(5.0 / 3)), testing::DoubleEq(1)));
-  EXPECT_THAT(find(features, "pocket width: pocket in load zone").values, testing::ElementsAre(11.5, 12));  // pockets 3 and 2
-  EXPECT_THAT(find(features, "pocket squareness: largest deviation").values, testing::ElementsAre(3, 2));
+  EXPECT_THAT(find(features, "pocket width: smallest pocket").values,
+              testing::ElementsAre(8.5, 12));
+  EXPECT_THAT(find(features, "pocket width: within-cage scatter").values,
+              testing::ElementsAre(testing::DoubleEq(std::sqrt(5.0 / 3)), testing::DoubleEq(1)));
+  EXPECT_THAT(find(features, "pocket width: pocket in load zone").values,
+              testing::ElementsAre(11.5, 12));  // pockets 3 and 2
+  EXPECT_THAT(find(features, "pocket squareness: largest deviation").values,
+              testing::ElementsAre(3, 2));
   EXPECT_THAT(find(features, "cage phase").values, testing::ElementsAre(10, 100));
   EXPECT_EQ(pocket_features(study, width).size(), 4u);
   EXPECT_THAT(pocket_features(study, width)[3].values, testing::ElementsAre(4, 6));

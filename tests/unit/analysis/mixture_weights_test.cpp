@@ -13,7 +13,9 @@ namespace {
 const StandinDimension kWidth{"cage.pocket_width_mm", 0.009, 0.009, {0.36, 0.58, 0.9, 1.5}};
 const StandinDimension kLength{"cage.pocket_length_mm", 0.009, 0.009, {0.36, 0.9}};
 
-double no_badness(const StandinCage&) { return -1; }
+double no_badness(const StandinCage&) {
+  return -1;
+}
 
 TEST(MixtureWeights, ByHand) {
   // Two candidates, two samples: p_0 = (3, 1), p_1 = (1, 1).
@@ -62,7 +64,8 @@ TEST(MixtureWeights, ScalesOfACandidateGiveItsWeights) {
   const StudyData study = tolerance_standin(200, 3, {kWidth, kLength}, 0.95, no_badness);
   const MixtureWeights mixture = mixture_weights(study);
   const auto weights = weights_of_scales(study, mixture, study.plan.candidates[5].scales);
-  for (std::size_t i = 0; i < weights.size(); ++i) EXPECT_NEAR(weights[i], mixture.candidate[5][i], 1e-9);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    EXPECT_NEAR(weights[i], mixture.candidate[5][i], 1e-9);
 }
 
 TEST(MixtureWeights, CorrelatedLotsCarryTheCopula) {
@@ -74,12 +77,14 @@ TEST(MixtureWeights, CorrelatedLotsCarryTheCopula) {
   study.plan.correlations = {{"cage.pocket_width_mm:lot", "cage.pocket_length_mm:lot", rho}};
   const MixtureWeights mixture = mixture_weights(study);
   const auto log_density = [&](std::size_t i, const std::vector<double>& s) {
-    const double x = study.inputs[0].lot[i] / (0.009 * s[0]), y = study.inputs[1].lot[i] / (0.009 * s[1]);
+    const double x = study.inputs[0].lot[i] / (0.009 * s[0]),
+                 y = study.inputs[1].lot[i] / (0.009 * s[1]);
     return -(x * x - 2 * rho * x * y + y * y) / (2 * (1 - rho * rho)) - std::log(s[0] * s[1]);
   };
   const auto& candidates = study.plan.candidates;
   for (std::size_t i = 0; i < 160; i += 13) {
-    const double expected = log_density(i, candidates[1].scales) - log_density(i, candidates[6].scales);
+    const double expected =
+        log_density(i, candidates[1].scales) - log_density(i, candidates[6].scales);
     EXPECT_NEAR(std::log(mixture.candidate[1][i] / mixture.candidate[6][i]), expected, 1e-6);
   }
 }
@@ -89,7 +94,8 @@ TEST(MixtureWeights, MeasuredValuesHaveNoDensity) {
   study.plan.inputs[0].lot = {{"law", "empirical"}, {"values", {-0.01, 0.0, 0.01}}};
   const MixtureWeights mixture = mixture_weights(study);
   EXPECT_NE(mixture.note.find("measured"), std::string::npos);
-  for (std::size_t i = 0; i < 80; ++i) EXPECT_DOUBLE_EQ(mixture.candidate[2][i], study.candidate[i] == 2 ? 8 : 0);
+  for (std::size_t i = 0; i < 80; ++i)
+    EXPECT_DOUBLE_EQ(mixture.candidate[2][i], study.candidate[i] == 2 ? 8 : 0);
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ TEST(OrderStatistics, QuantilesByHand) {
 TEST(OrderStatistics, WilksBoundIsRefusedForDependentRuns) {
   std::vector<double> values(200);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
-  EXPECT_EQ(wilks_bound(plain_study(200), values, 0.95, 0.95), 200.0 - static_cast<double>(wilks_rank(200, 0.95, 0.95)));
+  EXPECT_EQ(wilks_bound(plain_study(200), values, 0.95, 0.95),
+            200.0 - static_cast<double>(wilks_rank(200, 0.95, 0.95)));
   EXPECT_THROW(wilks_bound(plain_study(200, "lhs"), values, 0.95, 0.95), Refused);
   EXPECT_THROW(wilks_bound(plain_study(200, "sobol"), values, 0.95, 0.95), Refused);
   EXPECT_THROW(wilks_bound(plain_study(200, "random", 4), values, 0.95, 0.95), Refused);

@@ -17,7 +17,8 @@ namespace cagetol {
 namespace {
 
 /// A study whose rows are those of the design, one column a group.
-StudyData study_of_design(const std::string& kind, std::uint64_t bases, std::uint32_t columns, bool noise_group = false) {
+StudyData study_of_design(const std::string& kind, std::uint64_t bases, std::uint32_t columns,
+                          bool noise_group = false) {
   DesignSpec spec;
   spec.kind = kind;
   spec.seed = 5;
@@ -64,7 +65,8 @@ TEST(PickFreeze, IshigamiFirstOrderAndTotals) {
 TEST(PickFreeze, GFunctionTotals) {
   const StudyData study = study_of_design("pick-freeze", 8192, 8);
   const auto shares = pick_freeze_shares(study, outputs_of(study, g_function), 0, 0.95, 20);
-  const double first[] = {0.716193, 0.179048, 0.023676, 0.007162}, total[] = {0.787144, 0.242198, 0.034317, 0.010460};
+  const double first[] = {0.716193, 0.179048, 0.023676, 0.007162},
+               total[] = {0.787144, 0.242198, 0.034317, 0.010460};
   for (std::size_t g = 0; g < 4; ++g) {
     EXPECT_NEAR(shares[g].first_order.value, first[g], 0.03) << g;
     EXPECT_NEAR(shares[g].total.value, total[g], 0.02) << g;
@@ -105,13 +107,15 @@ TEST(PickFreeze, OtherDesignsAreRefused) {
   EXPECT_THROW(pick_freeze_shares(study, outputs, 0, 0.95, 10), Refused);
   EXPECT_THROW(elementary_effects(study, outputs), Refused);
   StudyData random_points = study_of_design("pick-freeze", 16, 2);
-  for (std::size_t i = 0; i < random_points.design.point.size(); ++i) random_points.design.point[i] = static_cast<double>(i);
+  for (std::size_t i = 0; i < random_points.design.point.size(); ++i)
+    random_points.design.point[i] = static_cast<double>(i);
   EXPECT_THROW(design_blocks(random_points), Refused);
 }
 
 TEST(Morris, LinearFunctionHasConstantEffects) {
   const StudyData study = study_of_design("morris", 12, 3);
-  const auto effects = elementary_effects(study, outputs_of(study, [](std::span<const double> u) { return 3 * u[0] - 2 * u[1]; }));
+  const auto effects = elementary_effects(
+      study, outputs_of(study, [](std::span<const double> u) { return 3 * u[0] - 2 * u[1]; }));
   ASSERT_EQ(effects.size(), 3u);
   EXPECT_EQ(effects[0].steps, 12u);
   EXPECT_NEAR(effects[0].mean, 3, 1e-12);
@@ -130,7 +134,8 @@ TEST(NoiseShare, VarianceWithinRowsOverTheWhole) {
       study.row.push_back(id - 2000);
       study.replicate.push_back(1);
     }
-    RandomStream cage(1, Purpose::lot, static_cast<std::uint64_t>(id % 2000)), noise(1, Purpose::noise, static_cast<std::uint64_t>(id));
+    RandomStream cage(1, Purpose::lot, static_cast<std::uint64_t>(id % 2000)),
+        noise(1, Purpose::noise, static_cast<std::uint64_t>(id));
     outputs.push_back(3 * cage.next() + noise.next());
   }
   const NoiseShare noise = noise_share(study, outputs, 0.95, 200);

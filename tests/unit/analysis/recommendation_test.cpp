@@ -12,7 +12,9 @@
 namespace cagetol {
 namespace {
 
-double phi(double z) { return gsl_cdf_ugaussian_P(z); }
+double phi(double z) {
+  return gsl_cdf_ugaussian_P(z);
+}
 
 struct Judged {
   YieldCurves curves;
@@ -27,16 +29,22 @@ Judged judge_study(const StudyData& study, std::size_t resamples = 300, double c
   Judged judged;
   judged.curves = yield_curves(study, mixture, joint, resampling, confidence);
   judged.tests = test_binding(study, mixture, judged.curves, joint, resampling);
-  judged.recommendation = recommend_tolerance(study, mixture, judged.curves, judged.tests, joint, resampling);
+  judged.recommendation =
+      recommend_tolerance(study, mixture, judged.curves, judged.tests, joint, resampling);
   return judged;
 }
 
 const StandinDimension kWidth{"cage.pocket_width_mm", 0, 0.01, {0.36, 0.58, 0.9, 1.5}};
 const StandinDimension kLength{"cage.pocket_length_mm", 0.01, 0.01, {0.36, 0.9}};
 
-/// Fails when the largest of 13 pockets exceeds 0.026 mm: yield Phi(0.026 / (0.01 s))^13; length does nothing.
-double largest_width(const StandinCage& cage) { return *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end()) - 0.026; }
-double yield_of_largest(double scale) { return std::pow(phi(2.6 / scale), 13); }
+/// Fails when the largest of 13 pockets exceeds 0.026 mm: yield Phi(0.026 / (0.01 s))^13; length
+/// does nothing.
+double largest_width(const StandinCage& cage) {
+  return *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end()) - 0.026;
+}
+double yield_of_largest(double scale) {
+  return std::pow(phi(2.6 / scale), 13);
+}
 
 TEST(YieldCurves, MaximumOfNormals) {
   const StudyData study = tolerance_standin(8000, 21, {kWidth, kLength}, 0.95, largest_width);
@@ -50,10 +58,13 @@ TEST(YieldCurves, MaximumOfNormals) {
 }
 
 TEST(YieldCurves, HierarchicalLinear) {
-  // Badness sum_p c_p (L + W_p) - limit is normal: yield Phi(limit / (s sqrt((sum c)^2 s_L^2 + sum c^2 s_W^2))).
+  // Badness sum_p c_p (L + W_p) - limit is normal: yield Phi(limit / (s sqrt((sum c)^2 s_L^2 + sum
+  // c^2 s_W^2))).
   StandinDimension width = kWidth;
   width.lot_sigma = 0.006;
-  const auto badness = [](const StandinCage& cage) { return 2 * (cage.lot[0] + cage.pocket[0][1]) + (cage.lot[0] + cage.pocket[0][4]) - 0.03; };
+  const auto badness = [](const StandinCage& cage) {
+    return 2 * (cage.lot[0] + cage.pocket[0][1]) + (cage.lot[0] + cage.pocket[0][4]) - 0.03;
+  };
   const double sigma = std::sqrt(9 * 0.006 * 0.006 + 5 * 0.01 * 0.01);
   for (const std::int64_t cages : {1, 5}) {
     const StudyData study = tolerance_standin(8000, 22, {width, kLength}, 0.95, badness, cages);
@@ -70,13 +81,16 @@ TEST(YieldCurves, HierarchicalLinear) {
 double bound_coverage(int repeats) {
   int held = 0;
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    const StudyData study = tolerance_standin(1000, 500 + repeat, {kWidth, kLength}, 0.95, largest_width);
+    const StudyData study =
+        tolerance_standin(1000, 500 + repeat, {kWidth, kLength}, 0.95, largest_width);
     held += judge_study(study, 200).curves.candidates[4].lower_bound <= yield_of_largest(0.9);
   }
   return static_cast<double>(held) / repeats;
 }
 
-TEST(YieldCurves, LowerBoundHolds) { EXPECT_GE(bound_coverage(60), 0.9); }
+TEST(YieldCurves, LowerBoundHolds) {
+  EXPECT_GE(bound_coverage(60), 0.9);
+}
 
 TEST(NightlyYieldCurves, LowerBoundHoldsInAThousandRepeats) {
   if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1";
@@ -84,7 +98,8 @@ TEST(NightlyYieldCurves, LowerBoundHoldsInAThousandRepeats) {
 }
 
 TEST(Recommendation, WidestBandThatMeetsTheTargetSnappedDown) {
-  // Yields at 0.036, 0.058, 0.09, 0.15 mm: 1.0000, 0.99995, 0.9751, 0.5731. Bands in mm snap to IT11 = 0.09 mm for 9 mm.
+  // Yields at 0.036, 0.058, 0.09, 0.15 mm: 1.0000, 0.99995, 0.9751, 0.5731. Bands in mm snap to
+  // IT11 = 0.09 mm for 9 mm.
   const StudyData study = tolerance_standin(4000, 23, {kWidth, kLength}, 0.95, largest_width);
   const Judged judged = judge_study(study);
   const Recommendation& result = judged.recommendation;
@@ -110,7 +125,8 @@ TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
   int not_binding = 0, recommended = 0;
   const int repeats = 40;
   for (int repeat = 0; repeat < repeats; ++repeat) {
-    const Judged judged = judge_study(tolerance_standin(2000, 900 + repeat, {kWidth, kLength}, 0.95, largest_width), 50);
+    const Judged judged = judge_study(
+        tolerance_standin(2000, 900 + repeat, {kWidth, kLength}, 0.95, largest_width), 50);
     EXPECT_EQ(judged.tests[0].answer, Binding::binding);
     not_binding += judged.tests[1].answer == Binding::not_binding;
     recommended += !judged.recommendation.bands[1].not_binding;
@@ -120,14 +136,18 @@ TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
 }
 
 TEST(Recommendation, TooFewRunsLeaveADimensionUndecided) {
-  const Judged judged = judge_study(tolerance_standin(120, 31, {kWidth, kLength}, 0.99, largest_width), 50);
+  const Judged judged =
+      judge_study(tolerance_standin(120, 31, {kWidth, kLength}, 0.99, largest_width), 50);
   EXPECT_EQ(judged.tests[1].answer, Binding::undecided);
   EXPECT_FALSE(judged.recommendation.possible);  // fewer than 100 effective runs everywhere
 }
 
 TEST(Recommendation, NothingMeetsTheTarget) {
-  const auto always_bad = [](const StandinCage& cage) { return cage.pocket[0][0] + 0.5 * std::abs(cage.pocket[0][1]); };
-  const Judged judged = judge_study(tolerance_standin(2000, 32, {kWidth, kLength}, 0.95, always_bad), 50);
+  const auto always_bad = [](const StandinCage& cage) {
+    return cage.pocket[0][0] + 0.5 * std::abs(cage.pocket[0][1]);
+  };
+  const Judged judged =
+      judge_study(tolerance_standin(2000, 32, {kWidth, kLength}, 0.95, always_bad), 50);
   EXPECT_TRUE(judged.recommendation.possible);
   EXPECT_FALSE(judged.recommendation.meets_target);
 }
@@ -150,7 +170,8 @@ TEST(Recommendation, NarrowingTheDimensionThatMattersPays) {
     if (step.key != "cage.pocket_width_mm") continue;
     const bool wider = step.to == "0.15 mm";
     const double exact = yield_of_largest(wider ? 1.5 : 0.58) - yield_of_largest(0.9);
-    EXPECT_NEAR(step.change, exact, 0.8 * (step.upper - step.lower)) << step.to;  // three standard errors
+    EXPECT_NEAR(step.change, exact, 0.8 * (step.upper - step.lower))
+        << step.to;  // three standard errors
   }
 }
 

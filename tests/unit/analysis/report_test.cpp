@@ -24,7 +24,9 @@ std::string text_of(const std::filesystem::path& file) {
 class Report : public testing::Test {
  protected:
   void SetUp() override {
-    directory_ = std::filesystem::path(testing::TempDir()) / (std::string("report_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    directory_ =
+        std::filesystem::path(testing::TempDir()) /
+        (std::string("report_") + testing::UnitTest::GetInstance()->current_test_info()->name());
     std::filesystem::create_directories(directory_);
   }
   void TearDown() override { std::filesystem::remove_all(directory_); }
@@ -46,9 +48,11 @@ const ReportOptions kNoPython{.python = "/nonexistent/python3"};
 TEST_F(Report, WritesEverythingInOnePage) {
   ASSERT_EQ(report_on(make_synthetic_study()), 0);
   const std::string html = text_of(directory_ / "report.html");
-  for (const char* title : {"What may be printed on the drawing", "Outcomes and limits", "Yield against tolerance", "What drives the quantities",
-                            "Statistics of every quantity", "Capability against the limits", "Failures and worst samples", "Are there enough runs?",
-                            "Run health", "Where this comes from"})
+  for (const char* title :
+       {"What may be printed on the drawing", "Outcomes and limits", "Yield against tolerance",
+        "What drives the quantities", "Statistics of every quantity",
+        "Capability against the limits", "Failures and worst samples", "Are there enough runs?",
+        "Run health", "Where this comes from"})
     EXPECT_THAT(html, testing::HasSubstr(title));
   EXPECT_THAT(html, testing::HasSubstr("cagetol replay DIR --sample"));
   EXPECT_THAT(html, testing::HasSubstr("contact.static_speed_m_s"));
@@ -58,14 +62,17 @@ TEST_F(Report, WritesEverythingInOnePage) {
   EXPECT_THAT(html, testing::Not(testing::ContainsRegex("src=\"[^d]")));
   EXPECT_THAT(html, testing::Not(testing::ContainsRegex(">-?nan")));
   const std::regex figure("<figure>");
-  EXPECT_GE(std::distance(std::sregex_iterator(html.begin(), html.end(), figure), std::sregex_iterator()), 9);
+  EXPECT_GE(
+      std::distance(std::sregex_iterator(html.begin(), html.end(), figure), std::sregex_iterator()),
+      9);
   EXPECT_FALSE(std::filesystem::exists(directory_ / "figures" / "draw.log"));
   EXPECT_THAT(printed_, testing::HasSubstr("Recommended: pocket width"));
 }
 
 TEST_F(Report, SameStudySameBytes) {
   report_on(make_synthetic_study({.rows = 400}), kNoPython);
-  const std::string first = text_of(directory_ / "report.json"), page = text_of(directory_ / "report.html");
+  const std::string first = text_of(directory_ / "report.json"),
+                    page = text_of(directory_ / "report.html");
   report_on(make_synthetic_study({.rows = 400}), kNoPython);
   EXPECT_EQ(first, text_of(directory_ / "report.json"));
   EXPECT_EQ(page, text_of(directory_ / "report.html"));
@@ -76,7 +83,8 @@ TEST_F(Report, VerdictHasItsKeys) {
   const auto verdict = nlohmann::json::parse(printed_).at("verdict");
   EXPECT_EQ(verdict.at("width").at("grade"), "IT11");
   EXPECT_DOUBLE_EQ(verdict.at("width").at("band_mm"), 0.09);
-  EXPECT_TRUE(verdict.at("length").at("grade").is_null());  // length changes nothing: never recommended
+  EXPECT_TRUE(
+      verdict.at("length").at("grade").is_null());  // length changes nothing: never recommended
   EXPECT_EQ(verdict.at("not_binding"), nlohmann::json({"length"}));
   EXPECT_TRUE(verdict.at("confirmation").is_null());
   EXPECT_GE(verdict.at("yield_lower_bound"), 0.95);
@@ -86,8 +94,10 @@ TEST_F(Report, VerdictHasItsKeys) {
 
 TEST_F(Report, ComesWithoutFiguresWhenPythonFails) {
   ASSERT_EQ(report_on(make_synthetic_study({.rows = 200}), kNoPython), 0);
-  EXPECT_THAT(text_of(directory_ / "report.html"), testing::AllOf(testing::HasSubstr("Figures are missing"), testing::HasSubstr("/nonexistent/python3"),
-                                                                  testing::HasSubstr("Where this comes from")));
+  EXPECT_THAT(text_of(directory_ / "report.html"),
+              testing::AllOf(testing::HasSubstr("Figures are missing"),
+                             testing::HasSubstr("/nonexistent/python3"),
+                             testing::HasSubstr("Where this comes from")));
   ASSERT_EQ(report_on(make_synthetic_study({.rows = 200}), {.python = "/bin/false"}), 0);
   EXPECT_THAT(text_of(directory_ / "report.html"), testing::HasSubstr("ended with code 1"));
 }
@@ -98,7 +108,8 @@ TEST_F(Report, ContributorsAreFound) {
     std::string best;
     double largest = 0;
     for (const auto& share : output.at("shares"))
-      if (share.at("value").is_number() && share.at("value") > largest) largest = share.at("value"), best = share.at("feature");
+      if (share.at("value").is_number() && share.at("value") > largest)
+        largest = share.at("value"), best = share.at("feature");
     if (output.at("output") == "whirl_radius_ratio_p95") {
       EXPECT_EQ(best, "pocket width: lot");
     } else if (output.at("output") == "cage_slip_ratio") {
@@ -106,7 +117,8 @@ TEST_F(Report, ContributorsAreFound) {
     }
   }
   const auto pockets = make_report(study).at("contributors").at("pockets");
-  ASSERT_EQ(pockets.size(), 1u);  // pocket 4 drives the pocket force, and no other pocket stands out anywhere
+  ASSERT_EQ(pockets.size(),
+            1u);  // pocket 4 drives the pocket force, and no other pocket stands out anywhere
   EXPECT_EQ(pockets[0].at("output"), "pocket_force_peak_N");
   const auto shares = pockets[0].at("shares").get<std::vector<double>>();
   EXPECT_EQ(std::max_element(shares.begin(), shares.end()) - shares.begin(), 4);
@@ -143,7 +155,9 @@ TEST_F(Report, TablesHaveALineForEveryRow) {
   EXPECT_GT(lines("contributors.csv"), 20);
 }
 
-TEST_F(Report, DirectoryWithoutStudyIsNamed) { EXPECT_THROW(run_report(directory_), StudyFileError); }
+TEST_F(Report, DirectoryWithoutStudyIsNamed) {
+  EXPECT_THROW(run_report(directory_), StudyFileError);
+}
 
 TEST(HtmlText, NumbersAreRoundedSensibly) {
   EXPECT_EQ(rounded(Json(1234)), "1234");
@@ -153,7 +167,9 @@ TEST(HtmlText, NumbersAreRoundedSensibly) {
   EXPECT_EQ(rounded(Json()), "-");
   EXPECT_EQ(percent(Json(0.99853)), "99.9 %");
   EXPECT_EQ(percent(Json(0.99953)), "99.95 %");
-  EXPECT_EQ(with_interval({{"value", 83.4567}, {"lower", 82.91}, {"upper", 83.97}}), "83.5<br><small>82.9 to 84.0</small>");
+  EXPECT_EQ(percent(Json(0.99999)), "> 99.99 %");
+  EXPECT_EQ(with_interval({{"value", 83.4567}, {"lower", 82.91}, {"upper", 83.97}}),
+            "83.5<br><small>82.9 to 84.0</small>");
   EXPECT_EQ(escaped("a<b & \"c\""), "a&lt;b &amp; &quot;c&quot;");
   EXPECT_EQ(readable("pocket_force_peak_N"), "pocket force peak");
 }

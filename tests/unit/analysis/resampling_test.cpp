@@ -12,7 +12,9 @@
 namespace cagetol {
 namespace {
 
-double normal(RandomStream& stream) { return gsl_cdf_ugaussian_Pinv(stream.next()); }
+double normal(RandomStream& stream) {
+  return gsl_cdf_ugaussian_Pinv(stream.next());
+}
 
 /// Mean of cages that share a lot part of variance 1, with parts of their own of variance 0.25.
 std::vector<double> lot_values(const StudyData& study, std::uint64_t repeat) {
@@ -29,7 +31,8 @@ TEST(Resampling, SameStudySameInterval) {
   const StudyData study = plain_study(100);
   const auto values = lot_values(study, 1);
   const auto mean = [&](std::span<const double> w) { return weighted_mean(values, w); };
-  const Estimate first = Resampling(study, 200).estimate(mean, 0.95), second = Resampling(study, 200).estimate(mean, 0.95);
+  const Estimate first = Resampling(study, 200).estimate(mean, 0.95),
+                 second = Resampling(study, 200).estimate(mean, 0.95);
   EXPECT_EQ(first.lower, second.lower);
   EXPECT_EQ(first.upper, second.upper);
   EXPECT_LT(first.lower, first.value);
@@ -42,7 +45,9 @@ TEST(Resampling, IntervalOfMeanCoversWithLots) {
   for (int repeat = 0; repeat < repeats; ++repeat) {
     const StudyData study = plain_study(240, "random", 4, repeat + 1);
     const auto values = lot_values(study, static_cast<std::uint64_t>(repeat));
-    const Estimate mean = Resampling(study, 200).estimate([&](std::span<const double> w) { return weighted_mean(values, w); }, 0.95);
+    const Estimate mean =
+        Resampling(study, 200)
+            .estimate([&](std::span<const double> w) { return weighted_mean(values, w); }, 0.95);
     covered += mean.lower <= 0 && 0 <= mean.upper;
   }
   EXPECT_GE(covered, 180);
@@ -53,10 +58,12 @@ TEST(Resampling, ScramblesGiveStudentT) {
   StudyData study = plain_study(40, "sobol");
   study.design.scrambles = 4;
   std::vector<double> values(40);
-  for (std::size_t i = 0; i < 40; ++i) values[i] = static_cast<double>(i / 10);  // scramble means 0, 1, 2, 3
+  for (std::size_t i = 0; i < 40; ++i)
+    values[i] = static_cast<double>(i / 10);  // scramble means 0, 1, 2, 3
   const Resampling resampling(study, 100);
   ASSERT_EQ(resampling.kind(), IntervalKind::scrambles);
-  const Estimate mean = resampling.estimate([&](std::span<const double> w) { return weighted_mean(values, w); }, 0.95);
+  const Estimate mean = resampling.estimate(
+      [&](std::span<const double> w) { return weighted_mean(values, w); }, 0.95);
   EXPECT_DOUBLE_EQ(mean.value, 1.5);
   EXPECT_NEAR(mean.upper, 1.5 + 3.182446 * std::sqrt(5.0 / 3 / 4), 1e-5);
 }
@@ -64,7 +71,9 @@ TEST(Resampling, ScramblesGiveStudentT) {
 TEST(Resampling, GridsHaveNoInterval) {
   const StudyData study = plain_study(40, "grid");
   const std::vector<double> values(40, 1.0);
-  const Estimate mean = Resampling(study, 100).estimate([&](std::span<const double> w) { return weighted_mean(values, w); }, 0.95);
+  const Estimate mean =
+      Resampling(study, 100)
+          .estimate([&](std::span<const double> w) { return weighted_mean(values, w); }, 0.95);
   EXPECT_EQ(mean.value, 1);
   EXPECT_TRUE(std::isnan(mean.lower));
 }

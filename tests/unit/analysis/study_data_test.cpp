@@ -14,7 +14,8 @@ namespace {
 class StudyDataFile : public testing::Test {
  protected:
   void SetUp() override {
-    directory_ = std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    directory_ = std::filesystem::path(testing::TempDir()) /
+                 testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(directory_);
     file_ = directory_ / "study.h5";
   }
@@ -60,8 +61,9 @@ TEST_F(StudyDataFile, ReadsWhatWasWritten) {
 }
 
 TEST_F(StudyDataFile, MissingFileSaysHowToMakeOne) {
-  EXPECT_THAT(message_of_reading(), testing::AllOf(testing::HasSubstr("study.h5"), testing::HasSubstr("no such file"),
-                                                   testing::HasSubstr("remedy"), testing::HasSubstr("cagetol sweep")));
+  EXPECT_THAT(message_of_reading(),
+              testing::AllOf(testing::HasSubstr("study.h5"), testing::HasSubstr("no such file"),
+                             testing::HasSubstr("remedy"), testing::HasSubstr("cagetol sweep")));
 }
 
 TEST_F(StudyDataFile, TruncatedFileIsRefused) {
@@ -69,7 +71,8 @@ TEST_F(StudyDataFile, TruncatedFileIsRefused) {
   const auto size = std::filesystem::file_size(file_);
   for (const double part : {0.0, 0.001, 0.3, 0.9, 0.999}) {
     write_synthetic_study(make_synthetic_study({.rows = 40}), file_);
-    std::filesystem::resize_file(file_, static_cast<std::uintmax_t>(part * static_cast<double>(size)));
+    std::filesystem::resize_file(file_,
+                                 static_cast<std::uintmax_t>(part * static_cast<double>(size)));
     EXPECT_THAT(message_of_reading(), testing::HasSubstr("remedy")) << part;
   }
 }
@@ -83,7 +86,8 @@ TEST_F(StudyDataFile, OtherSchemaVersionIsRefused) {
   StudyData study = make_synthetic_study({.rows = 40});
   study.provenance.schema_version = 2;
   write_synthetic_study(study, file_);
-  EXPECT_THAT(message_of_reading(), testing::AllOf(testing::HasSubstr("schema version is 2"), testing::HasSubstr("remedy")));
+  EXPECT_THAT(message_of_reading(), testing::AllOf(testing::HasSubstr("schema version is 2"),
+                                                   testing::HasSubstr("remedy")));
 }
 
 TEST_F(StudyDataFile, ColumnOfWrongLengthIsNamed) {

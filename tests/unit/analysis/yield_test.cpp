@@ -9,24 +9,28 @@
 namespace cagetol {
 namespace {
 
-constexpr auto kMeets = Judgement::meets, kMisses = Judgement::misses, kUnknown = Judgement::unknown;
+constexpr auto kMeets = Judgement::meets, kMisses = Judgement::misses,
+               kUnknown = Judgement::unknown;
 
 StudyData study_with_limit() {
   StudyData study = plain_study(6);
   study.plan.limits = {{"force", 1.0, 5.0, "test", 6}, {"slip", {}, 0.1, "test", 6}};
-  study.quantities = {{"force", "N", "", {2, 6, 0.5, 3, NAN, 4}}, {"slip", "-", "", {0.05, 0.05, 0.05, 0.2, 0.05, 0.05}}};
+  study.quantities = {{"force", "N", "", {2, 6, 0.5, 3, NAN, 4}},
+                      {"slip", "-", "", {0.05, 0.05, 0.05, 0.2, 0.05, 0.05}}};
   return study;
 }
 
 TEST(Judgement, LimitsJamsAndUnknowns) {
   StudyData study = study_with_limit();
   study.status[5] = RunStatus::jammed;
-  EXPECT_EQ(judge(study, study.plan.limits[0]), (std::vector{kMeets, kMisses, kMisses, kMeets, kUnknown, kMisses}));
+  EXPECT_EQ(judge(study, study.plan.limits[0]),
+            (std::vector{kMeets, kMisses, kMisses, kMeets, kUnknown, kMisses}));
   EXPECT_EQ(judge_all(study), (std::vector{kMeets, kMisses, kMisses, kMisses, kUnknown, kMisses}));
   study.status[0] = RunStatus::failed;
   study.status[3] = RunStatus::censored;
   study.status[1] = RunStatus::poisoned;
-  EXPECT_EQ(judge_all(study), (std::vector{kUnknown, kUnknown, kMisses, kUnknown, kUnknown, kMisses}));
+  EXPECT_EQ(judge_all(study),
+            (std::vector{kUnknown, kUnknown, kMisses, kUnknown, kUnknown, kMisses}));
   EXPECT_EQ(judge(study, study.plan.limits[0])[0], kUnknown);
   EXPECT_EQ(judge(study, study.plan.limits[0])[1], kUnknown);
 }
@@ -60,7 +64,8 @@ TEST(Yield, FailedRunsNeverRaiseIt) {
   const Resampling resampling(study, 300);
   for (const auto& w : {std::vector<double>(400, 1.0), weights}) {
     const Yield before = estimate_yield(study, judgements, w, resampling, 0.95);
-    for (const std::size_t lost : {1u, 40u, 77u}) {  // one that met the limits, one that missed, one more
+    for (const std::size_t lost :
+         {1u, 40u, 77u}) {  // one that met the limits, one that missed, one more
       auto after_loss = judgements;
       after_loss[lost] = kUnknown;
       const Yield after = estimate_yield(study, after_loss, w, resampling, 0.95);
@@ -91,7 +96,8 @@ TEST(Yield, DependentRunsGetWiderBounds) {
     if ((i / 8) % 10 == 0) judgements[i] = kMisses;  // whole lots fail
   const std::vector<double> equal(400, 1.0);
   const Yield of_lots = estimate_yield(lots, judgements, equal, Resampling(lots, 400), 0.95);
-  const Yield exact = estimate_yield(independent, judgements, equal, Resampling(independent, 400), 0.95);
+  const Yield exact =
+      estimate_yield(independent, judgements, equal, Resampling(independent, 400), 0.95);
   EXPECT_EQ(of_lots.if_unknown_fail, exact.if_unknown_fail);
   EXPECT_LT(of_lots.lower_bound, exact.lower_bound - 0.02);
   EXPECT_NE(of_lots.method, exact.method);

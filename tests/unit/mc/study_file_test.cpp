@@ -120,6 +120,7 @@ std::set<std::string> documented_datasets(const std::string& format) {
   std::string group;
   std::smatch match;
   for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# ") && !group.empty()) break;  // another format
     if (std::regex_search(line, match, std::regex("^## /?([^ ]*)"))) group = match[1];
     if (group == "inputs/KEY") group = "inputs/cage.pocket_width_mm";
     if (std::regex_search(line, match, std::regex("^\\| ([a-z_0-9]+) \\|")) && group != "Root" &&

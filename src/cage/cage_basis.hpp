@@ -1,0 +1,59 @@
+// Displacement fields of the undeviated cage from which the cage of every sample is composed.
+//
+//   modes        6 rigid motions (unit translations and rotations), then the lowest free-free modes
+//   attachments  per sector: static response to a unit force on each bar station of its pocket,
+//   both faces corrections  per sector: static response to the forces by which a deviating pocket
+//   upsets the modes
+// Attachments and corrections hold no part of the modes (residual: orthogonal in stiffness and
+// mass), so on the undeviated cage they change nothing.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "src/cage/cage_modes.hpp"
+#include "src/cage/cage_stations.hpp"
+#include "src/cage/sector_carry.hpp"
+#include "src/cage/sector_share.hpp"
+#include "src/cage/sector_turn.hpp"
+
+namespace cagetol {
+
+struct CageTableOptions {
+  long density = 4;           ///< of the mesh, see mesh_counts
+  long basis_modes = 36;      ///< elastic modes of the undeviated cage in the basis
+  long corrections = 2;       ///< correction fields per pocket
+  long corrected_modes = 16;  ///< lowest elastic modes for which the corrections are chosen
+  long reach = 1;             ///< sectors within which attachments and corrections are felt
+};
+
+/// What kind of mode an elastic mode is, for reports.
+struct ModeFamily {
+  long waves = 0;          ///< around the circumference
+  double axial_share = 0;  ///< of the kinetic energy that moves along x
+  bool opposed = false;    ///< the side rings move oppositely in the radial plane
+};
+
+/// "in-plane 2", "out-of-plane 3", "in-plane 1 opposed".
+std::string family_name(const ModeFamily& family);
+
+struct CageBasis {
+  SectorTurn turn;
+  Eigen::MatrixXd shapes;     ///< modes on all nodes
+  Eigen::MatrixXd seen;       ///< seen columns on the nodes of sector 0
+  Eigen::MatrixXd inertia;    ///< drive of the seen columns, see FieldDrive
+  Eigen::VectorXd frequency;  ///< elastic modes [Hz]
+  CageProjection projection;  ///< of the undeviated cage
+  std::vector<ModeFamily> family;
+};
+
+CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
+                          const CageStations& stations, const PocketDeviation& range,
+                          const BodyMatrices& body, const ShiftedFactor& factor,
+                          const FreeModes& modes, const CageTableOptions& options);
+
+/// Forces on the nodes of sector 0 that belong to the seen columns.
+Eigen::MatrixXd seen_loads(const SectorTurn& turn, const CageDimensions& cage,
+                           const CageStations& stations, const SectorGrid& grid,
+                           const PocketDeviation& deviation);
+
+}  // namespace cagetol

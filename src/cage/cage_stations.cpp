@@ -1,0 +1,173 @@
+#include "src/cage/cage_stations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace cagetol {
+namespace {
+
+/// Rotates radial and tangential directions at angle theta; rows: radial, tangential, axial.
+Eigen::Matrix3d directions(double theta) {
+  Eigen::Matrix3d rows;
+  rows << 0, std::cos(theta), std::sin(theta), 0, -std::sin(theta), std::cos(theta), 1, 0, 0;
+  return rows;
+}
+
+bool between(double value, double low, double high) {
+  return value >= low - 1e-12 && value <= high + 1e-12;
+}
+
+double local_coordinate(double value, double low, double high) {
+  return std::clamp(2 * (value - low) / (high - low) - 1, -1.0, 1.0);
+}
+
+}  // namespace
+
+CageStations cage_stations(const Scene& scene) {
+  CageStations stations;
+  const CageGeometry& cage = scene.cage;
+  double diameter = 0;
+  for (double d : scene.roller.diameter)
+    diameter += d / static_cast<double>(scene.roller.diameter.size());
+  const long n = scene.discretisation.bar_stations;
+  stations.bar_x.clear();
+  for (long i = 0; i < n; ++i) {
+    const double t = n == 1 ? 0 : -1 + 2 * static_cast<double>(i) / static_cast<double>(n - 1);
+    stations.bar_x.push_back(0.4 * t * scene.roller.length);
+  }
+  stations.pitch_radius =
+      0.25 * (scene.bearing.inner_raceway_diameter + scene.bearing.outer_raceway_diameter);
+  stations.end_offset = 0.4 * diameter;
+  stations.outer_guided = cage.guidance != "inner";
+  double length = 0;
+  for (double l : cage.pocket_length) length += l / static_cast<double>(cage.pocket_length.size());
+  stations.land_offset =
+      std::isnan(cage.land_offset) ? 0.25 * (cage.width + length) : cage.land_offset;
+  return stations;
+}
+
+long contact_points(const CageStations& stations) {
+  return 2 * static_cast<long>(stations.bar_x.size()) + 8;
+}
+
+SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations,
+                        const PocketDeviation& deviation, double face, double x) {
+  const double depth =
+      (stations.pitch_radius - cage.inner_radius) / (cage.outer_radius - cage.inner_radius);
+  const double half_length = 0.5 * (cage.pocket_length + deviation.length);
+  return {std::clamp(depth, 0.0, 1.0), face, std::clamp(x / half_length, -1.0, 1.0)};
+}
+
+SectorReading read_at(const SectorGrid& grid, const SectorPoint& place) {
+  for (const auto& element : grid.elements) {
+    const SectorPoint& low = grid.points[static_cast<std::size_t>(element[0])];
+    const SectorPoint& high = grid.points[static_cast<std::size_t>(element[6])];
+    if (!between(place.radial, low.radial, high.radial) ||
+        !between(place.around, low.around, high.around) ||
+        !between(place.axial, low.axial, high.axial)) {
+      continue;
+    }
+    SectorReading reading;
+    reading.point = element;
+    const double r = local_coordinate(place.radial, low.radial, high.radial);
+    const double c = local_coordinate(place.around, low.around, high.around);
+    const double x = local_coordinate(place.axial, low.axial, high.axial);
+    const auto weight = [](double t, bool upper) { return 0.5 * (upper ? 1 + t : 1 - t); };
+    for (int a = 0; a < 8; ++a) {
+      const bool far_r = a % 4 == 1 || a % 4 == 2;
+      const bool far_c = a % 4 >= 2;
+      reading.weight[a] = weight(r, far_r) * weight(c, far_c) * weight(x, a >= 4);
+    }
+    return reading;
+  }
+  throw std::logic_error("cage: no element at the place of a station");
+}
+
+Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& stations,
+                             const SectorGrid& grid, const PocketDeviation& deviation,
+                             const Eigen::MatrixXd& sector_fields) {
+  Eigen::MatrixXd rows(3 * contact_points(stations), sector_fields.cols());
+  Eigen::Index next = 0;
+  const auto add = [&](const SectorPoint& place, double theta) {
+    const SectorReading reading = read_at(grid, place);
+    auto out = rows.middleRows<3>(next);
+    out.setZero();
+    const Eigen::Matrix3d frame = directions(theta);
+    for (int a = 0; a < 8; ++a) {
+      if (reading.weight[a] == 0) continue;
+      out += reading.weight[a] * frame *
+             sector_fields.middleRows<3>(3 * reading.point[static_cast<std::size_t>(a)]);
+    }
+    next += 3;
+  };
+  const double half_length = 0.5 * (cage.pocket_length + deviation.length);
+  const double half_width = 0.5 * (cage.pocket_width + deviation.width);
+  for (double face : {-1.0, 1.0}) {
+    for (double x : stations.bar_x) {
+      add(bar_station(cage, stations, deviation, face, x), deviation.pitch);
+    }
+  }
+  const double radial = bar_station(cage, stations, deviation, 1, 0).radial;
+  const double across = std::min(1.0, stations.end_offset / half_width);
+  for (double end : {-1.0, 1.0}) {
+    for (double side : {-1.0, 1.0}) add({radial, side * across, end}, deviation.pitch);
+  }
+  const double bar_middle = std::numbers::pi / static_cast<double>(cage.pocket_count);
+  const double surface = stations.outer_guided ? 1 : 0;
+  const auto land = [&](double half) {
+    const double t = stations.land_offset <= half
+                         ? stations.land_offset / half
+                         : 1 + (stations.land_offset - half) / (0.5 * cage.width - half);
+    return std::min(t, 2.0);
+  };
+  for (double end : {-1.0, 1.0}) {
+    add({surface, 0, end * std::max(1.0, land(half_length))}, deviation.pitch);
+  }
+  for (double end : {-1.0, 1.0})
+    add({surface, 2, end * land(0.5 * cage.pocket_length)}, bar_middle);
+  return rows;
+}
+
+std::vector<int> stress_stations(const SectorGrid& grid) {
+  // Forces off the middle put the largest moment between middle and root: the line of nodes next to
+  // 0.4.
+  double between = 0;
+  for (const SectorPoint& point : grid.points) {
+    if (std::abs(point.axial - 0.4) < std::abs(between - 0.4)) between = point.axial;
+  }
+  std::vector<int> stations;
+  for (std::size_t p = 0; p < grid.points.size(); ++p) {
+    const SectorPoint& point = grid.points[p];
+    const bool surface = point.radial == 0 || point.radial == 1;
+    const double around = std::abs(point.around);
+    const double axial = std::abs(point.axial);
+    const bool middle_depth =
+        std::abs(point.radial - 0.5) < 0.51 / static_cast<double>(grid.counts.radial) &&
+        (grid.counts.radial % 2 == 1 || point.radial == 0.5);
+    const bool corner = around == 1 && axial == 1 && (surface || middle_depth);
+    const bool bar_middle = around == 1 && (axial == 0 || axial == between) && surface;
+    const bool side_ring = around == 0 && (axial == 1 || axial == 2) && surface;
+    if (corner || bar_middle || side_ring) stations.push_back(static_cast<int>(p));
+  }
+  return stations;
+}
+
+std::string station_name(const SectorPoint& point) {
+  const std::string surface = point.radial == 0   ? "inner surface"
+                              : point.radial == 1 ? "outer surface"
+                                                  : "inside the thickness";
+  const std::string face = point.around < 0 ? "trailing face" : "leading face";
+  const std::string half = point.axial < 0 ? "x < 0" : "x > 0";
+  if (std::abs(point.around) == 1 && std::abs(point.axial) == 1) {
+    return "bar root, " + face + ", " + half + ", " + surface;
+  }
+  if (std::abs(point.around) == 1)
+    return (point.axial == 0 ? "bar middle, " + face : "bar, " + face + ", " + half) + ", " +
+           surface;
+  return std::string("side ring, ") + (std::abs(point.axial) == 1 ? "pocket end" : "end face") +
+         ", " + half + ", " + surface;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,111 @@
+#include "src/cage/cage_table.hpp"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "src/cage/cage_modes.hpp"
+#include "src/cage/field_recovery.hpp"
+#include "src/cage/sector_polynomial.hpp"
+#include "src/cage/sector_share.hpp"
+
+namespace cagetol {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Computes sector 0 at every sample of the deviations and fits the polynomials.
+void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis) {
+  const SectorTurn& turn = table.turn;
+  const std::vector<int> watched = stress_stations(grid);
+  const auto samples = polynomial_samples(table.range);
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  Eigen::MatrixXd projection(share_layout(turn).size, count);
+  Eigen::MatrixXd contact(3 * contact_points(table.stations) * turn.seen(), count);
+  Eigen::MatrixXd stress(6 * static_cast<Eigen::Index>(watched.size()) * turn.seen(), count);
+  for (Eigen::Index s = 0; s < count; ++s) {
+    const PocketDeviation& deviation = samples[static_cast<std::size_t>(s)];
+    const HexMesh sector{sector_nodes(table.cage, deviation, grid), grid.elements};
+    const BodyMatrices body = assemble_body(sector, table.material);
+    const FieldDrive drive{basis.inertia,
+                           seen_loads(turn, table.cage, table.stations, grid, deviation)};
+    const Eigen::MatrixXd carried = carry_fields(grid, body, basis.seen, drive);
+    const auto project = [&](const SparseMatrix& matrix) {
+      const Eigen::MatrixXd product = matrix.selfadjointView<Eigen::Lower>() * carried;
+      return Eigen::MatrixXd(carried.transpose() * product);
+    };
+    pack_share(turn, project(body.stiffness), project(body.mass), projection.col(s));
+    contact.col(s) = contact_rows(table.cage, table.stations, grid, deviation, carried).reshaped();
+    stress.col(s) = nodal_stress(sector, table.material, carried, watched).reshaped();
+  }
+  table.projection = fit_polynomial(projection, table.range);
+  table.projection.col(0).setZero();
+  table.contact = fit_polynomial(contact, table.range);
+  table.stress = fit_polynomial(stress, table.range);
+}
+
+/// Integrals that couple modes with a spin about x, on the undeviated cage.
+void spin_integrals(CageTable& table, const CageMesh& mesh, const Eigen::MatrixXd& shapes,
+                    const SparseMatrix& mass) {
+  Eigen::MatrixXd turned = Eigen::MatrixXd::Zero(shapes.rows(), shapes.cols());
+  Eigen::MatrixXd in_plane = turned;
+  Eigen::VectorXd position = Eigen::VectorXd::Zero(shapes.rows());
+  for (Eigen::Index n = 0; n < mesh.mesh.nodes.cols(); ++n) {
+    turned.row(3 * n + 1) = -shapes.row(3 * n + 2);
+    turned.row(3 * n + 2) = shapes.row(3 * n + 1);
+    in_plane.middleRows<2>(3 * n + 1) = shapes.middleRows<2>(3 * n + 1);
+    position.segment<2>(3 * n + 1) = mesh.mesh.nodes.col(n).tail<2>();
+  }
+  const auto m = mass.selfadjointView<Eigen::Lower>();
+  table.gyroscopic = shapes.transpose() * (m * turned);
+  table.in_plane = shapes.transpose() * (m * in_plane);
+  table.centrifugal = shapes.transpose() * (m * position);
+}
+
+}  // namespace
+
+void complete_cage_table(CageTable& table, const CageDimensions& cage, const Material& material,
+                         const CageStations& stations, const CageTableOptions& options) {
+  table.cage = cage;
+  table.material = material;
+  table.stations = stations;
+  table.counts = mesh_counts(cage, options.density);
+  table.range = table_range(cage);
+  const SectorGrid grid = make_sector_grid(table.counts);
+  table.stress_points.clear();
+  for (int p : stress_stations(grid)) {
+    table.stress_points.push_back(grid.points[static_cast<std::size_t>(p)]);
+  }
+}
+
+CageTable make_cage_table(const CageDimensions& cage, const Material& material,
+                          const CageStations& stations, const CageTableOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  CageTable table;
+  complete_cage_table(table, cage, material, stations, options);
+  const std::vector<PocketDeviation> none(static_cast<std::size_t>(cage.pocket_count));
+  const auto meshed = make_cage_mesh(cage, none, table.counts);
+  if (const auto* fault = std::get_if<CageFault>(&meshed)) {
+    throw std::runtime_error("cage: the undeviated cage is impossible: " + fault->reason);
+  }
+  const CageMesh& mesh = std::get<CageMesh>(meshed);
+  const auto solve = std::chrono::steady_clock::now();
+  const BodyMatrices body = assemble_body(mesh.mesh, material);
+  const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
+  const FreeModes modes = checked_free_modes(mesh.mesh, body, factor, options.basis_modes);
+  table.seconds_full = seconds_since(solve);
+  const CageBasis basis =
+      make_cage_basis(mesh, material, stations, table.range, body, factor, modes, options);
+  table.turn = basis.turn;
+  table.frequency = basis.frequency;
+  table.family = basis.family;
+  table.undeviated = basis.projection;
+  table.dofs = 3 * mesh.mesh.nodes.cols();
+  spin_integrals(table, mesh, basis.shapes, body.mass);
+  tabulate(table, mesh.grid, basis);
+  table.seconds_table = seconds_since(start);
+  return table;
+}
+
+}  // namespace cagetol

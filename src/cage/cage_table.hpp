@@ -1,0 +1,62 @@
+// What a scene tabulates once so that the cage of every sample costs about a millisecond.
+//
+// A sector's share of the projected stiffness and mass, its contact rows and its stress rows depend
+// on the deviations of its own pocket only (sector_carry.hpp). They are fitted by polynomials
+// (sector_polynomial.hpp), for one sector: the basis looks the same from all (sector_turn.hpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "src/cage/cage_basis.hpp"
+#include "src/cage/cage_stations.hpp"
+#include "src/cage/sector_turn.hpp"
+
+namespace cagetol {
+
+struct CageTable {
+  CageDimensions cage;
+  Material material;
+  CageStations stations;
+  MeshCounts counts;
+  PocketDeviation range;  ///< deviations covered
+  SectorTurn turn;
+  Eigen::VectorXd frequency;       ///< elastic modes of the undeviated cage [Hz]
+  std::vector<ModeFamily> family;  ///< of these
+
+  CageProjection undeviated;   ///< projections of the undeviated cage
+  Eigen::MatrixXd projection;  ///< change of a packed share (sector_share.hpp) x terms
+  Eigen::MatrixXd contact;     ///< (3 contact points, seen columns) x terms
+  Eigen::MatrixXd stress;      ///< (6 stress stations, seen columns) x terms
+  std::vector<SectorPoint> stress_points;
+
+  Eigen::MatrixXd gyroscopic;   ///< integral of rho Phi_i . (e_x x Phi_j), modes x modes [kg]
+  Eigen::MatrixXd in_plane;     ///< integral of rho of the y, z parts of Phi_i . Phi_j
+  Eigen::VectorXd centrifugal;  ///< integral of rho Phi_i . (0, y, z) [kg m]
+
+  Eigen::Index dofs = 0;     ///< unknowns of the finite element model
+  double seconds_full = 0;   ///< one full modal solve, assembly to modes, when the table was made
+  double seconds_table = 0;  ///< making the table
+};
+
+/// Throws std::runtime_error where the undeviated cage itself cannot be meshed.
+CageTable make_cage_table(const CageDimensions& cage, const Material& material,
+                          const CageStations& stations, const CageTableOptions& options = {});
+
+/// Sets what follows from the dimensions alone: counts, range, stress points.
+void complete_cage_table(CageTable& table, const CageDimensions& cage, const Material& material,
+                         const CageStations& stations, const CageTableOptions& options);
+
+/// Identifies everything a table depends on; the name of its cache file.
+std::string cage_table_key(const CageDimensions& cage, const Material& material,
+                           const CageStations& stations, const CageTableOptions& options);
+
+/// The table from `folder`/cage-<key>.bin where that file exists and is whole, else made and
+/// written there.
+CageTable cached_cage_table(const std::filesystem::path& folder, const CageDimensions& cage,
+                            const Material& material, const CageStations& stations,
+                            const CageTableOptions& options = {});
+
+}  // namespace cagetol

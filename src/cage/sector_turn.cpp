@@ -1,0 +1,75 @@
+#include "src/cage/sector_turn.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace cagetol {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+void find_turn(SectorTurn& sector, const MatrixXd& turn) {
+  const double step = 2 * std::numbers::pi / static_cast<double>(sector.sectors);
+  sector.modes = turn.rows();
+  sector.partner.resize(sector.modes);
+  sector.angle = Eigen::VectorXd::Zero(sector.modes);
+  MatrixXd rest = turn;
+  for (Index i = 0; i < sector.modes; ++i) {
+    sector.partner[i] = static_cast<int>(i);
+    if (std::abs(turn(i, i)) > 1 - 1e-5) {
+      sector.angle[i] = turn(i, i) > 0 ? 0 : std::numbers::pi;
+      rest(i, i) -= std::cos(sector.angle[i]);
+      continue;
+    }
+    if (i + 1 == sector.modes) throw std::runtime_error("cage: a mode pair is split");
+    const double angle = step * std::round(std::atan2(turn(i + 1, i), turn(i, i)) / step);
+    sector.partner[i] = static_cast<int>(i + 1);
+    sector.partner[i + 1] = static_cast<int>(i);
+    sector.angle[i] = angle;
+    sector.angle[i + 1] = -angle;
+    Eigen::Matrix2d block;
+    block << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    rest.block<2, 2>(i, i) -= block;
+    ++i;
+  }
+  if (rest.cwiseAbs().maxCoeff() > 1e-4) {
+    throw std::runtime_error("cage: modes do not turn into each other from sector to sector");
+  }
+}
+
+MatrixXd turn_modes(const SectorTurn& sector, const MatrixXd& rows, Index k) {
+  MatrixXd turned(rows.rows(), sector.modes);
+  for (Index i = 0; i < sector.modes; ++i) {
+    const double angle = static_cast<double>(k) * sector.angle[i];
+    const Index other = sector.partner[i];
+    if (other == i) {
+      turned.col(i) = std::cos(angle) * rows.col(i);
+    } else {
+      turned.col(i) = std::cos(angle) * rows.col(i) - std::sin(angle) * rows.col(other);
+    }
+  }
+  return turned;
+}
+
+MatrixXd to_all_columns(const SectorTurn& sector, const MatrixXd& rows, Index k) {
+  MatrixXd all = MatrixXd::Zero(rows.rows(), sector.all());
+  all.leftCols(sector.modes) = turn_modes(sector, rows, k);
+  for (Index o = -sector.reach; o <= sector.reach; ++o) {
+    all.middleCols(sector.local_column(k, o), sector.per_sector) =
+        rows.middleCols(sector.seen_column(o), sector.per_sector);
+  }
+  return all;
+}
+
+MatrixXd seen_coefficients(const SectorTurn& sector, const MatrixXd& coefficients, Index k) {
+  MatrixXd seen(coefficients.rows(), sector.seen());
+  seen.leftCols(sector.modes) = turn_modes(sector, coefficients, -k);  // R^k turns back as R^-k
+  for (Index o = -sector.reach; o <= sector.reach; ++o) {
+    seen.middleCols(sector.seen_column(o), sector.per_sector) =
+        coefficients.middleCols(sector.local_column(k, o), sector.per_sector);
+  }
+  return seen;
+}
+
+}  // namespace cagetol

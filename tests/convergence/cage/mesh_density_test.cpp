@@ -1,0 +1,66 @@
+// Which mesh density the modes of the default cage need; the table is in src/cage/README.md.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "src/cage/cage_modes.hpp"
+#include "src/cage/cage_report.hpp"
+
+namespace cagetol {
+namespace {
+
+Eigen::VectorXd frequencies(long density) {
+  const CageDimensions cage;
+  const auto meshed =
+      make_cage_mesh(cage, std::vector<PocketDeviation>(13), mesh_counts(cage, density));
+  const CageMesh& mesh = std::get<CageMesh>(meshed);
+  const BodyMatrices body = assemble_body(mesh.mesh, {206e9, 0.30, 7850});
+  const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
+  const FreeModes modes = free_modes(mesh.mesh, body, factor, 13);
+  std::printf("density %ld: %ld unknowns:", density, static_cast<long>(body.mass.rows()));
+  for (Eigen::Index i : {0, 2, 4, 6, 8, 10, 12}) std::printf(" %.0f", modes.frequency[i]);
+  std::printf("\n");
+  return modes.frequency;
+}
+
+/// Incompatible elements approach from above; from 3 to the default little is left to gain.
+TEST(MeshDensity, FrequenciesFallTowardsTheConvergedOnes) {
+  const Eigen::VectorXd two = frequencies(2);
+  const Eigen::VectorXd three = frequencies(3);
+  const Eigen::VectorXd four = frequencies(4);
+  for (Eigen::Index i = 0; i < 13; ++i) {
+    EXPECT_GT(two[i], three[i]);
+    EXPECT_GT(three[i], four[i]);
+  }
+  EXPECT_LT((three - four).cwiseQuotient(four).maxCoeff(), 0.02);
+}
+
+TEST(MeshDensity, NightlyDefaultIsCloseToAMuchFinerMesh) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
+  const Eigen::VectorXd two = frequencies(2);
+  const Eigen::VectorXd chosen = frequencies(CageTableOptions{}.density);
+  const Eigen::VectorXd fine = frequencies(6);
+  EXPECT_LT((chosen - fine).maxCoeff(), 0.5 * (two - chosen).maxCoeff());
+  EXPECT_LT((chosen - fine).cwiseQuotient(fine).maxCoeff(), 0.015);
+}
+
+TEST(CageReport, DefaultSceneMeetsItsBars) {
+  Scene scene;
+  scene.cage.mesh_density = 2;
+  scene.cage.pocket_width = {7.60e-3, 7.68e-3, 7.65e-3, 7.71e-3, 7.66e-3, 7.59e-3, 7.65e-3,
+                             7.70e-3, 7.63e-3, 7.66e-3, 7.72e-3, 7.58e-3, 7.62e-3};
+  const auto result = cage_report(scene);
+  const CageReport& report = std::get<CageReport>(result);
+  EXPECT_EQ(report.modes.size(), 20U);
+  EXPECT_EQ(report.modes[0].family, "in-plane 2");
+  EXPECT_EQ(report.modes[2].family, "out-of-plane 2");
+  EXPECT_LT(report.largest_error, 0.002);
+  EXPECT_NEAR(report.body.mass, 0.0211, 2e-4);
+  std::printf("sample %.2f ms, full %.2f s, table %.1f s\n", 1e3 * report.seconds_sample,
+              report.seconds_full, report.seconds_table);
+  EXPECT_LT(report.seconds_sample, 10e-3);  // 2 ms on an idle core
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,107 @@
+// The real program with the real physics, on a window of a blink.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/mpi/standin.hpp"
+#include "tests/support/study_compare.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> sweep_of(const std::string& study, const std::string& directory,
+                                  const std::string& more = "seed=5") {
+  return {CAGETOL_BINARY_DIR "/cagetol",
+          "sweep",
+          study,
+          "-o",
+          directory,
+          "--set",
+          "samples=6",
+          "--set",
+          "allowed_failure_share=1",
+          "--set",
+          "scene.window.settle_revolutions=0.05",
+          "--set",
+          "scene.window.measure_revolutions=0.1",
+          "--set",
+          more};
+}
+
+const std::string kStudy = CAGETOL_SOURCE_DIR "/inputs/studies/nu205.toml";
+
+TEST(ProgramTest, AnyNumberOfRanksGivesTheSameFileAndEverySampleReplaysToTheBit) {
+  const ScratchDirectory scratch;
+  const Ended serial = run(sweep_of(kStudy, scratch / "0"));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  for (const int ranks : {1, 2, 3}) {
+    const std::string directory = scratch / std::to_string(ranks);
+    ASSERT_EQ(run(with_mpirun(ranks, sweep_of(kStudy, directory))).code, 0);
+    EXPECT_THAT(study_file_differences(study_file_of(scratch / "0"), study_file_of(directory)),
+                IsEmpty());
+  }
+  for (const char* id : {"0", "3", "6"}) {
+    const Ended replay =
+        run({CAGETOL_BINARY_DIR "/cagetol", "replay", scratch / "2", "--sample", id});
+    EXPECT_EQ(replay.code, 0) << replay.output;
+    EXPECT_THAT(replay.output, HasSubstr("reproduced to the bit"));
+  }
+}
+
+TEST(ProgramTest, AnotherSeedIsRefusedWithKeyAndBothValues) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(run(sweep_of(kStudy, scratch / "out")).code, 0);
+  const Ended other = run(sweep_of(kStudy, scratch / "out", "seed=6"));
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.output, HasSubstr("seed: 5 stored, 6 now"));
+}
+
+TEST(ProgramTest, ReplayNeedsTheStudyFileAloneNotTheMeasurements) {
+  const ScratchDirectory scratch;
+  std::filesystem::copy(CAGETOL_SOURCE_DIR "/inputs", scratch / "inputs",
+                        std::filesystem::copy_options::recursive);
+  const Ended sweep =
+      run(sweep_of(scratch / "inputs/studies/nu205-measured.toml", scratch / "out"));
+  ASSERT_EQ(sweep.code, 0) << sweep.output;
+  std::filesystem::remove_all(scratch / "inputs");
+  std::filesystem::create_directory(scratch / "copy");
+  std::filesystem::copy(study_file_of(scratch / "out"), study_file_of(scratch / "copy"));
+  const Ended replay =
+      run({CAGETOL_BINARY_DIR "/cagetol", "replay", scratch / "copy", "--sample", "2", "--json"});
+  EXPECT_EQ(replay.code, 0) << replay.output;
+  EXPECT_THAT(replay.output, HasSubstr("\"reproduced\": true"));
+}
+
+TEST(ProgramTest, ReplayExplainsWhatIsMissingOrDamaged) {
+  const ScratchDirectory scratch;
+  const std::vector<std::string> replay = {CAGETOL_BINARY_DIR "/cagetol", "replay", scratch / "out",
+                                           "--sample", "99"};
+  const Ended missing = run(replay);
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.output,
+              AllOf(HasSubstr("study.h5: there is no such file"), HasSubstr("remedy")));
+  ASSERT_EQ(run(sweep_of(kStudy, scratch / "out")).code, 0);
+  const Ended beyond = run(replay);
+  EXPECT_EQ(beyond.code, 2);
+  EXPECT_THAT(beyond.output, HasSubstr("the study has the samples 0 to 6"));
+  std::filesystem::resize_file(study_file_of(scratch / "out"), 5000);
+  const Ended damaged = run(replay);
+  EXPECT_EQ(damaged.code, 2);
+  EXPECT_THAT(damaged.output, HasSubstr("start the sweep again"));
+}
+
+TEST(ProgramTest, ABadStudyNamesFileLineKeyAndRemedyUnderMpirunToo) {
+  const ScratchDirectory scratch;
+  const Ended ended =
+      run(with_mpirun(2, sweep_of(kStudy, scratch / "out", "scene.cage.pocket_widht_mm=7.7")));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.output, AllOf(HasSubstr("pocket_width_mm"), HasSubstr("remedy")));
+}
+
+}  // namespace
+}  // namespace cagetol

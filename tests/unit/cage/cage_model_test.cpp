@@ -1,0 +1,275 @@
+#include "src/cage/cage_model.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <random>
+
+#include "src/cage/cage_modes.hpp"
+#include "src/cage/field_recovery.hpp"
+
+namespace cagetol {
+namespace {
+
+const Material kSteel{206e9, 0.30, 7850};
+using Deviations = std::vector<PocketDeviation>;
+
+const CageTable& table() {
+  static const CageTable made = make_cage_table({}, kSteel, {}, {.density = 2});
+  return made;
+}
+
+/// Lot and pocket scatter of 75 um each in width and length, 75 um in pitch, 2 mrad in squareness.
+Deviations scattered(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const PocketDeviation& range = table().range;
+  const auto within = [](double value, double limit) { return std::clamp(value, -limit, limit); };
+  const double lot_width = 75e-6 * normal(random);
+  const double lot_length = 75e-6 * normal(random);
+  Deviations deviations(13);
+  for (auto& d : deviations) {
+    d.width = within(lot_width + 75e-6 * normal(random), range.width);
+    d.length = within(lot_length + 75e-6 * normal(random), range.length);
+    d.pitch = within(75e-6 / 19.5e-3 * normal(random), range.pitch);
+    d.squareness = within(2e-3 * normal(random), range.squareness);
+  }
+  return deviations;
+}
+
+struct FullCage {
+  CageMesh mesh;
+  BodyMatrices body;
+  ShiftedFactor factor;
+  explicit FullCage(const Deviations& deviations)
+      : mesh(std::get<CageMesh>(make_cage_mesh(table().cage, deviations, table().counts))),
+        body(assemble_body(mesh.mesh, kSteel)),
+        factor(body, ring_shift(mesh.mesh, body)) {}
+};
+
+CageModel model_of(const Deviations& deviations, const CageModelOptions& options = {}) {
+  return std::get<CageModel>(make_cage_model(table(), deviations, options));
+}
+
+/// Largest relative difference of frequencies up to 20 kHz.
+double frequency_error(const Deviations& deviations) {
+  const FullCage full(deviations);
+  const FreeModes modes = free_modes(full.mesh.mesh, full.body, full.factor, 20);
+  const CageModel model = model_of(deviations);
+  double worst = 0;
+  for (Eigen::Index i = 0; i < 20; ++i) {
+    if (modes.frequency[i] > 20e3) break;
+    worst = std::max(worst, std::abs(model.frequency[i] / modes.frequency[i] - 1));
+  }
+  return worst;
+}
+
+TEST(CageModel, UndeviatedCageIsExact) {
+  EXPECT_LT(frequency_error(Deviations(13)), 1e-8);
+}
+
+TEST(CageModel, ScatteredPocketsWithinTwoPermille) {
+  for (unsigned seed = 1; seed <= 6; ++seed)
+    EXPECT_LT(frequency_error(scattered(seed)), 0.002) << seed;
+}
+
+TEST(CageModel, UniformExtremesWithinFivePermille) {
+  for (const PocketDeviation& d :
+       {PocketDeviation{.width = -0.20e-3}, PocketDeviation{.length = -0.25e-3},
+        PocketDeviation{.width = -0.20e-3, .length = -0.25e-3}, PocketDeviation{.width = 0.20e-3},
+        PocketDeviation{.width = 0.20e-3, .length = 0.25e-3}}) {
+    EXPECT_LT(frequency_error(Deviations(13, d)), 0.005) << d.width << " " << d.length;
+  }
+}
+
+TEST(CageModel, MassCentreAndInertiaAreThoseOfTheMesh) {
+  const Deviations deviations = scattered(3);
+  const FullCage full(deviations);
+  const RigidMotions rigid = rigid_motions(full.mesh.mesh.nodes);
+  const MassProperties exact =
+      mass_properties(rigid.transpose() * (full.body.mass.selfadjointView<Eigen::Lower>() * rigid));
+  const MassProperties got = model_of(deviations).body;
+  EXPECT_NEAR(got.mass / exact.mass, 1, 1e-6);
+  EXPECT_GT(exact.centre.norm(), 1e-5);
+  EXPECT_LT((got.centre - exact.centre).norm(), 1e-3 * exact.centre.norm());
+  EXPECT_LT((got.inertia - exact.inertia).norm(), 1e-5 * exact.inertia.norm());
+}
+
+/// Lengthening one pocket takes material from its place: the mass centre moves away from the
+/// pocket.
+TEST(CageModel, MassCentreMovesAwayFromTheLongPocket) {
+  Deviations deviations(13);
+  deviations[4].length = 0.3e-3;
+  const double theta = 2 * std::numbers::pi * 4 / 13;
+  const Eigen::Vector3d centre = model_of(deviations).body.centre;
+  EXPECT_LT(centre[1] * std::cos(theta) + centre[2] * std::sin(theta), -1e-7);
+  EXPECT_NEAR(centre[0], 0, 1e-12);
+}
+
+/// Compliance at contact points by the kept modes and the residual, against a full static solve of
+/// the deviated cage; and the stress at all stations.
+TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
+  const CageStations& stations = table().stations;
+  for (unsigned seed : {1U, 2U, 3U}) {
+    const Deviations deviations =
+        seed == 3 ? Deviations(13, {.width = -0.2e-3, .length = -0.25e-3}) : scattered(seed);
+    const FullCage full(deviations);
+    const CageModel model = model_of(deviations);
+    const RigidMotions rigid =
+        mass_orthonormal(rigid_motions(full.mesh.mesh.nodes), full.body.mass);
+    const long pocket = 5;
+    const long n = model.bar_stations;
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * n * 13);
+    forces[2 * n * pocket + n] = 1;           // leading face, first station
+    forces[2 * n * pocket + n + 1] = 2;       // leading face, middle
+    forces[2 * n * (pocket + 1) + 2] = -1.5;  // trailing face of the next pocket, last station
+
+    const Eigen::Index nodes = 3 * full.mesh.mesh.nodes.cols();
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(nodes);
+    for (long j = 0; j < 13; ++j) {
+      const auto sector = static_cast<std::size_t>(j);
+      const double psi = deviations[sector].pitch;
+      const Eigen::Vector3d tangent =
+          sector_rotation(table().cage, j) * Eigen::Vector3d(0, -std::sin(psi), std::cos(psi));
+      for (long i = 0; i < 2 * n; ++i) {
+        const SectorReading place = read_at(
+            full.mesh.grid, bar_station(table().cage, stations, deviations[sector], i < n ? -1 : 1,
+                                        stations.bar_x[static_cast<std::size_t>(i % n)]));
+        for (int a = 0; a < 8; ++a) {
+          const auto point = static_cast<std::size_t>(place.point[static_cast<std::size_t>(a)]);
+          load.segment<3>(3 * full.mesh.sector_node[sector][point]) +=
+              forces[2 * n * j + i] * place.weight[a] * tangent;
+        }
+      }
+    }
+    const Eigen::MatrixXd u = free_static_response(full.body, full.factor, rigid, load);
+
+    Eigen::VectorXd modal_force = Eigen::VectorXd::Zero(model.frequency.size());
+    for (long j = 0; j < 13; ++j) {
+      for (long i = 0; i < 2 * n; ++i) {
+        modal_force +=
+            forces[2 * n * j + i] * model.contact.row(model.contact_row(j, i, 1)).transpose();
+      }
+    }
+    const Eigen::ArrayXd omega = 2 * std::numbers::pi * model.frequency.array();
+    const Eigen::VectorXd q = (modal_force.array() / omega.square()).matrix();
+
+    const double work = u.col(0).dot(load);
+    double reduced = modal_force.dot(q);
+    Eigen::VectorXd on_bar(2 * n);
+    on_bar << forces.segment(2 * n * pocket + n, n), forces.segment(2 * n * (pocket + 1), n);
+    reduced += on_bar.dot(model.residual_compliance.middleCols(2 * n * pocket, 2 * n) * on_bar);
+    EXPECT_NEAR(reduced / work, 1, 0.03) << seed;
+
+    const Eigen::VectorXd stress = station_stress(model, q, forces);
+    double worst = 0;
+    double peak = 0;
+    for (long j = 0; j < 13; ++j) {
+      std::vector<int> watched;
+      for (int p : stress_stations(full.mesh.grid)) {
+        watched.push_back(
+            full.mesh.sector_node[static_cast<std::size_t>(j)][static_cast<std::size_t>(p)]);
+      }
+      const Eigen::MatrixXd exact = nodal_stress(full.mesh.mesh, kSteel, u, watched);
+      for (long s = 0; s < model.stress_stations; ++s) {
+        const double value = von_mises(exact.col(0).segment<6>(6 * s));
+        peak = std::max(peak, value);
+        worst = std::max(worst, std::abs(stress[model.stress_stations * j + s] - value));
+      }
+    }
+    EXPECT_NEAR(stress.maxCoeff() / peak, 1, 0.02) << seed;
+    // Farther than the reach of the residual forces the small rest is left out.
+    EXPECT_LT(worst, 0.15 * peak) << seed;
+    // No node of the whole cage is stressed more than the stations.
+    std::vector<int> everywhere(static_cast<std::size_t>(full.mesh.mesh.nodes.cols()));
+    for (std::size_t i = 0; i < everywhere.size(); ++i) everywhere[i] = static_cast<int>(i);
+    const Eigen::MatrixXd field = nodal_stress(full.mesh.mesh, kSteel, u, everywhere);
+    double highest = 0;
+    Eigen::Vector3d where = Eigen::Vector3d::Zero();
+    for (Eigen::Index i = 0; i < field.rows() / 6; ++i) {
+      const double value = von_mises(field.col(0).segment<6>(6 * i));
+      if (value > highest) where = full.mesh.mesh.nodes.col(i);
+      highest = std::max(highest, value);
+    }
+    EXPECT_LT(highest, 1.001 * peak) << seed << " at " << where.transpose();
+  }
+}
+
+/// Renaming the pockets turns the cage: same frequencies, contact rows with the pockets renamed.
+TEST(CageModel, ResultsDoNotDependOnTheAngleOrigin) {
+  const Deviations deviations = scattered(5);
+  Deviations turned(13);
+  for (std::size_t j = 0; j < 13; ++j) turned[(j + 4) % 13] = deviations[j];
+  const CageModel a = model_of(deviations);
+  const CageModel b = model_of(turned);
+  for (Eigen::Index i = 0; i < a.frequency.size(); ++i) {
+    EXPECT_NEAR(a.frequency[i] / b.frequency[i], 1, 1e-9);
+    for (long j = 0; j < 13; ++j) {
+      const double x = a.contact(a.contact_row(j, 1, 1), i);
+      const double y = b.contact(b.contact_row((j + 4) % 13, 1, 1), i);
+      EXPECT_NEAR(std::abs(x), std::abs(y), 1e-5 * a.contact.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+TEST(CageModel, SpinIntegralsAreSkewAndBounded) {
+  const CageModel model = model_of(scattered(2));
+  EXPECT_LT((model.gyroscopic + model.gyroscopic.transpose()).norm(), 1e-10);
+  for (Eigen::Index i = 0; i < model.frequency.size(); ++i) {
+    EXPECT_GE(model.in_plane(i, i), 0);
+    EXPECT_LE(model.in_plane(i, i), 1.03);  // integrals of the undeviated cage
+  }
+}
+
+TEST(CageModel, FaultsNameThePocket) {
+  Deviations deviations(13);
+  deviations[7].width = 2e-3;
+  auto result = make_cage_model(table(), deviations);
+  ASSERT_TRUE(std::holds_alternative<CageFault>(result));
+  EXPECT_EQ(std::get<CageFault>(result).kind, CageFaultKind::geometry);
+  EXPECT_EQ(std::get<CageFault>(result).pocket, 7);
+  deviations[7].width = 0;
+  deviations[9].length = 1.01 * table().range.length;
+  result = make_cage_model(table(), deviations);
+  ASSERT_TRUE(std::holds_alternative<CageFault>(result));
+  EXPECT_EQ(std::get<CageFault>(result).kind, CageFaultKind::outside_table);
+  EXPECT_EQ(std::get<CageFault>(result).pocket, 9);
+  deviations[9].length = std::nan("");
+  EXPECT_TRUE(std::holds_alternative<CageFault>(make_cage_model(table(), deviations)));
+}
+
+TEST(CageModel, EvenPocketCountsHaveSingleModesOfAlternatingSign) {
+  const CageDimensions cage{.pocket_count = 8, .pocket_width = 9e-3};
+  const CageTable even = make_cage_table(cage, kSteel, {}, {.density = 1, .basis_modes = 24});
+  const CageModel model = std::get<CageModel>(make_cage_model(even, Deviations(8), {.modes = 12}));
+  for (Eigen::Index i = 0; i < 12; ++i) {
+    EXPECT_NEAR(model.frequency[i] / even.frequency[i], 1, 1e-8);
+  }
+}
+
+TEST(CageModel, CacheGivesTheSameModelAndSurvivesDamage) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("cagetol-cage-" + std::to_string(getpid()));
+  const CageTableOptions options{.density = 1, .basis_modes = 20};
+  const CageTable made = cached_cage_table(folder, {}, kSteel, {}, options);
+  const CageTable read = cached_cage_table(folder, {}, kSteel, {}, options);
+  EXPECT_EQ(made.seconds_table, read.seconds_table);  // read, not made again
+  const Deviations deviations(13, {.width = 0.05e-3});
+  const CageModel a = std::get<CageModel>(make_cage_model(made, deviations));
+  const CageModel b = std::get<CageModel>(make_cage_model(read, deviations));
+  EXPECT_TRUE(a.frequency == b.frequency);
+  EXPECT_TRUE(a.stress_residual == b.stress_residual);
+  const auto file = folder / ("cage-" + cage_table_key({}, kSteel, {}, options) + ".bin");
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+  const CageTable again = cached_cage_table(folder, {}, kSteel, {}, options);
+  EXPECT_NE(again.seconds_table, made.seconds_table);
+  EXPECT_TRUE(again.frequency == made.frequency);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace cagetol
