@@ -47,7 +47,7 @@ const std::vector<Quantity>& quantity_table() {
       {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
       {"static_consistency_error", "-",
        "the larger of: mean elastic force on the ring against the load; mean ring displacement against the quasi-static one over "
-       "the same roller positions (relative; floors 1 N and 1 um)"},
+       "the same roller positions (relative; below the centrifugal force of one roller only the force counts, relative to it)"},
   };
   return table;
 }
