@@ -25,7 +25,7 @@ struct Condition {
 
 class ReferenceBearing : public testing::TestWithParam<Condition> {};
 
-// Without load the ring bounces on its own weight, and its mean place is some 0.5 um above the static one of 15 um at any tolerance.
+// From no load at all to 10 kN. Without load the ring bounces on its own weight: only its force counts.
 TEST_P(ReferenceBearing, RunsWithinItsWatches) {
   Scene scene = short_run();
   scene.operation.radial_load = GetParam().load;
@@ -36,7 +36,7 @@ TEST_P(ReferenceBearing, RunsWithinItsWatches) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Loads, ReferenceBearing,
-                         testing::Values(Condition{"Default", 1000, 9.81, 0.005}, Condition{"NoLoad", 0, 9.81, 0.1},
+                         testing::Values(Condition{"Default", 1000, 9.81, 0.005}, Condition{"NoLoad", 0, 9.81, 0.02},
                                          Condition{"Weightless", 0, 0, 0.02}, Condition{"Heavy", 10000, 9.81, 0.005}),
                          [](const auto& test) { return test.param.name; });
 
