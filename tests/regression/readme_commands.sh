@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Runs the command lines of the README as they stand, on a study made short: readme_commands.sh SOURCE_DIR PROGRAM
+set -eu
+cd "$1"
+program=$2
+out=$(mktemp -d); trap 'rm -rf "$out"' EXIT
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+short="--set samples=20 --set scene.window.settle_revolutions=0.5 --set scene.window.measure_revolutions=1"
+lines=$(grep -E '^    .*build/cagetol ' README.md | grep -v '&&' | sed 's/ *#.*//')
+[ "$(wc -l <<<"$lines")" -ge 5 ] || { echo "expected at least five command lines in README.md" >&2; exit 1; }
+while read -r line; do
+  command=${line//build\/cagetol/$program}
+  command=${command//out\/nu205/$out\/nu205}
+  [[ $line == *" sweep "* ]] && command="$command $short"
+  echo "+ $line"
+  bash -c "$command" >"$out/log" 2>&1 || { cat "$out/log"; echo "failed: $line" >&2; exit 1; }
+done <<<"$lines"
