@@ -13,5 +13,7 @@ while read -r line; do
   command=${command//out\/nu205/$out\/nu205}
   [[ $line == *" sweep "* ]] && command="$command $short"
   echo "+ $line"
-  bash -c "$command" >"$out/log" 2>&1 || { cat "$out/log"; echo "failed: $line" >&2; exit 1; }
+  bash -c "$command" </dev/null >"$out/log" 2>&1 || { cat "$out/log"; echo "failed: $line" >&2; exit 1; }
+  ran=$((${ran:-0} + 1))
 done <<<"$lines"
+[ "$ran" -eq "$(wc -l <<<"$lines")" ]
