@@ -39,13 +39,16 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                          {}, {}, r(model_.misalignment_y, model_.misalignment_z),
                          t(model_.misalignment_y, model_.misalignment_z)};
     const RaceSide outer{-1, model_.outer_radius, 0, {}, {}, {}, {}, {}, {}};
-    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    // At rest first; then orbiting: a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
+    const int passes = orbit_rate == 0 ? 1 : 2;
+    for (int pass = 0, iteration = 0; iteration < kMostIterations; ++iteration) {
       GroupLinear g{};
       RollerLoads loads;
       Pack total{}, a{}, er{}, et{}, drive{};
       race_contacts<true>(model_, roller, q, inner, loads, &g, &unused, total, a, er, et, drive);
       const RollerLoads on_inner = loads;
       const GroupLinear from_inner = g;
+      const Pack elastic_r = er, elastic_t = et;
       store(state_.inner_force.data() + j, total);
       race_contacts<true>(model_, roller, q, outer, loads, &g, &unused, total, a, er, et, drive);
       const Pack F = loads.f[kLr] + roller.mass * (q.r * (orbit_rate * orbit_rate) - model_.gravity * q.sine);
@@ -57,11 +60,18 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       const Pack dr = min(max((k_aa * F - k_ra * T) * inverse, splat(-kLongestMove)), splat(kLongestMove));
       const Pack da = min(max((k_rr * T - k_ar * F) * inverse, splat(-kLongestMove / half)), splat(kLongestMove / half));
       const Pack size = roller.exists * (max(dr, -dr) + half * max(da, -da));
+      if (largest(size) < 1e-14 && pass + 1 < passes) {
+        ++pass;
+        q.vt = q.r * orbit_rate;
+        q.vr = q.vt * g.position[kLr][kLt] / k_rr;
+        continue;
+      }
       if (largest(size) < 1e-14 || iteration + 1 == kMostIterations) {
         // Condense: a ring move u changes the inner force directly, and through the roller that follows it.
         const Pack co = q.cosine * roller.exists, si = q.sine * roller.exists;
         ring.y -= sum(co * on_inner.f[kLr] - si * on_inner.f[kLt]);
         ring.z -= sum(si * on_inner.f[kLr] + co * on_inner.f[kLt]);
+        ring.elastic_z -= sum(si * elastic_r + co * elastic_t);
         Pack K[2][2];
         for (int c = 0; c < 2; ++c) {
           const int to_r = kLr, to_a = kLar, col = c == 0 ? kLr : kLt;
@@ -126,6 +136,7 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
       break;
     }
   }
+  state_.ring_elastic_z = f.elastic_z;
   return state_;
 }
 

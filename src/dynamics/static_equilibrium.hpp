@@ -1,5 +1,7 @@
-// Loaded static equilibrium of inner ring and rollers for given roller angles: Newton on the elastic race forces, centrifugal force
-// and weight, without friction and damping. The rollers' radial places and tilts are condensed onto the ring's two displacements.
+// Quasi-static equilibrium of inner ring and rollers for given roller angles: Newton on the race forces, centrifugal force and
+// weight, without friction. The rollers' radial places and tilts are condensed onto the ring's two displacements. With an orbit rate
+// the rollers follow the races as they go round, and the normal law's damping on the way in and out of the load zone is part of the
+// balance (at 10 kN and the impact law of Xin et al. it carries a tenth of the load sideways); at rate zero it is plain statics.
 #pragma once
 
 #include <vector>
@@ -10,6 +12,7 @@ namespace cagetol {
 
 struct StaticState {
   double ring_y = 0, ring_z = 0;     ///< displacement of the inner ring [m]
+  double ring_elastic_z = 0;         ///< elastic part of the force on the ring along z [N]
   std::vector<double> radius, tilt;  ///< of each roller (padded) [m], [rad]
   std::vector<double> inner_force;   ///< on the inner race, all slices [N]
   bool converged = false;
@@ -21,12 +24,13 @@ class StaticEquilibrium {
  public:
   explicit StaticEquilibrium(const BearingModel& model);
 
-  /// `angle` has one element per roller (padded) [rad]; `orbit_rate` makes the centrifugal force [rad/s]; `load` along -z [N].
+  /// `angle` has one element per roller (padded) [rad]; `orbit_rate` of the rollers [rad/s]; `load` along -z [N].
   const StaticState& solve(const double* angle, double orbit_rate, double load);
 
  private:
   struct RingForce {
     double y, z, yy, yz, zy, zz;  ///< force on the ring from the rollers in equilibrium, and its derivatives
+    double elastic_z;             ///< elastic part of z
   };
   RingForce settle_rollers(const double* angle, double orbit_rate);
 

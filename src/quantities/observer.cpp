@@ -127,6 +127,7 @@ void Observer::record_statics(double t, const double* y) {
   if (!rest.converged) return;
   dynamic_displacement_.add(-y[l.border_position(kRingZ)], 1);
   static_displacement_.add(-rest.ring_z, 1);
+  static_elastic_z_.add(rest.ring_elastic_z, 1);
 }
 
 double Observer::energy_residual() const {
@@ -141,7 +142,8 @@ double Observer::static_consistency_error() const {
   const RollerGroup& g = model_.groups.front();
   const double cage_speed = cage_speed_.mean();
   const double light = std::max(1.0, g.mass[0] * model_.pitch_radius * cage_speed * cage_speed);
-  const double force = std::abs(ring_elastic_z_.mean() - weight) / std::max(std::abs(weight), light);
+  const double expected_force = static_elastic_z_.empty() ? weight : static_elastic_z_.mean();
+  const double force = std::abs(ring_elastic_z_.mean() - expected_force) / std::max(std::abs(weight), light);
   if (dynamic_displacement_.empty() || std::abs(weight) < light) return force;
   const double expected = static_displacement_.mean();
   return std::max(force, std::abs(dynamic_displacement_.mean() - expected) /

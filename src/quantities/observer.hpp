@@ -42,7 +42,7 @@ class Observer {
   std::vector<double> angles_;
   double next_statics_;
   double statics_interval_;
-  Series dynamic_displacement_, static_displacement_;
+  Series dynamic_displacement_, static_displacement_, static_elastic_z_;
 
   double last_time_ = -1, next_record_ = 0;
 

@@ -46,7 +46,8 @@ const std::vector<Quantity>& quantity_table() {
       {"power_loss_W", "W", "dissipation of all contacts over the window's length"},
       {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
       {"static_consistency_error", "-",
-       "the larger of: mean elastic force on the ring against the load; mean ring displacement against the quasi-static one over "
+       "the larger of: mean elastic force on the ring against the quasi-static one (the load, less what the normal law's damping "
+       "carries as rollers go round); mean ring displacement against the quasi-static one over "
        "the same roller positions (relative; below the centrifugal force of one roller only the force counts, relative to it)"},
   };
   return table;

@@ -19,7 +19,6 @@ Scene one_slice(double load) {
 
 struct Point {
   double load, displacement_um;
-  double consistency;  ///< bound of static_consistency_error over 5 to 20 ms
 };
 
 class SpeedScene : public testing::TestWithParam<Point> {};
@@ -29,20 +28,19 @@ TEST_P(SpeedScene, RingStandsWhereTheIndependentProgramPutsIt) {
   EXPECT_NEAR(quantity(outcome, "ring_displacement_end_um") / GetParam().displacement_um, 1, 1e-3);
 }
 
-// At 10 kN contacts are 50 um deep and the law's own damping carries about 1 % of the displacement: 0.0096 at any tolerance from 1e-2
-// to 1e-5, so it is the law's and not the step's.
+// At 10 kN the law's own damping carries a tenth of the load sideways: the quasi-static reference must know it.
 TEST_P(SpeedScene, ElasticForceAndDisplacementAgreeWithStaticsOverTheSettledWindow) {
   Scene scene = one_slice(GetParam().load);
   scene.window.settle_time = 5e-3;
   scene.window.measure_time = 15e-3;
   const Outcome outcome = simulate(scene);
   EXPECT_EQ(outcome.status, Status::ok) << outcome.reason;
-  EXPECT_LT(outcome.run.static_consistency_error, GetParam().consistency);
+  EXPECT_LT(outcome.run.static_consistency_error, 0.005);
 }
 
 INSTANTIATE_TEST_SUITE_P(Loads, SpeedScene,
-                         testing::Values(Point{300, 13.705, 0.005}, Point{1000, 18.515, 0.005},
-                                         Point{3000, 29.729, 0.005}, Point{10000, 63.079, 0.012}),
+                         testing::Values(Point{300, 13.705}, Point{1000, 18.515},
+                                         Point{3000, 29.729}, Point{10000, 63.079}),
                          [](const auto& test) { return std::to_string(static_cast<int>(test.param.load)) + "N"; });
 
 TEST(SpeedScene, ExplicitStepsTooLongAreCaughtByStatics) {
