@@ -23,7 +23,8 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model) : model_(model) 
   state_.inner_force.assign(n, 0.0);
 }
 
-StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* angle, double orbit_rate) {
+StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* angle, double orbit_rate,
+                                                                RollerMotion motion) {
   RingForce ring{};
   Observation unused(model_.layout);
   for (int group = 0; group < model_.layout.groups; ++group) {
@@ -40,7 +41,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                          t(model_.misalignment_y, model_.misalignment_z)};
     const RaceSide outer{-1, model_.outer_radius, 0, {}, {}, {}, {}, {}, {}};
     // At rest first; then orbiting: a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
-    const int passes = orbit_rate == 0 ? 1 : 2;
+    const int passes = motion == RollerMotion::at_rest ? 1 : 2;
     for (int pass = 0, iteration = 0; iteration < kMostIterations; ++iteration) {
       GroupLinear g{};
       RollerLoads loads;
@@ -98,10 +99,11 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
   return ring;
 }
 
-const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_rate, double load) {
+const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_rate, double load,
+                                            RollerMotion motion) {
   const double weight = load + model_.ring_mass * model_.gravity;
   state_.converged = false;
-  RingForce f = settle_rollers(angle, orbit_rate);
+  RingForce f = settle_rollers(angle, orbit_rate, motion);
   const auto imbalance = [&] { return std::hypot(f.y, f.z - weight); };
   const double tolerance = 1e-10 * std::max(weight, 1.0);
   for (state_.iterations = 0; state_.iterations < kMostIterations; ++state_.iterations) {
@@ -121,7 +123,7 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
     for (int halving = 0; halving < 30; ++halving) {
       state_.ring_y += dy;
       state_.ring_z += dz;
-      f = settle_rollers(angle, orbit_rate);
+      f = settle_rollers(angle, orbit_rate, motion);
       // Energy is convex, so a step that still leads downhill at its end is sound even where the imbalance did not fall: crossing a
       // clearance it stays the load itself until the rollers touch, and may be more just behind.
       const bool downhill = f.y * dy + (f.z - weight) * dz > 0;

@@ -123,7 +123,8 @@ void Observer::record_statics(double t, const double* y) {
   const StateLayout& l = model_.layout;
   std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
   const double load = load_at(model_, t);
-  const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)], load);
+  const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)], load,
+                                          RollerMotion::orbiting);
   if (!rest.converged) return;
   dynamic_displacement_.add(-y[l.border_position(kRingZ)], 1);
   static_displacement_.add(-rest.ring_z, 1);
