@@ -4,12 +4,18 @@ namespace cagetol {
 
 const char* status_name(Status status) {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::jammed: return "jammed";
-    case Status::failed: return "failed";
-    case Status::censored: return "censored";
-    case Status::not_run: return "not_run";
-    case Status::poisoned: return "poisoned";
+    case Status::ok:
+      return "ok";
+    case Status::jammed:
+      return "jammed";
+    case Status::failed:
+      return "failed";
+    case Status::censored:
+      return "censored";
+    case Status::not_run:
+      return "not_run";
+    case Status::poisoned:
+      return "poisoned";
   }
   return "unknown";
 }
@@ -24,15 +30,19 @@ const std::vector<RunField>& run_fields() {
       {"jacobian_evaluations", "1", "of these, with derivatives"},
       {"factorisations", "1", "factorisations of the Newton matrix"},
       {"smallest_step_s", "s", "smallest accepted step"},
-      {"energy_residual", "-", "|work in - dissipation - change of stored energy| over the dissipation (at least 1/1000 of the stored energy)"},
-      {"static_consistency_error", "-", "elastic ring force and mean ring displacement against statics"},
+      {"energy_residual", "-",
+       "|work in - dissipation - change of stored energy| over the dissipation (at least 1/1000 of "
+       "the stored energy)"},
+      {"static_consistency_error", "-",
+       "elastic ring force and mean ring displacement against statics"},
   };
   return fields;
 }
 
 std::vector<double> run_values(const RunRecord& r) {
-  return {r.simulated_s,          r.cage_revolutions, r.steps,           r.rejected_steps,  r.rhs_evaluations,
-          r.jacobian_evaluations, r.factorisations,   r.smallest_step_s, r.energy_residual, r.static_consistency_error};
+  return {r.simulated_s,     r.cage_revolutions,        r.steps,          r.rejected_steps,
+          r.rhs_evaluations, r.jacobian_evaluations,    r.factorisations, r.smallest_step_s,
+          r.energy_residual, r.static_consistency_error};
 }
 
 }  // namespace cagetol

@@ -8,9 +8,10 @@ namespace cagetol {
 
 /// How a run ended. Numbers are those stored in study.h5.
 enum class Status : int {
-  ok = 0,        ///< simulated, every watch within its bound
-  jammed = 1,    ///< a roller does not fit its pocket, or the geometry is impossible: not simulated
-  failed = 2,    ///< the integration failed or a watch (static consistency, energy) is outside its bound
+  ok = 0,      ///< simulated, every watch within its bound
+  jammed = 1,  ///< a roller does not fit its pocket, or the geometry is impossible: not simulated
+  failed =
+      2,  ///< the integration failed or a watch (static consistency, energy) is outside its bound
   censored = 3,  ///< the step budget ran out before the window was complete
   not_run = 4,   ///< aborted by a wall-clock limit or an interruption; never counted as an outcome
   poisoned = 5,  ///< the process running this sample died of it, alone, twice
@@ -29,7 +30,7 @@ struct RunRecord {
   double jacobian_evaluations = 0;
   double factorisations = 0;
   double smallest_step_s = 0;
-  double energy_residual = 0;           ///< |work in - dissipation - change of stored energy| / dissipation
+  double energy_residual = 0;  ///< |work in - dissipation - change of stored energy| / dissipation
   double static_consistency_error = 0;  ///< see quantities/
   double wall_s = 0;
 };
@@ -43,12 +44,15 @@ struct RunField {
 const std::vector<RunField>& run_fields();
 std::vector<double> run_values(const RunRecord& run);
 
-/// Result of one sample. `quantities` follows the order of quantity_table() (src/quantities/quantity_table.hpp); NaN where the
-/// scene does not define a quantity (no cage stress on a rigid cage) or the run has none (jammed).
+/// Result of one sample. `quantities` follows the order of quantity_table()
+/// (src/quantities/quantity_table.hpp); NaN where the scene does not define a quantity (no cage
+/// stress on a rigid cage) or the run has none (jammed).
 struct Outcome {
   Status status = Status::not_run;
-  std::string reason;  ///< empty when ok; otherwise what happened, with numbers and units, for people
-  int pocket = -1;     ///< the pocket that jams (or, with allow_interference, pinches), 0-based; -1: none
+  std::string
+      reason;  ///< empty when ok; otherwise what happened, with numbers and units, for people
+  int pocket =
+      -1;  ///< the pocket that jams (or, with allow_interference, pinches), 0-based; -1: none
   double interference_um = 0;  ///< how much the roller is too large for it
   std::vector<double> quantities;
   RunRecord run;

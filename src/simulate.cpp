@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <limits>
+#include <numbers>
 
 #include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
@@ -27,7 +27,8 @@ struct Times {
   double settle, measure;
 };
 Times window_times(const Scene& scene, const BearingModel& model) {
-  const double revolution = 2 * std::numbers::pi / std::abs(kinematic_cage_speed(model, model.inner_speed));
+  const double revolution =
+      2 * std::numbers::pi / std::abs(kinematic_cage_speed(model, model.inner_speed));
   const Window& w = scene.window;
   return {std::isnan(w.settle_time) ? w.settle_revolutions * revolution : w.settle_time,
           std::isnan(w.measure_time) ? w.measure_revolutions * revolution : w.measure_time};
@@ -38,8 +39,9 @@ Outcome jammed(const Jam& jam) {
   outcome.status = Status::jammed;
   outcome.pocket = jam.pocket;
   outcome.interference_um = 1e6 * jam.interference;
-  outcome.reason = "the roller is " + number(outcome.interference_um) + " um too large for pocket " +
-                   std::to_string(jam.pocket) + (jam.in_width ? " (width)" : " (length)");
+  outcome.reason = "the roller is " + number(outcome.interference_um) +
+                   " um too large for pocket " + std::to_string(jam.pocket) +
+                   (jam.in_width ? " (width)" : " (length)");
   outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
   return outcome;
 }
@@ -48,9 +50,10 @@ void judge(const Scene& scene, Outcome& outcome) {
   const RunRecord& run = outcome.run;
   if (!(run.static_consistency_error <= scene.watch.static_consistency_max)) {
     outcome.status = Status::failed;
-    outcome.reason = "static consistency error " + number(run.static_consistency_error) + " exceeds " +
-                     number(scene.watch.static_consistency_max) +
-                     ": the step is too long for the loaded contacts, or the window too short to settle";
+    outcome.reason =
+        "static consistency error " + number(run.static_consistency_error) + " exceeds " +
+        number(scene.watch.static_consistency_max) +
+        ": the step is too long for the loaded contacts, or the window too short to settle";
   } else if (!(run.energy_residual <= scene.watch.energy_residual_max)) {
     outcome.status = Status::failed;
     outcome.reason = "energy residual " + number(run.energy_residual) + " exceeds " +
@@ -91,7 +94,8 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     if (t >= end) break;
     if (n % kStepsBetweenQuestions == 0) {
       const bool stop = options.stop_requested && options.stop_requested();
-      if (stop || (scene.integration.wall_budget > 0 && seconds() > scene.integration.wall_budget)) {
+      if (stop ||
+          (scene.integration.wall_budget > 0 && seconds() > scene.integration.wall_budget)) {
         outcome.status = Status::not_run;
         outcome.reason = stop ? "stopped on request" : "aborted by the wall-clock limit";
         outcome.run.wall_s = seconds();
@@ -119,8 +123,8 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
     outcome.status = status == StepStatus::out_of_budget ? Status::censored : Status::failed;
     outcome.reason = status == StepStatus::out_of_budget
-                         ? "step budget of " + std::to_string(scene.integration.step_budget) + " ran out at t = " +
-                               number(t) + " s of " + number(end) + " s"
+                         ? "step budget of " + std::to_string(scene.integration.step_budget) +
+                               " ran out at t = " + number(t) + " s of " + number(end) + " s"
                      : finite ? integrator->failure()
                               : "a force is not finite at t = " + number(t) + " s";
   }

@@ -1,11 +1,13 @@
-// Friction of one contact, Adams' law, v the sliding velocity vector in the contact plane (not component by component):
+// Friction of one contact, Adams' law, v the sliding velocity vector in the contact plane (not
+// component by component):
 //
 //   F = -mu(|v|) Q v/|v|
 //   mu(v) = STEP(v, -v_s, -mu_s, v_s, mu_s)   v <  v_s         = mu_s (3 s - s^3)/2 with s = v/v_s
 //         = STEP(v,  v_s,  mu_s, v_d, mu_d)   v_s <= v < v_d
 //         = mu_d                              v >= v_d
 // mu(0) = 0: true sticking does not exist, contacts creep, and slip figures depend on v_s and v_d.
-// Source: MSC Adams CONTACT; Xin et al. 2024 (doi 10.3390/app14209433) eqs. (6)-(7), whose text lost the minus signs.
+// Source: MSC Adams CONTACT; Xin et al. 2024 (doi 10.3390/app14209433) eqs. (6)-(7), whose text
+// lost the minus signs.
 #pragma once
 
 #include "src/contact/step.hpp"

@@ -12,7 +12,8 @@ NormalLaw make_normal_law(const ContactParameters& parameters, double length, lo
   law.hertz = parameters.law == "hertz";
   if (law.hertz) {
     law.exponent = 10.0 / 9.0;
-    law.stiffness = 77652.0 * std::pow(length * 1e3, 8.0 / 9.0) * std::pow(1e-3, law.exponent) * share;
+    law.stiffness =
+        77652.0 * std::pow(length * 1e3, 8.0 / 9.0) * std::pow(1e-3, law.exponent) * share;
     law.chi = hunt_crossley_chi(parameters.restitution, parameters.restitution_speed);
   } else {
     law.exponent = parameters.exponent;

@@ -1,11 +1,14 @@
 // Normal force of one contact point, slice or station.
 //
-//   impact:  Q = max(0, K p^e + c_max S(p/d) p')          Adams IMPACT; Xin et al. 2024 (doi 10.3390/app14209433) eq. (5)
-//   hertz:   Q = K p^e max(0, 1 + chi p')                 line contact, e = 10/9, K = 77,652 L^(8/9) N/mm^(10/9) (L in mm, one
-//                                                          contact, steel on steel: 2^(10/9) times ISO/TS 16281's c_L of the
-//                                                          pair; Palmgren's delta = 3.84e-5 Q^0.9 / L^0.8 is 3.8 % stiffer)
-// with p > 0 the penetration [m] and p' > 0 while approaching [m/s]; Q = 0 for p <= 0. The clamp at zero belongs to the law:
-// without it the damper would pull bodies together on separation.
+//   impact:  Q = max(0, K p^e + c_max S(p/d) p')          Adams IMPACT; Xin et al. 2024
+//   (doi 10.3390/app14209433) eq. (5) hertz:   Q = K p^e max(0, 1 + chi p')                 line
+//   contact, e = 10/9, K = 77,652 L^(8/9) N/mm^(10/9) (L in mm, one
+//                                                          contact, steel on steel: 2^(10/9) times
+//                                                          ISO/TS 16281's c_L of the pair;
+//                                                          Palmgren's delta = 3.84e-5 Q^0.9 / L^0.8
+//                                                          is 3.8 % stiffer)
+// with p > 0 the penetration [m] and p' > 0 while approaching [m/s]; Q = 0 for p <= 0. The clamp at
+// zero belongs to the law: without it the damper would pull bodies together on separation.
 //
 // Penetrations are scaled by 1 um inside, so that the power is taken of numbers near one.
 #pragma once
@@ -17,27 +20,29 @@ namespace cagetol {
 
 struct NormalLaw {
   bool hertz = false;
-  double stiffness = 0;      ///< K (1 um)^e [N]
+  double stiffness = 0;  ///< K (1 um)^e [N]
   double exponent = 10.0 / 9.0;
   double damping = 0;        ///< c_max [N s/m], impact only
   double inverse_depth = 0;  ///< 1/d [1/m], impact only
   double chi = 0;            ///< [s/m], hertz only
 };
 
-/// Makes a law of `shares` equal parts (slices, stations, points, lands) of one contact. `length` is the contact's length [m]
-/// (hertz only). Throws std::domain_error if the restitution coefficient is not in (0, 1].
+/// Makes a law of `shares` equal parts (slices, stations, points, lands) of one contact. `length`
+/// is the contact's length [m] (hertz only). Throws std::domain_error if the restitution
+/// coefficient is not in (0, 1].
 NormalLaw make_normal_law(const ContactParameters& parameters, double length, long shares);
 
-/// chi of the Hunt-Crossley damper that gives restitution `restitution` at approach speed `speed` [m/s]: with u = chi v_in and
-/// w = chi v_out = e u, energy gives exactly u - ln(1 + u) = -w - ln(1 - w), whatever the exponent.
+/// chi of the Hunt-Crossley damper that gives restitution `restitution` at approach speed `speed`
+/// [m/s]: with u = chi v_in and w = chi v_out = e u, energy gives exactly u - ln(1 + u) = -w - ln(1
+/// - w), whatever the exponent.
 double hunt_crossley_chi(double restitution, double speed);
 
 template <class T>
 struct NormalForce {
-  T force;      ///< Q [N]
-  T elastic;    ///< K p^e [N]
-  T stiffness;  ///< dQ/dp [N/m]
-  T damping;    ///< dQ/dp' [N s/m]
+  T force;              ///< Q [N]
+  T elastic;            ///< K p^e [N]
+  T stiffness;          ///< dQ/dp [N/m]
+  T damping;            ///< dQ/dp' [N s/m]
   T elastic_stiffness;  ///< d(K p^e)/dp [N/m]
 };
 
@@ -71,7 +76,8 @@ NormalForce<T> normal_force(const NormalLaw& law, T p, T rate) {
 template <class T>
 T elastic_energy(const NormalLaw& law, T p) {
   const T scaled = select(p > 0.0, p * 1e6, T{} + 1.0);
-  const T energy = law.stiffness * power(scaled, law.exponent + 1.0) * (1e-6 / (law.exponent + 1.0));
+  const T energy =
+      law.stiffness * power(scaled, law.exponent + 1.0) * (1e-6 / (law.exponent + 1.0));
   return select(p > 0.0, energy, T{});
 }
 

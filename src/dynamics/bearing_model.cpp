@@ -11,7 +11,9 @@ namespace {
 
 using std::numbers::pi;
 
-double given_or(double value, double computed) { return std::isnan(value) ? computed : value; }
+double given_or(double value, double computed) {
+  return std::isnan(value) ? computed : value;
+}
 
 /// Mass of the inner ring as a plain hollow cylinder [kg].
 double ring_mass(const BearingGeometry& b, double inner_race_diameter) {
@@ -19,7 +21,8 @@ double ring_mass(const BearingGeometry& b, double inner_race_diameter) {
          (inner_race_diameter * inner_race_diameter - b.bore_diameter * b.bore_diameter);
 }
 
-/// ISO/TS 16281 logarithmic profile drop at axial position x of a roller of diameter D and length L [m].
+/// ISO/TS 16281 logarithmic profile drop at axial position x of a roller of diameter D and length L
+/// [m].
 double profile_drop(const std::string& profile, double x, double diameter, double length) {
   if (profile == "none") return 0;
   const double s = 2 * x / length;
@@ -40,8 +43,8 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.transverse[lane] = mass * (3 * radius * radius + length * length) / 12;
     g.radius[lane] = radius;
     g.taper_slope[lane] = each(scene.roller.taper, k) / (2 * length);
-    const double angle = 2 * pi * static_cast<double>(j) / static_cast<double>(z) +
-                         each(scene.cage.pocket_pitch, k);
+    const double angle =
+        2 * pi * static_cast<double>(j) / static_cast<double>(z) + each(scene.cage.pocket_pitch, k);
     g.pocket_cos[lane] = std::cos(angle);
     g.pocket_sin[lane] = std::sin(angle);
     g.half_width[lane] = each(scene.cage.pocket_width, k) / 2;
@@ -51,7 +54,8 @@ RollerGroup make_group(const Scene& scene, int group) {
   return g;
 }
 
-/// Two points of the roller's end face at +-0.8 R tangentially, kept inside the face at radial offset `radial`.
+/// Two points of the roller's end face at +-0.8 R tangentially, kept inside the face at radial
+/// offset `radial`.
 std::array<EndPoint, 2> end_points(double radius, double radial) {
   const double inside = std::sqrt(std::max(0.0, radius * radius - radial * radial));
   const double t = std::min(0.8 * radius, inside);
@@ -70,16 +74,17 @@ BearingModel make_bearing_model(const Scene& scene) {
   for (long j = 0; j < b.roller_count; ++j) m.nominal_diameter += each(scene.roller.diameter, j);
   m.nominal_diameter /= static_cast<double>(b.roller_count);
   const double length = scene.roller.length;
-  const long slices = scene.discretisation.race_slices, stations = scene.discretisation.bar_stations;
+  const long slices = scene.discretisation.race_slices,
+             stations = scene.discretisation.bar_stations;
   for (long k = 0; k < slices; ++k) {
     const double x = ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
     m.race_slices.push_back({x, profile_drop(scene.roller.profile, x, m.nominal_diameter, length)});
   }
   for (long k = 0; k < stations; ++k)  // from -0.4 L to 0.4 L
-    m.bar_stations.push_back(stations == 1 ? 0.0
-                                           : (-0.4 + 0.8 * static_cast<double>(k) /
-                                                         static_cast<double>(stations - 1)) *
-                                                 length);
+    m.bar_stations.push_back(
+        stations == 1
+            ? 0.0
+            : (-0.4 + 0.8 * static_cast<double>(k) / static_cast<double>(stations - 1)) * length);
   m.roller_half_length = length / 2;
   m.flange_half_clearance = b.flange_clearance / 2;
 
@@ -88,8 +93,8 @@ BearingModel make_bearing_model(const Scene& scene) {
   m.wall = make_normal_law(scene.contact.end, length, 2);
   m.flange = make_normal_law(scene.contact.flange, length, 2);
   m.land = make_normal_law(scene.contact.land, length, 2);
-  m.friction = {scene.contact.friction_static, scene.contact.friction_dynamic, scene.contact.static_speed,
-                scene.contact.dynamic_speed};
+  m.friction = {scene.contact.friction_static, scene.contact.friction_dynamic,
+                scene.contact.static_speed, scene.contact.dynamic_speed};
 
   m.inner_radius = b.inner_raceway_diameter / 2 - b.internal_clearance / 4;
   m.outer_radius = b.outer_raceway_diameter / 2 + b.internal_clearance / 4;

@@ -1,4 +1,5 @@
-// The immutable bearing model of one sample: what the right-hand side reads, computed once from the scene.
+// The immutable bearing model of one sample: what the right-hand side reads, computed once from the
+// scene.
 #pragma once
 
 #include <vector>
@@ -12,13 +13,13 @@ namespace cagetol {
 
 /// Constants of a pack of rollers and their pockets.
 struct RollerGroup {
-  Pack exists;                ///< 1 for a roller, 0 for padding
+  Pack exists;                   ///< 1 for a roller, 0 for padding
   Pack mass, polar, transverse;  ///< [kg], [kg m^2]
-  Pack radius;                ///< [m]
-  Pack taper_slope;           ///< change of radius with position along the axis [-]
-  Pack pocket_cos, pocket_sin;  ///< of the pocket centre's angle in the cage, deviation included
+  Pack radius;                   ///< [m]
+  Pack taper_slope;              ///< change of radius with position along the axis [-]
+  Pack pocket_cos, pocket_sin;   ///< of the pocket centre's angle in the cage, deviation included
   Pack half_width, half_length;  ///< of the pocket [m]
-  Pack squareness;            ///< angle of the bar faces to the bearing axis [rad]
+  Pack squareness;               ///< angle of the bar faces to the bearing axis [rad]
 };
 
 /// A slice of a roller: position along its axis and the drop of its profile [m].
@@ -38,20 +39,22 @@ struct BearingModel {
   StateLayout layout;
   std::vector<RollerGroup> groups;
   std::vector<Slice> race_slices;
-  std::vector<double> bar_stations;      ///< positions along the roller's axis [m]
-  std::array<EndPoint, 2> wall_points;   ///< where a roller end meets the pocket's end wall
+  std::vector<double> bar_stations;       ///< positions along the roller's axis [m]
+  std::array<EndPoint, 2> wall_points;    ///< where a roller end meets the pocket's end wall
   std::array<EndPoint, 2> flange_points;  ///< where it meets the ring's flange
   double roller_half_length = 0;
   double flange_half_clearance = 0;
 
-  NormalLaw race, bar, wall, flange, land;  ///< each already the share of one slice, station, point or land
+  NormalLaw race, bar, wall, flange,
+      land;  ///< each already the share of one slice, station, point or land
   FrictionLaw friction;
 
   double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]
   double misalignment_y = 0, misalignment_z = 0;
   double ring_mass = 0;
   double cage_mass = 0, cage_polar = 0, cage_transverse = 0;
-  double unbalance_y = 0, unbalance_z = 0;  ///< mass centre minus geometric centre in the cage frame [m]
+  double unbalance_y = 0,
+         unbalance_z = 0;  ///< mass centre minus geometric centre in the cage frame [m]
   Guidance guidance = Guidance::outer;
   double guide_clearance = 0, land_radius = 0, land_offset = 0;
   double guide_ring_radius = 0;
@@ -59,11 +62,12 @@ struct BearingModel {
   double load = 0, load_ramp = 0, gravity = 0;
   double inner_speed = 0, speed_from = 0, speed_ramp = 0;
 
-  double pitch_radius = 0;   ///< (F + E)/4 of the actual raceways [m]
+  double pitch_radius = 0;      ///< (F + E)/4 of the actual raceways [m]
   double nominal_diameter = 0;  ///< roller diameter, mean of all [m]
 };
 
-/// Builds the model. Throws std::domain_error for what cannot be built (the reader checks scenes before).
+/// Builds the model. Throws std::domain_error for what cannot be built (the reader checks scenes
+/// before).
 BearingModel make_bearing_model(const Scene& scene);
 
 /// Radial load along -z at time t [N], and inner-ring speed [rad/s].
@@ -75,9 +79,9 @@ double kinematic_cage_speed(const BearingModel& model, double inner_speed);
 
 /// A pocket whose roller does not fit: clearance <= 0.
 struct Jam {
-  int pocket = -1;             ///< -1: none
+  int pocket = -1;  ///< -1: none
   bool in_width = true;
-  double interference = 0;     ///< [m], >= 0
+  double interference = 0;  ///< [m], >= 0
 };
 /// The worst jam of the scene.
 Jam find_jam(const Scene& scene);

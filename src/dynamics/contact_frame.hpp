@@ -8,13 +8,14 @@ namespace cagetol {
 /// A pack of rollers in their own directions e_r, e_t (at the roller's angle) and e_x.
 struct RollerPack {
   Pack r, cosine, sine, x;
-  Pack a_r, a_t;         ///< lean of the axis: tilt and skew [rad]
+  Pack a_r, a_t;           ///< lean of the axis: tilt and skew [rad]
   Pack vr, vt, vx, omega;  ///< centre: r', r theta', x', theta'
-  Pack b_r, b_t;         ///< rate of the axis, projected [rad/s]
-  Pack spin;             ///< w_s [rad/s]
+  Pack b_r, b_t;           ///< rate of the axis, projected [rad/s]
+  Pack spin;               ///< w_s [rad/s]
 };
 
-/// Inner ring and cage. The cage is described at its geometric centre; `unbalance` points from there to its mass centre.
+/// Inner ring and cage. The cage is described at its geometric centre; `unbalance` points from
+/// there to its mass centre.
 struct BorderState {
   double ring[2], ring_rate[2];
   double cage[3], cage_rate[3];  ///< y, z, x
@@ -24,7 +25,8 @@ struct BorderState {
   double inner_speed;
 };
 
-/// Generalised forces on the border: inner ring; cage at its geometric centre, conjugate to (y, z, x, phi, A_y, A_z).
+/// Generalised forces on the border: inner ring; cage at its geometric centre, conjugate to (y, z,
+/// x, phi, A_y, A_z).
 struct BorderLoads {
   double ring[2] = {0, 0};
   double cage[kCageRigid] = {0, 0, 0, 0, 0, 0};
@@ -36,12 +38,17 @@ struct RollerLoads {
 };
 
 /// A unit direction rotated by the pack's roller angle: inertial (y, z) to local (r, t).
-inline Pack along_r(const RollerPack& p, Pack y, Pack z) { return p.cosine * y + p.sine * z; }
-inline Pack along_t(const RollerPack& p, Pack y, Pack z) { return p.cosine * z - p.sine * y; }
+inline Pack along_r(const RollerPack& p, Pack y, Pack z) {
+  return p.cosine * y + p.sine * z;
+}
+inline Pack along_t(const RollerPack& p, Pack y, Pack z) {
+  return p.cosine * z - p.sine * y;
+}
 
-/// Border row of a cage contact from its row at the geometric centre (y, z, x, phi, A_y, A_z): the spin entry is moved to the
-/// mass centre, which is what the state describes.
-inline void fill_cage_row(const double at_centre[kCageRigid], const BorderState& b, std::vector<double>& row) {
+/// Border row of a cage contact from its row at the geometric centre (y, z, x, phi, A_y, A_z): the
+/// spin entry is moved to the mass centre, which is what the state describes.
+inline void fill_cage_row(const double at_centre[kCageRigid], const BorderState& b,
+                          std::vector<double>& row) {
   for (int i = 0; i < kCageRigid; ++i) row[static_cast<std::size_t>(kCageY + i)] = at_centre[i];
   // V_C = V_G - phi' e_x x e with e = G - C and e_x x e = (-e_z, e_y).
   row[kCagePhi] += at_centre[0] * b.unbalance[1] - at_centre[1] * b.unbalance[0];

@@ -60,8 +60,8 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
 }
 
 /// Accelerations of a pack of rollers from its loads; velocities into the position rates.
-void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,
-                 const double* y, double* rate, int group) {
+void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerPack& q,
+                 const RollerLoads& loads, const double* y, double* rate, int group) {
   const StateLayout& l = m.layout;
   const int j = group * kLanes;
   const auto velocity = [&](RollerVelocity slot) { return load(y + l.velocity(slot, j)); };
@@ -74,7 +74,8 @@ void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerP
   const Pack inverse_mass = 1.0 / roller.mass, inverse_transverse = 1.0 / roller.transverse;
   const Pack gravity_r = -m.gravity * q.sine, gravity_t = -m.gravity * q.cosine;
   put(l.velocity(kRadialSpeed, j), loads.f[kLr] * inverse_mass + gravity_r + q.vt * q.omega);
-  put(l.velocity(kOrbitRate, j), (loads.f[kLt] * inverse_mass + gravity_t - 2.0 * q.vr * q.omega) / q.r);
+  put(l.velocity(kOrbitRate, j),
+      (loads.f[kLt] * inverse_mass + gravity_t - 2.0 * q.vr * q.omega) / q.r);
   put(l.velocity(kAxialSpeed, j), loads.f[kLx] * inverse_mass);
   const Pack gyro = roller.polar * q.spin;
   const Pack lean_r = (loads.f[kLar] - gyro * q.b_t) * inverse_transverse;
@@ -84,8 +85,8 @@ void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerP
   put(l.velocity(kSpin, j), loads.f[kLs] / roller.polar);
 }
 
-void store_border_rates(const BearingModel& m, double t, const BorderState& b, const BorderLoads& loads,
-                        const double* y, double* rate) {
+void store_border_rates(const BearingModel& m, double t, const BorderState& b,
+                        const BorderLoads& loads, const double* y, double* rate) {
   const double* v = y + m.layout.border_velocity(0);
   double *dq = rate + m.layout.border_position(0), *dv = rate + m.layout.border_velocity(0);
   for (int i = 0; i < kRigidBorder; ++i) dq[i] = v[i];
@@ -95,15 +96,17 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b, c
   dv[kCageZ] = loads.cage[1] / m.cage_mass - m.gravity;
   dv[kCageX] = loads.cage[2] / m.cage_mass;
   // Moment about the mass centre: the forces act about the geometric centre, at -e from it.
-  const double torque = loads.cage[3] + loads.cage[0] * b.unbalance[1] - loads.cage[1] * b.unbalance[0];
+  const double torque =
+      loads.cage[3] + loads.cage[0] * b.unbalance[1] - loads.cage[1] * b.unbalance[0];
   dv[kCagePhi] = torque / m.cage_polar;
   const double gyro = m.cage_polar * b.phi_rate;
   dv[kCageAxisY] = (loads.cage[4] - gyro * b.axis_rate[1]) / m.cage_transverse;
   dv[kCageAxisZ] = (loads.cage[5] + gyro * b.axis_rate[0]) / m.cage_transverse;
 }
 
-/// Forces turn with the roller's directions, and its velocity does in directions held still: completes the race and flange
-/// derivatives, which were taken in frozen directions. Keeps what the inner race alone gives for the ring.
+/// Forces turn with the roller's directions, and its velocity does in directions held still:
+/// completes the race and flange derivatives, which were taken in frozen directions. Keeps what the
+/// inner race alone gives for the ring.
 void finish_inner(const RollerPack& q, GroupLinear& g) {
   for (int i = 0; i < kLocalVelocities; ++i)
     for (int k = 0; k < 2; ++k) {
@@ -114,13 +117,15 @@ void finish_inner(const RollerPack& q, GroupLinear& g) {
     }
   for (int k = 0; k < 2; ++k) {
     g.to_ring_position[k][kLr] += q.omega * g.to_ring_velocity[k][kLt];
-    g.to_ring_position[k][kLt] += q.vr / q.r * g.to_ring_velocity[k][kLt] - q.omega * g.to_ring_velocity[k][kLr];
+    g.to_ring_position[k][kLt] +=
+        q.vr / q.r * g.to_ring_velocity[k][kLt] - q.omega * g.to_ring_velocity[k][kLr];
   }
 }
 
-/// Rate of the net power along the motion, in frozen directions: gradient times velocities and accelerations.
-double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads, double gravity,
-                         const GroupLinear& g) {
+/// Rate of the net power along the motion, in frozen directions: gradient times velocities and
+/// accelerations.
+double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,
+                         double gravity, const GroupLinear& g) {
   const Pack gyro = roller.polar * q.spin;
   const Pack acceleration[kLocalVelocities] = {loads.f[kLr] / roller.mass - gravity * q.sine,
                                                loads.f[kLt] / roller.mass - gravity * q.cosine,
@@ -143,10 +148,11 @@ void turn_frame(const RollerPack& q, GroupLinear& g) {
 }
 
 /// Inertial terms of the polar coordinates and the gyroscopic moment, as derivatives of forces.
-void add_inertial(const BearingModel& m, const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,
-                  GroupLinear& g) {
+void add_inertial(const BearingModel& m, const RollerGroup& roller, const RollerPack& q,
+                  const RollerLoads& loads, GroupLinear& g) {
   const Pack mass = roller.mass;
-  const Pack F_r = loads.f[kLr] - mass * m.gravity * q.sine, F_t = loads.f[kLt] - mass * m.gravity * q.cosine;
+  const Pack F_r = loads.f[kLr] - mass * m.gravity * q.sine,
+             F_t = loads.f[kLt] - mass * m.gravity * q.cosine;
   g.position[kLr][kLr] += mass * q.omega * q.omega;
   g.position[kLr][kLt] += F_t / q.r;  // F_r turns with theta
   g.velocity[kLr][kLt] += 2.0 * mass * q.omega;
@@ -179,7 +185,8 @@ void add_ring_block(const GroupLinear& g, Linearisation& linear) {
 }
 
 template <bool linear>
-void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac, Observation* seen) {
+void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
+              Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
   BorderLoads border;
   [[maybe_unused]] Pack touch = splat(1e30);
@@ -202,12 +209,14 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
     const auto tt = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };
     const double lean[2] = {m.misalignment_y, m.misalignment_z};
-    const RaceSide inner{1, m.inner_radius, b.inner_speed, r(b.ring), tt(b.ring), r(b.ring_rate), tt(b.ring_rate),
-                         r(lean), tt(lean)};
+    const RaceSide inner{1,          m.inner_radius, b.inner_speed,   r(b.ring),
+                         tt(b.ring), r(b.ring_rate), tt(b.ring_rate), r(lean),
+                         tt(lean)};
     const RaceSide outer{-1, m.outer_radius, 0, {}, {}, {}, {}, {}, {}};
     RollerLoads loads;
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
-    race_contacts<linear>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r, elastic_t, drive);
+    race_contacts<linear>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r, elastic_t,
+                          drive);
     border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
     if constexpr (linear) {
@@ -221,13 +230,15 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       }
       add_ring_block(*g, *jac);
       store(seen->inner_force.data() + group * kLanes, total);
-      store(seen->inner_sliding.data() + group * kLanes, select(total > 0.0, sliding / max(total, splat(1e-300)), Pack{}));
+      store(seen->inner_sliding.data() + group * kLanes,
+            select(total > 0.0, sliding / max(total, splat(1e-300)), Pack{}));
       seen->ring_elastic_y -= sum(q.cosine * elastic_r - q.sine * elastic_t);
       seen->ring_elastic_z -= sum(q.sine * elastic_r + q.cosine * elastic_t);
       seen->drive_power += sum(drive);
       total = Pack{};
     }
-    race_contacts<linear>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r, elastic_t, drive);
+    race_contacts<linear>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r, elastic_t,
+                          drive);
     flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
@@ -252,9 +263,11 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     jac->border_velocity(kCageAxisZ, kCagePhi) += m.cage_polar * b.axis_rate[0];
     seen->load_power = -load_at(m, t) * b.ring_rate[1];
     jac->power_velocity[kRingZ] -= load_at(m, t);
-    const double *border_v = y + m.layout.border_velocity(0), *border_a = rate + m.layout.border_velocity(0);
+    const double *border_v = y + m.layout.border_velocity(0),
+                 *border_a = rate + m.layout.border_velocity(0);
     for (int i = 0; i < m.layout.border(); ++i)
-      seen->net_power_rate += jac->power_position[i] * border_v[i] + jac->power_velocity[i] * border_a[i];
+      seen->net_power_rate +=
+          jac->power_position[i] * border_v[i] + jac->power_velocity[i] * border_a[i];
     seen->time_to_touch = std::min(soonest, smallest(touch));
   }
 }
@@ -262,24 +275,27 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
 }  // namespace
 
 Observation::Observation(const StateLayout& layout) {
-  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force, &wall_force, &flange_force})
+  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force,
+                  &wall_force, &flange_force})
     v->assign(static_cast<std::size_t>(layout.padded()), 0.0);
 }
 
 void Observation::clear() {
-  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force, &wall_force, &flange_force})
+  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force,
+                  &wall_force, &flange_force})
     std::fill(v->begin(), v->end(), 0.0);
   land_force[0] = land_force[1] = 0;
   ring_elastic_y = ring_elastic_z = 0;
-  drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy = time_to_touch = 0;
+  drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy =
+      time_to_touch = 0;
 }
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
   evaluate<false>(model, t, y, rate, nullptr, nullptr);
 }
 
-void linearise(const BearingModel& model, double t, const double* y, double* rate, Linearisation& linear,
-               Observation& seen) {
+void linearise(const BearingModel& model, double t, const double* y, double* rate,
+               Linearisation& linear, Observation& seen) {
   evaluate<true>(model, t, y, rate, &linear, &seen);
 }
 
@@ -288,15 +304,19 @@ double body_energy(const BearingModel& m, const double* y) {
   for (int group = 0; group < m.layout.groups; ++group) {
     const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
     const RollerPack q = unpack_rollers(m.layout, y, group);
-    energy += sum(roller.exists * (0.5 * roller.mass * (q.vr * q.vr + q.vt * q.vt + q.vx * q.vx) +
-                                   0.5 * roller.transverse * (q.b_r * q.b_r + q.b_t * q.b_t) +
-                                   0.5 * roller.polar * q.spin * q.spin + roller.mass * m.gravity * q.r * q.sine));
+    energy += sum(roller.exists *
+                  (0.5 * roller.mass * (q.vr * q.vr + q.vt * q.vt + q.vx * q.vx) +
+                   0.5 * roller.transverse * (q.b_r * q.b_r + q.b_t * q.b_t) +
+                   0.5 * roller.polar * q.spin * q.spin + roller.mass * m.gravity * q.r * q.sine));
   }
   const double *q = y + m.layout.border_position(0), *v = y + m.layout.border_velocity(0);
   const auto square = [&](int slot) { return v[slot] * v[slot]; };
-  energy += 0.5 * m.ring_mass * (square(kRingY) + square(kRingZ)) + m.ring_mass * m.gravity * q[kRingZ];
-  energy += 0.5 * m.cage_mass * (square(kCageY) + square(kCageZ) + square(kCageX)) + m.cage_mass * m.gravity * q[kCageZ];
-  energy += 0.5 * m.cage_polar * square(kCagePhi) + 0.5 * m.cage_transverse * (square(kCageAxisY) + square(kCageAxisZ));
+  energy +=
+      0.5 * m.ring_mass * (square(kRingY) + square(kRingZ)) + m.ring_mass * m.gravity * q[kRingZ];
+  energy += 0.5 * m.cage_mass * (square(kCageY) + square(kCageZ) + square(kCageX)) +
+            m.cage_mass * m.gravity * q[kCageZ];
+  energy += 0.5 * m.cage_polar * square(kCagePhi) +
+            0.5 * m.cage_transverse * (square(kCageAxisY) + square(kCageAxisZ));
   return energy;
 }
 

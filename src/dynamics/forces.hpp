@@ -1,5 +1,5 @@
-// All forces of the bearing at one state: the right-hand side, and on request the derivatives and what a run observes.
-// Equations, frames and signs: src/NOTATION.md.
+// All forces of the bearing at one state: the right-hand side, and on request the derivatives and
+// what a run observes. Equations, frames and signs: src/NOTATION.md.
 #pragma once
 
 #include <vector>
@@ -14,31 +14,35 @@ struct Observation {
   explicit Observation(const StateLayout& layout);
   void clear();
 
-  std::vector<double> inner_force;     ///< normal force on the inner race, all slices [N]
-  std::vector<double> outer_force;     ///< on the outer race [N]
-  std::vector<double> inner_sliding;   ///< force-weighted mean sliding speed at the inner race [m/s]
-  std::vector<double> leading_force, trailing_force;  ///< on the pocket's bars ahead of and behind the roller [N]
-  std::vector<double> wall_force;      ///< on both end walls of the pocket [N]
-  std::vector<double> flange_force;    ///< on the ring's flanges [N]
-  double land_force[2] = {0, 0};       ///< at x = -land_offset, +land_offset [N]
-  double ring_elastic_y = 0, ring_elastic_z = 0;  ///< elastic part of the forces on the inner ring [N]
-  double drive_power = 0;        ///< of the inner ring's prescribed rotation [W]
-  double load_power = 0;         ///< of the applied load [W]
-  double friction_power = 0;     ///< dissipated, >= 0 [W]
-  double damping_power = 0;      ///< dissipated by normal damping, >= 0 [W]
-  double net_power_rate = 0;     ///< d/dt of drive + load - friction - damping power [W/s]
-  double elastic_energy = 0;     ///< stored in contacts [J]
-  double time_to_touch = 0;      ///< smallest gap over closing speed of open bar, wall, flange and land contacts [s]
+  std::vector<double> inner_force;    ///< normal force on the inner race, all slices [N]
+  std::vector<double> outer_force;    ///< on the outer race [N]
+  std::vector<double> inner_sliding;  ///< force-weighted mean sliding speed at the inner race [m/s]
+  std::vector<double> leading_force,
+      trailing_force;                ///< on the pocket's bars ahead of and behind the roller [N]
+  std::vector<double> wall_force;    ///< on both end walls of the pocket [N]
+  std::vector<double> flange_force;  ///< on the ring's flanges [N]
+  double land_force[2] = {0, 0};     ///< at x = -land_offset, +land_offset [N]
+  double ring_elastic_y = 0,
+         ring_elastic_z = 0;  ///< elastic part of the forces on the inner ring [N]
+  double drive_power = 0;     ///< of the inner ring's prescribed rotation [W]
+  double load_power = 0;      ///< of the applied load [W]
+  double friction_power = 0;  ///< dissipated, >= 0 [W]
+  double damping_power = 0;   ///< dissipated by normal damping, >= 0 [W]
+  double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
+  double elastic_energy = 0;  ///< stored in contacts [J]
+  double time_to_touch =
+      0;  ///< smallest gap over closing speed of open bar, wall, flange and land contacts [s]
 };
 
 /// dy/dt into `rate` (layout.size() each). No allocation.
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate);
 
 /// The same, with derivatives and observation.
-void linearise(const BearingModel& model, double t, const double* y, double* rate, Linearisation& linear,
-               Observation& seen);
+void linearise(const BearingModel& model, double t, const double* y, double* rate,
+               Linearisation& linear, Observation& seen);
 
-/// Kinetic energy of all bodies but the driven spin of the inner ring, plus potential of gravity [J].
+/// Kinetic energy of all bodies but the driven spin of the inner ring, plus potential of gravity
+/// [J].
 double body_energy(const BearingModel& model, const double* y);
 
 }  // namespace cagetol

@@ -1,6 +1,7 @@
-// Cage lands against the guiding ring, one at each side ring of the cage (x = +-land_offset). delta is the land's offset from the
-// guiding ring's axis, n = delta/|delta|, p = |delta| - clearance; the force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2
-// along e_x, of the cage's surface at land_radius n relative to the ring's. Inner guidance rubs on the inner ring, which answers.
+// Cage lands against the guiding ring, one at each side ring of the cage (x = +-land_offset). delta
+// is the land's offset from the guiding ring's axis, n = delta/|delta|, p = |delta| - clearance;
+// the force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2 along e_x, of the cage's surface
+// at land_radius n relative to the ring's. Inner guidance rubs on the inner ring, which answers.
 #pragma once
 
 #include "src/dynamics/contact_frame.hpp"
@@ -8,11 +9,12 @@
 namespace cagetol {
 
 template <bool linear>
-void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads& border, ContactRows* rows,
-                   Linearisation* jac, Observation* seen, double& touch) {
+void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads& border,
+                   ContactRows* rows, Linearisation* jac, Observation* seen, double& touch) {
   if (model.guidance == Guidance::roller) return;
   const bool inner = model.guidance == Guidance::inner;
-  // The cage's outside surface meets the outer ring where delta points; its bore meets the inner ring on the opposite side.
+  // The cage's outside surface meets the outer ring where delta points; its bore meets the inner
+  // ring on the opposite side.
   const double side = inner ? -1.0 : 1.0, R = side * model.land_radius;
   for (int land = 0; land < 2; ++land) {
     const double X = land == 0 ? -model.land_offset : model.land_offset;
@@ -36,7 +38,8 @@ void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads&
     const double along = ny * vz - nz * vy;
     const double n_A = b.axis[0] * nz - b.axis[1] * ny;  // (A x n)_x
     const double v1 = along + b.phi_rate * R - ring_surface;
-    const double v2 = b.cage_rate[2] + R * (b.phi_rate * n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz)) - swash;
+    const double v2 = b.cage_rate[2] +
+                      R * (b.phi_rate * n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz)) - swash;
     const auto normal = normal_force(model.land, p, rate);
     const double speed2 = v1 * v1 + v2 * v2;
     const auto fr = friction(model.friction, speed2);
@@ -68,8 +71,9 @@ void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads&
           rows->border[k][kRingZ] = -channels[k][1];
         }
       }
-      add_contact(*rows, {normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2, normal.elastic,
-                          normal.elastic_stiffness, rate},
+      add_contact(*rows,
+                  {normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2,
+                   normal.elastic, normal.elastic_stiffness, rate},
                   -1, *jac);
       // n and t turn as the cage moves along t: with them the force, and p'.
       const std::vector<double>&gn = rows->border[0], &g1 = rows->border[1], &g2 = rows->border[2];
@@ -77,7 +81,8 @@ void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads&
       for (int i = 0; i < kRigidBorder; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const double e = gn[k] - fr.ratio * (v1 * g1[k] + v2 * g2[k]);
-        const double row = (f1 * gn[k] - normal.force * turn[i] + e * normal.damping * along) * inverse;
+        const double row =
+            (f1 * gn[k] - normal.force * turn[i] + e * normal.damping * along) * inverse;
         for (int j = 0; j < kRigidBorder; ++j) jac->border_position(i, j) += row * turn[j];
       }
       for (auto& row : rows->border) row[kRingY] = row[kRingZ] = 0;

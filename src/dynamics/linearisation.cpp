@@ -26,7 +26,8 @@ void Linearisation::clear() {
   border_velocity.setZero();
   power_position.setZero();
   power_velocity.setZero();
-  for (int i = 0; i < coupled; ++i) slot[static_cast<std::size_t>(couplings[static_cast<std::size_t>(i)].roller)] = -1;
+  for (int i = 0; i < coupled; ++i)
+    slot[static_cast<std::size_t>(couplings[static_cast<std::size_t>(i)].roller)] = -1;
   coupled = 0;
 }
 
@@ -44,9 +45,11 @@ CageCoupling& Linearisation::coupling(int roller) {
   return couplings[static_cast<std::size_t>(index)];
 }
 
-void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller, Linearisation& linear) {
+void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller,
+                 Linearisation& linear) {
   // F1 = -ratio Q v1, F2 likewise; dQ = k dp + c dp', dp = -g_n P, dp' = -g_n V.
-  const double d11 = s.force * (s.ratio + s.bend * s.v1 * s.v1), d12 = s.force * s.bend * s.v1 * s.v2;
+  const double d11 = s.force * (s.ratio + s.bend * s.v1 * s.v1),
+               d12 = s.force * s.bend * s.v1 * s.v2;
   const double d22 = s.force * (s.ratio + s.bend * s.v2 * s.v2);
   const double along1 = s.ratio * s.v1, along2 = s.ratio * s.v2;
   const auto mixed = [&](double gn, double g1, double g2, double& e, double& w1, double& w2) {
@@ -55,13 +58,15 @@ void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller, Li
     w2 = d12 * g1 + d22 * g2;
   };
   const int border = static_cast<int>(linear.border_position.rows());
-  const double *bn = rows.border[0].data(), *b1 = rows.border[1].data(), *b2 = rows.border[2].data();
+  const double *bn = rows.border[0].data(), *b1 = rows.border[1].data(),
+               *b2 = rows.border[2].data();
   const int first = roller < 0 ? 0 : kCageY;  // rollers never couple to the ring through the cage
   const int lane = roller % kLanes;
-  GroupLinear* group = roller < 0 ? nullptr : &linear.groups[static_cast<std::size_t>(roller / kLanes)];
+  GroupLinear* group =
+      roller < 0 ? nullptr : &linear.groups[static_cast<std::size_t>(roller / kLanes)];
   CageCoupling* coupling = roller < 0 ? nullptr : &linear.coupling(roller);
-  const auto lost = dissipation_slopes(s.force, s.stiffness, s.damping, s.ratio, s.bend, s.v1, s.v2, s.elastic,
-                                       s.elastic_stiffness, s.rate);
+  const auto lost = dissipation_slopes(s.force, s.stiffness, s.damping, s.ratio, s.bend, s.v1, s.v2,
+                                       s.elastic, s.elastic_stiffness, s.rate);
   double e, w1, w2;
   if (roller >= 0) {
     for (int i = 0; i < kLocalVelocities; ++i) {
@@ -90,7 +95,8 @@ void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller, Li
         coupling->to_velocity(i - first, j) -=
             e * s.damping * rows.roller[0][j] + w1 * rows.roller[1][j] + w2 * rows.roller[2][j];
       for (int j = 0; j < kLocalPositions; ++j)
-        coupling->to_position(i - first, j) -= e * s.stiffness * rows.roller[0][j] + w2 * rows.lean[j];
+        coupling->to_position(i - first, j) -=
+            e * s.stiffness * rows.roller[0][j] + w2 * rows.lean[j];
     }
     for (int j = first; j < border; ++j) {
       linear.border_velocity(i, j) -= e * s.damping * bn[j] + w1 * b1[j] + w2 * b2[j];

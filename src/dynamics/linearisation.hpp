@@ -1,6 +1,8 @@
-// Derivatives of all generalised forces at one state, stored the way the bearing couples: a roller with itself, with the inner
-// ring, and - only while it touches its pocket - with the cage. In local directions of each roller, frozen at the state:
-//   velocities V = (r', r theta', x', a_r', a_t', w_s), positions P = (dr, r dtheta, dx, da_r, da_t).
+// Derivatives of all generalised forces at one state, stored the way the bearing couples: a roller
+// with itself, with the inner ring, and - only while it touches its pocket - with the cage. In
+// local directions of each roller, frozen at the state:
+//   velocities V = (r', r theta', x', a_r', a_t', w_s), positions P = (dr, r dtheta, dx, da_r,
+//   da_t).
 // Border directions are the inertial ones of enum Border, the cage about its mass centre.
 #pragma once
 
@@ -15,29 +17,36 @@ namespace cagetol {
 enum Local { kLr, kLt, kLx, kLar, kLat, kLs, kLocalVelocities, kLocalPositions = kLs };
 
 struct GroupLinear {
-  Pack position[kLocalVelocities][kLocalPositions];  ///< dF/dP
+  Pack position[kLocalVelocities][kLocalPositions];   ///< dF/dP
   Pack velocity[kLocalVelocities][kLocalVelocities];  ///< dF/dV
-  Pack ring_position[kLocalVelocities][2], ring_velocity[kLocalVelocities][2];  ///< dF/d(ring in r, t)
-  Pack to_ring_position[2][kLocalPositions], to_ring_velocity[2][kLocalVelocities];  ///< d(ring force in r, t)/dP, dV
-  Pack power_position[kLocalPositions], power_velocity[kLocalVelocities];  ///< gradient of the net power, see below
-  Pack cosine, sine;  ///< of the roller's angle
-  Pack radius;        ///< r [m]
+  Pack ring_position[kLocalVelocities][2],
+      ring_velocity[kLocalVelocities][2];  ///< dF/d(ring in r, t)
+  Pack to_ring_position[2][kLocalPositions],
+      to_ring_velocity[2][kLocalVelocities];  ///< d(ring force in r, t)/dP, dV
+  Pack power_position[kLocalPositions],
+      power_velocity[kLocalVelocities];  ///< gradient of the net power, see below
+  Pack cosine, sine;                     ///< of the roller's angle
+  Pack radius;                           ///< r [m]
 };
 
 /// Coupling of one roller with the cage's degrees of freedom (rigid, then modes).
 struct CageCoupling {
   int roller = -1;
-  Eigen::Matrix<double, kLocalVelocities, Eigen::Dynamic, Eigen::RowMajor> position, velocity;  ///< on the roller
-  Eigen::Matrix<double, Eigen::Dynamic, kLocalPositions, Eigen::RowMajor> to_position;  ///< on the cage
+  Eigen::Matrix<double, kLocalVelocities, Eigen::Dynamic, Eigen::RowMajor> position,
+      velocity;  ///< on the roller
+  Eigen::Matrix<double, Eigen::Dynamic, kLocalPositions, Eigen::RowMajor>
+      to_position;  ///< on the cage
   Eigen::Matrix<double, Eigen::Dynamic, kLocalVelocities, Eigen::RowMajor> to_velocity;
 };
 
-/// One contact of a roller with the cage, or of the cage with a ring, as three channels: normal, and two tangential directions.
-/// Channel g is the row dv/d(generalised velocity) of its sliding speed (for the normal channel: of the separation speed -p').
+/// One contact of a roller with the cage, or of the cage with a ring, as three channels: normal,
+/// and two tangential directions. Channel g is the row dv/d(generalised velocity) of its sliding
+/// speed (for the normal channel: of the separation speed -p').
 struct ContactRows {
   double roller[3][kLocalVelocities] = {};
-  std::vector<double> border[3];         ///< over the whole border
-  double lean[kLocalPositions] = {};     ///< dependence of the second tangential speed on the roller's positions
+  std::vector<double> border[3];  ///< over the whole border
+  double lean[kLocalPositions] =
+      {};  ///< dependence of the second tangential speed on the roller's positions
 };
 
 struct Linearisation {
@@ -48,13 +57,15 @@ struct Linearisation {
 
   std::vector<GroupLinear> groups;
   Eigen::MatrixXd border_position, border_velocity;
-  /// Gradient over the border of the net power: drive + load - dissipation, the rate of the stored energy. Its time derivative
-  /// makes the energy account's quadrature one order better than the powers alone would.
+  /// Gradient over the border of the net power: drive + load - dissipation, the rate of the stored
+  /// energy. Its time derivative makes the energy account's quadrature one order better than the
+  /// powers alone would.
   Eigen::VectorXd power_position, power_velocity;
   std::vector<CageCoupling> couplings;  ///< the first `coupled` are in use, in order of first touch
   int coupled = 0;
   std::vector<int> slot;  ///< roller -> index into couplings, or -1
-  ContactRows scratch;    ///< for the contact being added; its border rows are zero outside the cage between contacts
+  ContactRows scratch;  ///< for the contact being added; its border rows are zero outside the cage
+                        ///< between contacts
 };
 
 /// What a contact's law says at a state: see NormalForce and Friction.
@@ -63,20 +74,23 @@ struct ContactSlopes {
   double elastic, elastic_stiffness, rate;  ///< elastic part of the force and its slope; p'
 };
 
-/// Gradient of the dissipated power D = Q ratio v^2 + (Q - K p^e) p' of a contact with respect to p, p', v1, v2.
+/// Gradient of the dissipated power D = Q ratio v^2 + (Q - K p^e) p' of a contact with respect to
+/// p, p', v1, v2.
 template <class T>
 struct DissipationSlopes {
   T p, rate, v1, v2;
 };
 template <class T>
-DissipationSlopes<T> dissipation_slopes(T force, T stiffness, T damping, T ratio, T bend, T v1, T v2, T elastic,
-                                        T elastic_stiffness, T rate) {
+DissipationSlopes<T> dissipation_slopes(T force, T stiffness, T damping, T ratio, T bend, T v1,
+                                        T v2, T elastic, T elastic_stiffness, T rate) {
   const T speed2 = v1 * v1 + v2 * v2, along = ratio * speed2 + rate;
   const T slide = force * (2.0 * ratio + bend * speed2);
-  return {along * stiffness - elastic_stiffness * rate, along * damping + force - elastic, slide * v1, slide * v2};
+  return {along * stiffness - elastic_stiffness * rate, along * damping + force - elastic,
+          slide * v1, slide * v2};
 }
 
 /// Adds one contact. `roller` < 0: border only.
-void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller, Linearisation& linear);
+void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
+                 Linearisation& linear);
 
 }  // namespace cagetol

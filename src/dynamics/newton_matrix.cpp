@@ -61,7 +61,8 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
       f.lu[i][i] += mass[i] / beta;
     }
     for (int k = 0; k < kLocalVelocities; ++k) {
-      const Mask bad = ~(max(f.lu[k][k], -f.lu[k][k]) > 1e-9 * mass[k] / beta);  // also true for NaN
+      const Mask bad =
+          ~(max(f.lu[k][k], -f.lu[k][k]) > 1e-9 * mass[k] / beta);  // also true for NaN
       if (any(bad & (roller.exists > 0.0))) sound = false;
       const Pack inverse = 1.0 / f.lu[k][k];
       f.lu[k][k] = inverse;
@@ -74,7 +75,8 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
     for (int c = 0; c < 2; ++c) {
       for (int i = 0; i < kLocalVelocities; ++i) {
         f.rhs[i] = -(l.ring_velocity[i][c] + beta * l.ring_position[i][c]);
-        f.to_ring[c][i] = -l.to_ring_velocity[c][i] - (i < kLocalPositions ? beta * l.to_ring_position[c][i] : Pack{});
+        f.to_ring[c][i] = -l.to_ring_velocity[c][i] -
+                          (i < kLocalPositions ? beta * l.to_ring_position[c][i] : Pack{});
       }
       solve_group(f);
       for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[i][c] = f.rhs[i];
@@ -82,7 +84,8 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
     Pack local[2][2] = {};
     for (int a = 0; a < 2; ++a)
       for (int c = 0; c < 2; ++c)
-        for (int i = 0; i < kLocalVelocities; ++i) local[a][c] += f.to_ring[a][i] * f.from_ring[i][c];
+        for (int i = 0; i < kLocalVelocities; ++i)
+          local[a][c] += f.to_ring[a][i] * f.from_ring[i][c];
     const Pack co = roller.exists * l.cosine, si = roller.exists * l.sine;
     const Pack rr = local[0][0], rt = local[0][1], tr = local[1][0], tt = local[1][1];
     ring[0][0] += sum(co * (rr * l.cosine - rt * l.sine) - si * (tr * l.cosine - tt * l.sine));
@@ -102,7 +105,8 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
     cage.from = -c.velocity - beta * c.position;
     cage.to = -c.to_velocity;
     cage.to.leftCols<kLocalPositions>() -= beta * c.to_position;
-    double lu[kLocalVelocities][kLocalVelocities], ring_from[kLocalVelocities][2], ring_to[2][kLocalVelocities];
+    double lu[kLocalVelocities][kLocalVelocities], ring_from[kLocalVelocities][2],
+        ring_to[2][kLocalVelocities];
     const double co = l.cosine[lane], si = l.sine[lane];
     for (int i = 0; i < kLocalVelocities; ++i) {
       for (int j = 0; j < kLocalVelocities; ++j) lu[i][j] = f.lu[i][j][lane];
@@ -116,7 +120,8 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
     for (int i = 0; i < kLocalVelocities; ++i)
       for (int k = 0; k < i; ++k) cage.from.row(i) -= lu[i][k] * cage.from.row(k);
     for (int i = kLocalVelocities - 1; i >= 0; --i) {
-      for (int k = i + 1; k < kLocalVelocities; ++k) cage.from.row(i) -= lu[i][k] * cage.from.row(k);
+      for (int k = i + 1; k < kLocalVelocities; ++k)
+        cage.from.row(i) -= lu[i][k] * cage.from.row(k);
       cage.from.row(i) *= lu[i][i];
     }
     schur_.bottomRightCorner(cage_columns, cage_columns).noalias() -= cage.to * cage.from;
@@ -159,11 +164,13 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
     Group& f = groups_[static_cast<std::size_t>(n)];
     const int j = n * kLanes;
-    const auto q = [&](RollerPosition slot) { return beta_ * load(rhs + layout.position(slot, j)); };
+    const auto q = [&](RollerPosition slot) {
+      return beta_ * load(rhs + layout.position(slot, j));
+    };
     const auto v = [&](RollerVelocity slot) { return load(rhs + layout.velocity(slot, j)); };
     const Pack ay = q(kAxisY), az = q(kAxisZ), by = v(kAxisRateY), bz = v(kAxisRateZ);
-    const Pack P[kLocalPositions] = {q(kRadius), l.radius * q(kAngle), q(kAxial), l.cosine * ay + l.sine * az,
-                                     l.cosine * az - l.sine * ay};
+    const Pack P[kLocalPositions] = {q(kRadius), l.radius * q(kAngle), q(kAxial),
+                                     l.cosine * ay + l.sine * az, l.cosine * az - l.sine * ay};
     f.rhs[kLr] = roller.mass * v(kRadialSpeed);
     f.rhs[kLt] = roller.mass * l.radius * v(kOrbitRate);
     f.rhs[kLx] = roller.mass * v(kAxialSpeed);
@@ -197,7 +204,8 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
       const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
       if (slot < 0) continue;
       const Cage& cage = cages_[static_cast<std::size_t>(slot)];
-      for (int i = 0; i < kLocalVelocities; ++i) border_rhs_.tail(cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
+      for (int i = 0; i < kLocalVelocities; ++i)
+        border_rhs_.tail(cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
     }
   }
   border_solution_ = schur_lu_.solve(border_rhs_);
@@ -210,12 +218,14 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
     const Pack ring_r = l.cosine * border_solution_[kRingY] + l.sine * border_solution_[kRingZ];
     const Pack ring_t = l.cosine * border_solution_[kRingZ] - l.sine * border_solution_[kRingY];
     Pack u[kLocalVelocities];
-    for (int i = 0; i < kLocalVelocities; ++i) u[i] = f.rhs[i] - f.from_ring[i][0] * ring_r - f.from_ring[i][1] * ring_t;
+    for (int i = 0; i < kLocalVelocities; ++i)
+      u[i] = f.rhs[i] - f.from_ring[i][0] * ring_r - f.from_ring[i][1] * ring_t;
     for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
       const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
       if (slot < 0) continue;
       const Cage& cage = cages_[static_cast<std::size_t>(slot)];
-      for (int i = 0; i < kLocalVelocities; ++i) u[i][lane] -= cage.from.row(i).dot(border_solution_.tail(cage_columns));
+      for (int i = 0; i < kLocalVelocities; ++i)
+        u[i][lane] -= cage.from.row(i).dot(border_solution_.tail(cage_columns));
     }
     const Pack speed[kRollerVelocities] = {u[kLr],
                                            u[kLt] / l.radius,

@@ -1,8 +1,11 @@
-// The matrix (1/beta - J) of every implicit method here, beta = gamma h, factored along the arrow that a bearing is: each roller
-// couples to the border (inner ring, cage, modes) only. Positions are eliminated (q' = v), which leaves 6 unknowns a roller:
-//   A_j = M_j/beta - dF/dV - beta dF/dP,   Schur complement  S = B - sum_j T_j A_j^-1 N_j  on the border.
-// Roller blocks are factored side by side across the lanes, without pivoting: mass, damping and stiffness keep the symmetric part
-// of A_j positive definite as long as beta is not absurdly large; a vanishing pivot is reported, not divided by.
+// The matrix (1/beta - J) of every implicit method here, beta = gamma h, factored along the arrow
+// that a bearing is: each roller couples to the border (inner ring, cage, modes) only. Positions
+// are eliminated (q' = v), which leaves 6 unknowns a roller:
+//   A_j = M_j/beta - dF/dV - beta dF/dP,   Schur complement  S = B - sum_j T_j A_j^-1 N_j  on the
+//   border.
+// Roller blocks are factored side by side across the lanes, without pivoting: mass, damping and
+// stiffness keep the symmetric part of A_j positive definite as long as beta is not absurdly large;
+// a vanishing pivot is reported, not divided by.
 #pragma once
 
 #include <Eigen/LU>
@@ -17,19 +20,22 @@ class NewtonMatrix {
  public:
   explicit NewtonMatrix(const BearingModel& model);
 
-  /// Factors for `beta` > 0 [s]. False where a pivot vanished or is not a number. Keeps a reference to `linear` for solve().
+  /// Factors for `beta` > 0 [s]. False where a pivot vanished or is not a number. Keeps a reference
+  /// to `linear` for solve().
   bool factor(const Linearisation& linear, double beta);
 
-  /// Solves (1/beta - J) x = rhs, both in the order of the state vector; x may be rhs. No allocation.
+  /// Solves (1/beta - J) x = rhs, both in the order of the state vector; x may be rhs. No
+  /// allocation.
   void solve(const double* rhs, double* x);
 
   double beta() const { return beta_; }
 
  private:
   struct Group {
-    Pack lu[kLocalVelocities][kLocalVelocities];  ///< unit lower and upper factor; the diagonal holds inverses
-    Pack to_ring[2][kLocalVelocities];            ///< T, ring part, in the rollers' directions
-    Pack from_ring[kLocalVelocities][2];          ///< A^-1 N, ring part
+    Pack lu[kLocalVelocities]
+           [kLocalVelocities];  ///< unit lower and upper factor; the diagonal holds inverses
+    Pack to_ring[2][kLocalVelocities];    ///< T, ring part, in the rollers' directions
+    Pack from_ring[kLocalVelocities][2];  ///< A^-1 N, ring part
     Pack rhs[kLocalVelocities];
   };
   using Columns = Eigen::Matrix<double, kLocalVelocities, Eigen::Dynamic, Eigen::RowMajor>;

@@ -1,7 +1,9 @@
-// Roller against the two bars of its pocket, in the pocket's directions e_R, e_T (at the pocket centre's angle) and e_x, at
-// stations xi along the roller. D and X are the radial-plane and axial place of the roller's axis relative to the cage's
-// geometric centre, kappa = A_T + dgamma the lean of the bar faces:
-//   u = D_T - kappa X,   p = s u + R - S_j/2,   s = +1 at the leading bar (ahead in +T), -1 at the trailing bar
+// Roller against the two bars of its pocket, in the pocket's directions e_R, e_T (at the pocket
+// centre's angle) and e_x, at stations xi along the roller. D and X are the radial-plane and axial
+// place of the roller's axis relative to the cage's geometric centre, kappa = A_T + dgamma the lean
+// of the bar faces:
+//   u = D_T - kappa X,   p = s u + R - S_j/2,   s = +1 at the leading bar (ahead in +T), -1 at the
+//   trailing bar
 // Normal row: -dp/d(velocities). Friction rows: along e_R (the roller's spin rubs) and along e_x.
 #pragma once
 
@@ -11,9 +13,10 @@ namespace cagetol {
 
 /// Adds one lane of a bar contact to the derivatives.
 inline void linearise_bar(const BorderState& b, int roller, double R, double spin, double xi,
-                          double s, double kappa, double cos_b, double sin_b, double cos_p, double sin_p, double D_R,
-                          double D_T, double X, double A_R, double A_T, double a_R, const ContactSlopes& slopes,
-                          ContactRows& rows, Linearisation& linear) {
+                          double s, double kappa, double cos_b, double sin_b, double cos_p,
+                          double sin_p, double D_R, double D_T, double X, double A_R, double A_T,
+                          double a_R, const ContactSlopes& slopes, ContactRows& rows,
+                          Linearisation& linear) {
   const double reach = D_T + s * R;
   // Rows in (R, T, x, a_R, a_T, spin), then turned by the small angle between pocket and roller.
   const double rolling[3][kLocalVelocities] = {{0, -s, s * kappa, 0, -s * xi, 0},
@@ -32,8 +35,9 @@ inline void linearise_bar(const BorderState& b, int roller, double R, double spi
     to[kLat] = cos_b * g[4] - sin_b * g[3];
     to[kLs] = g[5];
     const double* k = caging[c];
-    const double at_centre[kCageRigid] = {cos_p * k[0] - sin_p * k[1], sin_p * k[0] + cos_p * k[1], k[2], k[3],
-                                          cos_p * k[4] - sin_p * k[5], sin_p * k[4] + cos_p * k[5]};
+    const double at_centre[kCageRigid] = {
+        cos_p * k[0] - sin_p * k[1], sin_p * k[0] + cos_p * k[1], k[2], k[3],
+        cos_p * k[4] - sin_p * k[5], sin_p * k[4] + cos_p * k[5]};
     fill_cage_row(at_centre, b, rows.border[c]);
   }
   rows.lean[kLar] = s * R * spin * cos_b;
@@ -43,15 +47,16 @@ inline void linearise_bar(const BorderState& b, int roller, double R, double spi
 }
 
 template <bool linear>
-void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q, const BorderState& b,
-                     int group, RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
-                     Observation* seen, Pack& touch) {
+void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
+                     const BorderState& b, int group, RollerLoads& loads, BorderLoads& border,
+                     ContactRows* rows, Linearisation* jac, Observation* seen, Pack& touch) {
   const Pack cos_p = b.phi_cos * roller.pocket_cos - b.phi_sin * roller.pocket_sin;
   const Pack sin_p = b.phi_sin * roller.pocket_cos + b.phi_cos * roller.pocket_sin;
   const Pack cos_b = q.cosine * cos_p + q.sine * sin_p, sin_b = q.sine * cos_p - q.cosine * sin_p;
   const Pack D_y = q.r * q.cosine - b.cage[0], D_z = q.r * q.sine - b.cage[1];
   const Pack D_R0 = cos_p * D_y + sin_p * D_z, D_T0 = cos_p * D_z - sin_p * D_y;
-  const Pack A_R = cos_p * b.axis[0] + sin_p * b.axis[1], A_T = cos_p * b.axis[1] - sin_p * b.axis[0];
+  const Pack A_R = cos_p * b.axis[0] + sin_p * b.axis[1],
+             A_T = cos_p * b.axis[1] - sin_p * b.axis[0];
   const Pack dA_R = cos_p * b.axis_rate[0] + sin_p * b.axis_rate[1];
   const Pack dA_T = cos_p * b.axis_rate[1] - sin_p * b.axis_rate[0];
   const Pack a_R = cos_b * q.a_r - sin_b * q.a_t, a_T = sin_b * q.a_r + cos_b * q.a_t;
@@ -79,8 +84,8 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
       touched = true;
       const Pack rate = s * u_rate, R = roller.radius, reach = D_T + s * R;
       const Pack v1 = v_R0 + xi * b_R - s * R * q.spin + b.phi_rate * (reach - X * A_T) - X * dA_R;
-      const Pack v2 = v_x0 + s * R * (q.spin * a_R - b_T) - b.phi_rate * (A_R * reach - A_T * D_R) + dA_T * reach +
-                      dA_R * D_R;
+      const Pack v2 = v_x0 + s * R * (q.spin * a_R - b_T) - b.phi_rate * (A_R * reach - A_T * D_R) +
+                      dA_T * reach + dA_R * D_R;
       const auto normal = normal_force(model.bar, select(touching, p, splat(-1.0)), rate);
       const Pack speed2 = v1 * v1 + v2 * v2;
       const auto fr = friction(model.friction, speed2);
@@ -95,18 +100,20 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
       c_R += D_R * f2 - X * f1;
       c_T += X * push + reach * f2;
       if constexpr (linear) {
-        double* const force = (side == 0 ? seen->leading_force : seen->trailing_force).data() + group * kLanes;
+        double* const force =
+            (side == 0 ? seen->leading_force : seen->trailing_force).data() + group * kLanes;
         store(force, load(force) + normal.force);
         seen->friction_power += sum(g * speed2);
         seen->damping_power += sum((normal.force - normal.elastic) * rate);
         seen->elastic_energy += sum(normal.elastic * max(p, Pack{})) / (model.bar.exponent + 1);
         for (int i = 0; i < kLanes; ++i)
           if (touching[i])
-            linearise_bar(b, group * kLanes + i, R[i], q.spin[i], xi, s, kappa[i], cos_b[i], sin_b[i],
-                          cos_p[i], sin_p[i], D_R[i], D_T[i], X[i], A_R[i], A_T[i], a_R[i],
-                          {normal.force[i], normal.stiffness[i], normal.damping[i], fr.ratio[i], fr.bend[i], v1[i],
-                           v2[i], normal.elastic[i], normal.elastic_stiffness[i], rate[i]},
-                          *rows, *jac);
+            linearise_bar(
+                b, group * kLanes + i, R[i], q.spin[i], xi, s, kappa[i], cos_b[i], sin_b[i],
+                cos_p[i], sin_p[i], D_R[i], D_T[i], X[i], A_R[i], A_T[i], a_R[i],
+                {normal.force[i], normal.stiffness[i], normal.damping[i], fr.ratio[i], fr.bend[i],
+                 v1[i], v2[i], normal.elastic[i], normal.elastic_stiffness[i], rate[i]},
+                *rows, *jac);
       }
     }
   }

@@ -1,9 +1,12 @@
-// Roller against a raceway, sliced along the roller. n is the direction of the force on the roller, d from the axis of the race
-// to the axis of the roller in the radial plane at the slice, s = +1 inside (inner race), -1 outside:
-//   n = s d/|d|,  p = s (R_race - |d|) + R_slice,  p' = -n . (velocity of the roller's axis - velocity of the race's axis)
-// The inner race may be misaligned: its axis passes the slice at u + m X, X the slice's axial place, so n has the axial part
-// -n.m. Sliding speeds: v1 along t = e_x x n, v2 along e_x, of the roller's surface at -R_slice n relative to the race's
-// surface: a tapered or profiled roller slides differentially along its length.
+// Roller against a raceway, sliced along the roller. n is the direction of the force on the roller,
+// d from the axis of the race to the axis of the roller in the radial plane at the slice, s = +1
+// inside (inner race), -1 outside:
+//   n = s d/|d|,  p = s (R_race - |d|) + R_slice,  p' = -n . (velocity of the roller's axis -
+//   velocity of the race's axis)
+// The inner race may be misaligned: its axis passes the slice at u + m X, X the slice's axial
+// place, so n has the axial part -n.m. Sliding speeds: v1 along t = e_x x n, v2 along e_x, of the
+// roller's surface at -R_slice n relative to the race's surface: a tapered or profiled roller
+// slides differentially along its length.
 #pragma once
 
 #include "src/dynamics/contact_frame.hpp"
@@ -11,17 +14,17 @@
 namespace cagetol {
 
 struct RaceSide {
-  double sign;    ///< s
-  double radius;  ///< R_race [m]
-  double speed;   ///< of the race about its axis [rad/s]
+  double sign;                ///< s
+  double radius;              ///< R_race [m]
+  double speed;               ///< of the race about its axis [rad/s]
   Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
   Pack m_r, m_t;              ///< its misalignment, likewise
 };
 
 template <bool linear>
-void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
-                   RollerLoads& loads, GroupLinear* jac, Observation* seen, Pack& total, Pack& sliding,
-                   Pack& elastic_r, Pack& elastic_t, Pack& drive) {
+void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
+                   const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
+                   Pack& total, Pack& sliding, Pack& elastic_r, Pack& elastic_t, Pack& drive) {
   for (const Slice& slice : model.race_slices) {
     const double xi = slice.position;
     const Pack place = q.x + xi;
@@ -40,7 +43,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
     const Pack along = n_r * v_t - n_t * v_r;  // velocity of the axes along t
     const Pack w_r = q.spin * q.a_r - q.b_t, w_t = q.spin * q.a_t + q.b_r;
-    const Pack surface = race.sign * race.speed * race.radius + Pack{};  // speed of the race along t
+    const Pack surface =
+        race.sign * race.speed * race.radius + Pack{};  // speed of the race along t
     const Pack swash = race.sign * race.speed * race.radius * (race.m_r * n_t - race.m_t * n_r);
     const Pack v1 = along - radius * q.spin - surface;
     const Pack v2 = q.vx + radius * (n_r * w_t - n_t * w_r) - swash;
@@ -78,14 +82,17 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       const Pack d11 = q0 * (fr.ratio + fr.bend * v1 * v1), d12 = q0 * fr.bend * v1 * v2;
       const Pack d22 = q0 * (fr.ratio + fr.bend * v2 * v2);
       const Pack m1 = fr.ratio * v1, m2 = fr.ratio * v2;
-      const Pack turn = normal.damping * inverse * along;  // p' changes as n turns with the axis moving along t
-      const Pack spread = q0 * inverse;                    // and so does the direction of the force
-      const auto lost = dissipation_slopes(q0, normal.stiffness, normal.damping, fr.ratio, fr.bend, v1, v2,
-                                           normal.elastic, normal.elastic_stiffness, rate);
+      const Pack turn =
+          normal.damping * inverse * along;  // p' changes as n turns with the axis moving along t
+      const Pack spread = q0 * inverse;      // and so does the direction of the force
+      const auto lost = dissipation_slopes(q0, normal.stiffness, normal.damping, fr.ratio, fr.bend,
+                                           v1, v2, normal.elastic, normal.elastic_stiffness, rate);
       // Net power = drive - dissipation; the drive's F1 and F2 follow Q and the sliding speeds.
       const Pack driven = m1 * surface + m2 * swash;
-      const Pack by_p = lost.p + driven * normal.stiffness, by_rate = lost.rate + driven * normal.damping;
-      const Pack by_v1 = lost.v1 + d11 * surface + d12 * swash, by_v2 = lost.v2 + d12 * surface + d22 * swash;
+      const Pack by_p = lost.p + driven * normal.stiffness,
+                 by_rate = lost.rate + driven * normal.damping;
+      const Pack by_v1 = lost.v1 + d11 * surface + d12 * swash,
+                 by_v2 = lost.v2 + d12 * surface + d22 * swash;
       const Pack by_turn = by_rate * inverse * along;
       for (int i = 0; i < kLocalVelocities; ++i) {
         jac->power_velocity[i] += by_rate * gn[i] - by_v1 * g1[i] - by_v2 * g2[i];

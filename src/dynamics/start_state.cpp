@@ -11,18 +11,21 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   const StateLayout& l = m.layout;
   std::vector<double> y(static_cast<std::size_t>(l.size()), 0.0);
   const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
-  const double inner_speed = inner_speed_at(m, 0), cage_speed = kinematic_cage_speed(m, inner_speed);
+  const double inner_speed = inner_speed_at(m, 0),
+               cage_speed = kinematic_cage_speed(m, inner_speed);
 
   std::vector<double> angle(static_cast<std::size_t>(l.padded()));
   for (int j = 0; j < l.padded(); ++j) {
     const RollerGroup& g = m.groups[static_cast<std::size_t>(j / kLanes)];
     angle[static_cast<std::size_t>(j)] =
-        start.cage_phase + (j < l.rollers ? std::atan2(g.pocket_sin[j % kLanes], g.pocket_cos[j % kLanes])
-                                          : 2 * std::numbers::pi * j / l.padded());
+        start.cage_phase + (j < l.rollers
+                                ? std::atan2(g.pocket_sin[j % kLanes], g.pocket_cos[j % kLanes])
+                                : 2 * std::numbers::pi * j / l.padded());
   }
   StaticEquilibrium equilibrium(m);
   const bool settled = start.state == "equilibrium";
-  const StaticState* rest = settled ? &equilibrium.solve(angle.data(), cage_speed, load_at(m, 0)) : nullptr;
+  const StaticState* rest =
+      settled ? &equilibrium.solve(angle.data(), cage_speed, load_at(m, 0)) : nullptr;
   for (int j = 0; j < l.padded(); ++j) {
     const auto k = static_cast<std::size_t>(j);
     const double a = angle[k], radius = rest ? rest->radius[k] : m.pitch_radius;
@@ -34,7 +37,8 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
     at(l.position(kAxisZ, j)) = tilt * std::sin(a);
     at(l.velocity(kOrbitRate, j)) = cage_speed;
     // Pure rolling at both races: R_pitch w_c - R_w w_s = R_i w_i.
-    at(l.velocity(kSpin, j)) = (m.pitch_radius * cage_speed - m.inner_radius * inner_speed) / roller_radius;
+    at(l.velocity(kSpin, j)) =
+        (m.pitch_radius * cage_speed - m.inner_radius * inner_speed) / roller_radius;
     // The tilt goes round with the roller.
     at(l.velocity(kAxisRateY, j)) = -tilt * cage_speed * std::sin(a);
     at(l.velocity(kAxisRateZ, j)) = tilt * cage_speed * std::cos(a);
@@ -45,7 +49,8 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   }
   // The scene speaks of the geometric centre, the state of the mass centre.
   const double c = std::cos(start.cage_phase), s = std::sin(start.cage_phase);
-  const double e_y = c * m.unbalance_y - s * m.unbalance_z, e_z = s * m.unbalance_y + c * m.unbalance_z;
+  const double e_y = c * m.unbalance_y - s * m.unbalance_z,
+               e_z = s * m.unbalance_y + c * m.unbalance_z;
   at(l.border_position(kCageY)) = start.cage_offset_y + e_y;
   at(l.border_position(kCageZ)) = start.cage_offset_z + e_z;
   at(l.border_position(kCageX)) = start.cage_offset_x;

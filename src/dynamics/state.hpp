@@ -1,5 +1,6 @@
-// The state vector: named slots, never numbers. Rollers are stored component by component (structure of arrays), each component
-// padded to whole packs; then the border: inner ring, cage, cage modes. Positions first, then velocities.
+// The state vector: named slots, never numbers. Rollers are stored component by component
+// (structure of arrays), each component padded to whole packs; then the border: inner ring, cage,
+// cage modes. Positions first, then velocities.
 #pragma once
 
 #include <array>
@@ -9,11 +10,22 @@
 
 namespace cagetol {
 
-/// Position slots of a roller: cylindrical position and the two small inertial components of its axis a = (1, a_y, a_z).
+/// Position slots of a roller: cylindrical position and the two small inertial components of its
+/// axis a = (1, a_y, a_z).
 enum RollerPosition { kRadius, kAngle, kAxial, kAxisY, kAxisZ, kRollerPositions };
-/// Velocity slots of a roller: r', theta', x', a_y', a_z', and the absolute spin rate about its own axis.
-enum RollerVelocity { kRadialSpeed, kOrbitRate, kAxialSpeed, kAxisRateY, kAxisRateZ, kSpin, kRollerVelocities };
-/// Border slots: inner ring, then the cage's mass centre, spin angle and axis, then modal coordinates.
+/// Velocity slots of a roller: r', theta', x', a_y', a_z', and the absolute spin rate about its own
+/// axis.
+enum RollerVelocity {
+  kRadialSpeed,
+  kOrbitRate,
+  kAxialSpeed,
+  kAxisRateY,
+  kAxisRateZ,
+  kSpin,
+  kRollerVelocities
+};
+/// Border slots: inner ring, then the cage's mass centre, spin angle and axis, then modal
+/// coordinates.
 enum Border { kRingY, kRingZ, kCageY, kCageZ, kCageX, kCagePhi, kCageAxisY, kCageAxisZ, kModes };
 inline constexpr int kRigidBorder = kModes;
 inline constexpr int kCageRigid = kModes - kCageY;  ///< rigid degrees of freedom of the cage
@@ -31,7 +43,9 @@ struct StateLayout {
   int size() const { return positions() + velocities(); }
 
   int position(RollerPosition slot, int roller) const { return slot * padded() + roller; }
-  int velocity(RollerVelocity slot, int roller) const { return positions() + slot * padded() + roller; }
+  int velocity(RollerVelocity slot, int roller) const {
+    return positions() + slot * padded() + roller;
+  }
   int border_position(int slot) const { return kRollerPositions * padded() + slot; }
   int border_velocity(int slot) const { return positions() + kRollerVelocities * padded() + slot; }
 };

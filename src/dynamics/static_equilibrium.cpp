@@ -8,7 +8,8 @@
 namespace cagetol {
 namespace {
 
-// Where nothing touches, a soft spring keeps Newton's matrix regular; it is in the matrix only, not in the balance of forces.
+// Where nothing touches, a soft spring keeps Newton's matrix regular; it is in the matrix only, not
+// in the balance of forces.
 constexpr double kSoftSpring = 1e4;     // [N/m]
 constexpr double kLongestMove = 20e-6;  // [m]
 constexpr int kMostIterations = 60;
@@ -23,8 +24,9 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model) : model_(model) 
   state_.inner_force.assign(n, 0.0);
 }
 
-StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* angle, double orbit_rate,
-                                                                RollerMotion motion) {
+StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* angle,
+                                                               double orbit_rate,
+                                                               RollerMotion motion) {
   RingForce ring{};
   Observation unused(model_.layout);
   for (int group = 0; group < model_.layout.groups; ++group) {
@@ -36,11 +38,18 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
     q.a_r = load(state_.tilt.data() + j);
     const auto r = [&](double y, double z) { return along_r(q, splat(y), splat(z)); };
     const auto t = [&](double y, double z) { return along_t(q, splat(y), splat(z)); };
-    const RaceSide inner{1, model_.inner_radius, 0, r(state_.ring_y, state_.ring_z), t(state_.ring_y, state_.ring_z),
-                         {}, {}, r(model_.misalignment_y, model_.misalignment_z),
+    const RaceSide inner{1,
+                         model_.inner_radius,
+                         0,
+                         r(state_.ring_y, state_.ring_z),
+                         t(state_.ring_y, state_.ring_z),
+                         {},
+                         {},
+                         r(model_.misalignment_y, model_.misalignment_z),
                          t(model_.misalignment_y, model_.misalignment_z)};
     const RaceSide outer{-1, model_.outer_radius, 0, {}, {}, {}, {}, {}, {}};
-    // At rest first; then orbiting: a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
+    // At rest first; then orbiting: a roller follows the races, r' = orbit_rate dr/dtheta, and the
+    // law's damping has its say.
     const int passes = motion == RollerMotion::at_rest ? 1 : 2;
     for (int pass = 0, iteration = 0; iteration < kMostIterations; ++iteration) {
       GroupLinear g{};
@@ -52,14 +61,18 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       const Pack elastic_r = er, elastic_t = et;
       store(state_.inner_force.data() + j, total);
       race_contacts<true>(model_, roller, q, outer, loads, &g, &unused, total, a, er, et, drive);
-      const Pack F = loads.f[kLr] + roller.mass * (q.r * (orbit_rate * orbit_rate) - model_.gravity * q.sine);
+      const Pack F =
+          loads.f[kLr] + roller.mass * (q.r * (orbit_rate * orbit_rate) - model_.gravity * q.sine);
       const Pack T = loads.f[kLar];
       const double half = model_.roller_half_length;
       const Pack k_rr = kSoftSpring - g.position[kLr][kLr], k_ra = -g.position[kLr][kLar];
-      const Pack k_ar = -g.position[kLar][kLr], k_aa = kSoftSpring * half * half - g.position[kLar][kLar];
+      const Pack k_ar = -g.position[kLar][kLr],
+                 k_aa = kSoftSpring * half * half - g.position[kLar][kLar];
       const Pack inverse = 1.0 / (k_rr * k_aa - k_ra * k_ar);
-      const Pack dr = min(max((k_aa * F - k_ra * T) * inverse, splat(-kLongestMove)), splat(kLongestMove));
-      const Pack da = min(max((k_rr * T - k_ar * F) * inverse, splat(-kLongestMove / half)), splat(kLongestMove / half));
+      const Pack dr =
+          min(max((k_aa * F - k_ra * T) * inverse, splat(-kLongestMove)), splat(kLongestMove));
+      const Pack da = min(max((k_rr * T - k_ar * F) * inverse, splat(-kLongestMove / half)),
+                          splat(kLongestMove / half));
       const Pack size = roller.exists * (max(dr, -dr) + half * max(da, -da));
       if (largest(size) < 1e-14 && pass + 1 < passes) {
         ++pass;
@@ -68,7 +81,8 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
         continue;
       }
       if (largest(size) < 1e-14 || iteration + 1 == kMostIterations) {
-        // Condense: a ring move u changes the inner force directly, and through the roller that follows it.
+        // Condense: a ring move u changes the inner force directly, and through the roller that
+        // follows it.
         const Pack co = q.cosine * roller.exists, si = q.sine * roller.exists;
         ring.y -= sum(co * on_inner.f[kLr] - si * on_inner.f[kLt]);
         ring.z -= sum(si * on_inner.f[kLr] + co * on_inner.f[kLt]);
@@ -76,18 +90,24 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
         Pack K[2][2];
         for (int c = 0; c < 2; ++c) {
           const int to_r = kLr, to_a = kLar, col = c == 0 ? kLr : kLt;
-          const Pack b_r = -from_inner.position[to_r][col], b_a = -from_inner.position[to_a][col];  // dF, dT per du
-          const Pack dr_du = (k_aa * b_r - k_ra * b_a) * inverse, da_du = (k_rr * b_a - k_ar * b_r) * inverse;
+          const Pack b_r = -from_inner.position[to_r][col],
+                     b_a = -from_inner.position[to_a][col];  // dF, dT per du
+          const Pack dr_du = (k_aa * b_r - k_ra * b_a) * inverse,
+                     da_du = (k_rr * b_a - k_ar * b_r) * inverse;
           for (int i = 0; i < 2; ++i) {
             const int row = i == 0 ? kLr : kLt;
             K[i][c] = from_inner.position[row][col] - from_inner.position[row][kLr] * dr_du -
                       from_inner.position[row][kLar] * da_du;
           }
         }
-        ring.yy += sum(co * (K[0][0] * q.cosine - K[0][1] * q.sine) - si * (K[1][0] * q.cosine - K[1][1] * q.sine));
-        ring.yz += sum(co * (K[0][0] * q.sine + K[0][1] * q.cosine) - si * (K[1][0] * q.sine + K[1][1] * q.cosine));
-        ring.zy += sum(si * (K[0][0] * q.cosine - K[0][1] * q.sine) + co * (K[1][0] * q.cosine - K[1][1] * q.sine));
-        ring.zz += sum(si * (K[0][0] * q.sine + K[0][1] * q.cosine) + co * (K[1][0] * q.sine + K[1][1] * q.cosine));
+        ring.yy += sum(co * (K[0][0] * q.cosine - K[0][1] * q.sine) -
+                       si * (K[1][0] * q.cosine - K[1][1] * q.sine));
+        ring.yz += sum(co * (K[0][0] * q.sine + K[0][1] * q.cosine) -
+                       si * (K[1][0] * q.sine + K[1][1] * q.cosine));
+        ring.zy += sum(si * (K[0][0] * q.cosine - K[0][1] * q.sine) +
+                       co * (K[1][0] * q.cosine - K[1][1] * q.sine));
+        ring.zz += sum(si * (K[0][0] * q.sine + K[0][1] * q.cosine) +
+                       co * (K[1][0] * q.sine + K[1][1] * q.cosine));
         break;
       }
       q.r += dr;
@@ -112,7 +132,8 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
       state_.converged = true;
       break;
     }
-    const double yy = kSoftSpring - f.yy, zz = kSoftSpring - f.zz, yz = -f.yz, zy = -f.zy, b_z = f.z - weight;
+    const double yy = kSoftSpring - f.yy, zz = kSoftSpring - f.zz, yz = -f.yz, zy = -f.zy,
+                 b_z = f.z - weight;
     const double det = yy * zz - yz * zy;
     double dy = (zz * f.y - yz * b_z) / det, dz = (yy * b_z - zy * f.y) / det;
     const double length = std::hypot(dy, dz);
@@ -124,8 +145,9 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
       state_.ring_y += dy;
       state_.ring_z += dz;
       f = settle_rollers(angle, orbit_rate, motion);
-      // Energy is convex, so a step that still leads downhill at its end is sound even where the imbalance did not fall: crossing a
-      // clearance it stays the load itself until the rollers touch, and may be more just behind.
+      // Energy is convex, so a step that still leads downhill at its end is sound even where the
+      // imbalance did not fall: crossing a clearance it stays the load itself until the rollers
+      // touch, and may be more just behind.
       const bool downhill = f.y * dy + (f.z - weight) * dz > 0;
       if (imbalance() < now || downhill || std::hypot(dy, dz) < 1e-16) break;
       state_.ring_y -= dy;

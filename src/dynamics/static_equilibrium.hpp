@@ -1,7 +1,9 @@
-// Quasi-static equilibrium of inner ring and rollers for given roller angles: Newton on the race forces, centrifugal force and
-// weight, without friction. The rollers' radial places and tilts are condensed onto the ring's two displacements. Orbiting,
-// the rollers follow the races as they go round, and the normal law's damping on the way in and out of the load zone is part of the
-// balance (at 10 kN and the impact law of Xin et al. it carries a tenth of the load sideways); at rest it is plain statics.
+// Quasi-static equilibrium of inner ring and rollers for given roller angles: Newton on the race
+// forces, centrifugal force and weight, without friction. The rollers' radial places and tilts are
+// condensed onto the ring's two displacements. Orbiting, the rollers follow the races as they go
+// round, and the normal law's damping on the way in and out of the load zone is part of the balance
+// (at 10 kN and the impact law of Xin et al. it carries a tenth of the load sideways); at rest it
+// is plain statics.
 #pragma once
 
 #include <vector>
@@ -26,15 +28,16 @@ class StaticEquilibrium {
  public:
   explicit StaticEquilibrium(const BearingModel& model);
 
-  /// `angle` has one element per roller (padded) [rad]; `orbit_rate` makes the centrifugal force [rad/s]; `load` along -z
-  /// [N].
+  /// `angle` has one element per roller (padded) [rad]; `orbit_rate` makes the centrifugal force
+  /// [rad/s]; `load` along -z [N].
   const StaticState& solve(const double* angle, double orbit_rate, double load,
                            RollerMotion motion = RollerMotion::at_rest);
 
  private:
   struct RingForce {
-    double y, z, yy, yz, zy, zz;  ///< force on the ring from the rollers in equilibrium, and its derivatives
-    double elastic_z;             ///< elastic part of z
+    double y, z, yy, yz, zy,
+        zz;            ///< force on the ring from the rollers in equilibrium, and its derivatives
+    double elastic_z;  ///< elastic part of z
   };
   RingForce settle_rollers(const double* angle, double orbit_rate, RollerMotion motion);
 

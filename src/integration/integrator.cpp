@@ -20,8 +20,8 @@ const std::vector<MethodName>& integration_methods() {
   return methods;
 }
 
-std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system, double t0,
-                                            const double* y0) {
+std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system,
+                                            double t0, const double* y0) {
   if (keys.method == "rodas3") return std::make_unique<Rosenbrock>(kRodas3, keys, system);
   if (keys.method == "rodas4") return std::make_unique<Rosenbrock>(kRodas4, keys, system);
   if (keys.method == "cvode-bdf") return make_cvode_bdf(keys, system, t0, y0);

@@ -15,8 +15,9 @@ class Integrator {
  public:
   virtual ~Integrator() = default;
 
-  /// Takes one accepted step from (t, y) to at most t_end and updates both. Expects system.linearise_at(t, y) to have been called
-  /// for this very state. Counts steps and rejections in system.counts.
+  /// Takes one accepted step from (t, y) to at most t_end and updates both. Expects
+  /// system.linearise_at(t, y) to have been called for this very state. Counts steps and rejections
+  /// in system.counts.
   virtual StepStatus step(System& system, double& t, double* y, double t_end) = 0;
 
   /// Why the last step failed, for people.
@@ -34,6 +35,7 @@ struct MethodName {
 const std::vector<MethodName>& integration_methods();
 
 /// Makes the method named in the scene's integration keys.
-std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system, double t0, const double* y0);
+std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system,
+                                            double t0, const double* y0);
 
 }  // namespace cagetol

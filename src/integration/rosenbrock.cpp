@@ -33,7 +33,8 @@ const RosenbrockTable kRodas4 = {
           {-2.430093356833875, -0.2063599157091915},
           {-0.1073529058151375, -9.594562251023355, -20.47028614809616},
           {7.496443313967647, -10.24680431464352, -33.99990352819905, 11.70890893206160},
-          {8.083246795921522, -7.981132988064893, -31.52159432874371, 16.31930543123136, -6.058818238834054}},
+          {8.083246795921522, -7.981132988064893, -31.52159432874371, 16.31930543123136,
+           -6.058818238834054}},
     .alpha = {0, 0.386, 0.21, 0.63, 1, 1},
     .gamma_sum = {0.25, -0.1043, 0.1035, -0.0362, 0, 0},
     .m = {1.221224509226641, 6.019134481288629, 12.53708332932087, -0.6878860361058950, 1, 1},
@@ -44,7 +45,8 @@ const RosenbrockTable kRodas4 = {
 namespace {
 
 constexpr double kFirstStep = 1e-7, kSmallestStep = 1e-12;
-constexpr double kTouchMargin = 3e-6;  ///< steps end this long after a predicted touch, inside the contact [s]
+constexpr double kTouchMargin =
+    3e-6;  ///< steps end this long after a predicted touch, inside the contact [s]
 
 }  // namespace
 
@@ -53,7 +55,8 @@ Rosenbrock::Rosenbrock(const RosenbrockTable& table, const Integration& keys, co
       keys_(keys),
       newton_(system.model),
       next_step_(kFirstStep),
-      stage_(static_cast<std::size_t>(table.stages), std::vector<double>(static_cast<std::size_t>(system.size))),
+      stage_(static_cast<std::size_t>(table.stages),
+             std::vector<double>(static_cast<std::size_t>(system.size))),
       rates_(static_cast<std::size_t>(system.size)),
       argument_(static_cast<std::size_t>(system.size)),
       time_rates_(static_cast<std::size_t>(system.size)),
@@ -74,7 +77,8 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
   }
   bool rejected = false;
   for (;;) {
-    if (system.counts.steps + system.counts.rejected >= keys_.step_budget) return StepStatus::out_of_budget;
+    if (system.counts.steps + system.counts.rejected >= keys_.step_budget)
+      return StepStatus::out_of_budget;
     const bool last = t + h >= t_end;
     if (last) h = t_end - t;
     ++system.counts.factorisations;
@@ -87,7 +91,9 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
         std::copy(y, y + n, argument_.begin());
         for (int j = 0; j < s; ++j)
           if (a[j] != 0)
-            for (int i = 0; i < n; ++i) argument_[static_cast<std::size_t>(i)] += a[j] * stage_[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+            for (int i = 0; i < n; ++i)
+              argument_[static_cast<std::size_t>(i)] +=
+                  a[j] * stage_[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
         sound = system.rates(t + table_.alpha[s] * h, argument_.data(), rates_.data());
         rates = rates_.data();
       }
@@ -99,7 +105,8 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
           for (int i = 0; i < n; ++i) u[i] += c[j] / h * from[i];
         }
       if (driven && table_.gamma_sum[s] != 0)
-        for (int i = 0; i < n; ++i) u[i] += table_.gamma_sum[s] * h * time_rates_[static_cast<std::size_t>(i)];
+        for (int i = 0; i < n; ++i)
+          u[i] += table_.gamma_sum[s] * h * time_rates_[static_cast<std::size_t>(i)];
       newton_.solve(u, u);
     }
     double error = 1e6;
@@ -107,7 +114,9 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       std::fill(error_.begin(), error_.end(), 0.0);
       for (int s = 0; s < table_.stages; ++s)
         if (table_.e[s] != 0)
-          for (int i = 0; i < n; ++i) error_[static_cast<std::size_t>(i)] += table_.e[s] * stage_[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
+          for (int i = 0; i < n; ++i)
+            error_[static_cast<std::size_t>(i)] +=
+                table_.e[s] * stage_[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
       error = error_norm(system, error_.data()) / keys_.tolerance;
       if (!std::isfinite(error)) error = 1e6;
     }
@@ -119,7 +128,8 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       factor = std::clamp(factor, 0.2, rejected ? 1.0 : 4.0);
       for (int s = 0; s < table_.stages; ++s)
         if (table_.m[s] != 0)
-          for (int i = 0; i < n; ++i) y[i] += table_.m[s] * stage_[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
+          for (int i = 0; i < n; ++i)
+            y[i] += table_.m[s] * stage_[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
       t = last ? t_end : t + h;
       ++system.counts.steps;
       if (!last) system.counts.smallest_step = std::min(system.counts.smallest_step, h);

@@ -1,5 +1,6 @@
-// Linearly implicit (Rosenbrock) methods with a current Jacobian, error control and a touch-aware step: no nonlinear iteration, so
-// a contact that opens or closes inside a step costs a smaller step and never a failed Newton.
+// Linearly implicit (Rosenbrock) methods with a current Jacobian, error control and a touch-aware
+// step: no nonlinear iteration, so a contact that opens or closes inside a step costs a smaller
+// step and never a failed Newton.
 #pragma once
 
 #include "src/dynamics/newton_matrix.hpp"
@@ -8,8 +9,8 @@
 namespace cagetol {
 
 /// Coefficients in the transformed variables U of Hairer & Wanner II, eq. (IV.7.25):
-///   (1/(gamma h) - J) U_i = f(t + alpha_i h, y + sum_j a_ij U_j) + sum_j (c_ij/h) U_j + gamma_i h f_t
-///   y_new = y + sum_i m_i U_i,   error = sum_i e_i U_i
+///   (1/(gamma h) - J) U_i = f(t + alpha_i h, y + sum_j a_ij U_j) + sum_j (c_ij/h) U_j + gamma_i h
+///   f_t y_new = y + sum_i m_i U_i,   error = sum_i e_i U_i
 struct RosenbrockTable {
   static constexpr int kMaxStages = 6;
   int stages;
@@ -17,13 +18,16 @@ struct RosenbrockTable {
   double error_order;  ///< the error estimate behaves like h^error_order
   double a[kMaxStages][kMaxStages], c[kMaxStages][kMaxStages];
   double alpha[kMaxStages], gamma_sum[kMaxStages], m[kMaxStages], e[kMaxStages];
-  bool new_rates[kMaxStages];  ///< stage evaluates the rates anew (else it uses those of the stage before)
+  bool new_rates[kMaxStages];  ///< stage evaluates the rates anew (else it uses those of the stage
+                               ///< before)
 };
 
-/// RODAS3: 4 stages, order 3(2), L-stable, stiffly accurate. Sandu et al. 1997 (doi 10.1016/S1352-2310(97)83212-8).
+/// RODAS3: 4 stages, order 3(2), L-stable, stiffly accurate. Sandu et al. 1997
+/// (doi 10.1016/S1352-2310(97)83212-8).
 extern const RosenbrockTable kRodas3;
 
-/// RODAS4: 6 stages, order 4(3), L-stable, stiffly accurate. Hairer & Wanner, Solving ODEs II, section IV.10 (code RODAS).
+/// RODAS4: 6 stages, order 4(3), L-stable, stiffly accurate. Hairer & Wanner, Solving ODEs II,
+/// section IV.10 (code RODAS).
 extern const RosenbrockTable kRodas4;
 
 class Rosenbrock : public Integrator {

@@ -11,8 +11,10 @@ StepStatus SemiImplicitEuler::step(System& system, double& t, double* y, double 
   const double h = last ? t_end - t : keys_.fixed_step;
   const StateLayout& l = system.model.layout;
   const int positions = l.positions();
-  for (int i = positions; i < system.size; ++i) y[i] += h * system.rate[static_cast<std::size_t>(i)];
-  // Every position's rate is a velocity slot; the spin, last of the roller velocities, has no position.
+  for (int i = positions; i < system.size; ++i)
+    y[i] += h * system.rate[static_cast<std::size_t>(i)];
+  // Every position's rate is a velocity slot; the spin, last of the roller velocities, has no
+  // position.
   const int roller = kRollerPositions * l.padded(), border = l.border();
   for (int i = 0; i < roller; ++i) y[i] += h * y[positions + i];
   for (int i = 0; i < border; ++i) y[l.border_position(i)] += h * y[l.border_velocity(i)];

@@ -1,5 +1,6 @@
-// Semi-implicit (symplectic) Euler with a fixed step: the honest explicit baseline. Past its stability limit one-sided contacts
-// chatter and the bearing silently turns stiff; only the watch on static consistency tells.
+// Semi-implicit (symplectic) Euler with a fixed step: the honest explicit baseline. Past its
+// stability limit one-sided contacts chatter and the bearing silently turns stiff; only the watch
+// on static consistency tells.
 #pragma once
 
 #include "src/integration/integrator.hpp"

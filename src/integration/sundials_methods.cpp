@@ -3,9 +3,9 @@
 #include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.hpp>
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
+#include <sundials/sundials_context.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kFirstStep = 1e-7;
 
-/// What the C callbacks reach: evaluations are counted in the run's system, derivatives kept apart from what the run observes.
+/// What the C callbacks reach: evaluations are counted in the run's system, derivatives kept apart
+/// from what the run observes.
 struct Problem {
   Problem(const Integration& k, const System& s)
       : keys(k),
@@ -38,24 +39,29 @@ struct Problem {
 
 int rates(double t, N_Vector y, N_Vector rate, void* user) {
   auto& problem = *static_cast<Problem*>(user);
-  return problem.system->rates(t, NV_DATA_S(y), NV_DATA_S(rate)) ? 0 : 1;  // 1: recoverable, the step is cut
+  return problem.system->rates(t, NV_DATA_S(y), NV_DATA_S(rate))
+             ? 0
+             : 1;  // 1: recoverable, the step is cut
 }
 
 int error_weights(N_Vector y, N_Vector weights, void* user) {
   auto& problem = *static_cast<Problem*>(user);
   (void)y;
   for (int i = 0; i < problem.system->size; ++i)
-    NV_Ith_S(weights, i) = 1 / (problem.keys.tolerance * problem.system->scale[static_cast<std::size_t>(i)]);
+    NV_Ith_S(weights, i) =
+        1 / (problem.keys.tolerance * problem.system->scale[static_cast<std::size_t>(i)]);
   return 0;
 }
 
 /// Prepares I - gamma J.
-int linear_system(double t, N_Vector y, N_Vector, SUNMatrix, booleantype keep_jacobian, booleantype* new_jacobian,
-                  double gamma, void* user, N_Vector, N_Vector, N_Vector) {
+int linear_system(double t, N_Vector y, N_Vector, SUNMatrix, booleantype keep_jacobian,
+                  booleantype* new_jacobian, double gamma, void* user, N_Vector, N_Vector,
+                  N_Vector) {
   auto& problem = *static_cast<Problem*>(user);
   if (!keep_jacobian) {
     ++problem.system->counts.jacobians;
-    linearise(problem.system->model, t, NV_DATA_S(y), problem.rate.data(), problem.linear, problem.seen);
+    linearise(problem.system->model, t, NV_DATA_S(y), problem.rate.data(), problem.linear,
+              problem.seen);
   }
   *new_jacobian = !keep_jacobian;
   problem.gamma = gamma;
@@ -63,23 +69,33 @@ int linear_system(double t, N_Vector y, N_Vector, SUNMatrix, booleantype keep_ja
   return problem.newton.factor(problem.linear, gamma) ? 0 : 1;
 }
 
-int linear_system_with_mass(double t, N_Vector y, N_Vector rate, SUNMatrix matrix, SUNMatrix, booleantype keep_jacobian,
-                            booleantype* new_jacobian, double gamma, void* user, N_Vector a, N_Vector b, N_Vector c) {
+int linear_system_with_mass(double t, N_Vector y, N_Vector rate, SUNMatrix matrix, SUNMatrix,
+                            booleantype keep_jacobian, booleantype* new_jacobian, double gamma,
+                            void* user, N_Vector a, N_Vector b, N_Vector c) {
   return linear_system(t, y, rate, matrix, keep_jacobian, new_jacobian, gamma, user, a, b, c);
 }
 
 /// Solves (I - gamma J) x = b, that is (1/gamma - J) x = b/gamma.
 int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, double) {
   auto& problem = *static_cast<Problem*>(solver->content);
-  for (std::size_t i = 0; i < problem.scaled.size(); ++i) problem.scaled[i] = NV_Ith_S(b, i) / problem.gamma;
+  for (std::size_t i = 0; i < problem.scaled.size(); ++i)
+    problem.scaled[i] = NV_Ith_S(b, i) / problem.gamma;
   problem.newton.solve(problem.scaled.data(), NV_DATA_S(x));
   return 0;
 }
 
-SUNLinearSolver_Type direct(SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; }
-int nothing(SUNLinearSolver) { return 0; }
-int set_up(SUNLinearSolver, SUNMatrix) { return 0; }  // linear_system has factored already
-SUNMatrix_ID custom(SUNMatrix) { return SUNMATRIX_CUSTOM; }
+SUNLinearSolver_Type direct(SUNLinearSolver) {
+  return SUNLINEARSOLVER_DIRECT;
+}
+int nothing(SUNLinearSolver) {
+  return 0;
+}
+int set_up(SUNLinearSolver, SUNMatrix) {
+  return 0;
+}  // linear_system has factored already
+SUNMatrix_ID custom(SUNMatrix) {
+  return SUNMATRIX_CUSTOM;
+}
 
 /// Owns the SUNDIALS objects of one run.
 struct Handles {
@@ -109,10 +125,13 @@ struct Handles {
 };
 
 void require(int flag, const char* what) {
-  if (flag != 0) throw std::runtime_error(std::string("SUNDIALS refused ") + what + " (flag " + std::to_string(flag) + ")");
+  if (flag != 0)
+    throw std::runtime_error(std::string("SUNDIALS refused ") + what + " (flag " +
+                             std::to_string(flag) + ")");
 }
 
-/// One-step mode with interpolation: the solver may run ahead of t_end; the state is then interpolated there.
+/// One-step mode with interpolation: the solver may run ahead of t_end; the state is then
+/// interpolated there.
 class SundialsIntegrator : public Integrator {
  public:
   SundialsIntegrator(const Integration& keys, const System& system, double t0, const double* y0)
@@ -122,7 +141,8 @@ class SundialsIntegrator : public Integrator {
     problem_.system = &system;
     const double before = t;
     if (reached_ <= t) {
-      if (system.counts.steps + system.counts.rejected >= problem_.keys.step_budget) return StepStatus::out_of_budget;
+      if (system.counts.steps + system.counts.rejected >= problem_.keys.step_budget)
+        return StepStatus::out_of_budget;
       long fails_before = error_fails();
       const int flag = advance(t_end);
       system.counts.rejected += error_fails() - fails_before;
@@ -174,7 +194,9 @@ class CvodeBdf : public SundialsIntegrator {
   ~CvodeBdf() override { CVodeFree(&memory_); }
 
  protected:
-  int advance(double t_end) override { return CVode(memory_, t_end, handles_.vector, &reached_, CV_ONE_STEP); }
+  int advance(double t_end) override {
+    return CVode(memory_, t_end, handles_.vector, &reached_, CV_ONE_STEP);
+  }
   void interpolate(double t) override { CVodeGetDky(memory_, t, 0, handles_.vector); }
   long error_fails() override {
     long errors = 0, nonlinear = 0;
@@ -197,12 +219,14 @@ class Arkode : public SundialsIntegrator {
  public:
   Arkode(bool implicit, const Integration& keys, const System& system, double t0, const double* y0)
       : SundialsIntegrator(keys, system, t0, y0),
-        memory_(ARKStepCreate(implicit ? nullptr : rates, implicit ? rates : nullptr, t0, handles_.vector, handles_.context)) {
+        memory_(ARKStepCreate(implicit ? nullptr : rates, implicit ? rates : nullptr, t0,
+                              handles_.vector, handles_.context)) {
     require(ARKStepSetUserData(memory_, &problem_), "the problem");
     require(ARKStepWFtolerances(memory_, error_weights), "the error weights");
     require(ARKStepSetOrder(memory_, 3), "order 3");
     if (implicit) {
-      require(ARKStepSetLinearSolver(memory_, handles_.solver, handles_.matrix), "the linear solver");
+      require(ARKStepSetLinearSolver(memory_, handles_.solver, handles_.matrix),
+              "the linear solver");
       require(ARKStepSetLinSysFn(memory_, linear_system_with_mass), "the linear system");
     }
     require(ARKStepSetMaxStep(memory_, keys.max_step), "the maximum step");
@@ -212,7 +236,9 @@ class Arkode : public SundialsIntegrator {
   ~Arkode() override { ARKStepFree(&memory_); }
 
  protected:
-  int advance(double t_end) override { return ARKStepEvolve(memory_, t_end, handles_.vector, &reached_, ARK_ONE_STEP); }
+  int advance(double t_end) override {
+    return ARKStepEvolve(memory_, t_end, handles_.vector, &reached_, ARK_ONE_STEP);
+  }
   void interpolate(double t) override { ARKStepGetDky(memory_, t, 0, handles_.vector); }
   long error_fails() override {
     long errors = 0;
@@ -232,12 +258,13 @@ class Arkode : public SundialsIntegrator {
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_cvode_bdf(const Integration& keys, const System& system, double t0, const double* y0) {
+std::unique_ptr<Integrator> make_cvode_bdf(const Integration& keys, const System& system, double t0,
+                                           const double* y0) {
   return std::make_unique<CvodeBdf>(keys, system, t0, y0);
 }
 
-std::unique_ptr<Integrator> make_arkode(bool implicit, const Integration& keys, const System& system, double t0,
-                                        const double* y0) {
+std::unique_ptr<Integrator> make_arkode(bool implicit, const Integration& keys,
+                                        const System& system, double t0, const double* y0) {
   return std::make_unique<Arkode>(implicit, keys, system, t0, y0);
 }
 

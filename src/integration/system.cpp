@@ -68,7 +68,8 @@ double error_norm(const System& s, const double* error) {
     const double e = error[i] / s.scale[static_cast<std::size_t>(i)];
     sum += e * e;
   }
-  const int components = (int{kRollerPositions} + int{kRollerVelocities}) * s.model.layout.rollers + 2 * s.model.layout.border();
+  const int components = (int{kRollerPositions} + int{kRollerVelocities}) * s.model.layout.rollers +
+                         2 * s.model.layout.border();
   return std::sqrt(sum / components);
 }
 

@@ -1,5 +1,5 @@
-// The bearing as a system of ordinary differential equations, with its derivatives at the current state and the counts of what
-// was evaluated. Scratch of one run: not shared between runs.
+// The bearing as a system of ordinary differential equations, with its derivatives at the current
+// state and the counts of what was evaluated. Scratch of one run: not shared between runs.
 #pragma once
 
 #include <vector>
@@ -25,15 +25,16 @@ struct System {
 
   const BearingModel& model;
   int size;
-  std::vector<double> scale;  ///< size of one unit of error of each component: 1 um, 1 cm/s, and these over lever arms
+  std::vector<double> scale;  ///< size of one unit of error of each component: 1 um, 1 cm/s, and
+                              ///< these over lever arms
   std::vector<double> rate;   ///< at the last linearise_at
   Linearisation linear;
   Observation seen;
   Counts counts;
 };
 
-/// Error scale of each state component: lengths 1 um, speeds 1 cm/s, angles and rates the same divided by their lever arm;
-/// padding gets 1e30.
+/// Error scale of each state component: lengths 1 um, speeds 1 cm/s, angles and rates the same
+/// divided by their lever arm; padding gets 1e30.
 std::vector<double> error_scales(const BearingModel& model);
 
 /// Root mean square of error/scale over the components that exist.

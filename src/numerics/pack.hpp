@@ -1,6 +1,7 @@
-// Eight doubles side by side: the lanes over which rollers are computed. GCC vector types, so +, -, *, / and comparisons are the
-// language's own; a machine without AVX-512 gets two or four narrower registers from the compiler. Always whole packs, so that a
-// result does not depend on the lane it is computed in.
+// Eight doubles side by side: the lanes over which rollers are computed. GCC vector types, so +, -,
+// *, / and comparisons are the language's own; a machine without AVX-512 gets two or four narrower
+// registers from the compiler. Always whole packs, so that a result does not depend on the lane it
+// is computed in.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +17,46 @@ inline constexpr int kLanes = 8;
 typedef double Pack __attribute__((vector_size(64)));
 typedef std::int64_t Mask __attribute__((vector_size(64)));  ///< all bits set where true
 
-inline Pack splat(double x) { return Pack{} + x; }
+inline Pack splat(double x) {
+  return Pack{} + x;
+}
 inline Pack load(const double* p) {
   Pack x;
   std::memcpy(&x, p, sizeof x);
   return x;
 }
-inline void store(double* p, Pack x) { std::memcpy(p, &x, sizeof x); }
-inline Pack select(Mask m, Pack a, Pack b) { return m ? a : b; }
-inline Pack max(Pack a, Pack b) { return a > b ? a : b; }
-inline Pack min(Pack a, Pack b) { return a < b ? a : b; }
+inline void store(double* p, Pack x) {
+  std::memcpy(p, &x, sizeof x);
+}
+inline Pack select(Mask m, Pack a, Pack b) {
+  return m ? a : b;
+}
+inline Pack max(Pack a, Pack b) {
+  return a > b ? a : b;
+}
+inline Pack min(Pack a, Pack b) {
+  return a < b ? a : b;
+}
 
 // The same names for one double, so that a law is written once for both.
-inline double select(bool m, double a, double b) { return m ? a : b; }
-inline double max(double a, double b) { return a > b ? a : b; }
-inline double min(double a, double b) { return a < b ? a : b; }
-inline bool any(bool m) { return m; }
-inline double sqrt(double x) { return __builtin_sqrt(x); }
-inline double power(double x, double e) { return __builtin_pow(x, e); }
+inline double select(bool m, double a, double b) {
+  return m ? a : b;
+}
+inline double max(double a, double b) {
+  return a > b ? a : b;
+}
+inline double min(double a, double b) {
+  return a < b ? a : b;
+}
+inline bool any(bool m) {
+  return m;
+}
+inline double sqrt(double x) {
+  return __builtin_sqrt(x);
+}
+inline double power(double x, double e) {
+  return __builtin_pow(x, e);
+}
 
 inline bool any(Mask m) {
 #ifdef __AVX512F__
@@ -64,19 +87,23 @@ inline double largest(Pack x) {
   for (int i = 1; i < kLanes; ++i) y = x[i] > y ? x[i] : y;
   return y;
 }
-inline double smallest(Pack x) { return -largest(-x); }
+inline double smallest(Pack x) {
+  return -largest(-x);
+}
 
 /// log2(x) for finite x > 0, within 2 units in the last place of max(1, |log2 x|).
 inline Pack log2(Pack x) {
   const Mask bits = reinterpret_cast<Mask>(x);
-  // Mantissa in [sqrt(1/2), sqrt(2)): subtract the bits of sqrt(1/2), take the exponent, put the rest back.
+  // Mantissa in [sqrt(1/2), sqrt(2)): subtract the bits of sqrt(1/2), take the exponent, put the
+  // rest back.
   const std::int64_t half_root = 0x3FE6A09E667F3BCDLL;
   const Mask shifted = bits - half_root;
   const Mask exponent = shifted >> 52;
   const Pack m = reinterpret_cast<Pack>((shifted & 0x000FFFFFFFFFFFFFLL) + half_root);
   const Pack s = (m - 1.0) / (m + 1.0), z = s * s;
   Pack series = splat(1.0 / 21);
-  for (double c : {1.0 / 19, 1.0 / 17, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3})
+  for (double c :
+       {1.0 / 19, 1.0 / 17, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3})
     series = series * z + c;
   const Pack ln = 2.0 * (s + s * z * series);
   return ln * 1.4426950408889634074 + __builtin_convertvector(exponent, Pack);
@@ -84,20 +111,25 @@ inline Pack log2(Pack x) {
 
 /// 2^y for |y| < 1000, within 2 units in the last place.
 inline Pack exp2(Pack y) {
-  const double magic = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer kept in the low bits
+  const double magic =
+      6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer kept in the low bits
   const Pack rounded = y + magic;
   const Mask n = reinterpret_cast<Mask>(rounded) << 52;
   const Pack f = (y - (rounded - magic)) * 0.69314718055994530942;
   Pack series = splat(1.0 / 6227020800.0);
-  for (double c : {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0,
-                   1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0})
+  for (double c :
+       {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0,
+        1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0})
     series = series * f + c;
   return reinterpret_cast<Pack>(reinterpret_cast<Mask>(series) + n);
 }
 
-/// x^e for x > 0; anything for other x (mask it). Relative error below 1e-15 for |e log2 x| < 8, and 6e-15 for |e log2 x| < 60, where
-/// the rounding of the product counts (unless the compiler fuses it).
-inline Pack power(Pack x, double e) { return exp2(log2(x) * e); }
+/// x^e for x > 0; anything for other x (mask it). Relative error below 1e-15 for |e log2 x| < 8,
+/// and 6e-15 for |e log2 x| < 60, where the rounding of the product counts (unless the compiler
+/// fuses it).
+inline Pack power(Pack x, double e) {
+  return exp2(log2(x) * e);
+}
 
 /// Sine and cosine, absolute error below 3e-16 for |x| < 1e5.
 inline void sine_cosine(Pack x, Pack& s, Pack& c) {
@@ -106,7 +138,8 @@ inline void sine_cosine(Pack x, Pack& s, Pack& c) {
   const Mask quadrant = reinterpret_cast<Mask>(rounded);
   const Pack n = rounded - magic;
   // pi/2 in three parts (Cody and Waite); n has at most 17 bits, so each product is exact.
-  const Pack r = ((x - n * 1.5707963267341256142) - n * 6.0771005063039659e-11) - n * 2.0222662487959505e-21;
+  const Pack r =
+      ((x - n * 1.5707963267341256142) - n * 6.0771005063039659e-11) - n * 2.0222662487959505e-21;
   const Pack z = r * r;
   Pack ps = splat(1.0 / 355687428096000.0);
   for (double k : {-1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0, 1.0 / 362880.0,
@@ -114,8 +147,8 @@ inline void sine_cosine(Pack x, Pack& s, Pack& c) {
     ps = ps * z + k;
   const Pack sine = r + r * z * ps;
   Pack pc = splat(-1.0 / 6402373705728000.0);
-  for (double k : {1.0 / 20922789888000.0, -1.0 / 87178291200.0, 1.0 / 479001600.0, -1.0 / 3628800.0,
-                   1.0 / 40320.0, -1.0 / 720.0, 1.0 / 24.0, -0.5})
+  for (double k : {1.0 / 20922789888000.0, -1.0 / 87178291200.0, 1.0 / 479001600.0,
+                   -1.0 / 3628800.0, 1.0 / 40320.0, -1.0 / 720.0, 1.0 / 24.0, -0.5})
     pc = pc * z + k;
   const Pack cosine = 1.0 + z * pc;
   const Mask swap = -(quadrant & 1);

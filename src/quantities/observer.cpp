@@ -13,10 +13,10 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
-constexpr double kRecordInterval = 20e-6;        // of the thinner record that quantiles use [s]
-constexpr double kEnergyFloor = 1e-3;            // of the stored energy: runs that hardly dissipate
-constexpr double kLoadedShare = 0.01;            // of the applied load
-constexpr double kDisplacementFloor = 1e-6;      // of the consistency error [m]
+constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
+constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that hardly dissipate
+constexpr double kLoadedShare = 0.01;        // of the applied load
+constexpr double kDisplacementFloor = 1e-6;  // of the consistency error [m]
 
 }  // namespace
 
@@ -41,7 +41,8 @@ void Observer::record(double t, const double* y, const System& system) {
   const double* dv = system.rate.data() + l.border_velocity(0);
   const Observation& seen = system.seen;
   const bool first = last_time_ < 0;
-  // Each state stands for the time since the one before it (the trapezoid's second half is a difference of one step in thousands).
+  // Each state stands for the time since the one before it (the trapezoid's second half is a
+  // difference of one step in thousands).
   const double weight = first ? 0 : t - last_time_;
 
   const bool keep = t >= next_record_;
@@ -60,7 +61,8 @@ void Observer::record(double t, const double* y, const System& system) {
     orbit_angle_ = std::atan2(cage_z, cage_y);
   }
   last_energy_ = energy;
-  net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power, seen.net_power_rate);
+  net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
+                seen.net_power_rate);
   drive_.add(t, seen.drive_power);
   dissipation_.add(t, seen.friction_power + seen.damping_power);
 
@@ -103,7 +105,8 @@ void Observer::record_rollers(const double* y, const System& system, double weig
     skew_.add(std::abs(c * az - s * ay), weight, keep);
     tilt_.add(std::abs(c * ay + s * az), weight, keep);
     roller_speed_.add(spin, weight);
-    const double slip = rolling != 0 ? 1 - std::abs(spin - y[l.velocity(kOrbitRate, j)]) / std::abs(rolling) : 0;
+    const double slip =
+        rolling != 0 ? 1 - std::abs(spin - y[l.velocity(kOrbitRate, j)]) / std::abs(rolling) : 0;
     slip_all_.add(slip, weight);
     if (seen.inner_force[k] > threshold) {
       slip_loaded_.add(slip, weight);
@@ -123,8 +126,8 @@ void Observer::record_statics(double t, const double* y) {
   const StateLayout& l = model_.layout;
   std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
   const double load = load_at(model_, t);
-  const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)], load,
-                                          RollerMotion::orbiting);
+  const StaticState& rest =
+      statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)], load, RollerMotion::orbiting);
   if (!rest.converged) return;
   dynamic_displacement_.add(-y[l.border_position(kRingZ)], 1);
   static_displacement_.add(-rest.ring_z, 1);
@@ -139,12 +142,14 @@ double Observer::energy_residual() const {
 
 double Observer::static_consistency_error() const {
   const double weight = load_at(model_, end_) + model_.ring_mass * model_.gravity;
-  // Below the centrifugal force of one roller the ring bounces within its clearance: its mean place says nothing.
+  // Below the centrifugal force of one roller the ring bounces within its clearance: its mean place
+  // says nothing.
   const RollerGroup& g = model_.groups.front();
   const double cage_speed = cage_speed_.mean();
   const double light = std::max(1.0, g.mass[0] * model_.pitch_radius * cage_speed * cage_speed);
   const double expected_force = static_elastic_z_.empty() ? weight : static_elastic_z_.mean();
-  const double force = std::abs(ring_elastic_z_.mean() - expected_force) / std::max(std::abs(weight), light);
+  const double force =
+      std::abs(ring_elastic_z_.mean() - expected_force) / std::max(std::abs(weight), light);
   if (dynamic_displacement_.empty() || std::abs(weight) < light) return force;
   const double expected = static_displacement_.mean();
   return std::max(force, std::abs(dynamic_displacement_.mean() - expected) /
@@ -168,7 +173,8 @@ std::vector<double> Observer::quantities() const {
   const double frequency = orbit_turned_ / duration / cage_speed;
   q["whirl_frequency_ratio"] = frequency;
   const bool centred = whirl_radius_.mean() < 0.1 * clearance;
-  const bool circling = whirl_radius_.standard_deviation() < 0.25 * whirl_radius_.mean() && std::abs(frequency) > 0.1;
+  const bool circling =
+      whirl_radius_.standard_deviation() < 0.25 * whirl_radius_.mean() && std::abs(frequency) > 0.1;
   q["orbit_class"] = centred ? 0 : circling ? 1 : 2;
   const auto force = [&](const std::string& name, const Series& series, const Impacts& impacts) {
     q[name + "_force_rms_N"] = series.rms();
@@ -181,7 +187,8 @@ std::vector<double> Observer::quantities() const {
   force("end", wall_force_, wall_impacts_);
   q["cage_speed_std_ratio"] = cage_speed_.standard_deviation() / std::abs(cage_speed);
   q["cage_axial_std_um"] = 1e6 * cage_axial_.standard_deviation();
-  q["cage_tilt_std_mrad"] = 1e3 * std::hypot(cage_lean_y_.standard_deviation(), cage_lean_z_.standard_deviation());
+  q["cage_tilt_std_mrad"] =
+      1e3 * std::hypot(cage_lean_y_.standard_deviation(), cage_lean_z_.standard_deviation());
   q["ring_displacement_mean_um"] = -1e6 * ring_z_.mean();
   q["ring_displacement_end_um"] = 1e6 * end_displacement_;
   q["ring_orbit_p95_um"] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
@@ -192,12 +199,14 @@ std::vector<double> Observer::quantities() const {
   q["roller_skew_p95_mrad"] = 1e3 * skew_.quantile(0.95);
   q["roller_tilt_p95_mrad"] = 1e3 * tilt_.quantile(0.95);
   q["power_loss_W"] = dissipation_.integral() / duration;
-  q["friction_torque_Nmm"] = inner_speed != 0 ? 1e3 * drive_.integral() / duration / inner_speed : 0;
+  q["friction_torque_Nmm"] =
+      inner_speed != 0 ? 1e3 * drive_.integral() / duration / inner_speed : 0;
   q["static_consistency_error"] = static_consistency_error();
   std::vector<double> values;
   for (const Quantity& row : quantity_table()) {
     const auto found = q.find(row.key);
-    if (found == q.end()) throw std::logic_error(std::string("quantity without a value: ") + row.key);
+    if (found == q.end())
+      throw std::logic_error(std::string("quantity without a value: ") + row.key);
     values.push_back(found->second);
   }
   return values;

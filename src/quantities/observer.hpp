@@ -1,5 +1,5 @@
-// Watches a run through its window and says in the end what it amounted to: the quantities of interest, the energy account and the
-// consistency with statics.
+// Watches a run through its window and says in the end what it amounted to: the quantities of
+// interest, the energy account and the consistency with statics.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ class Observer {
 
   /// All quantities in the order of quantity_table().
   std::vector<double> quantities() const;
-  /// |work in - dissipation - change of stored energy| over the dissipation, or over a thousandth of the stored energy where a run
-  /// dissipates less than that.
+  /// |work in - dissipation - change of stored energy| over the dissipation, or over a thousandth
+  /// of the stored energy where a run dissipates less than that.
   double energy_residual() const;
   double static_consistency_error() const;
   /// Revolutions of the cage within the window.
@@ -46,8 +46,10 @@ class Observer {
 
   double last_time_ = -1, next_record_ = 0;
 
-  Series cage_speed_, inner_speed_, whirl_radius_, whirl_speed_, cage_axial_, cage_lean_y_, cage_lean_z_;
-  Series slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_, guide_force_, roller_speed_;
+  Series cage_speed_, inner_speed_, whirl_radius_, whirl_speed_, cage_axial_, cage_lean_y_,
+      cage_lean_z_;
+  Series slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_, guide_force_,
+      roller_speed_;
   Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_;
   double orbit_turned_ = 0, orbit_angle_ = 0;
   double revolutions_ = 0, start_phase_ = 0;

@@ -4,51 +4,72 @@ namespace cagetol {
 
 const std::vector<Quantity>& quantity_table() {
   static const std::vector<Quantity> table = {
-      {"cage_slip_ratio", "-", "1 - w_c/(w_i R_i/(R_i + R_o)), w_c the mean cage speed, R the actual race radii"},
+      {"cage_slip_ratio", "-",
+       "1 - w_c/(w_i R_i/(R_i + R_o)), w_c the mean cage speed, R the actual race radii"},
       {"roller_slip_ratio_loaded", "-",
-       "mean of 1 - |w_s - theta'|/w_kin over rollers whose inner-race force exceeds 1 % of the load; "
+       "mean of 1 - |w_s - theta'|/w_kin over rollers whose inner-race force exceeds 1 % of the "
+       "load; "
        "w_kin = w_i (d_m/2D)(1 - (D/d_m)^2), spin relative to the cage's orbit"},
       {"roller_slip_ratio_all", "-", "the same mean over all rollers"},
       {"race_sliding_speed_rms", "m/s", "rms sliding speed at loaded inner-race contacts"},
-      {"race_sliding_speed_peak", "m/s", "largest sliding speed at loaded inner-race contacts, over every accepted step"},
-      {"whirl_radius_ratio_mean", "-", "mean radius of the cage centre over the radial guide clearance"},
+      {"race_sliding_speed_peak", "m/s",
+       "largest sliding speed at loaded inner-race contacts, over every accepted step"},
+      {"whirl_radius_ratio_mean", "-",
+       "mean radius of the cage centre over the radial guide clearance"},
       {"whirl_radius_ratio_p95", "-", "95 % quantile over time of the same ratio"},
       {"whirl_radius_ratio_peak", "-", "largest value of the same ratio over every accepted step"},
-      {"whirl_speed_deviation_ratio", "-", "standard deviation over mean of the cage centre's speed (smaller is steadier)"},
-      {"whirl_frequency_ratio", "-", "mean angular rate of the cage centre's orbit over the mean cage speed"},
+      {"whirl_speed_deviation_ratio", "-",
+       "standard deviation over mean of the cage centre's speed (smaller is steadier)"},
+      {"whirl_frequency_ratio", "-",
+       "mean angular rate of the cage centre's orbit over the mean cage speed"},
       {"orbit_class", "-",
-       "0 centred (mean whirl radius below 0.1 of the clearance), 1 circling (radius scatter below a quarter of its mean and "
+       "0 centred (mean whirl radius below 0.1 of the clearance), 1 circling (radius scatter below "
+       "a quarter of its mean and "
        "the centre turns at more than 0.1 of the cage speed), 2 irregular (all else)"},
-      {"pocket_force_rms_N", "N", "rms over time and rollers of the normal force of a roller on its pocket's bars"},
-      {"pocket_force_p99_N", "N", "99 % quantile over time and rollers of the same force, zeros included"},
+      {"pocket_force_rms_N", "N",
+       "rms over time and rollers of the normal force of a roller on its pocket's bars"},
+      {"pocket_force_p99_N", "N",
+       "99 % quantile over time and rollers of the same force, zeros included"},
       {"pocket_force_peak_N", "N", "largest value of the same force over every accepted step"},
-      {"pocket_impacts_per_revolution", "1/rev", "closings of roller-bar contacts per cage revolution"},
-      {"guide_force_rms_N", "N", "rms over time of the normal force between cage lands and guiding ring, both lands"},
+      {"pocket_impacts_per_revolution", "1/rev",
+       "closings of roller-bar contacts per cage revolution"},
+      {"guide_force_rms_N", "N",
+       "rms over time of the normal force between cage lands and guiding ring, both lands"},
       {"guide_force_p99_N", "N", "99 % quantile over time of the same force"},
       {"guide_force_peak_N", "N", "largest value of the same force over every accepted step"},
       {"guide_impacts_per_revolution", "1/rev", "closings of land contacts per cage revolution"},
-      {"end_force_rms_N", "N", "rms over time and rollers of the force of a roller's ends on its pocket's end walls"},
-      {"end_force_p99_N", "N", "99 % quantile over time and rollers of the same force, zeros included"},
+      {"end_force_rms_N", "N",
+       "rms over time and rollers of the force of a roller's ends on its pocket's end walls"},
+      {"end_force_p99_N", "N",
+       "99 % quantile over time and rollers of the same force, zeros included"},
       {"end_force_peak_N", "N", "largest value of the same force over every accepted step"},
       {"end_impacts_per_revolution", "1/rev", "closings of end-wall contacts per cage revolution"},
       {"cage_speed_std_ratio", "-", "standard deviation over mean of the cage's rotational speed"},
       {"cage_axial_std_um", "um", "standard deviation of the cage's axial place"},
-      {"cage_tilt_std_mrad", "mrad", "root of the summed variances of the cage axis' two lean angles"},
+      {"cage_tilt_std_mrad", "mrad",
+       "root of the summed variances of the cage axis' two lean angles"},
       {"ring_displacement_mean_um", "um", "mean displacement of the inner ring along the load"},
-      {"ring_displacement_end_um", "um", "displacement of the inner ring along the load at the end of the window"},
-      {"ring_orbit_p95_um", "um", "95 % quantile over time of the inner ring's distance from its mean place"},
+      {"ring_displacement_end_um", "um",
+       "displacement of the inner ring along the load at the end of the window"},
+      {"ring_orbit_p95_um", "um",
+       "95 % quantile over time of the inner ring's distance from its mean place"},
       {"ring_acceleration_rms_m_s2", "m/s2", "rms of the inner ring's acceleration"},
-      {"ring_acceleration_peak_m_s2", "m/s2", "largest acceleration of the inner ring over every accepted step"},
-      {"roller_speed_std_ratio", "-", "standard deviation over mean of the rollers' absolute spin, over time and rollers"},
+      {"ring_acceleration_peak_m_s2", "m/s2",
+       "largest acceleration of the inner ring over every accepted step"},
+      {"roller_speed_std_ratio", "-",
+       "standard deviation over mean of the rollers' absolute spin, over time and rollers"},
       {"roller_skew_rms_mrad", "mrad", "rms over time and rollers of the skew a.e_t"},
       {"roller_skew_p95_mrad", "mrad", "95 % quantile over time and rollers of |skew|"},
-      {"roller_tilt_p95_mrad", "mrad", "95 % quantile over time and rollers of |tilt|, tilt = a.e_r"},
+      {"roller_tilt_p95_mrad", "mrad",
+       "95 % quantile over time and rollers of |tilt|, tilt = a.e_r"},
       {"power_loss_W", "W", "dissipation of all contacts over the window's length"},
       {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
       {"static_consistency_error", "-",
-       "the larger of: mean elastic force on the ring against the quasi-static one (the load, less what the normal law's damping "
+       "the larger of: mean elastic force on the ring against the quasi-static one (the load, less "
+       "what the normal law's damping "
        "carries as rollers go round); mean ring displacement against the quasi-static one over "
-       "the same roller positions (relative; below the centrifugal force of one roller only the force counts, relative to it)"},
+       "the same roller positions (relative; below the centrifugal force of one roller only the "
+       "force counts, relative to it)"},
   };
   return table;
 }

@@ -11,7 +11,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-double Series::mean() const { return weight_ > 0 ? shift_ + sum_ / weight_ : kNone; }
+double Series::mean() const {
+  return weight_ > 0 ? shift_ + sum_ / weight_ : kNone;
+}
 
 double Series::rms() const {
   const double spread = standard_deviation(), centre = mean();
@@ -24,7 +26,9 @@ double Series::standard_deviation() const {
   return std::sqrt(std::max(0.0, squares_ / weight_ - centre * centre));
 }
 
-double Series::peak() const { return count_ > 0 ? peak_ : kNone; }
+double Series::peak() const {
+  return count_ > 0 ? peak_ : kNone;
+}
 
 double Series::quantile(double p) const {
   if (record_.empty()) return kNone;
@@ -47,7 +51,8 @@ void StepQuadrature::add(double t, double f) {
   if (points_ >= 1) {
     const double h = t - t_[2];
     if (points_ >= 2) {
-      // Second divided difference over the last two intervals; the earlier interval gets the mean of its two parabolas.
+      // Second divided difference over the last two intervals; the earlier interval gets the mean
+      // of its two parabolas.
       const double before = t_[2] - t_[1];
       const double bend = ((f - f_[2]) / h - (f_[2] - f_[1]) / before) / (t - t_[1]);
       const double used = points_ >= 3 ? 0.5 * (bend_ + bend) : bend;

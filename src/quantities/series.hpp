@@ -1,5 +1,6 @@
-// A quantity seen at the accepted steps of a window, each value weighted with the time it stands for. Means and peaks use every
-// step; quantiles use a thinner record, one value per `thin` seconds, which is what a quantile over time needs.
+// A quantity seen at the accepted steps of a window, each value weighted with the time it stands
+// for. Means and peaks use every step; quantiles use a thinner record, one value per `thin`
+// seconds, which is what a quantile over time needs.
 #pragma once
 
 #include <vector>
@@ -38,7 +39,8 @@ class Series {
 /// Quantile of the distance of the recorded points (x, y) from their mean.
 double distance_quantile(const Series& x, const Series& y, double p);
 
-/// Integral of a function known with its derivative at the accepted steps: Hermite's corrected trapezium, order 4 within each step.
+/// Integral of a function known with its derivative at the accepted steps: Hermite's corrected
+/// trapezium, order 4 within each step.
 class HermiteQuadrature {
  public:
   void add(double t, double f, double slope) {
@@ -55,7 +57,8 @@ class HermiteQuadrature {
   double t_ = 0, f_ = 0, slope_ = 0, sum_ = 0;
 };
 
-/// Integral of a function known at the accepted steps: parabolas through neighbouring points, averaged; order 4 where smooth.
+/// Integral of a function known at the accepted steps: parabolas through neighbouring points,
+/// averaged; order 4 where smooth.
 class StepQuadrature {
  public:
   void add(double t, double f);
@@ -65,8 +68,8 @@ class StepQuadrature {
  private:
   int points_ = 0;
   double t_[3] = {}, f_[3] = {};
-  double done_ = 0;     ///< all intervals but the last, corrected
-  double bend_ = 0;     ///< second divided difference of the last three points
+  double done_ = 0;  ///< all intervals but the last, corrected
+  double bend_ = 0;  ///< second divided difference of the last three points
 };
 
 }  // namespace cagetol

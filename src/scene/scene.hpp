@@ -1,5 +1,6 @@
-// A scene: everything that determines one bearing run, in SI units. Immutable input of the physics; plain data with defaults.
-// Defaults are the reference bearing NU 205 ECP with a machined steel window cage (inputs/README.md lists every key).
+// A scene: everything that determines one bearing run, in SI units. Immutable input of the physics;
+// plain data with defaults. Defaults are the reference bearing NU 205 ECP with a machined steel
+// window cage (inputs/README.md lists every key).
 #pragma once
 
 #include <limits>
@@ -12,61 +13,67 @@ namespace cagetol {
 inline constexpr double kAuto = std::numeric_limits<double>::quiet_NaN();
 
 struct Material {
-  double young = 208e9;    ///< E [Pa]
-  double poisson = 0.30;   ///< nu
-  double density = 7810;   ///< rho [kg/m^3]
+  double young = 208e9;   ///< E [Pa]
+  double poisson = 0.30;  ///< nu
+  double density = 7810;  ///< rho [kg/m^3]
 };
 
 struct BearingGeometry {
-  long roller_count = 13;                 ///< Z
-  double bore_diameter = 25e-3;           ///< [m]
-  double outside_diameter = 52e-3;        ///< [m]
-  double width = 15e-3;                   ///< [m]
+  long roller_count = 13;                   ///< Z
+  double bore_diameter = 25e-3;             ///< [m]
+  double outside_diameter = 52e-3;          ///< [m]
+  double width = 15e-3;                     ///< [m]
   double inner_raceway_diameter = 31.5e-3;  ///< F, catalogue [m]
   double outer_raceway_diameter = 46.5e-3;  ///< E, catalogue [m]
-  double shoulder_diameter = 43.8e-3;     ///< outer-ring shoulders: flange face and guiding surface [m]
-  double internal_clearance = 30e-6;      ///< diametral, beyond what the catalogue diameters leave; half on each raceway [m]
-  double flange_clearance = 0.08e-3;      ///< roller to both flanges, axial, total [m]
+  double shoulder_diameter =
+      43.8e-3;  ///< outer-ring shoulders: flange face and guiding surface [m]
+  double internal_clearance =
+      30e-6;  ///< diametral, beyond what the catalogue diameters leave; half on each raceway [m]
+  double flange_clearance = 0.08e-3;  ///< roller to both flanges, axial, total [m]
   Material ring_material;
-  double inner_ring_mass = kAuto;         ///< [kg]
-  double misalignment_y = 0;              ///< centre line of the inner ring: y_i + misalignment_y x [rad]
-  double misalignment_z = 0;              ///< likewise in z [rad]
+  double inner_ring_mass = kAuto;  ///< [kg]
+  double misalignment_y = 0;       ///< centre line of the inner ring: y_i + misalignment_y x [rad]
+  double misalignment_z = 0;       ///< likewise in z [rad]
 };
 
 struct RollerGeometry {
   std::vector<double> diameter = {7.5e-3};  ///< D, one for all or one each [m]
   double length = 9e-3;                     ///< L_w [m]
-  std::vector<double> taper = {0};          ///< diameter at the +x end minus diameter at the -x end [m]
-  std::string profile = "none";             ///< "none" or "logarithmic" (ISO/TS 16281)
+  std::vector<double> taper = {0};  ///< diameter at the +x end minus diameter at the -x end [m]
+  std::string profile = "none";     ///< "none" or "logarithmic" (ISO/TS 16281)
   Material material;
 };
 
 struct CageGeometry {
   std::string model = "rigid";
-  double inner_diameter = 37.0e-3;           ///< [m]
-  double outer_diameter = 43.4e-3;           ///< [m]
-  double width = 14e-3;                      ///< axial [m]
+  double inner_diameter = 37.0e-3;                ///< [m]
+  double outer_diameter = 43.4e-3;                ///< [m]
+  double width = 14e-3;                           ///< axial [m]
   std::vector<double> pocket_width = {7.65e-3};   ///< S_j, circumferential opening [m]
   std::vector<double> pocket_length = {9.25e-3};  ///< L_j, axial opening [m]
-  std::vector<double> pocket_pitch = {0};         ///< dpsi_j, angular deviation of the pocket's centre [rad]
-  std::vector<double> pocket_squareness = {0};    ///< dgamma_j, angle of the bar faces to the bearing axis [rad]
+  std::vector<double> pocket_pitch = {
+      0};  ///< dpsi_j, angular deviation of the pocket's centre [rad]
+  std::vector<double> pocket_squareness = {
+      0};  ///< dgamma_j, angle of the bar faces to the bearing axis [rad]
   Material material{206e9, 0.30, 7850};
-  double yield_stress = 235e6;               ///< [Pa]
-  double mass = kAuto;                       ///< [kg]
-  double polar_inertia = kAuto;              ///< about the bearing axis [kg m^2]
-  double transverse_inertia = kAuto;         ///< about a diameter [kg m^2]
-  std::string guidance = "outer";            ///< "outer", "inner" or "roller"
-  double guide_clearance = kAuto;            ///< radial [m]
-  double land_offset = kAuto;                ///< lands at x = +-land_offset [m]
-  long mesh_density = 4;                     ///< of a flexible cage: elements through the thickness
-  long modes = 20;                           ///< elastic modes kept of a flexible cage
-  double mode_damping = 0.01;                ///< damping ratio of elastic modes
+  double yield_stress = 235e6;        ///< [Pa]
+  double mass = kAuto;                ///< [kg]
+  double polar_inertia = kAuto;       ///< about the bearing axis [kg m^2]
+  double transverse_inertia = kAuto;  ///< about a diameter [kg m^2]
+  std::string guidance = "outer";     ///< "outer", "inner" or "roller"
+  double guide_clearance = kAuto;     ///< radial [m]
+  double land_offset = kAuto;         ///< lands at x = +-land_offset [m]
+  long mesh_density = 4;              ///< of a flexible cage: elements through the thickness
+  long modes = 20;                    ///< elastic modes kept of a flexible cage
+  double mode_damping = 0.01;         ///< damping ratio of elastic modes
 };
 
 /// Parameters of one contact kind.
 struct ContactParameters {
-  std::string law = "impact";      ///< "impact" (Adams IMPACT) or "hertz" (line contact, Hunt-Crossley damping)
-  double stiffness = 1.5e5;        ///< K of `impact`, N/mm^e as [P] Table 1 prints it; converted where the law is made
+  std::string law =
+      "impact";  ///< "impact" (Adams IMPACT) or "hertz" (line contact, Hunt-Crossley damping)
+  double stiffness =
+      1.5e5;  ///< K of `impact`, N/mm^e as [P] Table 1 prints it; converted where the law is made
   double exponent = 10.0 / 9.0;    ///< e
   double damping = 750e3;          ///< c_max [N s/m]
   double damping_depth = 0.1e-3;   ///< d, depth at which the damping is full [m]
@@ -87,12 +94,12 @@ struct Contacts {
 };
 
 struct Operation {
-  double radial_load = 1000;     ///< on the inner ring, along -z [N]
-  double load_ramp = 0;          ///< time over which the load rises from zero by STEP [s]
+  double radial_load = 1000;  ///< on the inner ring, along -z [N]
+  double load_ramp = 0;       ///< time over which the load rises from zero by STEP [s]
   double inner_speed = 6000 * 0.10471975511965977;  ///< about +x [rad/s]
-  double speed_ramp_from = kAuto;  ///< speed at t = 0; auto: no ramp [rad/s]
-  double speed_ramp = 0;           ///< time of the ramp by STEP [s]
-  double gravity = 9.81;           ///< along -z [m/s^2]
+  double speed_ramp_from = kAuto;                   ///< speed at t = 0; auto: no ramp [rad/s]
+  double speed_ramp = 0;                            ///< time of the ramp by STEP [s]
+  double gravity = 9.81;                            ///< along -z [m/s^2]
 };
 
 struct Start {
@@ -100,7 +107,7 @@ struct Start {
   double cage_offset_y = 0;           ///< [m]
   double cage_offset_z = 0;           ///< [m]
   double cage_offset_x = 0;           ///< [m]
-  double cage_phase = 0;              ///< rollers and cage turned together about the bearing axis [rad]
+  double cage_phase = 0;  ///< rollers and cage turned together about the bearing axis [rad]
 };
 
 struct Window {
@@ -117,13 +124,14 @@ struct Discretisation {
 
 struct Integration {
   std::string method = "rodas3";
-  double tolerance = 0.001;      ///< multiple of the error scales (1 um, 1 cm/s and kin)
-  double max_step = 100e-6;      ///< [s]
-  double fixed_step = 1e-6;      ///< of fixed-step methods [s]
-  long max_order = 2;            ///< cap of cvode-bdf
-  bool touch_aware = true;       ///< bound the step by the predicted next touch
-  long step_budget = 20000000;   ///< attempted steps before the run is censored
-  double wall_budget = 0;        ///< wall-clock limit [s], 0: none; ends a run as not_run, never as a result
+  double tolerance = 0.001;     ///< multiple of the error scales (1 um, 1 cm/s and kin)
+  double max_step = 100e-6;     ///< [s]
+  double fixed_step = 1e-6;     ///< of fixed-step methods [s]
+  long max_order = 2;           ///< cap of cvode-bdf
+  bool touch_aware = true;      ///< bound the step by the predicted next touch
+  long step_budget = 20000000;  ///< attempted steps before the run is censored
+  double wall_budget =
+      0;  ///< wall-clock limit [s], 0: none; ends a run as not_run, never as a result
 };
 
 struct Watch {
@@ -149,7 +157,8 @@ struct Scene {
   Discretisation discretisation;
   Integration integration;
   Watch watch;
-  bool allow_interference = false;  ///< simulate a jammed pocket's elastic pinch instead of reporting the jam
+  bool allow_interference =
+      false;  ///< simulate a jammed pocket's elastic pinch instead of reporting the jam
   double history_interval = 20e-6;  ///< [s]
 };
 

@@ -171,8 +171,9 @@ namespace {
 std::vector<Assumption> read_assumptions(const toml::node& node, const std::string& file) {
   std::vector<Assumption> assumptions;
   const auto wrong = [&](const toml::node& at, const std::string& problem) {
-    return InputError(place_of(at, file), "assumption", shown(at), problem,
-                      "write [[assumption]] with key = \"bearing.internal_clearance_um\" and note = \"why\"");
+    return InputError(
+        place_of(at, file), "assumption", shown(at), problem,
+        "write [[assumption]] with key = \"bearing.internal_clearance_um\" and note = \"why\"");
   };
   if (!node.is_array()) throw wrong(node, "this is a list of tables");
   for (const auto& element : *node.as_array()) {

@@ -11,17 +11,20 @@ namespace cagetol {
 /// All keys, in the order in which they are dumped and listed.
 const KeyTable<Scene>& scene_keys();
 
-/// Reads a scene from TOML. Keys not given keep their defaults; unknown keys are errors that name the nearest known key. Where a
-/// key holds a distribution, its `nominal` is read (absent: the default); drawing from it is the business of mc.
-/// `file` names the source in messages. Checks ranges and the scene as a whole (check_scene). Throws InputError.
+/// Reads a scene from TOML. Keys not given keep their defaults; unknown keys are errors that name
+/// the nearest known key. Where a key holds a distribution, its `nominal` is read (absent: the
+/// default); drawing from it is the business of mc. `file` names the source in messages. Checks
+/// ranges and the scene as a whole (check_scene). Throws InputError.
 Scene read_scene(const toml::table& root, const std::string& file);
 
-/// Whether a table in a scene is a distribution: it holds at least one of `law`, `lot`, `pocket`, `noise`, `nominal`.
+/// Whether a table in a scene is a distribution: it holds at least one of `law`, `lot`, `pocket`,
+/// `noise`, `nominal`.
 bool is_distribution(const toml::table& table);
 
-/// Consistency beyond single keys: nominal roller fits nominal pocket, cage fits between the rings, pockets fit the pitch.
-/// Throws InputError naming `file`, the keys that disagree and their values; `root` gives the line of the first of them.
-/// Skipped for samples: there a pocket too small is a jam outcome.
+/// Consistency beyond single keys: nominal roller fits nominal pocket, cage fits between the rings,
+/// pockets fit the pitch. Throws InputError naming `file`, the keys that disagree and their values;
+/// `root` gives the line of the first of them. Skipped for samples: there a pocket too small is a
+/// jam outcome.
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root = nullptr);
 
 }  // namespace cagetol

@@ -4,10 +4,12 @@
 
 namespace cagetol {
 
-Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<double>& y, const Linearisation& linear) {
+Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<double>& y,
+                                   const Linearisation& linear) {
   const StateLayout& l = m.layout;
   const int n = l.size(), border = l.border();
-  // Columns: local directions of every roller, then the border, as combinations of state components; rows likewise.
+  // Columns: local directions of every roller, then the border, as combinations of state
+  // components; rows likewise.
   const int locals = l.rollers * kLocalVelocities;
   const int rows = locals + border;
   Eigen::MatrixXd by_position = Eigen::MatrixXd::Zero(rows, rows), by_velocity = by_position;
@@ -18,14 +20,22 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
     const GroupLinear& local = linear.groups[static_cast<std::size_t>(g)];
     const RollerGroup& roller = m.groups[static_cast<std::size_t>(g)];
     const double theta = y[static_cast<std::size_t>(l.position(kAngle, j))];
-    const double r = y[static_cast<std::size_t>(l.position(kRadius, j))], c = std::cos(theta), s = std::sin(theta);
-    position_of(at + kLr, l.position(kRadius, j)) = velocity_of(at + kLr, l.velocity(kRadialSpeed, j)) = 1;
-    position_of(at + kLt, l.position(kAngle, j)) = velocity_of(at + kLt, l.velocity(kOrbitRate, j)) = r;
-    position_of(at + kLx, l.position(kAxial, j)) = velocity_of(at + kLx, l.velocity(kAxialSpeed, j)) = 1;
-    position_of(at + kLar, l.position(kAxisY, j)) = velocity_of(at + kLar, l.velocity(kAxisRateY, j)) = c;
-    position_of(at + kLar, l.position(kAxisZ, j)) = velocity_of(at + kLar, l.velocity(kAxisRateZ, j)) = s;
-    position_of(at + kLat, l.position(kAxisY, j)) = velocity_of(at + kLat, l.velocity(kAxisRateY, j)) = -s;
-    position_of(at + kLat, l.position(kAxisZ, j)) = velocity_of(at + kLat, l.velocity(kAxisRateZ, j)) = c;
+    const double r = y[static_cast<std::size_t>(l.position(kRadius, j))], c = std::cos(theta),
+                 s = std::sin(theta);
+    position_of(at + kLr, l.position(kRadius, j)) =
+        velocity_of(at + kLr, l.velocity(kRadialSpeed, j)) = 1;
+    position_of(at + kLt, l.position(kAngle, j)) =
+        velocity_of(at + kLt, l.velocity(kOrbitRate, j)) = r;
+    position_of(at + kLx, l.position(kAxial, j)) =
+        velocity_of(at + kLx, l.velocity(kAxialSpeed, j)) = 1;
+    position_of(at + kLar, l.position(kAxisY, j)) =
+        velocity_of(at + kLar, l.velocity(kAxisRateY, j)) = c;
+    position_of(at + kLar, l.position(kAxisZ, j)) =
+        velocity_of(at + kLar, l.velocity(kAxisRateZ, j)) = s;
+    position_of(at + kLat, l.position(kAxisY, j)) =
+        velocity_of(at + kLat, l.velocity(kAxisRateY, j)) = -s;
+    position_of(at + kLat, l.position(kAxisZ, j)) =
+        velocity_of(at + kLat, l.velocity(kAxisRateZ, j)) = c;
     velocity_of(at + kLs, l.velocity(kSpin, j)) = 1;
     acceleration_of(l.velocity(kRadialSpeed, j), at + kLr) = 1 / roller.mass[lane];
     acceleration_of(l.velocity(kOrbitRate, j), at + kLt) = 1 / roller.mass[lane] / r;
@@ -46,7 +56,8 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
         for (int a = 0; a < 2; ++a) {
           by_position(at + i, locals + a) += local.ring_position[i][k][lane] * turn[k][a];
           by_velocity(at + i, locals + a) += local.ring_velocity[i][k][lane] * turn[k][a];
-          if (i < kLocalPositions) by_position(locals + a, at + i) += turn[k][a] * local.to_ring_position[k][i][lane];
+          if (i < kLocalPositions)
+            by_position(locals + a, at + i) += turn[k][a] * local.to_ring_position[k][i][lane];
           by_velocity(locals + a, at + i) += turn[k][a] * local.to_ring_velocity[k][i][lane];
         }
     }
@@ -61,10 +72,12 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
   }
   by_position.bottomRightCorner(border, border) += linear.border_position;
   by_velocity.bottomRightCorner(border, border) += linear.border_velocity;
-  const double masses[kRigidBorder] = {m.ring_mass, m.ring_mass,  m.cage_mass,       m.cage_mass,
-                                       m.cage_mass, m.cage_polar, m.cage_transverse, m.cage_transverse};
+  const double masses[kRigidBorder] = {m.ring_mass,       m.ring_mass,      m.cage_mass,
+                                       m.cage_mass,       m.cage_mass,      m.cage_polar,
+                                       m.cage_transverse, m.cage_transverse};
   for (int i = 0; i < border; ++i) {
-    position_of(locals + i, l.border_position(i)) = velocity_of(locals + i, l.border_velocity(i)) = 1;
+    position_of(locals + i, l.border_position(i)) = velocity_of(locals + i, l.border_velocity(i)) =
+        1;
     acceleration_of(l.border_velocity(i), locals + i) = i < kRigidBorder ? 1 / masses[i] : 1;
   }
   Eigen::MatrixXd J = acceleration_of * (by_position * position_of + by_velocity * velocity_of);

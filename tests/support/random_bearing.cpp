@@ -43,8 +43,8 @@ Scene random_scene(unsigned seed, double lean) {
   s.bearing.misalignment_y = lean * draw.about(2e-3);
   s.bearing.misalignment_z = lean * draw.about(2e-3);
   const auto n = static_cast<std::size_t>(s.bearing.roller_count);
-  for (auto* list : {&s.roller.diameter, &s.roller.taper, &s.cage.pocket_width, &s.cage.pocket_length,
-                     &s.cage.pocket_pitch, &s.cage.pocket_squareness})
+  for (auto* list : {&s.roller.diameter, &s.roller.taper, &s.cage.pocket_width,
+                     &s.cage.pocket_length, &s.cage.pocket_pitch, &s.cage.pocket_squareness})
     list->assign(n, 0.0);
   for (std::size_t j = 0; j < n; ++j) {
     s.roller.diameter[j] = diameter + draw.about(5e-6);
@@ -107,8 +107,9 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
     const double slide = sliding[j % 3];
     at(l.position(kRadius, j)) = radius;
     at(l.position(kAngle, j)) = pocket + offset / radius;
-    const double axial = draw.coin() ? m.flange_half_clearance
-                                     : std::abs(cage_x) + g.half_length[lane] - m.roller_half_length;
+    const double axial = draw.coin()
+                             ? m.flange_half_clearance
+                             : std::abs(cage_x) + g.half_length[lane] - m.roller_half_length;
     at(l.position(kAxial, j)) = (draw.coin() ? 1 : -1) * (axial + draw.about(depth));
     at(l.position(kAxisY, j)) = lean * draw.about(2e-3);
     at(l.position(kAxisZ, j)) = lean * draw.about(2e-3);
@@ -122,8 +123,9 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   }
   const double positions[kRigidBorder] = {ring_y, ring_z, cage_y + turn_y, cage_z + turn_z,
                                           cage_x, phi,    cage_axis_y,     cage_axis_z};
-  const double rates[kRigidBorder] = {draw.about(0.1), draw.about(0.1), draw.about(0.3), draw.about(0.3),
-                                      draw.about(0.1), cage_speed,      draw.about(10),  draw.about(10)};
+  const double rates[kRigidBorder] = {draw.about(0.1), draw.about(0.1), draw.about(0.3),
+                                      draw.about(0.3), draw.about(0.1), cage_speed,
+                                      draw.about(10),  draw.about(10)};
   for (int i = 0; i < kRigidBorder; ++i) {
     at(l.border_position(i)) = positions[i];
     at(l.border_velocity(i)) = rates[i];

@@ -1,5 +1,6 @@
-// Random scenes and states for tests that compare two ways of computing the same thing: every contact kind touches somewhere, every
-// option of a rigid bearing occurs. Deterministic in the seed.
+// Random scenes and states for tests that compare two ways of computing the same thing: every
+// contact kind touches somewhere, every option of a rigid bearing occurs. Deterministic in the
+// seed.
 #pragma once
 
 #include <random>
@@ -17,14 +18,16 @@ struct RandomBearing {
 };
 
 struct RandomBearingOptions {
-  double lean = 1;    ///< scales every small angle: axes, misalignment, squareness
+  double lean = 1;       ///< scales every small angle: axes, misalignment, squareness
   double depth = 30e-6;  ///< typical penetration and gap [m]
 };
 
-/// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered, unbalanced, misaligned.
+/// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered,
+/// unbalanced, misaligned.
 Scene random_scene(unsigned seed, double lean = 1);
 
-/// The scene's bearing in a random state whose gaps and penetrations are of the order `depth`, sliding in every friction regime.
+/// The scene's bearing in a random state whose gaps and penetrations are of the order `depth`,
+/// sliding in every friction regime.
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options = {});
 
 }  // namespace cagetol

@@ -17,21 +17,25 @@ using std::numbers::pi;
 
 const Vector3d kX = Vector3d::UnitX();
 
-double auto_or(double given, double computed) { return std::isnan(given) ? computed : given; }
+double auto_or(double given, double computed) {
+  return std::isnan(given) ? computed : given;
+}
 
 /// The part of a vector in the radial plane.
-Vector3d radial(const Vector3d& v) { return {0, v.y(), v.z()}; }
+Vector3d radial(const Vector3d& v) {
+  return {0, v.y(), v.z()};
+}
 
 /// Velocities of the bodies that meet at a contact. Every speed below is linear in them.
 struct Motion {
-  Vector3d roller = Vector3d::Zero();      ///< of the roller's centre
-  Vector3d lean = Vector3d::Zero();        ///< a' of its axis
-  double spin = 0;                         ///< w_s
-  Vector3d ring = Vector3d::Zero();        ///< of the inner ring's centre
-  Vector3d cage = Vector3d::Zero();        ///< of the cage's mass centre
-  double cage_spin = 0;                    ///< phi'
-  Vector3d cage_lean = Vector3d::Zero();   ///< A'
-  double inner_spin = 0;                   ///< w_i
+  Vector3d roller = Vector3d::Zero();     ///< of the roller's centre
+  Vector3d lean = Vector3d::Zero();       ///< a' of its axis
+  double spin = 0;                        ///< w_s
+  Vector3d ring = Vector3d::Zero();       ///< of the inner ring's centre
+  Vector3d cage = Vector3d::Zero();       ///< of the cage's mass centre
+  double cage_spin = 0;                   ///< phi'
+  Vector3d cage_lean = Vector3d::Zero();  ///< A'
+  double inner_spin = 0;                  ///< w_i
 };
 
 /// Rate of penetration and two sliding speeds.
@@ -56,8 +60,12 @@ struct Sum {
   }
 };
 using Sum3 = std::array<Sum, 3>;
-Vector3d net(const Sum3& s) { return {s[0].net, s[1].net, s[2].net}; }
-double gross(const Sum3& s) { return std::max({s[0].gross, s[1].gross, s[2].gross}); }
+Vector3d net(const Sum3& s) {
+  return {s[0].net, s[1].net, s[2].net};
+}
+double gross(const Sum3& s) {
+  return std::max({s[0].gross, s[1].gross, s[2].gross});
+}
 
 struct Forces {  // generalised, conjugate to Motion
   Sum3 centre, lean;
@@ -70,11 +78,14 @@ struct Borders {
 };
 
 double elastic_force(const ContactParameters& law, double length, double p) {
-  if (law.law == "hertz") return 77652 * std::pow(length * 1e3, 8.0 / 9.0) * std::pow(p * 1e3, 10.0 / 9.0);
+  if (law.law == "hertz")
+    return 77652 * std::pow(length * 1e3, 8.0 / 9.0) * std::pow(p * 1e3, 10.0 / 9.0);
   return law.stiffness * std::pow(p * 1e3, law.exponent);
 }
 
-double exponent(const ContactParameters& law) { return law.law == "hertz" ? 10.0 / 9.0 : law.exponent; }
+double exponent(const ContactParameters& law) {
+  return law.law == "hertz" ? 10.0 / 9.0 : law.exponent;
+}
 
 class Bearing {
  public:
@@ -105,9 +116,12 @@ class Bearing {
   double inner_speed() const {
     const auto& o = scene_.operation;
     if (!(o.speed_ramp > 0)) return o.inner_speed;
-    return reference_step(t_, 0, auto_or(o.speed_ramp_from, o.inner_speed), o.speed_ramp, o.inner_speed);
+    return reference_step(t_, 0, auto_or(o.speed_ramp_from, o.inner_speed), o.speed_ramp,
+                          o.inner_speed);
   }
-  Vector3d misalignment() const { return {0, scene_.bearing.misalignment_y, scene_.bearing.misalignment_z}; }
+  Vector3d misalignment() const {
+    return {0, scene_.bearing.misalignment_y, scene_.bearing.misalignment_z};
+  }
 
   void unpack_cage() {
     const auto q = [&](int slot) { return state(layout_.border_position(slot)); };
@@ -129,29 +143,34 @@ class Bearing {
   }
 
   /// Velocity of the roller's point at rho from its axis at xi.
-  static Vector3d roller_point(const Roller& roller, const Motion& m, double xi, const Vector3d& rho) {
+  static Vector3d roller_point(const Roller& roller, const Motion& m, double xi,
+                               const Vector3d& rho) {
     const Vector3d w = m.spin * roller.axis + kX.cross(m.lean);
     return m.roller + xi * m.lean + w.cross(rho);
   }
   /// Velocity of the cage's geometric centre.
-  Vector3d cage_centre_rate(const Motion& m) const { return m.cage - m.cage_spin * kX.cross(unbalance_); }
+  Vector3d cage_centre_rate(const Motion& m) const {
+    return m.cage - m.cage_spin * kX.cross(unbalance_);
+  }
   /// Velocity of the cage's point at `arm` from its geometric centre.
   Vector3d cage_point(const Motion& m, const Vector3d& arm) const {
     return cage_centre_rate(m) + (m.cage_spin * cage_axis_ + kX.cross(m.cage_lean)).cross(arm);
   }
 
   /// One contact: its law, its forces, its account.
-  void contact(ContactKind kind, const ContactParameters& law, double shares, double penetration, const Motion& now,
-               const Kinematics& speeds, Forces* on_roller) {
+  void contact(ContactKind kind, const ContactParameters& law, double shares, double penetration,
+               const Motion& now, const Kinematics& speeds, Forces* on_roller) {
     if (penetration <= 0) return;
     const Speeds s = speeds(now);
-    const double Q = reference_normal_force(law, scene_.roller.length, penetration, s.approach) / shares;
+    const double Q =
+        reference_normal_force(law, scene_.roller.length, penetration, s.approach) / shares;
     const double elastic = elastic_force(law, scene_.roller.length, penetration) / shares;
     ++result_.touching[kind];
     if (Q == 0) ++result_.pulling[kind];
     const double speed = std::hypot(s.v1, s.v2);
     const double traction = reference_friction_coefficient(scene_.contact, speed) * Q;
-    const double F1 = speed > 0 ? -traction * s.v1 / speed : 0, F2 = speed > 0 ? -traction * s.v2 / speed : 0;
+    const double F1 = speed > 0 ? -traction * s.v1 / speed : 0,
+                 F2 = speed > 0 ? -traction * s.v2 / speed : 0;
     const auto power = [&](const Motion& unit) {
       const Speeds u = speeds(unit);
       return -Q * u.approach + F1 * u.v1 + F2 * u.v2;
@@ -188,7 +207,8 @@ class Bearing {
     border_.cage_spin += power(unit);
     unit = {};
     unit.inner_spin = 1;
-    result_.drive_power -= power(unit) * now.inner_spin;  // what the shaft must supply against the contact
+    result_.drive_power -=
+        power(unit) * now.inner_spin;  // what the shaft must supply against the contact
     result_.elastic_energy += elastic * penetration / (exponent(law) + 1);
     result_.friction_power += traction * speed;
     result_.damping_power += (Q - elastic) * s.approach;
@@ -207,7 +227,8 @@ class Bearing {
     for (long k = 0; k < b.roller_count; ++k) mean_diameter += each(scene_.roller.diameter, k);
     mean_diameter /= static_cast<double>(b.roller_count);
     for (long k = 0; k < slices; ++k) {
-      const double xi = ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
+      const double xi =
+          ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
       double radius = roller.radius + xi / length * each(scene_.roller.taper, j) / 2;
       if (scene_.roller.profile == "logarithmic")
         radius -= 0.00035 * mean_diameter * std::log(1 / (1 - std::pow(2 * xi / length, 2)));
@@ -224,8 +245,8 @@ class Bearing {
         const Vector3d slide = roller_point(roller, v, xi, -radius * n) - surface;
         return Speeds{-n.dot(approach), t.dot(slide), slide.x()};
       };
-      contact(inner ? kInnerRace : kOuterRace, scene_.contact.race, static_cast<double>(slices), p, roller.own, speeds,
-              &forces);
+      contact(inner ? kInnerRace : kOuterRace, scene_.contact.race, static_cast<double>(slices), p,
+              roller.own, speeds, &forces);
     }
   }
 
@@ -235,24 +256,28 @@ class Bearing {
     const double squareness = each(scene_.cage.pocket_squareness, j);
     const long stations = scene_.discretisation.bar_stations;
     for (long k = 0; k < stations; ++k) {
-      const double share = stations == 1 ? 0 : static_cast<double>(k) / static_cast<double>(stations - 1) - 0.5;
+      const double share =
+          stations == 1 ? 0 : static_cast<double>(k) / static_cast<double>(stations - 1) - 0.5;
       const double xi = 0.8 * share * scene_.roller.length;
       const double X = roller.centre.x() + xi - cage_centre_.x();
       const Vector3d D = radial(roller.centre + xi * roller.axis - cage_centre_);
       const double lean = cage_axis_.dot(e_T) + squareness;
       for (const double s : {1.0, -1.0}) {
-        const double p = s * (D.dot(e_T) - lean * X) + roller.radius - each(scene_.cage.pocket_width, j) / 2;
+        const double p =
+            s * (D.dot(e_T) - lean * X) + roller.radius - each(scene_.cage.pocket_width, j) / 2;
         const Vector3d rho = s * roller.radius * e_T, arm = X * kX + D + rho;
         const auto speeds = [=, this, &roller](const Motion& v) {
           const Vector3d D_rate = v.roller + xi * v.lean - cage_centre_rate(v);
           // e_T turns with the cage.
           const Vector3d e_T_rate = -v.cage_spin * e_R;
           const double u_rate = radial(D_rate).dot(e_T) + D.dot(e_T_rate) -
-                                (v.cage_lean.dot(e_T) + cage_axis_.dot(e_T_rate)) * X - lean * D_rate.x();
+                                (v.cage_lean.dot(e_T) + cage_axis_.dot(e_T_rate)) * X -
+                                lean * D_rate.x();
           const Vector3d slide = roller_point(roller, v, xi, rho) - cage_point(v, arm);
           return Speeds{s * u_rate, slide.dot(e_R), slide.x()};
         };
-        contact(kBar, scene_.contact.bar, static_cast<double>(stations), p, roller.own, speeds, &forces);
+        contact(kBar, scene_.contact.bar, static_cast<double>(stations), p, roller.own, speeds,
+                &forces);
       }
     }
   }
@@ -268,11 +293,13 @@ class Bearing {
       const double xi = e * scene_.roller.length / 2;
       for (const bool flange : {false, true}) {
         const double h = flange ? b.shoulder_diameter / 2 - pitch : 0;
-        const double tau = std::min(0.8 * mean_radius, std::sqrt(std::max(0.0, mean_radius * mean_radius - h * h)));
+        const double tau = std::min(0.8 * mean_radius,
+                                    std::sqrt(std::max(0.0, mean_radius * mean_radius - h * h)));
         for (const double side : {-1.0, 1.0}) {
           const Vector3d q = h * e_r + side * tau * e_t;  // the point's place on the end face
           const Vector3d a = radial(roller.axis);
-          // The point keeps its place beside the roller's orbit, so it turns with the orbit, not with the spin.
+          // The point keeps its place beside the roller's orbit, so it turns with the orbit, not
+          // with the spin.
           const auto q_rate = [=, &roller](const Motion& v) {
             return Vector3d(v.roller.dot(e_t) / roller.r * kX.cross(q));
           };
@@ -280,7 +307,8 @@ class Bearing {
             const double p = e * (roller.centre.x() - q.dot(a)) - b.flange_clearance / 2;
             const auto speeds = [=, &roller](const Motion& v) {
               const Vector3d slide = roller_point(roller, v, xi, q);
-              return Speeds{e * (v.roller.x() - q.dot(v.lean) - q_rate(v).dot(a)), slide.dot(e_r), slide.dot(e_t)};
+              return Speeds{e * (v.roller.x() - q.dot(v.lean) - q_rate(v).dot(a)), slide.dot(e_r),
+                            slide.dot(e_t)};
             };
             contact(kFlange, scene_.contact.flange, 2, p, roller.own, speeds, &forces);
           } else {
@@ -290,8 +318,8 @@ class Bearing {
             const double p = e * (X + A.dot(D)) - each(scene_.cage.pocket_length, j) / 2;
             const auto speeds = [=, this, &roller](const Motion& v) {
               const Vector3d centre = v.roller - cage_centre_rate(v), turn = q_rate(v);
-              const double approach = centre.x() - q.dot(v.lean) - turn.dot(a) + v.cage_lean.dot(D) +
-                                      A.dot(centre + xi * v.lean + turn);
+              const double approach = centre.x() - q.dot(v.lean) - turn.dot(a) +
+                                      v.cage_lean.dot(D) + A.dot(centre + xi * v.lean + turn);
               const Vector3d slide = roller_point(roller, v, xi, q) - cage_point(v, X * kX + D);
               return Speeds{e * approach, slide.dot(e_r), slide.dot(e_t)};
             };
@@ -320,7 +348,8 @@ class Bearing {
     roller.centre = q(kAxial) * kX + roller.r * roller.e_r;
     roller.axis = Vector3d(1, q(kAxisY), q(kAxisZ));
     roller.own = moving_;
-    roller.own.roller = v(kAxialSpeed) * kX + roller.r_rate * roller.e_r + roller.r * roller.theta_rate * roller.e_t;
+    roller.own.roller = v(kAxialSpeed) * kX + roller.r_rate * roller.e_r +
+                        roller.r * roller.theta_rate * roller.e_t;
     roller.own.lean = Vector3d(0, v(kAxisRateY), v(kAxisRateZ));
     roller.own.spin = v(kSpin);
 
@@ -330,14 +359,18 @@ class Bearing {
     bars(roller, j, forces);
     ends(roller, j, forces);
 
-    const Vector3d acceleration = net(forces.centre) / roller.mass - scene_.operation.gravity * Vector3d::UnitZ();
-    const Vector3d lean = (net(forces.lean) + roller.polar * roller.own.spin * kX.cross(roller.own.lean)) / roller.transverse;
+    const Vector3d acceleration =
+        net(forces.centre) / roller.mass - scene_.operation.gravity * Vector3d::UnitZ();
+    const Vector3d lean =
+        (net(forces.lean) + roller.polar * roller.own.spin * kX.cross(roller.own.lean)) /
+        roller.transverse;
     rate(layout_.position(kRadius, j)) = roller.r_rate;
     rate(layout_.position(kAngle, j)) = roller.theta_rate;
     rate(layout_.position(kAxial, j)) = roller.own.roller.x();
     rate(layout_.position(kAxisY, j)) = roller.own.lean.y();
     rate(layout_.position(kAxisZ, j)) = roller.own.lean.z();
-    rate(layout_.velocity(kRadialSpeed, j)) = acceleration.dot(roller.e_r) + roller.r * std::pow(roller.theta_rate, 2);
+    rate(layout_.velocity(kRadialSpeed, j)) =
+        acceleration.dot(roller.e_r) + roller.r * std::pow(roller.theta_rate, 2);
     rate(layout_.velocity(kOrbitRate, j)) =
         (acceleration.dot(roller.e_t) - 2 * roller.r_rate * roller.theta_rate) / roller.r;
     rate(layout_.velocity(kAxialSpeed, j)) = acceleration.x();
@@ -367,18 +400,22 @@ class Bearing {
     const double offset = auto_or(c.land_offset, (c.width + mean_length) / 4);
     for (const double X : {-offset, offset}) {
       const Vector3d m = inner ? misalignment() : Vector3d::Zero().eval();
-      const Vector3d delta = radial(cage_centre_ + X * cage_axis_) - (inner ? ring_ : Vector3d::Zero().eval()) - X * m;
+      const Vector3d delta =
+          radial(cage_centre_ + X * cage_axis_) - (inner ? ring_ : Vector3d::Zero().eval()) - X * m;
       const Vector3d n = delta.normalized(), t = kX.cross(n);
-      // The cage's outside meets the ring on the side it is displaced to, its bore on the other side.
+      // The cage's outside meets the ring on the side it is displaced to, its bore on the other
+      // side.
       const double side = inner ? -1 : 1;
       const auto speeds = [=, this](const Motion& v) {
         const Vector3d ring = inner ? v.ring : Vector3d::Zero().eval();
         const Vector3d centre = cage_centre_rate(v) + X * v.cage_lean;
         const double spin = inner ? v.inner_spin : 0;
         const Vector3d on_cage =
-            centre + (v.cage_spin * cage_axis_ + kX.cross(v.cage_lean)).cross(side * land_radius * n);
+            centre +
+            (v.cage_spin * cage_axis_ + kX.cross(v.cage_lean)).cross(side * land_radius * n);
         const Vector3d on_ring = ring + spin * (kX + m).cross(side * ring_radius * n);
-        return Speeds{n.dot(radial(centre - ring)), t.dot(on_cage - on_ring), (on_cage - on_ring).x()};
+        return Speeds{n.dot(radial(centre - ring)), t.dot(on_cage - on_ring),
+                      (on_cage - on_ring).x()};
       };
       contact(kLand, scene_.contact.land, 2, delta.norm() - clearance, moving_, speeds, nullptr);
     }
@@ -386,9 +423,10 @@ class Bearing {
 
   void border() {
     const auto& b = scene_.bearing;
-    const double bore = b.bore_diameter, inner = b.inner_raceway_diameter - b.internal_clearance / 2;
-    const double ring_mass = auto_or(b.inner_ring_mass,
-                                     b.ring_material.density * b.width * pi / 4 * (inner * inner - bore * bore));
+    const double bore = b.bore_diameter,
+                 inner = b.inner_raceway_diameter - b.internal_clearance / 2;
+    const double ring_mass = auto_or(b.inner_ring_mass, b.ring_material.density * b.width * pi / 4 *
+                                                            (inner * inner - bore * bore));
     const double g = scene_.operation.gravity;
     const auto q = [&](int slot) -> double& { return rate(layout_.border_position(slot)); };
     const auto v = [&](int slot) -> double& { return rate(layout_.border_velocity(slot)); };
@@ -400,7 +438,8 @@ class Bearing {
     v(kCageZ) = border_.cage[2].net / cage_mass_ - g;
     v(kCagePhi) = border_.cage_spin.net / cage_polar_;
     const Vector3d lean =
-        (net(border_.cage_lean) + cage_polar_ * moving_.cage_spin * kX.cross(moving_.cage_lean)) / cage_transverse_;
+        (net(border_.cage_lean) + cage_polar_ * moving_.cage_spin * kX.cross(moving_.cage_lean)) /
+        cage_transverse_;
     v(kCageAxisY) = lean.y();
     v(kCageAxisZ) = lean.z();
     const double sizes[kRigidBorder] = {gross(border_.ring) / ring_mass,
@@ -411,7 +450,8 @@ class Bearing {
                                         border_.cage_spin.gross / cage_polar_,
                                         gross(border_.cage_lean) / cage_transverse_,
                                         gross(border_.cage_lean) / cage_transverse_};
-    for (int slot = 0; slot < kRigidBorder; ++slot) size(layout_.border_velocity(slot)) = sizes[slot];
+    for (int slot = 0; slot < kRigidBorder; ++slot)
+      size(layout_.border_velocity(slot)) = sizes[slot];
   }
 
   const Scene& scene_;
@@ -446,7 +486,8 @@ double reference_step(double x, double x0, double h0, double x1, double h1) {
   return h0 + (h1 - h0) * z * z * (3 - 2 * z);
 }
 
-double reference_normal_force(const ContactParameters& law, double length, double penetration, double rate) {
+double reference_normal_force(const ContactParameters& law, double length, double penetration,
+                              double rate) {
   if (penetration <= 0) return 0;
   const double elastic = elastic_force(law, length, penetration);
   if (law.law == "hertz") {
@@ -459,8 +500,10 @@ double reference_normal_force(const ContactParameters& law, double length, doubl
 
 double reference_friction_coefficient(const Contacts& c, double speed) {
   if (speed < c.static_speed)
-    return reference_step(speed, -c.static_speed, -c.friction_static, c.static_speed, c.friction_static);
-  return reference_step(speed, c.static_speed, c.friction_static, c.dynamic_speed, c.friction_dynamic);
+    return reference_step(speed, -c.static_speed, -c.friction_static, c.static_speed,
+                          c.friction_static);
+  return reference_step(speed, c.static_speed, c.friction_static, c.dynamic_speed,
+                        c.friction_dynamic);
 }
 
 }  // namespace cagetol

@@ -1,4 +1,5 @@
-// Rollers thrown at the outer race, one impact each: contact time and restitution against closed forms, through the integrator.
+// Rollers thrown at the outer race, one impact each: contact time and restitution against closed
+// forms, through the integrator.
 #include <gtest/gtest.h>
 #include <cmath>
 #include <numbers>
@@ -14,7 +15,8 @@ struct Impact {
 };
 
 /// All rollers fly radially at `speed` from a gap; nothing else moves, turns or weighs.
-Impact throw_rollers(const Scene& scene, double speed, double tolerance, const std::string& method) {
+Impact throw_rollers(const Scene& scene, double speed, double tolerance,
+                     const std::string& method) {
   const BearingModel model = make_bearing_model(scene);
   const StateLayout& l = model.layout;
   const double gap = 1e-6, touch = model.outer_radius - model.nominal_diameter / 2;
@@ -59,7 +61,8 @@ TEST(HertzImpact, ElasticContactTimeAndRestitution) {
   const double K = 77652 * std::pow(9, 8.0 / 9.0) * std::pow(1e3, e);  // [N/m^e]
   const double deepest = std::pow(n * mass * speed * speed / (2 * K), 1 / n);
   // T = 2 p_max/v int_0^1 du/sqrt(1 - u^n).
-  const double time = 2 * deepest / speed * std::sqrt(std::numbers::pi) * std::tgamma(1 + 1 / n) / std::tgamma(0.5 + 1 / n);
+  const double time = 2 * deepest / speed * std::sqrt(std::numbers::pi) * std::tgamma(1 + 1 / n) /
+                      std::tgamma(0.5 + 1 / n);
   for (const char* method : {"rodas3", "rodas4"}) {
     const Impact impact = throw_rollers(scene, speed, 1e-5, method);
     EXPECT_NEAR(impact.contact_time / time, 1, 1e-3) << method;

@@ -1,5 +1,5 @@
-// Observed order of the Rosenbrock methods on a smooth stretch: loaded rolling without touches, against classical Runge-Kutta steps
-// written here. Halving the step divides the error by 2^order.
+// Observed order of the Rosenbrock methods on a smooth stretch: loaded rolling without touches,
+// against classical Runge-Kutta steps written here. Halving the step divides the error by 2^order.
 #include <gtest/gtest.h>
 #include <cmath>
 #include <vector>
@@ -19,7 +19,8 @@ Scene smooth_scene() {
   return scene;
 }
 
-/// A start that is off balance by little: the ring rings, the rollers creep, nothing opens or closes.
+/// A start that is off balance by little: the ring rings, the rollers creep, nothing opens or
+/// closes.
 std::vector<double> smooth_start(const BearingModel& model, const Scene& scene) {
   std::vector<double> y = start_state(model, scene.start);
   const StateLayout& l = model.layout;
@@ -49,7 +50,8 @@ std::vector<double> runge_kutta(const BearingModel& model, std::vector<double> y
   return y;
 }
 
-std::vector<double> fixed_steps(const BearingModel& model, std::vector<double> y, const std::string& method, double h) {
+std::vector<double> fixed_steps(const BearingModel& model, std::vector<double> y,
+                                const std::string& method, double h) {
   Integration keys;
   keys.method = method;
   keys.tolerance = 1e12;  // every step is good enough: max_step fixes it after a few short ones
@@ -91,7 +93,9 @@ TEST_P(ObservedOrder, IsTheMethodsOwn) {
   ASSERT_LT(apart(system, exact, runge_kutta(model, start, 0.1e-6)), 1e-8);  // the reference is one
   std::vector<double> errors;
   for (int halving = 0; halving < 4; ++halving)
-    errors.push_back(apart(system, exact, fixed_steps(model, start, GetParam().method, GetParam().coarse / (1 << halving))));
+    errors.push_back(
+        apart(system, exact,
+              fixed_steps(model, start, GetParam().method, GetParam().coarse / (1 << halving))));
   for (std::size_t k = 1; k < errors.size(); ++k) {
     const double order = std::log2(errors[k - 1] / errors[k]);
     RecordProperty("order_" + std::to_string(k), std::to_string(order));

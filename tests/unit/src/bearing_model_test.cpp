@@ -1,4 +1,5 @@
-// Kinematics of the NU 205 at 6000 rpm without clearance (the model, the start state and the forces at it), and jams.
+// Kinematics of the NU 205 at 6000 rpm without clearance (the model, the start state and the forces
+// at it), and jams.
 #include "src/dynamics/bearing_model.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,8 @@ TEST(BearingModel, KinematicsOfNu205) {
     EXPECT_NEAR(spin / kRpm, -12600.0, 0.05);
     EXPECT_NEAR((orbit - spin) / kRpm, 15023.1, 0.05);
   }
-  EXPECT_NEAR(y[static_cast<std::size_t>(model.layout.border_velocity(kCagePhi))] / kRpm, 2423.08, 0.005);
+  EXPECT_NEAR(y[static_cast<std::size_t>(model.layout.border_velocity(kCagePhi))] / kRpm, 2423.08,
+              0.005);
 }
 
 TEST(BearingModel, UnloadedRollersRestOnTheOuterRaceByCentrifugalForce) {
@@ -46,7 +48,8 @@ TEST(BearingModel, UnloadedRollersRestOnTheOuterRaceByCentrifugalForce) {
     if (system.seen.inner_force[k] > 0) continue;
     ++unloaded;
     EXPECT_NEAR(system.seen.outer_force[k], 3.899, 0.001);
-    const double orbit = 2423.077 * kRpm, r = y[static_cast<std::size_t>(model.layout.position(kRadius, j))];
+    const double orbit = 2423.077 * kRpm,
+                 r = y[static_cast<std::size_t>(model.layout.position(kRadius, j))];
     EXPECT_NEAR(system.seen.outer_force[k], model.groups[0].mass[0] * r * orbit * orbit, 1e-5);
   }
   EXPECT_GE(unloaded, 5);

@@ -10,16 +10,18 @@ namespace {
 
 using std::numbers::pi;
 
-/// Integrals of 1, y, z, y^2, z^2 over one pocket's cross-section (the strip |t| < half between the two circles on its own side),
-/// by Gauss-Legendre panels across the strip, radially in closed form of nothing but powers.
+/// Integrals of 1, y, z, y^2, z^2 over one pocket's cross-section (the strip |t| < half between the
+/// two circles on its own side), by Gauss-Legendre panels across the strip, radially in closed form
+/// of nothing but powers.
 struct Section {
   double area = 0, y = 0, z = 0, yy = 0, zz = 0;
 };
 
 Section pocket_section(double inner, double outer, double half, double angle) {
-  const std::array<double, 5> node = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831, 0.9061798459386640};
-  const std::array<double, 5> weight = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
-                                        0.2369268850561891};
+  const std::array<double, 5> node = {-0.9061798459386640, -0.5384693101056831, 0,
+                                      0.5384693101056831, 0.9061798459386640};
+  const std::array<double, 5> weight = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                        0.4786286704993665, 0.2369268850561891};
   Section s;
   const int panels = 60;
   const double c = std::cos(angle), d = std::sin(angle);
@@ -28,7 +30,8 @@ Section pocket_section(double inner, double outer, double half, double angle) {
       const double t = half * (-1 + (2 * p + 1 + node[a]) / panels), dt = half / panels * weight[a];
       const double low = std::sqrt(inner * inner - t * t), high = std::sqrt(outer * outer - t * t);
       for (std::size_t b = 0; b < 5; ++b) {  // quadratic in n: exact
-        const double n = (low + high) / 2 + (high - low) / 2 * node[b], dA = dt * (high - low) / 2 * weight[b];
+        const double n = (low + high) / 2 + (high - low) / 2 * node[b],
+                     dA = dt * (high - low) / 2 * weight[b];
         const double y = n * c - t * d, z = n * d + t * c;
         s.area += dA;
         s.y += dA * y;
@@ -42,11 +45,14 @@ Section pocket_section(double inner, double outer, double half, double angle) {
 
 /// The same cage by quadrature.
 CageMass by_quadrature(const CageGeometry& cage, long pockets) {
-  const double rho = cage.material.density, ri = cage.inner_diameter / 2, ro = cage.outer_diameter / 2, w = cage.width;
-  const double disc = rho * w * pi * (ro * ro - ri * ri), disc_yy = rho * w * pi * (std::pow(ro, 4) - std::pow(ri, 4)) / 4;
+  const double rho = cage.material.density, ri = cage.inner_diameter / 2,
+               ro = cage.outer_diameter / 2, w = cage.width;
+  const double disc = rho * w * pi * (ro * ro - ri * ri),
+               disc_yy = rho * w * pi * (std::pow(ro, 4) - std::pow(ri, 4)) / 4;
   double m = disc, y = 0, z = 0, yy = disc_yy, zz = disc_yy, xx = disc * w * w / 12;
   for (long j = 0; j < pockets; ++j) {
-    const double angle = 2 * pi * static_cast<double>(j) / static_cast<double>(pockets) + each(cage.pocket_pitch, j);
+    const double angle =
+        2 * pi * static_cast<double>(j) / static_cast<double>(pockets) + each(cage.pocket_pitch, j);
     const double length = each(cage.pocket_length, j);
     const Section s = pocket_section(ri, ro, each(cage.pocket_width, j) / 2, angle);
     m -= rho * length * s.area;
@@ -98,7 +104,8 @@ TEST(CageMass, OneWidePocketMovesTheCentreAwayFromIt) {
   cage.pocket_width.assign(13, 7.65e-3);
   cage.pocket_width[0] = 7.75e-3;
   const CageMass m = cage_mass(cage, 13);
-  // Missing: 0.1 mm wide, 9.25 mm long, 3.2 mm deep (chord heights differ little) at the mean radius of 20.1 mm.
+  // Missing: 0.1 mm wide, 9.25 mm long, 3.2 mm deep (chord heights differ little) at the mean
+  // radius of 20.1 mm.
   const double missing = 7850 * 0.1e-3 * 9.25e-3 * 3.2e-3;
   EXPECT_NEAR(m.centre_y, -missing * 20.1e-3 / m.mass, 0.02 * std::abs(m.centre_y));
   EXPECT_NEAR(m.centre_z, 0, 1e-15);

@@ -1,4 +1,5 @@
-// STEP, IMPACT, the Hertzian law with Hunt-Crossley damping, and friction, at points computed by hand.
+// STEP, IMPACT, the Hertzian law with Hunt-Crossley damping, and friction, at points computed by
+// hand.
 #include <gtest/gtest.h>
 #include <cmath>
 #include <stdexcept>
@@ -29,7 +30,9 @@ TEST(Step, SlopeIsTheDerivativeAndVanishesAtBothEnds) {
   EXPECT_EQ(smooth_step_slope(1.5), 0);
 }
 
-ContactParameters impact() { return {}; }
+ContactParameters impact() {
+  return {};
+}
 ContactParameters hertz() {
   ContactParameters p;
   p.law = "hertz";
@@ -38,11 +41,13 @@ ContactParameters hertz() {
 
 TEST(NormalForce, ImpactAtHandComputedPoints) {
   const NormalLaw law = make_normal_law(impact(), 9e-3, 1);
-  // 0.1 mm deep: K p^e = 1.5e5 * 0.1^(10/9) = 11,613.955 N, damper full: 750 N s/mm * 20 mm/s = 15,000 N.
+  // 0.1 mm deep: K p^e = 1.5e5 * 0.1^(10/9) = 11,613.955 N, damper full: 750 N s/mm * 20 mm/s =
+  // 15,000 N.
   EXPECT_NEAR(normal_force(law, 1e-4, 0.0).force, 11613.955, 1e-3);
   EXPECT_NEAR(normal_force(law, 1e-4, 0.02).force, 11613.955 + 15000, 1e-3);
   // Half way: S(1/2) = 1/2.
-  EXPECT_NEAR(normal_force(law, 0.5e-4, 0.02).force, 1.5e5 * std::pow(0.05, 10.0 / 9.0) + 7500, 1e-6);
+  EXPECT_NEAR(normal_force(law, 0.5e-4, 0.02).force, 1.5e5 * std::pow(0.05, 10.0 / 9.0) + 7500,
+              1e-6);
   // Deeper than d the damping stays full.
   EXPECT_NEAR(normal_force(law, 2e-4, 0.01).force, 1.5e5 * std::pow(0.2, 10.0 / 9.0) + 7500, 1e-6);
   // physics.md: c = 3.0 N s/mm at 3.7 um, 375 at 50 um.
@@ -79,16 +84,19 @@ TEST(NormalForce, ClampBeginsWhereDamperAndSpringCancel) {
 TEST(NormalForce, HertzOfOneContactNotOfThePair) {
   const NormalLaw law = make_normal_law(hertz(), 10e-3, 1);
   const double delta = 2e-3, force = normal_force(law, delta * 1e-3, 0.0).force;  // [mm], [N]
-  // ISO/TS 16281: c_L = 35,948 L^(8/9) is for inner and outer contact in series, half the approach each.
+  // ISO/TS 16281: c_L = 35,948 L^(8/9) is for inner and outer contact in series, half the approach
+  // each.
   EXPECT_NEAR(35948 * std::pow(10, 8.0 / 9.0) * std::pow(2 * delta, 10.0 / 9.0) / force, 1, 1e-5);
-  // Palmgren, one contact: delta = 3.84e-5 Q^0.9/L^0.8 (mm, N), rounded differently: 80,596 L^(8/9), 3.8 % stiffer.
+  // Palmgren, one contact: delta = 3.84e-5 Q^0.9/L^0.8 (mm, N), rounded differently: 80,596
+  // L^(8/9), 3.8 % stiffer.
   EXPECT_NEAR(std::pow(delta * std::pow(10, 0.8) / 3.84e-5, 10.0 / 9.0) / force, 1.0379, 1e-3);
 }
 
 TEST(NormalForce, SharesAddUpToTheWhole) {
   for (const auto& parameters : {impact(), hertz()}) {
     const double whole = normal_force(make_normal_law(parameters, 9e-3, 1), 7e-6, 0.05).force;
-    EXPECT_NEAR(5 * normal_force(make_normal_law(parameters, 9e-3, 5), 7e-6, 0.05).force, whole, 1e-12 * whole);
+    EXPECT_NEAR(5 * normal_force(make_normal_law(parameters, 9e-3, 5), 7e-6, 0.05).force, whole,
+                1e-12 * whole);
   }
 }
 
@@ -102,9 +110,12 @@ TEST(NormalForce, DerivativesAreThoseOfTheForceOnEitherSideOfEveryEdge) {
         const double h = 1e-4 * p, k = 1e-6;
         const auto at = [&](double dp, double dr) { return normal_force(law, p + dp, rate + dr); };
         EXPECT_NEAR(q.stiffness, (at(h, 0).force - at(-h, 0).force) / (2 * h), 1e-6 * q.stiffness);
-        EXPECT_NEAR(q.damping, (at(0, k).force - at(0, -k).force) / (2 * k), 1e-6 * (q.damping + 1));
-        EXPECT_NEAR(q.elastic_stiffness, (at(h, 0).elastic - at(-h, 0).elastic) / (2 * h), 1e-6 * q.stiffness);
-        EXPECT_NEAR(q.elastic, (elastic_energy(law, p + h) - elastic_energy(law, p - h)) / (2 * h), 1e-6 * q.elastic);
+        EXPECT_NEAR(q.damping, (at(0, k).force - at(0, -k).force) / (2 * k),
+                    1e-6 * (q.damping + 1));
+        EXPECT_NEAR(q.elastic_stiffness, (at(h, 0).elastic - at(-h, 0).elastic) / (2 * h),
+                    1e-6 * q.stiffness);
+        EXPECT_NEAR(q.elastic, (elastic_energy(law, p + h) - elastic_energy(law, p - h)) / (2 * h),
+                    1e-6 * q.elastic);
       }
   }
 }
@@ -114,15 +125,17 @@ TEST(NormalForce, FirstDerivativeIsContinuousAtTouchAndAtFullDamping) {
     const NormalLaw law = make_normal_law(parameters, 9e-3, 1);
     // At touch force and stiffness grow from zero: stiffness like p^(1/9), slowly, but from zero.
     EXPECT_LT(normal_force(law, 1e-30, 0.1).force, 1e-20);
-    EXPECT_LT(normal_force(law, 1e-60, 0.1).stiffness, 1e-6 * normal_force(law, 1e-6, 0.1).stiffness);
-    const auto before = normal_force(law, 1e-4 * (1 - 1e-12), 0.1), after = normal_force(law, 1e-4 * (1 + 1e-12), 0.1);
+    EXPECT_LT(normal_force(law, 1e-60, 0.1).stiffness,
+              1e-6 * normal_force(law, 1e-6, 0.1).stiffness);
+    const auto before = normal_force(law, 1e-4 * (1 - 1e-12), 0.1),
+               after = normal_force(law, 1e-4 * (1 + 1e-12), 0.1);
     EXPECT_NEAR(before.stiffness, after.stiffness, 1e-9 * after.stiffness);
     EXPECT_NEAR(before.damping, after.damping, 1e-9 * after.damping);
   }
 }
 
-/// Speed of separation of a mass that hits a wall at `approach`, by small Runge-Kutta steps: nothing shared with the program's
-/// integrators.
+/// Speed of separation of a mass that hits a wall at `approach`, by small Runge-Kutta steps:
+/// nothing shared with the program's integrators.
 double separation_speed(const NormalLaw& law, double mass, double approach) {
   double p = 1e-15, v = approach;
   const auto slope = [&](double x, double u) { return -normal_force(law, x, u).force / mass; };
@@ -157,7 +170,8 @@ TEST(HuntCrossley, SlowerImpactsBounceBetter) {
 }
 
 TEST(HuntCrossley, RefusesImpossibleRestitution) {
-  for (double e : {0.0, -0.1, 1.1, std::nan("")}) EXPECT_THROW(hunt_crossley_chi(e, 0.1), std::domain_error);
+  for (double e : {0.0, -0.1, 1.1, std::nan("")})
+    EXPECT_THROW(hunt_crossley_chi(e, 0.1), std::domain_error);
 }
 
 TEST(NormalForce, ElasticPenetrationInvertsTheLaw) {
@@ -168,7 +182,9 @@ TEST(NormalForce, ElasticPenetrationInvertsTheLaw) {
   }
 }
 
-double coefficient(double v) { return friction(FrictionLaw{}, v * v).ratio * v; }
+double coefficient(double v) {
+  return friction(FrictionLaw{}, v * v).ratio * v;
+}
 
 TEST(Friction, HandComputedPoints) {
   EXPECT_EQ(coefficient(0), 0);

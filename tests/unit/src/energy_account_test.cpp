@@ -1,4 +1,5 @@
-// Force maps are the transposes of the velocity maps: power in = dissipation + rate of stored energy, at every state to rounding.
+// Force maps are the transposes of the velocity maps: power in = dissipation + rate of stored
+// energy, at every state to rounding.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,8 @@ double along_motion(const RandomBearing& b, const std::vector<double>& rates, do
 
 /// Derivative along the motion, central and of fourth order.
 template <class F>
-double rate_along_motion(const RandomBearing& b, const std::vector<double>& rates, double step, F f) {
+double rate_along_motion(const RandomBearing& b, const std::vector<double>& rates, double step,
+                         F f) {
   const auto at = [&](double s) { return along_motion(b, rates, s * step, f); };
   return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step);
 }
@@ -41,9 +43,11 @@ TEST(EnergyAccount, PowerInIsDissipationPlusStoredInEveryState) {
       moved.linearise_at(b.t, y.data());
       return moved.seen.elastic_energy;
     });
-    const double in = seen.drive_power + seen.load_power, out = seen.friction_power + seen.damping_power;
-    const double size = std::abs(seen.drive_power) + std::abs(seen.load_power) + std::abs(seen.friction_power) +
-                        std::abs(seen.damping_power) + std::abs(elastic);
+    const double in = seen.drive_power + seen.load_power,
+                 out = seen.friction_power + seen.damping_power;
+    const double size = std::abs(seen.drive_power) + std::abs(seen.load_power) +
+                        std::abs(seen.friction_power) + std::abs(seen.damping_power) +
+                        std::abs(elastic);
     const double open = std::abs(bodies + elastic - (in - out)) / size;
     worst = std::max(worst, open);
     EXPECT_LT(open, 2e-9) << "seed " << seed;

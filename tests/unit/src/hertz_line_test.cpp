@@ -33,7 +33,8 @@ TEST(HertzLine, AgreesWithHarrisShorthand) {
   for (double force : {10.0, 314.2, 5000.0})
     for (double sign : {1.0, -1.0}) {
       const double R1 = 3.75, R2 = sign > 0 ? 15.75 : 23.25, l = 9, curvature = 1 / R1 + sign / R2;
-      const HertzLine c = hertz_line(force, 1e-3 / curvature, l * 1e-3, effective_modulus(kSteel, kSteel));
+      const HertzLine c =
+          hertz_line(force, 1e-3 / curvature, l * 1e-3, effective_modulus(kSteel, kSteel));
       const double harris = 3.35e-3 * std::sqrt(force / (l * curvature));
       EXPECT_NEAR(c.half_width * 1e3 / harris, 1, 0.0015);
     }

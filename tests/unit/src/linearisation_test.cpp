@@ -1,4 +1,5 @@
-// Derivatives of the right-hand side, and the structured solver built on them, against dense references.
+// Derivatives of the right-hand side, and the structured solver built on them, against dense
+// references.
 #include "src/dynamics/linearisation.hpp"
 
 #include <gtest/gtest.h>
@@ -27,11 +28,13 @@ struct Linearised {
 };
 
 /// Largest entry of a matrix in error scales, so that every component counts alike.
-double size_in_scales(const Eigen::MatrixXd& J, const std::vector<double>& scale, int first_row, int last_row) {
+double size_in_scales(const Eigen::MatrixXd& J, const std::vector<double>& scale, int first_row,
+                      int last_row) {
   double size = 0;
   for (int i = first_row; i < last_row; ++i)
     for (int k = 0; k < J.cols(); ++k) {
-      const double row = scale[static_cast<std::size_t>(i)], column = scale[static_cast<std::size_t>(k)];
+      const double row = scale[static_cast<std::size_t>(i)],
+                   column = scale[static_cast<std::size_t>(k)];
       if (row < 1e20 && column < 1e20) size = std::max(size, std::abs(J(i, k)) * column / row);
     }
   return size;
@@ -40,9 +43,11 @@ double size_in_scales(const Eigen::MatrixXd& J, const std::vector<double>& scale
 double relative_difference(const RandomBearing& bearing, double step) {
   const Linearised x(bearing);
   const auto& scale = x.system.scale;
-  const Eigen::MatrixXd differenced = differenced_jacobian(x.bearing.model, x.bearing.t, x.bearing.y, scale, step);
+  const Eigen::MatrixXd differenced =
+      differenced_jacobian(x.bearing.model, x.bearing.t, x.bearing.y, scale, step);
   const int n = x.system.size;
-  return size_in_scales(x.assembled - differenced, scale, 0, n) / size_in_scales(differenced, scale, 0, n);
+  return size_in_scales(x.assembled - differenced, scale, 0, n) /
+         size_in_scales(differenced, scale, 0, n);
 }
 
 TEST(Linearisation, RatesAreThoseOfTheRightHandSide) {
@@ -62,12 +67,14 @@ TEST(Linearisation, RatesAreThoseOfTheRightHandSide) {
   }
 }
 
-// Left out of the derivatives: normal damping times the change of p' with position (the orbit's speed times a lean, at bars, walls
-// and flanges), and lean angles times the sliding slope. These states, 30 um deep in every contact at once with leans of 2 mrad, are
-// far beyond what a run meets.
+// Left out of the derivatives: normal damping times the change of p' with position (the orbit's
+// speed times a lean, at bars, walls and flanges), and lean angles times the sliding slope. These
+// states, 30 um deep in every contact at once with leans of 2 mrad, are far beyond what a run
+// meets.
 TEST(Linearisation, AgreesWithDifferencesButForStatedTerms) {
   double worst = 0;
-  for (unsigned seed = 0; seed < 48; ++seed) worst = std::max(worst, relative_difference(random_bearing(seed), 1e-4));
+  for (unsigned seed = 0; seed < 48; ++seed)
+    worst = std::max(worst, relative_difference(random_bearing(seed), 1e-4));
   RecordProperty("worst", std::to_string(worst));
   EXPECT_LT(worst, 0.04);
 }
@@ -81,8 +88,10 @@ TEST(Linearisation, LoadedRacesAreExact) {
     b.y = start_state(b.model, b.scene.start);
     b.y[static_cast<std::size_t>(l.border_velocity(kRingZ))] = 0.02;
     b.y[static_cast<std::size_t>(l.border_velocity(kRingY))] = 0.01;
-    for (int j = 0; j < l.rollers; ++j) b.y[static_cast<std::size_t>(l.velocity(kSpin, j))] *= 1.003;
-    // What differencing can tell: the error of its own falls with the step squared, down to 1e-7 at this one.
+    for (int j = 0; j < l.rollers; ++j)
+      b.y[static_cast<std::size_t>(l.velocity(kSpin, j))] *= 1.003;
+    // What differencing can tell: the error of its own falls with the step squared, down to 1e-7 at
+    // this one.
     EXPECT_LT(relative_difference(b, 1e-4), 2e-7) << law;
   }
 }
@@ -99,14 +108,18 @@ TEST(NewtonMatrix, SolvesLikeDenseFactorsOfTheAssembledMatrix) {
       Eigen::VectorXd rhs = Eigen::VectorXd::Zero(n), solution(n), scale(n);
       for (int i = 0; i < n; ++i) {
         scale[i] = x.system.scale[static_cast<std::size_t>(i)];
-        if (scale[i] > 1e20) scale[i] = 1;
-        else rhs[i] = scale[i] * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
+        if (scale[i] > 1e20)
+          scale[i] = 1;
+        else
+          rhs[i] = scale[i] * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
       }
       newton.solve(rhs.data(), solution.data());
       // Equilibrated with the scales, so that the dense factors lose nothing to units.
-      const Eigen::MatrixXd J = scale.cwiseInverse().asDiagonal() * x.assembled * scale.asDiagonal();
+      const Eigen::MatrixXd J =
+          scale.cwiseInverse().asDiagonal() * x.assembled * scale.asDiagonal();
       const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) / beta - J;
-      const Eigen::VectorXd dense = Eigen::FullPivLU<Eigen::MatrixXd>(A).solve(scale.cwiseInverse().cwiseProduct(rhs));
+      const Eigen::VectorXd dense =
+          Eigen::FullPivLU<Eigen::MatrixXd>(A).solve(scale.cwiseInverse().cwiseProduct(rhs));
       const Eigen::VectorXd ours = scale.cwiseInverse().cwiseProduct(solution);
       const double apart = (ours - dense).cwiseAbs().maxCoeff() / dense.cwiseAbs().maxCoeff();
       worst = std::max(worst, apart);

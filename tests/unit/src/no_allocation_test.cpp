@@ -1,4 +1,5 @@
-// The right-hand side allocates nothing. Counted at malloc itself, which operator new and Eigen both end in.
+// The right-hand side allocates nothing. Counted at malloc itself, which operator new and Eigen
+// both end in.
 #include <gtest/gtest.h>
 #include <atomic>
 #include <cstdlib>

@@ -15,11 +15,15 @@ class PackMath : public testing::Test {
   double between(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }
-  double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
+  double magnitude(double low, double high) {
+    return std::exp(between(std::log(low), std::log(high)));
+  }
   std::mt19937_64 engine_{7};
 };
 
-double ulp(double x) { return std::nextafter(std::abs(x), 1e308) - std::abs(x); }
+double ulp(double x) {
+  return std::nextafter(std::abs(x), 1e308) - std::abs(x);
+}
 
 TEST_F(PackMath, Log2WithinItsBound) {
   double worst = 0;
@@ -66,8 +70,10 @@ TEST_F(PackMath, SineAndCosineWithinTheirBound) {
     const double x = n % 2 ? between(-1e5, 1e5) : between(-10, 10);
     Pack s, c;
     sine_cosine(splat(x), s, c);
-    const long double exact_s = std::sin(static_cast<long double>(x)), exact_c = std::cos(static_cast<long double>(x));
-    worst = std::max({worst, static_cast<double>(std::abs(s[2] - exact_s)), static_cast<double>(std::abs(c[2] - exact_c))});
+    const long double exact_s = std::sin(static_cast<long double>(x)),
+                      exact_c = std::cos(static_cast<long double>(x));
+    worst = std::max({worst, static_cast<double>(std::abs(s[2] - exact_s)),
+                      static_cast<double>(std::abs(c[2] - exact_c))});
   }
   EXPECT_LT(worst, 3e-16) << worst;
   Pack s, c;

@@ -19,9 +19,11 @@ TEST(Padding, ItsStateDoesNotMatter) {
       std::vector<double> y = b.y;
       for (int j = l.rollers; j < l.padded(); ++j) {
         for (int slot = 0; slot < kRollerPositions; ++slot)
-          y[static_cast<std::size_t>(l.position(static_cast<RollerPosition>(slot), j))] = garbage + slot;
+          y[static_cast<std::size_t>(l.position(static_cast<RollerPosition>(slot), j))] =
+              garbage + slot;
         for (int slot = 0; slot < kRollerVelocities; ++slot)
-          y[static_cast<std::size_t>(l.velocity(static_cast<RollerVelocity>(slot), j))] = 3 * garbage - slot;
+          y[static_cast<std::size_t>(l.velocity(static_cast<RollerVelocity>(slot), j))] =
+              3 * garbage - slot;
       }
       dirty.linearise_at(b.t, y.data());
       EXPECT_EQ(clean.rate, dirty.rate) << "seed " << seed << ", garbage " << garbage;

@@ -1,4 +1,5 @@
-// The lane-parallel right-hand side against the plain reference of tests/support/reference_forces.hpp.
+// The lane-parallel right-hand side against the plain reference of
+// tests/support/reference_forces.hpp.
 #include "tests/support/reference_forces.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,8 @@ std::vector<Kind> acceleration_kinds(const StateLayout& l) {
   const char* names[] = {"r''", "theta''", "x''", "a_y''", "a_z''", "w_s'"};
   for (int slot = 0; slot < kRollerVelocities; ++slot) {
     Kind kind{names[slot], {}};
-    for (int j = 0; j < l.rollers; ++j) kind.slots.push_back(l.velocity(static_cast<RollerVelocity>(slot), j));
+    for (int j = 0; j < l.rollers; ++j)
+      kind.slots.push_back(l.velocity(static_cast<RollerVelocity>(slot), j));
     kinds.push_back(kind);
   }
   const auto border = [&](int slot) { return l.border_velocity(slot); };
@@ -35,7 +37,8 @@ std::vector<Kind> acceleration_kinds(const StateLayout& l) {
   return kinds;
 }
 
-/// Largest difference of a kind over the largest sum of contact contributions of that kind: opposite contacts may cancel.
+/// Largest difference of a kind over the largest sum of contact contributions of that kind:
+/// opposite contacts may cancel.
 double difference(const Kind& kind, const std::vector<double>& rates, const Reference& reference) {
   double apart = 0, size = 0;
   for (int slot : kind.slots) {
@@ -59,18 +62,23 @@ TEST(ReferenceForces, AgreeInRandomStatesOfEveryKind) {
       pulling[static_cast<std::size_t>(k)] += reference.pulling[static_cast<std::size_t>(k)];
     }
     for (int i = 0; i < l.positions(); ++i)
-      ASSERT_EQ(rates[static_cast<std::size_t>(i)], reference.rates[static_cast<std::size_t>(i)]) << "seed " << seed;
+      ASSERT_EQ(rates[static_cast<std::size_t>(i)], reference.rates[static_cast<std::size_t>(i)])
+          << "seed " << seed;
     const std::vector<Kind> kinds = acceleration_kinds(l);
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       const double apart = difference(kinds[k], rates, reference);
-      // An angle is known to 4e-16, a bar's gap of some 10 um on a radius of 20 to 33 mm therefore to 1e-12 of itself.
-      EXPECT_LT(apart, 1e-11) << kinds[k].name << ", seed " << seed << ", guidance " << b.scene.cage.guidance;
+      // An angle is known to 4e-16, a bar's gap of some 10 um on a radius of 20 to 33 mm therefore
+      // to 1e-12 of itself.
+      EXPECT_LT(apart, 1e-11) << kinds[k].name << ", seed " << seed << ", guidance "
+                              << b.scene.cage.guidance;
     }
   }
   for (int k = 0; k < kContactKinds; ++k) {
     EXPECT_GT(touching[static_cast<std::size_t>(k)], 200) << "contact kind " << k;
-    RecordProperty("touching_" + std::to_string(k), std::to_string(touching[static_cast<std::size_t>(k)]));
-    RecordProperty("pulling_" + std::to_string(k), std::to_string(pulling[static_cast<std::size_t>(k)]));
+    RecordProperty("touching_" + std::to_string(k),
+                   std::to_string(touching[static_cast<std::size_t>(k)]));
+    RecordProperty("pulling_" + std::to_string(k),
+                   std::to_string(pulling[static_cast<std::size_t>(k)]));
   }
 }
 

@@ -1,4 +1,5 @@
-// Static load distribution against closed numbers: ISO/TS 16281 line stiffness, l = 10 mm, F = 1000 N, a roller under the load.
+// Static load distribution against closed numbers: ISO/TS 16281 line stiffness, l = 10 mm, F = 1000
+// N, a roller under the load.
 #include "src/dynamics/static_equilibrium.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,8 @@ TEST_P(LoadDistribution, GivesTheNumbersToTheirOwnDigits) {
   const Case& c = GetParam();
   Scene scene;
   scene.bearing.roller_count = c.rollers;
-  // So large that the contact's direction does not turn with the ring's displacement, as the closed numbers have it; at a pitch of
-  // 0.1 m that turning changes the fifth digit.
+  // So large that the contact's direction does not turn with the ring's displacement, as the closed
+  // numbers have it; at a pitch of 0.1 m that turning changes the fifth digit.
   scene.bearing.inner_raceway_diameter = 1.991;
   scene.bearing.outer_raceway_diameter = 2.009;
   scene.bearing.shoulder_diameter = 2.006;
@@ -33,20 +34,24 @@ TEST_P(LoadDistribution, GivesTheNumbersToTheirOwnDigits) {
     const BearingModel model = make_bearing_model(scene);
     std::vector<double> angle(static_cast<std::size_t>(model.layout.padded()));
     for (std::size_t j = 0; j < angle.size(); ++j)
-      angle[j] = -std::numbers::pi / 2 + 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(c.rollers);
+      angle[j] = -std::numbers::pi / 2 +
+                 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(c.rollers);
     StaticEquilibrium equilibrium(model);
     const StaticState& rest = equilibrium.solve(angle.data(), 0, 1000);
     EXPECT_TRUE(rest.converged);
     EXPECT_NEAR(-rest.ring_z * 1e6, c.displacement_um, c.displacement_digit);
     EXPECT_NEAR(rest.inner_force[0], c.force, c.force_digit);
     EXPECT_NEAR(rest.ring_y, 0, 1e-12);
-    EXPECT_EQ(*std::max_element(rest.inner_force.begin(), rest.inner_force.begin() + c.rollers), rest.inner_force[0]);
+    EXPECT_EQ(*std::max_element(rest.inner_force.begin(), rest.inner_force.begin() + c.rollers),
+              rest.inner_force[0]);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(IsoLineContact, LoadDistribution,
-                         testing::Values(Case{10, 0, 2.8200, 408.80, 1e-4, 1e-2}, Case{14, 0, 2.0823, 291.86, 1e-4, 1e-2},
-                                         Case{20, 0, 1.5101, 204.23, 1e-4, 1e-2}, Case{14, 20, 13.336, 492.8, 1e-3, 0.1},
+                         testing::Values(Case{10, 0, 2.8200, 408.80, 1e-4, 1e-2},
+                                         Case{14, 0, 2.0823, 291.86, 1e-4, 1e-2},
+                                         Case{20, 0, 1.5101, 204.23, 1e-4, 1e-2},
+                                         Case{14, 20, 13.336, 492.8, 1e-3, 0.1},
                                          Case{14, 40, 23.996, 602.2, 1e-3, 0.1}));
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Rollers and cage flying free, touching one another but no ring: what must be kept is kept, whatever the angle origin.
+// Rollers and cage flying free, touching one another but no ring: what must be kept is kept,
+// whatever the angle origin.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -24,11 +25,14 @@ Scene free_scene() {
   return scene;
 }
 
-/// Cage turning, rollers lagging behind at different speeds, spinning; `lean` scales every motion out of the radial plane.
+/// Cage turning, rollers lagging behind at different speeds, spinning; `lean` scales every motion
+/// out of the radial plane.
 std::vector<double> free_start(const BearingModel& model, double lean, double turned) {
   const StateLayout& l = model.layout;
   std::mt19937_64 engine(11);
-  const auto about = [&](double size) { return size * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1); };
+  const auto about = [&](double size) {
+    return size * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1);
+  };
   std::vector<double> y(static_cast<std::size_t>(l.size()), 0.0);
   const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
   const double c = std::cos(turned), s = std::sin(turned);
@@ -39,7 +43,8 @@ std::vector<double> free_start(const BearingModel& model, double lean, double tu
     at(l.velocity(kOrbitRate, j)) = 30 + about(10);
     at(l.velocity(kSpin, j)) = about(200);
     at(l.velocity(kAxialSpeed, j)) = lean * about(0.1);
-    const double a = lean * about(1e-3), b = lean * about(1e-3), u = lean * about(0.5), v = lean * about(0.5);
+    const double a = lean * about(1e-3), b = lean * about(1e-3), u = lean * about(0.5),
+                 v = lean * about(0.5);
     at(l.position(kAxisY, j)) = c * a - s * b;
     at(l.position(kAxisZ, j)) = s * a + c * b;
     at(l.velocity(kAxisRateY, j)) = c * u - s * v;
@@ -58,8 +63,10 @@ struct Momenta {
   double linear_size = 0, angular_size = 0;
 };
 
-/// Angular momentum of a body about its own centre along x: its spin, and the share of the lean, second order in the angles.
-double spun(double polar, double transverse, double spin, double a_y, double a_z, double b_y, double b_z) {
+/// Angular momentum of a body about its own centre along x: its spin, and the share of the lean,
+/// second order in the angles.
+double spun(double polar, double transverse, double spin, double a_y, double a_z, double b_y,
+            double b_z) {
   return polar * spin * (1 - (a_y * a_y + a_z * a_z) / 2) + transverse * (a_y * b_z - a_z * b_y);
 }
 
@@ -67,7 +74,8 @@ Momenta momenta(const BearingModel& m, const std::vector<double>& y) {
   const StateLayout& l = m.layout;
   const auto at = [&](int slot) { return y[static_cast<std::size_t>(slot)]; };
   Momenta p;
-  const auto add = [&](double mass, double py, double pz, double vx, double vy, double vz, double own) {
+  const auto add = [&](double mass, double py, double pz, double vx, double vy, double vz,
+                       double own) {
     p.x += mass * vx;
     p.y += mass * vy;
     p.z += mass * vz;
@@ -81,13 +89,15 @@ Momenta momenta(const BearingModel& m, const std::vector<double>& y) {
     const double vr = at(l.velocity(kRadialSpeed, j)), vt = r * at(l.velocity(kOrbitRate, j));
     add(g.mass[j % kLanes], r * std::cos(a), r * std::sin(a), at(l.velocity(kAxialSpeed, j)),
         vr * std::cos(a) - vt * std::sin(a), vr * std::sin(a) + vt * std::cos(a),
-        spun(g.polar[j % kLanes], g.transverse[j % kLanes], at(l.velocity(kSpin, j)), at(l.position(kAxisY, j)),
-             at(l.position(kAxisZ, j)), at(l.velocity(kAxisRateY, j)), at(l.velocity(kAxisRateZ, j))));
+        spun(g.polar[j % kLanes], g.transverse[j % kLanes], at(l.velocity(kSpin, j)),
+             at(l.position(kAxisY, j)), at(l.position(kAxisZ, j)), at(l.velocity(kAxisRateY, j)),
+             at(l.velocity(kAxisRateZ, j))));
   }
   const auto q = [&](int slot) { return at(l.border_position(slot)); };
   const auto v = [&](int slot) { return at(l.border_velocity(slot)); };
   add(m.cage_mass, q(kCageY), q(kCageZ), v(kCageX), v(kCageY), v(kCageZ),
-      spun(m.cage_polar, m.cage_transverse, v(kCagePhi), q(kCageAxisY), q(kCageAxisZ), v(kCageAxisY), v(kCageAxisZ)));
+      spun(m.cage_polar, m.cage_transverse, v(kCagePhi), q(kCageAxisY), q(kCageAxisZ),
+           v(kCageAxisY), v(kCageAxisZ)));
   return p;
 }
 
@@ -109,8 +119,10 @@ Flight fly(const BearingModel& model, const Scene& scene, std::vector<double> y,
     observer.record(t, y.data(), system);
     for (int j = 0; j < model.layout.rollers; ++j) {
       const auto k = static_cast<std::size_t>(j);
-      EXPECT_EQ(system.seen.inner_force[k] + system.seen.outer_force[k] + system.seen.flange_force[k], 0);
-      flight.pocket_peak = std::max({flight.pocket_peak, system.seen.leading_force[k], system.seen.trailing_force[k]});
+      EXPECT_EQ(
+          system.seen.inner_force[k] + system.seen.outer_force[k] + system.seen.flange_force[k], 0);
+      flight.pocket_peak = std::max(
+          {flight.pocket_peak, system.seen.leading_force[k], system.seen.trailing_force[k]});
     }
     if (t >= end) break;
     if (integrator->step(system, t, y.data(), end) != StepStatus::accepted) {
@@ -136,7 +148,9 @@ void expect_kept(const Scene& scene, double lean, double linear) {
   EXPECT_LT(flight.energy_residual, 1e-6);
 }
 
-TEST(FreeSystem, KeepsMomentumAndClosesItsEnergyAccountInThePlane) { expect_kept(free_scene(), 0, 1e-6); }
+TEST(FreeSystem, KeepsMomentumAndClosesItsEnergyAccountInThePlane) {
+  expect_kept(free_scene(), 0, 1e-6);
+}
 
 TEST(FreeSystem, KeepsThemWithLeaningRollersToo) {
   Scene scene = free_scene();
@@ -144,9 +158,12 @@ TEST(FreeSystem, KeepsThemWithLeaningRollersToo) {
   expect_kept(scene, 1, 1e-6);
 }
 
-// The points of a roller's end are placed by the roller's angle about the bearing's axis, not the cage's: shifting both bodies
-// together shifts them by lean times shift, so the walls keep linear momentum to the order of the lean times lever over radius.
-TEST(FreeSystem, WallsKeepLinearMomentumToTheOrderOfTheLean) { expect_kept(free_scene(), 1, 2e-5); }
+// The points of a roller's end are placed by the roller's angle about the bearing's axis, not the
+// cage's: shifting both bodies together shifts them by lean times shift, so the walls keep linear
+// momentum to the order of the lean times lever over radius.
+TEST(FreeSystem, WallsKeepLinearMomentumToTheOrderOfTheLean) {
+  expect_kept(free_scene(), 1, 2e-5);
+}
 
 TEST(FreeSystem, TurningTheStartTurnsTheResult) {
   const Scene scene = free_scene();
@@ -157,12 +174,14 @@ TEST(FreeSystem, TurningTheStartTurnsTheResult) {
   const std::vector<double> turned = fly(model, scene, free_start(model, 1, angle), end).end;
   const double c = std::cos(angle), s = std::sin(angle);
   const auto expect_turned = [&](int y_slot, int z_slot, double tolerance) {
-    const double y = plain[static_cast<std::size_t>(y_slot)], z = plain[static_cast<std::size_t>(z_slot)];
+    const double y = plain[static_cast<std::size_t>(y_slot)],
+                 z = plain[static_cast<std::size_t>(z_slot)];
     EXPECT_NEAR(turned[static_cast<std::size_t>(y_slot)], c * y - s * z, tolerance);
     EXPECT_NEAR(turned[static_cast<std::size_t>(z_slot)], s * y + c * z, tolerance);
   };
   const auto expect_shifted = [&](int slot, double shift, double tolerance) {
-    EXPECT_NEAR(turned[static_cast<std::size_t>(slot)], plain[static_cast<std::size_t>(slot)] + shift, tolerance);
+    EXPECT_NEAR(turned[static_cast<std::size_t>(slot)],
+                plain[static_cast<std::size_t>(slot)] + shift, tolerance);
   };
   // Impacts magnify the rounding in which the two differ.
   const double place = 2e-8, speed = 2e-4, lever = 5e-3;

@@ -25,7 +25,8 @@ struct Condition {
 
 class ReferenceBearing : public testing::TestWithParam<Condition> {};
 
-// From no load at all to 10 kN. Without load the ring bounces on its own weight: only its force counts.
+// From no load at all to 10 kN. Without load the ring bounces on its own weight: only its force
+// counts.
 TEST_P(ReferenceBearing, RunsWithinItsWatches) {
   Scene scene = short_run();
   scene.operation.radial_load = GetParam().load;
@@ -36,8 +37,10 @@ TEST_P(ReferenceBearing, RunsWithinItsWatches) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Loads, ReferenceBearing,
-                         testing::Values(Condition{"Default", 1000, 9.81, 0.005}, Condition{"NoLoad", 0, 9.81, 0.02},
-                                         Condition{"Weightless", 0, 0, 0.02}, Condition{"Heavy", 10000, 9.81, 0.005}),
+                         testing::Values(Condition{"Default", 1000, 9.81, 0.005},
+                                         Condition{"NoLoad", 0, 9.81, 0.02},
+                                         Condition{"Weightless", 0, 0, 0.02},
+                                         Condition{"Heavy", 10000, 9.81, 0.005}),
                          [](const auto& test) { return test.param.name; });
 
 TEST(ReferenceBearing, TwoRunsAreTheSameToTheBit) {
@@ -45,21 +48,24 @@ TEST(ReferenceBearing, TwoRunsAreTheSameToTheBit) {
   const Outcome a = simulate(scene), b = simulate(scene);
   ASSERT_EQ(a.quantities.size(), b.quantities.size());
   for (std::size_t k = 0; k < a.quantities.size(); ++k)
-    EXPECT_TRUE(a.quantities[k] == b.quantities[k] || (std::isnan(a.quantities[k]) && std::isnan(b.quantities[k])))
+    EXPECT_TRUE(a.quantities[k] == b.quantities[k] ||
+                (std::isnan(a.quantities[k]) && std::isnan(b.quantities[k])))
         << quantity_table()[k].key;
   EXPECT_EQ(a.run.steps, b.run.steps);
   EXPECT_EQ(a.run.energy_residual, b.run.energy_residual);
 }
 
 TEST(ReferenceBearing, AUniformCageHasNoFirstPocket) {
-  // Turning rollers and cage by one pitch renames the rollers, no more; rounding stays small over so short a time.
+  // Turning rollers and cage by one pitch renames the rollers, no more; rounding stays small over
+  // so short a time.
   Scene scene = short_run(0.5e-3, 1e-3);
   const Outcome plain = simulate(scene);
   scene.start.cage_phase = 2 * std::numbers::pi / 13;
   const Outcome shifted = simulate(scene);
   ASSERT_EQ(plain.status, shifted.status) << plain.reason << shifted.reason;
-  for (const char* key : {"cage_slip_ratio", "roller_slip_ratio_all", "ring_displacement_mean_um", "pocket_force_rms_N",
-                          "power_loss_W", "whirl_radius_ratio_mean", "roller_skew_rms_mrad"}) {
+  for (const char* key :
+       {"cage_slip_ratio", "roller_slip_ratio_all", "ring_displacement_mean_um",
+        "pocket_force_rms_N", "power_loss_W", "whirl_radius_ratio_mean", "roller_skew_rms_mrad"}) {
     const double a = quantity(plain, key), b = quantity(shifted, key);
     EXPECT_NEAR(b, a, 1e-4 * std::abs(a) + 1e-9) << key;
   }
@@ -75,7 +81,8 @@ TEST(ReferenceBearing, JamNamesPocketAndInterference) {
   EXPECT_NEAR(outcome.interference_um, 20, 1e-6);
   EXPECT_NE(outcome.reason.find("pocket 5"), std::string::npos) << outcome.reason;
   EXPECT_NE(outcome.reason.find("20 um"), std::string::npos) << outcome.reason;
-  EXPECT_TRUE(std::all_of(outcome.quantities.begin(), outcome.quantities.end(), [](double q) { return std::isnan(q); }));
+  EXPECT_TRUE(std::all_of(outcome.quantities.begin(), outcome.quantities.end(),
+                          [](double q) { return std::isnan(q); }));
   EXPECT_EQ(outcome.run.steps, 0);
 }
 
@@ -85,7 +92,8 @@ TEST(ReferenceBearing, AllowedInterferenceRunsAndIsFlagged) {
   scene.cage.pocket_width[5] = 7.498e-3;
   scene.allow_interference = true;
   const Outcome outcome = simulate(scene);
-  EXPECT_TRUE(outcome.status == Status::ok || outcome.status == Status::failed) << status_name(outcome.status);
+  EXPECT_TRUE(outcome.status == Status::ok || outcome.status == Status::failed)
+      << status_name(outcome.status);
   EXPECT_GT(outcome.run.steps, 0);
   EXPECT_EQ(outcome.pocket, 5);  // flagged: the pinched pocket is named
   EXPECT_NEAR(outcome.interference_um, 2, 1e-6);

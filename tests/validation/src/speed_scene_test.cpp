@@ -1,5 +1,5 @@
-// The square speed scene against displacements of an independent program with the same laws, and the watch that must catch a step
-// too long for explicit integration.
+// The square speed scene against displacements of an independent program with the same laws, and
+// the watch that must catch a step too long for explicit integration.
 #include <gtest/gtest.h>
 
 #include "src/simulate.hpp"
@@ -28,7 +28,8 @@ TEST_P(SpeedScene, RingStandsWhereTheIndependentProgramPutsIt) {
   EXPECT_NEAR(quantity(outcome, "ring_displacement_end_um") / GetParam().displacement_um, 1, 1e-3);
 }
 
-// At 10 kN the law's own damping carries a tenth of the load sideways: the quasi-static reference must know it.
+// At 10 kN the law's own damping carries a tenth of the load sideways: the quasi-static reference
+// must know it.
 TEST_P(SpeedScene, ElasticForceAndDisplacementAgreeWithStaticsOverTheSettledWindow) {
   Scene scene = one_slice(GetParam().load);
   scene.window.settle_time = 5e-3;
@@ -41,7 +42,9 @@ TEST_P(SpeedScene, ElasticForceAndDisplacementAgreeWithStaticsOverTheSettledWind
 INSTANTIATE_TEST_SUITE_P(Loads, SpeedScene,
                          testing::Values(Point{300, 13.705}, Point{1000, 18.515},
                                          Point{3000, 29.729}, Point{10000, 63.079}),
-                         [](const auto& test) { return std::to_string(static_cast<int>(test.param.load)) + "N"; });
+                         [](const auto& test) {
+                           return std::to_string(static_cast<int>(test.param.load)) + "N";
+                         });
 
 TEST(SpeedScene, ExplicitStepsTooLongAreCaughtByStatics) {
   Scene scene = one_slice(3000);
