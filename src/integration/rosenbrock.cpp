@@ -124,7 +124,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
     double factor = 0.9 * std::pow(bounded, -1 / table_.error_order);
     if (error <= 1) {
       // Gustafsson's predictive part; no growth right after a rejection.
-      factor = std::min(factor, factor * std::pow(last_error_ / bounded, 0.08) * 1.0);
+      factor = std::min(factor, factor * std::pow(last_error_ / bounded, 0.08));
       factor = std::clamp(factor, 0.2, rejected ? 1.0 : 4.0);
       for (int s = 0; s < table_.stages; ++s)
         if (table_.m[s] != 0)

@@ -38,7 +38,8 @@ std::string text_of(const std::string& path) {
 
 }  // namespace
 
-ScratchDirectory::ScratchDirectory() : path_(new_scratch_name("/tmp/cagetol-test-XXXXXX")) {}
+ScratchDirectory::ScratchDirectory()
+    : path_(new_scratch_name((fs::temp_directory_path() / "cagetol-test-XXXXXX").c_str())) {}
 
 ScratchDirectory::~ScratchDirectory() {
   std::error_code ignored;
@@ -46,7 +47,7 @@ ScratchDirectory::~ScratchDirectory() {
 }
 
 Process::Process(const std::vector<std::string>& command, const std::function<void()>& prepare) {
-  std::string name = "/tmp/cagetol-output-XXXXXX";
+  std::string name = (fs::temp_directory_path() / "cagetol-output-XXXXXX").string();
   const int output = ::mkstemp(name.data());
   if (output < 0) throw std::runtime_error("no file for output");
   output_file_ = name;

@@ -1,3 +1,5 @@
+// One file on purpose, though long: the whole reference is to be read from top to bottom beside
+// src/NOTATION.md, and shares nothing with the program's kernels.
 #include "tests/support/reference_forces.hpp"
 
 #include <Eigen/Dense>
