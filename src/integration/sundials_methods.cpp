@@ -2,7 +2,6 @@
 
 #include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>
-#include <nvector/nvector_serial.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 #include <sundials/sundials_context.hpp>
@@ -12,6 +11,7 @@
 #include <stdexcept>
 
 #include "src/dynamics/newton_matrix.hpp"
+#include "src/integration/state_vector.hpp"
 
 namespace cagetol {
 namespace {
@@ -99,7 +99,7 @@ SUNMatrix_ID custom(SUNMatrix) {
 
 /// Owns the SUNDIALS objects of one run.
 struct Handles {
-  Handles(Problem& problem, int size, const double* y0) : vector(N_VNew_Serial(size, context)) {
+  Handles(Problem& problem, int size, const double* y0) : vector(make_state_vector(size, context)) {
     std::copy(y0, y0 + size, NV_DATA_S(vector));
     matrix = SUNMatNewEmpty(context);
     matrix->ops->getid = custom;
@@ -130,12 +130,76 @@ void require(int flag, const char* what) {
                              std::to_string(flag) + ")");
 }
 
+/// The calls that CVODE and ARKODE have in common but for their names.
+struct Library {
+  const char* name;
+  int (*set_problem)(void*, void*);
+  int (*set_error_weights)(void*, int (*)(N_Vector, N_Vector, void*));
+  int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);
+  int (*set_max_step)(void*, double);
+  int (*set_first_step)(void*, double);
+  int (*set_error_file)(void*, FILE*);
+  int (*advance)(void*, double, N_Vector, double*, int one_step);
+  int (*interpolate)(void*, double, int derivative, N_Vector);
+  int (*error_fails)(void*, long*);
+  int (*nonlinear_fails)(void*, long*);
+  char* (*flag_name)(long);
+  void (*destroy)(void**);
+};
+
+constexpr Library kCvode = {"CVODE",
+                            CVodeSetUserData,
+                            CVodeWFtolerances,
+                            CVodeSetLinearSolver,
+                            CVodeSetMaxStep,
+                            CVodeSetInitStep,
+                            CVodeSetErrFile,
+                            CVode,
+                            CVodeGetDky,
+                            CVodeGetNumErrTestFails,
+                            CVodeGetNumNonlinSolvConvFails,
+                            CVodeGetReturnFlagName,
+                            CVodeFree};
+constexpr Library kArkode = {"ARKODE",
+                             ARKStepSetUserData,
+                             ARKStepWFtolerances,
+                             ARKStepSetLinearSolver,
+                             ARKStepSetMaxStep,
+                             ARKStepSetInitStep,
+                             ARKStepSetErrFile,
+                             ARKStepEvolve,
+                             ARKStepGetDky,
+                             ARKStepGetNumErrTestFails,
+                             ARKStepGetNumNonlinSolvConvFails,
+                             ARKStepGetReturnFlagName,
+                             ARKStepFree};
+
 /// One-step mode with interpolation: the solver may run ahead of t_end; the state is then
 /// interpolated there.
 class SundialsIntegrator : public Integrator {
  public:
-  SundialsIntegrator(const Integration& keys, const System& system, double t0, const double* y0)
-      : problem_(keys, system), handles_(problem_, system.size, y0), reached_(t0) {}
+  SundialsIntegrator(const Library& library, const Integration& keys, const System& system,
+                     double t0, const double* y0)
+      : library_(library),
+        problem_(keys, system),
+        handles_(problem_, system.size, y0),
+        reached_(t0) {}
+  ~SundialsIntegrator() override { library_.destroy(&memory_); }
+
+  const Handles& handles() const { return handles_; }
+
+  /// Takes over the solver's memory; an `implicit` one solves with our Newton matrix.
+  void adopt(void* memory, bool implicit) {
+    memory_ = memory;
+    require(library_.set_problem(memory_, &problem_), "the problem");
+    require(library_.set_error_weights(memory_, error_weights), "the error weights");
+    if (implicit)
+      require(library_.set_linear_solver(memory_, handles_.solver, handles_.matrix),
+              "the linear solver");
+    require(library_.set_max_step(memory_, problem_.keys.max_step), "the maximum step");
+    require(library_.set_first_step(memory_, kFirstStep), "the first step");
+    require(library_.set_error_file(memory_, nullptr), "silence");
+  }
 
   StepStatus step(System& system, double& t, double* y, double t_end) override {
     problem_.system = &system;
@@ -143,9 +207,10 @@ class SundialsIntegrator : public Integrator {
     if (reached_ <= t) {
       if (system.counts.steps + system.counts.rejected >= problem_.keys.step_budget)
         return StepStatus::out_of_budget;
-      long fails_before = error_fails();
-      const int flag = advance(t_end);
-      system.counts.rejected += error_fails() - fails_before;
+      const long fails_before = fails();
+      // CV_ONE_STEP and ARK_ONE_STEP are the same number.
+      const int flag = library_.advance(memory_, t_end, handles_.vector, &reached_, CV_ONE_STEP);
+      system.counts.rejected += fails() - fails_before;
       if (flag < 0) {
         failure_ = failure_text(flag) + " at t = " + std::to_string(t) + " s";
         return StepStatus::failed;
@@ -165,107 +230,53 @@ class SundialsIntegrator : public Integrator {
     return StepStatus::accepted;
   }
 
- protected:
-  virtual int advance(double t_end) = 0;  ///< one internal step; sets reached_
-  virtual void interpolate(double t) = 0;
-  virtual long error_fails() = 0;
-  virtual std::string failure_text(int flag) = 0;
+ private:
+  void interpolate(double t) { library_.interpolate(memory_, t, 0, handles_.vector); }
+  long fails() const {
+    long errors = 0, nonlinear = 0;
+    library_.error_fails(memory_, &errors);
+    library_.nonlinear_fails(memory_, &nonlinear);
+    return errors + nonlinear;
+  }
+  std::string failure_text(int flag) const {
+    char* name = library_.flag_name(flag);
+    std::string text = std::string(library_.name) + ": " + name;
+    std::free(name);
+    return text;
+  }
 
+  const Library& library_;
   Problem problem_;
   Handles handles_;
+  void* memory_ = nullptr;
   double reached_;
   bool interpolated_ = false;
 };
-
-class CvodeBdf : public SundialsIntegrator {
- public:
-  CvodeBdf(const Integration& keys, const System& system, double t0, const double* y0)
-      : SundialsIntegrator(keys, system, t0, y0), memory_(CVodeCreate(CV_BDF, handles_.context)) {
-    require(CVodeInit(memory_, rates, t0, handles_.vector), "CVodeInit");
-    require(CVodeSetUserData(memory_, &problem_), "the problem");
-    require(CVodeWFtolerances(memory_, error_weights), "the error weights");
-    require(CVodeSetLinearSolver(memory_, handles_.solver, handles_.matrix), "the linear solver");
-    require(CVodeSetLinSysFn(memory_, linear_system), "the linear system");
-    require(CVodeSetMaxOrd(memory_, static_cast<int>(keys.max_order)), "the maximum order");
-    require(CVodeSetMaxStep(memory_, keys.max_step), "the maximum step");
-    require(CVodeSetInitStep(memory_, kFirstStep), "the first step");
-    require(CVodeSetErrFile(memory_, nullptr), "silence");
-  }
-  ~CvodeBdf() override { CVodeFree(&memory_); }
-
- protected:
-  int advance(double t_end) override {
-    return CVode(memory_, t_end, handles_.vector, &reached_, CV_ONE_STEP);
-  }
-  void interpolate(double t) override { CVodeGetDky(memory_, t, 0, handles_.vector); }
-  long error_fails() override {
-    long errors = 0, nonlinear = 0;
-    CVodeGetNumErrTestFails(memory_, &errors);
-    CVodeGetNumNonlinSolvConvFails(memory_, &nonlinear);
-    return errors + nonlinear;
-  }
-  std::string failure_text(int flag) override {
-    char* name = CVodeGetReturnFlagName(flag);
-    std::string text = std::string("CVODE: ") + name;
-    std::free(name);
-    return text;
-  }
-
- private:
-  void* memory_;
-};
-
-class Arkode : public SundialsIntegrator {
- public:
-  Arkode(bool implicit, const Integration& keys, const System& system, double t0, const double* y0)
-      : SundialsIntegrator(keys, system, t0, y0),
-        memory_(ARKStepCreate(implicit ? nullptr : rates, implicit ? rates : nullptr, t0,
-                              handles_.vector, handles_.context)) {
-    require(ARKStepSetUserData(memory_, &problem_), "the problem");
-    require(ARKStepWFtolerances(memory_, error_weights), "the error weights");
-    require(ARKStepSetOrder(memory_, 3), "order 3");
-    if (implicit) {
-      require(ARKStepSetLinearSolver(memory_, handles_.solver, handles_.matrix),
-              "the linear solver");
-      require(ARKStepSetLinSysFn(memory_, linear_system_with_mass), "the linear system");
-    }
-    require(ARKStepSetMaxStep(memory_, keys.max_step), "the maximum step");
-    require(ARKStepSetInitStep(memory_, kFirstStep), "the first step");
-    require(ARKStepSetErrFile(memory_, nullptr), "silence");
-  }
-  ~Arkode() override { ARKStepFree(&memory_); }
-
- protected:
-  int advance(double t_end) override {
-    return ARKStepEvolve(memory_, t_end, handles_.vector, &reached_, ARK_ONE_STEP);
-  }
-  void interpolate(double t) override { ARKStepGetDky(memory_, t, 0, handles_.vector); }
-  long error_fails() override {
-    long errors = 0;
-    ARKStepGetNumErrTestFails(memory_, &errors);
-    return errors;
-  }
-  std::string failure_text(int flag) override {
-    char* name = ARKStepGetReturnFlagName(flag);
-    std::string text = std::string("ARKODE: ") + name;
-    std::free(name);
-    return text;
-  }
-
- private:
-  void* memory_;
-};
+static_assert(int{CV_ONE_STEP} == int{ARK_ONE_STEP});
 
 }  // namespace
 
 std::unique_ptr<Integrator> make_cvode_bdf(const Integration& keys, const System& system, double t0,
                                            const double* y0) {
-  return std::make_unique<CvodeBdf>(keys, system, t0, y0);
+  auto method = std::make_unique<SundialsIntegrator>(kCvode, keys, system, t0, y0);
+  void* memory = CVodeCreate(CV_BDF, method->handles().context);
+  require(CVodeInit(memory, rates, t0, method->handles().vector), "CVodeInit");
+  method->adopt(memory, true);
+  require(CVodeSetLinSysFn(memory, linear_system), "the linear system");
+  require(CVodeSetMaxOrd(memory, static_cast<int>(keys.max_order)), "the maximum order");
+  return method;
 }
 
 std::unique_ptr<Integrator> make_arkode(bool implicit, const Integration& keys,
                                         const System& system, double t0, const double* y0) {
-  return std::make_unique<Arkode>(implicit, keys, system, t0, y0);
+  auto method = std::make_unique<SundialsIntegrator>(kArkode, keys, system, t0, y0);
+  const Handles& handles = method->handles();
+  void* memory = ARKStepCreate(implicit ? nullptr : rates, implicit ? rates : nullptr, t0,
+                               handles.vector, handles.context);
+  method->adopt(memory, implicit);
+  if (implicit) require(ARKStepSetLinSysFn(memory, linear_system_with_mass), "the linear system");
+  require(ARKStepSetOrder(memory, 3), "order 3");
+  return method;
 }
 
 }  // namespace cagetol
