@@ -44,6 +44,16 @@ struct RunField {
 const std::vector<RunField>& run_fields();
 std::vector<double> run_values(const RunRecord& run);
 
+/// The instant of the largest stress in a flexible cage, enough to recover the whole field (src/cage).
+/// Empty vectors where there is none.
+struct CagePeak {
+  double time = 0;                ///< [s]
+  int pocket = -1, station = -1;  ///< where, as in cage_stress_peak_pocket and _station
+  std::vector<double> modes;      ///< modal coordinates
+  std::vector<double> bar_force;  ///< on the cage: per pocket the stations of the trailing, then of the
+                                  ///< leading face, towards larger theta [N]
+};
+
 /// Result of one sample. `quantities` follows the order of quantity_table()
 /// (src/quantities/quantity_table.hpp); NaN where the scene does not define a quantity (no cage
 /// stress on a rigid cage) or the run has none (jammed).
@@ -56,6 +66,7 @@ struct Outcome {
   double interference_um = 0;  ///< how much the roller is too large for it
   std::vector<double> quantities;
   RunRecord run;
+  CagePeak cage_peak;
 };
 
 }  // namespace cagetol

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "src/cage/scene_cage.hpp"
 #include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quantities/observer.hpp"
@@ -46,6 +47,19 @@ Outcome jammed(const Jam& jam) {
   return outcome;
 }
 
+/// A cage that cannot be: impossible geometry is a kind of jam, a cage beyond the table a failure.
+Outcome without_cage(const CageFault& fault) {
+  Outcome outcome;
+  const bool impossible = fault.kind == CageFaultKind::geometry;
+  outcome.status = impossible ? Status::jammed : Status::failed;
+  outcome.pocket = fault.pocket;
+  outcome.reason = "flexible cage: " +
+                   (fault.pocket >= 0 ? "pocket " + std::to_string(fault.pocket) + ": " : "") +
+                   fault.reason;
+  outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
+  return outcome;
+}
+
 void judge(const Scene& scene, Outcome& outcome) {
   const RunRecord& run = outcome.run;
   if (!(run.static_consistency_error <= scene.watch.static_consistency_max)) {
@@ -77,7 +91,14 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     outcome.pocket = jam.pocket;
     outcome.interference_um = 1e6 * jam.interference;
   }
-  const BearingModel model = make_bearing_model(scene);
+  std::shared_ptr<const CageModel> cage;
+  if (is_flexible(scene)) {
+    const auto table = options.cage_table ? options.cage_table : make_scene_cage_table(scene);
+    auto made = scene_cage_model(scene, *table);
+    if (const auto* fault = std::get_if<CageFault>(&made)) return without_cage(*fault);
+    cage = std::get<std::shared_ptr<const CageModel>>(made);
+  }
+  const BearingModel model = make_bearing_model(scene, cage);
   const Times times = window_times(scene, model);
   std::vector<double> y = start_state(model, scene.start);
   System system(model);
@@ -118,6 +139,7 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     run.energy_residual = observer.energy_residual();
     run.static_consistency_error = observer.static_consistency_error();
     outcome.quantities = observer.quantities();
+    outcome.cage_peak = observer.cage_peak();
     judge(scene, outcome);
   } else {
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());

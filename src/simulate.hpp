@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "src/outcome.hpp"
@@ -11,15 +12,19 @@
 namespace cagetol {
 
 struct System;
+struct CageTable;
 
-/// Extras of a run that do not change its outcome.
+/// What a run may be given beside its scene.
 struct SimulateOptions {
+  /// Of the flexible cage (src/cage/scene_cage.hpp). Without one it is made from the scene's own pockets,
+  /// which takes half a minute; a study's samples share the table of the nominal scene.
+  std::shared_ptr<const CageTable> cage_table = {};
   /// Called at every accepted state, linearised (src/integration/system.hpp): time histories,
   /// tests.
-  std::function<void(double t, const double* y, const System& system)> on_state;
+  std::function<void(double t, const double* y, const System& system)> on_state = {};
   /// Asked every few hundred steps; true ends the run as `not_run`. For signals and wall limits
   /// only.
-  std::function<bool()> stop_requested;
+  std::function<bool()> stop_requested = {};
 };
 
 /// Simulates one bearing. Never throws for what a sample may meet (jam, failed integration): that

@@ -64,12 +64,14 @@ std::array<EndPoint, 2> end_points(double radius, double radial) {
 
 }  // namespace
 
-BearingModel make_bearing_model(const Scene& scene) {
+BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> flexible) {
   BearingModel m;
   const auto& b = scene.bearing;
   m.layout.rollers = static_cast<int>(b.roller_count);
   m.layout.groups = (m.layout.rollers + kLanes - 1) / kLanes;
   for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
+  if (flexible) m.flexible = make_flexible_cage(std::move(flexible), scene.cage, m.layout.groups);
+  m.layout.modes = m.flexible.modes;
 
   for (long j = 0; j < b.roller_count; ++j) m.nominal_diameter += each(scene.roller.diameter, j);
   m.nominal_diameter /= static_cast<double>(b.roller_count);

@@ -1,6 +1,7 @@
 // What the contact kernels share: the state unpacked into frames, and where their forces go.
 #pragma once
 
+#include "src/dynamics/flexible_cage.hpp"
 #include "src/dynamics/forces.hpp"
 
 namespace cagetol {
@@ -19,7 +20,7 @@ struct RollerPack {
 struct BorderState {
   double ring[2], ring_rate[2];
   double cage[3], cage_rate[3];  ///< y, z, x
-  double phi_rate, phi_cos, phi_sin;
+  double phi, phi_rate, phi_cos, phi_sin;
   double axis[2], axis_rate[2];  ///< A_y, A_z
   double unbalance[2];           ///< inertial directions [m]
   double inner_speed;

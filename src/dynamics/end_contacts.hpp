@@ -2,81 +2,76 @@
 // end e = +-1 carries two points off the axis, at radial h and tangential tau from the centre of
 // the end face, so that the force rights a skewed roller and the spin enters the sliding speed. The
 // wall is normal to the cage's axis A, the flange to the bearing's axis:
-//   wall:    p = e (x - x_c + A . D) + L_w/2 - L_j/2,     flange:  p = e (x - h a_r - tau a_t) -
-//   c_fl/2
+//   wall:    p = e (x - x_c + A . D - w_x) + L_w/2 - L_j/2,
+//   flange:  p = e (x - h a_r - tau a_t) - c_fl/2
 // with D the point's radial-plane place relative to the cage's geometric centre, x at the point
-// likewise less h a_r + tau a_t. The points keep their place beside the roller's orbit: they turn
-// with theta', not with the spin, so a roller whose lean goes round with it neither approaches nor
-// recedes, and p depends on theta through `turn` = dp/dtheta (times e) at a centre held still.
+// likewise less h a_r + tau a_t, w_x how far the wall has bent along e_x. The points do not spin with
+// the roller. A wall's keep their place beside the pocket and turn with phi' (so that moving roller and
+// cage together changes nothing), a flange's beside the roller's orbit and turn with theta'; p depends
+// on that angle through `turn` = e dp/d(angle) at a centre held still.
 #pragma once
 
-#include "src/dynamics/contact_frame.hpp"
+#include "src/dynamics/pocket_frame.hpp"
 
 namespace cagetol {
 
-/// The cage's motion in the pack's roller directions.
-struct CageInRoller {
-  Pack c_r, c_t, dc_r, dc_t;  ///< centre
-  Pack a_r, a_t, da_r, da_t;  ///< axis
-};
-
-inline CageInRoller cage_in_roller(const RollerPack& q, const BorderState& b) {
-  const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
-  const auto t = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };
-  return {r(b.cage), t(b.cage), r(b.cage_rate), t(b.cage_rate),
-          r(b.axis), t(b.axis), r(b.axis_rate), t(b.axis_rate)};
-}
-
 template <bool linear>
 void wall_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
-                   const BorderState& b, int group, RollerLoads& loads, BorderLoads& border,
-                   ContactRows* rows, Linearisation* jac, Observation* seen, Pack& touch) {
-  const CageInRoller c = cage_in_roller(q, b);
-  const double half = model.roller_half_length;
-  // Every point of an end lies below this: skip the points when even the whole face clears the
-  // wall.
-  const Pack reach =
-      roller.radius * (max(q.a_r - c.a_r, c.a_r - q.a_r) + max(q.a_t - c.a_t, c.a_t - q.a_t));
-  const Pack offset = q.x - b.cage[2] + c.a_r * (q.r - c.c_r) - c.a_t * c.c_t;
-  const Pack slack = roller.half_length - half;
-  if constexpr (!linear)
-    if (!any(max(offset, -offset) + reach > slack)) return;
-  const double phi = b.phi_rate;
-  for (int end = -1; end <= 1; end += 2) {
-    const double e = end, xi = e * half;
-    for (const EndPoint& point : model.wall_points) {
-      const double h = point.radial, tau = point.tangential;
-      const Pack D_r = q.r + xi * q.a_r + h - c.c_r, D_t = xi * q.a_t + tau - c.c_t;
-      const Pack X = q.x + xi - h * q.a_r - tau * q.a_t - b.cage[2];
-      const Pack p = e * (X + c.a_r * D_r + c.a_t * D_t) - roller.half_length;
-      const Pack V_r = q.vr + xi * q.b_r - c.dc_r, V_t = q.vt + xi * q.b_t - c.dc_t;
-      const Pack turn = h * (c.a_t - q.a_t) - tau * (c.a_r - q.a_r);
-      const Pack rate = e * (q.vx - h * q.b_r - tau * q.b_t - b.cage_rate[2] + c.a_r * V_r +
-                             c.a_t * V_t + c.da_r * D_r + c.da_t * D_t + turn * q.omega);
+                   const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
+                   RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
+                   Observation* seen, Pack& touch) {
+  const double half = model.roller_half_length, phi = b.phi_rate;
+  if constexpr (!linear) {
+    // Every point of an end lies below this: skip the points when even the whole face clears the
+    // wall.
+    const Pack reach = roller.radius * (abs(f.a_R - f.A_R) + abs(f.a_T - f.A_T)) +
+                       half * abs(f.A_R * f.a_R + f.A_T * f.a_T);
+    const Pack offset = abs(f.X + f.A_R * f.D_R + f.A_T * f.D_T);
+    if (!modal.flexible() && !any(offset + reach > roller.half_length - half)) return;
+  }
+  PocketLoads on;
+  bool touched = false;
+  for (int end = 0; end < 2; ++end) {
+    const double e = 2 * end - 1, xi = e * half;
+    const Pack V_R = f.v_R + xi * f.b_R, V_T = f.v_T + xi * f.b_T;
+    for (int side = 0; side < 2; ++side) {
+      const auto [h, tau] = model.wall_points[static_cast<std::size_t>(side)];
+      const int point = 2 * static_cast<int>(model.bar_stations.size()) + 2 * end + side;
+      const Pack D_R = f.D_R + xi * f.a_R + h, D_T = f.D_T + xi * f.a_T + tau;
+      const Pack X = f.X + xi - h * f.a_R - tau * f.a_T;
+      const Pack turn = h * (f.A_T - f.a_T) - tau * (f.A_R - f.a_R);
+      Pack p = e * (X + f.A_R * D_R + f.A_T * D_T) - roller.half_length;
+      Pack rate = e * (f.v_x - h * f.b_R - tau * f.b_T + f.A_R * V_R + f.A_T * V_T + f.dA_R * D_R +
+                       f.dA_T * D_T + turn * phi);
+      if (modal.flexible()) {
+        p -= e * modal.along(group, point, 2, modal.q);
+        rate -= e * modal.along(group, point, 2, modal.rate);
+      }
       if constexpr (linear) touch = min(touch, touch_time(p, rate, roller.exists));
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;
-      const Pack lever_r = D_r - X * c.a_r, lever_t = D_t - X * c.a_t;
-      const Pack v1 = V_r - q.spin * tau - X * c.da_r + phi * lever_t;
-      const Pack v2 = V_t + q.spin * h - X * c.da_t - phi * lever_r;
+      touched = true;
+      const Pack lever_R = D_R - X * f.A_R, lever_T = D_T - X * f.A_T;
+      Pack v1 = V_R - q.spin * tau - X * f.dA_R + phi * lever_T;
+      Pack v2 = V_T + q.spin * h - X * f.dA_T - phi * lever_R;
+      if (modal.flexible()) {
+        v1 -= modal.along(group, point, 0, modal.rate);
+        v2 -= modal.along(group, point, 1, modal.rate);
+      }
       const auto normal = normal_force(model.wall, select(touching, p, splat(-1.0)), rate);
       const Pack speed2 = v1 * v1 + v2 * v2;
       const auto fr = friction(model.friction, speed2);
       const Pack g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2, push = e * normal.force;
-      loads.f[kLr] += f1 - push * c.a_r;
-      loads.f[kLt] += f2 - push * (c.a_t + turn / q.r);
-      loads.f[kLx] -= push;
-      loads.f[kLar] += xi * f1 + push * (h - xi * c.a_r);
-      loads.f[kLat] += xi * f2 + push * (tau - xi * c.a_t);
-      loads.f[kLs] += h * f2 - tau * f1;
-      const Pack F_r = push * c.a_r - f1, F_t = push * c.a_t - f2;
-      const Pack T_r = -push * D_r - X * f1, T_t = -push * D_t - X * f2;
-      border.cage[0] += sum(q.cosine * F_r - q.sine * F_t);
-      border.cage[1] += sum(q.sine * F_r + q.cosine * F_t);
-      border.cage[2] += sum(push);
-      border.cage[3] += sum(f1 * lever_t - f2 * lever_r);
-      border.cage[4] += sum(q.cosine * T_r - q.sine * T_t);
-      border.cage[5] += sum(q.sine * T_r + q.cosine * T_t);
+      if (modal.flexible()) modal.push(group, point, -f1, -f2, push);
+      on.f_R += f1 - push * f.A_R;
+      on.f_T += f2 - push * f.A_T;
+      on.f_x -= push;
+      on.t_R += xi * f1 + push * (h - xi * f.A_R);
+      on.t_T += xi * f2 + push * (tau - xi * f.A_T);
+      on.t_s += h * f2 - tau * f1;
+      on.c_phi += f1 * lever_T - f2 * lever_R - push * turn;
+      on.c_AR -= push * D_R + X * f1;
+      on.c_AT -= push * D_T + X * f2;
       if constexpr (linear) {
         double* const force = seen->wall_force.data() + group * kLanes;
         store(force, load(force) + normal.force);
@@ -85,24 +80,17 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
         seen->elastic_energy += sum(normal.elastic * max(p, Pack{})) / (model.wall.exponent + 1);
         for (int i = 0; i < kLanes; ++i) {
           if (!touching[i]) continue;
-          const double A_r = c.a_r[i], A_t = c.a_t[i];
+          const double A_R = f.A_R[i], A_T = f.A_T[i];
           const double rolling[3][kLocalVelocities] = {
-              {-e * A_r, -e * (A_t + turn[i] / q.r[i]), -e, e * (h - xi * A_r),
-               e * (tau - xi * A_t), 0},
+              {-e * A_R, -e * A_T, -e, e * (h - xi * A_R), e * (tau - xi * A_T), 0},
               {1, 0, 0, xi, 0, -tau},
               {0, 1, 0, 0, xi, h}};
-          const double caging[3][6] = {{e * A_r, e * A_t, e, 0, -e * D_r[i], -e * D_t[i]},
-                                       {-1, 0, 0, lever_t[i], -X[i], 0},
-                                       {0, -1, 0, -lever_r[i], 0, -X[i]}};
-          for (int k = 0; k < 3; ++k) {
-            for (int j = 0; j < kLocalVelocities; ++j) rows->roller[k][j] = rolling[k][j];
-            const double* r = caging[k];
-            const double co = q.cosine[i], si = q.sine[i];
-            const double at_centre[kCageRigid] = {
-                co * r[0] - si * r[1], si * r[0] + co * r[1], r[2], r[3],
-                co * r[4] - si * r[5], si * r[4] + co * r[5]};
-            fill_cage_row(at_centre, b, rows->border[k]);
-          }
+          const double caging[3][kCageRigid] = {
+              {e * A_R, e * A_T, e, -e * turn[i], -e * D_R[i], -e * D_T[i]},
+              {-1, 0, 0, lever_T[i], -X[i], 0},
+              {0, -1, 0, -lever_R[i], 0, -X[i]}};
+          fill_pocket_rows(f, b, modal, group, point, i, rolling, caging,
+                           {{0, 0, e}, {-1, 0, 0}, {0, -1, 0}}, *rows);
           add_contact(
               *rows,
               {normal.force[i], normal.stiffness[i], normal.damping[i], fr.ratio[i], fr.bend[i],
@@ -112,6 +100,11 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
       }
     }
   }
+  if (!touched) return;
+  on.c_R = -on.f_R;
+  on.c_T = -on.f_T;
+  on.c_x = -on.f_x;
+  add_pocket_loads(f, on, loads, border);
 }
 
 template <bool linear>

@@ -36,6 +36,7 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
   const double *q = y + m.layout.border_position(0), *v = y + m.layout.border_velocity(0);
   BorderState b;
   const double phi = q[kCagePhi];
+  b.phi = phi;
   b.phi_cos = std::cos(phi);
   b.phi_sin = std::sin(phi);
   b.phi_rate = v[kCagePhi];
@@ -85,11 +86,13 @@ void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerP
   put(l.velocity(kSpin, j), loads.f[kLs] / roller.polar);
 }
 
+/// `modal_force`: of the contacts on the elastic modes.
 void store_border_rates(const BearingModel& m, double t, const BorderState& b,
-                        const BorderLoads& loads, const double* y, double* rate) {
+                        const BorderLoads& loads, const double* modal_force, const double* y,
+                        double* rate) {
   const double* v = y + m.layout.border_velocity(0);
   double *dq = rate + m.layout.border_position(0), *dv = rate + m.layout.border_velocity(0);
-  for (int i = 0; i < kRigidBorder; ++i) dq[i] = v[i];
+  for (int i = 0; i < m.layout.border(); ++i) dq[i] = v[i];
   dv[kRingY] = loads.ring[0] / m.ring_mass;
   dv[kRingZ] = (loads.ring[1] - load_at(m, t)) / m.ring_mass - m.gravity;
   dv[kCageY] = loads.cage[0] / m.cage_mass;
@@ -102,6 +105,15 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
   const double gyro = m.cage_polar * b.phi_rate;
   dv[kCageAxisY] = (loads.cage[4] - gyro * b.axis_rate[1]) / m.cage_transverse;
   dv[kCageAxisZ] = (loads.cage[5] + gyro * b.axis_rate[0]) / m.cage_transverse;
+  if (m.layout.modes == 0) return;
+  const double* q = y + m.layout.border_position(0);
+  for (int k = 0; k < m.layout.modes; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    dv[kModes + k] = modal_force[k] - m.flexible.stiffness[at] * q[kModes + k] -
+                     m.flexible.damping[at] * v[kModes + k];
+  }
+  couple_spin(m.flexible, m.cage_polar, b.phi_rate, q + kModes, v + kModes, dv + kModes,
+              dv[kCagePhi]);
 }
 
 /// Forces turn with the roller's directions, and its velocity does in directions held still:
@@ -184,11 +196,51 @@ void add_ring_block(const GroupLinear& g, Linearisation& linear) {
   add(g.ring_velocity, linear.border_velocity);
 }
 
+/// The cage's own derivatives: gyroscopic moment, elastic modes, and what the spin does to these.
+void add_cage_block(const BearingModel& m, const BorderState& b, const double* y,
+                    Linearisation& linear, Observation& seen) {
+  const double gyro = m.cage_polar * b.phi_rate;
+  linear.border_velocity(kCageAxisY, kCageAxisZ) -= gyro;
+  linear.border_velocity(kCageAxisZ, kCageAxisY) += gyro;
+  linear.border_velocity(kCageAxisY, kCagePhi) -= m.cage_polar * b.axis_rate[1];
+  linear.border_velocity(kCageAxisZ, kCagePhi) += m.cage_polar * b.axis_rate[0];
+  const FlexibleCage& flexible = m.flexible;
+  const int modes = flexible.modes;
+  if (modes == 0) return;
+  const double* v = y + m.layout.border_velocity(kModes);
+  for (int k = 0; k < modes; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const double damping = flexible.damping[at];
+    linear.border_position(kModes + k, kModes + k) -= flexible.stiffness[at];
+    linear.border_velocity(kModes + k, kModes + k) -= damping;
+    linear.power_velocity[kModes + k] -= 2 * damping * v[k];
+    seen.damping_power += damping * v[k] * v[k];
+  }
+  // Leading terms of the coupling with the spin; what they leave out is smaller by displacement over radius.
+  const double spin = b.phi_rate;
+  auto among = linear.border_velocity.bottomRightCorner(modes, modes);
+  auto by_spin = linear.border_velocity.col(kCagePhi).tail(modes);
+  if (flexible.centrifugal) {
+    by_spin += 2 * spin * flexible.model->centrifugal;
+    linear.border_velocity.row(kCagePhi).tail(modes) -=
+        2 * spin * flexible.model->centrifugal.transpose();
+  }
+  if (flexible.coriolis) {
+    among -= 2 * spin * flexible.model->gyroscopic;
+    by_spin.noalias() -=
+        (2 * flexible.model->gyroscopic) * Eigen::Map<const Eigen::VectorXd>(v, modes);
+  }
+}
+
 template <bool linear>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
   BorderLoads border;
+  Pack modal_force[kMostModes];
+  const ModalState modal{&m.flexible, y + m.layout.border_position(kModes),
+                         y + m.layout.border_velocity(kModes), modal_force};
+  for (int k = 0; k < m.layout.modes; ++k) modal_force[k] = Pack{};
   [[maybe_unused]] Pack touch = splat(1e30);
   ContactRows* rows = nullptr;
   if constexpr (linear) {
@@ -244,23 +296,23 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       store(seen->outer_force.data() + group * kLanes, total);
       turn_frame(q, *g);
     }
-    pocket_contacts<linear>(m, roller, q, b, group, loads, border, rows, jac, seen, touch);
-    wall_contacts<linear>(m, roller, q, b, group, loads, border, rows, jac, seen, touch);
+    const PocketFrame pocket = pocket_frame(roller, q, b);
+    pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
+                            touch);
+    wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
+                          touch);
     if constexpr (linear) {
       seen->net_power_rate += roller_power_rate(roller, q, loads, m.gravity, *g);
       add_inertial(m, roller, q, loads, *g);
     }
     store_rates(m, roller, q, loads, y, rate, group);
   }
-  double soonest = 1e30;
-  land_contacts<linear>(m, b, border, rows, jac, seen, soonest);
-  store_border_rates(m, t, b, border, y, rate);
+  double soonest = 1e30, on_modes[kMostModes];
+  for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = sum(modal_force[k]);
+  land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, soonest);
+  store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {
-    const double gyro = m.cage_polar * b.phi_rate;
-    jac->border_velocity(kCageAxisY, kCageAxisZ) -= gyro;
-    jac->border_velocity(kCageAxisZ, kCageAxisY) += gyro;
-    jac->border_velocity(kCageAxisY, kCagePhi) -= m.cage_polar * b.axis_rate[1];
-    jac->border_velocity(kCageAxisZ, kCagePhi) += m.cage_polar * b.axis_rate[0];
+    add_cage_block(m, b, y, *jac, *seen);
     seen->load_power = -load_at(m, t) * b.ring_rate[1];
     jac->power_velocity[kRingZ] -= load_at(m, t);
     const double *border_v = y + m.layout.border_velocity(0),
@@ -274,16 +326,18 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
 
 }  // namespace
 
-Observation::Observation(const StateLayout& layout) {
+Observation::Observation(const BearingModel& model)
+    : bar_force(Eigen::VectorXd::Zero(2 * model.flexible.stations * model.layout.rollers)) {
   for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force,
                   &wall_force, &flange_force})
-    v->assign(static_cast<std::size_t>(layout.padded()), 0.0);
+    v->assign(static_cast<std::size_t>(model.layout.padded()), 0.0);
 }
 
 void Observation::clear() {
   for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force,
                   &wall_force, &flange_force})
     std::fill(v->begin(), v->end(), 0.0);
+  bar_force.setZero();
   land_force[0] = land_force[1] = 0;
   ring_elastic_y = ring_elastic_z = 0;
   drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy =
@@ -317,6 +371,7 @@ double body_energy(const BearingModel& m, const double* y) {
             m.cage_mass * m.gravity * q[kCageZ];
   energy += 0.5 * m.cage_polar * square(kCagePhi) +
             0.5 * m.cage_transverse * (square(kCageAxisY) + square(kCageAxisZ));
+  if (m.layout.modes > 0) energy += modal_energy(m.flexible, v[kCagePhi], q + kModes, v + kModes);
   return energy;
 }
 

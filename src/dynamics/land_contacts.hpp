@@ -2,15 +2,43 @@
 // is the land's offset from the guiding ring's axis, n = delta/|delta|, p = |delta| - clearance;
 // the force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2 along e_x, of the cage's surface
 // at land_radius n relative to the ring's. Inner guidance rubs on the inner ring, which answers.
+// A flexible cage's guiding surface bends: its displacement, interpolated around between the corners of
+// FlexibleCage, adds to p and to the sliding speeds; the surface's slope turns the normal a little.
 #pragma once
+
+#include <numbers>
 
 #include "src/dynamics/contact_frame.hpp"
 
 namespace cagetol {
 
+/// The bent guiding surface at an angle in the cage: displacement and speed along e_r, e_t, e_x, their
+/// rows, and how the radial displacement changes with the angle [m/rad].
+struct BentLand {
+  double moved = 0, slope = 0, rate[3] = {0, 0, 0};
+  double row[3][kMostModes];
+};
+inline void bend_land(const ModalState& modal, int land, double angle, BentLand& bent) {
+  const FlexibleCage& cage = *modal.cage;
+  const double per_radian = cage.corners / (2 * std::numbers::pi);
+  const double place = angle * per_radian, below = __builtin_floor(place), share = place - below;
+  const int from = ((static_cast<int>(below) % cage.corners) + cage.corners) % cage.corners;
+  const int to = (from + 1) % cage.corners;
+  for (int d = 0; d < 3; ++d) {
+    const double *a = cage.land_row(land, from, d), *c = cage.land_row(land, to, d);
+    for (int k = 0; k < cage.modes; ++k) {
+      bent.row[d][k] = a[k] + share * (c[k] - a[k]);
+      bent.rate[d] += bent.row[d][k] * modal.rate[k];
+      if (d > 0) continue;
+      bent.moved += bent.row[d][k] * modal.q[k];
+      bent.slope += (c[k] - a[k]) * modal.q[k] * per_radian;
+    }
+  }
+}
+
 template <bool linear>
-void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads& border,
-                   ContactRows* rows, Linearisation* jac, Observation* seen, double& touch) {
+void land_contacts(const BearingModel& model, const BorderState& b, const ModalState& modal,
+                   BorderLoads& border, double* modal_force, ContactRows* rows, Linearisation* jac, Observation* seen, double& touch) {
   if (model.guidance == Guidance::roller) return;
   const bool inner = model.guidance == Guidance::inner;
   // The cage's outside surface meets the outer ring where delta points; its bore meets the inner
@@ -26,29 +54,41 @@ void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads&
       vy -= b.ring_rate[0];
       vz -= b.ring_rate[1];
     }
-    const double distance = __builtin_sqrt(y * y + z * z), p = distance - model.guide_clearance;
+    const double distance = __builtin_sqrt(y * y + z * z);
+    double p = distance - model.guide_clearance;
     const double inverse = distance > 0 ? 1 / distance : 0;
     const double ny = y * inverse, nz = z * inverse;
-    const double rate = ny * vy + nz * vz;
+    const double along = ny * vz - nz * vy;
+    double rate = ny * vy + nz * vz;
+    BentLand bent;
+    if (modal.flexible()) {
+      bend_land(modal, land, std::atan2(side * nz, side * ny) - b.phi, bent);
+      p += side * bent.moved;
+      rate += side * (bent.rate[0] + bent.slope * (along * inverse - b.phi_rate));
+    }
     if constexpr (linear)
       if (p < 0 && rate > 0) touch = min(touch, -p / rate);
     if (!(p > 0)) continue;
     const double ring_surface = inner ? b.inner_speed * side * model.guide_ring_radius : 0;
     const double swash = ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny);
-    const double along = ny * vz - nz * vy;
     const double n_A = b.axis[0] * nz - b.axis[1] * ny;  // (A x n)_x
-    const double v1 = along + b.phi_rate * R - ring_surface;
-    const double v2 = b.cage_rate[2] +
+    const double v1 = along + b.phi_rate * R - ring_surface + side * bent.rate[1];
+    const double v2 = b.cage_rate[2] + bent.rate[2] +
                       R * (b.phi_rate * n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz)) - swash;
     const auto normal = normal_force(model.land, p, rate);
     const double speed2 = v1 * v1 + v2 * v2;
     const auto fr = friction(model.friction, speed2);
     const double g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2;
-    const double fy = -normal.force * ny - f1 * nz, fz = -normal.force * nz + f1 * ny;
+    // dp/d(place of the land): the normal, turned by the surface's slope.
+    const double lean = side * bent.slope * inverse;
+    const double py = ny - lean * nz, pz = nz + lean * ny;
+    const double fy = -normal.force * py - f1 * nz, fz = -normal.force * pz + f1 * ny;
+    for (int k = 0; k < modal.cage->modes; ++k)
+      modal_force[k] += side * (f1 * bent.row[1][k] - normal.force * bent.row[0][k]) + f2 * bent.row[2][k];
     border.cage[0] += fy;
     border.cage[1] += fz;
     border.cage[2] += f2;
-    border.cage[3] += R * (f1 + f2 * n_A);
+    border.cage[3] += R * (f1 + f2 * n_A) + normal.force * side * bent.slope;
     border.cage[4] += X * fy - R * ny * f2;
     border.cage[5] += X * fz - R * nz * f2;
     if (inner) {
@@ -61,11 +101,14 @@ void land_contacts(const BearingModel& model, const BorderState& b, BorderLoads&
       seen->damping_power += (normal.force - normal.elastic) * rate;
       seen->elastic_energy += normal.elastic * p / (model.land.exponent + 1);
       if (inner) seen->drive_power += f1 * ring_surface + f2 * swash;
-      const double channels[3][kCageRigid] = {{-ny, -nz, 0, 0, -X * ny, -X * nz},
+      const double channels[3][kCageRigid] = {{-py, -pz, 0, side * bent.slope, -X * py, -X * pz},
                                               {-nz, ny, 0, R, -X * nz, X * ny},
                                               {0, 0, 1, R * n_A, -R * ny, -R * nz}};
       for (int k = 0; k < 3; ++k) {
         fill_cage_row(channels[k], b, rows->border[k]);
+        for (int m = 0; m < modal.cage->modes; ++m)
+          rows->border[k][static_cast<std::size_t>(kModes + m)] =
+              k == 0 ? -side * bent.row[0][m] : k == 1 ? side * bent.row[1][m] : bent.row[2][m];
         if (inner) {
           rows->border[k][kRingY] = -channels[k][0];
           rows->border[k][kRingZ] = -channels[k][1];

@@ -58,6 +58,11 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   at(l.border_velocity(kCageY)) = -cage_speed * e_z;
   at(l.border_velocity(kCageZ)) = cage_speed * e_y;
   at(l.border_velocity(kCagePhi)) = cage_speed;
+  if (m.flexible.centrifugal)  // spun out already
+    for (int k = 0; k < l.modes; ++k)
+      at(l.border_position(kModes + k)) = cage_speed * cage_speed *
+                                          m.flexible.model->centrifugal[k] /
+                                          m.flexible.stiffness[static_cast<std::size_t>(k)];
   return y;
 }
 

@@ -28,7 +28,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                                                                double orbit_rate,
                                                                RollerMotion motion) {
   RingForce ring{};
-  Observation unused(model_.layout);
+  Observation unused(model_);
   for (int group = 0; group < model_.layout.groups; ++group) {
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(group)];
     const int j = group * kLanes;

@@ -24,7 +24,7 @@ struct Problem {
   Problem(const Integration& k, const System& s)
       : keys(k),
         linear(s.model.layout),
-        seen(s.model.layout),
+        seen(s.model),
         newton(s.model),
         scaled(static_cast<std::size_t>(s.size)),
         rate(static_cast<std::size_t>(s.size)) {}

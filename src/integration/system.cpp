@@ -22,7 +22,7 @@ System::System(const BearingModel& m)
       scale(error_scales(m)),
       rate(static_cast<std::size_t>(size)),
       linear(m.layout),
-      seen(m.layout) {}
+      seen(m) {}
 
 bool System::rates(double t, const double* y, double* out) {
   ++counts.rhs;
@@ -58,6 +58,11 @@ std::vector<double> error_scales(const BearingModel& m) {
   for (int i = 0; i < kRigidBorder; ++i) {
     set(l.border_position(i), kLength / lever[i]);
     set(l.border_velocity(i), kSpeed / lever[i]);
+  }
+  for (int k = 0; k < l.modes; ++k) {
+    const double moved = m.flexible.scale[static_cast<std::size_t>(k)];
+    set(l.border_position(kModes + k), kLength / moved);
+    set(l.border_velocity(kModes + k), kSpeed / moved);
   }
   return scale;
 }

@@ -131,6 +131,10 @@ inline Pack power(Pack x, double e) {
   return exp2(log2(x) * e);
 }
 
+inline Pack abs(Pack x) {
+  return max(x, -x);
+}
+
 /// Sine and cosine, absolute error below 3e-16 for |x| < 1e5.
 inline void sine_cosine(Pack x, Pack& s, Pack& c) {
   const double magic = 6755399441055744.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -33,7 +34,9 @@ Observer::Observer(const BearingModel& model, double begin, double end)
       statics_(model),
       angles_(static_cast<std::size_t>(model.layout.padded())),
       next_statics_(begin),
-      statics_interval_((end - begin) / kStaticsInstants) {}
+      statics_interval_((end - begin) / kStaticsInstants) {
+  if (model.flexible.model) stress_.emplace(*model.flexible.model);
+}
 
 void Observer::record(double t, const double* y, const System& system) {
   const StateLayout& l = model_.layout;
@@ -58,6 +61,7 @@ void Observer::record(double t, const double* y, const System& system) {
   if (first) {
     first_energy_ = energy;
     start_phase_ = q[kCagePhi];
+    last_stress_ = t;
     orbit_angle_ = std::atan2(cage_z, cage_y);
   }
   last_energy_ = energy;
@@ -87,7 +91,23 @@ void Observer::record(double t, const double* y, const System& system) {
   end_displacement_ = -q[kRingZ];
   record_rollers(y, system, weight, keep);
   record_statics(t, y);
+  if (stress_) record_stress(t, y, seen, keep);
   last_time_ = t;
+}
+
+void Observer::record_stress(double t, const double* y, const Observation& seen, bool keep) {
+  const double* q = y + model_.layout.border_position(kModes);
+  if (!keep && stress_->bound(q, seen.bar_force) <= cage_stress_.peak()) return;
+  const CageStress::Largest largest = stress_->largest(q, seen.bar_force);
+  if (largest.stress > cage_stress_.peak() || cage_peak_.modes.empty()) {
+    cage_peak_.time = t;
+    cage_peak_.pocket = static_cast<int>(largest.sector);
+    cage_peak_.station = static_cast<int>(largest.station);
+    cage_peak_.modes.assign(q, q + model_.layout.modes);
+    cage_peak_.bar_force.assign(seen.bar_force.begin(), seen.bar_force.end());
+  }
+  cage_stress_.add(largest.stress, keep ? t - last_stress_ : 0, keep);
+  if (keep) last_stress_ = t;
 }
 
 void Observer::record_rollers(const double* y, const System& system, double weight, bool keep) {
@@ -201,6 +221,12 @@ std::vector<double> Observer::quantities() const {
   q["power_loss_W"] = dissipation_.integral() / duration;
   q["friction_torque_Nmm"] =
       inner_speed != 0 ? 1e3 * drive_.integral() / duration / inner_speed : 0;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  q["cage_stress_peak_MPa"] = stress_ ? 1e-6 * cage_stress_.peak() : none;
+  q["cage_stress_p99_MPa"] = stress_ ? 1e-6 * cage_stress_.quantile(0.99) : none;
+  q["cage_stress_rms_MPa"] = stress_ ? 1e-6 * cage_stress_.rms() : none;
+  q["cage_stress_peak_pocket"] = stress_ ? cage_peak_.pocket : none;
+  q["cage_stress_peak_station"] = stress_ ? cage_peak_.station : none;
   q["static_consistency_error"] = static_consistency_error();
   std::vector<double> values;
   for (const Quantity& row : quantity_table()) {

@@ -2,10 +2,13 @@
 // interest, the energy account and the consistency with statics.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "src/dynamics/static_equilibrium.hpp"
 #include "src/integration/system.hpp"
+#include "src/outcome.hpp"
+#include "src/quantities/cage_stress.hpp"
 #include "src/quantities/series.hpp"
 
 namespace cagetol {
@@ -26,6 +29,8 @@ class Observer {
   double static_consistency_error() const;
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
+  /// Of a flexible cage; empty of a rigid one.
+  const CagePeak& cage_peak() const { return cage_peak_; }
 
  private:
   struct Impacts {
@@ -35,6 +40,7 @@ class Observer {
   };
   void record_rollers(const double* y, const System& system, double weight, bool keep);
   void record_statics(double t, const double* y);
+  void record_stress(double t, const double* y, const Observation& seen, bool keep);
 
   const BearingModel& model_;
   double begin_, end_;
@@ -51,6 +57,10 @@ class Observer {
   Series slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_, guide_force_,
       roller_speed_;
   Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_;
+  std::optional<CageStress> stress_;
+  Series cage_stress_;
+  double last_stress_ = 0;
+  CagePeak cage_peak_;
   double orbit_turned_ = 0, orbit_angle_ = 0;
   double revolutions_ = 0, start_phase_ = 0;
   double end_displacement_ = 0;

@@ -64,6 +64,17 @@ const std::vector<Quantity>& quantity_table() {
        "95 % quantile over time and rollers of |tilt|, tilt = a.e_r"},
       {"power_loss_W", "W", "dissipation of all contacts over the window's length"},
       {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
+      {"cage_stress_peak_MPa", "MPa",
+       "largest von Mises stress of a flexible cage over its stress stations and every accepted "
+       "step; modes and the static rest of the bar forces"},
+      {"cage_stress_p99_MPa", "MPa",
+       "99 % quantile over time (every 20 us) of the largest stress over the cage"},
+      {"cage_stress_rms_MPa", "MPa", "rms over time (every 20 us) of the largest stress over the cage"},
+      {"cage_stress_peak_pocket", "-",
+       "pocket beside which the peak stress sits, counted from 0 (sector from bar middle to bar "
+       "middle)"},
+      {"cage_stress_peak_station", "-",
+       "stress station of the peak in its sector; `cagetol cage` names the stations"},
       {"static_consistency_error", "-",
        "the larger of: mean elastic force on the ring against the quasi-static one (the load, less "
        "what the normal law's damping "

@@ -45,7 +45,7 @@ struct RollerGeometry {
 };
 
 struct CageGeometry {
-  std::string model = "rigid";
+  std::string model = "rigid";  ///< "rigid" or "flexible"
   double inner_diameter = 37.0e-3;                ///< [m]
   double outer_diameter = 43.4e-3;                ///< [m]
   double width = 14e-3;                           ///< axial [m]
@@ -66,6 +66,8 @@ struct CageGeometry {
   long mesh_density = 4;              ///< of a flexible cage: elements through the thickness
   long modes = 20;                    ///< elastic modes kept of a flexible cage
   double mode_damping = 0.01;         ///< damping ratio of elastic modes
+  bool centrifugal = true;            ///< centrifugal loading of the elastic modes
+  bool coriolis = true;               ///< Coriolis coupling of the elastic modes
 };
 
 /// Parameters of one contact kind.

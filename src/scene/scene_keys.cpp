@@ -47,7 +47,7 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
 
 void add_cage_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
-      {"cage.model", one_of({"rigid"}), AT(cage.model), "cage model; rigid: six degrees of freedom"},
+      {"cage.model", one_of({"rigid", "flexible"}), AT(cage.model), "cage model; rigid: six degrees of freedom; flexible: elastic modes and stress too"},
       {"cage.inner_diameter_mm", above(0), AT(cage.inner_diameter), "inner diameter of the cage"},
       {"cage.outer_diameter_mm", above(0), AT(cage.outer_diameter), "outer diameter of the cage"},
       {"cage.width_mm", above(0), AT(cage.width), "axial width of the cage"},
@@ -65,6 +65,11 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.guidance", one_of({"outer", "inner", "roller"}), AT(cage.guidance), "what guides the cage: outer-ring shoulders, inner ring or rollers"},
       {"cage.guide_clearance_mm", or_auto(above(0)), AT(cage.guide_clearance), "radial guide clearance; auto: from the diameters"},
       {"cage.land_offset_mm", or_auto(above(0)), AT(cage.land_offset), "guide lands at x = +- this; auto: middle of the side rings"},
+      {"cage.modes", within(0, 36), AT(cage.modes), "elastic modes of a flexible cage, lowest first"},
+      {"cage.mode_damping", within(0, 1), AT(cage.mode_damping), "damping ratio of the elastic modes"},
+      {"cage.mesh_density", within(1, 12), AT(cage.mesh_density), "finite elements through the thickness of a flexible cage"},
+      {"cage.centrifugal", any_value(), AT(cage.centrifugal), "centrifugal loading of the elastic modes"},
+      {"cage.coriolis", any_value(), AT(cage.coriolis), "Coriolis coupling of the elastic modes"},
       {"cage.allow_interference", any_value(), AT(allow_interference), "simulate the elastic pinch of a roller larger than its pocket instead of reporting the jam"},
   };
   keys.insert(keys.end(), table.begin(), table.end());

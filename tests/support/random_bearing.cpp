@@ -70,12 +70,31 @@ Scene random_scene(unsigned seed, double lean) {
   return s;
 }
 
+/// Elastic modes of random shape, of the size and frequency that a steel cage's have; no stress.
+std::shared_ptr<const CageModel> random_cage(const Scene& s, int modes, Draw& draw) {
+  CageModel cage;
+  cage.bar_stations = s.discretisation.bar_stations;
+  cage.points = 2 * cage.bar_stations + 8;
+  const auto fill = [&](auto& matrix, long rows, long columns, double size) {
+    matrix.resize(rows, columns);
+    for (double& x : matrix.reshaped()) x = draw.about(size);
+  };
+  fill(cage.contact, 3 * cage.points * s.bearing.roller_count, modes, 8);
+  fill(cage.frequency, modes, 1, 5e3);
+  cage.frequency.array() += 10e3;
+  fill(cage.centrifugal, modes, 1, 2e-3);
+  fill(cage.gyroscopic, modes, modes, 0.5);
+  cage.gyroscopic = (cage.gyroscopic - cage.gyroscopic.transpose()).eval();
+  return std::make_shared<const CageModel>(std::move(cage));
+}
+
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
-  b.model = make_bearing_model(b.scene);
+  Draw shapes(seed + 2000003), draw(seed + 1000003);
+  b.model = make_bearing_model(
+      b.scene, options.modes > 0 ? random_cage(b.scene, options.modes, shapes) : nullptr);
   const BearingModel& m = b.model;
   const StateLayout& l = m.layout;
-  Draw draw(seed + 1000003);
   b.t = draw.between(0, 1.5e-3);
   b.y.assign(static_cast<std::size_t>(l.size()), 0.0);
   const auto at = [&](int slot) -> double& { return b.y[static_cast<std::size_t>(slot)]; };
@@ -129,6 +148,10 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   for (int i = 0; i < kRigidBorder; ++i) {
     at(l.border_position(i)) = positions[i];
     at(l.border_velocity(i)) = rates[i];
+  }
+  for (int k = 0; k < options.modes; ++k) {
+    at(l.border_position(kModes + k)) = shapes.about(depth / 30);
+    at(l.border_velocity(kModes + k)) = shapes.about(0.01);
   }
   // Padding as a run has it: somewhere harmless.
   for (int j = l.rollers; j < l.padded(); ++j) at(l.position(kRadius, j)) = m.pitch_radius;

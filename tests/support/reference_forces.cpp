@@ -290,27 +290,32 @@ class Bearing {
     for (long k = 0; k < b.roller_count; ++k) mean_radius += each(scene_.roller.diameter, k) / 2;
     mean_radius /= static_cast<double>(b.roller_count);
     const double pitch = (b.inner_raceway_diameter + b.outer_raceway_diameter) / 4;
-    const Vector3d e_r = roller.e_r, e_t = roller.e_t;
     for (const double e : {-1.0, 1.0}) {
       const double xi = e * scene_.roller.length / 2;
       for (const bool flange : {false, true}) {
         const double h = flange ? b.shoulder_diameter / 2 - pitch : 0;
         const double tau = std::min(0.8 * mean_radius,
                                     std::sqrt(std::max(0.0, mean_radius * mean_radius - h * h)));
+        // A wall's points keep their place beside the pocket and turn with the cage, a flange's beside the
+        // roller's orbit.
+        const double angle =
+            phi_ + 2 * pi * j / layout_.rollers + each(scene_.cage.pocket_pitch, j);
+        const Vector3d one = flange ? roller.e_r : Vector3d(0, std::cos(angle), std::sin(angle));
+        const Vector3d two = kX.cross(one);
         for (const double side : {-1.0, 1.0}) {
-          const Vector3d q = h * e_r + side * tau * e_t;  // the point's place on the end face
+          const Vector3d q = h * one + side * tau * two;  // the point's place on the end face
           const Vector3d a = radial(roller.axis);
-          // The point keeps its place beside the roller's orbit, so it turns with the orbit, not
-          // with the spin.
           const auto q_rate = [=, &roller](const Motion& v) {
-            return Vector3d(v.roller.dot(e_t) / roller.r * kX.cross(q));
+            const double turning =
+                flange ? v.roller.dot(roller.e_t) / roller.r : v.cage_spin;
+            return Vector3d(turning * kX.cross(q));
           };
           if (flange) {
             const double p = e * (roller.centre.x() - q.dot(a)) - b.flange_clearance / 2;
             const auto speeds = [=, &roller](const Motion& v) {
               const Vector3d slide = roller_point(roller, v, xi, q);
-              return Speeds{e * (v.roller.x() - q.dot(v.lean) - q_rate(v).dot(a)), slide.dot(e_r),
-                            slide.dot(e_t)};
+              return Speeds{e * (v.roller.x() - q.dot(v.lean) - q_rate(v).dot(a)), slide.dot(one),
+                            slide.dot(two)};
             };
             contact(kFlange, scene_.contact.flange, 2, p, roller.own, speeds, &forces);
           } else {
@@ -323,7 +328,7 @@ class Bearing {
               const double approach = centre.x() - q.dot(v.lean) - turn.dot(a) +
                                       v.cage_lean.dot(D) + A.dot(centre + xi * v.lean + turn);
               const Vector3d slide = roller_point(roller, v, xi, q) - cage_point(v, X * kX + D);
-              return Speeds{e * approach, slide.dot(e_r), slide.dot(e_t)};
+              return Speeds{e * approach, slide.dot(one), slide.dot(two)};
             };
             contact(kWall, scene_.contact.end, 2, p, roller.own, speeds, &forces);
           }

@@ -1,0 +1,85 @@
+#include "src/dynamics/flexible_cage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace cagetol {
+namespace {
+
+using Coordinates = Eigen::Map<const Eigen::VectorXd>;
+
+}  // namespace
+
+FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> model,
+                                const CageGeometry& geometry, int groups) {
+  FlexibleCage f;
+  f.model = model;
+  f.modes = static_cast<int>(model->frequency.size());
+  if (f.modes > kMostModes) throw std::domain_error("flexible cage: too many modes");
+  f.stations = static_cast<int>(model->bar_stations);
+  f.points = 2 * f.stations + 4;
+  f.centrifugal = geometry.centrifugal;
+  f.coriolis = geometry.coriolis;
+  const long pockets = model->contact.rows() / (3 * model->points);
+  f.corners = static_cast<int>(2 * pockets);
+  f.rows.assign(static_cast<std::size_t>(groups * f.points * 3 * f.modes), Pack{});
+  f.land_rows.resize(static_cast<std::size_t>(2 * f.corners * 3 * f.modes));
+  f.scale.assign(static_cast<std::size_t>(f.modes), 0.0);
+  for (int k = 0; k < f.modes; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const double omega = 2 * std::numbers::pi * model->frequency[k];
+    f.stiffness.push_back(omega * omega);
+    f.damping.push_back(2 * geometry.mode_damping * omega);
+    f.scale[at] = model->contact.col(k).cwiseAbs().maxCoeff();
+    for (long j = 0; j < pockets; ++j)
+      for (int direction = 0; direction < 3; ++direction) {
+        for (int point = 0; point < f.points; ++point)
+          const_cast<Pack*>(f.row(static_cast<int>(j) / kLanes, point, direction))[k][j % kLanes] =
+              model->contact(model->contact_row(j, point, direction), k);
+        for (int land = 0; land < 2; ++land)
+          for (int bar = 0; bar < 2; ++bar)
+            const_cast<double*>(f.land_row(land, static_cast<int>(2 * j) + bar, direction))[k] =
+                model->contact(model->contact_row(j, f.points + 2 * bar + land, direction), k);
+      }
+  }
+  return f;
+}
+
+void couple_spin(const FlexibleCage& cage, double polar, double spin, const double* q,
+                 const double* rate, double* acceleration, double& spin_acceleration) {
+  const Coordinates at(q, cage.modes), velocity(rate, cage.modes);
+  Eigen::Map<Eigen::VectorXd> a(acceleration, cage.modes);
+  double inertia = polar, torque = polar * spin_acceleration;
+  if (cage.centrifugal) {
+    const Eigen::VectorXd& c = cage.model->centrifugal;
+    a += spin * spin * c;
+    inertia += 2 * c.dot(at);
+    torque -= 2 * spin * c.dot(velocity);
+  }
+  if (!cage.coriolis) {
+    spin_acceleration = torque / inertia;
+    return;
+  }
+  const auto& G = cage.model->gyroscopic;
+  double turned[kMostModes];
+  Eigen::Map<Eigen::VectorXd> Gq(turned, cage.modes);
+  Gq.noalias() = G * velocity;
+  a -= 2 * spin * Gq;
+  Gq.noalias() = G * at;
+  spin_acceleration = (torque - Gq.dot(a)) / (inertia - Gq.squaredNorm());
+  a -= spin_acceleration * Gq;
+}
+
+double modal_energy(const FlexibleCage& cage, double spin, const double* q, const double* rate) {
+  const Coordinates at(q, cage.modes), velocity(rate, cage.modes);
+  double energy = velocity.squaredNorm() / 2;
+  for (int k = 0; k < cage.modes; ++k)
+    energy += cage.stiffness[static_cast<std::size_t>(k)] * q[k] * q[k] / 2;
+  if (cage.centrifugal) energy += spin * spin * cage.model->centrifugal.dot(at);
+  if (cage.coriolis) energy += spin * velocity.dot(cage.model->gyroscopic * at);
+  return energy;
+}
+
+}  // namespace cagetol

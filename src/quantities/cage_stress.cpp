@@ -1,0 +1,80 @@
+#include "src/quantities/cage_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/cage/field_recovery.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Rows (sector, station, component) to (sector, component, station), and the largest von Mises stress of
+/// each column.
+void regroup(const Eigen::MatrixXd& from, long stations, Eigen::MatrixXf& to,
+             Eigen::VectorXd& norm) {
+  to.resize(from.rows(), from.cols());
+  norm = Eigen::VectorXd::Zero(from.cols());
+  for (Eigen::Index column = 0; column < from.cols(); ++column)
+    for (Eigen::Index point = 0; 6 * point < from.rows(); ++point) {
+      const Eigen::Matrix<double, 6, 1> stress = from.col(column).segment<6>(6 * point);
+      norm[column] = std::max(norm[column], von_mises(stress));
+      const Eigen::Index sector = point / stations, station = point % stations;
+      for (Eigen::Index c = 0; c < 6; ++c)
+        to((6 * sector + c) * stations + station, column) = static_cast<float>(stress[c]);
+    }
+}
+
+}  // namespace
+
+CageStress::CageStress(const CageModel& model)
+    : stations_(model.stress_stations),
+      sectors_(model.stress.rows() / (6 * stations_)),
+      per_pocket_(2 * model.bar_stations),
+      span_(model.span) {
+  regroup(model.stress, stations_, modal_, mode_norm_);
+  Eigen::VectorXd near_norm;
+  regroup(model.stress_residual, stations_, residual_, near_norm);
+  force_norm_ = near_norm.reshaped(per_pocket_, 2 * span_ + 1).rowwise().maxCoeff();
+  near_.resize(residual_.cols());
+}
+
+CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& bar_force) {
+  q_ = Eigen::Map<const Eigen::VectorXd>(q, modal_.cols()).cast<float>();
+  force_ = bar_force.cast<float>();
+  components_.noalias() = modal_ * q_;
+  const long rows = 6 * stations_;
+  Largest largest;
+  float most = -1;
+  for (long k = 0; k < sectors_; ++k) {
+    for (long o = -span_; o <= span_; ++o)
+      near_.segment((o + span_) * per_pocket_, per_pocket_) =
+          force_.segment(((k + o + sectors_) % sectors_) * per_pocket_, per_pocket_);
+    auto here = components_.segment(k * rows, rows);
+    for (Eigen::Index f = 0; f < near_.size(); ++f)
+      if (near_[f] != 0) here += near_[f] * residual_.col(f).segment(k * rows, rows);
+    const auto part = [&](long c) { return here.segment(c * stations_, stations_).array(); };
+    const auto square = [](const auto& x) { return x * x; };
+    Eigen::Index at = 0;
+    const float here_most =
+        (0.5F * (square(part(0) - part(1)) + square(part(1) - part(2)) + square(part(2) - part(0))) +
+         3.0F * (square(part(3)) + square(part(4)) + square(part(5))))
+            .maxCoeff(&at);
+    if (here_most > most) {
+      most = here_most;
+      largest.sector = k;
+      largest.station = at;
+    }
+  }
+  largest.stress = std::sqrt(static_cast<double>(most));
+  return largest;
+}
+
+double CageStress::bound(const double* q, const Eigen::VectorXd& bar_force) const {
+  double sum = 0;
+  for (Eigen::Index k = 0; k < mode_norm_.size(); ++k) sum += mode_norm_[k] * std::abs(q[k]);
+  for (Eigen::Index f = 0; f < bar_force.size(); ++f)
+    if (bar_force[f] != 0) sum += force_norm_[f % per_pocket_] * std::abs(bar_force[f]);
+  return sum;
+}
+
+}  // namespace cagetol

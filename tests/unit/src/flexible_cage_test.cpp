@@ -1,0 +1,203 @@
+// The flexible cage within the bearing: what must hold whatever the modes, and a steel cage of the NU 205.
+#include "src/dynamics/flexible_cage.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "src/cage/scene_cage.hpp"
+#include "src/dynamics/start_state.hpp"
+#include "src/integration/integrator.hpp"
+#include "src/quantities/cage_stress.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "src/simulate.hpp"
+
+namespace cagetol {
+namespace {
+
+Scene coarse_scene() {
+  Scene s;
+  s.cage.model = "flexible";
+  s.cage.mesh_density = 2;
+  return s;
+}
+
+std::shared_ptr<const CageTable> coarse_table() {
+  static const auto table = make_scene_cage_table(coarse_scene());
+  return table;
+}
+
+Outcome run(const Scene& scene) {
+  return simulate(scene, {.cage_table = coarse_table()});
+}
+
+double quantity(const Outcome& outcome, const char* key) {
+  return outcome.quantities[static_cast<std::size_t>(quantity_index(key))];
+}
+
+/// A cage that nothing touches, spinning, leaning, bent.
+struct FreeCage {
+  Scene scene = coarse_scene();
+  BearingModel model;
+  std::vector<double> y;
+  explicit FreeCage(double phase, bool spin_terms = true) {
+    scene.cage.guidance = "roller";
+    scene.cage.mode_damping = 0;
+    scene.cage.centrifugal = scene.cage.coriolis = spin_terms;
+    scene.operation.gravity = 0;
+    scene.start.cage_phase = phase;
+    scene.integration.method = "rodas4";
+    scene.integration.tolerance = 1e-6;
+    auto made = scene_cage_model(scene, *coarse_table());
+    model = make_bearing_model(scene, std::get<std::shared_ptr<const CageModel>>(made));
+    y = start_state(model, scene.start);
+    const StateLayout& l = model.layout;
+    const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
+    at(l.border_velocity(kCageX)) = 1e-4;
+    for (int k = 0; k < l.modes; ++k) {
+      const double moved = model.flexible.scale[static_cast<std::size_t>(k)];
+      at(l.border_position(kModes + k)) = (k % 3 - 1) * 2e-6 / moved;
+      at(l.border_velocity(kModes + k)) = (k % 5 - 2) * 2e-2 / moved;
+    }
+  }
+  void integrate(double end) {
+    System system(model);
+    double t = 0;
+    system.linearise_at(t, y.data());
+    const auto integrator = make_integrator(scene.integration, system, t, y.data());
+    while (t < end) {
+      ASSERT_EQ(integrator->step(system, t, y.data(), end), StepStatus::accepted);
+      system.linearise_at(t, y.data());
+    }
+    EXPECT_EQ(system.seen.leading_force, std::vector<double>(system.seen.leading_force.size(), 0.0));
+  }
+  const double* position() const { return y.data() + model.layout.border_position(0); }
+  const double* velocity() const { return y.data() + model.layout.border_velocity(0); }
+  double energy() const {
+    const double *q = position(), *v = velocity();
+    return model.cage_polar * v[kCagePhi] * v[kCagePhi] / 2 +
+           modal_energy(model.flexible, v[kCagePhi], q + kModes, v + kModes);
+  }
+  double angular_momentum() const {
+    const Eigen::Map<const Eigen::VectorXd> q(position() + kModes, model.layout.modes),
+        v(velocity() + kModes, model.layout.modes);
+    const CageModel& cage = *model.flexible.model;
+    double momentum = model.cage_polar * velocity()[kCagePhi];
+    if (model.flexible.centrifugal) momentum += 2 * velocity()[kCagePhi] * cage.centrifugal.dot(q);
+    if (model.flexible.coriolis) momentum += v.dot(cage.gyroscopic * q);
+    return momentum;
+  }
+};
+
+TEST(FlexibleCage, SpinningFreeKeepsEnergyAndMomentum) {
+  for (bool spin_terms : {true, false}) {
+    FreeCage cage(0.3, spin_terms);
+    const double energy = cage.energy(), momentum = cage.angular_momentum();
+    const double spin_energy = cage.model.cage_polar * std::pow(cage.velocity()[kCagePhi], 2) / 2;
+    cage.integrate(2e-3);
+    EXPECT_NEAR(cage.energy(), energy, 1e-6 * energy);
+    EXPECT_NEAR(cage.energy(), energy, 1e-3 * (energy - spin_energy));  // of what swings
+    EXPECT_NEAR(cage.angular_momentum(), momentum, 1e-8 * momentum);
+    EXPECT_NE(cage.angular_momentum(), 0);
+  }
+}
+
+TEST(FlexibleCage, SpinningFreeDoesNotKnowTheOriginOfAngles) {
+  FreeCage one(0), other(2.1);
+  one.integrate(2e-3);
+  other.integrate(2e-3);
+  for (int k = 0; k < one.model.layout.modes; ++k) {
+    const double scale = one.model.flexible.scale[static_cast<std::size_t>(k)];
+    EXPECT_NEAR(one.position()[kModes + k] * scale, other.position()[kModes + k] * scale, 1e-11);
+  }
+  EXPECT_NEAR(one.velocity()[kCagePhi], other.velocity()[kCagePhi], 1e-8);
+}
+
+// Turned by one pocket, a bearing is the same bearing with its pockets renumbered.
+TEST(FlexibleCage, ABearingTurnedByOnePocketIsTheSame) {
+  Scene scene = coarse_scene();
+  scene.window.settle_time = 0.2e-3;
+  scene.window.measure_time = 1e-3;
+  scene.cage.pocket_width = {7.55e-3};
+  scene.start.cage_offset_z = -0.15e-3;
+  scene.integration.tolerance = 1e-4;
+  scene.watch.static_consistency_max = 1;
+  const Outcome one = run(scene);
+  scene.start.cage_phase = 2 * std::numbers::pi / 13;
+  const Outcome other = run(scene);
+  ASSERT_EQ(one.status, Status::ok) << one.reason;
+  for (const char* key : {"cage_stress_peak_MPa", "cage_stress_rms_MPa", "pocket_force_peak_N"}) {
+    EXPECT_GT(quantity(one, key), 0) << key;
+    EXPECT_NEAR(quantity(one, key), quantity(other, key), 1e-3 * quantity(one, key)) << key;
+  }
+}
+
+TEST(FlexibleCage, WithoutModesItMovesAsARigidCageDoes) {
+  Scene scene = coarse_scene();
+  scene.cage.modes = 0;
+  scene.window.settle_time = 0;
+  scene.window.measure_time = 2e-3;
+  scene.cage.pocket_width = {7.51e-3};
+  scene.watch.static_consistency_max = 1;
+  const Outcome flexible = run(scene);
+  scene.cage.model = "rigid";
+  const Outcome rigid = run(scene);
+  EXPECT_EQ(quantity(flexible, "pocket_force_rms_N"), quantity(rigid, "pocket_force_rms_N"));
+  EXPECT_EQ(quantity(flexible, "cage_slip_ratio"), quantity(rigid, "cage_slip_ratio"));
+  EXPECT_GT(quantity(flexible, "cage_stress_peak_MPa"), 0);
+  EXPECT_TRUE(std::isnan(quantity(rigid, "cage_stress_peak_MPa")));
+}
+
+TEST(FlexibleCage, EnergyAccountCloses) {
+  Scene scene = coarse_scene();
+  scene.window.settle_time = 0.5e-3;
+  scene.window.measure_time = 5e-3;
+  scene.watch.static_consistency_max = 1;
+  scene.integration.tolerance = 1e-4;
+  const Outcome outcome = run(scene);
+  ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
+  EXPECT_LT(outcome.run.energy_residual, 2e-3);
+}
+
+TEST(FlexibleCage, ImpossiblePocketsAreAnOutcome) {
+  Scene scene = coarse_scene();
+  scene.cage.pocket_length.assign(13, 9.25e-3);
+  scene.cage.pocket_length[4] = 15e-3;
+  const Outcome outcome = run(scene);
+  EXPECT_EQ(outcome.status, Status::jammed);
+  EXPECT_EQ(outcome.pocket, 4);
+  EXPECT_NE(outcome.reason.find("pocket 4"), std::string::npos) << outcome.reason;
+  scene = coarse_scene();
+  scene.cage.outer_diameter += 0.1e-3;
+  EXPECT_EQ(run(scene).status, Status::failed);
+}
+
+TEST(CageStress, IsTheLargestStationStressAndNeverAboveItsBound) {
+  const Scene scene = coarse_scene();
+  auto made = scene_cage_model(scene, *coarse_table());
+  const CageModel& model = *std::get<std::shared_ptr<const CageModel>>(made);
+  CageStress stress(model);
+  std::mt19937_64 engine(7);
+  const auto about = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1; };
+  double tightest = 0;
+  for (int n = 0; n < 50; ++n) {
+    Eigen::VectorXd q(model.frequency.size()),
+        force = Eigen::VectorXd::Zero(13 * 2 * model.bar_stations);
+    for (double& x : q) x = 1e-7 * about() * (n % 3);
+    for (int hits = 0; hits < 3; ++hits)
+      force[static_cast<Eigen::Index>(engine() % static_cast<unsigned>(force.size()))] = 20 * about();
+    const Eigen::VectorXd all = station_stress(model, q, force);
+    Eigen::Index at = 0;
+    const double most = all.maxCoeff(&at);
+    const auto largest = stress.largest(q.data(), force);
+    EXPECT_NEAR(largest.stress, most, 1e-5 * most);
+    EXPECT_EQ(largest.sector * model.stress_stations + largest.station, at);
+    EXPECT_GE(stress.bound(q.data(), force), most * (1 - 1e-6));
+    tightest = std::max(tightest, most / stress.bound(q.data(), force));
+  }
+  EXPECT_GT(tightest, 0.3);  // a bound that says something
+}
+
+}  // namespace
+}  // namespace cagetol
