@@ -44,14 +44,14 @@ struct RunField {
 const std::vector<RunField>& run_fields();
 std::vector<double> run_values(const RunRecord& run);
 
-/// The instant of the largest stress in a flexible cage, enough to recover the whole field (src/cage).
-/// Empty vectors where there is none.
+/// The instant of the largest stress in a flexible cage, enough to recover the whole field
+/// (src/cage). Empty vectors where there is none.
 struct CagePeak {
   double time = 0;                ///< [s]
   int pocket = -1, station = -1;  ///< where, as in cage_stress_peak_pocket and _station
   std::vector<double> modes;      ///< modal coordinates
-  std::vector<double> bar_force;  ///< on the cage: per pocket the stations of the trailing, then of the
-                                  ///< leading face, towards larger theta [N]
+  std::vector<double> bar_force;  ///< on the cage: per pocket the stations of the trailing, then of
+                                  ///< the leading face, towards larger theta [N]
 };
 
 /// Result of one sample. `quantities` follows the order of quantity_table()

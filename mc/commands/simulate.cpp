@@ -9,7 +9,6 @@
 #include "mc/sample.hpp"
 #include "mc/study.hpp"
 #include "src/input/input_error.hpp"
-#include "src/cage/scene_cage.hpp"
 #include "src/simulate.hpp"
 
 namespace cagetol {
@@ -43,7 +42,6 @@ int run(const Options& options) {
                      "choose one of them, or ask for more with --set samples=...");
   const Sample sample = draw_sample(study, options.sample);
   SimulateOptions extras;
-  if (is_flexible(study.scene)) extras.cage_table = make_scene_cage_table(study.scene, "/tmp/cagecache");
   RunHistory history(sample.scene);
   if (!options.history.empty())
     extras.on_state = [&history](double t, const double* y, const System& system) {

@@ -10,8 +10,7 @@ namespace {
 Material tabulated_material(const Scene& scene) {
   Material material = scene.cage.material;
   if (!std::isnan(scene.cage.mass))
-    material.density *=
-        scene.cage.mass / cage_mass(scene.cage, scene.bearing.roller_count).mass;
+    material.density *= scene.cage.mass / cage_mass(scene.cage, scene.bearing.roller_count).mass;
   return material;
 }
 
@@ -42,9 +41,10 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const
                     close(sample.cage.material.young, table.material.young) &&
                     close(sample.cage.material.poisson, table.material.poisson);
   if (!same)
-    return CageFault{CageFaultKind::outside_table, -1,
-                     "the cage differs from the tabulated one in more than its pockets: of a flexible "
-                     "cage only pockets may vary"};
+    return CageFault{
+        CageFaultKind::outside_table, -1,
+        "the cage differs from the tabulated one in more than its pockets: of a flexible "
+        "cage only pockets may vary"};
   auto made = make_cage_model(table, pocket_deviations(sample.cage, table.cage),
                               {.modes = sample.cage.modes, .stress = true});
   if (auto* fault = std::get_if<CageFault>(&made)) return std::move(*fault);

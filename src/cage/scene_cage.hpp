@@ -14,14 +14,14 @@ inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == "flexible";
 }
 
-/// The table of a scene's cage; its undeviated pocket is the mean of the scene's. Read from `folder`
-/// where it is already there, else made (half a minute) and, with a folder, kept there. A cage.mass_kg
-/// given in the scene scales the density.
+/// The table of a scene's cage; its undeviated pocket is the mean of the scene's. Read from
+/// `folder` where it is already there, else made (half a minute) and, with a folder, kept there. A
+/// cage.mass_kg given in the scene scales the density.
 std::shared_ptr<const CageTable> make_scene_cage_table(const Scene& nominal,
                                                        const std::filesystem::path& folder = {});
 
-/// The elastic cage of one sample: its pockets on the table's cage. A fault where these leave no cage,
-/// or where the cage differs from the table's in more than pockets.
+/// The elastic cage of one sample: its pockets on the table's cage. A fault where these leave no
+/// cage, or where the cage differs from the table's in more than pockets.
 std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const Scene& sample,
                                                                            const CageTable& table);
 

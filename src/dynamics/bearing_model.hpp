@@ -56,7 +56,7 @@ struct BearingModel {
   double cage_mass = 0, cage_polar = 0, cage_transverse = 0;
   double unbalance_y = 0,
          unbalance_z = 0;  ///< mass centre minus geometric centre in the cage frame [m]
-  FlexibleCage flexible;  ///< no modes: a rigid cage
+  FlexibleCage flexible;   ///< no modes: a rigid cage
   Guidance guidance = Guidance::outer;
   double guide_clearance = 0, land_radius = 0, land_offset = 0;
   double guide_ring_radius = 0;
@@ -68,8 +68,8 @@ struct BearingModel {
   double nominal_diameter = 0;  ///< roller diameter, mean of all [m]
 };
 
-/// Builds the model, with the elastic modes of `cage` where given. Throws std::domain_error for what
-/// cannot be built (the reader checks scenes before).
+/// Builds the model, with the elastic modes of `cage` where given. Throws std::domain_error for
+/// what cannot be built (the reader checks scenes before).
 BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> cage = {});
 
 /// Radial load along -z at time t [N], and inner-ring speed [rad/s].

@@ -5,10 +5,10 @@
 //   wall:    p = e (x - x_c + A . D - w_x) + L_w/2 - L_j/2,
 //   flange:  p = e (x - h a_r - tau a_t) - c_fl/2
 // with D the point's radial-plane place relative to the cage's geometric centre, x at the point
-// likewise less h a_r + tau a_t, w_x how far the wall has bent along e_x. The points do not spin with
-// the roller. A wall's keep their place beside the pocket and turn with phi' (so that moving roller and
-// cage together changes nothing), a flange's beside the roller's orbit and turn with theta'; p depends
-// on that angle through `turn` = e dp/d(angle) at a centre held still.
+// likewise less h a_r + tau a_t, w_x how far the wall has bent along e_x. The points do not spin
+// with the roller. A wall's keep their place beside the pocket and turn with phi' (so that moving
+// roller and cage together changes nothing), a flange's beside the roller's orbit and turn with
+// theta'; p depends on that angle through `turn` = e dp/d(angle) at a centre held still.
 #pragma once
 
 #include "src/dynamics/pocket_frame.hpp"

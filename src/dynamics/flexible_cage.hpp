@@ -1,7 +1,8 @@
-// Elastic modes of a flexible cage as the contact kernels read them: displacement of every contact point per modal
-// coordinate, eight pockets side by side. Floating frame of reference: the frame is the rigid cage of the state (mass
-// centre, spin angle, axis), modes are mean-axes modes, so they couple to the rigid motion through the spin alone.
-// Displacements are small and in the directions e_R, e_T, e_x of the point's own pocket (src/cage/cage_model.hpp).
+// Elastic modes of a flexible cage as the contact kernels read them: displacement of every contact
+// point per modal coordinate, eight pockets side by side. Floating frame of reference: the frame is
+// the rigid cage of the state (mass centre, spin angle, axis), modes are mean-axes modes, so they
+// couple to the rigid motion through the spin alone. Displacements are small and in the directions
+// e_R, e_T, e_x of the point's own pocket (src/cage/cage_model.hpp).
 #pragma once
 
 #include <memory>
@@ -23,8 +24,8 @@ struct FlexibleCage {
   int stations = 0;  ///< per bar face
   /// Displacement per modal coordinate: [((group points + point) 3 + direction) modes + mode].
   std::vector<Pack> rows;
-  /// Guiding surface: [((land corners + corner) 3 + direction) modes + mode]; corners alternate middles of pockets and
-  /// of the bars after them, evenly around.
+  /// Guiding surface: [((land corners + corner) 3 + direction) modes + mode]; corners alternate
+  /// middles of pockets and of the bars after them, evenly around.
   std::vector<double> land_rows;
   int corners = 0;
   std::vector<double> stiffness, damping;  ///< omega^2 [1/s^2], 2 zeta omega [1/s] of each mode
@@ -32,10 +33,12 @@ struct FlexibleCage {
   bool centrifugal = false, coriolis = false;
 
   const Pack* row(int group, int point, int direction) const {
-    return rows.data() + static_cast<std::size_t>(((group * points + point) * 3 + direction) * modes);
+    return rows.data() +
+           static_cast<std::size_t>(((group * points + point) * 3 + direction) * modes);
   }
   const double* land_row(int land, int corner, int direction) const {
-    return land_rows.data() + static_cast<std::size_t>(((land * corners + corner) * 3 + direction) * modes);
+    return land_rows.data() +
+           static_cast<std::size_t>(((land * corners + corner) * 3 + direction) * modes);
   }
 };
 

@@ -216,7 +216,8 @@ void add_cage_block(const BearingModel& m, const BorderState& b, const double* y
     linear.power_velocity[kModes + k] -= 2 * damping * v[k];
     seen.damping_power += damping * v[k] * v[k];
   }
-  // Leading terms of the coupling with the spin; what they leave out is smaller by displacement over radius.
+  // Leading terms of the coupling with the spin; what they leave out is smaller by displacement
+  // over radius.
   const double spin = b.phi_rate;
   auto among = linear.border_velocity.bottomRightCorner(modes, modes);
   auto by_spin = linear.border_velocity.col(kCagePhi).tail(modes);

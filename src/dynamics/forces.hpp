@@ -21,10 +21,11 @@ struct Observation {
       trailing_force;                ///< on the pocket's bars ahead of and behind the roller [N]
   std::vector<double> wall_force;    ///< on both end walls of the pocket [N]
   std::vector<double> flange_force;  ///< on the ring's flanges [N]
-  /// Force on the cage at its bar stations towards larger theta, flexible cages only [N]: per pocket the
-  /// stations of the trailing face, then of the leading face (station_stress, src/cage/cage_model.hpp).
+  /// Force on the cage at its bar stations towards larger theta, flexible cages only [N]: per
+  /// pocket the stations of the trailing face, then of the leading face (station_stress,
+  /// src/cage/cage_model.hpp).
   Eigen::VectorXd bar_force;
-  double land_force[2] = {0, 0};     ///< at x = -land_offset, +land_offset [N]
+  double land_force[2] = {0, 0};  ///< at x = -land_offset, +land_offset [N]
   double ring_elastic_y = 0,
          ring_elastic_z = 0;  ///< elastic part of the forces on the inner ring [N]
   double drive_power = 0;     ///< of the inner ring's prescribed rotation [W]

@@ -2,8 +2,9 @@
 // is the land's offset from the guiding ring's axis, n = delta/|delta|, p = |delta| - clearance;
 // the force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2 along e_x, of the cage's surface
 // at land_radius n relative to the ring's. Inner guidance rubs on the inner ring, which answers.
-// A flexible cage's guiding surface bends: its displacement, interpolated around between the corners of
-// FlexibleCage, adds to p and to the sliding speeds; the surface's slope turns the normal a little.
+// A flexible cage's guiding surface bends: its displacement, interpolated around between the
+// corners of FlexibleCage, adds to p and to the sliding speeds; the surface's slope turns the
+// normal a little.
 #pragma once
 
 #include <numbers>
@@ -12,8 +13,8 @@
 
 namespace cagetol {
 
-/// The bent guiding surface at an angle in the cage: displacement and speed along e_r, e_t, e_x, their
-/// rows, and how the radial displacement changes with the angle [m/rad].
+/// The bent guiding surface at an angle in the cage: displacement and speed along e_r, e_t, e_x,
+/// their rows, and how the radial displacement changes with the angle [m/rad].
 struct BentLand {
   double moved = 0, slope = 0, rate[3] = {0, 0, 0};
   double row[3][kMostModes];
@@ -38,7 +39,8 @@ inline void bend_land(const ModalState& modal, int land, double angle, BentLand&
 
 template <bool linear>
 void land_contacts(const BearingModel& model, const BorderState& b, const ModalState& modal,
-                   BorderLoads& border, double* modal_force, ContactRows* rows, Linearisation* jac, Observation* seen, double& touch) {
+                   BorderLoads& border, double* modal_force, ContactRows* rows, Linearisation* jac,
+                   Observation* seen, double& touch) {
   if (model.guidance == Guidance::roller) return;
   const bool inner = model.guidance == Guidance::inner;
   // The cage's outside surface meets the outer ring where delta points; its bore meets the inner
@@ -84,7 +86,8 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
     const double py = ny - lean * nz, pz = nz + lean * ny;
     const double fy = -normal.force * py - f1 * nz, fz = -normal.force * pz + f1 * ny;
     for (int k = 0; k < modal.cage->modes; ++k)
-      modal_force[k] += side * (f1 * bent.row[1][k] - normal.force * bent.row[0][k]) + f2 * bent.row[2][k];
+      modal_force[k] +=
+          side * (f1 * bent.row[1][k] - normal.force * bent.row[0][k]) + f2 * bent.row[2][k];
     border.cage[0] += fy;
     border.cage[1] += fz;
     border.cage[2] += f2;
@@ -107,8 +110,9 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
       for (int k = 0; k < 3; ++k) {
         fill_cage_row(channels[k], b, rows->border[k]);
         for (int m = 0; m < modal.cage->modes; ++m)
-          rows->border[k][static_cast<std::size_t>(kModes + m)] =
-              k == 0 ? -side * bent.row[0][m] : k == 1 ? side * bent.row[1][m] : bent.row[2][m];
+          rows->border[k][static_cast<std::size_t>(kModes + m)] = k == 0   ? -side * bent.row[0][m]
+                                                                  : k == 1 ? side * bent.row[1][m]
+                                                                           : bent.row[2][m];
         if (inner) {
           rows->border[k][kRingY] = -channels[k][0];
           rows->border[k][kRingZ] = -channels[k][1];

@@ -1,5 +1,5 @@
-// A pack of rollers seen from their pockets: everything in the pocket's directions e_R, e_T (at the angle of the
-// pocket's centre) and e_x, relative to the cage's geometric centre.
+// A pack of rollers seen from their pockets: everything in the pocket's directions e_R, e_T (at the
+// angle of the pocket's centre) and e_x, relative to the cage's geometric centre.
 #pragma once
 
 #include "src/dynamics/contact_frame.hpp"
@@ -44,7 +44,7 @@ inline PocketFrame pocket_frame(const RollerGroup& roller, const RollerPack& q,
 
 /// Forces and moments of a pocket's contacts in the pocket's directions.
 struct PocketLoads {
-  Pack f_R{}, f_T{}, f_x{}, t_R{}, t_T{}, t_s{};              ///< on the roller
+  Pack f_R{}, f_T{}, f_x{}, t_R{}, t_T{}, t_s{};      ///< on the roller
   Pack c_R{}, c_T{}, c_x{}, c_phi{}, c_AR{}, c_AT{};  ///< on the cage, about its geometric centre
 };
 
@@ -64,9 +64,9 @@ inline void add_pocket_loads(const PocketFrame& f, const PocketLoads& from, Roll
   border.cage[5] += sum(f.sin_p * from.c_AR + f.cos_p * from.c_AT);
 }
 
-/// Fills the channels of one lane from their rows in the pocket's directions: `rolling` over (R, T, x, a_R, a_T,
-/// spin), `caging` over the cage at its geometric centre (R, T, x, phi, A_R, A_T), `elastic` the signs with which the
-/// cage's point moves along (R, T, x).
+/// Fills the channels of one lane from their rows in the pocket's directions: `rolling` over (R, T,
+/// x, a_R, a_T, spin), `caging` over the cage at its geometric centre (R, T, x, phi, A_R, A_T),
+/// `elastic` the signs with which the cage's point moves along (R, T, x).
 inline void fill_pocket_rows(const PocketFrame& f, const BorderState& b, const ModalState& modal,
                              int group, int point, int lane,
                              const double (&rolling)[3][kLocalVelocities],

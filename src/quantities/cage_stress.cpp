@@ -8,8 +8,8 @@
 namespace cagetol {
 namespace {
 
-/// Rows (sector, station, component) to (sector, component, station), and the largest von Mises stress of
-/// each column.
+/// Rows (sector, station, component) to (sector, component, station), and the largest von Mises
+/// stress of each column.
 void regroup(const Eigen::MatrixXd& from, long stations, Eigen::MatrixXf& to,
              Eigen::VectorXd& norm) {
   to.resize(from.rows(), from.cols());
@@ -55,10 +55,10 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
     const auto part = [&](long c) { return here.segment(c * stations_, stations_).array(); };
     const auto square = [](const auto& x) { return x * x; };
     Eigen::Index at = 0;
-    const float here_most =
-        (0.5F * (square(part(0) - part(1)) + square(part(1) - part(2)) + square(part(2) - part(0))) +
-         3.0F * (square(part(3)) + square(part(4)) + square(part(5))))
-            .maxCoeff(&at);
+    const float here_most = (0.5F * (square(part(0) - part(1)) + square(part(1) - part(2)) +
+                                     square(part(2) - part(0))) +
+                             3.0F * (square(part(3)) + square(part(4)) + square(part(5))))
+                                .maxCoeff(&at);
     if (here_most > most) {
       most = here_most;
       largest.sector = k;

@@ -1,6 +1,7 @@
-// Von Mises stress of a flexible cage at its stress stations, fast enough for every accepted step: elastic modes plus
-// the static rest of the bar forces (station_stress in src/cage/cage_model.hpp, in single precision), and a bound that
-// tells without looking when no station can exceed a known value.
+// Von Mises stress of a flexible cage at its stress stations, fast enough for every accepted step:
+// elastic modes plus the static rest of the bar forces (station_stress in src/cage/cage_model.hpp,
+// in single precision), and a bound that tells without looking when no station can exceed a known
+// value.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +18,8 @@ class CageStress {
     double stress = 0;  ///< [Pa]
     long sector = 0, station = 0;
   };
-  /// Over all stations. `q`: modal coordinates; `bar_force` as in Observation [N]. Relative error 1e-5.
+  /// Over all stations. `q`: modal coordinates; `bar_force` as in Observation [N]. Relative error
+  /// 1e-5.
   Largest largest(const double* q, const Eigen::VectorXd& bar_force);
 
   /// No station's stress exceeds this: von Mises stress is a norm, so parts add up at most [Pa].
@@ -26,8 +28,9 @@ class CageStress {
  private:
   long stations_, sectors_, per_pocket_, span_;
   Eigen::MatrixXf modal_, residual_;  ///< rows: (sector, component, station)
-  Eigen::VectorXd mode_norm_;   ///< largest stress of a unit of each mode
-  Eigen::VectorXd force_norm_;  ///< largest residual stress of a unit force, by its place in a pocket
+  Eigen::VectorXd mode_norm_;         ///< largest stress of a unit of each mode
+  Eigen::VectorXd
+      force_norm_;  ///< largest residual stress of a unit force, by its place in a pocket
   Eigen::VectorXf q_, force_, near_, components_;
 };
 

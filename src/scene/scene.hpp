@@ -45,7 +45,7 @@ struct RollerGeometry {
 };
 
 struct CageGeometry {
-  std::string model = "rigid";  ///< "rigid" or "flexible"
+  std::string model = "rigid";                    ///< "rigid" or "flexible"
   double inner_diameter = 37.0e-3;                ///< [m]
   double outer_diameter = 43.4e-3;                ///< [m]
   double width = 14e-3;                           ///< axial [m]

@@ -296,8 +296,8 @@ class Bearing {
         const double h = flange ? b.shoulder_diameter / 2 - pitch : 0;
         const double tau = std::min(0.8 * mean_radius,
                                     std::sqrt(std::max(0.0, mean_radius * mean_radius - h * h)));
-        // A wall's points keep their place beside the pocket and turn with the cage, a flange's beside the
-        // roller's orbit.
+        // A wall's points keep their place beside the pocket and turn with the cage, a flange's
+        // beside the roller's orbit.
         const double angle =
             phi_ + 2 * pi * j / layout_.rollers + each(scene_.cage.pocket_pitch, j);
         const Vector3d one = flange ? roller.e_r : Vector3d(0, std::cos(angle), std::sin(angle));
@@ -306,8 +306,7 @@ class Bearing {
           const Vector3d q = h * one + side * tau * two;  // the point's place on the end face
           const Vector3d a = radial(roller.axis);
           const auto q_rate = [=, &roller](const Motion& v) {
-            const double turning =
-                flange ? v.roller.dot(roller.e_t) / roller.r : v.cage_spin;
+            const double turning = flange ? v.roller.dot(roller.e_t) / roller.r : v.cage_spin;
             return Vector3d(turning * kX.cross(q));
           };
           if (flange) {

@@ -1,4 +1,5 @@
-// The flexible cage within the bearing: what must hold whatever the modes, and a steel cage of the NU 205.
+// The flexible cage within the bearing: what must hold whatever the modes, and a steel cage of the
+// NU 205.
 #include "src/dynamics/flexible_cage.hpp"
 
 #include <gtest/gtest.h>
@@ -70,7 +71,8 @@ struct FreeCage {
       ASSERT_EQ(integrator->step(system, t, y.data(), end), StepStatus::accepted);
       system.linearise_at(t, y.data());
     }
-    EXPECT_EQ(system.seen.leading_force, std::vector<double>(system.seen.leading_force.size(), 0.0));
+    EXPECT_EQ(system.seen.leading_force,
+              std::vector<double>(system.seen.leading_force.size(), 0.0));
   }
   const double* position() const { return y.data() + model.layout.border_position(0); }
   const double* velocity() const { return y.data() + model.layout.border_velocity(0); }
@@ -186,7 +188,8 @@ TEST(CageStress, IsTheLargestStationStressAndNeverAboveItsBound) {
         force = Eigen::VectorXd::Zero(13 * 2 * model.bar_stations);
     for (double& x : q) x = 1e-7 * about() * (n % 3);
     for (int hits = 0; hits < 3; ++hits)
-      force[static_cast<Eigen::Index>(engine() % static_cast<unsigned>(force.size()))] = 20 * about();
+      force[static_cast<Eigen::Index>(engine() % static_cast<unsigned>(force.size()))] =
+          20 * about();
     const Eigen::VectorXd all = station_stress(model, q, force);
     Eigen::Index at = 0;
     const double most = all.maxCoeff(&at);
