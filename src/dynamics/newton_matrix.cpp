@@ -132,11 +132,7 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
       }
     }
   }
-  schur_lu_.compute(schur_);
-  for (int i = 0; i < schur_.rows(); ++i) {
-    const double pivot = schur_lu_.matrixLU()(i, i);
-    if (!(std::abs(pivot) > 0) || !std::isfinite(pivot)) sound = false;
-  }
+  if (!schur_lu_.factor(schur_)) sound = false;
   return sound;
 }
 
@@ -208,7 +204,7 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
         border_rhs_.tail(cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
     }
   }
-  border_solution_ = schur_lu_.solve(border_rhs_);
+  schur_lu_.solve(border_rhs_, border_solution_);
 
   for (int n = 0; n < layout.groups; ++n) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];

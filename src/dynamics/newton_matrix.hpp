@@ -3,16 +3,17 @@
 // are eliminated (q' = v), which leaves 6 unknowns a roller:
 //   A_j = M_j/beta - dF/dV - beta dF/dP,   Schur complement  S = B - sum_j T_j A_j^-1 N_j  on the
 //   border.
-// Roller blocks are factored side by side across the lanes, without pivoting: mass, damping and
-// stiffness keep the symmetric part of A_j positive definite as long as beta is not absurdly large;
+// Roller blocks are factored side by side across the lanes, then the border, all without pivoting: mass, damping and
+// stiffness keep the symmetric part positive definite as long as beta is not absurdly large;
 // a vanishing pivot is reported, not divided by.
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <vector>
 
 #include "src/dynamics/bearing_model.hpp"
 #include "src/dynamics/linearisation.hpp"
+#include "src/numerics/small_lu.hpp"
 
 namespace cagetol {
 
@@ -52,7 +53,7 @@ class NewtonMatrix {
   std::vector<Group> groups_;
   std::vector<Cage> cages_;
   Eigen::MatrixXd schur_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> schur_lu_;
+  SmallLu schur_lu_;
   Eigen::VectorXd border_mass_, border_rhs_, border_positions_, border_solution_;
 };
 

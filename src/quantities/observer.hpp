@@ -40,7 +40,7 @@ class Observer {
   };
   void record_rollers(const double* y, const System& system, double weight, bool keep);
   void record_statics(double t, const double* y);
-  void record_stress(double t, const double* y, const Observation& seen, bool keep);
+  void record_stress(double t, const double* y, const Observation& seen);
 
   const BearingModel& model_;
   double begin_, end_;
@@ -59,7 +59,7 @@ class Observer {
   Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_;
   std::optional<CageStress> stress_;
   Series cage_stress_;
-  double last_stress_ = 0;
+  double last_stress_ = 0, next_stress_ = 0;
   CagePeak cage_peak_;
   double orbit_turned_ = 0, orbit_angle_ = 0;
   double revolutions_ = 0, start_phase_ = 0;

@@ -68,9 +68,9 @@ const std::vector<Quantity>& quantity_table() {
        "largest von Mises stress of a flexible cage over its stress stations and every accepted "
        "step; modes and the static rest of the bar forces"},
       {"cage_stress_p99_MPa", "MPa",
-       "99 % quantile over time (every 20 us) of the largest stress over the cage"},
+       "99 % quantile over time (every 50 us) of the largest stress over the cage"},
       {"cage_stress_rms_MPa", "MPa",
-       "rms over time (every 20 us) of the largest stress over the cage"},
+       "rms over time (every 50 us) of the largest stress over the cage"},
       {"cage_stress_peak_pocket", "-",
        "pocket beside which the peak stress sits, counted from 0 (sector from bar middle to bar "
        "middle)"},
