@@ -3,9 +3,9 @@
 // are eliminated (q' = v), which leaves 6 unknowns a roller:
 //   A_j = M_j/beta - dF/dV - beta dF/dP,   Schur complement  S = B - sum_j T_j A_j^-1 N_j  on the
 //   border.
-// Roller blocks are factored side by side across the lanes, then the border, all without pivoting: mass, damping and
-// stiffness keep the symmetric part positive definite as long as beta is not absurdly large;
-// a vanishing pivot is reported, not divided by.
+// Roller blocks are factored side by side across the lanes, then the border, all without pivoting:
+// mass, damping and stiffness keep the symmetric part positive definite as long as beta is not
+// absurdly large; a vanishing pivot is reported, not divided by.
 #pragma once
 
 #include <Eigen/Core>

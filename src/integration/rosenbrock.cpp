@@ -46,7 +46,7 @@ namespace {
 
 constexpr double kFirstStep = 1e-7, kSmallestStep = 1e-12;
 constexpr double kTouchMargin =
-    3e-6;  ///< steps end this long after a predicted touch, inside the contact [s]
+    0.5e-6;  ///< steps end this long after a predicted touch, inside the contact [s]
 
 }  // namespace
 

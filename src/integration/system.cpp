@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kLength = 1e-6, kSpeed = 1e-2, kNever = 1e30;
 
-/// Of the contact springs that hold a roller between races, not of what a bearing's quantities see: see
-/// error_norm.
+/// Of the contact springs that hold a roller between races, not of what a bearing's quantities see:
+/// see error_norm.
 constexpr double kHeldLooser = 10;
 
 bool all_finite(const double* x, int n) {
@@ -85,9 +85,7 @@ double error_norm(const System& s, const double* error) {
   for (int g = 0; g < l.groups; ++g) {
     const int j = g * kLanes;
     const GroupLinear& at = s.linear.groups[static_cast<std::size_t>(g)];
-    const auto scaled = [&](int slot) {
-      return load(error + slot) / load(s.scale.data() + slot);
-    };
+    const auto scaled = [&](int slot) { return load(error + slot) / load(s.scale.data() + slot); };
     const auto lean = [&](int y_slot, int z_slot) {
       const Pack y = scaled(y_slot), z = scaled(z_slot);
       return square((at.cosine * y + at.sine * z) / kHeldLooser) +

@@ -38,8 +38,8 @@ struct System {
 std::vector<double> error_scales(const BearingModel& model);
 
 /// Root mean square of error/scale over the components that exist, at the state of the last
-/// linearise_at. The radial speed and the tilt of a roller count a tenth: the races' springs hold them,
-/// and what swings there, unloaded rollers at contact resonance, no quantity of interest sees
+/// linearise_at. The radial speed and the tilt of a roller count a tenth: the races' springs hold
+/// them, and what swings there, unloaded rollers at contact resonance, no quantity of interest sees
 /// (tests/ACCURACY.md).
 double error_norm(const System& system, const double* error);
 

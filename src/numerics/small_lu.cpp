@@ -24,7 +24,8 @@ bool SmallLu::factor(const Eigen::MatrixXd& A) {
       const double above = column[k];
       if (above == 0) continue;
       const Pack* lower = lower_.data() + k * packs_;
-      for (int p = k / kLanes; p < packs_; ++p) column_[static_cast<std::size_t>(p)] -= above * lower[p];
+      for (int p = k / kLanes; p < packs_; ++p)
+        column_[static_cast<std::size_t>(p)] -= above * lower[p];
     }
     const double pivot = column[j];
     if (!(std::abs(pivot) > 0) || !std::isfinite(pivot)) sound = false;
@@ -45,7 +46,8 @@ void SmallLu::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   for (int k = 0; k < n_; ++k) {
     const Pack* lower = lower_.data() + k * packs_;
     const double above = entry[k];
-    for (int p = k / kLanes; p < packs_; ++p) column_[static_cast<std::size_t>(p)] -= above * lower[p];
+    for (int p = k / kLanes; p < packs_; ++p)
+      column_[static_cast<std::size_t>(p)] -= above * lower[p];
   }
   for (int k = n_ - 1; k >= 0; --k) {
     const Pack* upper = upper_.data() + k * packs_;

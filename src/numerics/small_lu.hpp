@@ -1,5 +1,5 @@
-// Dense factors of a small square matrix without pivoting, whole packs of a column at a time. For matrices whose
-// symmetric part is positive definite: then no pivot vanishes.
+// Dense factors of a small square matrix without pivoting, whole packs of a column at a time. For
+// matrices whose symmetric part is positive definite: then no pivot vanishes.
 #pragma once
 
 #include <Eigen/Core>
