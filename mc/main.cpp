@@ -19,6 +19,7 @@ constexpr const char* kExamples =
     "  cagetol simulate inputs/scenes/nu205.toml --json\n"
     "  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
     "  cagetol replay out/nu205 --sample 17\n"
+    "  cagetol cage inputs/scenes/nu205.toml\n"
     "  cagetol --dump-default scene";
 
 }  // namespace
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
   add_sweep_command(app, chosen);
   add_replay_command(app, chosen);
   add_report_command(app, chosen);
+  add_cage_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
   try {

@@ -1,5 +1,5 @@
-// What `cagetol cage` tells about a scene's cage: size of the model, mass, modes by family,
-// accuracy and cost.
+// What `cagetol cage` tells about a cage: size of the model, mass, modes by family, accuracy and
+// cost.
 #pragma once
 
 #include <string>
@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "src/cage/cage_model.hpp"
-#include "src/scene/scene.hpp"
 
 namespace cagetol {
 
 struct ReportedMode {
   double undeviated_hz = 0;
-  double sample_hz = 0;  ///< by the per-sample model, with the scene's pockets
-  double full_hz = 0;    ///< by a full solve with the scene's pockets
+  double sample_hz = 0;  ///< by the per-sample model, with deviating pockets
+  double full_hz = 0;    ///< by a full solve with deviating pockets
   std::string family;    ///< of the undeviated cage's mode of the same number
 };
 
@@ -22,15 +21,18 @@ struct CageReport {
   long nodes = 0;
   long elements = 0;
   long dofs = 0;
-  MassProperties body;  ///< with the scene's pockets
+  MassProperties body;  ///< with deviating pockets
   std::vector<ReportedMode> modes;
   double largest_error = 0;   ///< relative, sample against full, up to 20 kHz
-  double seconds_table = 0;   ///< once per scene
+  double seconds_table = 0;   ///< once per scene, when the table was made
   double seconds_full = 0;    ///< one full solve of the deviated cage
   double seconds_sample = 0;  ///< one per-sample model, stress rows included, best of several
 };
 
-/// Solves the scene's cage both ways. A fault where its pockets leave no valid cage.
-std::variant<CageReport, CageFault> cage_report(const Scene& scene);
+/// Solves the cage with these pockets both ways and keeps `modes` elastic modes. A fault where the
+/// pockets leave no valid cage.
+std::variant<CageReport, CageFault> cage_report(const CageTable& table,
+                                                const std::vector<PocketDeviation>& deviations,
+                                                long modes);
 
 }  // namespace cagetol

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,9 +42,16 @@ struct CageTable {
   double seconds_table = 0;  ///< making the table
 };
 
+/// What is said while a table is made; both may be left empty.
+struct CageTableNews {
+  std::function<void(double)> progress;  ///< share of the work that is done, 0 first, 1 last
+  std::function<void(const std::string&)> warning;  ///< why the table could not be kept
+};
+
 /// Throws std::runtime_error where the undeviated cage itself cannot be meshed.
 CageTable make_cage_table(const CageDimensions& cage, const Material& material,
-                          const CageStations& stations, const CageTableOptions& options = {});
+                          const CageStations& stations, const CageTableOptions& options = {},
+                          const CageTableNews& news = {});
 
 /// Sets what follows from the dimensions alone: counts, range, stress points.
 void complete_cage_table(CageTable& table, const CageDimensions& cage, const Material& material,
@@ -54,9 +62,9 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
                            const CageStations& stations, const CageTableOptions& options);
 
 /// The table from `folder`/cage-<key>.bin where that file exists and is whole, else made and
-/// written there.
+/// written there. A folder that cannot be written costs a warning and time, not the run.
 CageTable cached_cage_table(const std::filesystem::path& folder, const CageDimensions& cage,
                             const Material& material, const CageStations& stations,
-                            const CageTableOptions& options = {});
+                            const CageTableOptions& options = {}, const CageTableNews& news = {});
 
 }  // namespace cagetol

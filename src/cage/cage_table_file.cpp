@@ -120,6 +120,22 @@ bool read_table(const std::filesystem::path& file, const std::string& head, Cage
   return in.read(tail.data(), static_cast<std::streamsize>(tail.size())) && tail == head;
 }
 
+/// Written under a name of its own and renamed, so that several processes may start together.
+bool write_table(const std::filesystem::path& file, const std::string& head, CageTable& table) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  const std::filesystem::path part = file.string() + "." + std::to_string(getpid());
+  std::ofstream out(part, std::ios::binary);
+  out << head;
+  transfer(Writer(out), table);
+  out << head;
+  out.close();
+  std::error_code ignored;
+  if (out) std::filesystem::rename(part, file, error);
+  if (!out || error) std::filesystem::remove(part, ignored);
+  return out && !error;
+}
+
 }  // namespace
 
 std::string cage_table_key(const CageDimensions& cage, const Material& material,
@@ -142,7 +158,7 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
 
 CageTable cached_cage_table(const std::filesystem::path& folder, const CageDimensions& cage,
                             const Material& material, const CageStations& stations,
-                            const CageTableOptions& options) {
+                            const CageTableOptions& options, const CageTableNews& news) {
   const std::string key = cage_table_key(cage, material, stations, options);
   const std::filesystem::path file = folder / ("cage-" + key + ".bin");
   const std::string head = kMagic + key + "\n";
@@ -151,23 +167,10 @@ CageTable cached_cage_table(const std::filesystem::path& folder, const CageDimen
     complete_cage_table(table, cage, material, stations, options);
     return table;
   }
-  table = make_cage_table(cage, material, stations, options);
-  // Written under a name of its own and renamed, so that several processes may start together. A
-  // cache that cannot be written costs time, not the run.
-  std::error_code ignored;
-  std::filesystem::create_directories(folder, ignored);
-  const std::filesystem::path part = file.string() + "." + std::to_string(getpid());
-  {
-    std::ofstream out(part, std::ios::binary);
-    out << head;
-    transfer(Writer(out), table);
-    out << head;
-    if (!out) {
-      std::filesystem::remove(part, ignored);
-      return table;
-    }
+  table = make_cage_table(cage, material, stations, options, news);
+  if (!write_table(file, head, table) && news.warning) {
+    news.warning("cannot write " + file.string() + "; the cage table will be made again next time");
   }
-  std::filesystem::rename(part, file, ignored);
   return table;
 }
 

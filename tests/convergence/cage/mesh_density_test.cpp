@@ -46,11 +46,12 @@ TEST(MeshDensity, NightlyDefaultIsCloseToAMuchFinerMesh) {
 }
 
 TEST(CageReport, DefaultSceneMeetsItsBars) {
-  Scene scene;
-  scene.cage.mesh_density = 2;
-  scene.cage.pocket_width = {7.60e-3, 7.68e-3, 7.65e-3, 7.71e-3, 7.66e-3, 7.59e-3, 7.65e-3,
-                             7.70e-3, 7.63e-3, 7.66e-3, 7.72e-3, 7.58e-3, 7.62e-3};
-  const auto result = cage_report(scene);
+  CageGeometry cage;
+  cage.pocket_width = {7.60e-3, 7.68e-3, 7.65e-3, 7.71e-3, 7.66e-3, 7.59e-3, 7.65e-3,
+                       7.70e-3, 7.63e-3, 7.66e-3, 7.72e-3, 7.58e-3, 7.62e-3};
+  const CageDimensions dimensions = cage_dimensions(cage, 13);
+  const CageTable table = make_cage_table(dimensions, cage.material, {}, {.density = 2});
+  const auto result = cage_report(table, pocket_deviations(cage, dimensions), cage.modes);
   const CageReport& report = std::get<CageReport>(result);
   EXPECT_EQ(report.modes.size(), 20U);
   EXPECT_EQ(report.modes[0].family, "in-plane 2");

@@ -7,38 +7,23 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
-#include <random>
 
+#include "src/cage/cage_check.hpp"
 #include "src/cage/cage_modes.hpp"
+#include "src/cage/cage_recovery.hpp"
 #include "src/cage/field_recovery.hpp"
+#include "tests/support/flexible_cage.hpp"
 
 namespace cagetol {
 namespace {
 
-const Material kSteel{206e9, 0.30, 7850};
+using test::scattered_pockets;
 using Deviations = std::vector<PocketDeviation>;
 
-const CageTable& table() {
-  static const CageTable made = make_cage_table({}, kSteel, {}, {.density = 2});
-  return made;
-}
+const Material& kSteel = test::kCageSteel;
 
-/// Lot and pocket scatter of 75 um each in width and length, 75 um in pitch, 2 mrad in squareness.
-Deviations scattered(unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  const PocketDeviation& range = table().range;
-  const auto within = [](double value, double limit) { return std::clamp(value, -limit, limit); };
-  const double lot_width = 75e-6 * normal(random);
-  const double lot_length = 75e-6 * normal(random);
-  Deviations deviations(13);
-  for (auto& d : deviations) {
-    d.width = within(lot_width + 75e-6 * normal(random), range.width);
-    d.length = within(lot_length + 75e-6 * normal(random), range.length);
-    d.pitch = within(75e-6 / 19.5e-3 * normal(random), range.pitch);
-    d.squareness = within(2e-3 * normal(random), range.squareness);
-  }
-  return deviations;
+const CageTable& table() {
+  return test::coarse_table();
 }
 
 struct FullCage {
@@ -55,17 +40,8 @@ CageModel model_of(const Deviations& deviations, const CageModelOptions& options
   return std::get<CageModel>(make_cage_model(table(), deviations, options));
 }
 
-/// Largest relative difference of frequencies up to 20 kHz.
 double frequency_error(const Deviations& deviations) {
-  const FullCage full(deviations);
-  const FreeModes modes = free_modes(full.mesh.mesh, full.body, full.factor, 20);
-  const CageModel model = model_of(deviations);
-  double worst = 0;
-  for (Eigen::Index i = 0; i < 20; ++i) {
-    if (modes.frequency[i] > 20e3) break;
-    worst = std::max(worst, std::abs(model.frequency[i] / modes.frequency[i] - 1));
-  }
-  return worst;
+  return check_cage_model(table(), deviations, model_of(deviations)).largest_error;
 }
 
 TEST(CageModel, UndeviatedCageIsExact) {
@@ -74,7 +50,7 @@ TEST(CageModel, UndeviatedCageIsExact) {
 
 TEST(CageModel, ScatteredPocketsWithinTwoPermille) {
   for (unsigned seed = 1; seed <= 6; ++seed)
-    EXPECT_LT(frequency_error(scattered(seed)), 0.002) << seed;
+    EXPECT_LT(frequency_error(scattered_pockets(seed)), 0.002) << seed;
 }
 
 TEST(CageModel, UniformExtremesWithinFivePermille) {
@@ -87,7 +63,7 @@ TEST(CageModel, UniformExtremesWithinFivePermille) {
 }
 
 TEST(CageModel, MassCentreAndInertiaAreThoseOfTheMesh) {
-  const Deviations deviations = scattered(3);
+  const Deviations deviations = scattered_pockets(3);
   const FullCage full(deviations);
   const RigidMotions rigid = rigid_motions(full.mesh.mesh.nodes);
   const MassProperties exact =
@@ -115,8 +91,8 @@ TEST(CageModel, MassCentreMovesAwayFromTheLongPocket) {
 TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
   const CageStations& stations = table().stations;
   for (unsigned seed : {1U, 2U, 3U}) {
-    const Deviations deviations =
-        seed == 3 ? Deviations(13, {.width = -0.2e-3, .length = -0.25e-3}) : scattered(seed);
+    const Deviations deviations = seed == 3 ? Deviations(13, {.width = -0.2e-3, .length = -0.25e-3})
+                                            : scattered_pockets(seed);
     const FullCage full(deviations);
     const CageModel model = model_of(deviations);
     const RigidMotions rigid =
@@ -128,24 +104,7 @@ TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
     forces[2 * n * pocket + n + 1] = 2;       // leading face, middle
     forces[2 * n * (pocket + 1) + 2] = -1.5;  // trailing face of the next pocket, last station
 
-    const Eigen::Index nodes = 3 * full.mesh.mesh.nodes.cols();
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(nodes);
-    for (long j = 0; j < 13; ++j) {
-      const auto sector = static_cast<std::size_t>(j);
-      const double psi = deviations[sector].pitch;
-      const Eigen::Vector3d tangent =
-          sector_rotation(table().cage, j) * Eigen::Vector3d(0, -std::sin(psi), std::cos(psi));
-      for (long i = 0; i < 2 * n; ++i) {
-        const SectorReading place = read_at(
-            full.mesh.grid, bar_station(table().cage, stations, deviations[sector], i < n ? -1 : 1,
-                                        stations.bar_x[static_cast<std::size_t>(i % n)]));
-        for (int a = 0; a < 8; ++a) {
-          const auto point = static_cast<std::size_t>(place.point[static_cast<std::size_t>(a)]);
-          load.segment<3>(3 * full.mesh.sector_node[sector][point]) +=
-              forces[2 * n * j + i] * place.weight[a] * tangent;
-        }
-      }
-    }
+    const Eigen::VectorXd load = bar_forces_on_nodes(full.mesh, stations, deviations, forces);
     const Eigen::MatrixXd u = free_static_response(full.body, full.factor, rigid, load);
 
     Eigen::VectorXd modal_force = Eigen::VectorXd::Zero(model.frequency.size());
@@ -201,7 +160,7 @@ TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
 
 /// Renaming the pockets turns the cage: same frequencies, contact rows with the pockets renamed.
 TEST(CageModel, ResultsDoNotDependOnTheAngleOrigin) {
-  const Deviations deviations = scattered(5);
+  const Deviations deviations = scattered_pockets(5);
   Deviations turned(13);
   for (std::size_t j = 0; j < 13; ++j) turned[(j + 4) % 13] = deviations[j];
   const CageModel a = model_of(deviations);
@@ -217,7 +176,7 @@ TEST(CageModel, ResultsDoNotDependOnTheAngleOrigin) {
 }
 
 TEST(CageModel, SpinIntegralsAreSkewAndBounded) {
-  const CageModel model = model_of(scattered(2));
+  const CageModel model = model_of(scattered_pockets(2));
   EXPECT_LT((model.gyroscopic + model.gyroscopic.transpose()).norm(), 1e-10);
   for (Eigen::Index i = 0; i < model.frequency.size(); ++i) {
     EXPECT_GE(model.in_plane(i, i), 0);

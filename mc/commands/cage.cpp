@@ -1,0 +1,114 @@
+// cagetol cage SCENE: the flexible cage of a scene; its modes by the per-sample model and by a full
+// solve.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "mc/cage_cache.hpp"
+#include "mc/commands/command.hpp"
+#include "mc/log.hpp"
+#include "mc/pocket_csv.hpp"
+#include "mc/study.hpp"
+#include "src/cage/cage_report.hpp"
+#include "src/input/input_error.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Options {
+  std::string file, deviations;
+  std::vector<std::string> settings;
+  bool json = false;
+};
+
+std::string report_text(const Scene& scene, const CageReport& report) {
+  const Eigen::Matrix3d inertia = 1e6 * report.body.inertia;
+  const Eigen::Vector3d centre = 1e6 * report.body.centre;
+  std::string text = fmt::format(
+      "scene {}: {} pockets, mesh density {}: {} nodes, {} elements, {} unknowns\n"
+      "mass {:.6g} kg, centre ({:.3g}, {:.3g}, {:.3g}) um\n"
+      "inertia {:.6g} kg mm^2 about the axis, {:.6g} and {:.6g} about y and z\n\n"
+      "{:>4}  {:<20}{:>14}{:>14}{:>14}{:>12}\n",
+      scene.name, scene.bearing.roller_count, scene.cage.mesh_density, report.nodes,
+      report.elements, report.dofs, report.body.mass, centre[0], centre[1], centre[2],
+      inertia(0, 0), inertia(1, 1), inertia(2, 2), "mode", "shape", "undeviated Hz", "sample Hz",
+      "full solve Hz", "error");
+  for (std::size_t i = 0; i < report.modes.size(); ++i) {
+    const ReportedMode& mode = report.modes[i];
+    text += fmt::format("{:>4}  {:<20}{:>14.1f}{:>14.1f}{:>14.1f}{:>11.4f} %\n", i + 1, mode.family,
+                        mode.undeviated_hz, mode.sample_hz, mode.full_hz,
+                        100 * (mode.sample_hz / mode.full_hz - 1));
+  }
+  return text + fmt::format(
+                    "\nlargest frequency error up to 20 kHz {:.4f} %\n"
+                    "seconds: a sample {:.5f}, its full solve {:.2f} ({:.0f} times), the table of "
+                    "this cage {:.1f} when it was made\n",
+                    100 * report.largest_error, report.seconds_sample, report.seconds_full,
+                    report.seconds_full / report.seconds_sample, report.seconds_table);
+}
+
+nlohmann::json report_json(const CageReport& report) {
+  nlohmann::json json;
+  for (const ReportedMode& mode : report.modes) {
+    json["modes_Hz"].push_back(mode.sample_hz);
+    json["modes_full_Hz"].push_back(mode.full_hz);
+    json["modes_undeviated_Hz"].push_back(mode.undeviated_hz);
+    json["shapes"].push_back(mode.family);
+  }
+  json["mass_kg"] = report.body.mass;
+  for (int i = 0; i < 3; ++i) {
+    json["mass_centre_m"].push_back(report.body.centre[i]);
+    json["inertia_kg_m2"].push_back(
+        {report.body.inertia(i, 0), report.body.inertia(i, 1), report.body.inertia(i, 2)});
+  }
+  json["nodes"] = report.nodes;
+  json["elements"] = report.elements;
+  json["dofs"] = report.dofs;
+  json["largest_frequency_error"] = report.largest_error;
+  json["seconds_sample"] = report.seconds_sample;
+  json["seconds_full"] = report.seconds_full;
+  json["seconds_table"] = report.seconds_table;
+  return json;
+}
+
+int run(const Options& options) {
+  log_to_stderr();
+  const Scene scene = read_study(options.file, options.settings).scene;
+  const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
+  const auto deviations = options.deviations.empty()
+                              ? pocket_deviations(scene.cage, cage)
+                              : read_pocket_deviations(options.deviations, cage.pocket_count);
+  const auto result = cage_report(scene_cage_table(scene), deviations, scene.cage.modes);
+  if (const auto* fault = std::get_if<CageFault>(&result)) {
+    const std::string& file = options.deviations.empty() ? options.file : options.deviations;
+    throw InputError({file, 0}, fmt::format("pocket {}", fault->pocket), "", fault->reason,
+                     "smaller deviations; the range a cage table covers is half of what bars and "
+                     "a fifth of what side rings have to give");
+  }
+  const CageReport& report = std::get<CageReport>(result);
+  print(options.json ? report_json(report).dump(2) + "\n" : report_text(scene, report));
+  return kDone;
+}
+
+}  // namespace
+
+void add_cage_command(CLI::App& app, Chosen& chosen) {
+  auto* command = app.add_subcommand(
+      "cage", "Modes, mass and accuracy of the flexible cage of a scene or a study's nominal one");
+  command->footer(
+      "Examples:\n  cagetol cage inputs/scenes/nu205.toml --json\n"
+      "  cagetol cage inputs/scenes/nu205.toml --set cage.mesh_density=2 --deviations pockets.csv\n"
+      "\nThe columns of pockets.csv are width_mm, length_mm, pitch_mrad and squareness_mrad, one "
+      "row a pocket.\nCage tables are kept in $CAGETOL_CACHE, $XDG_CACHE_HOME/cagetol or "
+      "~/.cache/cagetol.");
+  auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->file, "Scene or study file")->required();
+  command->add_flag("--json", options->json, "Print everything as JSON");
+  command->add_option("--deviations", options->deviations,
+                      "CSV file of the pockets' deviations, instead of the scene's pockets");
+  add_settings_option(*command, options->settings);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace cagetol

@@ -1,0 +1,16 @@
+// The pockets of one cage in a CSV file: columns width_mm, length_mm, pitch_mrad and
+// squareness_mrad, one row for each pocket, each value a deviation from the undeviated pocket.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/cage/cage_mesh.hpp"
+
+namespace cagetol {
+
+/// Deviations in the order of the rows. Throws InputError with file, line and column, and where the
+/// rows are not as many as the cage has pockets.
+std::vector<PocketDeviation> read_pocket_deviations(const std::string& path, long pocket_count);
+
+}  // namespace cagetol

@@ -1,0 +1,35 @@
+#include "src/cage/cage_check.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "src/cage/cage_modes.hpp"
+
+namespace cagetol {
+
+CageCheck check_cage_model(const CageTable& table, const std::vector<PocketDeviation>& deviations,
+                           const CageModel& model) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto meshed = make_cage_mesh(table.cage, deviations, table.counts);
+  if (const auto* fault = std::get_if<CageFault>(&meshed)) {
+    throw std::runtime_error("cage: no mesh for the full solve: " + fault->reason);
+  }
+  const HexMesh& mesh = std::get<CageMesh>(meshed).mesh;
+  const BodyMatrices body = assemble_body(mesh, table.material);
+  const ShiftedFactor factor(body, ring_shift(mesh, body));
+  CageCheck check;
+  check.nodes = mesh.nodes.cols();
+  check.elements = static_cast<long>(mesh.elements.size());
+  check.frequency = free_modes(mesh, body, factor, model.frequency.size()).frequency;
+  for (Eigen::Index i = 0; i < check.frequency.size(); ++i) {
+    if (check.frequency[i] > kCheckedFrequency) break;
+    check.largest_error =
+        std::max(check.largest_error, std::abs(model.frequency[i] / check.frequency[i] - 1));
+  }
+  check.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return check;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,124 @@
+#include "src/cage/cage_recovery.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <numbers>
+#include <numeric>
+
+#include "src/cage/cage_modes.hpp"
+#include "src/cage/field_recovery.hpp"
+#include "src/cage/sector_carry.hpp"
+
+namespace cagetol {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Nodes of a sector out of fields on the whole mesh, in the sector's own frame.
+MatrixXd in_sector(const CageMesh& mesh, const MatrixXd& fields, std::size_t sector) {
+  const auto& node = mesh.sector_node[sector];
+  const Eigen::Matrix3d back = sector_rotation(mesh.cage, static_cast<long>(sector)).transpose();
+  MatrixXd rows(3 * static_cast<Index>(node.size()), fields.cols());
+  for (std::size_t p = 0; p < node.size(); ++p) {
+    rows.middleRows<3>(3 * static_cast<Index>(p)) = back * fields.middleRows<3>(3 * node[p]);
+  }
+  return rows;
+}
+
+/// Combinations of the full solve's modes that move the contact points as the model's modes do:
+/// least squares, then the nearest matrix with orthonormal columns.
+MatrixXd matching(const CageTable& table, const CageMesh& mesh,
+                  const std::vector<PocketDeviation>& deviations, const MatrixXd& shapes,
+                  const MatrixXd& contact) {
+  const Index per_sector = 3 * contact_points(table.stations);
+  MatrixXd rows(contact.rows(), shapes.cols());
+  for (std::size_t j = 0; j < deviations.size(); ++j) {
+    rows.middleRows(static_cast<Index>(j) * per_sector, per_sector) = contact_rows(
+        table.cage, table.stations, mesh.grid, deviations[j], in_sector(mesh, shapes, j));
+  }
+  const MatrixXd fitted = rows.colPivHouseholderQr().solve(contact);
+  const Eigen::JacobiSVD<MatrixXd> svd(fitted, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+}  // namespace
+
+Eigen::VectorXd bar_forces_on_nodes(const CageMesh& mesh, const CageStations& stations,
+                                    const std::vector<PocketDeviation>& deviations,
+                                    const Eigen::VectorXd& bar_forces) {
+  Eigen::VectorXd nodal = Eigen::VectorXd::Zero(3 * mesh.mesh.nodes.cols());
+  const Index per_pocket = 2 * static_cast<Index>(stations.bar_x.size());
+  for (std::size_t j = 0; j < deviations.size(); ++j) {
+    const auto sector = static_cast<Index>(j);
+    const Eigen::VectorXd own = bar_loads(mesh.cage, stations, mesh.grid, deviations[j]) *
+                                bar_forces.segment(per_pocket * sector, per_pocket);
+    const Eigen::Matrix3d rotation = sector_rotation(mesh.cage, sector);
+    for (std::size_t p = 0; p < mesh.grid.points.size(); ++p) {
+      nodal.segment<3>(3 * mesh.sector_node[j][p]) +=
+          rotation * own.segment<3>(3 * static_cast<Index>(p));
+    }
+  }
+  return nodal;
+}
+
+std::variant<CageRecovery, CageFault> recover_cage(const CageTable& table,
+                                                   const std::vector<PocketDeviation>& deviations,
+                                                   const MatrixXd& q, const MatrixXd& bar_forces) {
+  const auto made = make_cage_model(table, deviations, {.modes = q.rows(), .stress = false});
+  if (const auto* fault = std::get_if<CageFault>(&made)) return *fault;
+  const CageModel& model = std::get<CageModel>(made);
+  auto meshed = make_cage_mesh(table.cage, deviations, table.counts);
+  if (const auto* fault = std::get_if<CageFault>(&meshed)) return *fault;
+  CageRecovery recovery{std::move(std::get<CageMesh>(meshed)), {}};
+  const CageMesh& mesh = recovery.mesh;
+  const BodyMatrices body = assemble_body(mesh.mesh, table.material);
+  const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
+  // A few modes more than the model keeps, lest its last one be half of a pair that is split.
+  const FreeModes modes = free_modes(mesh.mesh, body, factor, q.rows() + 4);
+  const MatrixXd shapes =
+      modes.shape * matching(table, mesh, deviations, modes.shape, model.contact);
+
+  MatrixXd loads(modes.shape.rows(), bar_forces.cols());
+  for (Index i = 0; i < bar_forces.cols(); ++i) {
+    loads.col(i) = bar_forces_on_nodes(mesh, table.stations, deviations, bar_forces.col(i));
+  }
+  const Eigen::ArrayXd omega = 2 * std::numbers::pi * model.frequency.array();
+  const MatrixXd carried =
+      omega.square().inverse().matrix().asDiagonal() * (shapes.transpose() * loads);
+  recovery.displacement =
+      shapes * (q - carried) + free_static_response(body, factor, modes.rigid, loads);
+  return recovery;
+}
+
+Eigen::Matrix<double, 6, Eigen::Dynamic> stress_everywhere(const HexMesh& mesh,
+                                                           const Material& material,
+                                                           const Eigen::VectorXd& displacement) {
+  std::vector<int> nodes(static_cast<std::size_t>(mesh.nodes.cols()));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  return nodal_stress(mesh, material, displacement, nodes).reshaped(6, mesh.nodes.cols());
+}
+
+std::variant<std::vector<PeakStress>, CageFault> compare_peak_stress(
+    const CageTable& table, const std::vector<PocketDeviation>& deviations, const MatrixXd& q,
+    const MatrixXd& bar_forces) {
+  const auto recovered = recover_cage(table, deviations, q, bar_forces);
+  if (const auto* fault = std::get_if<CageFault>(&recovered)) return *fault;
+  const auto& recovery = std::get<CageRecovery>(recovered);
+  const CageModel model =
+      std::get<CageModel>(make_cage_model(table, deviations, {.modes = q.rows()}));
+  std::vector<PeakStress> peaks(static_cast<std::size_t>(q.cols()));
+  for (Index i = 0; i < q.cols(); ++i) {
+    PeakStress& peak = peaks[static_cast<std::size_t>(i)];
+    peak.stations = station_stress(model, q.col(i), bar_forces.col(i)).maxCoeff();
+    const auto stress =
+        stress_everywhere(recovery.mesh.mesh, table.material, recovery.displacement.col(i));
+    for (Index n = 0; n < stress.cols(); ++n) {
+      const double value = von_mises(stress.col(n));
+      if (value > peak.full) peak = {peak.stations, value, static_cast<int>(n)};
+    }
+  }
+  return peaks;
+}
+
+}  // namespace cagetol
