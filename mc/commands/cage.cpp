@@ -82,9 +82,8 @@ int run(const Options& options) {
   const auto result = cage_report(scene_cage_table(scene), deviations, scene.cage.modes);
   if (const auto* fault = std::get_if<CageFault>(&result)) {
     const std::string& file = options.deviations.empty() ? options.file : options.deviations;
-    throw InputError({file, 0}, fmt::format("pocket {}", fault->pocket), "", fault->reason,
-                     "smaller deviations; the range a cage table covers is half of what bars and "
-                     "a fifth of what side rings have to give");
+    throw InputError({file, 0}, fmt::format("pocket {} (the first is 0)", fault->pocket), "",
+                     fault->reason, "give this pocket smaller deviations");
   }
   const CageReport& report = std::get<CageReport>(result);
   print(options.json ? report_json(report).dump(2) + "\n" : report_text(scene, report));

@@ -22,7 +22,8 @@ CageCheck check_cage_model(const CageTable& table, const std::vector<PocketDevia
   CageCheck check;
   check.nodes = mesh.nodes.cols();
   check.elements = static_cast<long>(mesh.elements.size());
-  check.frequency = free_modes(mesh, body, factor, model.frequency.size()).frequency;
+  const Eigen::Index kept = model.frequency.size();
+  check.frequency = free_modes(mesh, body, factor, std::max<long>(1, kept)).frequency.head(kept);
   for (Eigen::Index i = 0; i < check.frequency.size(); ++i) {
     if (check.frequency[i] > kCheckedFrequency) break;
     check.largest_error =

@@ -1,7 +1,10 @@
 #include "src/cage/cage_model.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -16,6 +19,22 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+/// Which deviation of a pocket the table does not cover; empty where it covers all.
+std::string beyond_range(const PocketDeviation& deviation, const PocketDeviation& range) {
+  if (inside_range(deviation, range)) return "";
+  const auto text = [](const char* what, double value, double limit, const char* unit) {
+    return fmt::format("{} deviates by {:.4g} {}, the cage table covers +-{:.4g}", what,
+                       1e3 * value, unit, 1e3 * limit);
+  };
+  if (std::abs(deviation.width) > range.width)
+    return text("pocket width", deviation.width, range.width, "mm");
+  if (std::abs(deviation.length) > range.length)
+    return text("pocket length", deviation.length, range.length, "mm");
+  if (std::abs(deviation.pitch) > range.pitch)
+    return text("pocket pitch", deviation.pitch, range.pitch, "mrad");
+  return text("pocket squareness", deviation.squareness, range.squareness, "mrad");
+}
+
 std::optional<CageFault> model_fault(const CageTable& table,
                                      const std::vector<PocketDeviation>& deviations) {
   if (static_cast<long>(deviations.size()) != table.cage.pocket_count) {
@@ -23,17 +42,42 @@ std::optional<CageFault> model_fault(const CageTable& table,
   }
   if (auto fault = cage_fault(table.cage, deviations)) return fault;
   for (std::size_t j = 0; j < deviations.size(); ++j) {
-    if (!inside_range(deviations[j], table.range)) {
-      return CageFault{CageFaultKind::outside_table, static_cast<int>(j),
-                       "a deviation of the pocket is beyond what the cage table covers"};
+    const std::string reason = beyond_range(deviations[j], table.range);
+    if (!reason.empty()) {
+      return CageFault{CageFaultKind::outside_table, static_cast<int>(j), reason};
     }
   }
   return std::nullopt;
 }
 
-/// Coefficients of all columns: of the kept modes, and of the static rest per contact force.
+/// Values of polynomials at the deviations of every sector: coefficients x terms, in strips of rows
+/// that stay in registers. A general matrix product would spend more on packing than on
+/// multiplying.
+template <typename Matrix>
+Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
+  using Scalar = typename Matrix::Scalar;
+  constexpr Index strip = 64 / sizeof(Scalar);
+  Matrix values(coefficients.rows(), terms.cols());
+  Index row = 0;
+  for (; row + strip <= values.rows(); row += strip) {
+    for (Index k = 0; k < terms.cols(); ++k) {
+      Eigen::Array<Scalar, strip, 1> sum = Eigen::Array<Scalar, strip, 1>::Zero();
+      for (Index t = 0; t < terms.rows(); ++t) {
+        sum += coefficients.template block<strip, 1>(row, t).array() * terms(t, k);
+      }
+      values.template block<strip, 1>(row, k) = sum;
+    }
+  }
+  const Index rest = values.rows() - row;
+  values.bottomRows(rest) = coefficients.bottomRows(rest).lazyProduct(terms);
+  return values;
+}
+
+/// Coefficients of all columns: of the elastic modes, kept and not, and of the static rest per
+/// contact force.
 struct Coefficients {
-  MatrixXd modes;
+  MatrixXd kept;
+  MatrixXd left_out;
   MatrixXd residual;
 };
 
@@ -45,55 +89,52 @@ struct Followed {
 };
 
 /// Elastic modes. K has no entries on rigid motions, exactly, so these follow freely and what
-/// remains of the mass decides; local fields follow statically.
-void solve_modes(const SectorTurn& turn, const CageProjection& p, const Followed& followed,
-                 long count, CageModel& model, Coefficients& out) {
+/// remains of the mass decides; local fields follow statically. Returns omega^2 of all.
+Eigen::ArrayXd solve_modes(const SectorTurn& turn, const CageProjection& p,
+                           const Followed& followed, Index kept, Coefficients& out) {
   const Index elastic = turn.modes - 6;
-  const MatrixXd stiffness = p.modal_stiffness + p.cross_stiffness.transpose() * followed.local;
-  const MatrixXd coupling =
-      p.modal_mass.topRightCorner(6, elastic) + p.cross_mass.transpose() * followed.local;
+  MatrixXd stiffness = p.modal_stiffness;
+  stiffness.noalias() += p.cross_stiffness.transpose() * followed.local;
+  MatrixXd coupling = p.modal_mass.topRightCorner(6, elastic);
+  coupling.noalias() += p.cross_mass.transpose() * followed.local;
   const MatrixXd rigid = -followed.rigid_mass.solve(coupling);
-  const MatrixXd mass =
-      p.modal_mass.bottomRightCorner(elastic, elastic) + coupling.transpose() * rigid;
+  MatrixXd mass = p.modal_mass.bottomRightCorner(elastic, elastic);
+  mass.noalias() += coupling.transpose() * rigid;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(stiffness, mass);
-  const Index kept = std::min<Index>(count, elastic);
-  const auto vectors = solver.eigenvectors().leftCols(kept);
-  model.frequency =
-      solver.eigenvalues().head(kept).cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
-  out.modes.resize(turn.all(), kept);
-  out.modes.topRows<6>() = rigid * vectors;
-  out.modes.middleRows(6, elastic) = vectors;
-  out.modes.bottomRows(turn.all() - turn.modes) = followed.local * vectors;
+  const auto combine = [&](const auto& vectors) {
+    MatrixXd all(turn.all(), vectors.cols());
+    all.topRows<6>().noalias() = rigid * vectors;
+    all.middleRows(6, elastic) = vectors;
+    all.bottomRows(turn.all() - turn.modes).noalias() = followed.local * vectors;
+    return all;
+  };
+  out.kept = combine(solver.eigenvectors().leftCols(kept));
+  out.left_out = combine(solver.eigenvectors().rightCols(elastic - kept));
+  return solver.eigenvalues().array();
 }
 
 /// Static response to the loads (rows of all columns at the loaded points), inertia relief, minus
-/// what the kept modes carry. Solved by elimination of the local fields.
+/// what the kept modes carry: the modes left out, and the local fields, with the rigid motion that
+/// keeps them orthogonal to all rigid motions.
 void solve_residual(const SectorTurn& turn, const CageProjection& p, const Followed& followed,
-                    const MatrixXd& load_rows, const Eigen::VectorXd& frequency,
-                    Coefficients& out) {
-  const Index elastic = turn.modes - 6;
+                    const MatrixXd& load_rows, const Eigen::ArrayXd& left_out, Coefficients& out) {
   const Index local = turn.all() - turn.modes;
   const MatrixXd acceleration = followed.rigid_mass.solve(load_rows.leftCols<6>().transpose());
-  const MatrixXd modal_force = load_rows.middleCols(6, elastic).transpose() -
-                               p.modal_mass.bottomLeftCorner(elastic, 6) * acceleration;
-  const MatrixXd local_force = load_rows.rightCols(local).transpose() - p.cross_mass * acceleration;
-  const MatrixXd stiffness = p.modal_stiffness + p.cross_stiffness.transpose() * followed.local;
+  MatrixXd response = load_rows.rightCols(local).transpose();
+  response.noalias() -= p.cross_mass * acceleration;
+  followed.local_stiffness.solveInPlace(response);
+  const MatrixXd modal =
+      left_out.inverse().matrix().asDiagonal() * (load_rows * out.left_out).transpose();
   out.residual.resize(turn.all(), load_rows.rows());
-  out.residual.middleRows(6, elastic) =
-      stiffness.llt().solve(modal_force + followed.local.transpose() * local_force);
-  out.residual.bottomRows(local) = followed.local_stiffness.solve(local_force) +
-                                   followed.local * out.residual.middleRows(6, elastic);
-  out.residual.topRows<6>() = -followed.rigid_mass.solve(
-      p.modal_mass.topRightCorner(6, elastic) * out.residual.middleRows(6, elastic) +
-      p.cross_mass.transpose() * out.residual.bottomRows(local));
-  const Eigen::ArrayXd omega = 2 * std::numbers::pi * frequency.array();
-  const MatrixXd modal = (load_rows * out.modes).transpose();
-  out.residual -= out.modes * (omega.square().inverse().matrix().asDiagonal() * modal);
+  out.residual.noalias() = out.left_out * modal;
+  out.residual.bottomRows(local) += response;
+  out.residual.topRows<6>() -= followed.rigid_mass.solve(p.cross_mass.transpose() * response);
 }
 
-/// Column k of `flat` as the rows that sector k reads, on seen columns.
-Eigen::Map<const MatrixXd> sector_rows(const SectorTurn& turn, const MatrixXd& flat, Index k) {
-  return {flat.col(k).data(), flat.rows() / turn.seen(), turn.seen()};
+/// Column k of `flat` as the rows that sector k reads, a column for each of `columns` fields.
+template <typename Matrix>
+Eigen::Map<const Matrix> sector_rows(const Matrix& flat, Index columns, Index k) {
+  return {flat.col(k).data(), flat.rows() / columns, columns};
 }
 
 /// Tangential rows of all bar stations on all columns. A unit force is what drives its attachment,
@@ -101,20 +142,24 @@ Eigen::Map<const MatrixXd> sector_rows(const SectorTurn& turn, const MatrixXd& f
 /// without limit of reach; only the change is read from the sector.
 MatrixXd bar_rows(const CageTable& table, const MatrixXd& contact, Index n) {
   const SectorTurn& turn = table.turn;
-  const Index local = turn.all() - turn.modes;
-  const Index seen_local = turn.seen() - turn.modes;
-  const auto undeviated = sector_rows(turn, table.contact, 0);
+  const auto undeviated = sector_rows(table.contact, turn.seen(), 0);
   MatrixXd all(turn.sectors * 2 * n, turn.all());
   MatrixXd tangential(2 * n, turn.seen());
+  MatrixXd change(2 * n, turn.seen());
   for (Index k = 0; k < turn.sectors; ++k) {
-    const auto rows = sector_rows(turn, contact, k);
+    const auto rows = sector_rows(contact, turn.seen(), k);
     for (Index i = 0; i < 2 * n; ++i) {
       tangential.row(i) = rows.row(3 * i + 1);
-      tangential.row(i).tail(seen_local) -= undeviated.row(3 * i + 1).tail(seen_local);
+      change.row(i) = tangential.row(i) - undeviated.row(3 * i + 1);
     }
     auto out = all.middleRows(2 * n * k, 2 * n);
-    out = to_all_columns(turn, tangential, k);
-    out.rightCols(local) += table.undeviated.local_stiffness.middleRows(k * turn.per_sector, 2 * n);
+    out.leftCols(turn.modes) = turn_modes(turn, tangential, k);
+    out.rightCols(turn.all() - turn.modes) =
+        table.undeviated.local_stiffness.middleRows(k * turn.per_sector, 2 * n);
+    for (Index o = -turn.reach; o <= turn.reach; ++o) {
+      out.middleCols(turn.local_column(k, o), turn.per_sector) +=
+          change.middleCols(turn.seen_column(o), turn.per_sector);
+    }
   }
   return all;
 }
@@ -125,10 +170,11 @@ void fill_contact(const CageTable& table, const MatrixXd& terms, const Coefficie
   const Index per_sector = 3 * model.points;
   const Index n = model.bar_stations;
   model.contact.resize(sectors * per_sector, model.frequency.size());
-  const MatrixXd modes = coefficients.modes.transpose();
+  const MatrixXd modes = coefficients.kept.transpose();
   for (Index k = 0; k < sectors; ++k) {
     model.contact.middleRows(k * per_sector, per_sector).noalias() =
-        sector_rows(table.turn, flat, k) * seen_coefficients(table.turn, modes, k).transpose();
+        sector_rows(flat, table.turn.seen(), k) *
+        seen_coefficients(table.turn, modes, k).transpose();
   }
   model.residual_compliance.resize(2 * n, 2 * n * sectors);
   for (Index j = 0; j < sectors; ++j) {
@@ -144,9 +190,11 @@ void fill_contact(const CageTable& table, const MatrixXd& terms, const Coefficie
 
 void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficients& coefficients,
                  CageModel& model) {
-  const MatrixXd flat = table.stress * terms;
+  const Eigen::MatrixXf flat =
+      polynomial_values<Eigen::MatrixXf>(table.stress, terms.cast<float>());
   const Index sectors = terms.cols();
-  const Index per_sector = flat.rows() / table.turn.seen();
+  const Index strained = table.turn.seen() - 6;
+  const Index per_sector = flat.rows() / strained;
   const Index per_pocket = 2 * model.bar_stations;
   const Index kept = model.frequency.size();
   const Index forces = (2 * model.span + 1) * per_pocket;
@@ -154,17 +202,20 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
   model.stress_residual.resize(sectors * per_sector, forces);
   const MatrixXd residual = coefficients.residual.transpose();
   MatrixXd coefficient(kept + forces, table.turn.all());
-  coefficient.topRows(kept) = coefficients.modes.transpose();
+  Eigen::MatrixXf stress(per_sector, kept + forces);
+  coefficient.topRows(kept) = coefficients.kept.transpose();
   for (Index k = 0; k < sectors; ++k) {
     for (Index o = -model.span; o <= model.span; ++o) {
       const Index pocket = (k + o + sectors) % sectors;
       coefficient.middleRows(kept + (o + model.span) * per_pocket, per_pocket) =
           residual.middleRows(pocket * per_pocket, per_pocket);
     }
-    const MatrixXd stress = sector_rows(table.turn, flat, k) *
-                            seen_coefficients(table.turn, coefficient, k).transpose();
-    model.stress.middleRows(k * per_sector, per_sector) = stress.leftCols(kept);
-    model.stress_residual.middleRows(k * per_sector, per_sector) = stress.rightCols(forces);
+    const Eigen::MatrixXf seen =
+        seen_coefficients(table.turn, coefficient, k).rightCols(strained).cast<float>();
+    stress.noalias() = sector_rows(flat, strained, k) * seen.transpose();
+    model.stress.middleRows(k * per_sector, per_sector) = stress.leftCols(kept).cast<double>();
+    model.stress_residual.middleRows(k * per_sector, per_sector) =
+        stress.rightCols(forces).cast<double>();
   }
 }
 
@@ -181,7 +232,7 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
   }
   const SectorTurn& turn = table.turn;
   CageProjection projection = table.undeviated;
-  add_shares(turn, table.projection * terms, projection);
+  add_shares(turn, polynomial_values(table.projection, terms), projection);
   Followed followed;
   followed.rigid_mass.compute(projection.modal_mass.topLeftCorner<6, 6>());
   followed.local_stiffness.compute(projection.local_stiffness);
@@ -192,21 +243,24 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
   model.bar_stations = static_cast<long>(table.stations.bar_x.size());
   model.body = mass_properties(projection.modal_mass.topLeftCorner<6, 6>());
   Coefficients coefficients;
-  solve_modes(turn, projection, followed, options.modes, model, coefficients);
+  const Index kept = std::clamp<Index>(options.modes, 0, turn.modes - 6);
+  const Eigen::ArrayXd eigenvalues = solve_modes(turn, projection, followed, kept, coefficients);
+  model.frequency = eigenvalues.head(kept).max(0).sqrt() / (2 * std::numbers::pi);
 
-  const MatrixXd contact = table.contact * terms;
+  const MatrixXd contact = polynomial_values(table.contact, terms);
   const Index n = model.bar_stations;
   const MatrixXd load_rows = bar_rows(table, contact, n);
-  solve_residual(turn, projection, followed, load_rows, model.frequency, coefficients);
+  solve_residual(turn, projection, followed, load_rows, eigenvalues.tail(turn.modes - 6 - kept),
+                 coefficients);
   fill_contact(table, terms, coefficients, load_rows, contact, model);
   model.stress_stations = static_cast<long>(table.stress_points.size());
   model.span = turn.reach;
   if (options.stress) fill_stress(table, terms, coefficients, model);
 
-  const MatrixXd kept = coefficients.modes.topRows(turn.modes);
-  model.gyroscopic = kept.transpose() * table.gyroscopic * kept;
-  model.in_plane = kept.transpose() * table.in_plane * kept;
-  model.centrifugal = kept.transpose() * table.centrifugal;
+  const MatrixXd modal = coefficients.kept.topRows(turn.modes);
+  model.gyroscopic = modal.transpose() * table.gyroscopic * modal;
+  model.in_plane = modal.transpose() * table.in_plane * modal;
+  model.centrifugal = modal.transpose() * table.centrifugal;
   return model;
 }
 

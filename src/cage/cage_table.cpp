@@ -1,11 +1,7 @@
 #include "src/cage/cage_table.hpp"
 
-#include <atomic>
 #include <chrono>
-#include <exception>
-#include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include "src/cage/cage_modes.hpp"
 #include "src/cage/field_recovery.hpp"
@@ -16,43 +12,13 @@ namespace cagetol {
 namespace {
 
 /// Of the time a table takes, what goes before the tabulation.
-constexpr double kBasisShare = 0.3;
+constexpr double kBasisShare = 0.6;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Calls `work` for 0 ... count - 1 on all cores, `done` with the number finished, and throws the
-/// first exception met.
-void on_all_cores(Eigen::Index count, const std::function<void(Eigen::Index)>& work,
-                  const std::function<void(Eigen::Index)>& done) {
-  std::atomic<Eigen::Index> next = 0;
-  std::mutex mutex;
-  Eigen::Index finished = 0;
-  std::exception_ptr failure;
-  const auto take = [&] {
-    for (Eigen::Index i = next++; i < count; i = next++) {
-      try {
-        work(i);
-        const std::scoped_lock lock(mutex);
-        done(++finished);
-      } catch (...) {
-        const std::scoped_lock lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> others(std::max(1U, std::thread::hardware_concurrency()) - 1);
-    for (auto& other : others) other = std::jthread(take);
-    take();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
-
-/// Computes sector 0 at every sample of the deviations and fits the polynomials. Each sample is a
-/// column of its own, so that the number of cores changes no bit.
+/// Computes sector 0 at every sample of the deviations and fits the polynomials.
 void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
               const std::function<void(double)>& progress) {
   const SectorTurn& turn = table.turn;
@@ -61,8 +27,10 @@ void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
   const auto count = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd projection(share_layout(turn).size, count);
   Eigen::MatrixXd contact(3 * contact_points(table.stations) * turn.seen(), count);
-  Eigen::MatrixXd stress(6 * static_cast<Eigen::Index>(watched.size()) * turn.seen(), count);
-  const auto compute = [&](Eigen::Index s) {
+  // Rigid motions, the first six columns, strain nothing.
+  const Eigen::Index strained = turn.seen() - 6;
+  Eigen::MatrixXd stress(6 * static_cast<Eigen::Index>(watched.size()) * strained, count);
+  for (Eigen::Index s = 0; s < count; ++s) {
     const PocketDeviation& deviation = samples[static_cast<std::size_t>(s)];
     const HexMesh sector{sector_nodes(table.cage, deviation, grid), grid.elements};
     const BodyMatrices body = assemble_body(sector, table.material);
@@ -75,15 +43,14 @@ void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
     };
     pack_share(turn, project(body.stiffness), project(body.mass), projection.col(s));
     contact.col(s) = contact_rows(table.cage, table.stations, grid, deviation, carried).reshaped();
-    stress.col(s) = nodal_stress(sector, table.material, carried, watched).reshaped();
-  };
-  on_all_cores(count, compute, [&](Eigen::Index finished) {
-    progress(static_cast<double>(finished) / static_cast<double>(count));
-  });
+    stress.col(s) =
+        nodal_stress(sector, table.material, carried.rightCols(strained), watched).reshaped();
+    progress(static_cast<double>(s + 1) / static_cast<double>(count));
+  }
   table.projection = fit_polynomial(projection, table.range);
   table.projection.col(0).setZero();
   table.contact = fit_polynomial(contact, table.range);
-  table.stress = fit_polynomial(stress, table.range);
+  table.stress = fit_polynomial(stress, table.range).cast<float>();
 }
 
 /// Integrals that couple modes with a spin about x, on the undeviated cage.

@@ -30,7 +30,7 @@ struct CageTable {
   CageProjection undeviated;   ///< projections of the undeviated cage
   Eigen::MatrixXd projection;  ///< change of a packed share (sector_share.hpp) x terms
   Eigen::MatrixXd contact;     ///< (3 contact points, seen columns) x terms
-  Eigen::MatrixXd stress;      ///< (6 stress stations, seen columns) x terms
+  Eigen::MatrixXf stress;      ///< (6 stress stations, seen columns but the rigid ones) x terms
   std::vector<SectorPoint> stress_points;
 
   Eigen::MatrixXd gyroscopic;   ///< integral of rho Phi_i . (e_x x Phi_j), modes x modes [kg]

@@ -13,7 +13,7 @@
 namespace cagetol {
 namespace {
 
-constexpr const char* kMagic = "cagetol cage table 1\n";
+constexpr const char* kMagic = "cagetol cage table 2\n";
 
 /// FNV-1a over the bit patterns of numbers.
 class Hash {
@@ -87,6 +87,8 @@ void transfer(Stream stream, Table& table) {
   stream(table.turn.reach);
   stream(table.turn.partner);
   stream(table.turn.angle);
+  stream(table.turn.cosine);
+  stream(table.turn.sine);
   stream(table.frequency);
   table.family.resize(static_cast<std::size_t>(table.frequency.size()));
   for (auto& family : table.family) {

@@ -61,6 +61,8 @@ void add_shares(const SectorTurn& turn, const MatrixXd& changes, CageProjection&
   MatrixXd share_mass = share_stiffness;
   MatrixXd share_local(local, local);
   MatrixXd share_cross = MatrixXd::Zero(2 * local, modes);
+  MatrixXd stiffness = share_stiffness;
+  MatrixXd mass = share_stiffness;
   for (Index k = 0; k < turn.sectors; ++k) {
     const double* from = changes.col(k).data();
     unpack_lower(from, share_stiffness.bottomRightCorner(elastic, elastic));
@@ -73,10 +75,8 @@ void add_shares(const SectorTurn& turn, const MatrixXd& changes, CageProjection&
     from += layout.modal_mass;
     share_cross.block(local, 0, local, 6) = Eigen::Map<const MatrixXd>(from, local, 6);
 
-    projection.modal_stiffness +=
-        turn_modes(turn, turn_modes(turn, share_stiffness, k).transpose(), k)
-            .bottomRightCorner(elastic, elastic);
-    projection.modal_mass += turn_modes(turn, turn_modes(turn, share_mass, k).transpose(), k);
+    add_turned(turn, share_stiffness, k, stiffness);
+    add_turned(turn, share_mass, k, mass);
     const MatrixXd cross = turn_modes(turn, share_cross, k);
     for (Index o = -turn.reach; o <= turn.reach; ++o) {
       const Index to = turn.local_column(k, o) - modes;
@@ -89,6 +89,10 @@ void add_shares(const SectorTurn& turn, const MatrixXd& changes, CageProjection&
       }
     }
   }
+  stiffness.triangularView<Eigen::StrictlyUpper>() = stiffness.transpose();
+  mass.triangularView<Eigen::StrictlyUpper>() = mass.transpose();
+  projection.modal_stiffness += stiffness.bottomRightCorner(elastic, elastic);
+  projection.modal_mass += mass;
 }
 
 }  // namespace cagetol

@@ -36,30 +36,38 @@ void find_turn(SectorTurn& sector, const MatrixXd& turn) {
   if (rest.cwiseAbs().maxCoeff() > 1e-4) {
     throw std::runtime_error("cage: modes do not turn into each other from sector to sector");
   }
+  const Eigen::RowVectorXd places =
+      Eigen::RowVectorXd::LinSpaced(sector.sectors, 0, static_cast<double>(sector.sectors - 1));
+  const MatrixXd turned = sector.angle * places;
+  sector.cosine = turned.array().cos();
+  sector.sine = turned.array().sin();
 }
 
 MatrixXd turn_modes(const SectorTurn& sector, const MatrixXd& rows, Index k) {
   MatrixXd turned(rows.rows(), sector.modes);
+  const Index at = (k + sector.sectors) % sector.sectors;
   for (Index i = 0; i < sector.modes; ++i) {
-    const double angle = static_cast<double>(k) * sector.angle[i];
     const Index other = sector.partner[i];
     if (other == i) {
-      turned.col(i) = std::cos(angle) * rows.col(i);
+      turned.col(i) = sector.cosine(i, at) * rows.col(i);
     } else {
-      turned.col(i) = std::cos(angle) * rows.col(i) - std::sin(angle) * rows.col(other);
+      turned.col(i) = sector.cosine(i, at) * rows.col(i) - sector.sine(i, at) * rows.col(other);
     }
   }
   return turned;
 }
 
-MatrixXd to_all_columns(const SectorTurn& sector, const MatrixXd& rows, Index k) {
-  MatrixXd all = MatrixXd::Zero(rows.rows(), sector.all());
-  all.leftCols(sector.modes) = turn_modes(sector, rows, k);
-  for (Index o = -sector.reach; o <= sector.reach; ++o) {
-    all.middleCols(sector.local_column(k, o), sector.per_sector) =
-        rows.middleCols(sector.seen_column(o), sector.per_sector);
+void add_turned(const SectorTurn& sector, const MatrixXd& matrix, Index k, MatrixXd& sum) {
+  const auto cosine = sector.cosine.col(k);
+  const auto sine = sector.sine.col(k);
+  Eigen::VectorXd column(sector.modes);
+  for (Index j = 0; j < sector.modes; ++j) {
+    // A single mode is its own partner and its sine is zero but for rounding.
+    column = cosine[j] * matrix.col(j) - sine[j] * matrix.col(sector.partner[j]);
+    for (Index i = j; i < sector.modes; ++i) {
+      sum(i, j) += cosine[i] * column[i] - sine[i] * column[sector.partner[i]];
+    }
   }
-  return all;
 }
 
 MatrixXd seen_coefficients(const SectorTurn& sector, const MatrixXd& coefficients, Index k) {

@@ -22,6 +22,7 @@ struct SectorTurn {
   Eigen::VectorXi partner;  ///< per mode: the other of its pair, itself for a single one
   Eigen::VectorXd
       angle;  ///< per mode: turn per sector, of opposite sign for the second of a pair [rad]
+  Eigen::MatrixXd cosine, sine;  ///< of k times the angle: column k of 0 ... Z-1
 
   Eigen::Index seen() const { return modes + (2 * reach + 1) * per_sector; }
   Eigen::Index all() const { return modes + sectors * per_sector; }
@@ -35,16 +36,18 @@ struct SectorTurn {
   }
 };
 
-/// Sets partner and angle from `turn`, the matrix P with (modes turned forward by one sector) =
-/// modes P. Throws std::runtime_error where P is not made of single +-1 and 2 x 2 rotations.
+/// Sets all that belongs to modes from `turn`, the matrix P with (modes turned forward by one
+/// sector) = modes P. Throws std::runtime_error where P is not made of single +-1 and 2 x 2
+/// rotations.
 void find_turn(SectorTurn& sector, const Eigen::MatrixXd& turn);
+
+/// Adds the lower triangle of (R^k)^T matrix R^k to `sum`: what sector 0 projects on the modes,
+/// turned to sector k.
+void add_turned(const SectorTurn& sector, const Eigen::MatrixXd& matrix, Eigen::Index k,
+                Eigen::MatrixXd& sum);
 
 /// Mode columns times R^k: rows that read modes in sector k, from rows that read them in sector 0.
 Eigen::MatrixXd turn_modes(const SectorTurn& sector, const Eigen::MatrixXd& rows, Eigen::Index k);
-
-/// Rows on seen columns of sector k spread to all columns.
-Eigen::MatrixXd to_all_columns(const SectorTurn& sector, const Eigen::MatrixXd& rows,
-                               Eigen::Index k);
 
 /// Coefficients of all columns as sector k sees them: one combination of fields a row.
 Eigen::MatrixXd seen_coefficients(const SectorTurn& sector, const Eigen::MatrixXd& coefficients,

@@ -4,6 +4,7 @@ set -eu
 cd "$1"
 program=$2
 out=$(mktemp -d); trap 'rm -rf "$out"' EXIT
+export CAGETOL_CACHE=$out/cache
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 short="--set samples=20 --set scene.window.settle_revolutions=0.5 --set scene.window.measure_revolutions=1"
 lines=$(grep -E '^    .*build/cagetol ' README.md | grep -v '&&' | sed 's/ *#.*//')

@@ -21,9 +21,9 @@ struct Ended {
   std::string output;
 };
 
-Ended run(std::vector<std::string> arguments) {
+Ended run(std::vector<std::string> arguments, const std::function<void()>& prepare = {}) {
   arguments.insert(arguments.begin(), std::string(CAGETOL_BINARY_DIR) + "/cagetol");
-  Process process(arguments);
+  Process process(arguments, prepare);
   const int code = process.wait();
   return {code, process.output()};
 }
@@ -38,7 +38,7 @@ TEST(Program, HelpHasAnExampleForEachCommand) {
   for (const char* part : {"Exit codes: 0 done", "75 interrupted", "check", "simulate",
                            "cagetol simulate inputs/scenes/nu205.toml"})
     EXPECT_THAT(help.output, HasSubstr(part));
-  for (const char* command : {"check", "simulate"}) {
+  for (const char* command : {"check", "simulate", "cage"}) {
     const auto own = run({command, "--help"});
     EXPECT_EQ(own.code, 0);
     EXPECT_THAT(own.output, HasSubstr("Example"));
@@ -123,6 +123,38 @@ TEST(Program, SimulatePrintsJsonWithEveryQuantity) {
   }
   for (const char* key : {"simulated_s", "wall_s", "steps", "rhs_evaluations", "energy_residual"})
     EXPECT_TRUE(json["run"][key].is_number()) << key;
+}
+
+TEST(Program, CagePrintsModesAndSaysWhichPocketIsWrong) {
+  const ScratchDirectory scratch;
+  const auto cage = [&](const std::string& rows) {
+    std::ofstream(scratch / "pockets.csv")
+        << "width_mm,length_mm,pitch_mrad,squareness_mrad\n" + rows;
+    return run({"cage", shipped("scenes/nu205.toml"), "--json", "--set", "cage.mesh_density=2",
+                "--deviations", scratch / "pockets.csv"},
+               [&] { ::setenv("CAGETOL_CACHE", (scratch / "cache").c_str(), 1); });
+  };
+  std::string rows;
+  for (int j = 0; j < 12; ++j) rows += "0.02,-0.01,0.3,0.2\n";
+  const auto ended = cage(rows + "-0.05,0.08,0,0\n");
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  const auto json = nlohmann::json::parse(ended.output.substr(ended.output.find('{')));
+  EXPECT_EQ(json["modes_Hz"].size(), 20U);
+  EXPECT_EQ(json["shapes"][0], "in-plane 2");
+  EXPECT_EQ(json["dofs"], 6669);
+  EXPECT_NEAR(json["mass_kg"].get<double>(), 0.0211, 2e-4);
+  EXPECT_NEAR(json["inertia_kg_m2"][0][0].get<double>(), 8.6e-6, 1e-7);
+  EXPECT_LT(json["largest_frequency_error"].get<double>(), 2e-3);
+  for (const char* seconds : {"seconds_sample", "seconds_full", "seconds_table"})
+    EXPECT_GT(json[seconds].get<double>(), 0) << seconds;
+
+  const auto few = cage(rows);
+  EXPECT_EQ(few.code, 2);
+  EXPECT_THAT(few.output, HasSubstr("12 rows, but the cage has 13 pockets"));
+  const auto far = cage(rows + "0.45,0,0,0\n");
+  EXPECT_EQ(far.code, 2);
+  EXPECT_THAT(far.output, HasSubstr("pockets.csv: pocket 12 (the first is 0): pocket width "
+                                    "deviates by 0.45 mm, the cage table covers"));
 }
 
 TEST(Program, AJamIsAnOutcome) {

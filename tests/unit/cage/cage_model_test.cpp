@@ -158,6 +158,28 @@ TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
   }
 }
 
+/// What the kept modes do not carry the residual does: the compliance of a bar does not depend on
+/// how many modes are kept, none or all, but for what their rows leave out beyond the reach.
+TEST(CageModel, ComplianceDoesNotDependOnTheNumberOfModes) {
+  const Deviations deviations = scattered_pockets(7);
+  const auto compliance = [&](long modes) {
+    const CageModel model = model_of(deviations, {.modes = modes, .stress = false});
+    const long n = model.bar_stations;
+    Eigen::MatrixXd rows(2 * n, model.frequency.size());  // bar 12, between pockets 12 and 0
+    for (long i = 0; i < n; ++i) {
+      rows.row(i) = model.contact.row(model.contact_row(12, n + i, 1));
+      rows.row(n + i) = model.contact.row(model.contact_row(0, i, 1));
+    }
+    const Eigen::ArrayXd omega = 2 * std::numbers::pi * model.frequency.array();
+    return Eigen::MatrixXd(rows * omega.square().inverse().matrix().asDiagonal() *
+                               rows.transpose() +
+                           model.residual_compliance.middleCols(2 * n * 12, 2 * n));
+  };
+  const Eigen::MatrixXd usual = compliance(20);
+  EXPECT_LT((compliance(0) - usual).norm(), 2e-3 * usual.norm());
+  EXPECT_LT((compliance(1000) - usual).norm(), 2e-3 * usual.norm());
+}
+
 /// Renaming the pockets turns the cage: same frequencies, contact rows with the pockets renamed.
 TEST(CageModel, ResultsDoNotDependOnTheAngleOrigin) {
   const Deviations deviations = scattered_pockets(5);
@@ -197,6 +219,8 @@ TEST(CageModel, FaultsNameThePocket) {
   ASSERT_TRUE(std::holds_alternative<CageFault>(result));
   EXPECT_EQ(std::get<CageFault>(result).kind, CageFaultKind::outside_table);
   EXPECT_EQ(std::get<CageFault>(result).pocket, 9);
+  EXPECT_EQ(std::get<CageFault>(result).reason.find("pocket length deviates by 0.47"), 0U)
+      << std::get<CageFault>(result).reason;
   deviations[9].length = std::nan("");
   EXPECT_TRUE(std::holds_alternative<CageFault>(make_cage_model(table(), deviations)));
 }
