@@ -36,7 +36,7 @@ std::filesystem::path cage_cache_folder() {
   return std::filesystem::temp_directory_path() / fmt::format("cagetol-{}", ::getuid());
 }
 
-CageTable scene_cage_table(const Scene& scene) {
+std::shared_ptr<const CageTable> kept_cage_table(const Scene& scene) {
   const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
   const std::vector<PocketDeviation> none(static_cast<std::size_t>(cage.pocket_count));
   if (const auto fault = cage_fault(cage, none))
@@ -44,8 +44,7 @@ CageTable scene_cage_table(const Scene& scene) {
                      "check the dimensions of [cage] and the number of rollers");
   const CageTableNews news{.progress = show_progress,
                            .warning = [](const std::string& text) { spdlog::warn("{}", text); }};
-  return cached_cage_table(cage_cache_folder(), cage, scene.cage.material, cage_stations(scene),
-                           {.density = scene.cage.mesh_density}, news);
+  return make_scene_cage_table(scene, cage_cache_folder(), news);
 }
 
 }  // namespace cagetol

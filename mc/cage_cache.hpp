@@ -2,9 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
-#include "src/cage/cage_table.hpp"
-#include "src/scene/scene.hpp"
+#include "src/cage/scene_cage.hpp"
 
 namespace cagetol {
 
@@ -15,6 +15,6 @@ std::filesystem::path cage_cache_folder();
 /// The table of the scene's cage, from that folder or made now and kept there. While it is made
 /// stderr says how far it is; a folder that cannot be written costs a warning. Throws InputError
 /// where the undeviated cage is impossible.
-CageTable scene_cage_table(const Scene& scene);
+std::shared_ptr<const CageTable> kept_cage_table(const Scene& scene);
 
 }  // namespace cagetol

@@ -79,7 +79,7 @@ int run(const Options& options) {
   const auto deviations = options.deviations.empty()
                               ? pocket_deviations(scene.cage, cage)
                               : read_pocket_deviations(options.deviations, cage.pocket_count);
-  const auto result = cage_report(scene_cage_table(scene), deviations, scene.cage.modes);
+  const auto result = cage_report(*kept_cage_table(scene), deviations, scene.cage.modes);
   if (const auto* fault = std::get_if<CageFault>(&result)) {
     const std::string& file = options.deviations.empty() ? options.file : options.deviations;
     throw InputError({file, 0}, fmt::format("pocket {} (the first is 0)", fault->pocket), "",

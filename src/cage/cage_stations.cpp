@@ -15,6 +15,16 @@ Eigen::Matrix3d directions(double theta) {
   return rows;
 }
 
+/// The line of nodes nearest to `wanted` along a coordinate of the grid, the corner's aside.
+double nearest_line(const SectorGrid& grid, double SectorPoint::*coordinate, double wanted) {
+  double best = 0;
+  for (const SectorPoint& point : grid.points) {
+    const double value = point.*coordinate;
+    if (value < 1 && std::abs(value - wanted) < std::abs(best - wanted)) best = value;
+  }
+  return best;
+}
+
 bool between(double value, double low, double high) {
   return value >= low - 1e-12 && value <= high + 1e-12;
 }
@@ -131,12 +141,11 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
 }
 
 std::vector<int> stress_stations(const SectorGrid& grid) {
-  // Forces off the middle put the largest moment between middle and root: the line of nodes next to
-  // 0.4.
-  double between = 0;
-  for (const SectorPoint& point : grid.points) {
-    if (std::abs(point.axial - 0.4) < std::abs(between - 0.4)) between = point.axial;
-  }
+  // Forces off the middle put the largest moment of a bar between middle and root. Side rings bend
+  // most just off the bars' roots: an edge's own corner averages the stress of three elements.
+  const double between = nearest_line(grid, &SectorPoint::axial, 0.4);
+  const double off_root = nearest_line(grid, &SectorPoint::axial, 0.88);
+  const double off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
   std::vector<int> stations;
   for (std::size_t p = 0; p < grid.points.size(); ++p) {
     const SectorPoint& point = grid.points[p];
@@ -148,8 +157,11 @@ std::vector<int> stress_stations(const SectorGrid& grid) {
         (grid.counts.radial % 2 == 1 || point.radial == 0.5);
     const bool corner = around == 1 && axial == 1 && (surface || middle_depth);
     const bool bar_middle = around == 1 && (axial == 0 || axial == between) && surface;
+    const bool bar_root = around == 1 && axial == off_root && point.radial == 0;
     const bool side_ring = around == 0 && (axial == 1 || axial == 2) && surface;
-    if (corner || bar_middle || side_ring) stations.push_back(static_cast<int>(p));
+    const bool side_root = around == off_bar && axial == 1 && surface;
+    if (corner || bar_middle || bar_root || side_ring || side_root)
+      stations.push_back(static_cast<int>(p));
   }
   return stations;
 }
@@ -166,8 +178,10 @@ std::string station_name(const SectorPoint& point) {
   if (std::abs(point.around) == 1)
     return (point.axial == 0 ? "bar middle, " + face : "bar, " + face + ", " + half) + ", " +
            surface;
-  return std::string("side ring, ") + (std::abs(point.axial) == 1 ? "pocket end" : "end face") +
-         ", " + half + ", " + surface;
+  const std::string place = std::abs(point.axial) == 2 ? "end face"
+                            : point.around == 0        ? "pocket end"
+                                                       : "beside the bar, " + face;
+  return "side ring, " + place + ", " + half + ", " + surface;
 }
 
 }  // namespace cagetol

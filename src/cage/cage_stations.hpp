@@ -55,7 +55,8 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
                              const Eigen::MatrixXd& sector_fields);
 
 /// Grid points at which the stress can be largest: the pocket's four corners at three depths, the
-/// bar faces at and beside the middle, the side rings' edges at the pocket's middle.
+/// bar faces at and beside the middle and beside the root, the side rings' edges at the pocket's
+/// middle and, at the pocket's end, beside the bars.
 std::vector<int> stress_stations(const SectorGrid& grid);
 
 /// "pocket corner, leading face, x > 0, outer surface" and the like, for reports.

@@ -21,14 +21,15 @@ bool close(double a, double b) {
 }  // namespace
 
 std::shared_ptr<const CageTable> make_scene_cage_table(const Scene& nominal,
-                                                       const std::filesystem::path& folder) {
+                                                       const std::filesystem::path& folder,
+                                                       const CageTableNews& news) {
   const CageDimensions cage = cage_dimensions(nominal.cage, nominal.bearing.roller_count);
   const Material material = tabulated_material(nominal);
   const CageStations stations = cage_stations(nominal);
   const CageTableOptions options = {.density = nominal.cage.mesh_density};
   return std::make_shared<const CageTable>(
-      folder.empty() ? make_cage_table(cage, material, stations, options)
-                     : cached_cage_table(folder, cage, material, stations, options));
+      folder.empty() ? make_cage_table(cage, material, stations, options, news)
+                     : cached_cage_table(folder, cage, material, stations, options, news));
 }
 
 std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const Scene& sample,

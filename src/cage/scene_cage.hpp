@@ -18,7 +18,8 @@ inline bool is_flexible(const Scene& scene) {
 /// `folder` where it is already there, else made (half a minute) and, with a folder, kept there. A
 /// cage.mass_kg given in the scene scales the density.
 std::shared_ptr<const CageTable> make_scene_cage_table(const Scene& nominal,
-                                                       const std::filesystem::path& folder = {});
+                                                       const std::filesystem::path& folder = {},
+                                                       const CageTableNews& news = {});
 
 /// The elastic cage of one sample: its pockets on the table's cage. A fault where these leave no
 /// cage, or where the cage differs from the table's in more than pockets.

@@ -48,10 +48,10 @@ Scene coarse_scene() {
 TEST(CageCache, TableIsMadeOnce) {
   const ScratchDirectory scratch;
   const Variable own("CAGETOL_CACHE", (scratch / "cache").c_str());
-  const CageTable made = scene_cage_table(coarse_scene());
-  const CageTable read = scene_cage_table(coarse_scene());
-  EXPECT_EQ(made.seconds_table, read.seconds_table);
-  EXPECT_TRUE(made.projection == read.projection);
+  const auto made = kept_cage_table(coarse_scene());
+  const auto read = kept_cage_table(coarse_scene());
+  EXPECT_EQ(made->seconds_table, read->seconds_table);
+  EXPECT_TRUE(made->projection == read->projection);
 }
 
 TEST(CageCache, FolderThatCannotBeWrittenIsAWarning) {
@@ -60,17 +60,17 @@ TEST(CageCache, FolderThatCannotBeWrittenIsAWarning) {
   const Variable own("CAGETOL_CACHE", (scratch / "file").c_str());
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const CageTable table = scene_cage_table(coarse_scene());
+  const auto table = kept_cage_table(coarse_scene());
   const std::string said =
       testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout();
-  EXPECT_GT(table.dofs, 0);
+  EXPECT_GT(table->dofs, 0);
   EXPECT_THAT(said, testing::HasSubstr("cannot write " + scratch / "file"));
 }
 
 TEST(CageCache, AnImpossibleCageIsBadInput) {
   Scene scene = coarse_scene();
   scene.cage.pocket_length = {15e-3};
-  EXPECT_THROW(scene_cage_table(scene), InputError);
+  EXPECT_THROW(kept_cage_table(scene), InputError);
 }
 
 }  // namespace
