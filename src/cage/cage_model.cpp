@@ -23,8 +23,8 @@ using Eigen::MatrixXd;
 std::string beyond_range(const PocketDeviation& deviation, const PocketDeviation& range) {
   if (inside_range(deviation, range)) return "";
   const auto text = [](const char* what, double value, double limit, const char* unit) {
-    return fmt::format("{} deviates by {:.4g} {}, the cage table covers +-{:.4g}", what,
-                       1e3 * value, unit, 1e3 * limit);
+    return fmt::format("{} deviates by {:.4g} {}, the cage table covers +-{:.4g} {}", what,
+                       1e3 * value, unit, 1e3 * limit, unit);
   };
   if (std::abs(deviation.width) > range.width)
     return text("pocket width", deviation.width, range.width, "mm");
