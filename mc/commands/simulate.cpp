@@ -45,7 +45,7 @@ int run(const Options& options) {
   RunHistory history(sample.scene);
   if (!options.history.empty())
     extras.on_state = [&history](double t, const double* y, const System& system) {
-      history.record(t, y, system);
+      history.record({t, y, system});
     };
   const Outcome outcome = simulate(sample.scene, extras);
   if (!options.history.empty()) history.write(options.history);
