@@ -1,5 +1,6 @@
 #include "mc/study_file.hpp"
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -194,7 +195,7 @@ void write_histories(hid_t root, const OutcomesById& outcomes, std::size_t point
     std::vector<double> values;
     values.reserve(outcomes.size() * points);
     for (const auto& [id, outcome] : outcomes) {
-      if (outcome.history.empty()) {  // not simulated
+      if (outcome.history.empty()) {
         values.insert(values.end(), points, std::numeric_limits<double>::quiet_NaN());
       } else {
         const auto first = outcome.history.begin() + static_cast<std::ptrdiff_t>(c * points);
@@ -205,8 +206,7 @@ void write_histories(hid_t root, const OutcomesById& outcomes, std::size_t point
   }
 }
 
-/// The histories of the rows, in the order of history_columns(); nothing where the study keeps
-/// none.
+/// The histories of the rows; empty where the study keeps none or a run reached no instant.
 void read_histories(const H5Handle& file, std::vector<StoredOutcome>& rows) {
   if (rows.empty() || H5Lexists(file, "history", H5P_DEFAULT) <= 0) return;
   for (const HistoryColumn& column : history_columns()) {
@@ -217,6 +217,8 @@ void read_histories(const H5Handle& file, std::vector<StoredOutcome>& rows) {
       rows[i].history.insert(rows[i].history.end(), first, first + points);
     }
   }
+  for (StoredOutcome& row : rows)
+    if (std::isnan(row.history.front())) row.history.clear();  // the first instant has no time
 }
 
 }  // namespace

@@ -82,16 +82,23 @@ def channel_figure(name):
             axis.ticklabel_format(axis="y", useOffset=False)
             axis.margins(x=0)
             if row == 0:
-                axis.legend(ncols=3, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1)
+                axis.legend(ncols=3, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, handlelength=1, columnspacing=1)
         axes[f"time{rows - 1}"].set_xlabel("time in the measuring window [ms]")
         band(axes["mean"], response, channel["mean"], "mean over time", channel["unit"])
         band(axes["fluctuation"], response, channel["fluctuation"], "standard deviation over time", channel["unit"])
-        axes["fluctuation"].set_xlabel(level_label(response))
+        axes["fluctuation"].set_xlabel(with_unit("deviation", response["unit"]))
         if len(response["settings"]) > 1:
             axes["mean"].legend(loc="best", ncols=2)
         settings_note(figure, response)
         return figure
     return draw
+
+
+def extent(orbit, direction):
+    """Range of all paths along y or z."""
+    values = [v for setting in orbit["cells"] for level in setting for run in level for v in map(known, run[direction])
+              if not math.isnan(v)]
+    return max(values) - min(values) or 1.0 if values else 1.0
 
 
 def orbit_figure(body):
@@ -103,13 +110,15 @@ def orbit_figure(body):
         if orbit is None:
             return None
         rows, columns = len(settings_of(response)), len(response["levels"])
-        figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 0.35 + 1.5 * rows), squeeze=False, sharex=True, sharey=True)
+        panel = (WIDTH - 0.6) / columns * min(max(extent(orbit, "z") / extent(orbit, "y"), 0.3), 1.5)
+        figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 0.8 + (panel + 0.1) * rows), squeeze=False,
+                                    sharex=True, sharey=True)
         for row in range(rows):
             for column in range(columns):
                 axis = axes[row][column]
                 for run, colour in reversed(list(zip(orbit["cells"][row][column], RUN_COLOURS))):
-                    axis.plot([known(v) for v in run["y"]], [known(v) for v in run["z"]], color=colour, linewidth=0.5)
-                axis.set_aspect("equal", adjustable="datalim")
+                    axis.plot([known(v) for v in run["y"]], [known(v) for v in run["z"]], color=colour, linewidth=0.35)
+                axis.set_aspect("equal", adjustable="box")
                 axis.tick_params(labelsize=6.5)
                 axis.locator_params(nbins=4)
                 if row == 0:
@@ -143,8 +152,9 @@ def slip_bars(report):
         axis.set_ylabel("slip [%]")
         axis.set_title(readable(entry["quantity"]))
         axis.grid(False, axis="x")
+        axis.margins(y=0.18)
     if len(settings) > 1:
-        axes[0][0].legend()
+        axes[0][0].legend(loc="upper right", ncols=len(settings))
     settings_note(figure, response)
     return figure
 

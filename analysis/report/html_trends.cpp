@@ -1,7 +1,7 @@
 // The trend page: claims of a source beside what the runs show.
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "analysis/report/html_report.hpp"
 #include "analysis/report/html_text.hpp"
@@ -31,10 +31,11 @@ std::string relative_text(const Json& difference) {
   return value.is_number() ? fmt::format("{:+.3g} %", 100 * value.get<double>()) : "-";
 }
 
-std::string colour(const std::string& verdict) {
-  if (verdict == "agrees") return "<b style=\"color:var(--good)\">agrees</b>";
-  if (verdict == "disagrees") return "<b style=\"color:var(--bad)\">disagrees</b>";
-  return escaped(verdict);
+std::string verdict_text(const std::string& verdict) {
+  const std::string colour = verdict == "agrees"      ? ";font-weight:600;color:var(--good)"
+                             : verdict == "disagrees" ? ";font-weight:600;color:var(--bad)"
+                                                      : "";
+  return "<span style=\"white-space:nowrap" + colour + "\">" + escaped(verdict) + "</span>";
 }
 
 std::string counts_text(const Json& verdicts) {
@@ -44,6 +45,29 @@ std::string counts_text(const Json& verdicts) {
   return text;
 }
 
+/// In order of first appearance. Trends over different keys have different settings.
+std::vector<std::string> settings_of(const Json& trends) {
+  std::vector<std::string> settings;
+  for (const Json& row : trends["rows"])
+    for (const Json& seen : row["settings"])
+      if (const std::string setting = seen["setting"];
+          std::find(settings.begin(), settings.end(), setting) == settings.end())
+        settings.push_back(setting);
+  return settings;
+}
+
+std::vector<std::string> table_row(const Json& row, const Json& seen) {
+  return {
+      escaped(row["claim"]) + "<br><small>" + escaped(row["source"]) + "</small>",
+      escaped(readable(row["quantity"])) + unit_suffix(row["unit"]),
+      signed_level(row["from"]) + " to " + signed_level(row["to"]) + unit_suffix(row["key_unit"]),
+      expectation(row),
+      rounded(seen["from_mean"]) + " → " + rounded(seen["to_mean"]),
+      with_interval(seen["difference"]),
+      relative_text(seen["relative_difference"]),
+      verdict_text(seen["verdict"]) + "<br><small>" + escaped(seen["reason"]) + "</small>"};
+}
+
 }  // namespace
 
 std::string trends_chapter(const Json& report) {
@@ -51,26 +75,14 @@ std::string trends_chapter(const Json& report) {
   if (trends.is_null()) return {};
   const double confidence = 100 * trends["confidence"].get<double>();
   std::string body = paragraph("Verdicts: " + counts_text(trends["verdicts"]) + ".");
-  const std::size_t settings = trends["rows"].front()["settings"].size();
-  for (std::size_t s = 0; s < settings; ++s) {
+  for (const std::string& setting : settings_of(trends)) {
     std::vector<std::vector<std::string>> rows;
-    for (const Json& row : trends["rows"]) {
-      const Json& seen = row["settings"][s];
-      rows.push_back(
-          {escaped(row["claim"]) + "<br><small>" + escaped(row["source"]) + "</small>",
-           escaped(readable(row["quantity"])) + unit_suffix(row["unit"]),
-           signed_level(row["from"]) + " to " + signed_level(row["to"]) +
-               unit_suffix(row["key_unit"]),
-           expectation(row), rounded(seen["from_mean"]), rounded(seen["to_mean"]),
-           with_interval(seen["difference"]), relative_text(seen["relative_difference"]),
-           colour(seen["verdict"]) + "<br><small>" + escaped(seen["reason"]) + "</small>"});
-    }
-    if (const std::string setting = trends["rows"].front()["settings"][s]["setting"];
-        !setting.empty())
-      body += "<h3>With " + escaped(setting) + "</h3>\n";
-    body += table("tttnnnnnt",
-                  {"claim", "quantity", "from, to", "expected", "mean before", "mean after",
-                   "difference", "", "here"},
+    for (const Json& row : trends["rows"])
+      for (const Json& seen : row["settings"])
+        if (seen["setting"] == setting) rows.push_back(table_row(row, seen));
+    if (!setting.empty()) body += "<h3>With " + escaped(setting) + "</h3>\n";
+    body += table("tttttnnt",
+                  {"claim", "quantity", "from, to", "expected", "means", "difference", "", "here"},
                   rows);
   }
   body += note(fmt::format(
