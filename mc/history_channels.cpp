@@ -8,7 +8,7 @@ namespace cagetol {
 namespace {
 
 constexpr double kRpm = 30 / std::numbers::pi;
-constexpr double kUm = 1e6, kMrad = 1e3;
+constexpr double kUm = 1e6, kMrad = 1e3, kMPa = 1e-6;
 
 const double* border(const Instant& at) {
   return at.y + at.system.model.layout.border_position(0);
@@ -55,9 +55,9 @@ double ring_acceleration(const Instant& at) {
   return std::hypot(dv[kRingY], dv[kRingZ]);
 }
 
-/// Largest von Mises stress of the cage [MPa]. Every cage is rigid: it has none.
-double cage_stress(const Instant&) {
-  return std::numeric_limits<double>::quiet_NaN();
+double cage_stress(const Instant& at) {
+  if (!at.stress) return std::numeric_limits<double>::quiet_NaN();
+  return kMPa * at.stress->largest(border(at) + kModes, at.system.seen.bar_force).stress;
 }
 
 double skew(const Instant& at, int j) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/integration/system.hpp"
+#include "src/quantities/cage_stress.hpp"
 
 namespace cagetol {
 
@@ -13,6 +14,7 @@ struct Instant {
   double t;  ///< since the start of the run [s]
   const double* y;
   const System& system;
+  CageStress* stress;  ///< of a flexible cage; nullptr: rigid
 };
 
 /// A number of the bearing at an instant.

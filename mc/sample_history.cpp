@@ -18,7 +18,8 @@ const RollerChannel& roller_spin() {
 
 const std::vector<HistoryColumn>& history_columns() {
   static const std::vector<HistoryColumn> columns = [] {
-    std::vector<HistoryColumn> all = {{"time", {"s", "time since the start of the run"}}};
+    std::vector<HistoryColumn> all = {
+        {"time", {"s", "time of the state since the start of the run"}}};
     for (const BearingChannel& channel : bearing_channels())
       all.push_back({channel.name, {channel.unit, channel.description}});
     all.push_back({roller_spin().name,
@@ -32,9 +33,7 @@ SampleHistory::SampleHistory(const HistoryPlan& plan, const Scene& scene)
     : scene_(scene),
       points_(static_cast<std::size_t>(plan.points)),
       roller_(static_cast<int>(plan.roller)),
-      values_(points_ * history_columns().size(), std::numeric_limits<double>::quiet_NaN()),
-      last_(history_columns().size()),
-      now_(history_columns().size()) {}
+      values_(points_ * history_columns().size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 double SampleHistory::instant(std::size_t i) const {
   // The last instant is the end of the run itself, without rounding.
@@ -46,16 +45,12 @@ double SampleHistory::instant(std::size_t i) const {
 
 void SampleHistory::record(const Instant& at) {
   if (!window_) window_ = window_times(scene_, at.system.model);
-  std::swap(last_, now_);
-  std::size_t c = 0;
-  now_[c++] = at.t;
-  for (const BearingChannel& channel : bearing_channels()) now_[c++] = channel.value(at);
-  now_[c] = roller_spin().value(at, roller_);
   for (; next_ < points_ && instant(next_) <= at.t; ++next_) {
-    const double before = last_[0], step = at.t - before;
-    const double share = step > 0 ? (instant(next_) - before) / step : 1;
-    for (c = 0; c < now_.size(); ++c)
-      values_[c * points_ + next_] = share == 1 ? now_[c] : last_[c] + share * (now_[c] - last_[c]);
+    double* value = values_.data() + next_;
+    *value = at.t;
+    for (const BearingChannel& channel : bearing_channels())
+      *(value += points_) = channel.value(at);
+    *(value += points_) = roller_spin().value(at, roller_);
   }
 }
 

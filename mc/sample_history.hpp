@@ -1,9 +1,9 @@
-// The decimated history that a sweep keeps of each sample (study key history.points): a fixed
-// number of equally spaced instants that end with the measuring window, each interpolated linearly
-// between the accepted states on its two sides.
+// The decimated history that a sweep keeps of each sample (study key history.points): of equally
+// spaced instants that end with the measuring window, the first accepted state at or after each.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mc/h5.hpp"
@@ -13,8 +13,8 @@
 
 namespace cagetol {
 
-/// A column of the history, as study.h5 names it: the time, the channels of the bearing, the spin
-/// of one roller.
+/// A column of the history, as study.h5 names it: the time of the state, the channels of the
+/// bearing, the spin of one roller.
 struct HistoryColumn {
   std::string name;
   H5Meaning meaning;
@@ -39,8 +39,8 @@ class SampleHistory {
   const Scene& scene_;
   std::size_t points_, next_ = 0;
   int roller_;
-  std::optional<WindowTimes> window_;        ///< known from the first state on
-  std::vector<double> values_, last_, now_;  ///< result; columns at the last and this state
+  std::optional<WindowTimes> window_;  ///< known from the first state on
+  std::vector<double> values_;
 };
 
 }  // namespace cagetol

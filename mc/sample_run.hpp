@@ -5,22 +5,19 @@
 #include <vector>
 
 #include "mc/history_channels.hpp"
-#include "mc/sample.hpp"
+#include "mc/study.hpp"
 #include "src/outcome.hpp"
+#include "src/simulate.hpp"
 
 namespace cagetol {
-
-/// Asked while a sample runs; true ends it as `not_run`.
-using StopRequested = std::function<bool()>;
 
 struct SampleRun {
   Outcome outcome;
   std::vector<double> history;  ///< SampleHistory::take(); empty where the study keeps none
 };
 
-/// `on_instant`, where given, sees every accepted state.
-SampleRun run_sample(const HistoryPlan& history, const Scene& scene,
-                     const StopRequested& stop_requested,
+/// `on_instant`, where given, sees every accepted state; `options.on_state` is not for callers.
+SampleRun run_sample(const HistoryPlan& history, const Scene& scene, SimulateOptions options = {},
                      const std::function<void(const Instant&)>& on_instant = {});
 
 }  // namespace cagetol

@@ -10,7 +10,9 @@ SweepPlan make_sweep_plan(const Study& study) {
   plan.samples = sample_count(study);
   plan.draw = [sampler = Sampler(study)](std::uint64_t id) { return sampler.draw(id); };
   plan.job = [history = study.history](const Sample& sample, const StopRequested& stop_requested) {
-    return run_sample(history, sample.scene, stop_requested);
+    SimulateOptions options;
+    options.stop_requested = stop_requested;
+    return run_sample(history, sample.scene, options);
   };
   return plan;
 }

@@ -11,6 +11,9 @@
 
 namespace cagetol {
 
+/// Asked while a sample runs; true ends it as `not_run`.
+using StopRequested = std::function<bool()>;
+
 struct SweepPlan {
   Study study;
   DesignColumns columns;

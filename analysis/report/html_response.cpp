@@ -56,9 +56,10 @@ std::string absent_text(const Json& report, const Json& history) {
   const bool rigid =
       scene.contains("cage") && scene["cage"].value("model", std::string("rigid")) == "rigid";
   return paragraph(
-      rigid ? "The cage of these runs is rigid, so there are no stresses to show: Figs. 8 and 16 "
-              "have no counterpart here."
-            : "No run has a cage stress, so Figs. 8 and 16 have no counterpart here.");
+      rigid
+          ? "The cage of these runs is rigid, so there are no stresses to show: Figs. 8 and 16 "
+            "have no counterpart here. <code>scene.cage.model = \"flexible\"</code> computes them."
+          : "No run has a cage stress, so Figs. 8 and 16 have no counterpart here.");
 }
 
 }  // namespace

@@ -25,7 +25,9 @@ TrendFinding judge_direction(const PairedDifference& seen, double change, int si
     finding.reason = seen_text(seen) + (change > 0 ? ", by more than claimed" : "");
   } else if (high <= change) {
     finding.verdict = TrendVerdict::disagrees;
-    finding.reason = seen_text(seen) + (low > 0 ? ", but by less than claimed" : "");
+    finding.reason = seen_text(seen) + (low > 0      ? ", but by less than claimed"
+                                        : change > 0 ? ", and a change as claimed is excluded"
+                                                     : "");
   } else {
     finding.reason =
         change > 0 && low > 0

@@ -33,11 +33,10 @@ std::vector<double> column(const SampleRun& run, const std::string& name) {
 /// A channel at every accepted state.
 struct Curve {
   std::vector<double> t, value;
-  double at(double time) const {
-    const auto after = std::lower_bound(t.begin(), t.end(), time) - t.begin();
-    const auto k = static_cast<std::size_t>(after);
-    const double share = (time - t[k - 1]) / (t[k] - t[k - 1]);
-    return value[k - 1] + share * (value[k] - value[k - 1]);
+  /// At the first state at or after an instant.
+  double at(double instant) const {
+    return value[static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), instant) -
+                                          t.begin())];
   }
 };
 
@@ -66,25 +65,26 @@ class SampleHistoryTest : public testing::Test {
   SampleRun run_;
 };
 
-TEST_F(SampleHistoryTest, InstantsAreEquallySpacedUpToTheEndOfTheWindow) {
-  ASSERT_EQ(run_.outcome.status, Status::ok) << run_.outcome.reason;
-  const auto time = column(run_, "time");
-  EXPECT_EQ(time.back(), run_.outcome.run.simulated_s);
-  const double window = time.back() * 0.2 / 0.25;
-  for (std::size_t i = 0; i < kPoints; ++i)
-    EXPECT_NEAR(time[i], time.back() - window * double(kPoints - 1 - i) / kPoints, 1e-12);
+/// The i-th of kPoints instants.
+double instant(std::size_t i, double end) {
+  return i + 1 == kPoints ? end : 0.2 * end + 0.8 * end * double(i + 1) / kPoints - 1e-15;
 }
 
-TEST_F(SampleHistoryTest, ValuesLieOnTheLineBetweenAcceptedStates) {
-  const auto time = column(run_, "time");
+TEST_F(SampleHistoryTest, HoldsTheFirstStateAtOrAfterEquallySpacedInstantsOfTheWindow) {
+  ASSERT_EQ(run_.outcome.status, Status::ok) << run_.outcome.reason;
+  const double end = run_.outcome.run.simulated_s;
+  const auto time = column(run_, "time"), spin = column(run_, "roller_spin");
+  EXPECT_EQ(time.back(), end);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    EXPECT_GE(time[i], instant(i, end));
+    EXPECT_NEAR(spin[i], spin_.at(instant(i, end)), 1e-9);
+  }
   for (const auto& [name, curve] : curves_) {
     const auto values = column(run_, name);
     for (std::size_t i = 0; i < kPoints; ++i)
-      EXPECT_NEAR(values[i], curve.at(time[i]), 1e-9 * (1 + std::abs(values[i]))) << name << i;
-    EXPECT_EQ(values.back(), curve.value.back()) << name;
+      EXPECT_EQ(values[i], curve.at(instant(i, end))) << name << i;
   }
-  const auto spin = column(run_, "roller_spin");
-  for (std::size_t i = 0; i < kPoints; ++i) EXPECT_NEAR(spin[i], spin_.at(time[i]), 1e-5);
+  EXPECT_TRUE(std::isnan(column(run_, "cage_stress")[0]));
 }
 
 TEST_F(SampleHistoryTest, SpeedsAreTheSlopesOfPlaces) {
