@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view kMagic = "CAGETOLJ";
 constexpr std::string_view kMarker = "\xC7REC";
 constexpr std::size_t kFrame = kMarker.size() + 8;
-constexpr std::uint32_t kSchema = 1;
+constexpr std::uint32_t kSchema = 2;
 
 // A record survives the death of its process once write() has returned. Only a power cut or a crash
 // of the kernel needs the disk as well; waiting for it at every record would cost more than the

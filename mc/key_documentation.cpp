@@ -24,6 +24,14 @@ constexpr const char* kExamples = R"(
 #   [[correlation]]
 #   between = ["cage.pocket_width_mm:lot", "cage.pocket_length_mm:lot"]
 #   rho = 0.5
+# What a source claims about the levels of a grid; the report puts this study beside it:
+#   [[trend]]
+#   claim = "slip grows where the pocket gets narrow"
+#   quantity = "roller_slip_ratio_loaded"
+#   key = "cage.pocket_width_mm"
+#   between = [0, -0.2]
+#   expected = "rises"
+#   source = "test rig"
 # Levels of design "grid", one number for each group of inputs or one for all (above the first section):
 #   grid_levels = [5]
 )";
@@ -76,6 +84,8 @@ std::string key_documentation() {
           list_rows(dimension_keys(), "All must be given.");
   text += "\n### `[[correlation]]`: inputs that deviate together\n\n" +
           list_rows(correlation_keys(), "Both must be given.");
+  text += "\n### `[[trend]]`: what a source claims about the levels of a grid\n\n" +
+          list_rows(trend_keys(), "All but `by_share` and `by_value` must be given.");
   return text;
 }
 

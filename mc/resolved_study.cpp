@@ -2,6 +2,7 @@
 
 #include "mc/law_reader.hpp"
 #include "mc/study_keys.hpp"
+#include "mc/study_trends.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -78,7 +79,7 @@ toml::table resolved_table(const Study& study) {
     assumptions.push_back(toml::table{{"key", assumption.key}, {"note", assumption.note}});
   if (!assumptions.empty()) scene.insert("assumption", std::move(assumptions));
   root.insert("scene", std::move(scene));
-  toml::array inputs, correlations, limits, dimensions, candidates;
+  toml::array inputs, correlations, limits, dimensions, candidates, trends;
   for (const auto& input : study.inputs) inputs.push_back(input_table(input));
   for (const auto& correlation : study.correlations)
     correlations.push_back(toml::table{
@@ -87,9 +88,11 @@ toml::table resolved_table(const Study& study) {
   for (const auto& dimension : study.tolerance.dimensions)
     dimensions.push_back(dimension_table(dimension));
   for (const auto& candidate : study.candidates) candidates.push_back(candidate_table(candidate));
+  for (const auto& trend : study.trends) trends.push_back(trend_table(trend));
   root.insert("inputs", std::move(inputs));
   root.insert("correlation", std::move(correlations));
   root.insert("limit", std::move(limits));
+  root.insert("trend", std::move(trends));
   root.get("tolerance")->as_table()->insert("dimension", std::move(dimensions));
   root.insert("candidates", std::move(candidates));
   return root;

@@ -206,8 +206,11 @@ struct Sampler::Implementation {
   double noise(const UncertainInput& input, const Sample& sample) const {
     // Where noise is a group of the design, the design says which rows share it.
     const bool in_design = design.spec().groups > 0 && sample.replicate == 0;
-    const std::uint64_t id =
-        in_design ? design.source_of(sample.row, design.groups() - 1) : sample.id;
+    // In a grid every row meets the same noise in its k-th run: differences between rows are
+    // paired.
+    const std::uint64_t id = study.design == "grid" ? sample.replicate
+                             : in_design ? design.source_of(sample.row, design.groups() - 1)
+                                         : sample.id;
     return quantile(*input.noise,
                     uniform(design.spec().seed, Purpose::noise, id, stream_address(input.key), 0));
   }

@@ -10,6 +10,8 @@
 #include "mc/study_keys.hpp"
 #include "mc/study_layers.hpp"
 #include "mc/study_limits.hpp"
+#include "mc/study_trends.hpp"
+#include "src/quantities/quantity_table.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -44,10 +46,10 @@ std::vector<long> read_grid_levels(const toml::node& node, const std::string& fi
 void read_plain_keys(const toml::table& root, const std::string& file, Study& study) {
   for (const auto& leaf : toml_leaves(root, {})) {
     if (leaf.name == "scene" || leaf.name.starts_with("scene.") || leaf.name == "limit" ||
-        leaf.name == "correlation" || leaf.name == "tolerance.dimension")
+        leaf.name == "correlation" || leaf.name == "tolerance.dimension" || leaf.name == "trend")
       continue;
     if (leaf.name == "tolerance" && leaf.node->is_table()) continue;
-    for (const std::string list : {"limit", "correlation", "tolerance.dimension"})
+    for (const std::string list : {"limit", "correlation", "tolerance.dimension", "trend"})
       if (leaf.name.starts_with(list + "."))
         throw InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node),
                          "there may be several of these: they are a list of tables",
@@ -59,7 +61,7 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
     } else {
       auto known = key_infos(study_keys());
       for (const char* list :
-           {"grid_levels", "scene", "limit", "correlation", "tolerance.dimension"})
+           {"grid_levels", "scene", "limit", "correlation", "tolerance.dimension", "trend"})
         known.emplace_back(list, any_value(), "", KeyKind::text);
       throw unknown_key(leaf, file, known);
     }
@@ -69,6 +71,15 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
 // The number of rows with which the design is complete. Throws what Sampler throws.
 void complete_rows(Study& study) {
   study.samples = static_cast<long>(design_spec(study).rows);
+}
+
+void check_history(const Study& study, const toml::table& root, const std::string& file) {
+  const long rollers = study.scene.bearing.roller_count;
+  if (study.history.roller < rollers) return;
+  const auto* node = find_node(root, "history.roller");
+  throw InputError(place_of(*node, file), "history.roller", shown(*node),
+                   "the bearing has the rollers 0 to " + std::to_string(rollers - 1),
+                   "choose one of them");
 }
 
 void resolve(Study& study) {
@@ -96,8 +107,11 @@ Study study_of(const toml::table& root, const std::string& file) {
   study.tolerance.dimensions = read_dimensions(root, file, study.inputs);
   study.candidates = make_candidates(study, root, file);
   check_drawn_range(study, scene, file);
+  check_history(study, root, file);
+  study.trends = read_trends(root, file, study);
   complete_rows(study);
   const Sampler sampler(study);  // refuses what makes no design
+  check_trend_levels(study, sampler, root, file);
   resolve(study);
   return study;
 }
@@ -132,6 +146,10 @@ std::vector<std::string> study_notes(const Study& study) {
           "limit on " + limit.quantity + " is for " + number_text(limit.cage_revolutions) +
           " cage revolutions, the window measures " + number_text(window.measure_revolutions) +
           " (scene.window.measure_revolutions)");
+  for (const auto& trend : study.trends)
+    if (quantity_index(trend.quantity) < 0)
+      notes.push_back("trend on " + trend.quantity +
+                      ": there is no such quantity, so the claim will find no numbers beside it");
   const auto varied = design_columns(study);
   if (study.inputs.empty())
     notes.push_back("nothing varies: no key of the scene is a distribution");

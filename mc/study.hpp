@@ -53,6 +53,24 @@ struct Candidate {
   std::vector<double> scales;       ///< band / band_mm
 };
 
+/// What a source claims about a quantity between two levels of a dimension.
+struct Trend {
+  std::string claim;        ///< in words
+  std::string quantity;     ///< of interest
+  std::string key;          ///< scene key that varies by lot
+  double from = 0, to = 0;  ///< lot deviations, in the key's unit
+  std::string expected;     ///< of the quantity on the way: rises, falls, level, unclear
+  double by_share = 0;      ///< by how much, as a share of its mean at `from`
+  double by_value = 0;      ///< by how much, in its unit
+  std::string source;       ///< where the claim is made
+};
+
+/// The time histories that a sweep keeps of each sample (sample_history.hpp).
+struct HistoryPlan {
+  long points = 0;  ///< instants; 0: none are kept
+  long roller = 0;  ///< whose spin is kept, from 0
+};
+
 /// Gaussian-copula correlation between two inputs of one scope ("cage.pocket_width_mm:lot").
 struct Correlation {
   std::string first, second;
@@ -75,6 +93,8 @@ struct Study {
   std::vector<Correlation> correlations;
   std::vector<Limit> limits;
   TolerancePlan tolerance;
+  HistoryPlan history;
+  std::vector<Trend> trends;
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;
   std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash

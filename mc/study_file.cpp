@@ -1,11 +1,13 @@
 #include "mc/study_file.hpp"
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "mc/file_write.hpp"
 #include "mc/h5.hpp"
+#include "mc/sample_history.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -186,6 +188,39 @@ void write_results(hid_t root, const OutcomesById& outcomes) {
            {"-", "rank that ran it"});
 }
 
+void write_histories(hid_t root, const OutcomesById& outcomes, std::size_t points) {
+  if (points == 0) return;
+  const H5Handle group = make_h5_group(root, "history");
+  for (std::size_t c = 0; c < history_columns().size(); ++c) {
+    std::vector<double> values;
+    values.reserve(outcomes.size() * points);
+    for (const auto& [id, outcome] : outcomes) {
+      if (outcome.history.empty()) {
+        values.insert(values.end(), points, std::numeric_limits<double>::quiet_NaN());
+      } else {
+        const auto first = outcome.history.begin() + static_cast<std::ptrdiff_t>(c * points);
+        values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(points));
+      }
+    }
+    write_h5(group, history_columns()[c].name, values, history_columns()[c].meaning, points);
+  }
+}
+
+/// The histories of the rows; empty where the study keeps none or a run reached no instant.
+void read_histories(const H5Handle& file, std::vector<StoredOutcome>& rows) {
+  if (rows.empty() || H5Lexists(file, "history", H5P_DEFAULT) <= 0) return;
+  for (const HistoryColumn& column : history_columns()) {
+    const auto values = read_h5_reals(file, "history/" + column.name);
+    const auto points = static_cast<std::ptrdiff_t>(values.size() / rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(i) * points;
+      rows[i].history.insert(rows[i].history.end(), first, first + points);
+    }
+  }
+  for (StoredOutcome& row : rows)
+    if (std::isnan(row.history.front())) row.history.clear();  // the first instant has no time
+}
+
 }  // namespace
 
 std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
@@ -200,6 +235,7 @@ std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
   write_design(root, plan, drawn);
   write_inputs(root, plan.study, drawn);
   write_results(root, outcomes);
+  write_histories(root, outcomes, static_cast<std::size_t>(plan.study.history.points));
   return h5_image(file);
 }
 
@@ -232,6 +268,7 @@ StudyFile read_study_file(const std::string& path) {
                .interference_um = interference.at(i),
                .quantities = {},
                .run = {},
+               .history = {},
                .wall_s = wall.at(i),
                .rank = static_cast<int>(rank.at(i))};
   for (const Quantity& quantity : quantity_table()) {
@@ -242,6 +279,7 @@ StudyFile read_study_file(const std::string& path) {
     const auto values = read_h5_reals(file, std::string("run/") + field.key);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].run.push_back(values.at(i));
   }
+  read_histories(file, rows);
   for (StoredOutcome& row : rows) study.outcomes.emplace(row.id, std::move(row));
   return study;
 }

@@ -18,6 +18,8 @@ const KeyTable<Study>& study_keys() {
       {"allowed_failure_share", within(0, 1), AT(allowed_failure_share), "failed, censored and poisoned samples beyond this share: exit code 3"},
       {"tolerance.target_yield", above(0, 1), AT(tolerance.target_yield), "share of cages that must meet all limits"},
       {"tolerance.confidence", above(0, 0.999999), AT(tolerance.confidence), "confidence of the bounds"},
+      {"history.points", within(0, 10000), AT(history.points), "instants of the time history that is stored of each sample, equally spaced up to the end of the window; 0: no histories"},
+      {"history.roller", at_least(0), AT(history.roller), "roller whose spin the histories hold, from 0"},
   };
   return keys;
 }
@@ -50,11 +52,25 @@ const std::vector<KeyInfo>& correlation_keys() {
   };
   return keys;
 }
+
+const std::vector<KeyInfo>& trend_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"trend.claim", any_value(), "what is claimed, in words", KeyKind::text},
+      {"trend.quantity", any_value(), "quantity of interest the claim is about", KeyKind::text},
+      {"trend.key", any_value(), "scene key, varied by lot, over which it changes", KeyKind::text},
+      {"trend.between", any_value(), "array of two levels: lot deviations in the key's unit, from the first to the second", KeyKind::numbers},
+      {"trend.expected", one_of({"rises", "falls", "level", "unclear"}), "what the quantity does on the way; unclear: the source contradicts itself, ours is reported", KeyKind::choice},
+      {"trend.by_share", at_least(0), "rises, falls: by at least this share of the mean at the first level; level: changes by less", KeyKind::number},
+      {"trend.by_value", at_least(0), "the same in the quantity's unit", KeyKind::number},
+      {"trend.source", any_value(), "where the claim is made", KeyKind::text},
+  };
+  return keys;
+}
 // clang-format on
 
 bool is_study_section(const std::string& name) {
-  static const std::vector<std::string> lists = {"scene",       "limit",  "correlation",
-                                                 "grid_levels", "inputs", "candidates"};
+  static const std::vector<std::string> lists = {
+      "scene", "limit", "correlation", "grid_levels", "inputs", "candidates", "trend"};
   if (std::find(lists.begin(), lists.end(), name) != lists.end()) return true;
   return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
     return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;

@@ -16,6 +16,7 @@ const KeyTable<Study>& study_keys();
 const std::vector<KeyInfo>& limit_keys();
 const std::vector<KeyInfo>& dimension_keys();
 const std::vector<KeyInfo>& correlation_keys();
+const std::vector<KeyInfo>& trend_keys();
 
 /// Whether `name` is the first part of a key of a study file ("tolerance", "limit", "scene", ...),
 /// `name` itself apart: scenes have that too.

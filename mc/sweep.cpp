@@ -38,18 +38,18 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 /// Draws and runs one sample. An exception is the sample's failure; `not_run` means that it was
 /// given back.
-StoredOutcome run_sample(const SweepPlan& plan, std::uint64_t id, int rank) {
+StoredOutcome stored_run(const SweepPlan& plan, std::uint64_t id, int rank) {
   const auto begin = std::chrono::steady_clock::now();
-  Outcome outcome;
+  SampleRun run;
   try {
-    outcome = plan.job(plan.draw(id), SignalWatch::stopping);
+    run = plan.job(plan.draw(id), SignalWatch::stopping);
   } catch (const std::bad_alloc&) {
     spdlog::error("sample {}: out of memory; it is not run", id);
   } catch (const std::exception& problem) {
-    outcome.status = Status::failed;
-    outcome.reason = problem.what();
+    run.outcome.status = Status::failed;
+    run.outcome.reason = problem.what();
   }
-  return make_stored_outcome(id, outcome, seconds_since(begin), rank);
+  return make_stored_outcome(id, run, seconds_since(begin), rank);
 }
 
 /// Runs one sample and keeps the journal: what a rank does for each id that it is given.
@@ -57,7 +57,7 @@ Report run_with_journal(const SweepPlan& plan, Journal& journal, std::uint64_t i
   Report report;
   try {
     journal.started(id);
-    const StoredOutcome stored = run_sample(plan, id, rank);
+    const StoredOutcome stored = stored_run(plan, id, rank);
     report = {Ending::finished, stored.status, stored.wall_s};
     if (stored.status != Status::not_run) {
       journal.finished(stored);
@@ -80,7 +80,7 @@ void run_suspects(const SweepPlan& plan, const JournalSet& stored, Journal& jour
                  losses);
     journal.started(id);
     const AloneResult result = run_alone(id, [&]() -> std::optional<StoredOutcome> {
-      const StoredOutcome outcome = run_sample(plan, id, 0);
+      const StoredOutcome outcome = stored_run(plan, id, 0);
       if (outcome.status == Status::not_run) return std::nullopt;
       return outcome;
     });

@@ -1,7 +1,5 @@
 #include "mc/sweep_plan.hpp"
 
-#include "src/simulate.hpp"
-
 namespace cagetol {
 
 SweepPlan make_sweep_plan(const Study& study) {
@@ -11,10 +9,10 @@ SweepPlan make_sweep_plan(const Study& study) {
   plan.rows = static_cast<std::uint64_t>(study.samples);
   plan.samples = sample_count(study);
   plan.draw = [sampler = Sampler(study)](std::uint64_t id) { return sampler.draw(id); };
-  plan.job = [](const Sample& sample, const StopRequested& stop_requested) {
+  plan.job = [history = study.history](const Sample& sample, const StopRequested& stop_requested) {
     SimulateOptions options;
     options.stop_requested = stop_requested;
-    return simulate(sample.scene, options);
+    return run_sample(history, sample.scene, options);
   };
   return plan;
 }

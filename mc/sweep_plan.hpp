@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "mc/sample.hpp"
+#include "mc/sample_run.hpp"
 #include "mc/study.hpp"
-#include "src/outcome.hpp"
 
 namespace cagetol {
 
@@ -20,7 +20,7 @@ struct SweepPlan {
   std::uint64_t rows = 0;     ///< of the design
   std::uint64_t samples = 0;  ///< ids are 0 .. samples-1
   std::function<Sample(std::uint64_t id)> draw;
-  std::function<Outcome(const Sample&, const StopRequested&)> job;
+  std::function<SampleRun(const Sample&, const StopRequested&)> job;
 };
 
 /// The plan of a real study: its sampler and the physics.

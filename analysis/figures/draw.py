@@ -19,6 +19,7 @@ def main(report_file, output_dir):
     plt.style.use(str(here / "cagetol.mplstyle"))
     import contributors
     import quantities
+    import response
     import tolerance
 
     figures = {
@@ -26,6 +27,7 @@ def main(report_file, output_dir):
         "limited_quantities": quantities.limited_quantities, "other_quantities": quantities.other_quantities,
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
+        **response.figures(),
     }
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)

@@ -60,7 +60,7 @@ std::string heading(const Json& report) {
       "<header><h1>Tolerance report: {}</h1>\n<p class=\"note\">{} runs of {} planned, {} of them "
       "repeats with fresh noise; design "
       "<code>{}</code>; study <code>{}</code>, seed {}; cagetol {} ({})</p></header>\n"
-      "<nav><a href=\"#limits\">Limits</a><a href=\"#tolerance\">Yield and tolerance</a><a "
+      "<nav>{}<a href=\"#limits\">Limits</a><a href=\"#tolerance\">Yield and tolerance</a><a "
       "href=\"#contributors\">Contributors</a>"
       "<a href=\"#quantities\">Quantities</a><a href=\"#failures\">Failures</a><a "
       "href=\"#convergence\">Convergence</a>"
@@ -68,7 +68,8 @@ std::string heading(const Json& report) {
       escaped(from["study_name"]), rounded(outcomes["samples"]),
       rounded(outcomes["samples_planned"]), rounded(outcomes["noise_repeats"]),
       escaped(from["design"]), escaped(from["study_hash"]), from["seed"].dump(),
-      escaped(from["tool_version"]), escaped(from["tool_commit"]));
+      escaped(from["tool_version"]), escaped(from["tool_commit"]),
+      report["trends"].is_null() ? "" : "<a href=\"#trends\">Claimed trends</a>");
 }
 
 }  // namespace
@@ -86,6 +87,8 @@ std::string html_report(const Json& report, const FigureSet& figures) {
     page += "<p class=\"warning\">Figures are missing or incomplete: " + escaped(figures.problem) +
             ". Install Debian's python3-matplotlib, then run <code>cagetol report DIR</code> "
             "again. The numbers are complete.</p>\n";
+  page += trends_chapter(report);
+  page += response_chapter(report, figures);
   page += limits_chapter(report);
   page += tolerance_chapter(report, figures);
   page += contributors_chapter(report, figures);

@@ -13,6 +13,8 @@ std::string html_report(const Json& report, const FigureSet& figures);
 
 // The chapters, in the order of the page. An empty text: the study has nothing to say there.
 std::string verdict_chapter(const Json& report);
+std::string trends_chapter(const Json& report);
+std::string response_chapter(const Json& report, const FigureSet& figures);
 std::string limits_chapter(const Json& report);
 std::string tolerance_chapter(const Json& report, const FigureSet& figures);
 std::string contributors_chapter(const Json& report, const FigureSet& figures);

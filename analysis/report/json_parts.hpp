@@ -38,6 +38,9 @@ Json health_json(const ReportBasis& basis);
 Json failures_json(const ReportBasis& basis);
 Json worst_samples_json(const ReportBasis& basis);
 Json contributors_json(const ReportBasis& basis);
+/// null where the study makes no claims, or is no grid.
+Json trends_json(const ReportBasis& basis);
+Json response_json(const ReportBasis& basis);
 
 /// Yield curves, binding tests and recommendation, and the verdict drawn from them.
 struct TolerancePart {

@@ -23,6 +23,8 @@ nlohmann::ordered_json make_report(const StudyData& study) {
   report["report_version"] = 1;
   report["verdict"] = std::move(tolerance.verdict);
   report["tolerance"] = std::move(tolerance.tolerance);
+  report["trends"] = trends_json(basis);
+  report["response"] = response_json(basis);
   report["outcomes"] = outcomes_json(basis);
   report["limits"] = limits_json(basis);
   report["contributors"] = contributors_json(basis);

@@ -57,6 +57,8 @@ struct StudyData {
 
   std::vector<InputColumns> inputs;
   std::vector<Column> quantities, run, timing;
+  std::vector<Column> history;  ///< N x history_points values each, row-major; may be absent
+  std::size_t history_points = 0;
 
   std::size_t size() const { return id.size(); }
 };

@@ -40,6 +40,15 @@ struct CorrelationPlan {
   double rho = 0;
 };
 
+/// What a source claims about a quantity between two levels of a dimension.
+struct TrendPlan {
+  std::string claim, quantity, key;
+  double from = 0, to = 0;  ///< lot deviations in the key's unit
+  std::string expected;     ///< rises, falls, level, unclear
+  double by_share = 0, by_value = 0;
+  std::string source;
+};
+
 struct StudyPlan {
   std::string name;
   double cages_per_lot = 1;
@@ -51,6 +60,7 @@ struct StudyPlan {
   std::vector<ToleranceDimensionPlan> dimensions;
   std::vector<CandidatePlan> candidates;
   std::vector<CorrelationPlan> correlations;
+  std::vector<TrendPlan> trends;
   nlohmann::ordered_json scene;  ///< every key of the scene with its nominal value
   nlohmann::ordered_json whole;  ///< the study as stored
 };

@@ -10,7 +10,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/outcome_text.hpp"
 #include "mc/run_history.hpp"
-#include "src/simulate.hpp"
+#include "mc/sample_run.hpp"
 
 namespace cagetol {
 namespace {
@@ -41,16 +41,13 @@ std::string json_text(const StoredSample& stored, const Outcome& outcome,
   return json.dump(2) + "\n";
 }
 
-Outcome run_again(const StoredSample& stored, const std::string& history_file) {
-  SimulateOptions extras;
+SampleRun run_again(const StoredSample& stored, const std::string& history_file) {
   RunHistory history(stored.sample.scene);
-  if (!history_file.empty())
-    extras.on_state = [&history](double t, const double* y, const System& system) {
-      history.record(t, y, system);
-    };
-  const Outcome outcome = simulate(stored.sample.scene, extras);
+  std::function<void(const Instant&)> record;
+  if (!history_file.empty()) record = [&history](const Instant& at) { history.record(at); };
+  const SampleRun again = run_sample(stored.history, stored.sample.scene, {}, record);
   if (!history_file.empty()) history.write(history_file);
-  return outcome;
+  return again;
 }
 
 int run(const Options& options) {
@@ -60,15 +57,15 @@ int run(const Options& options) {
     fmt::print(stderr,
                "cagetol: this sample ended its process during the sweep and may do so now\n");
 
-  const Outcome outcome = run_again(stored, options.history);
+  const SampleRun again = run_again(stored, options.history);
   const auto differences =
       stored.stored
-          ? outcome_differences(*stored.stored, make_stored_outcome(options.sample, outcome, 0, 0))
+          ? outcome_differences(*stored.stored, make_stored_outcome(options.sample, again, 0, 0))
           : std::vector<std::string>{};
   if (options.json)
-    print(json_text(stored, outcome, differences));
+    print(json_text(stored, again.outcome, differences));
   else
-    print(fmt::format("{}{}\n", outcome_table(outcome), verdict(stored, differences)));
+    print(fmt::format("{}{}\n", outcome_table(again.outcome), verdict(stored, differences)));
   return differences.empty() ? kDone : kLimitsNotMet;
 }
 

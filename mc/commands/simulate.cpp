@@ -7,9 +7,9 @@
 #include "mc/commands/outcome_text.hpp"
 #include "mc/run_history.hpp"
 #include "mc/sample.hpp"
+#include "mc/sample_run.hpp"
 #include "mc/study.hpp"
 #include "src/input/input_error.hpp"
-#include "src/simulate.hpp"
 
 namespace cagetol {
 namespace {
@@ -41,13 +41,10 @@ int run(const Options& options) {
                      fmt::format("the study has the samples 0 to {}", sample_count(study) - 1),
                      "choose one of them, or ask for more with --set samples=...");
   const Sample sample = draw_sample(study, options.sample);
-  SimulateOptions extras;
   RunHistory history(sample.scene);
-  if (!options.history.empty())
-    extras.on_state = [&history](double t, const double* y, const System& system) {
-      history.record(t, y, system);
-    };
-  const Outcome outcome = simulate(sample.scene, extras);
+  std::function<void(const Instant&)> record;
+  if (!options.history.empty()) record = [&history](const Instant& at) { history.record(at); };
+  const Outcome outcome = run_sample({}, sample.scene, {}, record).outcome;
   if (!options.history.empty()) history.write(options.history);
   print(options.json ? outcome_json(outcome).dump(2) + "\n"
                      : table_text(study, outcome, options.sample));

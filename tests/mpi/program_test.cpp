@@ -30,6 +30,8 @@ std::vector<std::string> sweep_of(const std::string& study, const std::string& d
           "--set",
           "scene.window.measure_revolutions=0.1",
           "--set",
+          "history.points=25",
+          "--set",
           more};
 }
 

@@ -150,6 +150,12 @@ void write_synthetic_study(const StudyData& study, const std::filesystem::path& 
   write_columns(file, "quantities", study.quantities);
   write_columns(file, "run", study.run);
   write_columns(file, "timing", study.timing);
+  if (study.history_points > 0) {
+    const hid_t history = group(file, "history");
+    for (const Column& channel : study.history)
+      reals(history, channel.name, channel.values, channel.unit, study.history_points);
+    H5Gclose(history);
+  }
   H5Fclose(file);
 }
 

@@ -129,6 +129,22 @@ TEST(Sample, ReplicatesKeepTheRowAndChangeTheNoise) {
   EXPECT_NE(second.inputs[3].noise, third.inputs[3].noise);
 }
 
+TEST(Sample, InAGridEveryRowMeetsTheSameNoiseInItsKthRun) {
+  Study study = base_study();
+  study.inputs.erase(study.inputs.begin() + 1, study.inputs.begin() + 3);
+  study.inputs[0].lot = Uniform{-0.1, 0.1};
+  study.inputs[0].pocket.reset();
+  study.design = "grid";
+  study.grid_levels = {4};
+  study.samples = 4;
+  study.extra_replicates = 2;
+  const Sampler sampler(study);
+  for (std::uint64_t k = 0; k < 3; ++k)
+    EXPECT_EQ(sampler.draw(4 * k).inputs[1].noise, sampler.draw(4 * k + 3).inputs[1].noise);
+  EXPECT_NE(sampler.draw(0).inputs[1].noise, sampler.draw(4).inputs[1].noise);
+  EXPECT_NE(sampler.draw(4).inputs[1].noise, sampler.draw(8).inputs[1].noise);
+}
+
 TEST(Sample, CagesOfALotShareItsDraw) {
   Study study = base_study();
   study.cages_per_lot = 4;

@@ -12,6 +12,7 @@
 namespace cagetol {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -321,6 +322,80 @@ TEST_F(StudyFile, CorrelationsThatContradictEachOther) {
                          pair(width, pitch, "-0.9")),
               HasSubstr("correlation: the correlations contradict each other"));
   EXPECT_THAT(problem_of(text + pair(width, width, "0.9")), HasSubstr("two different inputs"));
+}
+
+/// A grid over pocket length with one trend: `changes` stands below it.
+std::string trend_study(const std::string& changes, const std::string& design = "grid") {
+  return "samples = 5\ndesign = '" + design +
+         "'\ngrid_levels = [5]\n[scene.cage]\npocket_length_mm = { nominal = 9.4, lot = { law = "
+         "'uniform', lower = -0.25, upper = 0.25 } }\n[[trend]]\nclaim = 'slip falls'\nkey = "
+         "'cage.pocket_length_mm'\nsource = 'Fig. 15'\n" +
+         changes;
+}
+
+TEST_F(StudyFile, TrendsAreReadAndComeBackFromTheResolvedStudy) {
+  const Study study = study_of(trend_study(
+      "quantity = 'cage_slip_ratio'\nbetween = [-0.25, 0.125]\nexpected = 'falls'\nby_share = "
+      "0.5\n"));
+  ASSERT_EQ(study.trends.size(), 1u);
+  EXPECT_EQ(study.trends[0].from, -0.25);
+  EXPECT_EQ(study.trends[0].to, 0.125);
+  EXPECT_EQ(study.trends[0].expected, "falls");
+  EXPECT_EQ(study.trends[0].by_share, 0.5);
+  const Study again = read_resolved_study(study.resolved_toml, "study.h5");
+  EXPECT_EQ(again.hash, study.hash);
+  EXPECT_EQ(again.trends[0].source, "Fig. 15");
+}
+
+TEST_F(StudyFile, TrendsThatCannotBeJudgedAreRefused) {
+  const std::string slip = "quantity = 'cage_slip_ratio'\n";
+  const auto problem = [&](const std::string& changes) {
+    return problem_of(trend_study(slip + changes));
+  };
+  EXPECT_THAT(problem("between = [0, 0.2]\nexpected = 'falls'\n"),
+              AllOf(HasSubstr("the grid has no such level of cage.pocket_length_mm"),
+                    HasSubstr("its levels are -0.25, -0.125, 0, 0.125, 0.25")));
+  EXPECT_THAT(problem("between = [0]\nexpected = 'falls'\n"), HasSubstr("expected two deviations"));
+  EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'sinks'\n"),
+              AllOf(HasSubstr("study.toml:12: trend.expected"), HasSubstr("nearest: rises")));
+  EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'level'\n"),
+              HasSubstr("how small a change counts as none"));
+  EXPECT_THAT(problem("between = [0, 0.25]\n"), HasSubstr("trend.expected"));
+  EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'falls'\nby_shares = 1\n"),
+              HasSubstr("did you mean trend.by_share?"));
+  EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'falls'\nby_share = 1\nby_value = 1\n"),
+              HasSubstr("both given"));
+  EXPECT_THAT(problem_of(trend_study(slip, "random")), HasSubstr("this design has none"));
+}
+
+TEST_F(StudyFile, TrendOnAnUnknownQuantityIsNoted) {
+  const Study study =
+      study_of(trend_study("quantity = 'beauty'\nbetween = [0, 0.25]\nexpected = 'rises'\n"));
+  EXPECT_THAT(study_notes(study), testing::Contains(HasSubstr("trend on beauty")));
+}
+
+TEST_F(StudyFile, HistoriesNeedARollerOfTheBearing) {
+  EXPECT_EQ(study_of("samples = 1\n").history.points, 0);
+  EXPECT_EQ(study_of("samples = 1\nhistory.points = 7\nhistory.roller = 12\n").history.roller, 12);
+  EXPECT_THAT(
+      problem_of("samples = 1\nhistory.roller = 13\n"),
+      AllOf(HasSubstr("study.toml:2: history.roller = 13"), HasSubstr("the rollers 0 to 12")));
+}
+
+TEST(ShippedStudies, OfThePaperHaveItsLevelsAndOneSwitch) {
+  for (const char* name : {"paper-length", "paper-length-tight", "paper-width"}) {
+    const Study study =
+        read_study(std::string(CAGETOL_SOURCE_DIR) + "/inputs/studies/" + name + ".toml");
+    EXPECT_EQ(study.samples, 10);
+    EXPECT_EQ(sample_count(study), 160u);
+    EXPECT_GT(study.trends.size(), 8u);
+    const Sampler sampler(study);
+    const Sample square = sampler.draw(0), skewed = sampler.draw(9);
+    EXPECT_EQ(square.scene.bearing.misalignment_z, 0);
+    EXPECT_EQ(square.scene.cage.pocket_squareness[12], 0);
+    EXPECT_NEAR(skewed.scene.bearing.misalignment_z, 2e-3, 1e-15);
+    EXPECT_NEAR(skewed.scene.cage.pocket_squareness[12], 1e-3, 1e-15);
+  }
 }
 
 TEST_F(StudyFile, NotesSayWhatToKnow) {

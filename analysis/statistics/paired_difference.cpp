@@ -1,0 +1,45 @@
+#include "analysis/statistics/paired_difference.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <cmath>
+#include <vector>
+
+namespace cagetol {
+
+PairedDifference paired_difference(std::span<const double> first, std::span<const double> second,
+                                   double confidence) {
+  PairedDifference result;
+  std::vector<double> differences;
+  double first_sum = 0, second_sum = 0;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    if (std::isnan(first[k]) || std::isnan(second[k])) continue;
+    differences.push_back(second[k] - first[k]);
+    first_sum += first[k];
+    second_sum += second[k];
+  }
+  result.pairs = differences.size();
+  result.missing = first.size() - result.pairs;
+  if (result.pairs == 0) return result;
+  const auto count = static_cast<double>(result.pairs);
+  result.first_mean = first_sum / count;
+  result.second_mean = second_sum / count;
+  double sum = 0;
+  result.identical = true;
+  for (const double d : differences) {
+    sum += d;
+    result.identical = result.identical && d == 0;
+  }
+  Estimate& mean = result.difference;
+  mean.value = sum / count;
+  if (result.pairs < 2) return result;
+  double squares = 0;
+  for (const double d : differences) squares += (d - mean.value) * (d - mean.value);
+  const double half = gsl_cdf_tdist_Pinv(0.5 * (1 + confidence), count - 1) *
+                      std::sqrt(squares / (count - 1) / count);
+  mean.lower = mean.value - half;
+  mean.upper = mean.value + half;
+  return result;
+}
+
+}  // namespace cagetol

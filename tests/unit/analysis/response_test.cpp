@@ -1,0 +1,130 @@
+// Trends and responses of a grid in report.json and on the page.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "analysis/report/report.hpp"
+#include "analysis/response/grid_cells.hpp"
+#include "tests/support/synthetic_grid.hpp"
+#include "tests/support/synthetic_study.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(GridCells, SortRunsByLevelAndSetting) {
+  const auto cells = grid_cells(make_synthetic_grid(3), "cage.pocket_length_mm");
+  ASSERT_TRUE(cells);
+  EXPECT_THAT(cells->levels, ElementsAre(-0.25, -0.125, 0, 0.125, 0.25));
+  EXPECT_THAT(cells->settings, ElementsAre("misalignment z 0 mrad", "misalignment z 2 mrad"));
+  EXPECT_THAT(cells->samples(1, 4), ElementsAre(9, 19, 29));
+  EXPECT_EQ(cells->find_level(-0.125 + 1e-13), 1u);
+  EXPECT_FALSE(cells->find_level(-0.1));
+}
+
+TEST(GridCells, AreNothingWithoutAGridOrALevel) {
+  StudyData study = make_synthetic_grid(1);
+  EXPECT_FALSE(grid_cells(study, "cage.pocket_width_mm"));
+  study.design.kind = "random";
+  EXPECT_FALSE(grid_cells(study, "cage.pocket_length_mm"));
+}
+
+TEST(Trends, KnownDifferencesAreFoundAndNoiseIsNot) {
+  const auto rows = make_report(make_synthetic_grid()).at("trends").at("rows");
+  ASSERT_EQ(rows.size(), 4u);
+  const auto aligned = [&](std::size_t row) { return rows[row].at("settings").at(0); };
+  const auto misaligned = [&](std::size_t row) { return rows[row].at("settings").at(1); };
+  // Slip falls by 4 per mm where misaligned; aligned runs that start alike are identical.
+  EXPECT_EQ(misaligned(0).at("verdict"), "agrees");
+  EXPECT_NEAR(misaligned(0).at("difference").at("value").get<double>(), -1, 0.1);
+  EXPECT_LT(misaligned(0).at("difference").at("upper").get<double>(), -0.9);
+  EXPECT_EQ(aligned(0).at("verdict"), "disagrees");
+  EXPECT_EQ(aligned(0).at("identical"), true);
+  // The orbit is noise of +-1 about 5: within +-2.5 it is level.
+  EXPECT_EQ(misaligned(1).at("verdict"), "agrees");
+  EXPECT_EQ(misaligned(1).at("pairs"), 15);
+  EXPECT_EQ(misaligned(1).at("pairs_without_value"), 1);
+  EXPECT_EQ(misaligned(2).at("verdict"), "no values");
+  EXPECT_EQ(misaligned(3).at("verdict"), "no claim");
+  EXPECT_EQ(misaligned(3).at("reason"), "it falls");
+}
+
+TEST(Trends, AreUndecidedWhenNoiseDominates) {
+  StudyData study = make_synthetic_grid(4);
+  study.plan.trends[1].by_share = 0.05;
+  const auto rows = make_report(study).at("trends").at("rows");
+  EXPECT_EQ(rows[1].at("settings").at(0).at("verdict"), "undecided");
+}
+
+TEST(Response, HoldsBandsOverTheRunsOfEachCell) {
+  const auto response = make_report(make_synthetic_grid()).at("response");
+  EXPECT_EQ(response.at("name"), "pocket length");
+  const auto& slip = response.at("quantities").at(0);
+  EXPECT_EQ(slip.at("quantity"), "slip");
+  const auto& cell = slip.at("cells").at(1).at(4);
+  EXPECT_EQ(cell.at("runs"), 15);
+  EXPECT_NEAR(cell.at("median").get<double>(), 1, 0.15);
+  EXPECT_LT(cell.at("low"), cell.at("median"));
+  EXPECT_LT(cell.at("median"), cell.at("high"));
+  const auto& history = response.at("history");
+  EXPECT_EQ(history.at("absent"), nlohmann::json({"cage_stress"}));
+  EXPECT_THAT(history.at("shown_levels"), ElementsAre(0, 2, 4));
+  EXPECT_EQ(history.at("time_ms").size(), 20u);
+  // The path of the cage has the radius of its level.
+  const auto& run = history.at("orbits").at(0).at("cells").at(0).at(4).at(0);
+  EXPECT_NEAR(std::hypot(run.at("y").at(3).get<double>(), run.at("z").at(3).get<double>()), 12.5,
+              1e-3);
+  EXPECT_TRUE(make_report(make_synthetic_study({.rows = 50})).at("response").is_null());
+}
+
+class ResponsePage : public testing::Test {
+ protected:
+  std::string page_of(const StudyData& study) {
+    std::filesystem::create_directories(directory_);
+    write_synthetic_study(study, directory_ / "study.h5");
+    testing::internal::CaptureStdout();
+    run_report(directory_);
+    testing::internal::GetCapturedStdout();
+    std::ifstream stream(directory_ / "report.html");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
+  std::filesystem::path directory_ = std::filesystem::path(testing::TempDir()) / "response_page";
+};
+
+TEST_F(ResponsePage, ShowsTrendsCurvesAndWhatIsAbsent) {
+  const std::string html = page_of(make_synthetic_grid());
+  EXPECT_THAT(html, HasSubstr("What the source claims, and what these runs show"));
+  EXPECT_THAT(html, HasSubstr("With misalignment z 2 mrad"));
+  EXPECT_THAT(html, HasSubstr("rises, by at least 100 %"));
+  EXPECT_THAT(html, HasSubstr("The cage of these runs is rigid, so there are no stresses"));
+  EXPECT_THAT(html, HasSubstr("alt=\"orbit_cage\""));
+  EXPECT_THAT(html, HasSubstr("alt=\"response_quantities\""));
+  EXPECT_THAT(html, Not(HasSubstr("alt=\"response_cage_stress\"")));
+  EXPECT_THAT(html, Not(HasSubstr("Figures are missing")));
+}
+
+TEST_F(ResponsePage, DrawsStressWhereItHasNumbers) {
+  StudyData study = make_synthetic_grid(2);
+  for (double& value : study.history[1].values) value = 30;
+  const std::string html = page_of(study);
+  EXPECT_THAT(html, HasSubstr("alt=\"response_cage_stress\""));
+  EXPECT_THAT(html, Not(HasSubstr("no stresses")));
+}
+
+TEST_F(ResponsePage, WorksWithoutHistories) {
+  const std::string html = page_of(make_synthetic_grid(2, 0));
+  EXPECT_THAT(html, HasSubstr("The study keeps no time histories"));
+  EXPECT_THAT(html, HasSubstr("alt=\"response_quantities\""));
+}
+
+}  // namespace
+}  // namespace cagetol
