@@ -18,6 +18,7 @@ constexpr const char* kExamples =
     "  cagetol check inputs/studies/nu205.toml\n"
     "  cagetol simulate inputs/scenes/nu205.toml --json\n"
     "  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
+    "  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
     "  cagetol replay out/nu205 --sample 17\n"
     "  cagetol --dump-default scene";
 
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
   add_check_command(app, chosen);
   add_simulate_command(app, chosen);
   add_sweep_command(app, chosen);
+  add_recommend_command(app, chosen);
   add_replay_command(app, chosen);
   add_report_command(app, chosen);
   add_dump_default_option(app, chosen);
