@@ -12,7 +12,8 @@
 namespace {
 
 constexpr const char* kExamples =
-    "Exit codes: 0 done, 1 limits not met where asked to judge, 2 bad input, 3 samples failed\n"
+    "Exit codes: 0 done, 1 limits not met or changed where asked to judge, 2 bad input, 3 samples "
+    "failed\n"
     "beyond the allowed share, 75 interrupted: start the same command again to go on.\n\n"
     "Examples:\n"
     "  cagetol check inputs/studies/nu205.toml\n"
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   add_recommend_command(app, chosen);
   add_replay_command(app, chosen);
   add_report_command(app, chosen);
+  add_compare_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
   try {

@@ -86,6 +86,7 @@ std::string html_report(const Json& report, const FigureSet& figures) {
     page += "<p class=\"warning\">Figures are missing or incomplete: " + escaped(figures.problem) +
             ". Install Debian's python3-matplotlib, then run <code>cagetol report DIR</code> "
             "again. The numbers are complete.</p>\n";
+  page += confirmation_chapter(report);
   page += limits_chapter(report);
   page += tolerance_chapter(report, figures);
   page += contributors_chapter(report, figures);

@@ -14,6 +14,7 @@ std::string html_report(const Json& report, const FigureSet& figures);
 // The chapters, in the order of the page. An empty text: the study has nothing to say there.
 std::string verdict_chapter(const Json& report);
 std::string limits_chapter(const Json& report);
+std::string confirmation_chapter(const Json& report);
 std::string tolerance_chapter(const Json& report, const FigureSet& figures);
 std::string contributors_chapter(const Json& report, const FigureSet& figures);
 std::string quantities_chapter(const Json& report, const FigureSet& figures);
@@ -22,5 +23,8 @@ std::string failures_chapter(const Json& report);
 std::string convergence_chapter(const Json& report, const FigureSet& figures);
 std::string health_chapter(const Json& report, const FigureSet& figures);
 std::string provenance_chapter(const Json& report);
+
+/// Part of the tolerance chapter.
+std::string centres_section(const Json& tolerance, const FigureSet& figures);
 
 }  // namespace cagetol
