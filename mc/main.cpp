@@ -12,9 +12,9 @@
 namespace {
 
 constexpr const char* kExamples =
-    "Exit codes: 0 done, 1 limits not met or changed where asked to judge, 2 bad input, 3 samples "
-    "failed\n"
-    "beyond the allowed share, 75 interrupted: start the same command again to go on.\n\n"
+    "Exit codes: 0 done, 1 limits not met (compare: changed) where asked to judge, 2 bad input,\n"
+    "3 samples failed beyond the allowed share, 75 interrupted: start the same command again to\n"
+    "go on.\n\n"
     "Examples:\n"
     "  cagetol check inputs/studies/nu205.toml\n"
     "  cagetol simulate inputs/scenes/nu205.toml --json\n"

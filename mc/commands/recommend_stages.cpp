@@ -14,6 +14,7 @@
 #include "mc/signals.hpp"
 #include "mc/sweep.hpp"
 #include "src/input/input_error.hpp"
+#include "src/input/unit.hpp"
 
 namespace cagetol {
 namespace {
