@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/study/study_file_error.hpp"
@@ -33,6 +34,11 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
           {"passed", result.passed}};
 }
 
+/// A bound is rounded to its safe side.
+std::string percent_down(double share) {
+  return fmt::format("{:.1f} %", std::floor(1000 * share) / 10);
+}
+
 std::string statement(const Json& attempt, const Json& not_binding, const StudyPlan& plan,
                       std::size_t attempts) {
   std::string bands, free;
@@ -53,10 +59,11 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
   std::string text;
   if (attempt["passed"].get<bool>())
     text = fmt::format(
-        "Confirmed: {}, full width of the tolerance. {}: with {:.6g} % confidence at least {:.6g} "
-        "% of the cages do; the target is {:.6g} %.",
-        bands.empty() ? "no tolerance studied limits the yield" : bands, counted,
-        100 * plan.confidence, 100 * attempt["yield"]["lower_bound"].get<double>(),
+        "Confirmed{}. {}: with {:.6g} % confidence at least {} "
+        "of the cages do; the target is {:.6g} %.",
+        bands.empty() ? ", though no tolerance studied limits the yield"
+                      : ": " + bands + ", full width of the tolerance",
+        counted, 100 * plan.confidence, percent_down(attempt["yield"]["lower_bound"].get<double>()),
         100 * plan.target_yield);
   else
     text = fmt::format(

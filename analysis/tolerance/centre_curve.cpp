@@ -5,7 +5,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kStep = 1.0 / 8;  ///< of the band
+constexpr double kStep = 1.0 / 32;  ///< of the band
 constexpr int kCurveSteps = 4, kMapSteps = 2;
 
 double units_per_mm(const StudyData& runs, const std::string& key) {
