@@ -23,8 +23,8 @@ struct CentreCurves {
   std::vector<CentreYield> map;                      ///< the first two moved together
 };
 
-/// At tolerances of these widths, in steps of 1/32 of each band, up to an eighth. Throws Refused where a law
-/// has no density.
+/// At tolerances of these widths, in steps of 1/32 of each band, up to an eighth. Throws Refused
+/// where a law has no density.
 CentreCurves centre_curves(const StudyData& runs, const MixtureWeights& mixture,
                            const std::vector<double>& bands_mm, const std::vector<Judgement>& joint,
                            const Resampling& resampling, double confidence);
