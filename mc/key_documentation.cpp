@@ -80,8 +80,12 @@ std::string key_documentation() {
   text += "| `scene.file` | - | none | a path | scene file on which the study builds |\n";
   text += "\n### `[[limit]]`: what a cage must meet\n\n" +
           list_rows(limit_keys(), "`quantity`, `source` and one of `min` and `max` must be given.");
-  text += "\n### `[[tolerance.dimension]]`: a tolerance in question\n\n" +
-          list_rows(dimension_keys(), "All must be given.");
+  text +=
+      "\n### `[[tolerance.dimension]]`: a tolerance in question\n\n" +
+      list_rows(dimension_keys(),
+                "`key`, `band_mm` and `candidates` must be given. Costs: for every dimension or "
+                "for none; then the cheapest tolerance that meets the target is chosen instead "
+                "of the widest.");
   text += "\n### `[[correlation]]`: inputs that deviate together\n\n" +
           list_rows(correlation_keys(), "Both must be given.");
   text += "\n### `[[trend]]`: what a source claims about the levels of a grid\n\n" +

@@ -12,12 +12,14 @@
 namespace {
 
 constexpr const char* kExamples =
-    "Exit codes: 0 done, 1 limits not met where asked to judge, 2 bad input, 3 samples failed\n"
-    "beyond the allowed share, 75 interrupted: start the same command again to go on.\n\n"
+    "Exit codes: 0 done, 1 limits not met (compare: changed) where asked to judge, 2 bad input,\n"
+    "3 samples failed beyond the allowed share, 75 interrupted: start the same command again to\n"
+    "go on.\n\n"
     "Examples:\n"
     "  cagetol check inputs/studies/nu205.toml\n"
     "  cagetol simulate inputs/scenes/nu205.toml --json\n"
     "  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
+    "  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
     "  cagetol replay out/nu205 --sample 17\n"
     "  cagetol cage inputs/scenes/nu205.toml\n"
     "  cagetol --dump-default scene";
@@ -35,9 +37,11 @@ int main(int argc, char** argv) {
   add_check_command(app, chosen);
   add_simulate_command(app, chosen);
   add_sweep_command(app, chosen);
+  add_recommend_command(app, chosen);
   add_replay_command(app, chosen);
   add_report_command(app, chosen);
   add_cage_command(app, chosen);
+  add_compare_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
   try {

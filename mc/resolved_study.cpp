@@ -39,6 +39,18 @@ toml::table limit_table(const Limit& limit) {
   return table;
 }
 
+void insert_cost(const CostCurve& cost, toml::table& table) {
+  if (cost.table.empty()) {
+    table.insert("cost_a", cost.a);
+    table.insert("cost_b", cost.b);
+    table.insert("cost_k", cost.k);
+    return;
+  }
+  toml::array points;
+  for (const auto& [band, value] : cost.table) points.push_back(toml::array{band, value});
+  table.insert("cost_table", std::move(points));
+}
+
 toml::table dimension_table(const ToleranceDimension& dimension) {
   toml::table table;
   table.insert("key", dimension.key);
@@ -51,6 +63,7 @@ toml::table dimension_table(const ToleranceDimension& dimension) {
       candidates.push_back(std::stod(name));
   }
   table.insert("candidates", std::move(candidates));
+  if (dimension.cost) insert_cost(*dimension.cost, table);
   return table;
 }
 

@@ -136,6 +136,13 @@ Study read_resolved_study(const std::string& resolved_toml, const std::string& n
   return study_of(root, name);
 }
 
+Study changed_study(Study study, const std::function<void(Study&)>& change) {
+  change(study);
+  std::ostringstream text;
+  text << toml::toml_formatter(resolved_table(study)) << '\n';
+  return read_resolved_study(text.str(), study.name);
+}
+
 std::vector<std::string> study_notes(const Study& study) {
   std::vector<std::string> notes;
   const auto& window = study.scene.window;

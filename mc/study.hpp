@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,10 +35,27 @@ struct Limit {
   double cage_revolutions = 0;             ///< of the window it is meant for; 0: not stated
 };
 
+/// What a tolerance costs, in any one currency: a + b / band^k (band in mm), or the straight lines
+/// through a table.
+struct CostCurve {
+  double a = 0, b = 0, k = 1;
+  std::vector<std::pair<double, double>> table;  ///< band in mm and cost, bands ascending; or empty
+};
+
 struct ToleranceDimension {
   std::string key;
   double band_mm = 0;                   ///< full width to which the laws of the study belong
   std::vector<std::string> candidates;  ///< "IT9", or a band in mm
+  std::optional<CostCurve> cost;
+};
+
+/// How `cagetol recommend` goes about it: pilot, mixture of all candidates, confirmations.
+struct RecommendPlan {
+  long pilot_samples = 128;
+  long attempts = 2;         ///< confirmations at most, planned beforehand
+  long confirm_samples = 0;  ///< most runs of one confirmation; 0: chosen
+  long budget_samples = 0;   ///< runs of all stages together; 0: no budget
+  double budget_time = 0;    ///< wall-clock time of all stages together, s; 0: no budget
 };
 
 struct TolerancePlan {
@@ -95,6 +113,7 @@ struct Study {
   TolerancePlan tolerance;
   HistoryPlan history;
   std::vector<Trend> trends;
+  RecommendPlan recommend;
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;
   std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash
@@ -113,6 +132,9 @@ Study read_study(const std::string& path, const std::vector<std::string>& settin
 /// Reads a study from its resolved text (Study::resolved_toml): gives the same study with the same
 /// hash.
 Study read_resolved_study(const std::string& resolved_toml, const std::string& name);
+
+/// The study after `change`, which may touch all that its text says; resolved and hashed anew.
+Study changed_study(Study study, const std::function<void(Study&)>& change);
 
 /// What a user should know before a sweep, though nothing is wrong: "limit ... is for 6 cage
 /// revolutions, the window has 2".

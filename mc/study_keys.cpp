@@ -20,6 +20,11 @@ const KeyTable<Study>& study_keys() {
       {"tolerance.confidence", above(0, 0.999999), AT(tolerance.confidence), "confidence of the bounds"},
       {"history.points", within(0, 10000), AT(history.points), "instants of the time history that is stored of each sample, equally spaced up to the end of the window; 0: no histories"},
       {"history.roller", at_least(0), AT(history.roller), "roller whose spin the histories hold, from 0"},
+      {"recommend.pilot_samples", within(32, 1e9), AT(recommend.pilot_samples), "rows of the pilot, which measures run time and noise"},
+      {"recommend.attempts", within(1, 100), AT(recommend.attempts), "confirmations at most; each has the share 1 / attempts of the error that the confidence leaves"},
+      {"recommend.confirm_samples", within(0, 1e9), AT(recommend.confirm_samples), "most runs of one confirmation; 0: half of a budget over the attempts; without one as many as `samples`, and twice as many as can confirm at all"},
+      {"recommend.budget_samples", within(0, 1e9), AT(recommend.budget_samples), "runs of all stages together; 0: the mixture has `samples` rows"},
+      {"recommend.budget_h", at_least(0), AT(recommend.budget_time), "wall-clock time of all stages together, by the pilot's time of a run; 0: no such budget"},
   };
   return keys;
 }
@@ -41,6 +46,10 @@ const std::vector<KeyInfo>& dimension_keys() {
       {"tolerance.dimension.key", any_value(), "uncertain scene key, a length, whose tolerance is asked for", KeyKind::text},
       {"tolerance.dimension.band_mm", above(0), "full width of the tolerance band to which the study's laws belong", KeyKind::number},
       {"tolerance.dimension.candidates", any_value(), "array of candidate bands: ISO 286 grades (\"IT9\") or full widths in mm", KeyKind::numbers},
+      {"tolerance.dimension.cost_a", at_least(0), "cost of a band = cost_a + cost_b / band^cost_k, band in mm, in any one currency", KeyKind::number},
+      {"tolerance.dimension.cost_b", at_least(0), "see cost_a", KeyKind::number},
+      {"tolerance.dimension.cost_k", above(0), "see cost_a; left out: 1", KeyKind::number},
+      {"tolerance.dimension.cost_table", any_value(), "instead of cost_a and cost_b: array of [band in mm, cost], straight lines between them", KeyKind::numbers},
   };
   return keys;
 }

@@ -80,11 +80,74 @@ std::vector<std::string> candidate_names(const toml::node* node, const toml::tab
   return names;
 }
 
+std::vector<std::pair<double, double>> cost_table(const toml::node& node, const std::string& file) {
+  std::vector<std::pair<double, double>> table;
+  const auto* rows = node.as_array();
+  for (std::size_t i = 0; rows && i < rows->size(); ++i) {
+    const auto* row = (*rows)[i].as_array();
+    const auto band = row && row->size() == 2 ? (*row)[0].value<double>() : std::nullopt;
+    const auto cost = row && row->size() == 2 ? (*row)[1].value<double>() : std::nullopt;
+    if (!band || !cost || !(*band > 0) || !(*cost >= 0) || !std::isfinite(*band + *cost) ||
+        (!table.empty() && *band <= table.back().first)) {
+      table.clear();
+      break;
+    }
+    table.emplace_back(*band, *cost);
+  }
+  if (table.size() < 2)
+    throw InputError(place_of(node, file), "tolerance.dimension.cost_table", shown(node),
+                     "this is no table of costs",
+                     "give two or more [band in mm, cost], bands above 0 and ascending: "
+                     "[[0.036, 9.5], [0.09, 4.0]]");
+  return table;
+}
+
+std::optional<CostCurve> read_cost(const toml::table& entry, const std::string& file) {
+  CostCurve cost;
+  const auto read = [&](const char* name, double& value) {
+    const auto* node = entry.get(name);
+    if (node)
+      value = number_value(info_of(dimension_keys(), std::string("tolerance.dimension.") + name),
+                           *node, file);
+    return node != nullptr;
+  };
+  const bool a = read("cost_a", cost.a), b = read("cost_b", cost.b), k = read("cost_k", cost.k);
+  const auto* table = entry.get("cost_table");
+  if (!a && !b && !k && !table) return std::nullopt;
+  if (table && (a || b || k))
+    throw InputError(place_of(*table, file), "tolerance.dimension.cost_table", shown(*table),
+                     "the cost is given twice, by a formula and by a table", "keep one of them");
+  if (!table && !b)
+    throw InputError(place_of(entry, file), "tolerance.dimension", shown(entry),
+                     "cost_b is missing: the cost would not depend on the tolerance",
+                     "add cost_b = ..., or leave out cost_a and cost_k");
+  if (table) cost.table = cost_table(*table, file);
+  return cost;
+}
+
 // A nominal size in mm, whatever unit of length its key has.
 double nominal_mm(const UncertainInput& input) {
   const double mean = std::accumulate(input.nominal.begin(), input.nominal.end(), 0.0) /
                       static_cast<double>(input.nominal.size());
   return from_si(to_si(mean, unit_of(input.key).to_si), 1e-3);
+}
+
+// A table of costs says nothing beyond its ends.
+void check_costs(const std::vector<ToleranceDimension>& dimensions,
+                 const std::vector<Candidate>& candidates, const SourcePlace& place) {
+  for (std::size_t d = 0; d < dimensions.size(); ++d)
+    for (const Candidate& candidate : candidates) {
+      if (!dimensions[d].cost || dimensions[d].cost->table.empty()) break;
+      const auto& table = dimensions[d].cost->table;
+      const double band = candidate.bands_mm[d];
+      if (band < table.front().first || band > table.back().first)
+        throw InputError(place, "tolerance.dimension.cost_table", number_text(band),
+                         "the candidate band of " + dimensions[d].key + " of " + number_text(band) +
+                             " mm lies outside the table of costs, " +
+                             number_text(table.front().first) + " to " +
+                             number_text(table.back().first) + " mm",
+                         "extend the table, or leave the candidate out");
+    }
 }
 
 }  // namespace
@@ -127,6 +190,11 @@ std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const s
         throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
                          "this key has a tolerance.dimension already", "join the two");
     dimension.candidates = candidate_names(entry->get("candidates"), *entry, file);
+    dimension.cost = read_cost(*entry, file);
+    if (!dimensions.empty() && dimension.cost.has_value() != dimensions.front().cost.has_value())
+      throw InputError(place_of(*entry, file), "tolerance.dimension", shown(*entry),
+                       "one dimension has a cost and another has none: no total can be compared",
+                       "give every dimension a cost, or none");
     dimensions.push_back(std::move(dimension));
   }
   return dimensions;
@@ -167,6 +235,7 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
       }
     candidates = std::move(longer);
   }
+  check_costs(dimensions, candidates, place);
   return candidates;
 }
 

@@ -12,11 +12,8 @@
 
 #include "mc/alone.hpp"
 #include "mc/hand_out.hpp"
-#include "mc/journal.hpp"
 #include "mc/signals.hpp"
 #include "mc/study_file.hpp"
-#include "mc/sweep_directory.hpp"
-#include "mc/team.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {
@@ -207,14 +204,11 @@ int Leader::conclude(const WorkList::State& state, bool written) const {
   return kDone;
 }
 
-/// What went wrong before the first sample, if anything.
-struct Problem {
-  std::string text;
-  int code = kDone;
-};
+}  // namespace
 
+/// What went wrong before the first sample, if anything.
 template <class Work>
-Problem problem_of(Work work) {
+Sweep::Problem Sweep::problem_of(Work work) {
   try {
     work();
     return {};
@@ -227,7 +221,7 @@ Problem problem_of(Work work) {
 
 /// The exit code that all ranks agree on: kDone when none has a problem. The first rank that has
 /// one prints it.
-int agreed(const Team& team, const Problem& problem) {
+int Sweep::agreed(const Team& team, const Problem& problem) {
   const bool well = problem.code == kDone;
   const int first = team.smallest(well ? INT_MAX : team.rank());
   if (first == team.rank() && !well) fmt::print(stderr, "cagetol: {}\n", problem.text);
@@ -235,50 +229,53 @@ int agreed(const Team& team, const Problem& problem) {
   return code == INT_MAX ? kDone : code;
 }
 
-}  // namespace
+void Sweep::open_journal() {
+  journal_ =
+      std::make_unique<Journal>(journal_directory(options_.directory),
+                                JournalHeader{plan_.study.hash, build_id(build_), launch_.rank});
+}
 
-int run_sweep(const std::function<SweepPlan()>& make_plan, const SweepOptions& options) {
-  const Launch launch = launch_from_environment();
-  const SignalWatch signals;
-  const BuildInfo build = build_info();
-  const bool leads = launch.rank == 0;
-  SweepPlan plan;
-  std::unique_ptr<SweepDirectory> directory;
-  std::unique_ptr<Journal> journal;
-  const auto open_journal = [&] {
-    journal =
-        std::make_unique<Journal>(journal_directory(options.directory),
-                                  JournalHeader{plan.study.hash, build_id(build), launch.rank});
-  };
-
-  // Suspects run before MPI starts: a process with MPI must not fork.
-  Problem problem = problem_of([&] {
-    plan = make_plan();
-    if (!leads) return;
-    directory = std::make_unique<SweepDirectory>(options.directory, plan.study, build);
-    for (const std::string& note : directory->stored().notes) spdlog::warn("{}", note);
+void Sweep::prepare(const std::function<SweepPlan()>& make_plan, bool mpi_runs) {
+  problem_ = problem_of([&] {
+    plan_ = make_plan();
+    if (launch_.rank != 0) return;
+    directory_ = std::make_unique<SweepDirectory>(options_.directory, plan_.study, build_);
+    for (const std::string& note : directory_->stored().notes) spdlog::warn("{}", note);
     open_journal();
-    for (const StoredOutcome& outcome : directory->only_in_study_file()) journal->finished(outcome);
-    run_suspects(plan, directory->stored(), *journal);
+    for (const StoredOutcome& outcome : directory_->only_in_study_file())
+      journal_->finished(outcome);
+    if (!mpi_runs) run_suspects(plan_, directory_->stored(), *journal_);
   });
-  const Team team(launch);
-  if (const int code = agreed(team, problem)) return leads ? code : 0;
-  problem = problem_of([&] {
+}
+
+int Sweep::run(const Team& team) {
+  const bool leads = launch_.rank == 0;
+  if (const int code = agreed(team, problem_)) return leads ? code : 0;
+  problem_ = problem_of([&] {
     if (!leads) open_journal();
   });
-  if (const int code = agreed(team, problem)) return leads ? code : 0;
+  if (const int code = agreed(team, problem_)) return leads ? code : 0;
 
   const RunSample run = [&](std::uint64_t id) {
-    return run_with_journal(plan, *journal, id, launch.rank);
+    return run_with_journal(plan_, *journal_, id, launch_.rank);
   };
   int code = 0;
   if (leads) {
-    code = Leader(plan, options, build).lead(team, *journal, run);
+    code = Leader(plan_, options_, build_).lead(team, *journal_, run);
   } else if (!work_in_team(team, run)) {
     ::_exit(kStartAgain);
   }
   team.meet();
   return code;
+}
+
+int run_sweep(const std::function<SweepPlan()>& make_plan, const SweepOptions& options) {
+  const Launch launch = launch_from_environment();
+  const SignalWatch signals;
+  Sweep sweep(launch, options);
+  sweep.prepare(make_plan, false);
+  const Team team(launch);
+  return sweep.run(team);
 }
 
 }  // namespace cagetol

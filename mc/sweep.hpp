@@ -3,10 +3,15 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "mc/build_info.hpp"
+#include "mc/journal.hpp"
 #include "mc/progress.hpp"
+#include "mc/sweep_directory.hpp"
 #include "mc/sweep_plan.hpp"
+#include "mc/team.hpp"
 
 namespace cagetol {
 
@@ -21,5 +26,37 @@ struct SweepOptions {
 /// the study allows, 75 interrupted: start again to go on. Problems are printed by one rank only.
 /// May end the process itself with 75 when a signal leaves no time for an orderly end.
 int run_sweep(const std::function<SweepPlan()>& make_plan, const SweepOptions& options);
+
+/// One sweep in two steps, for programs that run several below one MPI; run_sweep does both. A
+/// SignalWatch must live around it.
+class Sweep {
+ public:
+  Sweep(const Launch& launch, const SweepOptions& options) : launch_(launch), options_(options) {}
+
+  /// Reads the study and, on rank 0, opens the directory. Samples that were lost again and again
+  /// run alone here, which needs a process without MPI: with `mpi_runs` they stay open. Problems
+  /// are kept for run().
+  void prepare(const std::function<SweepPlan()>& make_plan, bool mpi_runs);
+  /// Every rank calls it. Returns and ends as run_sweep does.
+  int run(const Team& team);
+
+ private:
+  struct Problem {
+    std::string text;
+    int code = 0;
+  };
+  template <class Work>
+  static Problem problem_of(Work work);
+  static int agreed(const Team& team, const Problem& problem);
+  void open_journal();
+
+  Launch launch_;
+  SweepOptions options_;
+  BuildInfo build_ = build_info();
+  SweepPlan plan_;
+  std::unique_ptr<SweepDirectory> directory_;
+  std::unique_ptr<Journal> journal_;
+  Problem problem_;
+};
 
 }  // namespace cagetol

@@ -17,6 +17,7 @@ def main(report_file, output_dir):
     matplotlib.use("svg")
     import matplotlib.pyplot as plt
     plt.style.use(str(here / "cagetol.mplstyle"))
+    import centres
     import contributors
     import quantities
     import response
@@ -24,6 +25,7 @@ def main(report_file, output_dir):
 
     figures = {
         "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
+        "centre_curves": centres.centre_curves, "centre_map": centres.centre_map,
         "limited_quantities": quantities.limited_quantities, "other_quantities": quantities.other_quantities,
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,

@@ -89,6 +89,7 @@ std::string html_report(const Json& report, const FigureSet& figures) {
             "again. The numbers are complete.</p>\n";
   page += trends_chapter(report);
   page += response_chapter(report, figures);
+  page += confirmation_chapter(report);
   page += limits_chapter(report);
   page += tolerance_chapter(report, figures);
   page += contributors_chapter(report, figures);

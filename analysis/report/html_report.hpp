@@ -16,6 +16,7 @@ std::string verdict_chapter(const Json& report);
 std::string trends_chapter(const Json& report);
 std::string response_chapter(const Json& report, const FigureSet& figures);
 std::string limits_chapter(const Json& report);
+std::string confirmation_chapter(const Json& report);
 std::string tolerance_chapter(const Json& report, const FigureSet& figures);
 std::string contributors_chapter(const Json& report, const FigureSet& figures);
 std::string quantities_chapter(const Json& report, const FigureSet& figures);
@@ -24,5 +25,8 @@ std::string failures_chapter(const Json& report);
 std::string convergence_chapter(const Json& report, const FigureSet& figures);
 std::string health_chapter(const Json& report, const FigureSet& figures);
 std::string provenance_chapter(const Json& report);
+
+/// Part of the tolerance chapter.
+std::string centres_section(const Json& tolerance, const FigureSet& figures);
 
 }  // namespace cagetol

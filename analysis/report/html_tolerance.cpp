@@ -130,6 +130,7 @@ std::string tolerance_chapter(const Json& report, const FigureSet& figures) {
   if (!tolerance["note"].get<std::string>().empty())
     body += "<p class=\"warning\">" + escaped(tolerance["note"]) + "</p>\n";
   body += binding_list(tolerance);
+  body += centres_section(tolerance, figures);
   return chapter("tolerance", "Yield against tolerance", body);
 }
 

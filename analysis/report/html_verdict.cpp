@@ -30,6 +30,15 @@ std::string band_facts(const Json& report) {
   return facts;
 }
 
+std::string confirmation_fact(const Json& confirmation) {
+  if (confirmation.is_null()) return fact("unconfirmed", "no fresh runs at this tolerance yet");
+  const bool passed = confirmation["passed"];
+  return fact(passed ? "confirmed" : "not confirmed",
+              fmt::format("by {} of {} fresh runs at this tolerance, attempt {}",
+                          rounded(confirmation["meeting_runs"]), rounded(confirmation["runs"]),
+                          rounded(confirmation["attempts"])));
+}
+
 /// Which dimension pays: the change of yield for one step narrower or wider.
 std::string steps_table(const Json& report) {
   if (!report["tolerance"].is_object() || report["tolerance"]["steps"].empty()) return {};
@@ -68,9 +77,10 @@ std::string verdict_chapter(const Json& report) {
              fmt::format("estimated yield from {} effective runs",
                          rounded(std::round(verdict["yield"]["effective_runs"].get<double>()))));
   }
-  facts += fact(verdict["confirmation"].is_null() ? "unconfirmed" : "confirmed",
-                verdict["confirmation"].is_null() ? "no fresh runs at this tolerance yet"
-                                                  : "by fresh runs at this tolerance");
+  facts += confirmation_fact(verdict["confirmation"]);
+  if (const Json& tolerance = report["tolerance"];
+      tolerance.is_object() && tolerance["cost"].is_number())
+    facts += fact(rounded(tolerance["cost"]), "cost of these tolerances, as the study states it");
   std::string body = fmt::format(
       "<div class=\"verdict {}\"><p class=\"say\">{}</p><div class=\"big\">{}</div></div>\n",
       meets ? "yes" : "no", escaped(verdict["statement"]), facts);

@@ -14,8 +14,8 @@ constexpr std::size_t kWorstSamples = 5;
 constexpr std::array kStatuses = {RunStatus::ok,       RunStatus::jammed,  RunStatus::failed,
                                   RunStatus::censored, RunStatus::not_run, RunStatus::poisoned};
 
-std::string replay_command(std::int64_t id) {
-  return fmt::format("cagetol replay DIR --sample {}", id);
+std::string replay_command(const ReportBasis& basis, std::int64_t id) {
+  return fmt::format("cagetol replay {} --sample {}", basis.directory, id);
 }
 
 std::string limit_text(const LimitPlan& limit, const std::string& unit) {
@@ -127,7 +127,7 @@ Json failures_json(const ReportBasis& basis) {
          {"reason", study.reason[i]},
          {"pocket", study.pocket[i] >= 0 ? Json(study.pocket[i]) : Json()},
          {"interference_um", study.pocket[i] >= 0 ? number(study.interference_um[i]) : Json()},
-         {"replay", replay_command(study.id[i])}});
+         {"replay", replay_command(basis, study.id[i])}});
   }
   Json jams = Json::array();
   for (std::size_t j = 0; j < study.pockets; ++j) {
@@ -160,7 +160,7 @@ Json worst_samples_json(const ReportBasis& basis) {
                        {"value", column->values[i]},
                        {"meets_limit", excess(column->values[i], limit) <= 0},
                        {"limit", limit_text(limit, column->unit)},
-                       {"replay", replay_command(runs.id[i])}});
+                       {"replay", replay_command(basis, runs.id[i])}});
   }
   return worst;
 }

@@ -8,6 +8,7 @@
 #include "analysis/statistics/resampling.hpp"
 #include "analysis/statistics/yield.hpp"
 #include "analysis/study/study_data.hpp"
+#include "analysis/tolerance/mixture_weights.hpp"
 
 namespace cagetol {
 
@@ -20,6 +21,7 @@ struct ReportBasis {
   const std::vector<Judgement>& joint;
   const Resampling& resampling;
   double confidence = 0.95;
+  std::string directory = "DIR";  ///< of the runs, as replay commands name it
 };
 
 Json to_json(const Estimate& estimate);
@@ -46,6 +48,15 @@ Json response_json(const ReportBasis& basis);
 struct TolerancePart {
   Json tolerance, verdict;
 };
-TolerancePart tolerance_json(const ReportBasis& basis);
+TolerancePart tolerance_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations);
+
+/// Attempts to confirm and the capability at the last one; the verdict becomes theirs. Null without
+/// any.
+Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
+                       Json& verdict);
+
+/// Yield against the centres of tolerances of these widths.
+Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,
+                  const std::vector<double>& bands_mm);
 
 }  // namespace cagetol

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analysis/report/json_parts.hpp"
-#include "analysis/tolerance/recommendation.hpp"
+#include "analysis/tolerance/campaign.hpp"
 
 namespace cagetol {
 namespace {
@@ -140,6 +140,11 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
   return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
 }
 
+bool same_bands(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return std::abs(x - y) <= 1e-9 * y; });
+}
+
 Json band_verdict(const RecommendedBand& band) {
   if (band.not_binding)
     return {{"band_mm", nullptr},
@@ -151,7 +156,8 @@ Json band_verdict(const RecommendedBand& band) {
 
 }  // namespace
 
-TolerancePart tolerance_json(const ReportBasis& basis) {
+TolerancePart tolerance_json(const ReportBasis& basis,
+                             const std::vector<StudyData>& confirmations) {
   const StudyPlan& plan = basis.study.plan;
   TolerancePart part;
   Json& verdict = part.verdict;
@@ -164,11 +170,16 @@ TolerancePart tolerance_json(const ReportBasis& basis) {
   const bool candidates = !plan.candidates.empty() && !plan.dimensions.empty() &&
                           !plan.limits.empty() && basis.runs.size() > 0;
   if (candidates) {
-    const MixtureWeights mixture = mixture_weights(basis.runs);
-    const YieldCurves curves =
-        yield_curves(basis.runs, mixture, basis.joint, basis.resampling, plan.confidence);
-    const auto tests = test_binding(basis.runs, mixture, curves, basis.joint, basis.resampling);
-    result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling);
+    const auto [mixture, curves, tests] =
+        study_tolerances(basis.runs, basis.joint, basis.resampling);
+    CandidateFilter allowed;
+    if (!confirmations.empty())
+      allowed = [&](std::size_t k) {
+        return same_bands(snapped_bands(basis.runs, plan.candidates[k]),
+                          confirmations.back().plan.candidates.front().bands_mm);
+      };
+    result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling,
+                                 allowed);
     for (const BindingTest& test : tests) {
       if (test.answer == Binding::not_binding) not_binding.push_back(dimension_name(test.key));
       if (test.answer == Binding::undecided) undecided.push_back(dimension_name(test.key));
@@ -179,7 +190,11 @@ TolerancePart tolerance_json(const ReportBasis& basis) {
                       {"note", mixture.note},
                       {"chosen_candidate", result.possible ? Json(result.candidate) : Json()},
                       {"bands", bands_json(result)},
-                      {"steps", steps_json(result)}};
+                      {"steps", steps_json(result)},
+                      {"cost", result.cost ? Json(*result.cost) : Json()}};
+    std::vector<double> bands;
+    for (const RecommendedBand& band : result.bands) bands.push_back(band.band_mm);
+    part.tolerance["centres"] = result.possible ? centres_json(basis, mixture, bands) : Json();
   }
   for (const RecommendedBand& band : result.bands) verdict[band.name] = band_verdict(band);
   const Yield& yield = result.possible ? result.yield : overall;

@@ -11,9 +11,33 @@
 
 namespace cagetol {
 
+namespace {
+
+/// The attempts to confirm whose runs are all there.
+std::vector<StudyData> read_confirmations(const std::filesystem::path& directory) {
+  std::vector<StudyData> confirmations;
+  for (int attempt = 1;; ++attempt) {
+    const auto file = directory / fmt::format("confirm-{}", attempt) / "study.h5";
+    if (!std::filesystem::exists(file)) return confirmations;
+    StudyData runs = read_study_data(file);
+    if (static_cast<std::int64_t>(runs.size()) < runs.design.samples_planned) return confirmations;
+    confirmations.push_back(std::move(runs));
+  }
+}
+
+}  // namespace
+
+std::filesystem::path study_file_in(const std::filesystem::path& directory) {
+  const auto mixture = directory / "mixture" / "study.h5";
+  return std::filesystem::exists(mixture) ? mixture : directory / "study.h5";
+}
+
 int run_report(const std::filesystem::path& study_dir, const ReportOptions& options) {
-  const StudyData study = read_study_data(study_dir / "study.h5");
-  const Json report = make_report(study);
+  const auto file = study_file_in(study_dir);
+  const bool staged = file.parent_path() != study_dir;
+  const StudyData study = read_study_data(file);
+  const Json report =
+      make_report(study, read_confirmations(study_dir), staged ? "DIR/mixture" : "DIR");
   const std::string text = report.dump(1) + "\n";
   write_text(study_dir / "report.json", text);
   write_csv_tables(study_dir, study, report);

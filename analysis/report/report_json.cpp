@@ -13,18 +13,22 @@ std::size_t resample_count(std::size_t runs) {
 
 }  // namespace
 
-nlohmann::ordered_json make_report(const StudyData& study) {
+nlohmann::ordered_json make_report(const StudyData& study,
+                                   const std::vector<StudyData>& confirmations,
+                                   const std::string& directory) {
   const StudyData runs = select_samples(study, first_runs(study));
   const auto joint = judge_all(runs);
   const Resampling resampling(runs, resample_count(runs.size()));
-  const ReportBasis basis{study, runs, joint, resampling, study.plan.confidence};
-  TolerancePart tolerance = tolerance_json(basis);
+  const ReportBasis basis{study, runs, joint, resampling, study.plan.confidence, directory};
+  TolerancePart tolerance = tolerance_json(basis, confirmations);
+  Json confirmation = confirmation_json(basis, confirmations, tolerance.verdict);
   Json report;
   report["report_version"] = 1;
   report["verdict"] = std::move(tolerance.verdict);
   report["tolerance"] = std::move(tolerance.tolerance);
   report["trends"] = trends_json(basis);
   report["response"] = response_json(basis);
+  report["confirmation"] = std::move(confirmation);
   report["outcomes"] = outcomes_json(basis);
   report["limits"] = limits_json(basis);
   report["contributors"] = contributors_json(basis);

@@ -68,6 +68,30 @@ TrendPlan read_trend(const Json& object) {
           object.value("source", "")};
 }
 
+std::optional<CostPlan> read_cost(const Json& dimension) {
+  CostPlan cost;
+  if (dimension.contains("cost_table")) {
+    for (const Json& point : dimension.at("cost_table"))
+      cost.table.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
+    return cost;
+  }
+  if (!dimension.contains("cost_b")) return std::nullopt;
+  cost.a = dimension.value("cost_a", 0.0);
+  cost.b = dimension.at("cost_b").get<double>();
+  cost.k = dimension.value("cost_k", 1.0);
+  return cost;
+}
+
+CampaignSettings read_campaign(const Json& object) {
+  CampaignSettings settings;
+  if (object.is_null()) return settings;
+  settings.attempts = object.value("attempts", settings.attempts);
+  settings.confirm_samples = object.value("confirm_samples", settings.confirm_samples);
+  settings.budget_samples = object.value("budget_samples", settings.budget_samples);
+  settings.budget_h = object.value("budget_h", settings.budget_h);
+  return settings;
+}
+
 template <class T>
 std::vector<T> read_list(const Json& root, const char* key, T (*read)(const Json&)) {
   std::vector<T> items;
@@ -83,6 +107,8 @@ StudyPlan read_study_plan(const std::string& text, const std::string& file) {
     plan.whole = Json::parse(text);
     const Json& root = plan.whole;
     plan.name = root.value("name", "study");
+    plan.extra_replicates = root.value("extra_replicates", 0.0);
+    plan.campaign = read_campaign(part(root, "recommend"));
     plan.cages_per_lot = root.value("cages_per_lot", 1.0);
     plan.allowed_failure_share = root.value("allowed_failure_share", 0.02);
     plan.scene = part(root, "scene");
@@ -96,8 +122,8 @@ StudyPlan read_study_plan(const std::string& text, const std::string& file) {
       plan.target_yield = tolerance.value("target_yield", 0.95);
       plan.confidence = tolerance.value("confidence", 0.95);
       for (const Json& object : part(tolerance, "dimension"))
-        plan.dimensions.push_back(
-            {object.at("key").get<std::string>(), object.at("band_mm").get<double>()});
+        plan.dimensions.push_back({object.at("key").get<std::string>(),
+                                   object.at("band_mm").get<double>(), read_cost(object)});
     }
     return plan;
   } catch (const std::exception& error) {

@@ -23,9 +23,25 @@ struct LimitPlan {
   double cage_revolutions = 0;
 };
 
+/// What a tolerance costs: a + b / band^k with the band in mm, or the straight lines through a
+/// table.
+struct CostPlan {
+  double a = 0, b = 0, k = 1;
+  std::vector<std::pair<double, double>> table;  ///< band in mm and cost, bands ascending; or empty
+};
+
 struct ToleranceDimensionPlan {
   std::string key;
   double band_mm = 0;  ///< full width to which the laws of the study belong
+  std::optional<CostPlan> cost = {};
+};
+
+/// The stages that lead to a confirmed tolerance.
+struct CampaignSettings {
+  std::size_t attempts = 2;         ///< confirmations at most
+  std::size_t confirm_samples = 0;  ///< most runs of one confirmation; 0: chosen
+  std::size_t budget_samples = 0;   ///< runs of all stages together; 0: no budget
+  double budget_h = 0;              ///< wall-clock hours of all stages together; 0: no budget
 };
 
 /// One combination of candidate bands, in the order of the tolerance dimensions.
@@ -51,10 +67,12 @@ struct TrendPlan {
 
 struct StudyPlan {
   std::string name;
+  double extra_replicates = 0;
   double cages_per_lot = 1;
   double allowed_failure_share = 0.02;
   double target_yield = 0.95;
   double confidence = 0.95;
+  CampaignSettings campaign;
   std::vector<InputPlan> inputs;
   std::vector<LimitPlan> limits;
   std::vector<ToleranceDimensionPlan> dimensions;

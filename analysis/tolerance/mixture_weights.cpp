@@ -52,12 +52,13 @@ MixtureWeights mixture_weights(const StudyData& runs) {
 }
 
 std::vector<double> weights_of_scales(const StudyData& runs, const MixtureWeights& mixture,
-                                      std::span<const double> scales) {
+                                      std::span<const double> scales,
+                                      std::span<const double> shifts) {
   if (mixture.log_mixture.empty()) throw Refused("weights refused: " + mixture.note);
   const ToleranceDensity density(runs);
   std::vector<double> weights(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i)
-    weights[i] = std::exp(density.log_density(i, scales) - mixture.log_mixture[i]);
+    weights[i] = std::exp(density.log_density(i, scales, shifts) - mixture.log_mixture[i]);
   return weights;
 }
 

@@ -30,10 +30,11 @@ struct MixtureWeights {
 /// Weights of every candidate of the study.
 MixtureWeights mixture_weights(const StudyData& runs);
 
-/// Weights of any other tolerance, given by its scales. No bound holds for them: watch the
-/// effective sample size.
+/// Weights of any other tolerance, given by its scales and the shifts of its centres in the keys'
+/// units (empty: none). No bound holds for them: watch the effective sample size.
 std::vector<double> weights_of_scales(const StudyData& runs, const MixtureWeights& mixture,
-                                      std::span<const double> scales);
+                                      std::span<const double> scales,
+                                      std::span<const double> shifts = {});
 
 /// The same from densities alone: log_densities[candidate][sample], shares a_j of the runs. Fills
 /// `log_mixture` if given.

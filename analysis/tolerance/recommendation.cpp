@@ -8,6 +8,7 @@
 
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/study/study_file_error.hpp"
+#include "analysis/tolerance/cost.hpp"
 #include "distributions/iso286.hpp"
 
 namespace cagetol {
@@ -35,24 +36,25 @@ bool eligible(const CandidatePlan& candidate, const Yield& yield, const YieldCur
   return yield.ess >= kFewestEffectiveRuns;
 }
 
-/// The widest that meets the target, or the best where none does.
+/// The widest (or cheapest) that meets the target, or the best where none does.
 void choose(const StudyPlan& plan, const YieldCurves& curves, const std::vector<BindingTest>& tests,
-            Recommendation& result) {
-  double widest = 0, best = -1;
+            const CandidateFilter& allowed, Recommendation& result) {
+  double most = 0, best = -1;
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     const Yield& yield = curves.candidates[k];
     if (!eligible(plan.candidates[k], yield, curves, tests)) continue;
     result.possible = true;
-    const bool meets = yield.lower_bound >= plan.target_yield;
-    const double width = width_of(plan.candidates[k], curves, tests);
+    const bool meets = yield.lower_bound >= plan.target_yield && (!allowed || allowed(k));
+    const auto cost = cost_of_bands(plan, plan.candidates[k].bands_mm);
+    const double worth = cost ? -*cost : width_of(plan.candidates[k], curves, tests);
     if (result.meets_target && !meets) continue;
     const bool first_to_meet = meets && !result.meets_target;
-    const bool better = meets ? width > widest || (width == widest && yield.lower_bound > best)
+    const bool better = meets ? worth > most || (worth == most && yield.lower_bound > best)
                               : yield.lower_bound > best;
     if (!first_to_meet && !better) continue;
     result.meets_target = meets;
     result.candidate = k;
-    widest = width;
+    most = worth;
     best = yield.lower_bound;
   }
 }
@@ -60,6 +62,19 @@ void choose(const StudyPlan& plan, const YieldCurves& curves, const std::vector<
 double nominal_of(const StudyData& runs, const std::string& key) {
   const InputColumns* input = find_input(runs, key);
   return input == nullptr || input->nominal.empty() ? 0 : input->nominal.front();
+}
+
+/// A band in mm as the grade that fits into it; the band itself where none does.
+struct Snapped {
+  double band_mm = 0;
+  std::string grade;
+};
+Snapped snap(const StudyData& runs, const std::string& key, double band_mm) {
+  const double nominal = nominal_of(runs, key);
+  if (!(nominal > 0)) return {band_mm, ""};
+  const auto grade = grade_within(1e3 * band_mm * (1 + kRounding), nominal);
+  if (!grade) return {band_mm, ""};
+  return {1e-3 * grade_width_um(*grade, nominal), grade_name(*grade)};
 }
 
 /// Bands of the chosen combination; a band given in mm is snapped down. True when any band moved.
@@ -76,14 +91,12 @@ bool set_bands(const StudyData& runs, const YieldCurves& curves,
                          chosen.grades[d],
                          false};
     band.widest_studied = chosen.bands_mm[d] == curves.dimensions[d].levels.back().band_mm;
-    const double nominal = nominal_of(runs, key);
-    if (band.grade.empty() && !band.not_binding && nominal > 0)
-      if (const auto grade = grade_within(1e3 * band.band_mm * (1 + kRounding), nominal)) {
-        const double snapped = 1e-3 * grade_width_um(*grade, nominal);
-        moved = moved || snapped < band.band_mm * (1 - kRounding);
-        band.band_mm = snapped;
-        band.grade = grade_name(*grade);
-      }
+    if (band.grade.empty() && !band.not_binding) {
+      const Snapped snapped = snap(runs, key, band.band_mm);
+      moved = moved || snapped.band_mm < band.band_mm * (1 - kRounding);
+      band.band_mm = snapped.band_mm;
+      band.grade = snapped.grade;
+    }
     result.bands.push_back(band);
   }
   return moved;
@@ -146,17 +159,28 @@ void add_steps(const StudyData& runs, const MixtureWeights& mixture, const Yield
 Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& mixture,
                                    const YieldCurves& curves, const std::vector<BindingTest>& tests,
                                    const std::vector<Judgement>& joint,
-                                   const Resampling& resampling) {
+                                   const Resampling& resampling, const CandidateFilter& allowed) {
   Recommendation result;
   if (mixture.candidate.empty()) return result;
-  choose(runs.plan, curves, tests, result);
+  choose(runs.plan, curves, tests, allowed, result);
   if (!result.possible) return result;
   result.yield = curves.candidates[result.candidate];
   result.weights = mixture.candidate[result.candidate];
   if (set_bands(runs, curves, tests, result))
     judge_snapped(runs, mixture, joint, resampling, result);
+  std::vector<double> bands;
+  for (const RecommendedBand& band : result.bands) bands.push_back(band.band_mm);
+  result.cost = cost_of_bands(runs.plan, bands);
   add_steps(runs, mixture, curves, joint, resampling, result);
   return result;
+}
+
+std::vector<double> snapped_bands(const StudyData& runs, const CandidatePlan& candidate) {
+  auto bands = candidate.bands_mm;
+  for (std::size_t d = 0; d < bands.size(); ++d)
+    if (candidate.grades[d].empty())
+      bands[d] = snap(runs, runs.plan.dimensions[d].key, bands[d]).band_mm;
+  return bands;
 }
 
 std::string dimension_name(const std::string& key) {

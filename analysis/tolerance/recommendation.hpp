@@ -4,13 +4,15 @@
 // bound meets the target, the widest is taken: the largest product of the bands of the dimensions
 // that matter, each in units of its widest candidate. A dimension that is not binding is left out
 // of this choice and never recommended; the yield is then the one with that dimension at its widest
-// candidate, so that a small effect that went unnoticed cannot flatter the result. Bands given in
-// mm are snapped down to an ISO 286 grade and judged again.
+// candidate, so that a small effect that went unnoticed cannot flatter the result. Where the study
+// states what tolerances cost, the cheapest is taken instead of the widest. Bands given in mm are
+// snapped down to an ISO 286 grade and judged again.
 //
 // The choice looks for the best of several noisy figures, so its bound is too good on average: it
 // is a recommendation until fresh independent runs at that band have confirmed it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,15 +44,24 @@ struct Recommendation {
   std::size_t candidate =
       0;  ///< the recommended combination, or the best where none meets the target
   std::vector<RecommendedBand> bands;
+  std::optional<double> cost;  ///< of these bands, where the study states costs
   Yield yield;
   std::vector<double> weights;  ///< of the runs, for statistics at the recommended tolerance
   std::vector<StepEffect> steps;
 };
 
+/// Says of a candidate that meets the target whether it may be recommended.
+using CandidateFilter = std::function<bool(std::size_t candidate)>;
+
+/// An empty filter allows every candidate.
 Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& mixture,
                                    const YieldCurves& curves, const std::vector<BindingTest>& tests,
                                    const std::vector<Judgement>& joint,
-                                   const Resampling& resampling);
+                                   const Resampling& resampling,
+                                   const CandidateFilter& allowed = {});
+
+/// Bands of a candidate in mm, those without a grade snapped down to one where there is one.
+std::vector<double> snapped_bands(const StudyData& runs, const CandidatePlan& candidate);
 
 /// "cage.pocket_width_mm" -> "width".
 std::string dimension_name(const std::string& key);

@@ -67,8 +67,9 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
                     "as a histogram");
     names.push_back(input.key + scope);
     added.push_back(parts_.size());
-    parts_.push_back(
-        {law, dimension, values, values.size() / std::max<std::size_t>(runs.size(), 1)});
+    const bool has_lot = !columns->lot.empty() && !input.lot.is_null();
+    parts_.push_back({law, dimension, values, values.size() / std::max<std::size_t>(runs.size(), 1),
+                      lot_scope || !has_lot});
   }
   std::vector<double> matrix(names.size() * names.size(), 0.0);
   for (std::size_t i = 0; i < names.size(); ++i) matrix[i * names.size() + i] = 1;
@@ -93,32 +94,41 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
   copulas_.push_back(std::move(copula));
 }
 
-double ToleranceDensity::log_density(std::size_t sample, std::span<const double> scales) const {
+double ToleranceDensity::Part::standard(double value, std::span<const double> scales,
+                                        std::span<const double> shifts) const {
+  if (dimension < 0) return value;
+  const auto d = static_cast<std::size_t>(dimension);
+  return (value - (moves && !shifts.empty() ? shifts[d] : 0)) / scales[d];
+}
+
+double ToleranceDensity::log_density(std::size_t sample, std::span<const double> scales,
+                                     std::span<const double> shifts) const {
   double sum = 0;
   for (const Part& part : parts_) {
     if (part.dimension < 0) continue;
     const double scale = scales[static_cast<std::size_t>(part.dimension)];
     for (std::size_t j = 0; j < part.width; ++j) {
-      const double density = pdf(part.law, part.values[sample * part.width + j] / scale) / scale;
+      const double x = part.standard(part.values[sample * part.width + j], scales, shifts);
+      const double density = pdf(part.law, x) / scale;
       if (!(density > 0)) return -std::numeric_limits<double>::infinity();
       sum += std::log(density);
     }
   }
-  for (const Copula& copula : copulas_) sum += log_copula(copula, sample, scales);
+  for (const Copula& copula : copulas_) sum += log_copula(copula, sample, scales, shifts);
   return sum;
 }
 
 double ToleranceDensity::log_copula(const Copula& copula, std::size_t sample,
-                                    std::span<const double> scales) const {
+                                    std::span<const double> scales,
+                                    std::span<const double> shifts) const {
   const std::size_t count = copula.parts.size(), width = parts_[copula.parts.front()].width;
   std::vector<double> z(count);
   double sum = 0;
   for (std::size_t j = 0; j < width; ++j) {
     for (std::size_t i = 0; i < count; ++i) {
       const Part& part = parts_[copula.parts[i]];
-      const double scale =
-          part.dimension < 0 ? 1 : scales[static_cast<std::size_t>(part.dimension)];
-      z[i] = standard_normal(part.law, part.values[sample * width + j] / scale);
+      z[i] =
+          standard_normal(part.law, part.standard(part.values[sample * width + j], scales, shifts));
     }
     sum -= 0.5 * copula.log_determinant;
     for (std::size_t a = 0; a < count; ++a)

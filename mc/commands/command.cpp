@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <map>
 
 #include "src/input/input_error.hpp"
 
@@ -14,6 +15,19 @@ void add_settings_option(CLI::App& command, std::vector<std::string>& settings) 
                   "Give a key another value, as in the file: --set load.radial_N=300 (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void add_progress_option(CLI::App& command, ProgressStyle& style) {
+  const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::automatic},
+                                                       {"line", ProgressStyle::line},
+                                                       {"plain", ProgressStyle::plain},
+                                                       {"off", ProgressStyle::off}};
+  command
+      .add_option("--progress", style,
+                  "line: one that rewrites itself; plain: for logs; auto: as stderr is")
+      ->transform(CLI::CheckedTransformer(styles))
+      ->type_name("auto|line|plain|off")
+      ->option_text("auto|line|plain|off");
 }
 
 void print(const std::string& text) {

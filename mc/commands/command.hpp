@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "mc/progress.hpp"
+
 namespace cagetol {
 
 /// Exit codes of the program; --help lists them.
@@ -24,6 +26,8 @@ void add_check_command(CLI::App& app, Chosen& chosen);
 void add_simulate_command(CLI::App& app, Chosen& chosen);
 void add_sweep_command(CLI::App& app, Chosen& chosen);
 void add_replay_command(CLI::App& app, Chosen& chosen);
+void add_recommend_command(CLI::App& app, Chosen& chosen);
+void add_compare_command(CLI::App& app, Chosen& chosen);
 void add_report_command(CLI::App& app, Chosen& chosen);
 void add_cage_command(CLI::App& app, Chosen& chosen);
 
@@ -34,6 +38,9 @@ void add_version_option(CLI::App& app, Chosen& chosen);
 
 /// The repeatable option --set dotted.key=value of every command that reads a file.
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
+
+/// The option --progress of every command that sweeps.
+void add_progress_option(CLI::App& command, ProgressStyle& style);
 
 /// Prints a text on standard output. Throws InputError when it cannot be written (a full disk, a
 /// closed pipe).

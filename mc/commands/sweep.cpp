@@ -3,7 +3,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <map>
 #include <memory>
 
 #include "mc/commands/command.hpp"
@@ -49,16 +48,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
                    "Directory of the results: study.h5 and the journals")
       ->required();
   add_settings_option(*command, options->settings);
-  const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::automatic},
-                                                       {"line", ProgressStyle::line},
-                                                       {"plain", ProgressStyle::plain},
-                                                       {"off", ProgressStyle::off}};
-  command
-      ->add_option("--progress", options->sweep.progress,
-                   "line: one that rewrites itself; plain: for logs; auto: as stderr is")
-      ->transform(CLI::CheckedTransformer(styles))
-      ->type_name("auto|line|plain|off")
-      ->option_text("auto|line|plain|off");
+  add_progress_option(*command, options->sweep.progress);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -44,6 +44,7 @@ const std::vector<Unit>& units() {
       {"um", "um", "length", 1e-6},
       {"nm", "nm", "length", 1e-9},
       {"m", "m", "length", 1},
+      {"h", "h", "time", 3600},
       {"ms", "ms", "time", 1e-3},
       {"us", "us", "time", 1e-6},
       {"s", "s", "time", 1},

@@ -1,0 +1,35 @@
+// Two runs of one study, by two builds or on two nights: has anything changed?
+//
+// Tested for every quantity: mean, standard deviation, and the quantiles of 5, 50 and 95 %; for the
+// limits: joint yield and the yield of each limit, runs without a result failing; and the shares of
+// jams and of failed runs. A quantile is tested by the share of runs beyond the quantile of both
+// samples together. Studies with the same seed ran the same cages: these are compared pair by pair.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/study/study_data.hpp"
+
+namespace cagetol {
+
+struct StatisticChange {
+  std::string quantity, unit, statistic;
+  double before = 0, after = 0;
+  double p_value = 1, adjusted_p_value = 1;  ///< after Holm
+  bool changed = false;
+};
+
+struct Comparison {
+  std::vector<StatisticChange> statistics;  ///< smallest p-value first
+  bool paired = false;
+  double error_rate = 0.01;  ///< probability of any false alarm
+  std::vector<std::string> notes;
+  bool same() const;
+};
+
+/// Throws Refused with the reason where the two are not runs of one study: another scene, other
+/// laws, limits, candidates, design or units.
+Comparison compare_studies(const StudyData& before, const StudyData& after, double error_rate);
+
+}  // namespace cagetol

@@ -1,0 +1,63 @@
+"""Yield against the centre of a tolerance."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from common import BLUE, RED, WIDTH, known
+
+
+def centre_curves(report):
+    """One panel for each dimension: yield with its bounds over the setting beside the nominal value."""
+    centres = report["tolerance"].get("centres") if report["tolerance"] else None
+    if not centres:
+        return None
+    panels = [(number, dimension, [point for point in dimension["points"] if point["shown"]])
+              for number, dimension in enumerate(centres["dimensions"])]
+    panels = [panel for panel in panels if len(panel[2]) > 1]
+    if not panels:
+        return None
+    figure, axes = plt.subplots(1, len(panels), figsize=(WIDTH, 3.0), sharey=True, squeeze=False)
+    for axis, (number, dimension, points) in zip(axes[0], panels):
+        shifts = [1e3 * point["shifts_mm"][number] for point in points]
+        value, lower, upper = ([100 * known(point["yield"][key]) for point in points]
+                               for key in ("if_unknown_fail", "lower_bound", "upper_bound"))
+        axis.fill_between(shifts, lower, upper, color=BLUE, alpha=0.15, linewidth=0, label="between the bounds")
+        axis.plot(shifts, value, "o-", color=BLUE, label="yield")
+        axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
+        axis.set_xlabel(f"centre of pocket {dimension['name']} beside the nominal value [µm]")
+        axis.set_xticks(shifts)
+        axis.set_xticklabels([f"{shift:+.0f}\n({point['effective_runs']:.0f})" for shift, point in zip(shifts, points)],
+                             fontsize=7)
+    axes[0][0].set_ylabel("yield [%]")
+    axes[0][0].legend(loc="lower center")
+    return figure
+
+
+def centre_map(report):
+    """Yield over two centres together."""
+    centres = report["tolerance"].get("centres") if report["tolerance"] else None
+    if not centres or sum(point["shown"] for point in centres["map"]) < 2:
+        return None
+    rows = sorted({point["shifts_mm"][0] for point in centres["map"]})
+    columns = sorted({point["shifts_mm"][1] for point in centres["map"]})
+    value = np.full((len(rows), len(columns)), np.nan)
+    figure, axis = plt.subplots(figsize=(WIDTH, 0.9 + 0.5 * len(rows)))
+    for point in centres["map"]:
+        place = rows.index(point["shifts_mm"][0]), columns.index(point["shifts_mm"][1])
+        words = f"({point['effective_runs']:.0f})"
+        if point["shown"]:
+            value[place] = 100 * point["yield"]["if_unknown_fail"]
+            words = f"{value[place]:.1f} %\n{words}"
+        axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8)
+    target = 100 * report["verdict"]["target_yield"]
+    reach = max(100 - target, 1.0)
+    image = axis.imshow(value, cmap="PuOr", vmin=target - 2 * reach, vmax=target + 2 * reach, aspect="auto",
+                        origin="lower")
+    first, second = centres["dimensions"][:2]
+    axis.set_xticks(range(len(columns)), [f"{1e3 * shift:+.0f} µm" for shift in columns])
+    axis.set_yticks(range(len(rows)), [f"{1e3 * shift:+.0f} µm" for shift in rows])
+    axis.set_xlabel(f"centre of pocket {second['name']} beside the nominal value")
+    axis.set_ylabel(f"centre of pocket {first['name']}")
+    axis.grid(False)
+    figure.colorbar(image, ax=axis, pad=0.02).set_label("yield [%]")
+    return figure

@@ -1,0 +1,144 @@
+// Fresh runs at the recommended tolerance, and what they make of the verdict; yield against centre.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/report/json_parts.hpp"
+#include "analysis/study/study_file_error.hpp"
+#include "analysis/tolerance/campaign.hpp"
+#include "analysis/tolerance/centre_curve.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr std::size_t kResamples = 500;
+
+Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t number) {
+  const auto rules = confirmation_rules(mixture.plan, 0);
+  const Confirmation result = judge_confirmation(runs, rules);
+  const CandidatePlan& tolerance = runs.plan.candidates.front();
+  Json bands = Json::array();
+  for (std::size_t d = 0; d < tolerance.bands_mm.size(); ++d)
+    bands.push_back({{"name", dimension_name(runs.plan.dimensions[d].key)},
+                     {"band_mm", tolerance.bands_mm[d]},
+                     {"grade", tolerance.grades[d]}});
+  const auto allowed = allowed_failures(result.runs, rules);
+  return {{"stage", fmt::format("confirm-{}", number)},
+          {"bands", bands},
+          {"runs", result.runs},
+          {"meeting_runs", result.meeting},
+          {"unknown_runs", result.unknown},
+          {"allowed_failures", allowed ? Json(*allowed) : Json()},
+          {"yield", to_json(result.yield)},
+          {"passed", result.passed}};
+}
+
+/// A bound is rounded to its safe side.
+std::string percent_down(double share) {
+  return fmt::format("{:.1f} %", std::floor(1000 * share) / 10);
+}
+
+std::string statement(const Json& attempt, const Json& not_binding, const StudyPlan& plan,
+                      std::size_t attempts) {
+  std::string bands, free;
+  for (const Json& band : attempt["bands"]) {
+    const std::string grade = band["grade"];
+    const std::string text =
+        fmt::format("pocket {} {:.3f} mm{}", band["name"].get<std::string>(),
+                    band["band_mm"].get<double>(), grade.empty() ? "" : " (" + grade + ")");
+    std::string& list =
+        std::find(not_binding.begin(), not_binding.end(), band["name"]) != not_binding.end()
+            ? free
+            : bands;
+    list += (list.empty() ? "" : ", ") + text;
+  }
+  const std::string counted =
+      fmt::format("{} of {} fresh runs meet all limits", attempt["meeting_runs"].get<std::size_t>(),
+                  attempt["runs"].get<std::size_t>());
+  std::string text;
+  if (attempt["passed"].get<bool>())
+    text = fmt::format(
+        "Confirmed{}. {}: with {:.6g} % confidence at least {} "
+        "of the cages do; the target is {:.6g} %.",
+        bands.empty() ? ", though no tolerance studied limits the yield"
+                      : ": " + bands + ", full width of the tolerance",
+        counted, 100 * plan.confidence, percent_down(attempt["yield"]["lower_bound"].get<double>()),
+        100 * plan.target_yield);
+  else
+    text = fmt::format(
+        "No tolerance is confirmed after {} of {} planned attempts. The last was {}: {}, too few "
+        "for the target of {:.6g} %.",
+        attempts, plan.campaign.attempts, bands.empty() ? free : bands, counted,
+        100 * plan.target_yield);
+  if (!free.empty() && !bands.empty())
+    text += fmt::format(
+        " Not binding within the range studied: {}; the yield holds with it at that width, which "
+        "is no recommendation.",
+        free);
+  return text;
+}
+
+}  // namespace
+
+Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
+                       Json& verdict) {
+  if (confirmations.empty()) return nullptr;
+  const StudyPlan& plan = basis.study.plan;
+  Json attempts = Json::array();
+  for (std::size_t i = 0; i < confirmations.size(); ++i)
+    attempts.push_back(attempt_json(basis.study, confirmations[i], i + 1));
+  const Json& last = attempts.back();
+  const StudyData& runs = confirmations.back();
+  const bool passed = last["passed"];
+  for (const Json& band : last["bands"]) {
+    Json& entry = verdict[band["name"].get<std::string>()];
+    const Json& free = verdict["not_binding"];
+    if (std::find(free.begin(), free.end(), band["name"]) != free.end()) continue;
+    entry = {{"band_mm", passed ? band["band_mm"] : Json()},
+             {"grade", passed ? band["grade"] : Json()}};
+  }
+  verdict["meets_target"] = passed;
+  verdict["yield"] = last["yield"];
+  verdict["yield_lower_bound"] = last["yield"]["lower_bound"];
+  verdict["confirmation"] = {{"runs", last["runs"]},
+                             {"passed", passed},
+                             {"meeting_runs", last["meeting_runs"]},
+                             {"attempts", attempts.size()}};
+  verdict["statement"] = statement(last, verdict["not_binding"], plan, attempts.size());
+  const auto joint = judge_all(runs);
+  const Resampling resampling(runs, kResamples);
+  return {{"attempts_planned", plan.campaign.attempts},
+          {"confidence_each", attempt_confidence(confirmation_rules(plan, 0))},
+          {"attempts", attempts},
+          {"capability", capability_json({runs, runs, joint, resampling, basis.confidence})}};
+}
+
+Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,
+                  const std::vector<double>& bands_mm) {
+  const auto point = [](const CentreYield& centre) {
+    const bool shown = centre.ess >= kFewestEffectiveRuns;
+    return Json{{"shifts_mm", centre.shifts_mm},
+                {"effective_runs", centre.ess},
+                {"shown", shown},
+                {"yield", shown ? to_json(centre.yield) : Json()}};
+  };
+  try {
+    const CentreCurves curves = centre_curves(basis.runs, mixture, bands_mm, basis.joint,
+                                              basis.resampling, basis.confidence);
+    Json dimensions = Json::array(), map = Json::array();
+    for (std::size_t d = 0; d < curves.dimensions.size(); ++d) {
+      Json points = Json::array();
+      for (const CentreYield& centre : curves.dimensions[d]) points.push_back(point(centre));
+      dimensions.push_back({{"name", dimension_name(basis.runs.plan.dimensions[d].key)},
+                            {"band_mm", bands_mm[d]},
+                            {"points", points}});
+    }
+    for (const CentreYield& centre : curves.map) map.push_back(point(centre));
+    return {{"dimensions", dimensions}, {"map", map}, {"note", ""}};
+  } catch (const Refused& refusal) {
+    return {{"dimensions", Json::array()}, {"map", Json::array()}, {"note", refusal.what()}};
+  }
+}
+
+}  // namespace cagetol

@@ -1,0 +1,82 @@
+#include "analysis/tolerance/confirmation.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+
+#include "analysis/statistics/binomial_bounds.hpp"
+#include "analysis/study/study_file_error.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Whether `runs` with `failures` confirm. The Clopper-Pearson bound reaches the target exactly
+/// when so few failures have at most the probability alpha/m at the target yield.
+bool confirms(std::size_t failures, std::size_t runs, const ConfirmationRules& rules) {
+  return gsl_cdf_binomial_P(static_cast<unsigned>(failures), 1 - rules.target_yield,
+                            static_cast<unsigned>(runs)) <= 1 - attempt_confidence(rules);
+}
+
+}  // namespace
+
+double attempt_confidence(const ConfirmationRules& rules) {
+  return 1 - (1 - rules.confidence) / static_cast<double>(rules.attempts);
+}
+
+std::size_t confirming_runs(std::size_t failures, const ConfirmationRules& rules) {
+  if (!(rules.target_yield < 1))
+    throw Refused("a target yield of 1 cannot be confirmed by any number of runs");
+  std::size_t enough = failures + 1;
+  while (!confirms(failures, enough, rules)) enough *= 2;
+  std::size_t too_few = failures;
+  while (enough - too_few > 1) {
+    const std::size_t middle = too_few + (enough - too_few) / 2;
+    (confirms(failures, middle, rules) ? enough : too_few) = middle;
+  }
+  return enough;
+}
+
+std::optional<std::size_t> allowed_failures(std::size_t runs, const ConfirmationRules& rules) {
+  if (runs == 0 || !confirms(0, runs, rules)) return std::nullopt;
+  std::size_t failures = 0, too_many = runs;
+  while (too_many - failures > 1) {
+    const std::size_t middle = failures + (too_many - failures) / 2;
+    (confirms(middle, runs, rules) ? failures : too_many) = middle;
+  }
+  return failures;
+}
+
+double confirming_probability(double yield, std::size_t runs, const ConfirmationRules& rules) {
+  const auto failures = allowed_failures(runs, rules);
+  if (!failures) return 0;
+  return gsl_cdf_binomial_P(static_cast<unsigned>(*failures), 1 - yield,
+                            static_cast<unsigned>(runs));
+}
+
+std::size_t confirmation_size(double yield, const ConfirmationRules& rules) {
+  std::size_t runs = confirming_runs(0, rules);
+  for (std::size_t failures = 0;; ++failures) {
+    const std::size_t next = confirming_runs(failures, rules);
+    if (failures > 0 && next > rules.most_runs) return runs;
+    runs = next;
+    if (confirming_probability(yield, runs, rules) >= kWantedPower) return runs;
+  }
+}
+
+Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& rules) {
+  require_independent_runs(study, "the exact bound of the yield");
+  const auto joint = judge_all(study);
+  Confirmation result;
+  result.runs = joint.size();
+  result.meeting =
+      static_cast<std::size_t>(std::count(joint.begin(), joint.end(), Judgement::meets));
+  result.unknown =
+      static_cast<std::size_t>(std::count(joint.begin(), joint.end(), Judgement::unknown));
+  const std::vector<double> equal(joint.size(), 1.0);
+  result.yield =
+      estimate_yield(study, joint, equal, Resampling(study, 1), attempt_confidence(rules));
+  result.passed = result.runs > 0 && confirms(result.runs - result.meeting, result.runs, rules);
+  return result;
+}
+
+}  // namespace cagetol

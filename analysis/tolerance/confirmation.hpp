@@ -1,0 +1,54 @@
+// Fresh independent runs at one tolerance: the only thing that confirms it.
+//
+// The best of many noisy candidates looks too good, so the bound that chose it claims nothing.
+// Confirming runs are new and independent, their bound is exact (Clopper-Pearson). At most m
+// attempts are planned beforehand and each has the confidence 1 - alpha/m: whatever the attempts
+// are and whenever they stop, the probability that any of them confirms a tolerance whose yield is
+// below the target is at most alpha = 1 - confidence (Bonferroni).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "analysis/statistics/yield.hpp"
+
+namespace cagetol {
+
+struct ConfirmationRules {
+  double target_yield = 0.95, confidence = 0.95;
+  std::size_t attempts = 1;   ///< m
+  std::size_t most_runs = 0;  ///< that one attempt may have
+};
+
+/// 1 - (1 - confidence) / m.
+double attempt_confidence(const ConfirmationRules& rules);
+
+/// Fewest runs that confirm when `failures` of them fail. Throws Refused for a target of 1, which
+/// no number of runs confirms.
+std::size_t confirming_runs(std::size_t failures, const ConfirmationRules& rules);
+
+/// Largest number of failing runs with which `runs` confirm; nothing when even none would not.
+std::optional<std::size_t> allowed_failures(std::size_t runs, const ConfirmationRules& rules);
+
+/// Probability that `runs` runs of a tolerance with this yield confirm it.
+double confirming_probability(double yield, std::size_t runs, const ConfirmationRules& rules);
+
+/// How sure an attempt should be of success, if its yield is as expected.
+inline constexpr double kWantedPower = 0.9;
+
+/// Fewest runs, up to `most_runs`, that confirm a tolerance of this yield with kWantedPower; where
+/// none do, the largest number up to `most_runs` at which one more failure becomes affordable. At
+/// least confirming_runs(0).
+std::size_t confirmation_size(double yield, const ConfirmationRules& rules);
+
+/// One attempt, judged. Jammed runs and runs without a result count as not meeting the limits.
+struct Confirmation {
+  std::size_t runs = 0, meeting = 0, unknown = 0;
+  Yield yield;  ///< bounds at attempt_confidence()
+  bool passed = false;
+};
+
+/// Throws Refused unless the runs are independent.
+Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& rules);
+
+}  // namespace cagetol

@@ -1,0 +1,28 @@
+#include "analysis/tolerance/cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cagetol {
+
+double cost_of_band(const CostPlan& cost, double band_mm) {
+  if (cost.table.empty()) return cost.a + cost.b / std::pow(band_mm, cost.k);
+  const auto above = std::find_if(cost.table.begin(), cost.table.end(),
+                                  [&](const auto& point) { return point.first >= band_mm; });
+  if (above == cost.table.end()) return cost.table.back().second;
+  if (above == cost.table.begin()) return above->second;
+  const auto& [left, left_cost] = *std::prev(above);
+  const auto& [right, right_cost] = *above;
+  return left_cost + (right_cost - left_cost) * (band_mm - left) / (right - left);
+}
+
+std::optional<double> cost_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm) {
+  double sum = 0;
+  for (std::size_t d = 0; d < bands_mm.size(); ++d) {
+    if (!plan.dimensions[d].cost) return std::nullopt;
+    sum += cost_of_band(*plan.dimensions[d].cost, bands_mm[d]);
+  }
+  return sum;
+}
+
+}  // namespace cagetol

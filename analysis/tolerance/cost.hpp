@@ -1,0 +1,20 @@
+// What a tolerance costs to make, where the study says so.
+//
+// The reciprocal power law (Sutherland & Roth 1975, J. Eng. Ind. 97, 283-286), cost = a + b / t^k
+// with t the full width in mm, or straight lines through a table, flat beyond its ends. Costs of
+// dimensions add up; the currency is the user's.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/study/study_plan.hpp"
+
+namespace cagetol {
+
+double cost_of_band(const CostPlan& cost, double band_mm);
+
+/// Sum over the dimensions; nothing where the study states no costs.
+std::optional<double> cost_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm);
+
+}  // namespace cagetol

@@ -1,0 +1,57 @@
+// cagetol recommend STUDY -o DIR: the widest (or cheapest) tolerance that meets the target,
+// confirmed by fresh runs.
+#include <spdlog/spdlog.h>
+
+#include <memory>
+
+#include "analysis/report/report.hpp"
+#include "mc/commands/command.hpp"
+#include "mc/commands/recommend_stages.hpp"
+#include "mc/log.hpp"
+#include "mc/study.hpp"
+#include "mc/team.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Options {
+  std::string file;
+  std::vector<std::string> settings;
+  RecommendOptions stages;
+};
+
+int run(const Options& options) {
+  log_to_stderr();
+  const auto read = [&] {
+    const Study study = read_study(options.file, options.settings);
+    for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);
+    return study;
+  };
+  const int code = run_recommend(read, make_sweep_plan, options.stages);
+  const bool decided = code == kDone || code == kLimitsNotMet;
+  if (decided && launch_from_environment().rank == 0) run_report(options.stages.directory);
+  return code;
+}
+
+}  // namespace
+
+void add_recommend_command(CLI::App& app, Chosen& chosen) {
+  auto* command = app.add_subcommand(
+      "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs");
+  command->footer(
+      "Stages: DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a sweep;\n"
+      "started again, the command goes on where it was interrupted. Exit code 0: confirmed,\n"
+      "1: no tolerance is confirmed.\n\n"
+      "Examples:\n  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
+      "  mpirun cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
+      "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8");
+  auto options = std::make_shared<Options>();
+  command->add_option("STUDY", options->file, "Study file")->required();
+  command->add_option("-o,--output", options->stages.directory, "Directory of the stages")
+      ->required();
+  add_settings_option(*command, options->settings);
+  add_progress_option(*command, options->stages.progress);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace cagetol

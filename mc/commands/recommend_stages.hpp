@@ -1,0 +1,25 @@
+// The stages of a recommendation as sweeps: DIR/pilot, DIR/mixture, DIR/confirm-1 ... each a
+// directory like any other sweep's, so that it is resumed, replayed and reported as one.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "mc/progress.hpp"
+#include "mc/sweep_plan.hpp"
+
+namespace cagetol {
+
+struct RecommendOptions {
+  std::string directory;
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+/// Every rank calls it; rank 0 alone reads the study and decides, and tells the others what to run.
+/// Returns the exit code of the program on rank 0 and 0 elsewhere: 0 confirmed; 1 no tolerance
+/// confirmed; 2, 3, 75 as of run_sweep. MPI has ended when it returns.
+int run_recommend(const std::function<Study()>& read,
+                  const std::function<SweepPlan(const Study&)>& make_plan,
+                  const RecommendOptions& options);
+
+}  // namespace cagetol

@@ -1,0 +1,145 @@
+// A recommendation in its stages: any number of ranks, ended anywhere, the same files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "mc/study_file.hpp"
+#include "mc/sweep_directory.hpp"
+#include "tests/mpi/standin.hpp"
+#include "tests/support/study_compare.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+namespace fs = std::filesystem;
+
+/// Pocket widths scatter by 9 um at 0.1 mm; the limit of 0.04 mm is kept by cages of IT11, IT12,
+/// IT13 with the probability 1.00, 0.98, 0.76.
+constexpr const char* kStudy = R"(name = "stages"
+seed = 5
+samples = 450
+[scene.cage]
+pocket_width_mm = { nominal = 7.65, pocket = { law = "normal", sigma = 0.009 } }
+[scene.start]
+cage_phase_deg = { noise = { law = "uniform", lower = 0, upper = 1 } }
+[[limit]]
+quantity = "cage_slip_ratio"
+max = 0.04
+source = "test"
+cage_revolutions = 6
+[tolerance]
+target_yield = 0.9
+[[tolerance.dimension]]
+key = "cage.pocket_width_mm"
+band_mm = 0.1
+candidates = ["IT11", "IT12", "IT13"]
+[recommend]
+pilot_samples = 40
+)";
+
+class RecommendTest : public testing::Test {
+ protected:
+  RecommendTest() { std::ofstream(scratch_ / "study.toml") << kStudy; }
+
+  std::vector<std::string> recommend(const std::string& directory,
+                                     const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> command = {CAGETOL_BINARY_DIR "/standin_recommend",
+                                        scratch_ / "study.toml", scratch_ / directory};
+    command.insert(command.end(), options.begin(), options.end());
+    return command;
+  }
+  std::string file(const std::string& directory, const std::string& stage) const {
+    return study_file_path(scratch_ / (directory + "/" + stage));
+  }
+  void expect_same(const std::string& first, const std::string& second) const {
+    for (const char* stage : {"pilot", "mixture", "confirm-1"})
+      EXPECT_THAT(study_file_differences(file(first, stage), file(second, stage)), IsEmpty())
+          << stage;
+    EXPECT_FALSE(fs::exists(file(first, "confirm-2")));
+    EXPECT_FALSE(fs::exists(file(second, "confirm-2")));
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(RecommendTest, AnyNumberOfRanksGivesTheSameStages) {
+  const Ended serial = run(recommend("serial"));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  EXPECT_THAT(serial.output, HasSubstr("mixture: 450 rows over 3 candidates"));
+  EXPECT_THAT(serial.output, HasSubstr("runs meet all limits: confirmed"));
+  const StudyFile confirmed = read_study_file(file("serial", "confirm-1"));
+  EXPECT_THAT(confirmed.study_toml, HasSubstr("IT12"));
+  for (const int ranks : {1, 3}) {
+    const std::string directory = "ranks" + std::to_string(ranks);
+    const Ended ended = run(with_mpirun(ranks, recommend(directory)));
+    ASSERT_EQ(ended.code, 0) << ended.output;
+    expect_same("serial", directory);
+  }
+}
+
+TEST_F(RecommendTest, GoesOnWhereItEnded) {
+  ASSERT_EQ(run(recommend("whole")).code, 0);
+  for (const char* stage : {"pilot", "mixture", "confirm-1"}) {
+    Process process(recommend("parts", {"--ms", "4"}));
+    wait_for(process, scratch_ / (std::string("parts/") + stage), 10);
+    process.signal(stage == std::string("mixture") ? SIGTERM : SIGUSR1);
+    EXPECT_EQ(process.wait(), 75) << process.output();
+    EXPECT_THAT(process.output(), HasSubstr("start the same command again"));
+  }
+  const Ended ended = run(with_mpirun(2, recommend("parts")));
+  EXPECT_EQ(ended.code, 0) << ended.output;
+  expect_same("whole", "parts");
+  // Complete: nothing is run, the answer stays.
+  const auto written = fs::last_write_time(file("parts", "mixture"));
+  EXPECT_EQ(run(recommend("parts", {"--ms", "100000"})).code, 0);
+  EXPECT_EQ(fs::last_write_time(file("parts", "mixture")), written);
+}
+
+TEST_F(RecommendTest, DrainsUnderMpirun) {
+  Process process(with_mpirun(2, recommend("out", {"--ms", "4"})));
+  wait_for(process, scratch_ / "out/mixture", 20);
+  process.signal(SIGUSR1);
+  EXPECT_EQ(process.wait(), 75) << process.output();
+  EXPECT_EQ(run(with_mpirun(2, recommend("out"))).code, 0);
+}
+
+TEST_F(RecommendTest, EndsWithOneWhereNothingIsConfirmed) {
+  const Ended none = run(recommend("none", {"--set",
+                                            "limit=[{quantity='cage_slip_ratio', max=0, "
+                                            "source='test', cage_revolutions=6}]"}));
+  EXPECT_EQ(none.code, 1) << none.output;
+  EXPECT_FALSE(fs::exists(file("none", "confirm-1")));
+}
+
+TEST_F(RecommendTest, BadInputEndsWithTwoOnAnyNumberOfRanks) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"tolerance.target_yield=1", "a yield of 1 cannot be confirmed"},
+      {"limit=[]", "the study has no limits"},
+      {"design='morris'", "this design does not sample tolerances"},
+      {"recommend.budget_samples=60", "runs are needed to confirm 90 %"},
+      {"recommend.budget_smaples=60", "no such key"},
+  };
+  for (const auto& [setting, message] : cases) {
+    const Ended serial = run(recommend("out", {"--set", setting}));
+    EXPECT_EQ(serial.code, 2) << serial.output;
+    EXPECT_THAT(serial.output, HasSubstr(message));
+    EXPECT_THAT(serial.output, HasSubstr("remedy"));
+    fs::remove_all(scratch_ / "out");
+  }
+  const Ended mpi = run(with_mpirun(3, recommend("out", {"--set", "limit=[]"})));
+  EXPECT_EQ(mpi.code, 2) << mpi.output;
+  EXPECT_THAT(mpi.output, HasSubstr("the study has no limits"));
+  // Another study in the same directory is refused with the difference.
+  ASSERT_EQ(run(recommend("other")).code, 0);
+  const Ended other = run(with_mpirun(2, recommend("other", {"--set", "load.radial_N=77"})));
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.output, HasSubstr("scene.load.radial_N"));
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,101 @@
+#include "analysis/tolerance/confirmation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "analysis/statistics/binomial_bounds.hpp"
+#include "analysis/study/study_file_error.hpp"
+#include "tests/support/synthetic_study.hpp"
+
+namespace cagetol {
+namespace {
+
+TEST(ConfirmingRuns, AreThoseOfWilksWithOneAttempt) {
+  const ConfirmationRules p95{0.95, 0.95, 1, 0}, p99{0.99, 0.95, 1, 0};
+  const std::size_t of_95[] = {59, 93, 124}, of_99[] = {299, 473, 628};
+  for (std::size_t failures = 0; failures < 3; ++failures) {
+    EXPECT_EQ(confirming_runs(failures, p95), of_95[failures]);
+    EXPECT_EQ(confirming_runs(failures, p99), of_99[failures]);
+  }
+  EXPECT_THROW(confirming_runs(0, {1.0, 0.95, 1, 0}), Refused);
+}
+
+TEST(ConfirmingRuns, ShareTheErrorOverTheAttempts) {
+  // 0.95^n <= 0.05 / 4: n = 85.4.
+  const ConfirmationRules rules{0.95, 0.95, 4, 0};
+  EXPECT_DOUBLE_EQ(attempt_confidence(rules), 0.9875);
+  EXPECT_EQ(confirming_runs(0, rules), 86u);
+}
+
+TEST(AllowedFailures, AreWhatTheExactBoundAllows) {
+  for (const double target : {0.5, 0.9, 0.99})
+    for (const std::size_t attempts : {1, 2, 5}) {
+      const ConfirmationRules rules{target, 0.95, attempts, 0};
+      for (const std::size_t runs : {5, 60, 300, 1000, 4000}) {
+        const auto bound = [&](std::size_t failures) {
+          return clopper_pearson_lower(static_cast<double>(runs - failures),
+                                       static_cast<double>(runs), attempt_confidence(rules));
+        };
+        const auto failures = allowed_failures(runs, rules);
+        if (!failures) {
+          EXPECT_LT(bound(0), target);
+          continue;
+        }
+        EXPECT_GE(bound(*failures), target);
+        EXPECT_LT(bound(*failures + 1), target);
+      }
+    }
+}
+
+TEST(ConfirmingProbability, AtTheTargetIsAtMostTheErrorOfAnAttempt) {
+  const ConfirmationRules rules{0.95, 0.95, 2, 0};
+  double largest = 0;
+  for (std::size_t runs = 1; runs <= 1500; ++runs) {
+    const double probability = confirming_probability(0.95, runs, rules);
+    EXPECT_LE(probability, 0.025) << runs;
+    largest = std::max(largest, probability);
+  }
+  EXPECT_GT(largest, 0.0245);  // no more cautious than it must be
+}
+
+TEST(ConfirmationSize, GivesTheWantedPowerWithTheFewestRuns) {
+  const ConfirmationRules rules{0.95, 0.95, 2, 5000};
+  const std::size_t runs = confirmation_size(0.98, rules);
+  EXPECT_GE(confirming_probability(0.98, runs, rules), kWantedPower);
+  for (std::size_t fewer = 1; fewer < runs; ++fewer)
+    EXPECT_LT(confirming_probability(0.98, fewer, rules), kWantedPower) << fewer;
+  EXPECT_EQ(confirmation_size(1.0, rules), confirming_runs(0, rules));
+}
+
+TEST(ConfirmationSize, KeepsToTheMostRuns) {
+  const ConfirmationRules rules{0.95, 0.95, 2, 200};
+  const std::size_t runs = confirmation_size(0.951, rules);
+  EXPECT_LE(runs, 200u);
+  EXPECT_GT(confirming_runs(*allowed_failures(runs, rules) + 1, rules), 200u);
+  EXPECT_EQ(confirmation_size(0.9, {0.95, 0.95, 2, 10}), confirming_runs(0, rules));
+}
+
+TEST(JudgeConfirmation, CountsJamsAndLostRunsAsFailing) {
+  StudyData study = plain_study(100);
+  study.plan.limits = {{"q", {}, 1.0, "test", 1}};
+  study.quantities = {{"q", "-", "test", std::vector<double>(100, 0.5)}};
+  const ConfirmationRules rules{0.95, 0.95, 1, 0};  // 100 runs may have one failure
+  EXPECT_TRUE(judge_confirmation(study, rules).passed);
+  study.status[3] = RunStatus::jammed;
+  EXPECT_TRUE(judge_confirmation(study, rules).passed);
+  for (const RunStatus lost : {RunStatus::failed, RunStatus::jammed, RunStatus::censored}) {
+    study.status[7] = lost;
+    const Confirmation result = judge_confirmation(study, rules);
+    EXPECT_FALSE(result.passed);
+    EXPECT_EQ(result.meeting, 98u);
+    EXPECT_EQ(result.unknown, lost == RunStatus::jammed ? 0u : 1u);
+    EXPECT_NEAR(result.yield.lower_bound, clopper_pearson_lower(98, 100, 0.95), 1e-12);
+  }
+}
+
+TEST(JudgeConfirmation, RefusesDependentRuns) {
+  EXPECT_THROW(judge_confirmation(plain_study(100, "sobol"), {}), Refused);
+  EXPECT_THROW(judge_confirmation(plain_study(100, "random", 4), {}), Refused);
+}
+
+}  // namespace
+}  // namespace cagetol

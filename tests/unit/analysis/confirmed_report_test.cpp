@@ -1,0 +1,110 @@
+// The report on the stages of a recommendation.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "analysis/report/report.hpp"
+#include "analysis/statistics/binomial_bounds.hpp"
+#include "analysis/study/study_file_error.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/synthetic_study.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class ConfirmedReport : public testing::Test {
+ protected:
+  void SetUp() override { write(make_synthetic_study({.rows = 1200}), "mixture"); }
+
+  void write(const StudyData& study, const std::string& stage) const {
+    fs::create_directories(scratch_ / stage);
+    write_synthetic_study(study, scratch_ / (stage + "/study.h5"));
+  }
+
+  /// Fresh runs at IT11 for both; the limits are never missed, except by the first `missing` runs.
+  void write_attempt(int number, std::size_t missing) const {
+    StudyData study = make_synthetic_study({.rows = 200,
+                                            .seed = 70 + number,
+                                            .replicate_share = 0,
+                                            .failed_share = 0,
+                                            .stress_limit = 1000,
+                                            .whirl_limit = 100});
+    study.plan.whole["candidates"] = {
+        {{"bands_mm", {0.09, 0.09}}, {"grades", {"IT11", "IT11"}}, {"scales", {0.9, 0.9}}}};
+    std::fill(study.candidate.begin(), study.candidate.end(), 0);
+    std::fill(study.status.begin(), study.status.end(), RunStatus::ok);
+    for (Column& quantity : study.quantities)
+      std::fill(quantity.values.begin(), quantity.values.end(), 50.0);
+    for (std::size_t i = 0; i < missing; ++i) study.status[i] = RunStatus::jammed;
+    write(study, "confirm-" + std::to_string(number));
+  }
+
+  nlohmann::json report() {
+    testing::internal::CaptureStdout();
+    run_report(scratch_.path(), {.python = "/nonexistent/python3"});
+    testing::internal::GetCapturedStdout();
+    std::ifstream stream(scratch_ / "report.json");
+    return nlohmann::json::parse(stream);
+  }
+  std::string page() const {
+    std::ifstream stream(scratch_ / "report.html");
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(ConfirmedReport, TheVerdictIsThatOfTheFreshRuns) {
+  write_attempt(1, 0);
+  const auto json = report();
+  const auto& verdict = json.at("verdict");
+  EXPECT_EQ(verdict.at("width"), nlohmann::json({{"band_mm", 0.09}, {"grade", "IT11"}}));
+  EXPECT_TRUE(verdict.at("length").at("grade").is_null());  // not binding
+  EXPECT_EQ(verdict.at("confirmation").at("runs"), 200);
+  EXPECT_EQ(verdict.at("confirmation").at("passed"), true);
+  EXPECT_EQ(verdict.at("meets_target"), true);
+  // Two attempts are planned by default: each at 97.5 %.
+  EXPECT_NEAR(verdict.at("yield_lower_bound"), clopper_pearson_lower(200, 200, 0.975), 1e-12);
+  EXPECT_THAT(verdict.at("statement").get<std::string>(),
+              HasSubstr("Confirmed: pocket width 0.090 mm (IT11)"));
+  EXPECT_THAT(page(), HasSubstr("Fresh runs at the recommended tolerance"));
+  EXPECT_THAT(page(), HasSubstr("Capability at this tolerance"));
+  EXPECT_THAT(page(), HasSubstr("cagetol replay DIR/mixture --sample"));
+  EXPECT_THAT(page(), testing::Not(testing::ContainsRegex(">-?nan")));
+  const auto& centres = json.at("tolerance").at("centres");
+  EXPECT_EQ(centres.at("dimensions").size(), 2u);
+  EXPECT_EQ(centres.at("dimensions")[0].at("points").size(), 9u);
+}
+
+TEST_F(ConfirmedReport, AFailedAttemptIsShownAndNamesNoBand) {
+  write_attempt(1, 30);
+  auto json = report();
+  EXPECT_EQ(json.at("verdict").at("confirmation").at("passed"), false);
+  EXPECT_EQ(json.at("verdict").at("confirmation").at("meeting_runs"), 170);
+  EXPECT_TRUE(json.at("verdict").at("width").at("band_mm").is_null());
+  EXPECT_THAT(json.at("verdict").at("statement").get<std::string>(),
+              HasSubstr("No tolerance is confirmed after 1 of 2 planned attempts"));
+  write_attempt(2, 0);
+  json = report();
+  EXPECT_EQ(json.at("confirmation").at("attempts").size(), 2u);
+  EXPECT_EQ(json.at("verdict").at("confirmation").at("attempts"), 2);
+  EXPECT_EQ(json.at("verdict").at("confirmation").at("passed"), true);
+}
+
+TEST_F(ConfirmedReport, AnUnfinishedAttemptConfirmsNothing) {
+  write_attempt(1, 0);
+  StudyData part = read_study_data(scratch_ / "confirm-1/study.h5");
+  part.design.samples_planned = 250;
+  write(part, "confirm-1");
+  EXPECT_TRUE(report().at("verdict").at("confirmation").is_null());
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,103 @@
+// What a study says about costs and about the stages of a recommendation.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "mc/study.hpp"
+#include "src/input/input_error.hpp"
+#include "tests/support/process.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+
+std::string shipped() {
+  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/studies/nu205.toml";
+}
+
+/// A study with two dimensions; the lines given stand in each of them.
+std::string study_text(const std::string& first, const std::string& second) {
+  const auto dimension = [](const std::string& key, const std::string& more) {
+    return "[[tolerance.dimension]]\nkey = \"cage." + key +
+           "\"\nband_mm = 0.1\ncandidates = [0.05, 0.1]\n" + more + "\n";
+  };
+  return "[scene.cage]\n"
+         "pocket_width_mm = { nominal = 7.65, pocket = { law = \"normal\", sigma = 0.009 } }\n"
+         "pocket_length_mm = { nominal = 9.25, pocket = { law = \"normal\", sigma = 0.009 } }\n" +
+         dimension("pocket_width_mm", first) + dimension("pocket_length_mm", second);
+}
+
+Study study_of(const std::string& first, const std::string& second) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "study.toml") << study_text(first, second);
+  return read_study(scratch / "study.toml");
+}
+
+std::string problem_of(const std::string& first, const std::string& second) {
+  try {
+    study_of(first, second);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(RecommendKeys, ReadAndResolved) {
+  const Study study = read_study(shipped(), {"recommend.attempts=3", "recommend.budget_h=0.5"});
+  EXPECT_EQ(study.recommend.attempts, 3);
+  EXPECT_DOUBLE_EQ(study.recommend.budget_time, 1800);
+  const auto json = nlohmann::json::parse(study.resolved_json);
+  EXPECT_EQ(json["recommend"]["attempts"], 3);
+  EXPECT_DOUBLE_EQ(json["recommend"]["budget_h"], 0.5);
+  EXPECT_THROW(read_study(shipped(), {"recommend.attempts=0"}), InputError);
+  EXPECT_THROW(read_study(shipped(), {"recommend.budget_h=-1"}), InputError);
+}
+
+TEST(RecommendKeys, CostsAreReadAndResolved) {
+  const Study study =
+      study_of("cost_a = 2\ncost_b = 0.3\ncost_k = 1.5", "cost_table = [[0.05, 8], [0.1, 5.5]]");
+  const auto& dimensions = study.tolerance.dimensions;
+  EXPECT_EQ(dimensions[0].cost->a, 2);
+  EXPECT_EQ(dimensions[0].cost->b, 0.3);
+  EXPECT_EQ(dimensions[0].cost->k, 1.5);
+  EXPECT_EQ(dimensions[1].cost->table.at(1).second, 5.5);
+  const Study again = read_resolved_study(study.resolved_toml, "again");
+  EXPECT_EQ(again.hash, study.hash);
+}
+
+TEST(RecommendKeys, BadCostsAreRefused) {
+  const std::string good = "cost_b = 1";
+  EXPECT_THAT(problem_of(good, ""), HasSubstr("one dimension has a cost and another has none"));
+  EXPECT_THAT(problem_of(good, "cost_a = 1"), HasSubstr("cost_b is missing"));
+  EXPECT_THAT(problem_of(good, "cost_b = -1"), HasSubstr("outside the range"));
+  EXPECT_THAT(problem_of(good, "cost_b = 1\ncost_table = [[0.05, 8], [0.1, 5]]"),
+              HasSubstr("the cost is given twice"));
+  for (const char* bad : {"[]", "3", "[[0.05, 8]]", "[[0.1, 8], [0.05, 5]]", "[[0.05], [0.1, 5]]",
+                          "[[0.05, -8], [0.1, 5]]", "[[0.05, \"x\"], [0.1, 5]]"})
+    EXPECT_THAT(problem_of(good, std::string("cost_table = ") + bad),
+                HasSubstr("this is no table of costs"))
+        << bad;
+  EXPECT_THAT(problem_of(good, "cost_table = [[0.06, 8], [0.1, 5]]"),
+              HasSubstr("of 0.05 mm lies outside the table of costs, 0.06 to 0.1 mm"));
+}
+
+TEST(ChangedStudy, IsResolvedAnew) {
+  const Study study = read_study(shipped());
+  EXPECT_EQ(changed_study(study, [](Study&) {}).hash, study.hash);
+  const Study changed = changed_study(study, [](Study& other) {
+    other.samples = 33;
+    other.tolerance.dimensions[0].candidates = {"0.123"};
+    other.tolerance.dimensions[1].candidates = {"IT12"};
+  });
+  EXPECT_NE(changed.hash, study.hash);
+  ASSERT_EQ(changed.candidates.size(), 1u);
+  EXPECT_DOUBLE_EQ(changed.candidates[0].bands_mm[0], 0.123);
+  EXPECT_EQ(changed.candidates[0].grades[1], "IT12");
+  EXPECT_THAT(changed.resolved_toml, HasSubstr("samples = 33"));
+}
+
+}  // namespace
+}  // namespace cagetol
