@@ -33,6 +33,7 @@ enum class Purpose : std::uint32_t {
   noise = 3,      ///< initial state and noise inputs of one run; id = sample
   scramble = 4,   ///< scrambles, permutations and jitter of designs
   bootstrap = 5,  ///< resampling in analysis; id = resample
+  check = 6,      ///< which samples are checked more closely; id = sample
 };
 
 PhiloxKey stream_key(std::uint64_t seed, Purpose purpose);

@@ -35,8 +35,8 @@ StoredSample read_stored_sample(const std::string& directory, std::uint64_t id) 
     throw InputError({}, "--sample", std::to_string(id),
                      fmt::format("the study has the samples 0 to {}", sample_count(study) - 1),
                      "choose one of them");
-  StoredSample sample{.sample = Sampler(study).draw(id),
-                      .history = study.history,
+  StoredSample sample{.study = study,
+                      .sample = Sampler(study).draw(id),
                       .stored = {},
                       .stored_build = file.build,
                       .notes = {}};

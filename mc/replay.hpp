@@ -14,8 +14,8 @@ namespace cagetol {
 
 /// A sample as it was stored, ready to run again.
 struct StoredSample {
+  Study study;
   Sample sample;
-  HistoryPlan history;                  ///< of the study
   std::optional<StoredOutcome> stored;  ///< nothing when it has not been run yet
   std::string stored_build;             ///< build_id() of the program that wrote study.h5
   std::vector<std::string> notes;       ///< another build, a study that reads differently now

@@ -2,12 +2,32 @@
 
 #include <optional>
 
+#include "distributions/random_stream.hpp"
 #include "mc/sample_history.hpp"
+#include "src/cage/cage_check.hpp"
+#include "src/cage/scene_cage.hpp"
 
 namespace cagetol {
+namespace {
 
-SampleRun run_sample(const HistoryPlan& plan, const Scene& scene, SimulateOptions options,
+bool cage_is_checked(const Study& study, std::uint64_t id) {
+  return uniform(static_cast<std::uint64_t>(study.seed), Purpose::check, id, 0, 0) <
+         study.cage_check_share;
+}
+
+/// Largest frequency error of the sample's cage model against a full solve.
+double cage_error(const Scene& scene, const CageTable& table) {
+  const auto made = scene_cage_model(scene, table);
+  const auto& model = std::get<std::shared_ptr<const CageModel>>(made);
+  return check_cage_model(table, pocket_deviations(scene.cage, table.cage), *model).largest_error;
+}
+
+}  // namespace
+
+SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions options,
                      const std::function<void(const Instant&)>& on_instant) {
+  const Scene& scene = sample.scene;
+  const HistoryPlan& plan = study.history;
   std::optional<SampleHistory> history;
   if (plan.points > 0) history.emplace(plan, scene);
   std::optional<CageStress> stress;
@@ -20,6 +40,8 @@ SampleRun run_sample(const HistoryPlan& plan, const Scene& scene, SimulateOption
       if (on_instant) on_instant(at);
     };
   SampleRun run{simulate(scene, options), {}};
+  if (is_flexible(scene) && run.outcome.status == Status::ok && cage_is_checked(study, sample.id))
+    run.outcome.run.cage_frequency_error = cage_error(scene, *options.cage_table);
   if (history) run.history = history->take();
   return run;
 }

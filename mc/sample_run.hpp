@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mc/history_channels.hpp"
+#include "mc/sample.hpp"
 #include "mc/study.hpp"
 #include "src/outcome.hpp"
 #include "src/simulate.hpp"
@@ -16,8 +17,10 @@ struct SampleRun {
   std::vector<double> history;  ///< SampleHistory::take(); empty where the study keeps none
 };
 
-/// `on_instant`, where given, sees every accepted state; `options.on_state` is not for callers.
-SampleRun run_sample(const HistoryPlan& history, const Scene& scene, SimulateOptions options = {},
+/// Simulates a sample; the cage of some samples, chosen by study.seed and their id, is also solved in full
+/// (Study::cage_check_share). `on_instant`, where given, sees every accepted state; `options.on_state` is
+/// not for callers. A flexible cage needs `options.cage_table` of study.scene (mc/cage_cache.hpp).
+SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions options = {},
                      const std::function<void(const Instant&)>& on_instant = {});
 
 }  // namespace cagetol

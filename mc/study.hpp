@@ -112,6 +112,7 @@ struct Study {
   std::vector<Limit> limits;
   TolerancePlan tolerance;
   HistoryPlan history;
+  double cage_check_share = 0.01;  ///< of samples whose flexible cage is also solved in full
   std::vector<Trend> trends;
   RecommendPlan recommend;
   std::vector<Candidate> candidates;

@@ -16,6 +16,7 @@ const KeyTable<Study>& study_keys() {
       {"scrambles", within(1, 1024), AT(scrambles), "design sobol: independent scrambles"},
       {"cages_per_lot", within(1, 1e6), AT(cages_per_lot), "design random: cages that share one draw of the lot"},
       {"allowed_failure_share", within(0, 1), AT(allowed_failure_share), "failed, censored and poisoned samples beyond this share: exit code 3"},
+      {"cage_check_share", within(0, 1), AT(cage_check_share), "share of samples whose flexible cage is also solved in full, to know the error of the per-sample cage model"},
       {"tolerance.target_yield", above(0, 1), AT(tolerance.target_yield), "share of cages that must meet all limits"},
       {"tolerance.confidence", above(0, 0.999999), AT(tolerance.confidence), "confidence of the bounds"},
       {"history.points", within(0, 10000), AT(history.points), "instants of the time history that is stored of each sample, equally spaced up to the end of the window; 0: no histories"},

@@ -7,8 +7,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/outcome_text.hpp"
+#include "mc/commands/peak_snapshot.hpp"
 #include "mc/run_history.hpp"
 #include "mc/sample_run.hpp"
 
@@ -16,7 +18,7 @@ namespace cagetol {
 namespace {
 
 struct Options {
-  std::string directory, history;
+  std::string directory, history, snapshot;
   std::uint64_t sample = 0;
   bool json = false;
 };
@@ -41,12 +43,18 @@ std::string json_text(const StoredSample& stored, const Outcome& outcome,
   return json.dump(2) + "\n";
 }
 
-SampleRun run_again(const StoredSample& stored, const std::string& history_file) {
+SampleRun run_again(const StoredSample& stored, const std::string& history_file,
+                    const std::string& snapshot_file) {
   RunHistory history(stored.sample.scene);
   std::function<void(const Instant&)> record;
   if (!history_file.empty()) record = [&history](const Instant& at) { history.record(at); };
-  const SampleRun again = run_sample(stored.history, stored.sample.scene, {}, record);
+  SimulateOptions options;
+  if (is_flexible(stored.study.scene)) options.cage_table = kept_cage_table(stored.study.scene);
+  const SampleRun again = run_sample(stored.study, stored.sample, options, record);
   if (!history_file.empty()) history.write(history_file);
+  if (!snapshot_file.empty())
+    write_peak_snapshot(snapshot_file, stored.sample.scene, options.cage_table.get(),
+                        again.outcome);
   return again;
 }
 
@@ -57,7 +65,7 @@ int run(const Options& options) {
     fmt::print(stderr,
                "cagetol: this sample ended its process during the sweep and may do so now\n");
 
-  const SampleRun again = run_again(stored, options.history);
+  const SampleRun again = run_again(stored, options.history, options.snapshot);
   const auto differences =
       stored.stored
           ? outcome_differences(*stored.stored, make_stored_outcome(options.sample, again, 0, 0))
@@ -83,6 +91,7 @@ void add_replay_command(CLI::App& app, Chosen& chosen) {
   command->add_option("--sample", options->sample, "Id of the sample")->required();
   command->add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
   command->add_option("-o,--output", options->history, "Write time histories to this HDF5 file");
+  add_snapshot_option(*command, options->snapshot);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -3,8 +3,10 @@
 
 #include <memory>
 
+#include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/outcome_text.hpp"
+#include "mc/commands/peak_snapshot.hpp"
 #include "mc/run_history.hpp"
 #include "mc/sample.hpp"
 #include "mc/sample_run.hpp"
@@ -15,7 +17,7 @@ namespace cagetol {
 namespace {
 
 struct Options {
-  std::string file, history;
+  std::string file, history, snapshot;
   std::vector<std::string> settings;
   std::uint64_t sample = 0;
   bool json = false;
@@ -44,8 +46,12 @@ int run(const Options& options) {
   RunHistory history(sample.scene);
   std::function<void(const Instant&)> record;
   if (!options.history.empty()) record = [&history](const Instant& at) { history.record(at); };
-  const Outcome outcome = run_sample({}, sample.scene, {}, record).outcome;
+  SimulateOptions extras;
+  if (is_flexible(study.scene)) extras.cage_table = kept_cage_table(study.scene);
+  const Outcome outcome = run_sample(study, sample, extras, record).outcome;
   if (!options.history.empty()) history.write(options.history);
+  if (!options.snapshot.empty())
+    write_peak_snapshot(options.snapshot, sample.scene, extras.cage_table.get(), outcome);
   print(options.json ? outcome_json(outcome).dump(2) + "\n"
                      : table_text(study, outcome, options.sample));
   return exit_code(outcome.status);
@@ -64,6 +70,7 @@ void add_simulate_command(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", options->file, "Scene or study file")->required();
   command->add_flag("--json", options->json, "Print status, quantities and run as JSON");
   command->add_option("-o,--output", options->history, "Write time histories to this HDF5 file");
+  add_snapshot_option(*command, options->snapshot);
   command->add_option("--sample", options->sample, "Sample of the study to run")
       ->capture_default_str();
   add_settings_option(*command, options->settings);

@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   const auto make_plan = [milliseconds](const Study& stage) {
     SweepPlan plan = make_sweep_plan(stage);
     plan.job = [milliseconds](const Sample& sample, const StopRequested& stop) {
-      return run(sample, milliseconds, stop);
+      return SampleRun{run(sample, milliseconds, stop), {}};
     };
     return plan;
   };

@@ -48,8 +48,15 @@ double channel_value(const char* name, const Instant& at) {
 
 class SampleHistoryTest : public testing::Test {
  protected:
+  SampleRun run(long points, const std::function<void(const Instant&)>& on_instant = {}) const {
+    Study study;
+    study.history = {.points = points, .roller = 4};
+    Sample sample;
+    sample.scene = scene_;
+    return run_sample(study, sample, {}, on_instant);
+  }
   SampleHistoryTest() {
-    run_ = run_sample({.points = kPoints, .roller = 4}, scene_, {}, [this](const Instant& at) {
+    run_ = run(kPoints, [this](const Instant& at) {
       for (auto& [name, curve] : curves_) {
         curve.t.push_back(at.t);
         curve.value.push_back(channel_value(name, at));
@@ -96,7 +103,7 @@ TEST_F(SampleHistoryTest, SpeedsAreTheSlopesOfPlaces) {
 }
 
 TEST_F(SampleHistoryTest, AHistoryChangesNothingOfTheOutcome) {
-  const SampleRun plain = run_sample({}, scene_, {});
+  const SampleRun plain = run(0);
   EXPECT_TRUE(plain.history.empty());
   EXPECT_EQ(plain.outcome.run.steps, run_.outcome.run.steps);
   EXPECT_EQ(plain.outcome.quantities[0], run_.outcome.quantities[0]);
@@ -104,7 +111,7 @@ TEST_F(SampleHistoryTest, AHistoryChangesNothingOfTheOutcome) {
 
 TEST_F(SampleHistoryTest, ARunThatEndsEarlyLeavesTheRestUndefined) {
   scene_.integration.step_budget = static_cast<long>(0.6 * run_.outcome.run.steps);
-  const SampleRun cut = run_sample({.points = kPoints, .roller = 4}, scene_, {});
+  const SampleRun cut = run(kPoints);
   ASSERT_EQ(cut.outcome.status, Status::censored);
   const auto whole = column(run_, "cage_speed"), part = column(cut, "cage_speed");
   EXPECT_EQ(part.front(), whole.front());

@@ -157,7 +157,7 @@ TEST(Sample, CagesOfALotShareItsDraw) {
 
 TEST(Sample, ACandidateScalesTheDeviationsOfItsKey) {
   Study study = base_study(), plain = base_study();
-  study.tolerance.dimensions = {{"cage.pocket_width_mm", 0.1, {"0.05", "0.2"}}};
+  study.tolerance.dimensions = {{"cage.pocket_width_mm", 0.1, {"0.05", "0.2"}, {}}};
   study.candidates = {{{0.05}, {""}, {0.5}}, {{0.2}, {""}, {2}}};
   const Sampler scaled(study), unscaled(plain);
   for (std::uint64_t id = 0; id < 6; ++id) {

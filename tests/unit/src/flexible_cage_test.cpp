@@ -116,7 +116,8 @@ TEST(FlexibleCage, SpinningFreeDoesNotKnowTheOriginOfAngles) {
   EXPECT_NEAR(one.velocity()[kCagePhi], other.velocity()[kCagePhi], 1e-8);
 }
 
-// Turned by one pocket, a bearing is the same bearing with its pockets renumbered.
+// Turned by one pocket, a bearing is the same bearing with its pockets renumbered. Peaks are read at accepted steps,
+// which fall a little differently.
 TEST(FlexibleCage, ABearingTurnedByOnePocketIsTheSame) {
   Scene scene = coarse_scene();
   scene.window.settle_time = 0.2e-3;
@@ -131,7 +132,7 @@ TEST(FlexibleCage, ABearingTurnedByOnePocketIsTheSame) {
   ASSERT_EQ(one.status, Status::ok) << one.reason;
   for (const char* key : {"cage_stress_peak_MPa", "cage_stress_rms_MPa", "pocket_force_peak_N"}) {
     EXPECT_GT(quantity(one, key), 0) << key;
-    EXPECT_NEAR(quantity(one, key), quantity(other, key), 1e-3 * quantity(one, key)) << key;
+    EXPECT_NEAR(quantity(one, key), quantity(other, key), 5e-3 * quantity(one, key)) << key;
   }
 }
 

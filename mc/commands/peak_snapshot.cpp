@@ -1,0 +1,35 @@
+#include "mc/commands/peak_snapshot.hpp"
+
+#include <optional>
+
+#include "src/cage/cage_snapshot.hpp"
+#include "src/input/input_error.hpp"
+
+namespace cagetol {
+
+void add_snapshot_option(CLI::App& command, std::string& file) {
+  command.add_option("--snapshot", file,
+                     "Write the flexible cage at its largest stress to this VTU file (ParaView)");
+}
+
+void write_peak_snapshot(const std::string& file, const Scene& scene, const CageTable* table,
+                         const Outcome& outcome) {
+  const CagePeak& peak = outcome.cage_peak;
+  if (table == nullptr || peak.bar_force.empty())
+    throw InputError({}, "--snapshot", file,
+                     table == nullptr ? "the cage of this scene is rigid"
+                                      : "the run has no stress: " + outcome.reason,
+                     table == nullptr ? "set cage.model = \"flexible\""
+                                      : "choose a sample that runs to its end");
+  const Eigen::Map<const Eigen::VectorXd> q(peak.modes.data(), static_cast<long>(peak.modes.size())),
+      force(peak.bar_force.data(), static_cast<long>(peak.bar_force.size()));
+  std::optional<CageFault> fault;
+  try {
+    fault = write_cage_snapshot(file, *table, pocket_deviations(scene.cage, table->cage), q, force);
+  } catch (const std::runtime_error& problem) {
+    throw InputError({}, "--snapshot", file, problem.what(), "choose a place that can be written");
+  }
+  if (fault) throw InputError({}, "--snapshot", file, fault->reason, "choose another sample");
+}
+
+}  // namespace cagetol

@@ -1,0 +1,18 @@
+// --snapshot FILE.vtu: the flexible cage at the instant of its largest stress, for ParaView.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "src/cage/scene_cage.hpp"
+#include "src/outcome.hpp"
+
+namespace cagetol {
+
+void add_snapshot_option(CLI::App& command, std::string& file);
+
+/// Throws InputError where the run has no flexible cage, no stress, or the file cannot be written.
+void write_peak_snapshot(const std::string& file, const Scene& scene, const CageTable* table,
+                         const Outcome& outcome);
+
+}  // namespace cagetol
