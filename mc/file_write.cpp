@@ -66,6 +66,12 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw WriteError(directory, "create the directory", error.value());
+}
+
 void sync_directory(const std::string& directory) {
   const FileDescriptor opened(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.get() < 0) throw WriteError(directory, "open", errno);

@@ -47,6 +47,9 @@ int write_all(int descriptor, std::string_view bytes);
 /// fsync of the directory. Throws WriteError and leaves the old file as it was.
 void replace_file(const std::string& path, std::string_view bytes);
 
+/// Makes a directory and those above it, where they are missing. Throws WriteError.
+void make_directory(const std::string& directory);
+
 /// Makes a new name in `directory` survive a power cut. Throws WriteError.
 void sync_directory(const std::string& directory);
 

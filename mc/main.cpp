@@ -22,6 +22,9 @@ constexpr const char* kExamples =
     "  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
     "  cagetol replay out/nu205 --sample 17\n"
     "  cagetol cage inputs/scenes/nu205.toml\n"
+    "  cagetol bench inputs/scenes/speed-z16.toml\n"
+    "  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
+    "  cagetol stability -o out/stability\n"
     "  cagetol --dump-default scene";
 
 }  // namespace
@@ -42,6 +45,9 @@ int main(int argc, char** argv) {
   add_report_command(app, chosen);
   add_cage_command(app, chosen);
   add_compare_command(app, chosen);
+  add_bench_command(app, chosen);
+  add_chart_command(app, chosen);
+  add_stability_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
   try {

@@ -88,9 +88,7 @@ std::vector<std::string> study_differences(const std::string& stored_toml,
 SweepDirectory::SweepDirectory(const std::string& directory, const Study& study,
                                const BuildInfo& build)
     : directory_(directory) {
-  std::error_code error;
-  fs::create_directories(journal_directory(directory), error);
-  if (error) throw WriteError(journal_directory(directory), "create the directory", error.value());
+  make_directory(journal_directory(directory));
   lock();
   stored_ = read_journals(journal_directory(directory));
   check_study(study, build);

@@ -19,11 +19,12 @@ def main(report_file, output_dir):
     plt.style.use(str(here / "cagetol.mplstyle"))
     import centres
     import contributors
+    import engine
     import quantities
     import response
     import tolerance
 
-    figures = {
+    of_report = {
         "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
         "centre_curves": centres.centre_curves, "centre_map": centres.centre_map,
         "limited_quantities": quantities.limited_quantities, "other_quantities": quantities.other_quantities,
@@ -31,8 +32,10 @@ def main(report_file, output_dir):
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
         **response.figures(),
     }
+    of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
+    figures = of_engine.get(report.get("kind"), of_report)
     output = pathlib.Path(output_dir)
     output.mkdir(parents=True, exist_ok=True)
     failed = 0

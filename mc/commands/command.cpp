@@ -6,6 +6,7 @@
 #include <map>
 
 #include "src/input/input_error.hpp"
+#include "src/integration/integrator.hpp"
 
 namespace cagetol {
 
@@ -28,6 +29,17 @@ void add_progress_option(CLI::App& command, ProgressStyle& style) {
       ->transform(CLI::CheckedTransformer(styles))
       ->type_name("auto|line|plain|off")
       ->option_text("auto|line|plain|off");
+}
+
+void add_methods_option(CLI::App& command, std::vector<std::string>& methods) {
+  std::vector<std::string> known;
+  for (const MethodName& method : integration_methods()) known.push_back(method.name);
+  command
+      .add_option("--methods", methods, "Integration methods, separated by commas; all if absent")
+      ->delimiter(',')
+      ->check(CLI::IsMember(known))
+      ->type_name("NAME,NAME")
+      ->allow_extra_args(false);
 }
 
 void print(const std::string& text) {

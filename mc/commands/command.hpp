@@ -30,6 +30,9 @@ void add_recommend_command(CLI::App& app, Chosen& chosen);
 void add_compare_command(CLI::App& app, Chosen& chosen);
 void add_report_command(CLI::App& app, Chosen& chosen);
 void add_cage_command(CLI::App& app, Chosen& chosen);
+void add_bench_command(CLI::App& app, Chosen& chosen);
+void add_chart_command(CLI::App& app, Chosen& chosen);
+void add_stability_command(CLI::App& app, Chosen& chosen);
 
 /// --dump-default scene|study|keys, an option of the program itself.
 void add_dump_default_option(CLI::App& app, Chosen& chosen);
@@ -41,6 +44,9 @@ void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
 
 /// The option --progress of every command that sweeps.
 void add_progress_option(CLI::App& command, ProgressStyle& style);
+
+/// The option --methods a,b: names of integration methods, checked.
+void add_methods_option(CLI::App& command, std::vector<std::string>& methods);
 
 /// Prints a text on standard output. Throws InputError when it cannot be written (a full disk, a
 /// closed pipe).

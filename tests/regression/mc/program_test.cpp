@@ -38,7 +38,7 @@ TEST(Program, HelpHasAnExampleForEachCommand) {
   for (const char* part : {"Exit codes: 0 done", "75 interrupted", "check", "simulate",
                            "cagetol simulate inputs/scenes/nu205.toml"})
     EXPECT_THAT(help.output, HasSubstr(part));
-  for (const char* command : {"check", "simulate", "cage"}) {
+  for (const char* command : {"check", "simulate", "cage", "bench", "chart"}) {
     const auto own = run({command, "--help"});
     EXPECT_EQ(own.code, 0);
     EXPECT_THAT(own.output, HasSubstr("Example"));
@@ -61,6 +61,7 @@ TEST(Program, BadCommandLinesEndWithTwo) {
   EXPECT_EQ(run({"simulaet", "x"}).code, 2);
   EXPECT_EQ(run({"simulate", shipped("scenes/nu205.toml"), "--jsn"}).code, 2);
   EXPECT_EQ(run({"--dump-default", "everything"}).code, 2);
+  EXPECT_EQ(run({"bench", shipped("scenes/nu205.toml"), "--methods", "rodas5"}).code, 2);
   EXPECT_EQ(run({"simulate", shipped("scenes/nu205.toml"), "--sample", "-1"}).code, 2);
   const auto absent = run({"simulate", shipped("scenes/nu205.toml"), "--sample", "7"});
   EXPECT_EQ(absent.code, 2);

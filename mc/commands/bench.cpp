@@ -1,0 +1,48 @@
+// cagetol bench SCENE: what a simulated second costs, by integration method.
+#include "mc/engine/bench.hpp"
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "mc/commands/command.hpp"
+#include "mc/sample.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Options {
+  std::string file;
+  std::vector<std::string> settings;
+  BenchOptions bench;
+  bool json = false;
+};
+
+int run(const Options& options) {
+  const Study study = read_study(options.file, options.settings);
+  const BenchResult result = bench(draw_sample(study, 0).scene, options.bench);
+  print(options.json ? bench_json(result).dump(2) + "\n" : bench_text(result));
+  return cost_of(result, result.default_method).status == Status::ok ? kDone : kSamplesFailed;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, Chosen& chosen) {
+  auto* command = app.add_subcommand(
+      "bench", "Time every integration method on a scene: wall seconds per simulated second");
+  command->footer(
+      "Examples:\n  cagetol bench inputs/scenes/speed-z16.toml\n"
+      "  cagetol bench inputs/scenes/speed-z16.toml --json --methods rodas3,rodas4 --set "
+      "load.radial_N=3000");
+  auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->file, "Scene file (or study: its first sample)")
+      ->required();
+  command->add_flag("--json", options->json, "Print the measurements as JSON");
+  add_methods_option(*command, options->bench.methods);
+  command->add_option("--repeats", options->bench.repeats, "Runs of each method; medians are given")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  add_settings_option(*command, options->settings);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace cagetol

@@ -1,0 +1,81 @@
+// cagetol chart SCENE -o DIR: error against cost of every integration method and tolerance.
+#include "mc/engine/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "analysis/report/figure_set.hpp"
+#include "analysis/report/report.hpp"
+#include "mc/commands/command.hpp"
+#include "mc/file_write.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Options {
+  std::string file, directory;
+  std::vector<std::string> settings;
+  ChartOptions chart;
+  double horizon_ms = 2;
+};
+
+int run(const Options& options) {
+  const Study study = read_study(options.file, options.settings);
+  make_directory(options.directory);
+  ChartOptions wanted = options.chart;
+  wanted.horizon = 1e-3 * options.horizon_ms;
+  const Chart chart =
+      make_chart(study, wanted, [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
+  const std::filesystem::path directory = options.directory;
+  replace_file(directory / "chart.json", chart_json(chart).dump(1) + "\n");
+  replace_file(directory / "chart.csv", chart_csv(chart));
+  const ReportOptions drawing;
+  const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir,
+                                         directory / "chart.json", directory / "figures");
+  print(chart_text(chart) + "chart: " + (directory / "figures").string() + "\n");
+  if (!figures.problem.empty())
+    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  return kDone;
+}
+
+}  // namespace
+
+void add_chart_command(CLI::App& app, Chosen& chosen) {
+  auto* command = app.add_subcommand(
+      "chart", "Chart error against cost of every integration method and tolerance on a scene");
+  command->footer(
+      "Short horizon: trajectories against a tight run of a method of another kind. Whole window:\n"
+      "bias of every quantity of interest over replicas with other cage offsets.\n\n"
+      "Examples:\n  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
+      "  cagetol chart inputs/scenes/speed-z16-skew.toml -o out/lively --methods rodas3,cvode-bdf "
+      "--replicas 100");
+  auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->file, "Scene file (or study: its first row)")->required();
+  command
+      ->add_option("-o,--output", options->directory,
+                   "Directory of chart.json, chart.csv and figures/")
+      ->required();
+  add_methods_option(*command, options->chart.methods);
+  command
+      ->add_option("--replicas", options->chart.replicas,
+                   "Runs of each setting over the scene's window; 0: trajectories only")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  command->add_option("--horizon-ms", options->horizon_ms, "Length of the trajectories")
+      ->check(CLI::Range(1e-3, 1e3))
+      ->capture_default_str();
+  options->chart.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  command->add_option("--threads", options->chart.threads, "Replicas at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  add_settings_option(*command, options->settings);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace cagetol

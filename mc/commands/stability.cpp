@@ -1,0 +1,65 @@
+// cagetol stability -o DIR: every integration method on the scenes in which methods fail.
+#include "mc/engine/stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "analysis/report/figure_set.hpp"
+#include "analysis/report/report.hpp"
+#include "mc/commands/command.hpp"
+#include "mc/file_write.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Options {
+  std::string directory, suite = CAGETOL_SUITE_FILE;
+  std::vector<std::string> methods;
+  bool fast = false;
+  int threads = 1;
+};
+
+int run(const Options& options) {
+  std::vector<SuiteScene> suite = read_suite(options.suite);
+  if (options.fast) std::erase_if(suite, [](const SuiteScene& scene) { return !scene.fast; });
+  make_directory(options.directory);
+  const StabilityMap map = run_stability(suite, options.methods, options.threads);
+  const std::filesystem::path directory = options.directory;
+  replace_file(directory / "stability.json", stability_json(map).dump(1) + "\n");
+  const ReportOptions drawing;
+  const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir,
+                                         directory / "stability.json", directory / "figures");
+  print(stability_text(map) + "map: " + (directory / "figures").string() + "\n");
+  if (!figures.problem.empty())
+    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  return kDone;
+}
+
+}  // namespace
+
+void add_stability_command(CLI::App& app, Chosen& chosen) {
+  auto* command = app.add_subcommand(
+      "stability",
+      "Map where integration methods are right, degraded, wrong or say that they fail");
+  command->footer(
+      "Example:\n  cagetol stability -o out/stability --fast --methods rodas3,semi-implicit-euler");
+  auto options = std::make_shared<Options>();
+  command->add_option("-o,--output", options->directory, "Directory of stability.json and figures/")
+      ->required();
+  add_methods_option(*command, options->methods);
+  command->add_flag("--fast", options->fast, "Only the scenes marked fast");
+  command->add_option("--suite", options->suite, "Suite file: the scenes")->capture_default_str();
+  options->threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  command->add_option("--threads", options->threads, "Runs at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace cagetol

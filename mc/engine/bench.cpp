@@ -1,0 +1,169 @@
+#include "mc/engine/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "mc/engine/setting.hpp"
+#include "mc/engine/statistics.hpp"
+#include "src/dynamics/newton_matrix.hpp"
+#include "src/integration/integrator.hpp"
+#include "src/simulate.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Microseconds of one call: the median of batches.
+template <class Call>
+double call_time_us(const Call& call) {
+  constexpr int kBatches = 31, kCalls = 100;
+  std::vector<double> times;
+  for (int batch = 0; batch < kBatches; ++batch) {
+    const auto began = std::chrono::steady_clock::now();
+    for (int k = 0; k < kCalls; ++k) call();
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - began;
+    times.push_back(took.count() / kCalls);
+  }
+  return median(std::move(times));
+}
+
+KernelTimes kernel_times(double t, const double* y, const System& system, double step) {
+  const BearingModel& model = system.model;
+  System own(model);
+  std::vector<double> rate(static_cast<std::size_t>(system.size)), solution(rate.size());
+  NewtonMatrix newton(model);
+  KernelTimes times;
+  times.rhs_us = call_time_us([&] { own.rates(t, y, rate.data()); });
+  times.linearise_us = call_time_us([&] { own.linearise_at(t, y); });
+  times.factorise_us = call_time_us([&] { newton.factor(own.linear, step); });
+  times.solve_us = call_time_us([&] { newton.solve(rate.data(), solution.data()); });
+  return times;
+}
+
+/// Kernels at the last state of the scene's run. The first of the two runs says when that is and
+/// warms the caches for what follows.
+KernelTimes kernels_of(const Scene& scene, SimulateOptions options) {
+  KernelTimes times{kNone, kNone, kNone, kNone};
+  const RunRecord run = simulate(scene, options).run;
+  options.on_state = [&](double t, const double* y, const System& system) {
+    if (t >= run.simulated_s) times = kernel_times(t, y, system, t / run.steps);
+  };
+  simulate(scene, options);
+  return times;
+}
+
+std::vector<std::string> methods_to_run(const Scene& scene, const BenchOptions& options) {
+  std::vector<std::string> methods = {scene.integration.method};
+  const auto add = [&](const std::string& name) {
+    if (std::find(methods.begin(), methods.end(), name) == methods.end()) methods.push_back(name);
+  };
+  for (const std::string& name : options.methods) add(name);
+  if (options.methods.empty())
+    for (const MethodName& known : integration_methods()) add(known.name);
+  add(kBaselineMethod);
+  return methods;
+}
+
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace
+
+BenchResult bench(const Scene& scene, const BenchOptions& options) {
+  const SimulateOptions shared = with_cage_table(scene);
+  BenchResult result{scene.name, scene.integration.method, kernels_of(scene, shared), {}};
+  for (const std::string& name : methods_to_run(scene, options))
+    result.methods.push_back({.method = name, .reason = {}, .rtf_runs = {}, .run = {}});
+  for (int repeat = 0; repeat < options.repeats; ++repeat)
+    for (MethodCost& cost : result.methods) {
+      Scene one = scene;
+      one.integration.method = cost.method;
+      const Outcome outcome = simulate(one, shared);
+      cost.status = outcome.status;
+      cost.reason = outcome.reason;
+      cost.run = outcome.run;
+      if (outcome.run.simulated_s > 0)
+        cost.rtf_runs.push_back(outcome.run.wall_s / outcome.run.simulated_s);
+    }
+  const MethodCost& baseline = cost_of(result, kBaselineMethod);
+  for (MethodCost& cost : result.methods) {
+    const bool ok = cost.status == Status::ok;
+    cost.rtf = ok ? median(cost.rtf_runs) : kNone;
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < std::min(cost.rtf_runs.size(), baseline.rtf_runs.size()); ++k)
+      ratios.push_back(cost.rtf_runs[k] / baseline.rtf_runs[k]);
+    cost.against_baseline = ok ? median(std::move(ratios)) : kNone;
+  }
+  return result;
+}
+
+const MethodCost& cost_of(const BenchResult& result, const std::string& method) {
+  for (const MethodCost& cost : result.methods)
+    if (cost.method == method) return cost;
+  throw std::logic_error("method was not measured: " + method);
+}
+
+nlohmann::ordered_json bench_json(const BenchResult& result) {
+  const MethodCost& own = cost_of(result, result.default_method);
+  nlohmann::ordered_json json = {{"scene", result.scene},
+                                 {"default", {{"method", own.method}, {"rtf", number(own.rtf)}}},
+                                 {"baseline", kBaselineMethod},
+                                 {"kernels_us",
+                                  {{"rhs", number(result.kernels.rhs_us)},
+                                   {"linearise", number(result.kernels.linearise_us)},
+                                   {"factorise", number(result.kernels.factorise_us)},
+                                   {"solve", number(result.kernels.solve_us)}}}};
+  auto& methods = json["methods"] = nlohmann::ordered_json::array();
+  for (const MethodCost& cost : result.methods) {
+    const double simulated = cost.run.simulated_s;
+    methods.push_back(
+        {{"method", cost.method},
+         {"status", status_name(cost.status)},
+         {"reason", cost.reason},
+         {"rtf", number(cost.rtf)},
+         {"rtf_over_baseline", number(cost.against_baseline)},
+         {"rtf_runs", cost.rtf_runs},
+         {"simulated_s", simulated},
+         {"steps_per_s", number(cost.run.steps / simulated)},
+         {"rejected_steps_per_s", number(cost.run.rejected_steps / simulated)},
+         {"rhs_evaluations_per_s", number(cost.run.rhs_evaluations / simulated)},
+         {"jacobian_evaluations_per_s", number(cost.run.jacobian_evaluations / simulated)},
+         {"factorisations_per_s", number(cost.run.factorisations / simulated)}});
+  }
+  return json;
+}
+
+std::string bench_text(const BenchResult& result) {
+  std::string text = fmt::format(
+      "scene {}: one right-hand side {:.2f} us, with derivatives {:.2f} us, factorisation {:.2f} "
+      "us, solve {:.2f} us\n"
+      "RTF: wall seconds per simulated second. Counts are per simulated second.\n\n"
+      "{:<22}{:>9}{:>12}{:>11}{:>11}{:>12}{:>12}\n",
+      result.scene, result.kernels.rhs_us, result.kernels.linearise_us, result.kernels.factorise_us,
+      result.kernels.solve_us, "method", "RTF", "/ baseline", "steps", "rejected", "rhs",
+      "factored");
+  for (const MethodCost& cost : result.methods) {
+    const std::string name =
+        cost.method + (cost.method == result.default_method ? " (default)" : "");
+    if (cost.status != Status::ok) {
+      text += fmt::format("{:<22} {}: {}\n", name, status_name(cost.status), cost.reason);
+      continue;
+    }
+    const double s = cost.run.simulated_s;
+    text +=
+        fmt::format("{:<22}{:>9.3f}{:>12.3f}{:>11.4g}{:>11.4g}{:>12.4g}{:>12.4g}\n", name, cost.rtf,
+                    cost.against_baseline, cost.run.steps / s, cost.run.rejected_steps / s,
+                    cost.run.rhs_evaluations / s, cost.run.factorisations / s);
+  }
+  return text;
+}
+
+}  // namespace cagetol

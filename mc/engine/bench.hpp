@@ -1,0 +1,58 @@
+// What a bearing costs to simulate, by integration method: `simulate` itself is timed, all watches
+// on.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "src/outcome.hpp"
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+/// The honest explicit baseline every method is paired with.
+inline constexpr const char* kBaselineMethod = "semi-implicit-euler";
+
+struct BenchOptions {
+  std::vector<std::string> methods;  ///< empty: all; the scene's own and the baseline always run
+  int repeats = 3;
+};
+
+/// Microseconds of one evaluation at the last state of the scene's run.
+struct KernelTimes {
+  double rhs_us = 0;        ///< all forces
+  double linearise_us = 0;  ///< all forces, their derivatives, the observation
+  double factorise_us = 0;  ///< of the Newton matrix
+  double solve_us = 0;      ///< with the factors
+};
+
+/// One method. RTF: wall seconds per simulated second.
+struct MethodCost {
+  std::string method;
+  Status status = Status::not_run;
+  std::string reason;           ///< why it is not ok
+  double rtf = 0;               ///< median of the repeats; NaN where the method is not ok
+  double against_baseline = 0;  ///< median of RTF over the baseline's in the same repeat; likewise
+  std::vector<double> rtf_runs;
+  RunRecord run;  ///< of the last repeat
+};
+
+struct BenchResult {
+  std::string scene;
+  std::string default_method;  ///< the scene's own
+  KernelTimes kernels;
+  std::vector<MethodCost> methods;  ///< the scene's own first
+};
+
+/// Runs the methods in turn, `repeats` times, so that the noise of a shared machine meets all of
+/// them alike.
+BenchResult bench(const Scene& scene, const BenchOptions& options);
+
+nlohmann::ordered_json bench_json(const BenchResult& result);
+std::string bench_text(const BenchResult& result);
+
+/// The cost of `method` in a result.
+const MethodCost& cost_of(const BenchResult& result, const std::string& method);
+
+}  // namespace cagetol

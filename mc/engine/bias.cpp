@@ -1,0 +1,74 @@
+#include "mc/engine/bias.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cagetol {
+namespace {
+
+constexpr double kSteady = 1e-6;  // of the mean
+
+struct Moments {
+  double mean = 0, variance = 0;  ///< of the values, not of the mean
+};
+Moments moments(const std::vector<double>& x) {
+  const auto n = static_cast<double>(x.size());
+  Moments m;
+  for (double v : x) m.mean += v / n;
+  for (double v : x) m.variance += (v - m.mean) * (v - m.mean) / (n - 1);
+  return m;
+}
+
+}  // namespace
+
+const char* verdict_name(BiasVerdict verdict) {
+  switch (verdict) {
+    case BiasVerdict::unbiased:
+      return "unbiased";
+    case BiasVerdict::biased:
+      return "biased";
+    case BiasVerdict::steady:
+      return "steady";
+    case BiasVerdict::unresolved:
+      break;
+  }
+  return "unresolved";
+}
+
+double replicas_to_resolve() {
+  const double reach = gsl_cdf_ugaussian_Pinv(0.975);
+  return std::ceil(2 * reach * reach * kStudySamples);
+}
+
+Bias compare_means(const std::vector<double>& values, const std::vector<double>& reference) {
+  Bias b;
+  if (values.size() < 2 || reference.size() < 2) {
+    b.bias = b.standard_error = b.upper_limit = b.deviation = b.allowed =
+        std::numeric_limits<double>::quiet_NaN();
+    return b;
+  }
+  const Moments m = moments(values), r = moments(reference);
+  const auto n = static_cast<double>(values.size()), k = static_cast<double>(reference.size());
+  const double a = m.variance / n, c = r.variance / k;
+  b.bias = m.mean - r.mean;
+  b.standard_error = std::sqrt(a + c);
+  b.deviation = std::sqrt(r.variance);
+  b.allowed = b.deviation / std::sqrt(kStudySamples);
+  const double freedom =
+      a + c > 0 ? (a + c) * (a + c) / (a * a / (n - 1) + c * c / (k - 1)) : n + k - 2;
+  const double reach = gsl_cdf_tdist_Pinv(0.975, freedom) * b.standard_error;
+  b.lower_limit = std::max(0.0, std::abs(b.bias) - reach);
+  b.upper_limit = std::abs(b.bias) + reach;
+  if (b.deviation <= kSteady * std::abs(r.mean))
+    b.verdict = BiasVerdict::steady;
+  else if (b.upper_limit <= b.allowed)
+    b.verdict = BiasVerdict::unbiased;
+  else if (b.lower_limit > b.allowed)
+    b.verdict = BiasVerdict::biased;
+  return b;
+}
+
+}  // namespace cagetol

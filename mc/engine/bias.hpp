@@ -1,0 +1,35 @@
+// Does a way to integrate shift the mean of a quantity? Means over replicas, held against the
+// standard error of a study.
+#pragma once
+
+#include <vector>
+
+namespace cagetol {
+
+/// Size of the study whose standard error a bias must not exceed.
+inline constexpr double kStudySamples = 1000;
+
+/// steady: the quantity does not vary between replicas of the reference (by less than a millionth
+/// of its mean): there is no scatter to hold a bias against.
+enum class BiasVerdict { unbiased, biased, unresolved, steady };
+const char* verdict_name(BiasVerdict verdict);
+
+struct Bias {
+  double bias = 0;            ///< mean minus the reference's mean
+  double standard_error = 0;  ///< of the bias
+  double lower_limit = 0;     ///< of |bias|, 95 % interval (Student t), not below 0
+  double upper_limit = 0;     ///< of |bias|
+  double deviation = 0;       ///< standard deviation of the reference's replicas
+  double allowed = 0;         ///< deviation / sqrt(1000)
+  BiasVerdict verdict = BiasVerdict::unresolved;
+};
+
+/// Replicas in each group that call a setting without any bias unbiased.
+double replicas_to_resolve();
+
+/// Welch's comparison of two independent groups of replicas. Unbiased only if the whole interval of
+/// |bias| lies below what is allowed, biased only if it lies above; else, and with fewer than two
+/// replicas in a group, unresolved.
+Bias compare_means(const std::vector<double>& values, const std::vector<double>& reference);
+
+}  // namespace cagetol

@@ -1,0 +1,149 @@
+#include "mc/engine/chart.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "mc/engine/replicas.hpp"
+#include "mc/engine/statistics.hpp"
+#include "mc/engine/trajectory.hpp"
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string problem_of(const Outcome& outcome) {
+  return outcome.status == Status::ok
+             ? ""
+             : std::string(status_name(outcome.status)) + ": " + outcome.reason;
+}
+
+ChartCost cost_of(const std::vector<Outcome>& outcomes) {
+  ChartCost cost;
+  std::vector<double> rtf, rhs;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.status == Status::ok) {
+      rtf.push_back(outcome.run.wall_s / outcome.run.simulated_s);
+      rhs.push_back(outcome.run.rhs_evaluations / outcome.run.simulated_s);
+    } else if (cost.problem.empty()) {
+      cost.problem = problem_of(outcome);
+    }
+  }
+  cost.rtf = median(std::move(rtf));
+  cost.rhs_per_s = median(std::move(rhs));
+  return cost;
+}
+
+/// Marks the points that no other one beats in cost and error at once.
+template <class Cost, class Error>
+void mark_front(std::vector<ChartPoint>& points, const Cost& cost, const Error& error) {
+  for (ChartPoint& p : points) {
+    bool beaten = !(std::isfinite(cost(p).rtf) && std::isfinite(error(p)));
+    for (ChartPoint& q : points)
+      beaten = beaten || (cost(q).rtf < cost(p).rtf && error(q) < error(p));
+    cost(p).on_front = !beaten;
+  }
+}
+
+void measure_trajectories(const Scene& scene, const SimulateOptions& options, Chart& chart) {
+  std::map<std::string, Trajectory> references;
+  for (const char* method : {"rodas4", "arkode-erk"}) {
+    const Setting setting = reference_setting(method);
+    references[setting.method] =
+        follow(with_setting(scene, setting), chart.options.horizon, options);
+  }
+  chart.reference_gap = trajectory_error(references["rodas4"], references["arkode-erk"]);
+  for (ChartPoint& p : chart.points) {
+    std::vector<Outcome> outcomes;
+    for (int repeat = 0; repeat < chart.options.repeats; ++repeat) {
+      const Trajectory run = follow(with_setting(scene, p.setting), chart.options.horizon, options);
+      p.trajectory_error =
+          trajectory_error(run, references[reference_setting(p.setting.method).method]);
+      outcomes.push_back(run.outcome);
+    }
+    p.brief = cost_of(outcomes);
+  }
+  mark_front(
+      chart.points, [](ChartPoint& p) -> ChartCost& { return p.brief; },
+      [](const ChartPoint& p) { return p.trajectory_error[1]; });
+}
+
+/// Values of quantity q in the replicas that are ok and have it.
+std::vector<double> values_of(const std::vector<Outcome>& outcomes, std::size_t q) {
+  std::vector<double> values;
+  for (const Outcome& outcome : outcomes)
+    if (outcome.status == Status::ok && std::isfinite(outcome.quantities[q]))
+      values.push_back(outcome.quantities[q]);
+  return values;
+}
+
+void summarise_biases(ChartPoint& p) {
+  double bias = 0, noise = 0;
+  int count = 0;
+  for (const Bias& b : p.biases) {
+    if (!(b.deviation > 0) || b.verdict == BiasVerdict::steady) continue;
+    bias += std::pow(b.bias / b.deviation, 2);
+    noise += std::pow(b.standard_error / b.deviation, 2);
+    ++count;
+  }
+  p.bias_rms = count ? std::sqrt(bias / count) : kNone;
+  p.bias_noise = count ? std::sqrt(noise / count) : kNone;
+}
+
+std::vector<Outcome> run_replicas(const std::vector<Scene>& scenes, const Setting& setting,
+                                  int threads, const SimulateOptions& options) {
+  std::vector<Scene> set;
+  for (const Scene& scene : scenes) set.push_back(with_setting(scene, setting));
+  return simulate_all(set, threads, options);
+}
+
+void measure_biases(const Study& study, const SimulateOptions& options, Chart& chart,
+                    const std::function<void(const std::string&)>& say) {
+  // The references see other replicas than the settings: groups are independent.
+  const int n = chart.options.replicas;
+  const std::vector<Scene> all = replica_scenes(study, 2 * n);
+  const std::vector<Scene> scenes(all.begin(), all.begin() + n), others(all.begin() + n, all.end());
+  std::map<std::string, std::vector<Outcome>> references;
+  for (ChartPoint& p : chart.points) {
+    const Setting reference = reference_setting(p.setting.method);
+    auto& known = references[reference.method];
+    if (known.empty()) {
+      say("reference " + setting_label(reference));
+      known = run_replicas(others, reference, chart.options.threads, options);
+    }
+    say(setting_label(p.setting));
+    const auto outcomes = run_replicas(scenes, p.setting, chart.options.threads, options);
+    p.window = cost_of(outcomes);
+    for (std::size_t q = 0; q < quantity_table().size(); ++q)
+      p.biases.push_back(compare_means(values_of(outcomes, q), values_of(known, q)));
+    summarise_biases(p);
+    if (const ChartCost cost = cost_of(known); p.window.problem.empty() && !cost.problem.empty())
+      p.window.problem = "reference " + setting_label(reference) + ": " + cost.problem;
+  }
+  mark_front(
+      chart.points, [](ChartPoint& p) -> ChartCost& { return p.window; },
+      [](const ChartPoint& p) { return p.bias_rms; });
+}
+
+}  // namespace
+
+Chart make_chart(const Study& study, const ChartOptions& options,
+                 const std::function<void(const std::string&)>& say) {
+  const Scene scene = replica_scenes(study, 1).front();
+  Chart chart{scene.name, options, {kNone, kNone}, {}};
+  for (const Setting& setting : setting_ladder(scene, options.methods)) {
+    ChartPoint point;
+    point.setting = setting;
+    point.bias_rms = point.bias_noise = kNone;
+    chart.points.push_back(std::move(point));
+  }
+  say("trajectories");
+  const SimulateOptions shared = with_cage_table(scene);
+  measure_trajectories(scene, shared, chart);
+  if (options.replicas > 0) measure_biases(study, shared, chart, say);
+  return chart;
+}
+
+}  // namespace cagetol

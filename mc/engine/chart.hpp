@@ -1,0 +1,60 @@
+// Error against cost of every method and tolerance on one scene: trajectories over a short horizon,
+// means of the quantities of interest over the scene's whole window.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "mc/engine/bias.hpp"
+#include "mc/engine/setting.hpp"
+#include "mc/study.hpp"
+#include "src/outcome.hpp"
+
+namespace cagetol {
+
+struct ChartOptions {
+  std::vector<std::string> methods;  ///< empty: all
+  double horizon = 2e-3;             ///< of trajectories [s]
+  int replicas = 4;                  ///< of the long horizon; 0: short horizon only
+  int repeats = 3;                   ///< of each short run, for its time
+  int threads = 1;                   ///< replicas at a time
+};
+
+/// One setting over one horizon.
+struct ChartCost {
+  double rtf = 0;         ///< wall seconds per simulated second, median; NaN where no run was ok
+  double rhs_per_s = 0;   ///< right-hand sides per simulated second, median
+  std::string problem;    ///< why runs are missing; empty if none is
+  bool on_front = false;  ///< nothing measured is both cheaper and more accurate
+};
+
+struct ChartPoint {
+  Setting setting;
+  ChartCost brief;
+  std::array<double, 2> trajectory_error{};  ///< at half the horizon and at the horizon
+  ChartCost window;
+  std::vector<Bias> biases;  ///< in the order of quantity_table()
+  double bias_rms = 0;       ///< root mean square over the quantities of bias / deviation
+  double bias_noise = 0;     ///< the same of standard error / deviation: what is resolved
+};
+
+struct Chart {
+  std::string scene;
+  ChartOptions options;
+  std::array<double, 2> reference_gap{};  ///< trajectories of the two references apart
+  std::vector<ChartPoint> points;         ///< the scene's own setting first
+};
+
+/// Measures all settings; `say` is told what is going on.
+Chart make_chart(const Study& study, const ChartOptions& options,
+                 const std::function<void(const std::string&)>& say);
+
+nlohmann::ordered_json chart_json(const Chart& chart);
+std::string chart_csv(const Chart& chart);
+/// What to read in the chart, in sentences.
+std::string chart_text(const Chart& chart);
+
+}  // namespace cagetol

@@ -1,0 +1,145 @@
+// The chart as JSON, CSV and sentences.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "mc/engine/chart.hpp"
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json cost_json(const ChartCost& cost) {
+  return {{"rtf", number(cost.rtf)},
+          {"rhs_evaluations_per_s", number(cost.rhs_per_s)},
+          {"problem", cost.problem},
+          {"on_front", cost.on_front}};
+}
+
+Json biases_json(const ChartPoint& p) {
+  Json list = Json::array();
+  for (std::size_t q = 0; q < p.biases.size(); ++q) {
+    const Bias& b = p.biases[q];
+    list.push_back({{"quantity", quantity_table()[q].key},
+                    {"bias", number(b.bias)},
+                    {"standard_error", number(b.standard_error)},
+                    {"upper_limit", number(b.upper_limit)},
+                    {"allowed", number(b.allowed)},
+                    {"verdict", verdict_name(b.verdict)}});
+  }
+  return list;
+}
+
+/// Keys of the quantities with that verdict, separated by commas.
+std::string quantities_that_are(BiasVerdict verdict, const ChartPoint& p) {
+  std::string text;
+  for (std::size_t q = 0; q < p.biases.size(); ++q)
+    if (p.biases[q].verdict == verdict)
+      text += (text.empty() ? "" : ", ") + std::string(quantity_table()[q].key);
+  return text;
+}
+
+}  // namespace
+
+Json chart_json(const Chart& chart) {
+  Json json = {{"kind", "chart"},
+               {"scene", chart.scene},
+               {"horizon_s", chart.options.horizon},
+               {"replicas", chart.options.replicas},
+               {"study_samples", kStudySamples},
+               {"reference_gap", {number(chart.reference_gap[0]), number(chart.reference_gap[1])}}};
+  auto& points = json["points"] = Json::array();
+  for (const ChartPoint& p : chart.points) {
+    Json point = {{"label", setting_label(p.setting)},
+                  {"method", p.setting.method},
+                  {"accuracy", p.setting.accuracy},
+                  {"default", &p == &chart.points.front()},
+                  {"reference", setting_label(reference_setting(p.setting.method))}};
+    point["trajectory"] = cost_json(p.brief);
+    point["trajectory"]["error_half"] = number(p.trajectory_error[0]);
+    point["trajectory"]["error"] = number(p.trajectory_error[1]);
+    point["window"] = cost_json(p.window);
+    point["window"]["bias_rms"] = number(p.bias_rms);
+    point["window"]["bias_noise"] = number(p.bias_noise);
+    point["window"]["biases"] = biases_json(p);
+    points.push_back(std::move(point));
+  }
+  return json;
+}
+
+std::string chart_csv(const Chart& chart) {
+  std::string text =
+      "setting,default,horizon,quantity,error,standard_error,upper_limit_95,allowed,verdict,rtf,"
+      "rhs_evaluations_per_s,on_front,problem\n";
+  const auto problem = [](const std::string& s) { return s.empty() ? s : "\"" + s + "\""; };
+  for (const ChartPoint& p : chart.points) {
+    const std::string head =
+        setting_label(p.setting) + (&p == &chart.points.front() ? ",1," : ",0,");
+    for (std::size_t k = 0; k < 2; ++k)
+      text += fmt::format("{}{} ms,trajectory,{:.6g},,,,,{:.6g},{:.6g},{},{}\n", head,
+                          1e3 * chart.options.horizon * (k ? 1 : 0.5), p.trajectory_error[k],
+                          p.brief.rtf, p.brief.rhs_per_s, p.brief.on_front ? 1 : 0,
+                          problem(p.brief.problem));
+    for (std::size_t q = 0; q < p.biases.size(); ++q) {
+      const Bias& b = p.biases[q];
+      text += fmt::format("{}window,{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.6g},{:.6g},{},{}\n", head,
+                          quantity_table()[q].key, b.bias, b.standard_error, b.upper_limit,
+                          b.allowed, verdict_name(b.verdict), p.window.rtf, p.window.rhs_per_s,
+                          p.window.on_front ? 1 : 0, problem(p.window.problem));
+    }
+  }
+  return text;
+}
+
+std::string chart_text(const Chart& chart) {
+  const ChartPoint& own = chart.points.front();
+  std::string text = fmt::format(
+      "scene {}, error scales 1 um and 1 cm/s, after {:g} ms (references apart by {:.2g}):\n"
+      "{:<32}{:>9}{:>11}{:>11}{:>11}\n",
+      chart.scene, 1e3 * chart.options.horizon, chart.reference_gap[1], "setting (* on the front)",
+      "RTF", "error", "bias rms", "resolved");
+  for (const ChartPoint& p : chart.points) {
+    text += fmt::format(
+        "{:<32}{:>9.3f}{:>11.2g}{:>11.2g}{:>11.2g}",
+        setting_label(p.setting) + (p.brief.on_front ? " *" : "") + (p.window.on_front ? " +" : ""),
+        std::isfinite(p.window.rtf) ? p.window.rtf : p.brief.rtf, p.trajectory_error[1], p.bias_rms,
+        p.bias_noise);
+    for (const std::string& problem : {p.brief.problem, p.window.problem})
+      if (!problem.empty()) text += "  " + problem;
+    text += "\n";
+  }
+  text += fmt::format("The default, {}, is {} the front of error against time over {:g} ms.\n",
+                      setting_label(own.setting), own.brief.on_front ? "on" : "NOT on",
+                      1e3 * chart.options.horizon);
+  if (chart.options.replicas == 0) return text;
+  text +=
+      "(+: on the front of bias against time.) Bias rms and what is resolved are in standard "
+      "deviations of a quantity between replicas.\n";
+  const std::string biased = quantities_that_are(BiasVerdict::biased, own);
+  if (!biased.empty()) text += "The default is biased in " + biased + ".\n";
+  const std::string steady = quantities_that_are(BiasVerdict::steady, own);
+  if (!steady.empty()) text += "Without scatter between replicas: " + steady + ".\n";
+  bool named = false;
+  for (const ChartPoint& p : chart.points) {
+    const std::string sound = quantities_that_are(BiasVerdict::unbiased, p);
+    if (sound.empty() || !(p.window.rtf < own.window.rtf)) continue;
+    text +=
+        setting_label(p.setting) + " is cheaper than the default and unbiased for " + sound + ".\n";
+    named = true;
+  }
+  if (!named)
+    text += fmt::format(
+        "No cheaper setting is shown to be unbiased: {} replicas leave the rest unresolved; about "
+        "{:.0f} would resolve a bias of one standard error of a {:g}-sample study.\n",
+        chart.options.replicas, replicas_to_resolve(), kStudySamples);
+  return text;
+}
+
+}  // namespace cagetol

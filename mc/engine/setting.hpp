@@ -1,0 +1,39 @@
+// A way to integrate: a method with the tolerance or step it is run at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/scene/scene.hpp"
+#include "src/simulate.hpp"
+
+namespace cagetol {
+
+struct Setting {
+  std::string method;
+  double accuracy =
+      0;  ///< tolerance as a multiple of the error scales; a fixed-step method's step [s]
+};
+
+bool has_fixed_step(const std::string& method);
+
+/// "rodas3 at 0.001", "semi-implicit-euler at 1 us".
+std::string setting_label(const Setting& setting);
+
+/// The scene's own setting.
+Setting setting_of(const Scene& scene);
+
+/// The scene, integrated that way.
+Scene with_setting(const Scene& scene, const Setting& setting);
+
+/// Each method (all if none is named) at a ladder of accuracies, the scene's own setting first.
+std::vector<Setting> setting_ladder(const Scene& scene, const std::vector<std::string>& methods);
+
+/// Options for runs of that scene: the table of its flexible cage, made once for all of them.
+SimulateOptions with_cage_table(const Scene& scene);
+
+/// A tight setting of a method of another kind, to hold `method` against: explicit Runge-Kutta for
+/// linearly implicit methods, RODAS4 for all others.
+Setting reference_setting(const std::string& method);
+
+}  // namespace cagetol

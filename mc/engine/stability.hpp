@@ -1,0 +1,67 @@
+// The stability suite: scenes in which integration methods fail, each run by each method, judged by
+// numbers. What must never happen is a wrong result that looks right.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "src/outcome.hpp"
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+struct SuiteScene {
+  std::string name;
+  Scene scene;
+  bool fast = false;
+};
+
+/// Reads a suite file (inputs/stability.toml says how it is written). Throws InputError.
+std::vector<SuiteScene> read_suite(const std::string& path);
+
+/// right:      every watch within its bound and the trajectory within 0.1 error scales (0.1 um,
+///             1 mm/s and kin, root mean square) of a tight run of a method of another kind; or the
+///             jam that is due
+/// degraded:   the same, within 1 error scale
+/// wrong:      further away though no watch speaks: a silently wrong result
+/// unresolved: every watch within its bound, but two tight references part by more than 0.1 error
+///             scales (or are missing): the trajectory decides nothing
+/// failed:     the run says itself that it failed
+enum class Soundness { right, degraded, wrong, unresolved, failed };
+const char* soundness_name(Soundness soundness);
+
+inline constexpr double kRightError = 0.1, kDegradedError = 1;  ///< [error scales]
+inline constexpr double kSuiteHorizon = 0.5e-3;                 ///< of trajectories [s]
+
+struct SuiteCell {
+  Soundness soundness = Soundness::failed;
+  double trajectory_error = 0;  ///< [error scales]; NaN where there is none
+  Outcome outcome;              ///< of the whole window
+};
+
+struct SuiteRow {
+  std::string scene;
+  double reference_gap = 0;  ///< trajectories of the two references apart; NaN where one is missing
+  std::map<std::string, SuiteCell> cells;  ///< by method
+};
+
+struct StabilityMap {
+  std::string default_method;
+  std::vector<std::string> methods;
+  std::vector<SuiteRow> rows;
+};
+
+Soundness judge_soundness(Status status, double trajectory_error, double reference_gap);
+
+/// Runs the suite, `threads` cells at a time.
+StabilityMap run_stability(const std::vector<SuiteScene>& suite,
+                           const std::vector<std::string>& methods, int threads);
+
+nlohmann::ordered_json stability_json(const StabilityMap& map);
+std::string stability_text(const StabilityMap& map);
+
+}  // namespace cagetol

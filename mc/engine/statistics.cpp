@@ -1,0 +1,15 @@
+#include "mc/engine/statistics.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace cagetol {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+}  // namespace cagetol

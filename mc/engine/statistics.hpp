@@ -1,0 +1,11 @@
+// Small statistics of repeated measurements.
+#pragma once
+
+#include <vector>
+
+namespace cagetol {
+
+/// Middle value, the mean of the two middle ones of an even count; NaN of none.
+double median(std::vector<double> values);
+
+}  // namespace cagetol

@@ -1,0 +1,50 @@
+#include "mc/engine/trajectory.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "src/integration/system.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kPadding = 1e20;  // scales beyond belong to slots that are no bodies
+
+double apart(const std::vector<double>& a, const std::vector<double>& b,
+             const std::vector<double>& scale) {
+  if (a.empty() || b.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  int components = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (scale[i] > kPadding) continue;
+    const double e = (a[i] - b[i]) / scale[i];
+    sum += e * e;
+    ++components;
+  }
+  return std::sqrt(sum / components);
+}
+
+}  // namespace
+
+Trajectory follow(const Scene& scene, double horizon, SimulateOptions options) {
+  Scene brief = scene;
+  brief.window.settle_time = brief.window.measure_time = horizon / 2;
+  brief.watch.static_consistency_max = brief.watch.energy_residual_max =
+      std::numeric_limits<double>::infinity();  // nothing has settled yet
+  Trajectory trajectory;
+  options.on_state = [&](double t, const double* y, const System& system) {
+    for (std::size_t k = 0; k < 2; ++k)
+      if (t >= (k == 0 ? horizon / 2 : horizon) && trajectory.states[k].empty())
+        trajectory.states[k].assign(y, y + system.size);
+    if (trajectory.scale.empty()) trajectory.scale = system.scale;
+  };
+  trajectory.outcome = simulate(brief, options);
+  return trajectory;
+}
+
+std::array<double, 2> trajectory_error(const Trajectory& run, const Trajectory& reference) {
+  return {apart(run.states[0], reference.states[0], reference.scale),
+          apart(run.states[1], reference.states[1], reference.scale)};
+}
+
+}  // namespace cagetol

@@ -1,0 +1,26 @@
+// Where a bearing is after a short while, to compare ways to integrate before chaos parts them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "src/simulate.hpp"
+
+namespace cagetol {
+
+/// States at half the horizon and at the horizon; empty where the run did not get there.
+struct Trajectory {
+  std::array<std::vector<double>, 2> states;
+  std::vector<double> scale;  ///< one unit of error of each component; huge for padding
+  Outcome outcome;
+};
+
+/// Follows the scene, as it is set to be integrated, from its start to `horizon` [s].
+Trajectory follow(const Scene& scene, double horizon, SimulateOptions options = {});
+
+/// Root mean square difference in units of the error scales (1 um, 1 cm/s and kin), at half the
+/// horizon and at the horizon; NaN where one of the two did not get there.
+std::array<double, 2> trajectory_error(const Trajectory& run, const Trajectory& reference);
+
+}  // namespace cagetol

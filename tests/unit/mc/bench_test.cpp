@@ -1,0 +1,72 @@
+// The bench measures `simulate` itself: its RTF is that of a run beside it, and failures are said.
+#include "mc/engine/bench.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "mc/engine/statistics.hpp"
+#include "src/simulate.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+Scene short_scene() {
+  Scene scene = shipped_scene("speed-z16");
+  scene.window.settle_time = 4e-3;
+  scene.window.measure_time = 2e-3;
+  return scene;
+}
+
+TEST(Median, OfOddEvenAndNone) {
+  EXPECT_EQ(median({3, 1, 2}), 2);
+  EXPECT_EQ(median({4, 1, 2, 3}), 2.5);
+  EXPECT_TRUE(std::isnan(median({})));
+}
+
+// Not a second clock beside it: the very time that a run states, per simulated second.
+TEST(Bench, MeasuresSimulateItself) {
+  const BenchResult result = bench(short_scene(), {.methods = {"rodas3"}, .repeats = 3});
+  for (const MethodCost& cost : result.methods) {
+    ASSERT_EQ(cost.rtf_runs.size(), 3u);
+    EXPECT_EQ(cost.rtf, median(cost.rtf_runs));
+    EXPECT_DOUBLE_EQ(cost.rtf_runs.back() * cost.run.simulated_s, cost.run.wall_s);
+    EXPECT_NEAR(cost.run.simulated_s, 6e-3, 1e-12);
+  }
+}
+
+TEST(Bench, CountsAndKernelsAreThoseOfTheRun) {
+  const Scene scene = short_scene();
+  const BenchResult result = bench(scene, {.methods = {"rodas4"}, .repeats = 1});
+  ASSERT_EQ(result.methods.size(), 3u);  // the scene's own, the one asked for, the baseline
+  EXPECT_EQ(result.methods[0].method, "rodas3");
+  EXPECT_EQ(result.methods[2].method, kBaselineMethod);
+  EXPECT_EQ(cost_of(result, "rodas3").run.steps, simulate(scene).run.steps);
+  const KernelTimes& k = result.kernels;
+  for (double time : {k.rhs_us, k.linearise_us, k.factorise_us, k.solve_us}) EXPECT_GT(time, 0.01);
+  EXPECT_GT(k.linearise_us, k.rhs_us);
+  const auto json = bench_json(result);
+  EXPECT_EQ(json["default"]["method"], "rodas3");
+  EXPECT_EQ(json["default"]["rtf"].get<double>(), cost_of(result, "rodas3").rtf);
+  EXPECT_EQ(json["methods"][1]["method"], "rodas4");
+  EXPECT_NEAR(json["methods"][0]["steps_per_s"].get<double>() * 6e-3, result.methods[0].run.steps,
+              1e-6);
+}
+
+TEST(Bench, AMethodThatFailsSaysSo) {
+  Scene scene = short_scene();
+  scene.operation.radial_load = 3000;  // one microsecond is too long for explicit steps
+  const BenchResult result = bench(scene, {.methods = {kBaselineMethod}, .repeats = 1});
+  const MethodCost& explicit_steps = cost_of(result, kBaselineMethod);
+  EXPECT_EQ(explicit_steps.status, Status::failed);
+  EXPECT_TRUE(std::isnan(explicit_steps.rtf));
+  EXPECT_THAT(bench_text(result), testing::HasSubstr("failed: static consistency error"));
+  const auto json = bench_json(result);
+  EXPECT_TRUE(json["methods"][1]["rtf"].is_null());
+  EXPECT_FALSE(json["default"]["rtf"].is_null());
+}
+
+}  // namespace
+}  // namespace cagetol

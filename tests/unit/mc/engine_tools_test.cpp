@@ -1,0 +1,136 @@
+// What the charts of the engine rest on: verdicts on biases, replicas by address, trajectories, and
+// the judgement of the stability suite.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "mc/engine/bias.hpp"
+#include "mc/engine/chart.hpp"
+#include "mc/engine/replicas.hpp"
+#include "mc/engine/stability.hpp"
+#include "mc/engine/trajectory.hpp"
+#include "src/input/input_error.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+
+std::string scene_file() {
+  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/scenes/speed-z16.toml";
+}
+
+TEST(Bias, OfTwoGroupsByHand) {
+  const Bias b = compare_means({1, 2, 3}, {2, 4, 6});
+  EXPECT_DOUBLE_EQ(b.bias, -2);
+  EXPECT_DOUBLE_EQ(b.standard_error, std::sqrt(1.0 / 3 + 4.0 / 3));
+  EXPECT_DOUBLE_EQ(b.deviation, 2);
+  EXPECT_DOUBLE_EQ(b.allowed, 2 / std::sqrt(1000.0));
+  // Welch: (5/3)^2 / ((1/3)^2/2 + (4/3)^2/2) = 2.941 degrees of freedom; t at 97.5 % is 3.219.
+  EXPECT_NEAR(b.upper_limit, 2 + 3.219 * b.standard_error, 2e-3);
+  EXPECT_EQ(b.verdict, BiasVerdict::unresolved);
+}
+
+TEST(Bias, IsResolvedOnlyByEnoughReplicas) {
+  std::vector<double> few, many, far;
+  for (int k = 0; k < 40000; ++k) {
+    const double x = std::sin(1.0 + 7 * k);  // spread out, mean near 0
+    many.push_back(x);
+    far.push_back(x + 0.2);
+    if (k < 100) few.push_back(x);
+  }
+  EXPECT_EQ(compare_means(few, few).verdict, BiasVerdict::unresolved);
+  EXPECT_EQ(compare_means(many, many).verdict, BiasVerdict::unbiased);
+  EXPECT_EQ(compare_means(far, many).verdict, BiasVerdict::biased);
+  EXPECT_EQ(compare_means({1}, {1, 2}).verdict, BiasVerdict::unresolved);
+  EXPECT_EQ(compare_means({5, 5.1}, {5, 5}).verdict, BiasVerdict::steady);
+  EXPECT_NEAR(replicas_to_resolve(), 7683, 1);
+}
+
+TEST(Replicas, AreAddressedAndDoNotDependOnThreads) {
+  const Study study =
+      read_study(scene_file(), {"window.settle_time_s = 0.0002", "window.measure_time_s = 0.0002"});
+  const auto few = replica_scenes(study, 2), more = replica_scenes(study, 4);
+  EXPECT_EQ(few[1].start.cage_offset_y, more[1].start.cage_offset_y);
+  EXPECT_NE(more[1].start.cage_offset_y, more[2].start.cage_offset_y);
+  EXPECT_LT(std::abs(more[1].start.cage_offset_y), 100e-6);
+  const auto one = simulate_all(more, 1), three = simulate_all(more, 3);
+  for (std::size_t k = 0; k < more.size(); ++k)
+    EXPECT_EQ(std::memcmp(one[k].quantities.data(), three[k].quantities.data(),
+                          one[k].quantities.size() * sizeof(double)),
+              0);
+}
+
+TEST(Trajectory, MethodsOfDifferentKindsAgreeAndTighterIsNearer) {
+  const Scene scene = shipped_scene("speed-z16");
+  const Trajectory reference = follow(with_setting(scene, reference_setting("rodas3")), 0.4e-3);
+  double last = 10;
+  for (double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const auto error =
+        trajectory_error(follow(with_setting(scene, {"rodas3", tolerance}), 0.4e-3), reference);
+    EXPECT_LT(error[1], last);
+    last = error[1];
+  }
+  EXPECT_LT(last, 0.02);
+  EXPECT_TRUE(std::isnan(trajectory_error(Trajectory{}, reference)[1]));
+}
+
+TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
+  const Study study =
+      read_study(scene_file(), {"window.settle_time_s = 0.003", "window.measure_time_s = 0.001"});
+  const Chart chart = make_chart(
+      study, {.methods = {"rodas3"}, .horizon = 0.4e-3, .replicas = 2, .repeats = 1, .threads = 1},
+      [](const std::string&) {});
+  ASSERT_EQ(chart.points.size(), 5u);
+  EXPECT_EQ(chart.points[0].setting.accuracy, 0.001);
+  EXPECT_LT(chart.reference_gap[1], 1e-2);
+  for (const ChartPoint& p : chart.points)
+    for (const ChartPoint& q : chart.points)
+      if (q.brief.rtf < p.brief.rtf && q.trajectory_error[1] < p.trajectory_error[1]) {
+        EXPECT_FALSE(p.brief.on_front);
+      }
+  EXPECT_THAT(chart_text(chart), HasSubstr("unresolved"));
+  EXPECT_THAT(chart_csv(chart), HasSubstr("rodas3 at 0.1,0,0.4 ms,trajectory,"));
+  EXPECT_TRUE(chart_json(chart)["points"][0]["default"].get<bool>());
+}
+
+TEST(Stability, Judgement) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(judge_soundness(Status::ok, 0.05, 0.01), Soundness::right);
+  EXPECT_EQ(judge_soundness(Status::ok, 0.5, 0.01), Soundness::degraded);
+  EXPECT_EQ(judge_soundness(Status::ok, 5, 0.01), Soundness::wrong);
+  EXPECT_EQ(judge_soundness(Status::ok, none, 0.01), Soundness::wrong);
+  EXPECT_EQ(judge_soundness(Status::ok, 5, 0.5), Soundness::unresolved);
+  EXPECT_EQ(judge_soundness(Status::ok, 0.05, none), Soundness::unresolved);
+  EXPECT_EQ(judge_soundness(Status::failed, 0.05, 0.01), Soundness::failed);
+  EXPECT_EQ(judge_soundness(Status::jammed, none, none), Soundness::right);
+}
+
+TEST(Stability, ABadSuiteSaysWhatIsWrong) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch / "suite.toml";
+  const auto problem = [&](const std::string& text) -> std::string {
+    std::ofstream(file) << text;
+    try {
+      read_suite(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(problem("x = 1\n"), HasSubstr("suite.toml:1: x = 1: no such key"));
+  EXPECT_THAT(problem("\n"), HasSubstr("the suite holds no scene"));
+  EXPECT_THAT(problem("scene = [1]\n"), HasSubstr("expected a table"));
+  EXPECT_THAT(problem("[[scene]]\nfile = 'a.toml'\n"), HasSubstr("no such file"));
+  EXPECT_THAT(problem("[[scene]]\nname = 'a'\n"), HasSubstr("scene.file: missing"));
+  EXPECT_THAT(problem("[[scene]]\nset = 'a'\n"), HasSubstr("expected an array of texts"));
+}
+
+}  // namespace
+}  // namespace cagetol
