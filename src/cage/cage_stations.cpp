@@ -8,6 +8,8 @@
 namespace cagetol {
 namespace {
 
+constexpr int kLinePoints = 6;  // of the mean over a station's line
+
 /// Rotates radial and tangential directions at angle theta; rows: radial, tangential, axial.
 Eigen::Matrix3d directions(double theta) {
   Eigen::Matrix3d rows;
@@ -43,9 +45,14 @@ CageStations cage_stations(const Scene& scene) {
     diameter += d / static_cast<double>(scene.roller.diameter.size());
   const long n = scene.discretisation.bar_stations;
   stations.bar_x.clear();
+  stations.bar_half.clear();
   for (long i = 0; i < n; ++i) {
     const double t = n == 1 ? 0 : -1 + 2 * static_cast<double>(i) / static_cast<double>(n - 1);
     stations.bar_x.push_back(0.4 * t * scene.roller.length);
+    // Neighbours share the line between them; nothing reaches beyond the roller's ends.
+    const double spacing = n == 1 ? 1 : 0.8 / static_cast<double>(n - 1);
+    stations.bar_half.push_back(std::min(spacing / 2, 0.5 - 0.4 * std::abs(t)) *
+                                scene.roller.length);
   }
   stations.pitch_radius =
       0.25 * (scene.bearing.inner_raceway_diameter + scene.bearing.outer_raceway_diameter);
@@ -95,29 +102,44 @@ SectorReading read_at(const SectorGrid& grid, const SectorPoint& place) {
   throw std::logic_error("cage: no element at the place of a station");
 }
 
+std::vector<SectorReading> read_bar(const CageDimensions& cage, const CageStations& stations,
+                                    const SectorGrid& grid, const PocketDeviation& deviation,
+                                    double face, std::size_t i) {
+  std::vector<SectorReading> readings;
+  for (int k = 0; k < kLinePoints; ++k) {
+    const double along = (2 * k + 1.0) / kLinePoints - 1;
+    const double x = stations.bar_x[i] + along * stations.bar_half[i];
+    readings.push_back(read_at(grid, bar_station(cage, stations, deviation, face, x)));
+    readings.back().weight /= kLinePoints;
+  }
+  return readings;
+}
+
 Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& stations,
                              const SectorGrid& grid, const PocketDeviation& deviation,
                              const Eigen::MatrixXd& sector_fields) {
   Eigen::MatrixXd rows(3 * contact_points(stations), sector_fields.cols());
   Eigen::Index next = 0;
-  const auto add = [&](const SectorPoint& place, double theta) {
-    const SectorReading reading = read_at(grid, place);
+  const auto add_readings = [&](const std::vector<SectorReading>& readings, double theta) {
     auto out = rows.middleRows<3>(next);
     out.setZero();
     const Eigen::Matrix3d frame = directions(theta);
-    for (int a = 0; a < 8; ++a) {
-      if (reading.weight[a] == 0) continue;
-      out += reading.weight[a] * frame *
-             sector_fields.middleRows<3>(3 * reading.point[static_cast<std::size_t>(a)]);
-    }
+    for (const SectorReading& reading : readings)
+      for (int a = 0; a < 8; ++a) {
+        if (reading.weight[a] == 0) continue;
+        out += reading.weight[a] * frame *
+               sector_fields.middleRows<3>(3 * reading.point[static_cast<std::size_t>(a)]);
+      }
     next += 3;
+  };
+  const auto add = [&](const SectorPoint& place, double theta) {
+    add_readings({read_at(grid, place)}, theta);
   };
   const double half_length = 0.5 * (cage.pocket_length + deviation.length);
   const double half_width = 0.5 * (cage.pocket_width + deviation.width);
   for (double face : {-1.0, 1.0}) {
-    for (double x : stations.bar_x) {
-      add(bar_station(cage, stations, deviation, face, x), deviation.pitch);
-    }
+    for (std::size_t i = 0; i < stations.bar_x.size(); ++i)
+      add_readings(read_bar(cage, stations, grid, deviation, face, i), deviation.pitch);
   }
   const double radial = bar_station(cage, stations, deviation, 1, 0).radial;
   const double across = std::min(1.0, stations.end_offset / half_width);
@@ -144,7 +166,9 @@ std::vector<int> stress_stations(const SectorGrid& grid) {
   // Forces off the middle put the largest moment of a bar between middle and root. Side rings bend
   // most just off the bars' roots: an edge's own corner averages the stress of three elements.
   const double between = nearest_line(grid, &SectorPoint::axial, 0.4);
-  const double off_root = nearest_line(grid, &SectorPoint::axial, 0.88);
+  const double under_load = nearest_line(grid, &SectorPoint::axial, 0.78);
+  const double half_way = nearest_line(grid, &SectorPoint::around, 0.5);
+  const double next_to_root = nearest_line(grid, &SectorPoint::axial, 0.999);
   const double off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
   std::vector<int> stations;
   for (std::size_t p = 0; p < grid.points.size(); ++p) {
@@ -156,9 +180,11 @@ std::vector<int> stress_stations(const SectorGrid& grid) {
         std::abs(point.radial - 0.5) < 0.51 / static_cast<double>(grid.counts.radial) &&
         (grid.counts.radial % 2 == 1 || point.radial == 0.5);
     const bool corner = around == 1 && axial == 1 && (surface || middle_depth);
-    const bool bar_middle = around == 1 && (axial == 0 || axial == between) && surface;
-    const bool bar_root = around == 1 && axial == off_root && point.radial == 0;
-    const bool side_ring = around == 0 && (axial == 1 || axial == 2) && surface;
+    const bool bar_middle =
+        around == 1 && (axial == 0 || axial == between || axial == under_load) && surface;
+    const bool bar_root = around == 1 && axial == next_to_root;
+    const bool side_ring = surface && ((around == 0 && (axial == 1 || axial == 2)) ||
+                                       (around == half_way && axial == 2));
     const bool side_root = around == off_bar && axial == 1 && surface;
     if (corner || bar_middle || bar_root || side_ring || side_root)
       stations.push_back(static_cast<int>(p));

@@ -22,10 +22,12 @@ namespace cagetol {
 
 struct CageStations {
   std::vector<double> bar_x = {-3.6e-3, 0, 3.6e-3};  ///< axial positions on the bar faces [m]
-  double pitch_radius = 19.5e-3;                     ///< of bar stations and end points [m]
-  double end_offset = 3.0e-3;                        ///< tangential offset of the end points [m]
-  double land_offset = 5.8e-3;                       ///< axial position of the guide lands [m]
-  bool outer_guided = true;                          ///< guiding surface is the outer one
+  std::vector<double> bar_half = {0.9e-3, 1.8e-3,
+                                  0.9e-3};  ///< a station stands for bar_x +- this [m]
+  double pitch_radius = 19.5e-3;            ///< of bar stations and end points [m]
+  double end_offset = 3.0e-3;               ///< tangential offset of the end points [m]
+  double land_offset = 5.8e-3;              ///< axial position of the guide lands [m]
+  bool outer_guided = true;                 ///< guiding surface is the outer one
 };
 
 /// Stations of a scene: bar_stations at the middles' span +-0.4 L_w, end points at 0.8 of the
@@ -48,6 +50,12 @@ struct SectorReading {
 /// Reads at a place of the grid. The place must lie in the material.
 SectorReading read_at(const SectorGrid& grid, const SectorPoint& place);
 
+/// The mean over the line on the bar's face that station i stands for, as readings that add up: a
+/// roller touches along a line, and a force in a point would bring a stress of its own.
+std::vector<SectorReading> read_bar(const CageDimensions& cage, const CageStations& stations,
+                                    const SectorGrid& grid, const PocketDeviation& deviation,
+                                    double face, std::size_t i);
+
 /// The rows of all contact points of a pocket: 3 contact_points x 3 points of the grid, times
 /// fields in the sector's own frame. A bar station beyond the pocket's end reads at the end.
 Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& stations,
@@ -55,8 +63,8 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
                              const Eigen::MatrixXd& sector_fields);
 
 /// Grid points at which the stress can be largest: the pocket's four corners at three depths, the
-/// bar faces at and beside the middle and beside the root, the side rings' edges at the pocket's
-/// middle and, at the pocket's end, beside the bars.
+/// bar faces at and beside the middle and, at every depth, beside the root, the side rings' edges
+/// at the pocket's middle and, at the pocket's end, beside the bars.
 std::vector<int> stress_stations(const SectorGrid& grid);
 
 /// "pocket corner, leading face, x > 0, outer surface" and the like, for reports.

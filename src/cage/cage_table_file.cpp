@@ -13,7 +13,7 @@
 namespace cagetol {
 namespace {
 
-constexpr const char* kMagic = "cagetol cage table 2\n";
+constexpr const char* kMagic = "cagetol cage table 3\n";
 
 /// FNV-1a over the bit patterns of numbers.
 class Hash {
@@ -153,6 +153,7 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
     hash.add(value);
   }
   for (double x : stations.bar_x) hash.add(x);
+  for (double half : stations.bar_half) hash.add(half);
   char text[20];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
   return text;

@@ -1,0 +1,53 @@
+// The stress that a run reports against the whole stress field, recovered on the full mesh with
+// static correction, at instants of that run.
+#include <gtest/gtest.h>
+#include <cmath>
+
+#include "src/cage/cage_recovery.hpp"
+#include "src/cage/scene_cage.hpp"
+#include "src/integration/system.hpp"
+#include "src/simulate.hpp"
+
+namespace cagetol {
+namespace {
+
+TEST(RunPeakStress, IsThatOfTheWholeField) {
+  Scene scene;
+  scene.cage.model = "flexible";
+  scene.cage.mesh_density = 2;
+  scene.window.settle_time = 1e-3;
+  scene.window.measure_time = 25e-3;
+  scene.watch.static_consistency_max = 1;
+  const auto table = make_scene_cage_table(scene);
+  std::vector<Eigen::VectorXd> q, force;
+  SimulateOptions options{.cage_table = table};
+  double next = scene.window.settle_time;
+  options.on_state = [&](double t, const double* y, const System& system) {
+    if (t < next || system.seen.bar_force.isZero()) return;
+    next = t + 1e-3;  // an instant with contact every millisecond
+    const StateLayout& l = system.model.layout;
+    q.emplace_back(Eigen::Map<const Eigen::VectorXd>(y + l.border_position(kModes), l.modes));
+    force.push_back(system.seen.bar_force);
+  };
+  ASSERT_EQ(simulate(scene, options).status, Status::ok);
+  ASSERT_GE(q.size(), 15U);
+  Eigen::MatrixXd states(q[0].size(), q.size()), forces(force[0].size(), q.size());
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    states.col(static_cast<Eigen::Index>(i)) = q[i];
+    forces.col(static_cast<Eigen::Index>(i)) = force[i];
+  }
+  const auto compared =
+      compare_peak_stress(*table, pocket_deviations(scene.cage, table->cage), states, forces);
+  double worst = 0;
+  for (const PeakStress& peak : std::get<std::vector<PeakStress>>(compared)) {
+    const double error = peak.stations / peak.full - 1;
+    worst = std::max(worst, std::abs(error));
+    std::printf("  %.4f MPa by stations, %.4f MPa by the whole field: %+.2f %%\n",
+                1e-6 * peak.stations, 1e-6 * peak.full, 100 * error);
+  }
+  RecordProperty("worst", std::to_string(worst));
+  EXPECT_LT(worst, 0.03);
+}
+
+}  // namespace
+}  // namespace cagetol
