@@ -36,13 +36,16 @@ ChartCost cost_of(const std::vector<Outcome>& outcomes) {
   return cost;
 }
 
-/// Marks the points that no other one beats in cost and error at once.
+/// Marks the points that no other one beats in cost and error at once. A setting that failed in any
+/// run stays off the front: what is left of it would be a choice.
 template <class Cost, class Error>
 void mark_front(std::vector<ChartPoint>& points, const Cost& cost, const Error& error) {
   for (ChartPoint& p : points) {
-    bool beaten = !(std::isfinite(cost(p).rtf) && std::isfinite(error(p)));
+    bool beaten =
+        !(std::isfinite(cost(p).rtf) && std::isfinite(error(p))) || !cost(p).problem.empty();
     for (ChartPoint& q : points)
-      beaten = beaten || (cost(q).rtf < cost(p).rtf && error(q) < error(p));
+      beaten =
+          beaten || (cost(q).problem.empty() && cost(q).rtf < cost(p).rtf && error(q) < error(p));
     cost(p).on_front = !beaten;
   }
 }

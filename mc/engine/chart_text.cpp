@@ -129,7 +129,7 @@ std::string chart_text(const Chart& chart) {
   bool named = false;
   for (const ChartPoint& p : chart.points) {
     const std::string sound = quantities_that_are(BiasVerdict::unbiased, p);
-    if (sound.empty() || !(p.window.rtf < own.window.rtf)) continue;
+    if (sound.empty() || !p.window.problem.empty() || !(p.window.rtf < own.window.rtf)) continue;
     text +=
         setting_label(p.setting) + " is cheaper than the default and unbiased for " + sound + ".\n";
     named = true;
