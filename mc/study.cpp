@@ -11,7 +11,6 @@
 #include "mc/study_layers.hpp"
 #include "mc/study_limits.hpp"
 #include "mc/study_trends.hpp"
-#include "src/quantities/quantity_table.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -153,10 +152,6 @@ std::vector<std::string> study_notes(const Study& study) {
           "limit on " + limit.quantity + " is for " + number_text(limit.cage_revolutions) +
           " cage revolutions, the window measures " + number_text(window.measure_revolutions) +
           " (scene.window.measure_revolutions)");
-  for (const auto& trend : study.trends)
-    if (quantity_index(trend.quantity) < 0)
-      notes.push_back("trend on " + trend.quantity +
-                      ": there is no such quantity, so the claim will find no numbers beside it");
   const auto varied = design_columns(study);
   if (study.inputs.empty())
     notes.push_back("nothing varies: no key of the scene is a distribution");

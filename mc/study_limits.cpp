@@ -27,14 +27,8 @@ Limit read_limit(const toml::table& entry, const std::string& file) {
     throw missing("the limit names no quantity",
                   "add quantity = \"...\", a key of `simulate --json`");
   limit.quantity = text_value(info("quantity"), *quantity, file);
-  if (quantity_index(limit.quantity) < 0) {
-    std::vector<std::string> names;
-    for (const auto& known : quantity_table()) names.emplace_back(known.key);
-    throw InputError(place_of(*quantity, file), "limit.quantity", shown(*quantity),
-                     "there is no such quantity of interest",
-                     "did you mean " + nearest_name(limit.quantity, names) +
-                         "? `cagetol simulate SCENE` lists every quantity");
-  }
+  if (quantity_index(limit.quantity) < 0)
+    throw no_such_quantity(*quantity, "limit.quantity", limit.quantity, file);
   if (const auto* node = entry.get("min")) limit.minimum = number_value(info("min"), *node, file);
   if (const auto* node = entry.get("max")) limit.maximum = number_value(info("max"), *node, file);
   if (!limit.minimum && !limit.maximum)
@@ -151,6 +145,15 @@ void check_costs(const std::vector<ToleranceDimension>& dimensions,
 }
 
 }  // namespace
+
+InputError no_such_quantity(const toml::node& node, const std::string& key,
+                            const std::string& quantity, const std::string& file) {
+  std::vector<std::string> names;
+  for (const auto& known : quantity_table()) names.emplace_back(known.key);
+  return InputError(place_of(node, file), key, shown(node), "there is no such quantity of interest",
+                    "did you mean " + nearest_name(quantity, names) +
+                        "? `cagetol simulate SCENE` lists every quantity");
+}
 
 std::vector<Limit> read_limits(const toml::table& root, const std::string& file) {
   std::vector<Limit> limits;

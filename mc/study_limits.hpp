@@ -7,8 +7,13 @@
 #include <vector>
 
 #include "mc/study.hpp"
+#include "src/input/input_error.hpp"
 
 namespace cagetol {
+
+/// The error for a node that names a quantity which is not in quantity_table().
+InputError no_such_quantity(const toml::node& node, const std::string& key,
+                            const std::string& quantity, const std::string& file);
 
 /// The [[limit]] entries. Throws InputError, for instance for a quantity that is not in
 /// quantity_table().

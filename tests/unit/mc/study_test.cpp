@@ -365,13 +365,9 @@ TEST_F(StudyFile, TrendsThatCannotBeJudgedAreRefused) {
               HasSubstr("did you mean trend.by_share?"));
   EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'falls'\nby_share = 1\nby_value = 1\n"),
               HasSubstr("both given"));
+  EXPECT_THAT(problem_of(trend_study("quantity = 'cage_stress'\n")),
+              AllOf(HasSubstr("study.toml:10: trend.quantity"), HasSubstr("did you mean cage_s")));
   EXPECT_THAT(problem_of(trend_study(slip, "random")), HasSubstr("this design has none"));
-}
-
-TEST_F(StudyFile, TrendOnAnUnknownQuantityIsNoted) {
-  const Study study =
-      study_of(trend_study("quantity = 'beauty'\nbetween = [0, 0.25]\nexpected = 'rises'\n"));
-  EXPECT_THAT(study_notes(study), testing::Contains(HasSubstr("trend on beauty")));
 }
 
 TEST_F(StudyFile, HistoriesNeedARollerOfTheBearing) {
