@@ -21,7 +21,8 @@ void write_peak_snapshot(const std::string& file, const Scene& scene, const Cage
                                       : "the run has no stress: " + outcome.reason,
                      table == nullptr ? "set cage.model = \"flexible\""
                                       : "choose a sample that runs to its end");
-  const Eigen::Map<const Eigen::VectorXd> q(peak.modes.data(), static_cast<long>(peak.modes.size())),
+  const Eigen::Map<const Eigen::VectorXd> q(peak.modes.data(),
+                                            static_cast<long>(peak.modes.size())),
       force(peak.bar_force.data(), static_cast<long>(peak.bar_force.size()));
   std::optional<CageFault> fault;
   try {

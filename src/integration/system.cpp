@@ -8,10 +8,6 @@ namespace {
 
 constexpr double kLength = 1e-6, kSpeed = 1e-2, kNever = 1e30;
 
-/// Of the contact springs that hold a roller between races, not of what a bearing's quantities see:
-/// see error_norm.
-constexpr double kHeldLooser = 10;
-
 bool all_finite(const double* x, int n) {
   // A sum of zero times each is not a number exactly if one of them is not finite.
   Pack sums{};
@@ -20,10 +16,6 @@ bool all_finite(const double* x, int n) {
   double rest = sum(sums);
   for (; i < n; ++i) rest += 0.0 * x[i];
   return rest == 0;
-}
-
-Pack square(Pack x) {
-  return x * x;
 }
 
 }  // namespace
@@ -80,33 +72,17 @@ std::vector<double> error_scales(const BearingModel& m) {
 }
 
 double error_norm(const System& s, const double* error) {
-  const StateLayout& l = s.model.layout;
+  const double* scale = s.scale.data();
   Pack sums{};
-  for (int g = 0; g < l.groups; ++g) {
-    const int j = g * kLanes;
-    const GroupLinear& at = s.linear.groups[static_cast<std::size_t>(g)];
-    const auto scaled = [&](int slot) { return load(error + slot) / load(s.scale.data() + slot); };
-    const auto lean = [&](int y_slot, int z_slot) {
-      const Pack y = scaled(y_slot), z = scaled(z_slot);
-      return square((at.cosine * y + at.sine * z) / kHeldLooser) +
-             square(at.cosine * z - at.sine * y);
-    };
-    const auto position = [&](RollerPosition slot) { return scaled(l.position(slot, j)); };
-    const auto velocity = [&](RollerVelocity slot) { return scaled(l.velocity(slot, j)); };
-    sums += square(position(kRadius)) + square(position(kAngle)) + square(position(kAxial)) +
-            lean(l.position(kAxisY, j), l.position(kAxisZ, j)) +
-            square(velocity(kRadialSpeed) / kHeldLooser) + square(velocity(kOrbitRate)) +
-            square(velocity(kAxialSpeed)) +
-            lean(l.velocity(kAxisRateY, j), l.velocity(kAxisRateZ, j)) + square(velocity(kSpin));
+  int i = 0;
+  for (; i + kLanes <= s.size; i += kLanes) {
+    const Pack e = load(error + i) / load(scale + i);
+    sums += e * e;
   }
   double total = sum(sums);
-  for (int i = 0; i < l.border(); ++i)
-    for (int slot : {l.border_position(i), l.border_velocity(i)}) {
-      const double e = error[slot] / s.scale[static_cast<std::size_t>(slot)];
-      total += e * e;
-    }
-  const int components =
-      (int{kRollerPositions} + int{kRollerVelocities}) * l.rollers + 2 * l.border();
+  for (; i < s.size; ++i) total += error[i] / scale[i] * (error[i] / scale[i]);
+  const int components = (int{kRollerPositions} + int{kRollerVelocities}) * s.model.layout.rollers +
+                         2 * s.model.layout.border();
   return std::sqrt(total / components);
 }
 

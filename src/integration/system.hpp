@@ -37,10 +37,7 @@ struct System {
 /// divided by their lever arm; padding gets 1e30.
 std::vector<double> error_scales(const BearingModel& model);
 
-/// Root mean square of error/scale over the components that exist, at the state of the last
-/// linearise_at. The radial speed and the tilt of a roller count a tenth: the races' springs hold
-/// them, and what swings there, unloaded rollers at contact resonance, no quantity of interest sees
-/// (tests/ACCURACY.md).
+/// Root mean square of error/scale over the components that exist.
 double error_norm(const System& system, const double* error);
 
 }  // namespace cagetol
