@@ -1,6 +1,7 @@
 // Trends and responses of a grid in report.json and on the page.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -97,7 +98,8 @@ class ResponsePage : public testing::Test {
     return text.str();
   }
   void TearDown() override { std::filesystem::remove_all(directory_); }
-  std::filesystem::path directory_ = std::filesystem::path(testing::TempDir()) / "response_page";
+  std::filesystem::path directory_ = std::filesystem::path(testing::TempDir()) /
+                                     ("cagetol-response-page-" + std::to_string(::getpid()));
 };
 
 TEST_F(ResponsePage, ShowsTrendsCurvesAndWhatIsAbsent) {
