@@ -7,6 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "mc/measurement_csv.hpp"
 #include "src/input/key_table.hpp"
 
@@ -80,25 +82,20 @@ const std::vector<LawForm>& law_forms() {
 }
 // clang-format on
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 const LawForm& form_of(const toml::table& table, const std::string& key, const std::string& file) {
   std::vector<std::string> names;
   for (const auto& form : law_forms()) names.push_back(form.name);
   const auto* node = table.get("law");
   if (!node)
-    throw InputError(place_of(table, file), key, shown(table), "a distribution needs a law",
-                     "add law = \"normal\" or another of: " + joined(names));
+    throw InputError(
+        place_of(table, file), key, shown(table), "a distribution needs a law",
+        "add law = \"normal\" or another of: " + fmt::format("{}", fmt::join(names, ", ")));
   const auto name = node->value<std::string>();
   for (const auto& form : law_forms())
     if (name == form.name) return form;
   throw InputError(place_of(*node, file), key + ".law", shown(*node), "there is no such law",
                    (name ? "did you mean " + nearest_name(*name, names) + "? " : std::string()) +
-                       "laws are: " + joined(names));
+                       "laws are: " + fmt::format("{}", fmt::join(names, ", ")));
 }
 
 // The parameter's key under the law's full name, so that messages name it whole.
@@ -149,7 +146,7 @@ void read_parameters(const toml::table& table, const LawForm& form, const std::s
       throw InputError(place_of(node, file), key + "." + parameter, shown(node),
                        "the law \"" + form.name + "\" has no such parameter",
                        "did you mean " + nearest_name(parameter, names) +
-                           "? its parameters are: " + joined(names));
+                           "? its parameters are: " + fmt::format("{}", fmt::join(names, ", ")));
     const auto* array = node.as_array();
     read_key(named_below(*find_key(parameter_keys(), parameter), key), node, file,
              array ? array->size() : 1, parameters);

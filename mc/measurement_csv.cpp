@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include <fmt/format.h>
+
 namespace cagetol {
 namespace {
 
@@ -21,12 +23,6 @@ std::vector<std::string> fields(const std::string& line, char separator) {
   for (std::string part; std::getline(stream, part, separator);) parts.push_back(trimmed(part));
   if (!line.empty() && line.back() == separator) parts.emplace_back();
   return parts;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 double number(const std::string& field, const SourcePlace& place, const std::string& column) {
@@ -63,8 +59,9 @@ std::vector<double> csv_column(const std::string& text, const std::string& file,
       header = fields(content, separator);
       const auto found = std::find(header.begin(), header.end(), column);
       if (found == header.end())
-        throw InputError(place, "", "", "there is no column '" + column + "'",
-                         "the columns are: " + joined(header).substr(0, 400));
+        throw InputError(
+            place, "", "", "there is no column '" + column + "'",
+            "the columns are: " + fmt::format("{}", fmt::join(header, ", ")).substr(0, 400));
       position = static_cast<std::size_t>(found - header.begin());
       continue;
     }
@@ -73,7 +70,8 @@ std::vector<double> csv_column(const std::string& text, const std::string& file,
       throw InputError(place, "", "",
                        std::to_string(parts.size()) + " fields, but the header names " +
                            std::to_string(header.size()) + " columns",
-                       "give one field for each of: " + joined(header).substr(0, 400));
+                       "give one field for each of: " +
+                           fmt::format("{}", fmt::join(header, ", ")).substr(0, 400));
     values.push_back(number(parts[position], place, column));
   }
   if (header.empty())

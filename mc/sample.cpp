@@ -12,7 +12,6 @@
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
-namespace {
 
 // Where the columns of one input begin in the design; -1 where the scope is absent or a plain
 // number.
@@ -20,11 +19,13 @@ struct InputColumns {
   long lot = -1, pocket = -1;
 };
 
-struct Columns {
+struct SampleColumns {
   std::vector<InputColumns> of_input;
   std::vector<DesignColumn> design;
   std::vector<std::string> names, groups;
 };
+
+namespace {
 
 bool is_plain_number(const Law& law) {
   const auto range = support(law);
@@ -61,7 +62,7 @@ std::map<std::string, std::string> group_names(const Study& study,
   return result;
 }
 
-Columns make_columns(const Study& study) {
+SampleColumns make_columns(const Study& study) {
   std::vector<std::string> scopes;
   for (const auto& input : study.inputs) {
     if (is_varied(input.lot)) scopes.push_back(input.key + ":lot");
@@ -69,7 +70,7 @@ Columns make_columns(const Study& study) {
   }
   const auto groups = group_names(study, scopes);
   std::map<std::string, std::uint32_t> group_index;
-  Columns columns;
+  SampleColumns columns;
   const auto add = [&](const std::string& key, const std::string& scope, Purpose purpose,
                        std::uint32_t draw, const std::string& name) {
     const std::string& group = groups.at(scope);
@@ -108,7 +109,7 @@ bool has_endless_law(const Study& study) {
   });
 }
 
-DesignSpec spec_of(const Study& study, const Columns& columns) {
+DesignSpec spec_of(const Study& study, const SampleColumns& columns) {
   DesignSpec spec;
   spec.kind = study.design;
   spec.seed = static_cast<std::uint64_t>(study.seed);
@@ -143,7 +144,7 @@ auto refused_as_input(const std::string& key, const std::string& value, const Ma
   }
 }
 
-GaussianCopula make_copula(const Study& study, const Columns& columns) {
+GaussianCopula make_copula(const Study& study, const SampleColumns& columns) {
   std::vector<CorrelatedPair> pairs;
   for (const auto& correlation : study.correlations) {
     const auto first = find_input_scope(study.inputs, correlation.first);
@@ -180,7 +181,7 @@ double into_range(const KeyRange& range, double value) {
 
 struct Sampler::Implementation {
   Study study;
-  Columns columns;
+  SampleColumns columns;
   Design design;
   GaussianCopula copula;
   std::vector<const Key<Scene>*> keys;  ///< of the inputs

@@ -10,14 +10,14 @@
 namespace cagetol {
 namespace {
 
-struct Options {
+struct BenchArguments {
   std::string file;
   std::vector<std::string> settings;
   BenchOptions bench;
   bool json = false;
 };
 
-int run(const Options& options) {
+int run_bench(const BenchArguments& options) {
   const Study study = read_study(options.file, options.settings);
   const BenchResult result = bench(draw_sample(study, 0).scene, options.bench);
   print(options.json ? bench_json(result).dump(2) + "\n" : bench_text(result));
@@ -33,7 +33,7 @@ void add_bench_command(CLI::App& app, Chosen& chosen) {
       "Examples:\n  cagetol bench inputs/scenes/speed-z16.toml\n"
       "  cagetol bench inputs/scenes/speed-z16.toml --json --methods rodas3,rodas4 --set "
       "load.radial_N=3000");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchArguments>();
   command->add_option("SCENE", options->file, "Scene file (or study: its first sample)")
       ->required();
   command->add_flag("--json", options->json, "Print the measurements as JSON");
@@ -42,7 +42,7 @@ void add_bench_command(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_bench(*options); }; });
 }
 
 }  // namespace cagetol

@@ -16,7 +16,7 @@
 namespace cagetol {
 namespace {
 
-struct Options {
+struct CageArguments {
   std::string file, deviations;
   std::vector<std::string> settings;
   bool json = false;
@@ -72,7 +72,7 @@ nlohmann::json report_json(const CageReport& report) {
   return json;
 }
 
-int run(const Options& options) {
+int run_cage(const CageArguments& options) {
   log_to_stderr();
   const Scene scene = read_study(options.file, options.settings).scene;
   const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
@@ -101,13 +101,13 @@ void add_cage_command(CLI::App& app, Chosen& chosen) {
       "\nThe columns of pockets.csv are width_mm, length_mm, pitch_mrad and squareness_mrad, one "
       "row a pocket.\nCage tables are kept in $CAGETOL_CACHE, $XDG_CACHE_HOME/cagetol or "
       "~/.cache/cagetol.");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CageArguments>();
   command->add_option("SCENE", options->file, "Scene or study file")->required();
   command->add_flag("--json", options->json, "Print everything as JSON");
   command->add_option("--deviations", options->deviations,
                       "CSV file of the pockets' deviations, instead of the scene's pockets");
   add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_cage(*options); }; });
 }
 
 }  // namespace cagetol

@@ -18,14 +18,14 @@
 namespace cagetol {
 namespace {
 
-struct Options {
+struct ChartArguments {
   std::string file, directory;
   std::vector<std::string> settings;
   ChartOptions chart;
   double horizon_ms = 2;
 };
 
-int run(const Options& options) {
+int run_chart(const ChartArguments& options) {
   const Study study = read_study(options.file, options.settings);
   make_directory(options.directory);
   ChartOptions wanted = options.chart;
@@ -55,7 +55,7 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
       "Examples:\n  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
       "  cagetol chart inputs/scenes/speed-z16-skew.toml -o out/lively --methods rodas3,cvode-bdf "
       "--replicas 100");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ChartArguments>();
   command->add_option("SCENE", options->file, "Scene file (or study: its first row)")->required();
   command
       ->add_option("-o,--output", options->directory,
@@ -75,7 +75,7 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_chart(*options); }; });
 }
 
 }  // namespace cagetol

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct CompareArguments {
   std::string before, after;
   double error_rate = 0.01;
   bool json = false, all = false;
@@ -68,13 +68,13 @@ std::string table_text(const Comparison& comparison, bool all) {
                     comparison.error_rate);
 }
 
-int not_comparable(const Options& options, const std::string& reason) {
+int not_comparable(const CompareArguments& options, const std::string& reason) {
   if (options.json) print(Json{{"comparable", false}, {"reason", reason}}.dump(2) + "\n");
   fmt::print(stderr, "cagetol: not comparable: {}\n", reason);
   return kBadInput;
 }
 
-int run(const Options& options) {
+int run_compare(const CompareArguments& options) {
   try {
     const Comparison comparison =
         compare_studies(read_study_data(study_file_in(options.before)),
@@ -96,7 +96,7 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
   command->footer(
       "Exit code 0: nothing changed, 1: something did, 2: not comparable, with the reason.\n\n"
       "Example:\n  cagetol compare out/yesterday out/today");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareArguments>();
   command->add_option("OLD", options->before, "Directory of the earlier sweep")->required();
   command->add_option("NEW", options->after, "Directory of the later sweep")->required();
   command
@@ -106,7 +106,7 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   command->add_flag("--all", options->all, "Show every statistic");
   command->add_flag("--json", options->json, "Print every statistic as JSON");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
 }
 
 }  // namespace cagetol

@@ -4,14 +4,11 @@
 
 #include <cmath>
 
+#include "mc/json_number.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
 namespace {
-
-nlohmann::ordered_json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
 
 std::string row(const std::string& key, double value, const std::string& unit) {
   const std::string number = std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
@@ -26,11 +23,10 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
   auto& quantities = json["qoi"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < quantity_table().size(); ++i)
     quantities[quantity_table()[i].key] =
-        i < outcome.quantities.size() ? number_or_null(outcome.quantities[i]) : nullptr;
+        i < outcome.quantities.size() ? json_number(outcome.quantities[i]) : nullptr;
   auto& run = json["run"] = nlohmann::ordered_json::object();
   const auto values = run_values(outcome.run);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    run[run_fields()[i].key] = number_or_null(values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) run[run_fields()[i].key] = json_number(values[i]);
   run["wall_s"] = outcome.run.wall_s;
   return json;
 }

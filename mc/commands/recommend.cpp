@@ -14,13 +14,13 @@
 namespace cagetol {
 namespace {
 
-struct Options {
+struct RecommendArguments {
   std::string file;
   std::vector<std::string> settings;
   RecommendOptions stages;
 };
 
-int run(const Options& options) {
+int run_recommend(const RecommendArguments& options) {
   log_to_stderr();
   const auto read = [&] {
     const Study study = read_study(options.file, options.settings);
@@ -45,13 +45,13 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
       "Examples:\n  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  mpirun cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RecommendArguments>();
   command->add_option("STUDY", options->file, "Study file")->required();
   command->add_option("-o,--output", options->stages.directory, "Directory of the stages")
       ->required();
   add_settings_option(*command, options->settings);
   add_progress_option(*command, options->stages.progress);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_recommend(*options); }; });
 }
 
 }  // namespace cagetol

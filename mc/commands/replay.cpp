@@ -17,7 +17,7 @@
 namespace cagetol {
 namespace {
 
-struct Options {
+struct ReplayArguments {
   std::string directory, history, snapshot;
   std::uint64_t sample = 0;
   bool json = false;
@@ -58,7 +58,7 @@ SampleRun run_again(const StoredSample& stored, const std::string& history_file,
   return again;
 }
 
-int run(const Options& options) {
+int run_replay(const ReplayArguments& options) {
   const StoredSample stored = read_stored_sample(options.directory, options.sample);
   for (const std::string& note : stored.notes) fmt::print(stderr, "cagetol: {}\n", note);
   if (stored.stored && stored.stored->status == Status::poisoned)
@@ -86,13 +86,13 @@ void add_replay_command(CLI::App& app, Chosen& chosen) {
       "Needs DIR/study.h5 alone. Exit code 0 when reproduced, 1 when not.\n\n"
       "Examples:\n  cagetol replay out/nu205 --sample 17\n"
       "  cagetol replay out/nu205 --sample 17 -o out/run17.h5");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayArguments>();
   command->add_option("DIR", options->directory, "Directory of a sweep")->required();
   command->add_option("--sample", options->sample, "Id of the sample")->required();
   command->add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
   command->add_option("-o,--output", options->history, "Write time histories to this HDF5 file");
   add_snapshot_option(*command, options->snapshot);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_replay(*options); }; });
 }
 
 }  // namespace cagetol

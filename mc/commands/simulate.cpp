@@ -16,7 +16,7 @@
 namespace cagetol {
 namespace {
 
-struct Options {
+struct SimulateArguments {
   std::string file, history, snapshot;
   std::vector<std::string> settings;
   std::uint64_t sample = 0;
@@ -36,7 +36,7 @@ int exit_code(Status status) {
   return status == Status::not_run ? kInterrupted : kSamplesFailed;
 }
 
-int run(const Options& options) {
+int run_simulate(const SimulateArguments& options) {
   const Study study = read_study(options.file, options.settings);
   if (options.sample >= sample_count(study))
     throw InputError({}, "--sample", std::to_string(options.sample),
@@ -66,7 +66,7 @@ void add_simulate_command(CLI::App& app, Chosen& chosen) {
       "Examples:\n  cagetol simulate inputs/scenes/nu205.toml --json\n"
       "  cagetol simulate inputs/scenes/speed-z16.toml --set load.radial_N=300 -o out/run.h5\n"
       "  cagetol simulate inputs/studies/nu205.toml --sample 17");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateArguments>();
   command->add_option("SCENE", options->file, "Scene or study file")->required();
   command->add_flag("--json", options->json, "Print status, quantities and run as JSON");
   command->add_option("-o,--output", options->history, "Write time histories to this HDF5 file");
@@ -74,7 +74,7 @@ void add_simulate_command(CLI::App& app, Chosen& chosen) {
   command->add_option("--sample", options->sample, "Sample of the study to run")
       ->capture_default_str();
   add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
 }
 
 }  // namespace cagetol

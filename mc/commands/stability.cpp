@@ -18,14 +18,14 @@
 namespace cagetol {
 namespace {
 
-struct Options {
+struct StabilityArguments {
   std::string directory, suite = CAGETOL_SUITE_FILE;
   std::vector<std::string> methods;
   bool fast = false;
   int threads = 1;
 };
 
-int run(const Options& options) {
+int run_stability(const StabilityArguments& options) {
   std::vector<SuiteScene> suite = read_suite(options.suite);
   if (options.fast) std::erase_if(suite, [](const SuiteScene& scene) { return !scene.fast; });
   make_directory(options.directory);
@@ -49,7 +49,7 @@ void add_stability_command(CLI::App& app, Chosen& chosen) {
       "Map where integration methods are right, degraded, wrong or say that they fail");
   command->footer(
       "Example:\n  cagetol stability -o out/stability --fast --methods rodas3,semi-implicit-euler");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StabilityArguments>();
   command->add_option("-o,--output", options->directory, "Directory of stability.json and figures/")
       ->required();
   add_methods_option(*command, options->methods);
@@ -59,7 +59,7 @@ void add_stability_command(CLI::App& app, Chosen& chosen) {
   command->add_option("--threads", options->threads, "Runs at a time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_stability(*options); }; });
 }
 
 }  // namespace cagetol

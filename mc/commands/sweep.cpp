@@ -13,13 +13,13 @@
 namespace cagetol {
 namespace {
 
-struct Options {
+struct SweepArguments {
   std::string file;
   std::vector<std::string> settings;
   SweepOptions sweep;
 };
 
-int run(const Options& options) {
+int run_sweep(const SweepArguments& options) {
   log_to_stderr();
   return run_sweep(
       [&] {
@@ -41,7 +41,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
       "Examples:\n  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  mpirun cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  cagetol sweep inputs/studies/nu205.toml -o out/small --set samples=16");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SweepArguments>();
   command->add_option("STUDY", options->file, "Study file")->required();
   command
       ->add_option("-o,--output", options->sweep.directory,
@@ -49,7 +49,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
       ->required();
   add_settings_option(*command, options->settings);
   add_progress_option(*command, options->sweep.progress);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, &chosen] { chosen = [options] { return run_sweep(*options); }; });
 }
 
 }  // namespace cagetol

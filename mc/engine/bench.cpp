@@ -11,6 +11,7 @@
 
 #include "mc/engine/setting.hpp"
 #include "mc/engine/statistics.hpp"
+#include "mc/json_number.hpp"
 #include "src/dynamics/newton_matrix.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/simulate.hpp"
@@ -71,10 +72,6 @@ std::vector<std::string> methods_to_run(const Scene& scene, const BenchOptions& 
   return methods;
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
 }  // namespace
 
 BenchResult bench(const Scene& scene, const BenchOptions& options) {
@@ -113,14 +110,15 @@ const MethodCost& cost_of(const BenchResult& result, const std::string& method) 
 
 nlohmann::ordered_json bench_json(const BenchResult& result) {
   const MethodCost& own = cost_of(result, result.default_method);
-  nlohmann::ordered_json json = {{"scene", result.scene},
-                                 {"default", {{"method", own.method}, {"rtf", number(own.rtf)}}},
-                                 {"baseline", kBaselineMethod},
-                                 {"kernels_us",
-                                  {{"rhs", number(result.kernels.rhs_us)},
-                                   {"linearise", number(result.kernels.linearise_us)},
-                                   {"factorise", number(result.kernels.factorise_us)},
-                                   {"solve", number(result.kernels.solve_us)}}}};
+  nlohmann::ordered_json json = {
+      {"scene", result.scene},
+      {"default", {{"method", own.method}, {"rtf", json_number(own.rtf)}}},
+      {"baseline", kBaselineMethod},
+      {"kernels_us",
+       {{"rhs", json_number(result.kernels.rhs_us)},
+        {"linearise", json_number(result.kernels.linearise_us)},
+        {"factorise", json_number(result.kernels.factorise_us)},
+        {"solve", json_number(result.kernels.solve_us)}}}};
   auto& methods = json["methods"] = nlohmann::ordered_json::array();
   for (const MethodCost& cost : result.methods) {
     const double simulated = cost.run.simulated_s;
@@ -128,15 +126,15 @@ nlohmann::ordered_json bench_json(const BenchResult& result) {
         {{"method", cost.method},
          {"status", status_name(cost.status)},
          {"reason", cost.reason},
-         {"rtf", number(cost.rtf)},
-         {"rtf_over_baseline", number(cost.against_baseline)},
+         {"rtf", json_number(cost.rtf)},
+         {"rtf_over_baseline", json_number(cost.against_baseline)},
          {"rtf_runs", cost.rtf_runs},
          {"simulated_s", simulated},
-         {"steps_per_s", number(cost.run.steps / simulated)},
-         {"rejected_steps_per_s", number(cost.run.rejected_steps / simulated)},
-         {"rhs_evaluations_per_s", number(cost.run.rhs_evaluations / simulated)},
-         {"jacobian_evaluations_per_s", number(cost.run.jacobian_evaluations / simulated)},
-         {"factorisations_per_s", number(cost.run.factorisations / simulated)}});
+         {"steps_per_s", json_number(cost.run.steps / simulated)},
+         {"rejected_steps_per_s", json_number(cost.run.rejected_steps / simulated)},
+         {"rhs_evaluations_per_s", json_number(cost.run.rhs_evaluations / simulated)},
+         {"jacobian_evaluations_per_s", json_number(cost.run.jacobian_evaluations / simulated)},
+         {"factorisations_per_s", json_number(cost.run.factorisations / simulated)}});
   }
   return json;
 }

@@ -12,7 +12,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::string problem_of(const Outcome& outcome) {
   return outcome.status == Status::ok
@@ -91,8 +91,8 @@ void summarise_biases(ChartPoint& p) {
     noise += std::pow(b.standard_error / b.deviation, 2);
     ++count;
   }
-  p.bias_rms = count ? std::sqrt(bias / count) : kNone;
-  p.bias_noise = count ? std::sqrt(noise / count) : kNone;
+  p.bias_rms = count ? std::sqrt(bias / count) : kUnknown;
+  p.bias_noise = count ? std::sqrt(noise / count) : kUnknown;
 }
 
 std::vector<Outcome> run_replicas(const std::vector<Scene>& scenes, const Setting& setting,
@@ -135,11 +135,11 @@ void measure_biases(const Study& study, const SimulateOptions& options, Chart& c
 Chart make_chart(const Study& study, const ChartOptions& options,
                  const std::function<void(const std::string&)>& say) {
   const Scene scene = replica_scenes(study, 1).front();
-  Chart chart{scene.name, options, {kNone, kNone}, {}};
+  Chart chart{scene.name, options, {kUnknown, kUnknown}, {}};
   for (const Setting& setting : setting_ladder(scene, options.methods)) {
     ChartPoint point;
     point.setting = setting;
-    point.bias_rms = point.bias_noise = kNone;
+    point.bias_rms = point.bias_noise = kUnknown;
     chart.points.push_back(std::move(point));
   }
   say("trajectories");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mc/engine/chart.hpp"
+#include "mc/json_number.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -12,13 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json cost_json(const ChartCost& cost) {
-  return {{"rtf", number(cost.rtf)},
-          {"rhs_evaluations_per_s", number(cost.rhs_per_s)},
+  return {{"rtf", json_number(cost.rtf)},
+          {"rhs_evaluations_per_s", json_number(cost.rhs_per_s)},
           {"problem", cost.problem},
           {"on_front", cost.on_front}};
 }
@@ -28,10 +25,10 @@ Json biases_json(const ChartPoint& p) {
   for (std::size_t q = 0; q < p.biases.size(); ++q) {
     const Bias& b = p.biases[q];
     list.push_back({{"quantity", quantity_table()[q].key},
-                    {"bias", number(b.bias)},
-                    {"standard_error", number(b.standard_error)},
-                    {"upper_limit", number(b.upper_limit)},
-                    {"allowed", number(b.allowed)},
+                    {"bias", json_number(b.bias)},
+                    {"standard_error", json_number(b.standard_error)},
+                    {"upper_limit", json_number(b.upper_limit)},
+                    {"allowed", json_number(b.allowed)},
                     {"verdict", verdict_name(b.verdict)}});
   }
   return list;
@@ -54,7 +51,8 @@ Json chart_json(const Chart& chart) {
                {"horizon_s", chart.options.horizon},
                {"replicas", chart.options.replicas},
                {"study_samples", kStudySamples},
-               {"reference_gap", {number(chart.reference_gap[0]), number(chart.reference_gap[1])}}};
+               {"reference_gap",
+                {json_number(chart.reference_gap[0]), json_number(chart.reference_gap[1])}}};
   auto& points = json["points"] = Json::array();
   for (const ChartPoint& p : chart.points) {
     Json point = {{"label", setting_label(p.setting)},
@@ -63,11 +61,11 @@ Json chart_json(const Chart& chart) {
                   {"default", &p == &chart.points.front()},
                   {"reference", setting_label(reference_setting(p.setting.method))}};
     point["trajectory"] = cost_json(p.brief);
-    point["trajectory"]["error_half"] = number(p.trajectory_error[0]);
-    point["trajectory"]["error"] = number(p.trajectory_error[1]);
+    point["trajectory"]["error_half"] = json_number(p.trajectory_error[0]);
+    point["trajectory"]["error"] = json_number(p.trajectory_error[1]);
     point["window"] = cost_json(p.window);
-    point["window"]["bias_rms"] = number(p.bias_rms);
-    point["window"]["bias_noise"] = number(p.bias_noise);
+    point["window"]["bias_rms"] = json_number(p.bias_rms);
+    point["window"]["bias_noise"] = json_number(p.bias_noise);
     point["window"]["biases"] = biases_json(p);
     points.push_back(std::move(point));
   }

@@ -9,16 +9,13 @@
 #include "mc/engine/replicas.hpp"
 #include "mc/engine/setting.hpp"
 #include "mc/engine/trajectory.hpp"
+#include "mc/json_number.hpp"
 #include "src/integration/integrator.hpp"
 
 namespace cagetol {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 /// A few characters for the map.
 std::string brief(const SuiteCell& cell) {
@@ -113,13 +110,14 @@ Json stability_json(const StabilityMap& map) {
                          {"brief", brief(cell)},
                          {"status", status_name(cell.outcome.status)},
                          {"reason", cell.outcome.reason},
-                         {"trajectory_error", number(cell.trajectory_error)},
-                         {"static_consistency_error", number(run.static_consistency_error)},
-                         {"energy_residual", number(run.energy_residual)},
-                         {"rtf", number(run.wall_s / run.simulated_s)}};
+                         {"trajectory_error", json_number(cell.trajectory_error)},
+                         {"static_consistency_error", json_number(run.static_consistency_error)},
+                         {"energy_residual", json_number(run.energy_residual)},
+                         {"rtf", json_number(run.wall_s / run.simulated_s)}};
     }
-    scenes.push_back(
-        {{"name", row.scene}, {"reference_gap", number(row.reference_gap)}, {"results", results}});
+    scenes.push_back({{"name", row.scene},
+                      {"reference_gap", json_number(row.reference_gap)},
+                      {"results", results}});
   }
   return json;
 }

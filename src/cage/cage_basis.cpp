@@ -9,8 +9,6 @@
 namespace cagetol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Fields turned forward by `steps` sectors about the axis.
 Eigen::MatrixXd turn_fields(const CageMesh& mesh, const Eigen::MatrixXd& fields, long steps) {
   const long sectors = mesh.cage.pocket_count;
@@ -52,7 +50,7 @@ Eigen::MatrixXd first_sector(const CageMesh& mesh, const Eigen::MatrixXd& fields
 /// mass.
 Eigen::MatrixXd residual_response(const BodyMatrices& body, const ShiftedFactor& factor,
                                   const FreeModes& modes, const Eigen::MatrixXd& loads) {
-  const Eigen::ArrayXd omega = 2 * pi * modes.frequency.array();
+  const Eigen::ArrayXd omega = 2 * std::numbers::pi * modes.frequency.array();
   const Eigen::MatrixXd carried = modes.shape.transpose() * loads;
   return free_static_response(body, factor, modes.rigid, loads) -
          modes.shape * (omega.square().inverse().matrix().asDiagonal() * carried);
@@ -71,7 +69,8 @@ Eigen::MatrixXd correction_loads(const CageMesh& mesh, const Material& material,
   const Eigen::Index count =
       std::min<Eigen::Index>(modes.frequency.size(), options.corrected_modes);
   const Eigen::MatrixXd fields = first_sector(mesh, modes.shape.leftCols(count));
-  const Eigen::VectorXd eigenvalue = (2 * pi * modes.frequency.head(count).array()).square();
+  const Eigen::VectorXd eigenvalue =
+      (2 * std::numbers::pi * modes.frequency.head(count).array()).square();
   const FieldDrive drive{eigenvalue.asDiagonal(), Eigen::MatrixXd::Zero(fields.rows(), count)};
   const auto unbalance = [&](const PocketDeviation& deviation) {
     const HexMesh sector{sector_nodes(mesh.cage, deviation, grid), grid.elements};
@@ -117,8 +116,8 @@ Eigen::Vector2d end_face_motion(const std::vector<int>& node, const SectorReadin
 ModeFamily mode_family(const CageMesh& mesh, const SparseMatrix& mass,
                        const Eigen::Ref<const Eigen::VectorXd>& shape, double angle) {
   ModeFamily family;
-  family.waves =
-      std::lround(std::abs(angle) * static_cast<double>(mesh.cage.pocket_count) / (2 * pi));
+  family.waves = std::lround(std::abs(angle) * static_cast<double>(mesh.cage.pocket_count) /
+                             (2 * std::numbers::pi));
   Eigen::VectorXd axial = shape;
   for (Eigen::Index n = 0; n < mesh.mesh.nodes.cols(); ++n) axial.segment<2>(3 * n + 1).setZero();
   family.axial_share = axial.dot(mass.selfadjointView<Eigen::Lower>() * axial);
@@ -180,7 +179,8 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
   basis.seen.resize(3 * static_cast<Eigen::Index>(mesh.grid.points.size()), turn.seen());
   basis.seen.leftCols(turn.modes) = first_sector(mesh, basis.shapes);
   basis.inertia = Eigen::MatrixXd::Zero(turn.seen(), turn.seen());
-  basis.inertia.diagonal().segment(6, elastic) = (2 * pi * modes.frequency.array()).square();
+  basis.inertia.diagonal().segment(6, elastic) =
+      (2 * std::numbers::pi * modes.frequency.array()).square();
   const Eigen::MatrixXd gram = basis.shapes.transpose() * (mass * basis.shapes);
   for (Eigen::Index o = -turn.reach; o <= turn.reach; ++o) {
     const Eigen::Index column = turn.seen_column(o);

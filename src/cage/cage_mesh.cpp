@@ -11,8 +11,6 @@
 namespace cagetol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Exponent of the grading towards the pocket's corners; 1 is even.
 constexpr double kGrading = 1.5;
 
@@ -54,8 +52,8 @@ std::optional<CageFault> pocket_fault(const CageDimensions& cage, const PocketDe
   // leans.
   const double offset = 0.5 * width + 0.5 * cage.width * std::abs(deviation.squareness);
   const double bar = offset < cage.inner_radius
-                         ? pi / static_cast<double>(cage.pocket_count) - std::abs(deviation.pitch) -
-                               std::asin(offset / cage.inner_radius)
+                         ? std::numbers::pi / static_cast<double>(cage.pocket_count) -
+                               std::abs(deviation.pitch) - std::asin(offset / cage.inner_radius)
                          : -1.0;
   if (bar <= 0) {
     return geometry_fault(pocket,
@@ -84,7 +82,7 @@ MeshCounts mesh_counts(const CageDimensions& cage, long density) {
   const double size = (cage.outer_radius - cage.inner_radius) / static_cast<double>(density);
   const double mean_radius = 0.5 * (cage.inner_radius + cage.outer_radius);
   const double half_bar =
-      mean_radius * (pi / static_cast<double>(cage.pocket_count) -
+      mean_radius * (std::numbers::pi / static_cast<double>(cage.pocket_count) -
                      std::asin(std::min(0.99, 0.5 * cage.pocket_width / mean_radius)));
   const auto count = [](double length, double step) {
     return std::max(1L, static_cast<long>(std::ceil(length / step - 1e-9)));
@@ -107,14 +105,15 @@ Eigen::Vector3d sector_position(const CageDimensions& cage, const PocketDeviatio
   const double half_width = 0.5 * (cage.pocket_width + deviation.width);
   const double s = std::clamp(point.around, -1.0, 1.0);
   const double face = pocket_angle(deviation, half_width, s, x, radius);
-  const double middle = std::copysign(pi / static_cast<double>(cage.pocket_count), point.around);
+  const double middle =
+      std::copysign(std::numbers::pi / static_cast<double>(cage.pocket_count), point.around);
   const double theta = (1 - bar) * face + bar * middle;
   return {x, radius * std::cos(theta), radius * std::sin(theta)};
 }
 
 Eigen::Matrix3d sector_rotation(const CageDimensions& cage, long sector) {
   const double angle =
-      2 * pi * static_cast<double>(sector) / static_cast<double>(cage.pocket_count);
+      2 * std::numbers::pi * static_cast<double>(sector) / static_cast<double>(cage.pocket_count);
   return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
 }
 
