@@ -41,6 +41,9 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.mass[lane] = mass;
     g.polar[lane] = mass * radius * radius / 2;
     g.transverse[lane] = mass * (3 * radius * radius + length * length) / 12;
+    g.inverse_mass[lane] = 1 / g.mass[lane];
+    g.inverse_polar[lane] = 1 / g.polar[lane];
+    g.inverse_transverse[lane] = 1 / g.transverse[lane];
     g.radius[lane] = radius;
     g.taper_slope[lane] = each(scene.roller.taper, k) / (2 * length);
     const double angle =

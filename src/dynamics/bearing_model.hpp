@@ -16,6 +16,7 @@ namespace cagetol {
 struct RollerGroup {
   Pack exists;                   ///< 1 for a roller, 0 for padding
   Pack mass, polar, transverse;  ///< [kg], [kg m^2]
+  Pack inverse_mass, inverse_polar, inverse_transverse;
   Pack radius;                   ///< [m]
   Pack taper_slope;              ///< change of radius with position along the axis [-]
   Pack pocket_cos, pocket_sin;   ///< of the pocket centre's angle in the cage, deviation included

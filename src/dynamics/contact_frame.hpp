@@ -55,10 +55,11 @@ inline void fill_cage_row(const double at_centre[kCageRigid], const BorderState&
   row[kCagePhi] += at_centre[0] * b.unbalance[1] - at_centre[1] * b.unbalance[0];
 }
 
-/// Closest predicted touch of open contacts, for the step control.
-inline Pack touch_time(Pack penetration, Pack rate, Pack exists) {
-  const Mask closing = (penetration < 0.0) & (rate > 0.0) & (exists > 0.0);
-  return select(closing, -penetration / select(closing, rate, splat(1.0)), splat(1e30));
+/// Keeps in `touch` the closest predicted touch of open contacts [s], for the step control.
+inline void see_touch(Pack penetration, Pack rate, Pack exists, Pack& touch) {
+  const Mask closing =
+      (penetration < 0.0) & (rate > 0.0) & (exists > 0.0) & (-penetration < touch * rate);
+  if (any(closing)) touch = select(closing, -penetration / rate, touch);
 }
 
 }  // namespace cagetol

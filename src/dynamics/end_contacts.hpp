@@ -47,7 +47,7 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
         p -= e * modal.along(group, point, 2, modal.q);
         rate -= e * modal.along(group, point, 2, modal.rate);
       }
-      if constexpr (linear) touch = min(touch, touch_time(p, rate, roller.exists));
+      if constexpr (linear) see_touch(p, rate, roller.exists, touch);
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;
       touched = true;
@@ -122,7 +122,7 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
       const Pack p = e * (q.x - h * q.a_r - tau * q.a_t) - model.flange_half_clearance;
       const Pack turn = tau * q.a_r - h * q.a_t;
       const Pack rate = e * (q.vx - h * q.b_r - tau * q.b_t + turn * q.omega);
-      if constexpr (linear) touch = min(touch, touch_time(p, rate, roller.exists));
+      if constexpr (linear) see_touch(p, rate, roller.exists, touch);
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;
       const Pack v1 = q.vr + xi * q.b_r - q.spin * tau, v2 = q.vt + xi * q.b_t + q.spin * h;

@@ -72,18 +72,17 @@ void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerP
   put(l.position(kAxial, j), velocity(kAxialSpeed));
   put(l.position(kAxisY, j), velocity(kAxisRateY));
   put(l.position(kAxisZ, j), velocity(kAxisRateZ));
-  const Pack inverse_mass = 1.0 / roller.mass, inverse_transverse = 1.0 / roller.transverse;
   const Pack gravity_r = -m.gravity * q.sine, gravity_t = -m.gravity * q.cosine;
-  put(l.velocity(kRadialSpeed, j), loads.f[kLr] * inverse_mass + gravity_r + q.vt * q.omega);
+  put(l.velocity(kRadialSpeed, j), loads.f[kLr] * roller.inverse_mass + gravity_r + q.vt * q.omega);
   put(l.velocity(kOrbitRate, j),
-      (loads.f[kLt] * inverse_mass + gravity_t - 2.0 * q.vr * q.omega) / q.r);
-  put(l.velocity(kAxialSpeed, j), loads.f[kLx] * inverse_mass);
+      (loads.f[kLt] * roller.inverse_mass + gravity_t - 2.0 * q.vr * q.omega) / q.r);
+  put(l.velocity(kAxialSpeed, j), loads.f[kLx] * roller.inverse_mass);
   const Pack gyro = roller.polar * q.spin;
-  const Pack lean_r = (loads.f[kLar] - gyro * q.b_t) * inverse_transverse;
-  const Pack lean_t = (loads.f[kLat] + gyro * q.b_r) * inverse_transverse;
+  const Pack lean_r = (loads.f[kLar] - gyro * q.b_t) * roller.inverse_transverse;
+  const Pack lean_t = (loads.f[kLat] + gyro * q.b_r) * roller.inverse_transverse;
   put(l.velocity(kAxisRateY, j), q.cosine * lean_r - q.sine * lean_t);
   put(l.velocity(kAxisRateZ, j), q.sine * lean_r + q.cosine * lean_t);
-  put(l.velocity(kSpin, j), loads.f[kLs] / roller.polar);
+  put(l.velocity(kSpin, j), loads.f[kLs] * roller.inverse_polar);
 }
 
 /// `modal_force`: of the contacts on the elastic modes.
@@ -139,12 +138,13 @@ void finish_inner(const RollerPack& q, GroupLinear& g) {
 double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,
                          double gravity, const GroupLinear& g) {
   const Pack gyro = roller.polar * q.spin;
-  const Pack acceleration[kLocalVelocities] = {loads.f[kLr] / roller.mass - gravity * q.sine,
-                                               loads.f[kLt] / roller.mass - gravity * q.cosine,
-                                               loads.f[kLx] / roller.mass,
-                                               (loads.f[kLar] - gyro * q.b_t) / roller.transverse,
-                                               (loads.f[kLat] + gyro * q.b_r) / roller.transverse,
-                                               loads.f[kLs] / roller.polar};
+  const Pack acceleration[kLocalVelocities] = {
+      loads.f[kLr] * roller.inverse_mass - gravity * q.sine,
+      loads.f[kLt] * roller.inverse_mass - gravity * q.cosine,
+      loads.f[kLx] * roller.inverse_mass,
+      (loads.f[kLar] - gyro * q.b_t) * roller.inverse_transverse,
+      (loads.f[kLat] + gyro * q.b_r) * roller.inverse_transverse,
+      loads.f[kLs] * roller.inverse_polar};
   const Pack velocity[kLocalPositions] = {q.vr, q.vt, q.vx, q.b_r, q.b_t};
   Pack change{};
   for (int i = 0; i < kLocalVelocities; ++i) change += g.power_velocity[i] * acceleration[i];
@@ -258,6 +258,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       g->cosine = q.cosine;
       g->sine = q.sine;
       g->radius = q.r;
+      g->inverse_radius = 1.0 / q.r;
     }
     const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
     const auto tt = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };

@@ -26,7 +26,7 @@ struct GroupLinear {
   Pack power_position[kLocalPositions],
       power_velocity[kLocalVelocities];  ///< gradient of the net power, see below
   Pack cosine, sine;                     ///< of the roller's angle
-  Pack radius;                           ///< r [m]
+  Pack radius, inverse_radius;           ///< r [m]
 };
 
 /// Coupling of one roller with the cage's degrees of freedom (rigid, then modes).

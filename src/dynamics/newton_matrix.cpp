@@ -12,6 +12,33 @@ void local_mass(const RollerGroup& roller, Pack (&mass)[kLocalVelocities]) {
   mass[kLs] = roller.polar;
 }
 
+/// Gauss-Jordan in place, without pivoting. False where a pivot of an existing roller is not well
+/// above zero (or not a number) against its mass.
+bool invert(Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack (&mass)[kLocalVelocities],
+            double beta, Pack exists) {
+  Mask bad{};
+  for (int k = 0; k < kLocalVelocities; ++k) {
+    bad |= ~(abs(a[k][k]) > 1e-9 * mass[k] / beta);  // also true for NaN
+    const Pack inverse = 1.0 / a[k][k];
+    for (int j = 0; j < kLocalVelocities; ++j) a[k][j] *= inverse;
+    a[k][k] = inverse;
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      if (i == k) continue;
+      const Pack factor = a[i][k];
+      a[i][k] = Pack{};
+      for (int j = 0; j < kLocalVelocities; ++j) a[i][j] -= factor * a[k][j];
+    }
+  }
+  return !any(bad & (exists > 0.0));
+}
+
+void multiply(const Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack* b, Pack* x) {
+  for (int i = 0; i < kLocalVelocities; ++i) {
+    x[i] = a[i][0] * b[0];
+    for (int k = 1; k < kLocalVelocities; ++k) x[i] += a[i][k] * b[k];
+  }
+}
+
 }  // namespace
 
 Eigen::VectorXd border_mass(const BearingModel& m) {
@@ -28,13 +55,14 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
       groups_(static_cast<std::size_t>(model.layout.groups)),
       cages_(static_cast<std::size_t>(model.layout.rollers)),
       schur_(model.layout.border(), model.layout.border()),
-      schur_lu_(model.layout.border()),
+      schur_inverse_(model.layout.border()),
       border_mass_(border_mass(model)),
       border_rhs_(model.layout.border()),
       border_positions_(model.layout.border()),
       border_solution_(model.layout.border()) {
   const int columns = kCageRigid + model.layout.modes;
   for (auto& c : cages_) {
+    c.into.setZero(kLocalVelocities, columns);
     c.from.setZero(kLocalVelocities, columns);
     c.to.setZero(columns, kLocalVelocities);
   }
@@ -57,29 +85,20 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
     local_mass(roller, mass);
     for (int i = 0; i < kLocalVelocities; ++i) {
       for (int j = 0; j < kLocalVelocities; ++j)
-        f.lu[i][j] = -l.velocity[i][j] - (j < kLocalPositions ? beta * l.position[i][j] : Pack{});
-      f.lu[i][i] += mass[i] / beta;
+        f.inverse[i][j] =
+            -l.velocity[i][j] - (j < kLocalPositions ? beta * l.position[i][j] : Pack{});
+      f.inverse[i][i] += mass[i] / beta;
     }
-    for (int k = 0; k < kLocalVelocities; ++k) {
-      const Mask bad =
-          ~(max(f.lu[k][k], -f.lu[k][k]) > 1e-9 * mass[k] / beta);  // also true for NaN
-      if (any(bad & (roller.exists > 0.0))) sound = false;
-      const Pack inverse = 1.0 / f.lu[k][k];
-      f.lu[k][k] = inverse;
-      for (int i = k + 1; i < kLocalVelocities; ++i) {
-        const Pack factor = f.lu[i][k] * inverse;
-        f.lu[i][k] = factor;
-        for (int j = k + 1; j < kLocalVelocities; ++j) f.lu[i][j] -= factor * f.lu[k][j];
-      }
-    }
+    if (!invert(f.inverse, mass, beta, roller.exists)) sound = false;
     for (int c = 0; c < 2; ++c) {
+      Pack from_ring[kLocalVelocities], solved[kLocalVelocities];
       for (int i = 0; i < kLocalVelocities; ++i) {
-        f.rhs[i] = -(l.ring_velocity[i][c] + beta * l.ring_position[i][c]);
+        from_ring[i] = -(l.ring_velocity[i][c] + beta * l.ring_position[i][c]);
         f.to_ring[c][i] = -l.to_ring_velocity[c][i] -
                           (i < kLocalPositions ? beta * l.to_ring_position[c][i] : Pack{});
       }
-      solve_group(f);
-      for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[i][c] = f.rhs[i];
+      multiply(f.inverse, from_ring, solved);
+      for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[i][c] = solved[i];
     }
     Pack local[2][2] = {};
     for (int a = 0; a < 2; ++a)
@@ -102,14 +121,14 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
     Group& f = groups_[static_cast<std::size_t>(c.roller / kLanes)];
     const GroupLinear& l = linear.groups[static_cast<std::size_t>(c.roller / kLanes)];
     const int lane = c.roller % kLanes;
-    cage.from = -c.velocity - beta * c.position;
+    cage.into = -c.velocity - beta * c.position;
     cage.to = -c.to_velocity;
     cage.to.leftCols<kLocalPositions>() -= beta * c.to_position;
-    double lu[kLocalVelocities][kLocalVelocities], ring_from[kLocalVelocities][2],
-        ring_to[2][kLocalVelocities];
+    Eigen::Matrix<double, kLocalVelocities, kLocalVelocities> inverse;
+    double ring_from[kLocalVelocities][2], ring_to[2][kLocalVelocities];
     const double co = l.cosine[lane], si = l.sine[lane];
     for (int i = 0; i < kLocalVelocities; ++i) {
-      for (int j = 0; j < kLocalVelocities; ++j) lu[i][j] = f.lu[i][j][lane];
+      for (int j = 0; j < kLocalVelocities; ++j) inverse(i, j) = f.inverse[i][j][lane];
       const double fr = f.from_ring[i][0][lane], ft = f.from_ring[i][1][lane];
       ring_from[i][0] = fr * co - ft * si;
       ring_from[i][1] = fr * si + ft * co;
@@ -117,13 +136,7 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
       ring_to[0][i] = tr * co - tt * si;
       ring_to[1][i] = tr * si + tt * co;
     }
-    for (int i = 0; i < kLocalVelocities; ++i)
-      for (int k = 0; k < i; ++k) cage.from.row(i) -= lu[i][k] * cage.from.row(k);
-    for (int i = kLocalVelocities - 1; i >= 0; --i) {
-      for (int k = i + 1; k < kLocalVelocities; ++k)
-        cage.from.row(i) -= lu[i][k] * cage.from.row(k);
-      cage.from.row(i) *= lu[i][i];
-    }
+    cage.from.noalias() = inverse * cage.into;
     schur_.bottomRightCorner(cage_columns, cage_columns).noalias() -= cage.to * cage.from;
     for (int i = 0; i < kLocalVelocities; ++i) {
       for (int a = 0; a < 2; ++a) {
@@ -132,17 +145,8 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
       }
     }
   }
-  if (!schur_lu_.factor(schur_)) sound = false;
+  if (!schur_inverse_.invert(schur_)) sound = false;
   return sound;
-}
-
-void NewtonMatrix::solve_group(Group& f) const {
-  for (int i = 1; i < kLocalVelocities; ++i)
-    for (int k = 0; k < i; ++k) f.rhs[i] -= f.lu[i][k] * f.rhs[k];
-  for (int i = kLocalVelocities - 1; i >= 0; --i) {
-    for (int k = i + 1; k < kLocalVelocities; ++k) f.rhs[i] -= f.lu[i][k] * f.rhs[k];
-    f.rhs[i] *= f.lu[i][i];
-  }
 }
 
 void NewtonMatrix::solve(const double* rhs, double* x) {
@@ -167,17 +171,18 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
     const Pack ay = q(kAxisY), az = q(kAxisZ), by = v(kAxisRateY), bz = v(kAxisRateZ);
     const Pack P[kLocalPositions] = {q(kRadius), l.radius * q(kAngle), q(kAxial),
                                      l.cosine * ay + l.sine * az, l.cosine * az - l.sine * ay};
-    f.rhs[kLr] = roller.mass * v(kRadialSpeed);
-    f.rhs[kLt] = roller.mass * l.radius * v(kOrbitRate);
-    f.rhs[kLx] = roller.mass * v(kAxialSpeed);
-    f.rhs[kLar] = roller.transverse * (l.cosine * by + l.sine * bz);
-    f.rhs[kLat] = roller.transverse * (l.cosine * bz - l.sine * by);
-    f.rhs[kLs] = roller.polar * v(kSpin);
+    Pack force[kLocalVelocities];
+    force[kLr] = roller.mass * v(kRadialSpeed);
+    force[kLt] = roller.mass * l.radius * v(kOrbitRate);
+    force[kLx] = roller.mass * v(kAxialSpeed);
+    force[kLar] = roller.transverse * (l.cosine * by + l.sine * bz);
+    force[kLat] = roller.transverse * (l.cosine * bz - l.sine * by);
+    force[kLs] = roller.polar * v(kSpin);
     const Pack ring_r = l.cosine * border_positions_[kRingY] + l.sine * border_positions_[kRingZ];
     const Pack ring_t = l.cosine * border_positions_[kRingZ] - l.sine * border_positions_[kRingY];
     for (int i = 0; i < kLocalVelocities; ++i) {
-      for (int k = 0; k < kLocalPositions; ++k) f.rhs[i] += l.position[i][k] * P[k];
-      f.rhs[i] += l.ring_position[i][0] * ring_r + l.ring_position[i][1] * ring_t;
+      for (int k = 0; k < kLocalPositions; ++k) force[i] += l.position[i][k] * P[k];
+      force[i] += l.ring_position[i][0] * ring_r + l.ring_position[i][1] * ring_t;
     }
     Pack to_ring[2] = {};
     for (int a = 0; a < 2; ++a)
@@ -187,11 +192,11 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
       if (slot < 0) continue;
       const CageCoupling& c = linear_->couplings[static_cast<std::size_t>(slot)];
       for (int i = 0; i < kLocalVelocities; ++i)
-        f.rhs[i][lane] += c.position.row(i).dot(border_positions_.tail(cage_columns));
+        force[i][lane] += c.position.row(i).dot(border_positions_.tail(cage_columns));
       for (int k = 0; k < kLocalPositions; ++k)
         border_rhs_.tail(cage_columns) += c.to_position.col(k) * P[k][lane];
     }
-    solve_group(f);
+    multiply(f.inverse, force, f.rhs);
     for (int a = 0; a < 2; ++a)
       for (int i = 0; i < kLocalVelocities; ++i) to_ring[a] -= f.to_ring[a][i] * f.rhs[i];
     border_rhs_[kRingY] += sum(roller.exists * (l.cosine * to_ring[0] - l.sine * to_ring[1]));
@@ -204,7 +209,7 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
         border_rhs_.tail(cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
     }
   }
-  schur_lu_.solve(border_rhs_, border_solution_);
+  schur_inverse_.solve(border_rhs_, border_solution_);
 
   for (int n = 0; n < layout.groups; ++n) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
@@ -224,7 +229,7 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
         u[i][lane] -= cage.from.row(i).dot(border_solution_.tail(cage_columns));
     }
     const Pack speed[kRollerVelocities] = {u[kLr],
-                                           u[kLt] / l.radius,
+                                           u[kLt] * l.inverse_radius,
                                            u[kLx],
                                            l.cosine * u[kLar] - l.sine * u[kLat],
                                            l.sine * u[kLar] + l.cosine * u[kLat],

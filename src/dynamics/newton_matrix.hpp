@@ -3,7 +3,7 @@
 // are eliminated (q' = v), which leaves 6 unknowns a roller:
 //   A_j = M_j/beta - dF/dV - beta dF/dP,   Schur complement  S = B - sum_j T_j A_j^-1 N_j  on the
 //   border.
-// Roller blocks are factored side by side across the lanes, then the border, all without pivoting:
+// Roller blocks are inverted side by side across the lanes, then the border, all without pivoting:
 // mass, damping and stiffness keep the symmetric part positive definite as long as beta is not
 // absurdly large; a vanishing pivot is reported, not divided by.
 #pragma once
@@ -13,7 +13,7 @@
 
 #include "src/dynamics/bearing_model.hpp"
 #include "src/dynamics/linearisation.hpp"
-#include "src/numerics/small_lu.hpp"
+#include "src/numerics/small_inverse.hpp"
 
 namespace cagetol {
 
@@ -33,19 +33,16 @@ class NewtonMatrix {
 
  private:
   struct Group {
-    Pack lu[kLocalVelocities]
-           [kLocalVelocities];  ///< unit lower and upper factor; the diagonal holds inverses
-    Pack to_ring[2][kLocalVelocities];    ///< T, ring part, in the rollers' directions
-    Pack from_ring[kLocalVelocities][2];  ///< A^-1 N, ring part
-    Pack rhs[kLocalVelocities];
+    Pack inverse[kLocalVelocities][kLocalVelocities];  ///< A^-1
+    Pack to_ring[2][kLocalVelocities];                 ///< T, ring part, in the rollers' directions
+    Pack from_ring[kLocalVelocities][2];               ///< A^-1 N, ring part
+    Pack rhs[kLocalVelocities];  ///< A^-1 of the right-hand side being solved for
   };
   using Columns = Eigen::Matrix<double, kLocalVelocities, Eigen::Dynamic, Eigen::RowMajor>;
   struct Cage {
-    Columns from;  ///< A^-1 N, cage part
+    Columns into, from;  ///< N and A^-1 N, cage part
     Eigen::Matrix<double, Eigen::Dynamic, kLocalVelocities, Eigen::RowMajor> to;  ///< T, cage part
   };
-
-  void solve_group(Group& group) const;
 
   const BearingModel& model_;
   const Linearisation* linear_ = nullptr;
@@ -53,7 +50,7 @@ class NewtonMatrix {
   std::vector<Group> groups_;
   std::vector<Cage> cages_;
   Eigen::MatrixXd schur_;
-  SmallLu schur_lu_;
+  SmallInverse schur_inverse_;
   Eigen::VectorXd border_mass_, border_rhs_, border_positions_, border_solution_;
 };
 

@@ -38,7 +38,7 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
         if (!any(touching)) continue;
       if (modal.flexible()) rate -= s * modal.along(group, point, 1, modal.rate);
       if constexpr (linear) {
-        touch = min(touch, touch_time(p, rate, roller.exists));
+        see_touch(p, rate, roller.exists, touch);
         if (!any(touching)) continue;
       }
       touched = true;

@@ -24,9 +24,12 @@ System::System(const BearingModel& m)
     : model(m),
       size(m.layout.size()),
       scale(error_scales(m)),
+      per_scale(scale.size()),
       rate(static_cast<std::size_t>(size)),
       linear(m.layout),
-      seen(m) {}
+      seen(m) {
+  for (std::size_t i = 0; i < scale.size(); ++i) per_scale[i] = 1 / scale[i];
+}
 
 bool System::rates(double t, const double* y, double* out) {
   ++counts.rhs;
@@ -72,15 +75,15 @@ std::vector<double> error_scales(const BearingModel& m) {
 }
 
 double error_norm(const System& s, const double* error) {
-  const double* scale = s.scale.data();
+  const double* per_scale = s.per_scale.data();
   Pack sums{};
   int i = 0;
   for (; i + kLanes <= s.size; i += kLanes) {
-    const Pack e = load(error + i) / load(scale + i);
+    const Pack e = load(error + i) * load(per_scale + i);
     sums += e * e;
   }
   double total = sum(sums);
-  for (; i < s.size; ++i) total += error[i] / scale[i] * (error[i] / scale[i]);
+  for (; i < s.size; ++i) total += error[i] * per_scale[i] * (error[i] * per_scale[i]);
   const int components = (int{kRollerPositions} + int{kRollerVelocities}) * s.model.layout.rollers +
                          2 * s.model.layout.border();
   return std::sqrt(total / components);

@@ -27,7 +27,8 @@ struct System {
   int size;
   std::vector<double> scale;  ///< size of one unit of error of each component: 1 um, 1 cm/s, and
                               ///< these over lever arms
-  std::vector<double> rate;   ///< at the last linearise_at
+  std::vector<double> per_scale;  ///< 1/scale
+  std::vector<double> rate;       ///< at the last linearise_at
   Linearisation linear;
   Observation seen;
   Counts counts;

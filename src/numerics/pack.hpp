@@ -91,6 +91,18 @@ inline double smallest(Pack x) {
   return -largest(-x);
 }
 
+/// c[0] + c[1] x + ... by pairs (Estrin): the chain of dependent operations is four long where
+/// Horner's is n.
+template <int n>
+inline Pack polynomial(const double (&c)[n], Pack x) {
+  static_assert(n >= 9 && n <= 16);
+  const auto pair = [&](int i) { return i + 1 < n ? c[i] + c[i + 1] * x : splat(c[i]); };
+  const Pack x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
+  const auto four = [&](int i) { return i + 2 < n ? pair(i) + pair(i + 2) * x2 : pair(i); };
+  const Pack low = four(0) + four(4) * x4;
+  return low + (n > 12 ? four(8) + four(12 < n ? 12 : 8) * x4 : four(8)) * x8;
+}
+
 /// log2(x) for finite x > 0, within 2 units in the last place of max(1, |log2 x|).
 inline Pack log2(Pack x) {
   const Mask bits = reinterpret_cast<Mask>(x);
@@ -101,11 +113,9 @@ inline Pack log2(Pack x) {
   const Mask exponent = shifted >> 52;
   const Pack m = reinterpret_cast<Pack>((shifted & 0x000FFFFFFFFFFFFFLL) + half_root);
   const Pack s = (m - 1.0) / (m + 1.0), z = s * s;
-  Pack series = splat(1.0 / 21);
-  for (double c :
-       {1.0 / 19, 1.0 / 17, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3})
-    series = series * z + c;
-  const Pack ln = 2.0 * (s + s * z * series);
+  constexpr double c[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
+                          1.0 / 13, 1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21};
+  const Pack ln = 2.0 * (s + s * z * polynomial(c, z));
   return ln * 1.4426950408889634074 + __builtin_convertvector(exponent, Pack);
 }
 
@@ -116,12 +126,21 @@ inline Pack exp2(Pack y) {
   const Pack rounded = y + magic;
   const Mask n = reinterpret_cast<Mask>(rounded) << 52;
   const Pack f = (y - (rounded - magic)) * 0.69314718055994530942;
-  Pack series = splat(1.0 / 6227020800.0);
-  for (double c :
-       {1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0,
-        1.0 / 5040.0, 1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0})
-    series = series * f + c;
-  return reinterpret_cast<Pack>(reinterpret_cast<Mask>(series) + n);
+  constexpr double c[] = {1,
+                          0.5,
+                          1.0 / 6,
+                          1.0 / 24,
+                          1.0 / 120,
+                          1.0 / 720,
+                          1.0 / 5040,
+                          1.0 / 40320,
+                          1.0 / 362880,
+                          1.0 / 3628800,
+                          1.0 / 39916800,
+                          1.0 / 479001600,
+                          1.0 / 6227020800.0};
+  const Pack value = 1.0 + f * polynomial(c, f);
+  return reinterpret_cast<Pack>(reinterpret_cast<Mask>(value) + n);
 }
 
 /// x^e for x > 0; anything for other x (mask it). Relative error below 1e-15 for |e log2 x| < 8,

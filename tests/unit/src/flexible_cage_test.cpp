@@ -49,7 +49,7 @@ struct FreeCage {
     scene.operation.gravity = 0;
     scene.start.cage_phase = phase;
     scene.integration.method = "rodas4";
-    scene.integration.tolerance = 1e-6;
+    scene.integration.tolerance = 1e-7;
     auto made = scene_cage_model(scene, *coarse_table());
     model = make_bearing_model(scene, std::get<std::shared_ptr<const CageModel>>(made));
     y = start_state(model, scene.start);
