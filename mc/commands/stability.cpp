@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -29,7 +30,16 @@ int run_stability(const StabilityArguments& options) {
   std::vector<SuiteScene> suite = read_suite(options.suite);
   if (options.fast) std::erase_if(suite, [](const SuiteScene& scene) { return !scene.fast; });
   make_directory(options.directory);
-  const StabilityMap map = run_stability(suite, options.methods, options.threads);
+  std::size_t done = 0;
+  const auto tell = [&](const SuiteRow& row) {
+    std::map<std::string, int> verdicts;
+    for (const auto& [method, cell] : row.cells) ++verdicts[soundness_name(cell.soundness)];
+    std::string text;
+    for (const auto& [verdict, count] : verdicts)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict);
+    fmt::print(stderr, "{}/{} {}: {}\n", ++done, suite.size(), row.scene, text);
+  };
+  const StabilityMap map = run_stability(suite, options.methods, options.threads, tell);
   const std::filesystem::path directory = options.directory;
   replace_file(directory / "stability.json", stability_json(map).dump(1) + "\n");
   const ReportOptions drawing;

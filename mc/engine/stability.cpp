@@ -79,7 +79,8 @@ Soundness judge_soundness(Status status, double trajectory_error, double referen
 }
 
 StabilityMap run_stability(const std::vector<SuiteScene>& suite,
-                           const std::vector<std::string>& methods, int threads) {
+                           const std::vector<std::string>& methods, int threads,
+                           const std::function<void(const SuiteRow&)>& on_row) {
   StabilityMap map{Scene{}.integration.method, methods, {}};
   if (methods.empty())
     for (const MethodName& known : integration_methods()) map.methods.push_back(known.name);
@@ -92,6 +93,7 @@ StabilityMap run_stability(const std::vector<SuiteScene>& suite,
     for (std::size_t m = 0; m < map.methods.size(); ++m)
       row.cells[map.methods[m]].outcome = std::move(outcomes[m]);
     judge_trajectories(entry.scene, shared, row);
+    if (on_row) on_row(row);
     map.rows.push_back(std::move(row));
   }
   return map;

@@ -57,9 +57,10 @@ struct StabilityMap {
 
 Soundness judge_soundness(Status status, double trajectory_error, double reference_gap);
 
-/// Runs the suite, `threads` cells at a time.
+/// Runs the suite, `threads` cells at a time; `on_row` sees each scene when it is done.
 StabilityMap run_stability(const std::vector<SuiteScene>& suite,
-                           const std::vector<std::string>& methods, int threads);
+                           const std::vector<std::string>& methods, int threads,
+                           const std::function<void(const SuiteRow&)>& on_row = {});
 
 nlohmann::ordered_json stability_json(const StabilityMap& map);
 std::string stability_text(const StabilityMap& map);
