@@ -6,6 +6,7 @@
 
 #include "src/contact/friction.hpp"
 #include "src/contact/normal_force.hpp"
+#include "src/contact/oil_film.hpp"
 #include "src/dynamics/flexible_cage.hpp"
 #include "src/dynamics/state.hpp"
 #include "src/scene/scene.hpp"
@@ -50,6 +51,7 @@ struct BearingModel {
   NormalLaw race, bar, wall, flange,
       land;  ///< each already the share of one slice, station, point or land
   FrictionLaw friction;
+  FilmLaw inner_film, outer_film;  ///< of one slice
 
   double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]
   double misalignment_y = 0, misalignment_z = 0;

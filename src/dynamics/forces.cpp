@@ -265,8 +265,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     const double lean[2] = {m.misalignment_y, m.misalignment_z};
     const RaceSide inner{1,          m.inner_radius, b.inner_speed,   r(b.ring),
                          tt(b.ring), r(b.ring_rate), tt(b.ring_rate), r(lean),
-                         tt(lean)};
-    const RaceSide outer{-1, m.outer_radius, 0, {}, {}, {}, {}, {}, {}};
+                         tt(lean),   m.inner_film};
+    const RaceSide outer{-1, m.outer_radius, 0, {}, {}, {}, {}, {}, {}, m.outer_film};
     RollerLoads loads;
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
     race_contacts<linear>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r, elastic_t,
@@ -344,6 +344,7 @@ void Observation::clear() {
   ring_elastic_y = ring_elastic_z = 0;
   drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy =
       time_to_touch = 0;
+  thinnest_film = kNoFilm;
 }
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {

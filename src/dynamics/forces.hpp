@@ -34,6 +34,7 @@ struct Observation {
   double damping_power = 0;   ///< dissipated by normal damping, >= 0 [W]
   double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
   double elastic_energy = 0;  ///< stored in contacts [J]
+  double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]
   double time_to_touch =
       0;  ///< smallest gap over closing speed of open bar, wall, flange and land contacts [s]
 };

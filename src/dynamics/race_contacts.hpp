@@ -19,7 +19,17 @@ struct RaceSide {
   double speed;               ///< of the race about its axis [rad/s]
   Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
   Pack m_r, m_t;              ///< its misalignment, likewise
+  const FilmLaw& film;
 };
+
+/// u^0.7 of the mean speed at which both surfaces carry oil into the contact.
+inline Pack entrainment_factor(const RaceSide& race, const RollerGroup& roller, const RollerPack& q,
+                               Pack distance) {
+  const Pack axis = race.sign * (q.vt - race.du_t);    // along t, as e_x x n
+  const Pack contact = axis * race.radius / distance;  // the contact travels with the roller
+  const Pack surfaces = race.sign * race.speed * race.radius + axis - roller.radius * q.spin;
+  return film_speed_factor(abs(0.5 * surfaces - contact));
+}
 
 template <bool linear>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
@@ -33,7 +43,12 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack distance = sqrt(d_r * d_r + d_t * d_t);
     const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
     const Pack p = race.sign * (race.radius - distance) + radius;
-    const Mask touching = (p > 0.0) & (roller.exists > 0.0);
+    Pack speed_factor{}, thickest{};
+    if (race.film.on) {
+      speed_factor = entrainment_factor(race, roller, q, distance);
+      thickest = thickest_film(race.film, speed_factor);
+    }
+    const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
     if (!any(touching)) continue;
 
     const Pack inverse = race.sign / distance;
@@ -49,7 +64,17 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack v1 = along - radius * q.spin - surface;
     const Pack v2 = q.vx + radius * (n_r * w_t - n_t * w_r) - swash;
 
-    const auto normal = normal_force(model.race, select(touching, p, splat(-1.0)), rate);
+    Pack thickness = splat(kNoFilm), energy;
+    NormalForce<Pack> normal;
+    if (race.film.on) {
+      const auto both = film_contact(model.race, race.film, p, rate, speed_factor);
+      normal = only(touching, both.normal);
+      thickness = select(touching, both.thickness, thickness);
+      energy = select(touching, both.energy, Pack{});
+    } else {
+      normal = normal_force(model.race, select(touching, p, splat(-1.0)), rate);
+      energy = normal.elastic * max(p, Pack{}) * (1 / (model.race.exponent + 1));
+    }
     const Pack speed2 = v1 * v1 + v2 * v2;
     const auto fr = friction(model.friction, speed2);
     const Pack g = fr.ratio * normal.force;
@@ -71,7 +96,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       drive += f1 * surface + f2 * swash;
       seen->friction_power += sum(g * speed2);
       seen->damping_power += sum((normal.force - normal.elastic) * rate);
-      seen->elastic_energy += sum(normal.elastic * max(p, Pack{})) / (model.race.exponent + 1);
+      seen->elastic_energy += sum(energy);
+      if (race.film.on) seen->thinnest_film = std::min(seen->thinnest_film, smallest(thickness));
 
       const Pack zero{}, one = splat(1.0);
       const Pack gn[] = {n_r, n_t, n_x, xi * n_r, xi * n_t, zero};

@@ -40,14 +40,15 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
     const auto t = [&](double y, double z) { return along_t(q, splat(y), splat(z)); };
     const RaceSide inner{1,
                          model_.inner_radius,
-                         0,
+                         2 * model_.pitch_radius * orbit_rate / model_.inner_radius,
                          r(state_.ring_y, state_.ring_z),
                          t(state_.ring_y, state_.ring_z),
                          {},
                          {},
                          r(model_.misalignment_y, model_.misalignment_z),
-                         t(model_.misalignment_y, model_.misalignment_z)};
-    const RaceSide outer{-1, model_.outer_radius, 0, {}, {}, {}, {}, {}, {}};
+                         t(model_.misalignment_y, model_.misalignment_z),
+                         model_.inner_film};
+    const RaceSide outer{-1, model_.outer_radius, 0, {}, {}, {}, {}, {}, {}, model_.outer_film};
     // At rest first; then orbiting: a roller follows the races, r' = orbit_rate dr/dtheta, and the
     // law's damping has its say.
     const int passes = motion == RollerMotion::at_rest ? 1 : 2;
@@ -77,6 +78,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       if (largest(size) < 1e-14 && pass + 1 < passes) {
         ++pass;
         q.vt = q.r * orbit_rate;
+        q.spin = -q.vt / roller.radius;  // rolling: what drags the film in
         q.vr = q.vt * g.position[kLr][kLt] / k_rr;
         continue;
       }

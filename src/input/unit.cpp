@@ -19,6 +19,8 @@ const std::vector<Unit>& units() {
       {"N_mm_e", "N/mm^e", "contact stiffness", 1},
       {"N_s_mm", "N s/mm", "damping", 1e3},
       {"N_s_m", "N s/m", "damping", 1},
+      {"Pa_s", "Pa s", "viscosity", 1},
+      {"1_GPa", "1/GPa", "pressure-viscosity", 1e-9},
       {"kg_mm2", "kg mm^2", "inertia", 1e-6},
       {"kg_m2", "kg m^2", "inertia", 1},
       {"g_mm2", "g mm^2", "inertia", 1e-9},

@@ -49,6 +49,7 @@ void Observer::record(double t, const double* y, const System& system) {
   // difference of one step in thousands).
   const double weight = first ? 0 : t - last_time_;
 
+  thinnest_film_ = std::min(thinnest_film_, seen.thinnest_film);
   const bool keep = t >= next_record_;
   if (keep) next_record_ = std::max(next_record_ + kRecordInterval, t);
 
@@ -230,6 +231,7 @@ std::vector<double> Observer::quantities() const {
   q["cage_stress_rms_MPa"] = stress_ ? 1e-6 * cage_stress_.rms() : none;
   q["cage_stress_peak_pocket"] = stress_ ? cage_peak_.pocket : none;
   q["cage_stress_peak_station"] = stress_ ? cage_peak_.station : none;
+  q["film_min_um"] = model_.inner_film.on && thinnest_film_ < kNoFilm ? 1e6 * thinnest_film_ : none;
   q["static_consistency_error"] = static_consistency_error();
   std::vector<double> values;
   for (const Quantity& row : quantity_table()) {

@@ -61,6 +61,7 @@ class Observer {
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;
   CagePeak cage_peak_;
+  double thinnest_film_ = kNoFilm;  ///< [m]
   double orbit_turned_ = 0, orbit_angle_ = 0;
   double revolutions_ = 0, start_phase_ = 0;
   double end_displacement_ = 0;

@@ -76,6 +76,9 @@ const std::vector<Quantity>& quantity_table() {
        "middle)"},
       {"cage_stress_peak_station", "-",
        "stress station of the peak in its sector; `cagetol cage` names the stations"},
+      {"film_min_um", "um",
+       "thinnest oil film of loaded race contacts over every accepted step; where a film is "
+       "modelled"},
       {"static_consistency_error", "-",
        "the larger of: mean elastic force on the ring against the quasi-static one (the load, less "
        "what the normal law's damping "

@@ -95,6 +95,15 @@ struct Contacts {
   double dynamic_speed = 1.0;              ///< v_d [m/s]
 };
 
+/// Oil film of the roller-race contacts (src/contact/oil_film.hpp).
+struct OilFilm {
+  std::string model = "none";         ///< "none" or "series"
+  double viscosity = 0.02;            ///< eta0 [Pa s]
+  double pressure_viscosity = 18e-9;  ///< alpha [1/Pa]
+  double least_force =
+      1;  ///< of a whole contact; below it the film grows no thicker than along the tangent [N]
+};
+
 struct Operation {
   double radial_load = 1000;  ///< on the inner ring, along -z [N]
   double load_ramp = 0;       ///< time over which the load rises from zero by STEP [s]
@@ -153,6 +162,7 @@ struct Scene {
   RollerGeometry roller;
   CageGeometry cage;
   Contacts contact;
+  OilFilm film;
   Operation operation;
   Start start;
   Window window;
