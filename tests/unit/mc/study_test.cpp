@@ -142,6 +142,15 @@ TEST_F(StudyFile, BareLawsTakeTheScopeOfTheirKey) {
   EXPECT_TRUE(study.inputs[1].lot);
 }
 
+TEST_F(StudyFile, WhatAFlexibleCageIsNotTabulatedForMayVary) {
+  const Study study = study_of(
+      "samples = 2\n[scene.cage]\nmodel = 'flexible'\n"
+      "pocket_pitch_mrad = { law = 'normal', sigma = 0.3 }\n"
+      "mode_damping = { nominal = 0.01, lot = { law = 'uniform', lower = -0.005, upper = 0.005 } }"
+      "\n");
+  EXPECT_EQ(study.inputs.size(), 2u);
+}
+
 TEST_F(StudyFile, CandidatesAreTheProductOfTheDimensions) {
   const Study study = study_of(
       "samples = 6\n[scene.cage]\npocket_width_mm = { nominal = 7.65, lot = { law = 'normal', "
@@ -231,6 +240,9 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
        {"bearing.roller_count", "cannot be a distribution"}},
       {"samples = 1\n[scene.cage]\nmass_kg = { lot = { law = 'normal', sigma = 0.001 } }",
        {"cage.mass_kg", "\"auto\""}},
+      {"samples = 1\n[scene.cage]\nmodel = 'flexible'\nwidth_mm = { nominal = 14, lot = { law = "
+       "'normal', sigma = 0.01 } }",
+       {"study.toml:4: cage.width_mm", "tabulated once", "set cage.model = \"rigid\""}},
       {width + "{ nominal = 7.65, lot = { law = 'empirical', file = 'absent.csv', column = "
                "'width_mm' } }",
        {"study.toml:2: cage.pocket_width_mm.lot.file = 'absent.csv'", "no such file"}},
