@@ -83,8 +83,8 @@ TEST_F(StudyFile, ASceneIsAStudyOfOneRow) {
 }
 
 TEST_F(StudyFile, ResolvedTextReadsBackToTheSameStudy) {
-  for (const char* path :
-       {"studies/nu205.toml", "studies/nu205-measured.toml", "scenes/speed-z16-skew.toml"}) {
+  for (const char* path : {"studies/nu205.toml", "studies/nu205-measured.toml",
+                           "studies/nu205-stress.toml", "scenes/speed-z16-skew.toml"}) {
     const Study study = read_study(shipped(path));
     const Study again = read_resolved_study(study.resolved_toml, "stored");
     EXPECT_EQ(again.resolved_toml, study.resolved_toml);
