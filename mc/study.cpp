@@ -106,6 +106,7 @@ Study study_of(const toml::table& root, const std::string& file) {
   study.tolerance.dimensions = read_dimensions(root, file, study.inputs);
   study.candidates = make_candidates(study, root, file);
   check_drawn_range(study, scene, file);
+  check_flexible_cage(study, scene, file);
   check_history(study, root, file);
   study.trends = read_trends(root, file, study);
   complete_rows(study);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "mc/study_keys.hpp"
+#include "src/cage/scene_cage.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -141,6 +143,23 @@ void check_drawn_range(const Study& study, const toml::table& scene, const std::
                            ", outside the range of this key: " + range_text(key),
                        "narrow the laws or use truncated_normal");
     }
+  }
+}
+
+void check_flexible_cage(const Study& study, const toml::table& scene, const std::string& file) {
+  static const std::set<std::string> tabulated = {
+      "cage.inner_diameter_mm", "cage.outer_diameter_mm", "cage.width_mm", "cage.land_offset_mm",
+      "cage.young_GPa",         "cage.poisson",           "cage.mass_kg",  "cage.density_kg_m3"};
+  if (!is_flexible(study.scene)) return;
+  for (const auto& input : study.inputs) {
+    if (!tabulated.contains(input.key)) continue;
+    const auto* node = find_node(scene, input.key);
+    throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, input.key,
+                     node ? shown(*node) : "",
+                     "this cannot be a distribution while cage.model = \"flexible\": the elastic "
+                     "cage is tabulated once for its nominal value, only its pockets may deviate",
+                     "give a plain number (one study each for several), or set cage.model = "
+                     "\"rigid\"");
   }
 }
 

@@ -22,6 +22,10 @@ std::vector<UncertainInput> read_inputs(const toml::table& scene, const std::str
 /// largest candidate.
 void check_drawn_range(const Study& study, const toml::table& scene, const std::string& file);
 
+/// Throws InputError for laws on what the table of a flexible cage (src/cage/cage_table.hpp) holds
+/// fixed: all of the cage but its pockets.
+void check_flexible_cage(const Study& study, const toml::table& scene, const std::string& file);
+
 /// The [[correlation]] entries of a study. `inputs` must be read already.
 std::vector<Correlation> read_correlations(const toml::table& root, const std::string& file,
                                            const std::vector<UncertainInput>& inputs);

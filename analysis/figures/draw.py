@@ -17,6 +17,7 @@ def main(report_file, output_dir):
     matplotlib.use("svg")
     import matplotlib.pyplot as plt
     plt.style.use(str(here / "cagetol.mplstyle"))
+    import cage
     import centres
     import contributors
     import engine
@@ -30,6 +31,7 @@ def main(report_file, output_dir):
         "limited_quantities": quantities.limited_quantities, "other_quantities": quantities.other_quantities,
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
+        "cage_stress": cage.cage_stress,
         **response.figures(),
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability}}

@@ -60,7 +60,7 @@ std::string heading(const Json& report) {
       "<header><h1>Tolerance report: {}</h1>\n<p class=\"note\">{} runs of {} planned, {} of them "
       "repeats with fresh noise; design "
       "<code>{}</code>; study <code>{}</code>, seed {}; cagetol {} ({})</p></header>\n"
-      "<nav>{}<a href=\"#limits\">Limits</a><a href=\"#tolerance\">Yield and tolerance</a><a "
+      "<nav>{}{}<a href=\"#limits\">Limits</a><a href=\"#tolerance\">Yield and tolerance</a><a "
       "href=\"#contributors\">Contributors</a>"
       "<a href=\"#quantities\">Quantities</a><a href=\"#failures\">Failures</a><a "
       "href=\"#convergence\">Convergence</a>"
@@ -69,7 +69,8 @@ std::string heading(const Json& report) {
       rounded(outcomes["samples_planned"]), rounded(outcomes["noise_repeats"]),
       escaped(from["design"]), escaped(from["study_hash"]), from["seed"].dump(),
       escaped(from["tool_version"]), escaped(from["tool_commit"]),
-      report["trends"].is_null() ? "" : "<a href=\"#trends\">Claimed trends</a>");
+      report["trends"].is_null() ? "" : "<a href=\"#trends\">Claimed trends</a>",
+      report["cage"].is_null() ? "" : "<a href=\"#cage\">Flexible cage</a>");
 }
 
 }  // namespace
@@ -94,6 +95,7 @@ std::string html_report(const Json& report, const FigureSet& figures) {
   page += tolerance_chapter(report, figures);
   page += contributors_chapter(report, figures);
   page += quantities_chapter(report, figures);
+  page += cage_chapter(report, figures);
   page += capability_chapter(report);
   page += failures_chapter(report);
   page += convergence_chapter(report, figures);

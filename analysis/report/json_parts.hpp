@@ -40,6 +40,8 @@ Json health_json(const ReportBasis& basis);
 Json failures_json(const ReportBasis& basis);
 Json worst_samples_json(const ReportBasis& basis);
 Json contributors_json(const ReportBasis& basis);
+/// null where the cage is rigid. `peak` is what read_cage_peak found.
+Json cage_json(const ReportBasis& basis, const Json& peak);
 /// null where the study makes no claims, or is no grid.
 Json trends_json(const ReportBasis& basis);
 Json response_json(const ReportBasis& basis);

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "analysis/report/cage_peak.hpp"
 #include "analysis/report/csv_tables.hpp"
 #include "analysis/report/figure_set.hpp"
 #include "analysis/report/html_report.hpp"
@@ -37,7 +38,8 @@ int run_report(const std::filesystem::path& study_dir, const ReportOptions& opti
   const bool staged = file.parent_path() != study_dir;
   const StudyData study = read_study_data(file);
   const Json report =
-      make_report(study, read_confirmations(study_dir), staged ? "DIR/mixture" : "DIR");
+      make_report(study, read_confirmations(study_dir), staged ? "DIR/mixture" : "DIR",
+                  read_cage_peak(file.parent_path(), study));
   const std::string text = report.dump(1) + "\n";
   write_text(study_dir / "report.json", text);
   write_csv_tables(study_dir, study, report);

@@ -20,10 +20,11 @@ struct ReportOptions {
 
 /// Every number of the report, from the study alone: the same study gives the same bytes.
 /// `confirmations` are the attempts to confirm its recommendation, `directory` is how replay
-/// commands name the place of its runs.
+/// commands name the place of its runs, `cage_peak` what read_cage_peak (cage_peak.hpp) found.
 nlohmann::ordered_json make_report(const StudyData& study,
                                    const std::vector<StudyData>& confirmations = {},
-                                   const std::string& directory = "DIR");
+                                   const std::string& directory = "DIR",
+                                   const nlohmann::ordered_json& cage_peak = {});
 
 /// DIR/mixture/study.h5 where DIR holds the stages of a recommendation, otherwise DIR/study.h5.
 std::filesystem::path study_file_in(const std::filesystem::path& directory);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "analysis/report/report.hpp"
+#include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/recommend_stages.hpp"
 #include "mc/log.hpp"
@@ -29,7 +30,10 @@ int run_recommend(const RecommendArguments& options) {
   };
   const int code = run_recommend(read, make_sweep_plan, options.stages);
   const bool decided = code == kDone || code == kLimitsNotMet;
-  if (decided && launch_from_environment().rank == 0) run_report(options.stages.directory);
+  if (decided && launch_from_environment().rank == 0) {
+    update_cage_peak(study_file_in(options.stages.directory).parent_path());
+    run_report(options.stages.directory);
+  }
   return code;
 }
 

@@ -16,7 +16,7 @@ struct CageCheck {
   long elements = 0;
   Eigen::VectorXd frequency;  ///< by the full solve, as many as the model keeps [Hz]
   double largest_error = 0;   ///< relative, model against full solve, up to kCheckedFrequency
-  double seconds = 0;         ///< the full solve, from deviations to modes
+  double seconds = 0;         ///< the full solve, from deviations to modes, processor time
 };
 
 /// Meshes and solves the deviated cage from which `model` was made. The same bits every time, but

@@ -50,23 +50,38 @@ std::optional<CageFault> model_fault(const CageTable& table,
   return std::nullopt;
 }
 
-/// Values of polynomials at the deviations of every sector: coefficients x terms, in strips of rows
-/// that stay in registers. A general matrix product would spend more on packing than on
-/// multiplying.
+/// Values of a strip of polynomials for `count` sectors from the k-th on: as many sums in flight as
+/// hide the latency of multiplying, all of them in registers.
+template <int count, Index strip, typename Matrix>
+void strip_values(const Matrix& coefficients, const Matrix& terms, Index row, Index k,
+                  Matrix& values) {
+  using Scalar = typename Matrix::Scalar;
+  Eigen::Array<Scalar, strip, 1> sum[count];
+#pragma GCC unroll 8
+  for (int i = 0; i < count; ++i) sum[i].setZero();
+  for (Index t = 0; t < terms.rows(); ++t) {
+    const Eigen::Array<Scalar, strip, 1> coefficient =
+        coefficients.template block<strip, 1>(row, t).array();
+#pragma GCC unroll 8
+    for (int i = 0; i < count; ++i) sum[i] += coefficient * terms(t, k + i);
+  }
+#pragma GCC unroll 8
+  for (int i = 0; i < count; ++i) values.template block<strip, 1>(row, k + i) = sum[i];
+}
+
+/// Values of polynomials at the deviations of every sector: coefficients x terms. A general matrix
+/// product would spend more on packing than on multiplying.
 template <typename Matrix>
 Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
-  using Scalar = typename Matrix::Scalar;
-  constexpr Index strip = 64 / sizeof(Scalar);
+  constexpr Index strip = 64 / sizeof(typename Matrix::Scalar);
+  constexpr int together = 7;
   Matrix values(coefficients.rows(), terms.cols());
   Index row = 0;
   for (; row + strip <= values.rows(); row += strip) {
-    for (Index k = 0; k < terms.cols(); ++k) {
-      Eigen::Array<Scalar, strip, 1> sum = Eigen::Array<Scalar, strip, 1>::Zero();
-      for (Index t = 0; t < terms.rows(); ++t) {
-        sum += coefficients.template block<strip, 1>(row, t).array() * terms(t, k);
-      }
-      values.template block<strip, 1>(row, k) = sum;
-    }
+    Index k = 0;
+    for (; k + together <= terms.cols(); k += together)
+      strip_values<together, strip>(coefficients, terms, row, k, values);
+    for (; k < terms.cols(); ++k) strip_values<1, strip>(coefficients, terms, row, k, values);
   }
   const Index rest = values.rows() - row;
   values.bottomRows(rest) = coefficients.bottomRows(rest).lazyProduct(terms);
@@ -197,25 +212,28 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
   const Index per_sector = flat.rows() / strained;
   const Index per_pocket = 2 * model.bar_stations;
   const Index kept = model.frequency.size();
-  const Index forces = (2 * model.span + 1) * per_pocket;
+  const Index near = 2 * model.span + 1;
   model.stress.resize(sectors * per_sector, kept);
-  model.stress_residual.resize(sectors * per_sector, forces);
+  model.stress_residual.resize(sectors * per_sector, near * per_pocket);
+  const MatrixXd modes = coefficients.kept.transpose();
   const MatrixXd residual = coefficients.residual.transpose();
-  MatrixXd coefficient(kept + forces, table.turn.all());
-  Eigen::MatrixXf stress(per_sector, kept + forces);
-  coefficient.topRows(kept) = coefficients.kept.transpose();
+  MatrixXd near_residual(near * per_pocket, table.turn.all());
   for (Index k = 0; k < sectors; ++k) {
-    for (Index o = -model.span; o <= model.span; ++o) {
-      const Index pocket = (k + o + sectors) % sectors;
-      coefficient.middleRows(kept + (o + model.span) * per_pocket, per_pocket) =
+    const auto rows = sector_rows(flat, strained, k);
+    const auto strain = [&](const MatrixXd& combinations) -> Eigen::MatrixXf {
+      return seen_coefficients(table.turn, combinations, k)
+          .rightCols(strained)
+          .transpose()
+          .cast<float>();
+    };
+    for (Index o = 0; o < near; ++o) {
+      const Index pocket = (k + o - model.span + sectors) % sectors;
+      near_residual.middleRows(o * per_pocket, per_pocket) =
           residual.middleRows(pocket * per_pocket, per_pocket);
     }
-    const Eigen::MatrixXf seen =
-        seen_coefficients(table.turn, coefficient, k).rightCols(strained).cast<float>();
-    stress.noalias() = sector_rows(flat, strained, k) * seen.transpose();
-    model.stress.middleRows(k * per_sector, per_sector) = stress.leftCols(kept).cast<double>();
-    model.stress_residual.middleRows(k * per_sector, per_sector) =
-        stress.rightCols(forces).cast<double>();
+    model.stress.middleRows(k * per_sector, per_sector).noalias() = rows * strain(modes);
+    model.stress_residual.middleRows(k * per_sector, per_sector).noalias() =
+        rows * strain(near_residual);
   }
 }
 
@@ -266,7 +284,7 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
 
 Eigen::VectorXd station_stress(const CageModel& model, const Eigen::VectorXd& q,
                                const Eigen::VectorXd& bar_forces) {
-  Eigen::VectorXd components = model.stress * q;
+  Eigen::VectorXd components = model.stress.cast<double>() * q;
   const Index per_sector = 6 * model.stress_stations;
   const Index per_pocket = 2 * model.bar_stations;
   const Index sectors = components.size() / per_sector;
@@ -277,7 +295,7 @@ Eigen::VectorXd station_stress(const CageModel& model, const Eigen::VectorXd& q,
           bar_forces.segment(((k + o + sectors) % sectors) * per_pocket, per_pocket);
     }
     components.segment(k * per_sector, per_sector).noalias() +=
-        model.stress_residual.middleRows(k * per_sector, per_sector) * near;
+        model.stress_residual.middleRows(k * per_sector, per_sector).cast<double>() * near;
   }
   Eigen::VectorXd stress(components.size() / 6);
   for (Index i = 0; i < stress.size(); ++i) stress[i] = von_mises(components.segment<6>(6 * i));

@@ -39,10 +39,10 @@ struct CageModel {
   Eigen::MatrixXd residual_compliance;
   /// Stress per modal coordinate: row 6 (stations j + station) + component, axes of sector j's
   /// frame [Pa].
-  Eigen::MatrixXd stress;
+  Eigen::MatrixXf stress;
   /// Stress per tangential force on bar stations near by: same rows; column 2n (o + span) + station
   /// for pocket j + o, o = -span ... span; trailing stations first, then leading [Pa/N].
-  Eigen::MatrixXd stress_residual;
+  Eigen::MatrixXf stress_residual;
   long stress_stations = 0;  ///< per sector
   long span = 0;  ///< stress takes the residual of forces on pockets up to this many sectors away
   Eigen::MatrixXd gyroscopic;

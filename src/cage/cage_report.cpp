@@ -1,26 +1,26 @@
 #include "src/cage/cage_report.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <limits>
+#include <ctime>
 
 #include "src/cage/cage_check.hpp"
 
 namespace cagetol {
 namespace {
 
-constexpr int kTimedSamples = 10;
+constexpr std::size_t kTimedSamples = 101;
 
+/// Median of the processor time of repetitions: other programs on the machine disturb some.
 double seconds_of_a_sample(const CageTable& table, const std::vector<PocketDeviation>& deviations,
                            const CageModelOptions& options) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kTimedSamples; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+  std::vector<double> seconds(kTimedSamples);
+  for (double& each : seconds) {
+    const std::clock_t start = std::clock();
     make_cage_model(table, deviations, options);
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    best = std::min(best, spent.count());
+    each = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   }
-  return best;
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[kTimedSamples / 2];
 }
 
 }  // namespace

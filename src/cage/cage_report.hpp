@@ -23,10 +23,11 @@ struct CageReport {
   long dofs = 0;
   MassProperties body;  ///< with deviating pockets
   std::vector<ReportedMode> modes;
-  double largest_error = 0;   ///< relative, sample against full, up to 20 kHz
-  double seconds_table = 0;   ///< once per scene, when the table was made
-  double seconds_full = 0;    ///< one full solve of the deviated cage
-  double seconds_sample = 0;  ///< one per-sample model, stress rows included, best of several
+  double largest_error = 0;  ///< relative, sample against full, up to 20 kHz
+  double seconds_table = 0;  ///< once per scene, when the table was made
+  double seconds_full = 0;   ///< one full solve of the deviated cage, processor time
+  double seconds_sample =
+      0;  ///< one per-sample model, stress rows included, likewise, median of many
 };
 
 /// Solves the cage with these pockets both ways and keeps `modes` elastic modes. A fault where the

@@ -3,25 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/cage/field_recovery.hpp"
-
 namespace cagetol {
 namespace {
 
+/// Squares of the von Mises stress, from a sector's components one after the other.
+template <typename Sector>
+auto von_mises_squared(const Sector& sector) {
+  const Eigen::Index stations = sector.size() / 6;
+  const auto part = [&](Eigen::Index c) { return sector.segment(c * stations, stations).array(); };
+  return 0.5F * ((part(0) - part(1)).square() + (part(1) - part(2)).square() +
+                 (part(2) - part(0)).square()) +
+         3.0F * (part(3).square() + part(4).square() + part(5).square());
+}
+
 /// Rows (sector, station, component) to (sector, component, station), and the largest von Mises
 /// stress of each column.
-void regroup(const Eigen::MatrixXd& from, long stations, Eigen::MatrixXf& to,
+void regroup(const Eigen::MatrixXf& from, long stations, Eigen::MatrixXf& to,
              Eigen::VectorXd& norm) {
   to.resize(from.rows(), from.cols());
-  norm = Eigen::VectorXd::Zero(from.cols());
-  for (Eigen::Index column = 0; column < from.cols(); ++column)
-    for (Eigen::Index point = 0; 6 * point < from.rows(); ++point) {
-      const Eigen::Matrix<double, 6, 1> stress = from.col(column).segment<6>(6 * point);
-      norm[column] = std::max(norm[column], von_mises(stress));
-      const Eigen::Index sector = point / stations, station = point % stations;
-      for (Eigen::Index c = 0; c < 6; ++c)
-        to((6 * sector + c) * stations + station, column) = static_cast<float>(stress[c]);
+  norm.resize(from.cols());
+  const Eigen::Index rows = 6 * stations;
+  for (Eigen::Index column = 0; column < from.cols(); ++column) {
+    float most = 0;
+    for (Eigen::Index first = 0; first < from.rows(); first += rows) {
+      auto sector = to.col(column).segment(first, rows);
+      sector.reshaped(stations, 6) =
+          from.col(column).segment(first, rows).reshaped(6, stations).transpose();
+      most = std::max(most, von_mises_squared(sector).maxCoeff());
     }
+    norm[column] = std::sqrt(static_cast<double>(most));
+  }
 }
 
 }  // namespace
@@ -52,13 +63,8 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
     auto here = components_.segment(k * rows, rows);
     for (Eigen::Index f = 0; f < near_.size(); ++f)
       if (near_[f] != 0) here += near_[f] * residual_.col(f).segment(k * rows, rows);
-    const auto part = [&](long c) { return here.segment(c * stations_, stations_).array(); };
-    const auto square = [](const auto& x) { return x * x; };
     Eigen::Index at = 0;
-    const float here_most = (0.5F * (square(part(0) - part(1)) + square(part(1) - part(2)) +
-                                     square(part(2) - part(0))) +
-                             3.0F * (square(part(3)) + square(part(4)) + square(part(5))))
-                                .maxCoeff(&at);
+    const float here_most = von_mises_squared(here).maxCoeff(&at);
     if (here_most > most) {
       most = here_most;
       largest.sector = k;

@@ -83,8 +83,8 @@ TEST_F(StudyFile, ASceneIsAStudyOfOneRow) {
 }
 
 TEST_F(StudyFile, ResolvedTextReadsBackToTheSameStudy) {
-  for (const char* path :
-       {"studies/nu205.toml", "studies/nu205-measured.toml", "scenes/speed-z16-skew.toml"}) {
+  for (const char* path : {"studies/nu205.toml", "studies/nu205-measured.toml",
+                           "studies/nu205-stress.toml", "scenes/speed-z16-skew.toml"}) {
     const Study study = read_study(shipped(path));
     const Study again = read_resolved_study(study.resolved_toml, "stored");
     EXPECT_EQ(again.resolved_toml, study.resolved_toml);
@@ -140,6 +140,15 @@ TEST_F(StudyFile, BareLawsTakeTheScopeOfTheirKey) {
   EXPECT_TRUE(study.inputs[0].pocket);
   EXPECT_FALSE(study.inputs[0].lot);
   EXPECT_TRUE(study.inputs[1].lot);
+}
+
+TEST_F(StudyFile, WhatAFlexibleCageIsNotTabulatedForMayVary) {
+  const Study study = study_of(
+      "samples = 2\n[scene.cage]\nmodel = 'flexible'\n"
+      "pocket_pitch_mrad = { law = 'normal', sigma = 0.3 }\n"
+      "mode_damping = { nominal = 0.01, lot = { law = 'uniform', lower = -0.005, upper = 0.005 } }"
+      "\n");
+  EXPECT_EQ(study.inputs.size(), 2u);
 }
 
 TEST_F(StudyFile, CandidatesAreTheProductOfTheDimensions) {
@@ -231,6 +240,9 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
        {"bearing.roller_count", "cannot be a distribution"}},
       {"samples = 1\n[scene.cage]\nmass_kg = { lot = { law = 'normal', sigma = 0.001 } }",
        {"cage.mass_kg", "\"auto\""}},
+      {"samples = 1\n[scene.cage]\nmodel = 'flexible'\nwidth_mm = { nominal = 14, lot = { law = "
+       "'normal', sigma = 0.01 } }",
+       {"study.toml:4: cage.width_mm", "tabulated once", "set cage.model = \"rigid\""}},
       {width + "{ nominal = 7.65, lot = { law = 'empirical', file = 'absent.csv', column = "
                "'width_mm' } }",
        {"study.toml:2: cage.pocket_width_mm.lot.file = 'absent.csv'", "no such file"}},

@@ -1,0 +1,69 @@
+// What turning alone does to the cage: the stress of its centrifugal load by a full static
+// solution, and what the kept modes carry of it (tests/ACCURACY.md has the numbers).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "src/cage/cage_modes.hpp"
+#include "src/cage/cage_recovery.hpp"
+#include "src/cage/field_recovery.hpp"
+#include "tests/support/flexible_cage.hpp"
+
+namespace cagetol {
+namespace {
+
+using Deviations = std::vector<PocketDeviation>;
+
+/// Largest von Mises stress of the whole cage at a spin of 1 rad/s [Pa].
+double full_stress(const CageTable& table, const Deviations& deviations) {
+  const CageMesh cage = std::get<CageMesh>(make_cage_mesh(table.cage, deviations, table.counts));
+  const BodyMatrices body = assemble_body(cage.mesh, table.material);
+  const ShiftedFactor factor(body, ring_shift(cage.mesh, body));
+  const RigidMotions rigid = mass_orthonormal(rigid_motions(cage.mesh.nodes), body.mass);
+  Eigen::VectorXd arm = Eigen::VectorXd::Zero(3 * cage.mesh.nodes.cols());
+  for (Eigen::Index n = 0; n < cage.mesh.nodes.cols(); ++n)
+    arm.segment<2>(3 * n + 1) = cage.mesh.nodes.col(n).tail<2>();
+  const Eigen::VectorXd load = body.mass.selfadjointView<Eigen::Lower>() * arm;
+  const auto stress =
+      stress_everywhere(cage.mesh, table.material, free_static_response(body, factor, rigid, load));
+  double largest = 0;
+  for (Eigen::Index n = 0; n < stress.cols(); ++n)
+    largest = std::max(largest, von_mises(stress.col(n)));
+  return largest;
+}
+
+/// The same by as many modes at rest in their centrifugal load.
+double modal_stress(const CageTable& table, const Deviations& deviations, long modes) {
+  const CageModel model = std::get<CageModel>(make_cage_model(table, deviations, {.modes = modes}));
+  const Eigen::ArrayXd omega = 2 * std::numbers::pi * model.frequency.array();
+  const Eigen::VectorXd q = (model.centrifugal.array() / omega.square()).matrix();
+  return station_stress(model, q, Eigen::VectorXd::Zero(13 * 2 * model.bar_stations)).maxCoeff();
+}
+
+/// The lowest modes do not stretch a ring: of the default 20 none answers to the centrifugal load.
+TEST(CentrifugalStress, IsSmallAndNotInTheDefaultModes) {
+  const CageTable table = make_cage_table({}, test::kCageSteel, {});
+  const double ratio = 31.5 / (31.5 + 46.5);  // cage speed to inner-ring speed, NU 205
+  for (const Deviations& deviations : {Deviations(13), test::scattered_pockets(1)}) {
+    const double full = full_stress(table, deviations);
+    const double by_20 = modal_stress(table, deviations, 20);
+    const double by_36 = modal_stress(table, deviations, 36);
+    for (const double rpm : {6000.0, 15000.0}) {
+      const double in_MPa = 1e-6 * std::pow(ratio * rpm * std::numbers::pi / 30, 2);
+      std::printf(
+          "  inner ring %5.0f rpm: %.3f MPa by the full cage, %.4f by 20 modes, %.3f by 36\n", rpm,
+          in_MPa * full, in_MPa * by_20, in_MPa * by_36);
+    }
+    // A free ring of the cage's mean radius has rho (Omega r)^2; bars bend besides.
+    const double hoop = 7850 * std::pow(20.1e-3, 2);
+    EXPECT_GT(full, hoop);
+    EXPECT_LT(full, 3 * hoop);
+    EXPECT_LT(by_20, 0.2 * full);
+    EXPECT_NEAR(by_36, full, 0.4 * full);
+  }
+}
+
+}  // namespace
+}  // namespace cagetol
