@@ -20,6 +20,7 @@ def main(report_file, output_dir):
     import centres
     import contributors
     import engine
+    import fidelity
     import quantities
     import response
     import tolerance
@@ -32,7 +33,8 @@ def main(report_file, output_dir):
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
         **response.figures(),
     }
-    of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability}}
+    of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
+                 "ladder": {"ladder": fidelity.ladder}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
     figures = of_engine.get(report.get("kind"), of_report)
