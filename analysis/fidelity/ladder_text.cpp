@@ -84,6 +84,7 @@ Json ladder_json(const ModelLadder& ladder) {
                   {"standard_deviation", number(quantity.ladder.deviation)},
                   {"budget", number(quantity.ladder.budget)},
                   {"least_rung", least_name(ladder, quantity.ladder)},
+                  {"multifidelity_gain", quantity.multifidelity_gain},
                   {"rungs", Json::array()}};
     for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
       entry["rungs"].push_back(shift_json(ladder.rungs[r], quantity.ladder.rungs[r]));
@@ -122,10 +123,12 @@ std::string ladder_text(const ModelLadder& ladder) {
   for (const LadderRung& rung : ladder.rungs)
     text +=
         fmt::format("{:<18}{:>8.3f}{:>6}  {}\n", rung.name, rung.cost_ratio, rung.ok, rung.meaning);
-  text += "\nleast rung of each quantity\n";
+  text +=
+      "\nleast rung of each quantity, predicted gain of a mean with the help of cheaper rungs\n";
   for (const LadderQuantity& quantity : ladder.quantities)
     if (is_defined(quantity))
-      text += fmt::format("  {:<32}{}\n", quantity.name, least_name(ladder, quantity.ladder));
+      text += fmt::format("  {:<32}{:<16}{:.2f}\n", quantity.name,
+                          least_name(ladder, quantity.ladder), quantity.multifidelity_gain);
   return text;
 }
 

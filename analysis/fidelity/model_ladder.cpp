@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/fidelity/multifidelity.hpp"
 #include "analysis/study/study_file_error.hpp"
 
 namespace cagetol {
@@ -28,6 +29,19 @@ double median_ratio(const std::vector<double>& times, const std::vector<double>&
   for (std::size_t k = 0; k < times.size(); ++k)
     if (std::isfinite(times[k] / reference[k])) ratios.push_back(times[k] / reference[k]);
   return ratios.empty() ? kUndefined : gsl_stats_median(ratios.data(), 1, ratios.size());
+}
+
+/// The rungs without lost runs, the reference first.
+double predicted_gain(const std::vector<std::vector<double>>& values,
+                      const std::vector<LadderRung>& rungs, const QuantityLadder& ladder) {
+  std::vector<std::vector<double>> pilot;
+  std::vector<double> costs;
+  for (std::size_t r = rungs.size(); r-- > 0;) {
+    if (ladder.rungs[r].lost > 0 || !(rungs[r].cost_ratio > 0)) continue;
+    pilot.push_back(values[r]);
+    costs.push_back(rungs[r].cost_ratio);
+  }
+  return pilot.size() > 1 ? plan_multifidelity(pilot, costs).gain : 1;
 }
 
 bool has_limit(const StudyPlan& plan, const std::string& quantity) {
@@ -58,8 +72,9 @@ ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<S
     std::vector<std::vector<double>> values;
     for (const StudyData& rung : runs)
       values.push_back(ok_values(rung, find_quantity(rung, column.name)->values));
+    const QuantityLadder judged = least_rung(values, rule);
     ladder.quantities.push_back({column.name, column.unit, has_limit(reference.plan, column.name),
-                                 least_rung(values, rule)});
+                                 judged, predicted_gain(values, ladder.rungs, judged)});
   }
   return ladder;
 }

@@ -12,16 +12,20 @@
 namespace cagetol {
 
 struct LadderRung {
-  std::string name, meaning;
-  std::vector<std::string> settings;  ///< "dotted.key=value"
-  double cost_ratio = kUndefined;     ///< wall time over the reference's, median of the samples
-  std::size_t ok = 0;                 ///< runs that gave a result
+  std::string name;
+  std::string meaning = {};
+  std::vector<std::string> settings = {};  ///< "dotted.key=value"
+  double cost_ratio = kUndefined;  ///< wall time over the reference's, median of the samples
+  std::size_t ok = 0;              ///< runs that gave a result
 };
 
 struct LadderQuantity {
   std::string name, unit;
   bool limited = false;  ///< the study has a limit on it
   QuantityLadder ladder;
+  /// Predicted for a mean that takes cheaper rungs to help (multifidelity.hpp), measured costs; 1:
+  /// the reference alone.
+  double multifidelity_gain = 1;
 };
 
 struct ModelLadder {

@@ -59,7 +59,9 @@ def ladder(data):
     for axis in axes.flat[:len(entries)]:
         axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
         axis.minorticks_off()
-    figure.supxlabel("wall time / that of the highest rung", fontsize=9)
+    for axis in axes.flat[max(0, len(entries) - columns):len(entries)]:
+        axis.set_xlabel("wall time / that of the highest rung")
+        axis.tick_params(labelbottom=True)
     figure.supylabel("|shift of the mean| / budget, 95 % interval", fontsize=9)
     named = {label: handle for axis in axes.flat[:len(entries)] for handle, label in zip(*axis.get_legend_handles_labels())}
     legend_below(figure, list(named.values()), list(named), 0.55 / (0.9 + 2.1 * rows))

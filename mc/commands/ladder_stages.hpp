@@ -23,4 +23,10 @@ std::variant<ModelLadder, int> climb(const Study& study, const std::vector<Rung>
                                      const LadderOptions& options, const std::string& directory,
                                      StagedSweeps& stages);
 
+/// A study with fidelity = "auto" on the rung that its pilot, DIR/fidelity/RUNG, chooses, with the
+/// evidence; any other study, and one that is decided, as it is. Or the exit code of the sweep that
+/// ended early. Throws InputError where the study has no limits to choose by.
+std::variant<Study, int> with_fidelity(const Study& study, const std::string& directory,
+                                       StagedSweeps& stages);
+
 }  // namespace cagetol

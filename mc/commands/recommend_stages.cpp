@@ -8,6 +8,7 @@
 #include "analysis/study/study_file_error.hpp"
 #include "analysis/tolerance/campaign.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/ladder_stages.hpp"
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/unit.hpp"
@@ -134,9 +135,11 @@ int StageLeader::lead() {
 int run_recommend(const std::function<Study()>& read, const MakePlan& make_plan,
                   const RecommendOptions& options) {
   return run_staged(make_plan, options.progress, [&](StagedSweeps& stages) {
-    const Study base = read();
-    check_study(base);
-    return StageLeader(base, options.directory, stages).lead();
+    const Study given = read();
+    check_study(given);
+    const auto base = with_fidelity(given, options.directory, stages);
+    if (const int* code = std::get_if<int>(&base)) return *code;
+    return StageLeader(std::get<Study>(base), options.directory, stages).lead();
   });
 }
 

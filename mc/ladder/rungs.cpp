@@ -59,12 +59,12 @@ std::vector<UncertainInput> start_scatter(const Scene& scene) {
 
 const std::vector<Rung>& climbing_rungs() {
   static const std::vector<Rung> rungs = climbed({
-      {"coarse",
+      {"coarse-1",
        "rigid cage, one slice of a contact, integration tolerance 0.02",
        {"cage.model='rigid'", "discretisation.race_slices=1", "integration.tolerance=0.02"}},
-      {"rigid-1", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
-      {"rigid-3", "three slices", {"discretisation.race_slices=3"}},
-      {"rigid-5", "five slices", {"discretisation.race_slices=5"}},
+      {"coarse-3", "three slices", {"discretisation.race_slices=3"}},
+      {"coarse-5", "five slices", {"discretisation.race_slices=5"}},
+      {"rigid-5", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
       {"flexible-6",
        "flexible cage with 6 modes, at rest",
        {"cage.model='flexible'", "cage.modes=6", "cage.centrifugal=false", "cage.coriolis=false"}},
@@ -115,6 +115,7 @@ Study rung_study(const Study& study, const Rung& rung, long samples) {
   return changed_study(study, [&](Study& changed) {
     changed.name += ", rung " + rung.name;
     changed.fidelity = "pinned";
+    changed.fidelity_decision = {};
     changed.samples = samples;
     changed.design = "random";
     changed.cages_per_lot = 1;
