@@ -36,6 +36,15 @@ bool is_defined(const LadderQuantity& quantity) {
   return std::isfinite(quantity.ladder.budget);
 }
 
+std::string verdict_text(const RungShift& rung) {
+  std::string text = rung_verdict_name(rung.verdict);
+  if (rung.verdict == RungVerdict::unusable)
+    text += fmt::format(": {} runs without a value", rung.lost);
+  if (rung.verdict == RungVerdict::unresolved && rung.pairs_needed > 0)
+    text += fmt::format(", about {:.2g} samples would tell", rung.pairs_needed);
+  return text;
+}
+
 std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quantity) {
   const QuantityLadder& seen = quantity.ladder;
   std::string text = fmt::format(
@@ -45,12 +54,9 @@ std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quan
   for (std::size_t r = 0; r + 1 < ladder.rungs.size(); ++r) {
     const RungShift& shift = seen.rungs[r];
     text +=
-        fmt::format("  {:<16}{:>11.3g}  [{:>10.3g}, {:>10.3g}]{:>8.3f}{:>8.3f}  {}{}\n",
+        fmt::format("  {:<16}{:>11.3g}  [{:>10.3g}, {:>10.3g}]{:>8.3f}{:>8.3f}  {}\n",
                     ladder.rungs[r].name, shift.shift.value, shift.shift.lower, shift.shift.upper,
-                    shift.correlation, ladder.rungs[r].cost_ratio, rung_verdict_name(shift.verdict),
-                    shift.verdict == RungVerdict::unresolved && shift.pairs_needed > 0
-                        ? fmt::format(", about {:.2g} samples would tell", shift.pairs_needed)
-                        : "");
+                    shift.correlation, ladder.rungs[r].cost_ratio, verdict_text(shift));
   }
   return text;
 }
