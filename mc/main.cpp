@@ -25,6 +25,7 @@ constexpr const char* kExamples =
     "  cagetol cage inputs/scenes/nu205.toml\n"
     "  cagetol bench inputs/scenes/speed-z16.toml\n"
     "  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
+    "  cagetol ladder inputs/scenes/nu205.toml -o out/ladder\n"
     "  cagetol stability -o out/stability\n"
     "  cagetol --dump-default scene";
 
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
   add_compare_command(app, chosen);
   add_bench_command(app, chosen);
   add_chart_command(app, chosen);
+  add_ladder_command(app, chosen);
   add_stability_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);

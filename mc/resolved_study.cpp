@@ -1,5 +1,8 @@
 #include "mc/resolved_study.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "mc/law_reader.hpp"
 #include "mc/study_keys.hpp"
 #include "mc/study_trends.hpp"
@@ -67,6 +70,26 @@ toml::table dimension_table(const ToleranceDimension& dimension) {
   return table;
 }
 
+/// Numbers that are not known are left out.
+void insert_known(const char* name, double value, toml::table& table) {
+  if (std::isfinite(value)) table.insert(name, value);
+}
+
+toml::table decision_table(const FidelityDecision& decision) {
+  toml::array shifts;
+  for (const auto& shift : decision.shifts) {
+    toml::table table{
+        {"quantity", shift.quantity}, {"rung", shift.rung}, {"verdict", shift.verdict}};
+    insert_known("shift", shift.shift, table);
+    insert_known("lower", shift.lower, table);
+    insert_known("upper", shift.upper, table);
+    insert_known("budget", shift.budget, table);
+    shifts.push_back(std::move(table));
+  }
+  return toml::table{
+      {"rung", decision.rung}, {"reason", decision.reason}, {"shift", std::move(shifts)}};
+}
+
 toml::table candidate_table(const Candidate& candidate) {
   toml::table table;
   table.insert("bands_mm", array_of(candidate.bands_mm));
@@ -108,7 +131,31 @@ toml::table resolved_table(const Study& study) {
   root.insert("trend", std::move(trends));
   root.get("tolerance")->as_table()->insert("dimension", std::move(dimensions));
   root.insert("candidates", std::move(candidates));
+  if (!study.fidelity_decision.rung.empty())
+    root.insert("fidelity_decision", decision_table(study.fidelity_decision));
   return root;
+}
+
+FidelityDecision take_fidelity_decision(toml::table& root) {
+  FidelityDecision decision;
+  if (!root.contains("inputs")) return decision;  // not resolved: nothing of the kind is known
+  const auto stored = root["fidelity_decision"];
+  decision.rung = stored["rung"].value_or("");
+  decision.reason = stored["reason"].value_or("");
+  auto* shifts = stored["shift"].as_array();
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; shifts && k < shifts->size(); ++k) {
+    const toml::node_view<toml::node> shift((*shifts)[k]);
+    decision.shifts.push_back({.quantity = shift["quantity"].value_or(""),
+                               .rung = shift["rung"].value_or(""),
+                               .shift = shift["shift"].value_or(unknown),
+                               .lower = shift["lower"].value_or(unknown),
+                               .upper = shift["upper"].value_or(unknown),
+                               .budget = shift["budget"].value_or(unknown),
+                               .verdict = shift["verdict"].value_or("")});
+  }
+  root.erase("fidelity_decision");
+  return decision;
 }
 
 void unresolve(toml::table& root, const std::string& file) {

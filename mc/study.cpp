@@ -93,8 +93,10 @@ void resolve(Study& study) {
   study.hash = text_hash(all);
 }
 
-Study study_of(const toml::table& root, const std::string& file) {
+Study study_of(toml::table root, const std::string& file) {
   Study study;
+  study.fidelity_decision = take_fidelity_decision(root);
+  unresolve(root, file);
   read_plain_keys(root, file, study);
   const auto& scene = scene_table(root, file);
   study.scene = read_scene(scene, file);
@@ -125,15 +127,11 @@ std::uint64_t sample_count(const Study& study) {
 }
 
 Study read_study(const std::string& path, const std::vector<std::string>& settings) {
-  auto root = study_layers(path, settings);
-  unresolve(root, path);
-  return study_of(root, path);
+  return study_of(study_layers(path, settings), path);
 }
 
 Study read_resolved_study(const std::string& resolved_toml, const std::string& name) {
-  auto root = parse_toml(resolved_toml, name);
-  unresolve(root, name);
-  return study_of(root, name);
+  return study_of(parse_toml(resolved_toml, name), name);
 }
 
 Study changed_study(Study study, const std::function<void(Study&)>& change) {

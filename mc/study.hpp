@@ -95,6 +95,22 @@ struct Correlation {
   double rho = 0;
 };
 
+/// What a rung of the model ladder does to the mean of a limited quantity, in the quantity's unit
+/// (analysis/fidelity/least_rung.hpp). Numbers that are not known are NaN.
+struct FidelityShift {
+  std::string quantity, rung;
+  double shift = 0, lower = 0, upper = 0;  ///< against the highest rung, with its interval
+  double budget = 0;                       ///< largest |shift| allowed
+  std::string verdict;                     ///< adequate, biased, unresolved, unusable
+};
+
+/// The rung that fidelity = "auto" has taken, and why.
+struct FidelityDecision {
+  std::string rung;                   ///< empty: nothing has been decided
+  std::string reason;                 ///< in words
+  std::vector<FidelityShift> shifts;  ///< by quantity, then by rung
+};
+
 struct Study {
   std::string name = "study";
   long seed = 1;
@@ -105,8 +121,11 @@ struct Study {
   long scrambles = 8;
   long cages_per_lot = 1;
   double allowed_failure_share = 0.02;
-  std::vector<long> grid_levels;  ///< of design "grid": levels per varied input
-  Scene scene;                    ///< nominal
+  std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
+  long fidelity_samples = 24;       ///< runs on each rung of the model ladder
+  double fidelity_budget = 0.1;     ///< largest shift allowed, in standard errors of the study
+  std::vector<long> grid_levels;    ///< of design "grid": levels per varied input
+  Scene scene;                      ///< nominal
   std::vector<UncertainInput> inputs;
   std::vector<Correlation> correlations;
   std::vector<Limit> limits;
@@ -114,6 +133,7 @@ struct Study {
   HistoryPlan history;
   double cage_check_share = 0.01;  ///< of samples whose flexible cage is also solved in full
   std::vector<Trend> trends;
+  FidelityDecision fidelity_decision;
   RecommendPlan recommend;
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;

@@ -21,6 +21,7 @@ def main(report_file, output_dir):
     import centres
     import contributors
     import engine
+    import fidelity
     import quantities
     import response
     import tolerance
@@ -34,7 +35,8 @@ def main(report_file, output_dir):
         "cage_stress": cage.cage_stress,
         **response.figures(),
     }
-    of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability}}
+    of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
+                 "ladder": {"ladder": fidelity.ladder}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
     figures = of_engine.get(report.get("kind"), of_report)

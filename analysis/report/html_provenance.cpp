@@ -39,6 +39,26 @@ std::string inputs_table(const Json& from) {
          table("tnttt", {"key", "nominal", "lot (whole cage)", "single pockets", "each run"}, rows);
 }
 
+std::string shift_text(const Json& shift) {
+  const auto known = [&](const char* key) { return rounded(shift.value(key, Json())); };
+  return known("shift") + " (" + known("lower") + " to " + known("upper") + ")";
+}
+
+std::string fidelity_text(const Json& decision) {
+  if (decision.is_null()) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& shift : decision["shift"])
+    rows.push_back({escaped(readable(shift["quantity"])), escaped(shift["rung"]), shift_text(shift),
+                    rounded(shift.value("budget", Json())), escaped(shift["verdict"])});
+  return "<h3>The model, chosen by a pilot</h3>\n" +
+         paragraph("Rung <b>" + escaped(decision["rung"]) + "</b>: " + escaped(decision["reason"]) +
+                   ".") +
+         table("ttnnt",
+               {"limited quantity", "rung", "shift of the mean against the highest rung (95 %)",
+                "budget", "verdict"},
+               rows);
+}
+
 std::string scene_items(const Json& section, const std::string& prefix) {
   std::string items;
   for (const auto& [key, value] : section.items()) {
@@ -148,6 +168,7 @@ std::string provenance_chapter(const Json& report) {
              {"design", fmt::format("{}; {} cage(s) of a lot; {} pockets", escaped(from["design"]),
                                     rounded(from["cages_per_lot"]), rounded(from["pockets"]))},
              {"intervals", escaped(report["intervals"]["method"])}});
+  body += fidelity_text(report["fidelity"]);
   body += assumptions_text(report["assumptions"]);
   body += inputs_table(from);
   std::vector<std::vector<std::string>> rows;

@@ -31,6 +31,8 @@ Json number(double value);
 
 Json provenance_json(const StudyData& study);
 Json assumptions_json(const StudyData& study);
+/// The model that a pilot has chosen, with its evidence; null where the study pins it.
+Json fidelity_json(const StudyData& study);
 Json outcomes_json(const ReportBasis& basis);
 Json limits_json(const ReportBasis& basis);
 Json quantities_json(const ReportBasis& basis);

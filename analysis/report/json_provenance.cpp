@@ -47,4 +47,8 @@ Json assumptions_json(const StudyData& study) {
   return {{"stated", stated}, {"friction", speeds}};
 }
 
+Json fidelity_json(const StudyData& study) {
+  return study.plan.whole.value("fidelity_decision", Json());
+}
+
 }  // namespace cagetol

@@ -41,6 +41,7 @@ nlohmann::ordered_json make_report(const StudyData& study,
   report["worst_samples"] = worst_samples_json(basis);
   report["health"] = health_json(basis);
   report["intervals"] = {{"confidence", basis.confidence}, {"method", resampling.description()}};
+  report["fidelity"] = fidelity_json(study);
   report["assumptions"] = assumptions_json(study);
   report["provenance"] = provenance_json(study);
   return report;

@@ -32,6 +32,7 @@ void add_report_command(CLI::App& app, Chosen& chosen);
 void add_cage_command(CLI::App& app, Chosen& chosen);
 void add_bench_command(CLI::App& app, Chosen& chosen);
 void add_chart_command(CLI::App& app, Chosen& chosen);
+void add_ladder_command(CLI::App& app, Chosen& chosen);
 void add_stability_command(CLI::App& app, Chosen& chosen);
 
 /// --dump-default scene|study|keys, an option of the program itself.

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "mc/progress.hpp"
-#include "mc/sweep_plan.hpp"
+#include "mc/staged_sweeps.hpp"
 
 namespace cagetol {
 
@@ -18,8 +18,7 @@ struct RecommendOptions {
 /// Every rank calls it; rank 0 alone reads the study and decides, and tells the others what to run.
 /// Returns the exit code of the program on rank 0 and 0 elsewhere: 0 confirmed; 1 no tolerance
 /// confirmed; 2, 3, 75 as of run_sweep. MPI has ended when it returns.
-int run_recommend(const std::function<Study()>& read,
-                  const std::function<SweepPlan(const Study&)>& make_plan,
+int run_recommend(const std::function<Study()>& read, const MakePlan& make_plan,
                   const RecommendOptions& options);
 
 }  // namespace cagetol

@@ -6,9 +6,11 @@
 #include <memory>
 
 #include "mc/commands/command.hpp"
+#include "mc/commands/ladder_stages.hpp"
 #include "mc/log.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
+#include "src/input/input_error.hpp"
 
 namespace cagetol {
 namespace {
@@ -19,16 +21,34 @@ struct SweepArguments {
   SweepOptions sweep;
 };
 
+Study read_with_notes(const SweepArguments& options) {
+  Study study = read_study(options.file, options.settings);
+  if (launch_from_environment().rank == 0)
+    for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);
+  return study;
+}
+
+/// Whether a pilot has to choose the model first. Every rank finds the same; a file that cannot be
+/// read is left to the sweep, which has the messages.
+bool is_open(const SweepArguments& options) {
+  try {
+    const Study study = read_study(options.file, options.settings);
+    return study.fidelity == "auto" && study.fidelity_decision.rung.empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 int run_sweep(const SweepArguments& options) {
   log_to_stderr();
-  return run_sweep(
-      [&] {
-        const Study study = read_study(options.file, options.settings);
-        if (launch_from_environment().rank == 0)
-          for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);
-        return make_sweep_plan(study);
-      },
-      options.sweep);
+  if (is_open(options))
+    return run_staged(make_sweep_plan, options.sweep.progress, [&](StagedSweeps& stages) {
+      const std::string& directory = options.sweep.directory;
+      const auto study = with_fidelity(read_with_notes(options), directory, stages);
+      if (const int* code = std::get_if<int>(&study)) return *code;
+      return stages.sweep(std::get<Study>(study), directory);
+    });
+  return run_sweep([&] { return make_sweep_plan(read_with_notes(options)); }, options.sweep);
 }
 
 }  // namespace
@@ -37,6 +57,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
       "sweep", "Run every sample of a study; started again, it goes on where it was interrupted");
   command->footer(
+      "With fidelity = \"auto\" in the study a pilot in DIR/fidelity chooses the model first.\n"
       "SIGUSR1 drains: samples in flight finish, everything is written, exit code 75.\n\n"
       "Examples:\n  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  mpirun cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"

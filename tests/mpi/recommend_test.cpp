@@ -82,6 +82,22 @@ TEST_F(RecommendTest, AnyNumberOfRanksGivesTheSameStages) {
   }
 }
 
+TEST_F(RecommendTest, ChoosesTheModelBeforeThePilot) {
+  const std::vector<std::string> automatic = {"--set", "fidelity=auto"};
+  const Ended serial = run(recommend("serial", automatic));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  EXPECT_THAT(serial.output, HasSubstr("fidelity: coarse-5, the cheapest rung"));
+  const StudyFile mixture = read_study_file(file("serial", "mixture"));
+  EXPECT_THAT(mixture.study_toml, HasSubstr("rung = 'coarse-5'"));
+  EXPECT_THAT(mixture.study_toml, HasSubstr("tolerance = 0.02"));
+  const Ended ended = run(with_mpirun(3, recommend("ranks", automatic)));
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  expect_same("serial", "ranks");
+  const Ended none = run(
+      with_mpirun(2, recommend("none", {"--set", "fidelity=auto", "--set", "fidelity_samples=1"})));
+  EXPECT_EQ(none.code, 2) << none.output;
+}
+
 TEST_F(RecommendTest, GoesOnWhereItEnded) {
   ASSERT_EQ(run(recommend("whole")).code, 0);
   for (const char* stage : {"pilot", "mixture", "confirm-1"}) {

@@ -1,5 +1,5 @@
 // `cagetol recommend` with a formula in place of the physics: the cage slips by how far its widest
-// pocket exceeds the nominal 7.65 mm.
+// pocket exceeds the nominal 7.65 mm, and by 0.01 more for each slice of a contact below five.
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -25,7 +25,8 @@ cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds,
   outcome.status = cagetol::Status::ok;
   outcome.quantities.assign(cagetol::quantity_table().size(), sample.scene.start.cage_phase);
   outcome.quantities[static_cast<std::size_t>(cagetol::quantity_index("cage_slip_ratio"))] =
-      1e3 * *std::max_element(widths.begin(), widths.end()) - 7.65;
+      1e3 * *std::max_element(widths.begin(), widths.end()) - 7.65 +
+      0.01 * static_cast<double>(5 - sample.scene.discretisation.race_slices);
   return outcome;
 }
 

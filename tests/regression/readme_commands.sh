@@ -13,6 +13,7 @@ while read -r line; do
   command=${line//build\/cagetol/$program}
   command=${command//out\/nu205/$out\/nu205}
   [[ $line == *" sweep "* ]] && command="$command $short"
+  [[ $line == *" ladder "* ]] && command="$command --samples 3 --set cage.mesh_density=2 ${short/--set samples=20/}"
   # So few and so short runs confirm nothing, which ends with 1.
   [[ $line == *" recommend "* ]] && command="$command ${short/samples=20/samples=100} || [ \$? -eq 1 ]"
   echo "+ $line"

@@ -38,7 +38,7 @@ TEST(Program, HelpHasAnExampleForEachCommand) {
   for (const char* part : {"Exit codes: 0 done", "75 interrupted", "check", "simulate",
                            "cagetol simulate inputs/scenes/nu205.toml"})
     EXPECT_THAT(help.output, HasSubstr(part));
-  for (const char* command : {"check", "simulate", "cage", "bench", "chart"}) {
+  for (const char* command : {"check", "simulate", "cage", "bench", "chart", "ladder"}) {
     const auto own = run({command, "--help"});
     EXPECT_EQ(own.code, 0);
     EXPECT_THAT(own.output, HasSubstr("Example"));
@@ -101,9 +101,9 @@ TEST(Program, BadInputEndsWithTwoAndSaysWhy) {
 
 TEST(Program, ChecksEveryShippedFile) {
   for (const char* path :
-       {"scenes/nu205.toml", "scenes/nu205-paper.toml", "scenes/nu205-paper-tight.toml",
-        "scenes/speed-z16.toml", "scenes/speed-z16-skew.toml", "studies/nu205.toml",
-        "studies/nu205-measured.toml", "studies/nightly.toml"}) {
+       {"scenes/nu205.toml", "scenes/nu205-thin.toml", "scenes/nu205-paper.toml",
+        "scenes/nu205-paper-tight.toml", "scenes/speed-z16.toml", "scenes/speed-z16-skew.toml",
+        "studies/nu205.toml", "studies/nu205-measured.toml", "studies/nightly.toml"}) {
     const auto ended = run({"check", shipped(path)});
     EXPECT_EQ(ended.code, 0) << path << ended.output;
     EXPECT_THAT(ended.output, HasSubstr("no mistakes found"));

@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "analysis/report/html_report.hpp"
 #include "analysis/report/html_text.hpp"
 #include "analysis/study/study_file_error.hpp"
 #include "tests/support/synthetic_study.hpp"
@@ -67,6 +68,19 @@ TEST_F(Report, WritesEverythingInOnePage) {
       9);
   EXPECT_FALSE(std::filesystem::exists(directory_ / "figures" / "draw.log"));
   EXPECT_THAT(printed_, testing::HasSubstr("Recommended: pocket width"));
+}
+
+TEST_F(Report, ShowsTheModelThatAPilotChose) {
+  StudyData study = make_synthetic_study({.rows = 200});
+  EXPECT_TRUE(make_report(study)["fidelity"].is_null());
+  study.plan.whole["fidelity_decision"] = nlohmann::ordered_json::parse(
+      R"({"rung": "coarse-3", "reason": "the cheapest", "shift": [{"quantity": "cage_slip_ratio",
+          "rung": "coarse-1", "verdict": "biased", "shift": 0.5, "budget": 0.25}]})");
+  const auto report = make_report(study);
+  EXPECT_EQ(report["fidelity"]["rung"], "coarse-3");
+  const std::string html = html_report(report, {});
+  EXPECT_THAT(html, testing::HasSubstr("Rung <b>coarse-3</b>: the cheapest."));
+  EXPECT_THAT(html, testing::HasSubstr("0.500 (- to -)"));
 }
 
 TEST_F(Report, SameStudySameBytes) {

@@ -1,0 +1,141 @@
+// A climbed ladder as JSON, CSV and tables for people.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/fidelity/model_ladder.hpp"
+
+namespace cagetol {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+std::string least_name(const ModelLadder& ladder, const QuantityLadder& quantity) {
+  return quantity.least ? ladder.rungs[*quantity.least].name : "unresolved";
+}
+
+Json shift_json(const LadderRung& rung, const RungShift& shift) {
+  return {{"rung", rung.name},
+          {"shift", number(shift.shift.value)},
+          {"lower", number(shift.shift.lower)},
+          {"upper", number(shift.shift.upper)},
+          {"upper_limit", number(shift.upper_limit)},
+          {"correlation", number(shift.correlation)},
+          {"pairs", shift.pairs},
+          {"lost", shift.lost},
+          {"pairs_needed", number(shift.pairs_needed)},
+          {"verdict", rung_verdict_name(shift.verdict)}};
+}
+
+/// Whether there is anything to say: some quantities need a flexible cage, or never happen.
+bool is_defined(const LadderQuantity& quantity) {
+  return std::isfinite(quantity.ladder.budget);
+}
+
+std::string verdict_text(const RungShift& rung) {
+  std::string text = rung_verdict_name(rung.verdict);
+  if (rung.verdict == RungVerdict::unusable)
+    text += fmt::format(": {} runs without a value", rung.lost);
+  if (rung.verdict == RungVerdict::unresolved && rung.pairs_needed > 0)
+    text += fmt::format(", about {:.2g} samples would tell", rung.pairs_needed);
+  return text;
+}
+
+std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quantity) {
+  const QuantityLadder& seen = quantity.ladder;
+  std::string text = fmt::format(
+      "{}{}: mean {:.4g}, standard deviation {:.2g}, budget {:.2g}{}; least rung: {}\n",
+      quantity.name, quantity.limited ? " (limited)" : "", seen.mean, seen.deviation, seen.budget,
+      quantity.unit == "-" ? "" : " " + quantity.unit, least_name(ladder, seen));
+  for (std::size_t r = 0; r + 1 < ladder.rungs.size(); ++r) {
+    const RungShift& shift = seen.rungs[r];
+    text +=
+        fmt::format("  {:<16}{:>11.3g}  [{:>10.3g}, {:>10.3g}]{:>8.3f}{:>8.3f}  {}\n",
+                    ladder.rungs[r].name, shift.shift.value, shift.shift.lower, shift.shift.upper,
+                    shift.correlation, ladder.rungs[r].cost_ratio, verdict_text(shift));
+  }
+  return text;
+}
+
+}  // namespace
+
+Json ladder_json(const ModelLadder& ladder) {
+  Json json = {{"kind", "ladder"},
+               {"study", ladder.study},
+               {"samples", ladder.samples},
+               {"study_samples", ladder.rule.study_samples},
+               {"budget_share", ladder.rule.budget_share},
+               {"confidence", ladder.rule.confidence},
+               {"reference", ladder.rungs.back().name}};
+  json["least_rung"] = Json::object();
+  for (const LadderQuantity& quantity : ladder.quantities)
+    json["least_rung"][quantity.name] = least_name(ladder, quantity.ladder);
+  json["rungs"] = Json::array();
+  for (const LadderRung& rung : ladder.rungs)
+    json["rungs"].push_back({{"name", rung.name},
+                             {"meaning", rung.meaning},
+                             {"settings", rung.settings},
+                             {"cost_ratio", number(rung.cost_ratio)},
+                             {"runs_ok", rung.ok}});
+  json["quantities"] = Json::array();
+  for (const LadderQuantity& quantity : ladder.quantities) {
+    Json entry = {{"quantity", quantity.name},
+                  {"unit", quantity.unit},
+                  {"limited", quantity.limited},
+                  {"mean", number(quantity.ladder.mean)},
+                  {"standard_deviation", number(quantity.ladder.deviation)},
+                  {"budget", number(quantity.ladder.budget)},
+                  {"least_rung", least_name(ladder, quantity.ladder)},
+                  {"multifidelity_gain", quantity.multifidelity_gain},
+                  {"rungs", Json::array()}};
+    for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
+      entry["rungs"].push_back(shift_json(ladder.rungs[r], quantity.ladder.rungs[r]));
+    json["quantities"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+std::string ladder_csv(const ModelLadder& ladder) {
+  std::string text =
+      "quantity,unit,rung,shift,lower,upper,budget,correlation,pairs,lost,pairs_needed,verdict,"
+      "least_rung,cost_ratio\n";
+  for (const LadderQuantity& quantity : ladder.quantities)
+    for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
+      const RungShift& shift = quantity.ladder.rungs[r];
+      text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{},{},{:.6g}\n",
+                          quantity.name, quantity.unit, ladder.rungs[r].name, shift.shift.value,
+                          shift.shift.lower, shift.shift.upper, quantity.ladder.budget,
+                          shift.correlation, shift.pairs, shift.lost, shift.pairs_needed,
+                          rung_verdict_name(shift.verdict), least_name(ladder, quantity.ladder),
+                          ladder.rungs[r].cost_ratio);
+    }
+  return text;
+}
+
+std::string ladder_text(const ModelLadder& ladder) {
+  std::string text = fmt::format(
+      "{} samples on each of {} rungs; budget: {:g} standard errors of a {:g}-sample study\n\n"
+      "{:<18}{:>11}{:>24}{:>10}{:>8}\n",
+      ladder.samples, ladder.rungs.size(), ladder.rule.budget_share, ladder.rule.study_samples,
+      "rung", "shift", fmt::format("{:g} % interval", 100 * ladder.rule.confidence), "correl.",
+      "cost");
+  for (const LadderQuantity& quantity : ladder.quantities)
+    if (is_defined(quantity)) text += quantity_table(ladder, quantity);
+  text += fmt::format("\n{:<18}{:>8}{:>6}  {}\n", "rung", "cost", "ok", "what it is");
+  for (const LadderRung& rung : ladder.rungs)
+    text +=
+        fmt::format("{:<18}{:>8.3f}{:>6}  {}\n", rung.name, rung.cost_ratio, rung.ok, rung.meaning);
+  text +=
+      "\nleast rung of each quantity, predicted gain of a mean with the help of cheaper rungs\n";
+  for (const LadderQuantity& quantity : ladder.quantities)
+    if (is_defined(quantity))
+      text += fmt::format("  {:<32}{:<16}{:.2f}\n", quantity.name,
+                          least_name(ladder, quantity.ladder), quantity.multifidelity_gain);
+  return text;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,89 @@
+#include "analysis/fidelity/model_ladder.hpp"
+
+#include <gsl/gsl_statistics_double.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/fidelity/multifidelity.hpp"
+#include "analysis/study/study_file_error.hpp"
+
+namespace cagetol {
+namespace {
+
+std::vector<double> ok_values(const StudyData& runs, const std::vector<double>& column) {
+  std::vector<double> values = column;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (runs.status[k] != RunStatus::ok) values[k] = kUndefined;
+  return values;
+}
+
+std::vector<double> wall_times(const StudyData& runs) {
+  for (const Column& column : runs.timing)
+    if (column.name == "wall_s") return ok_values(runs, column.values);
+  return std::vector<double>(runs.size(), kUndefined);
+}
+
+double median_ratio(const std::vector<double>& times, const std::vector<double>& reference) {
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    if (std::isfinite(times[k] / reference[k])) ratios.push_back(times[k] / reference[k]);
+  return ratios.empty() ? kUndefined : gsl_stats_median(ratios.data(), 1, ratios.size());
+}
+
+/// The rungs without lost runs, the reference first.
+double predicted_gain(const std::vector<std::vector<double>>& values,
+                      const std::vector<LadderRung>& rungs, const QuantityLadder& ladder) {
+  std::vector<std::vector<double>> pilot;
+  std::vector<double> costs;
+  for (std::size_t r = rungs.size(); r-- > 0;) {
+    if (ladder.rungs[r].lost > 0 || !(rungs[r].cost_ratio > 0)) continue;
+    pilot.push_back(values[r]);
+    costs.push_back(rungs[r].cost_ratio);
+  }
+  return pilot.size() > 1 ? plan_multifidelity(pilot, costs).gain : 1;
+}
+
+bool has_limit(const StudyPlan& plan, const std::string& quantity) {
+  return std::any_of(plan.limits.begin(), plan.limits.end(),
+                     [&](const LimitPlan& limit) { return limit.quantity == quantity; });
+}
+
+}  // namespace
+
+ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<StudyData>& runs,
+                              const LadderRule& rule) {
+  const StudyData& reference = runs.back();
+  ModelLadder ladder;
+  ladder.study = reference.plan.name;
+  ladder.rule = rule;
+  ladder.samples = reference.size();
+  ladder.rungs = std::move(rungs);
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (runs[r].id != reference.id)
+      throw StudyFileError("rung " + ladder.rungs[r].name,
+                           "its runs are not those of the other rungs",
+                           "remove its directory and start again");
+    ladder.rungs[r].cost_ratio = median_ratio(wall_times(runs[r]), wall_times(reference));
+    ladder.rungs[r].ok = static_cast<std::size_t>(
+        std::count(runs[r].status.begin(), runs[r].status.end(), RunStatus::ok));
+  }
+  for (const Column& column : reference.quantities) {
+    std::vector<std::vector<double>> values;
+    for (const StudyData& rung : runs)
+      values.push_back(ok_values(rung, find_quantity(rung, column.name)->values));
+    const QuantityLadder judged = least_rung(values, rule);
+    ladder.quantities.push_back({column.name, column.unit, has_limit(reference.plan, column.name),
+                                 judged, predicted_gain(values, ladder.rungs, judged)});
+  }
+  return ladder;
+}
+
+std::size_t chosen_rung(const ModelLadder& ladder) {
+  std::vector<QuantityLadder> limited;
+  for (const LadderQuantity& quantity : ladder.quantities)
+    if (quantity.limited) limited.push_back(quantity.ladder);
+  return limited.empty() ? ladder.rungs.size() - 1 : least_rung_for_all(limited);
+}
+
+}  // namespace cagetol

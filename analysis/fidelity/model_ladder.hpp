@@ -1,0 +1,51 @@
+// A climbed model ladder: every quantity of interest on every rung, from the study files of the
+// rungs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/fidelity/least_rung.hpp"
+#include "analysis/study/study_data.hpp"
+
+namespace cagetol {
+
+struct LadderRung {
+  std::string name;
+  std::string meaning = {};
+  std::vector<std::string> settings = {};  ///< "dotted.key=value"
+  double cost_ratio = kUndefined;  ///< wall time over the reference's, median of the samples
+  std::size_t ok = 0;              ///< runs that gave a result
+};
+
+struct LadderQuantity {
+  std::string name, unit;
+  bool limited = false;  ///< the study has a limit on it
+  QuantityLadder ladder;
+  /// Predicted for a mean that takes cheaper rungs to help (multifidelity.hpp), measured costs; 1:
+  /// the reference alone.
+  double multifidelity_gain = 1;
+};
+
+struct ModelLadder {
+  std::string study;
+  LadderRule rule;
+  std::size_t samples = 0;
+  std::vector<LadderRung> rungs;  ///< cheapest first, the last one is the reference
+  std::vector<LadderQuantity> quantities;
+};
+
+/// `runs[r]` are the same samples on rung r. Throws StudyFileError where they are not.
+ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<StudyData>& runs,
+                              const LadderRule& rule);
+
+/// The rung that `fidelity = "auto"` takes: the cheapest one that is adequate for every limited
+/// quantity, the reference where no other one is.
+std::size_t chosen_rung(const ModelLadder& ladder);
+
+nlohmann::ordered_json ladder_json(const ModelLadder& ladder);
+std::string ladder_csv(const ModelLadder& ladder);
+std::string ladder_text(const ModelLadder& ladder);
+
+}  // namespace cagetol

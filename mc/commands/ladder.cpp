@@ -1,0 +1,90 @@
+// cagetol ladder SCENE|STUDY -o DIR: the least model that each quantity of interest needs.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "analysis/report/figure_set.hpp"
+#include "analysis/report/report.hpp"
+#include "mc/commands/command.hpp"
+#include "mc/commands/ladder_stages.hpp"
+#include "mc/file_write.hpp"
+#include "mc/log.hpp"
+
+namespace cagetol {
+namespace {
+
+struct LadderArguments {
+  std::string file, directory;
+  std::vector<std::string> settings;
+  LadderOptions ladder;
+  bool separate = false, json = false;
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+void write_ladder(const ModelLadder& ladder, const LadderArguments& options) {
+  const std::filesystem::path directory = options.directory;
+  const std::string json = ladder_json(ladder).dump(1) + "\n";
+  replace_file(directory / "ladder.json", json);
+  replace_file(directory / "ladder.csv", ladder_csv(ladder));
+  const ReportOptions drawing;
+  const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir,
+                                         directory / "ladder.json", directory / "figures");
+  print(options.json ? json
+                     : ladder_text(ladder) + "ladder: " + (directory / "figures").string() + "\n");
+  if (!figures.problem.empty())
+    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+}
+
+int run_ladder(const LadderArguments& options) {
+  log_to_stderr();
+  return run_staged(make_sweep_plan, options.progress, [&](StagedSweeps& stages) {
+    const Study study = read_study(options.file, options.settings);
+    const auto& rungs = options.separate ? separate_rungs() : climbing_rungs();
+    const auto climbed = climb(study, rungs, options.ladder, options.directory + "/rungs", stages);
+    if (const int* code = std::get_if<int>(&climbed)) return *code;
+    write_ladder(std::get<ModelLadder>(climbed), options);
+    return static_cast<int>(kDone);
+  });
+}
+
+}  // namespace
+
+void add_ladder_command(CLI::App& app, Chosen& chosen) {
+  auto* command = app.add_subcommand(
+      "ladder", "Find the least model that each quantity of interest needs, on common samples");
+  command->footer(
+      "Rungs go from a rigid cage with one slice of a contact to a flexible one with all its "
+      "modes,\n"
+      "each in a sweep of its own, DIR/rungs/RUNG; started again, the command goes on. A rung is\n"
+      "adequate where its shift against the highest rung is within the budget with its whole 95 %\n"
+      "interval; where the samples do not tell, the answer is \"unresolved\".\n\n"
+      "Examples:\n  cagetol ladder inputs/scenes/nu205.toml -o out/ladder\n"
+      "  mpirun cagetol ladder inputs/studies/nu205.toml -o out/ladder-study --samples 200 "
+      "--budget "
+      "1\n"
+      "  cagetol ladder inputs/scenes/nu205-thin.toml -o out/worth --separate --json");
+  auto options = std::make_shared<LadderArguments>();
+  command->add_option("FILE", options->file, "Scene or study file")->required();
+  command
+      ->add_option("-o,--output", options->directory,
+                   "Directory of ladder.json, ladder.csv, figures/ and rungs/")
+      ->required();
+  command->add_option("--samples", options->ladder.samples, "Runs on each rung")
+      ->check(CLI::Range(2L, 1000000000L))
+      ->capture_default_str();
+  command
+      ->add_option("--budget", options->ladder.budget_share,
+                   "Largest shift allowed, in standard errors of the study (of 1000 runs for a "
+                   "scene)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--separate", options->separate,
+                    "Take one thing at a time away from the highest rung");
+  command->add_flag("--json", options->json, "Print ladder.json on standard output");
+  add_settings_option(*command, options->settings);
+  add_progress_option(*command, options->progress);
+  command->callback([options, &chosen] { chosen = [options] { return run_ladder(*options); }; });
+}
+
+}  // namespace cagetol

@@ -1,0 +1,137 @@
+#include "mc/ladder/rungs.hpp"
+
+#include <algorithm>
+
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kOffsetShare = 0.1;    // of the narrowest pocket's clearance
+constexpr double kSceneSamples = 1000;  // a usual study
+
+/// Later settings replace earlier ones of the same key.
+std::vector<std::string> joined(std::vector<std::string> settings,
+                                const std::vector<std::string>& more) {
+  for (const std::string& setting : more) {
+    std::erase_if(settings,
+                  [&](const std::string& old) { return setting_key(old) == setting_key(setting); });
+    settings.push_back(setting);
+  }
+  return settings;
+}
+
+std::vector<Rung> climbed(const std::vector<Rung>& steps) {
+  std::vector<Rung> rungs;
+  for (const Rung& step : steps) {
+    const std::vector<std::string> below =
+        rungs.empty() ? std::vector<std::string>{} : rungs.back().settings;
+    rungs.push_back({step.name, step.meaning, joined(below, step.settings)});
+  }
+  return rungs;
+}
+
+double pocket_clearance_um(const Scene& scene) {
+  double least = 1;
+  for (long j = 0; j < scene.bearing.roller_count; ++j)
+    least = std::min(least, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));
+  return 1e6 * std::max(least, 0.0);
+}
+
+UncertainInput noise_of(const std::string& key, const std::string& unit, const Scene& scene,
+                        const Law& law) {
+  UncertainInput input;
+  input.key = key;
+  input.unit = unit;
+  input.nominal = key_numbers(*find_key(scene_keys(), key), scene);
+  input.noise = law;
+  return input;
+}
+
+std::vector<UncertainInput> start_scatter(const Scene& scene) {
+  const Law offset = Normal{0, kOffsetShare * pocket_clearance_um(scene)};
+  return {noise_of("start.cage_offset_y_um", "um", scene, offset),
+          noise_of("start.cage_offset_z_um", "um", scene, offset),
+          noise_of("start.cage_phase_deg", "deg", scene, Uniform{0, 360})};
+}
+
+}  // namespace
+
+const std::vector<Rung>& climbing_rungs() {
+  static const std::vector<Rung> rungs = climbed({
+      {"coarse-1",
+       "rigid cage, one slice of a contact, integration tolerance 0.02",
+       {"cage.model='rigid'", "discretisation.race_slices=1", "integration.tolerance=0.02"}},
+      {"coarse-3", "three slices", {"discretisation.race_slices=3"}},
+      {"coarse-5", "five slices", {"discretisation.race_slices=5"}},
+      {"rigid-5", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
+      {"flexible-6",
+       "flexible cage with 6 modes, at rest",
+       {"cage.model='flexible'", "cage.modes=6", "cage.centrifugal=false", "cage.coriolis=false"}},
+      {"flexible-20", "20 modes", {"cage.modes=20"}},
+      {"rotating", "modes feel the rotation", {"cage.centrifugal=true", "cage.coriolis=true"}},
+      {"full", "integration tolerance 0.001", {"integration.tolerance=0.001"}},
+  });
+  return rungs;
+}
+
+const std::vector<Rung>& separate_rungs() {
+  static const std::vector<Rung> rungs = [] {
+    const Rung& full = climbing_rungs().back();
+    const std::vector<Rung> less = {
+        {"tolerance-0.02", "integration tolerance 0.02", {"integration.tolerance=0.02"}},
+        {"tolerance-0.005", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
+        {"rigid", "rigid cage", {"cage.model='rigid'"}},
+        {"slices-1", "one slice of a contact", {"discretisation.race_slices=1"}},
+        {"slices-3", "three slices", {"discretisation.race_slices=3"}},
+        {"modes-6", "6 modes", {"cage.modes=6"}},
+        {"at-rest", "modes without rotation", {"cage.centrifugal=false", "cage.coriolis=false"}},
+    };
+    std::vector<Rung> all;
+    for (const Rung& rung : less)
+      all.push_back({rung.name, rung.meaning, joined(full.settings, rung.settings)});
+    all.push_back(full);
+    return all;
+  }();
+  return rungs;
+}
+
+Scene on_rung(Scene scene, const Rung& rung) {
+  toml::table table;
+  for (const std::string& setting : rung.settings) apply_setting(table, setting);
+  const auto pockets = static_cast<std::size_t>(scene.bearing.roller_count);
+  for (const TomlLeaf& leaf : toml_leaves(table))
+    read_key(*find_key(scene_keys(), leaf.name), *leaf.node, "rung " + rung.name, pockets, scene);
+  return scene;
+}
+
+Study rung_study(const Study& study, const Rung& rung, long samples) {
+  for (const std::string& setting : rung.settings)
+    for (const UncertainInput& input : study.inputs)
+      if (input.key == setting_key(setting))
+        throw InputError({}, "scene." + input.key, "a distribution",
+                         "the model ladder switches this key from rung to rung",
+                         "give it one value, or leave the ladder out (fidelity = \"pinned\")");
+  return changed_study(study, [&](Study& changed) {
+    changed.name += ", rung " + rung.name;
+    changed.fidelity = "pinned";
+    changed.fidelity_decision = {};
+    changed.samples = samples;
+    changed.design = "random";
+    changed.cages_per_lot = 1;
+    changed.extra_replicates = 0;
+    changed.grid_levels.clear();
+    changed.trends.clear();
+    changed.history.points = 0;
+    changed.cage_check_share = 0;
+    changed.allowed_failure_share = 1;  // a rung that fails is a finding
+    if (changed.inputs.empty()) changed.inputs = start_scatter(changed.scene);
+    changed.scene = on_rung(changed.scene, rung);
+  });
+}
+
+double ladder_study_samples(const Study& study) {
+  return study.samples > 1 ? static_cast<double>(study.samples) : kSceneSamples;
+}
+
+}  // namespace cagetol

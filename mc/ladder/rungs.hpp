@@ -1,0 +1,37 @@
+// The model ladder: what a scene's keys switch, as rungs from the cheapest model to the dearest.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mc/study.hpp"
+
+namespace cagetol {
+
+/// One model of the ladder. Its keys replace those of the scene; all others stay as given.
+struct Rung {
+  std::string name;
+  std::string meaning;                ///< in words, against the rung it is compared with
+  std::vector<std::string> settings;  ///< "dotted.key=value", each key once
+};
+
+/// Cheapest first by this order, never by measured time; each rung adds one thing to the one below
+/// it. The last one is the reference.
+const std::vector<Rung>& climbing_rungs();
+
+/// The reference with one thing taken away at a time, and the reference last: what each is worth.
+const std::vector<Rung>& separate_rungs();
+
+/// The scene on that rung.
+Scene on_rung(Scene scene, const Rung& rung);
+
+/// The study's first `samples` random samples on that rung, without its replicates, histories and
+/// claims. All rungs of a study draw the same samples. A study in which nothing varies gets scatter
+/// of the cage's start: a tenth of the pocket clearance in y and z, any phase. Throws InputError
+/// where a key of the rung is a distribution.
+Study rung_study(const Study& study, const Rung& rung, long samples);
+
+/// Size of the study whose standard error sets the budget: its rows; of a mere scene, 1000.
+double ladder_study_samples(const Study& study);
+
+}  // namespace cagetol
