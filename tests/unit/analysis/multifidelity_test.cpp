@@ -94,6 +94,8 @@ TEST(Multifidelity, PredictedAndAchievedGainAgree) {
 TEST(Multifidelity, IsLeftAloneWhereItGainsLittle) {
   EXPECT_THAT((Hierarchy{{1, 0.3}, {1, 0.2}}.plan(1000).models), ElementsAre(0));
   EXPECT_THAT((Hierarchy{{1, 0.99}, {1, 0.9}}.plan(1000).models), ElementsAre(0));
+  // 1 / (sqrt(0.51) + sqrt(0.1 * 0.49))^2 = 1.14 is not worth it.
+  EXPECT_THAT((Hierarchy{{1, 0.7}, {1, 0.1}}.plan(4000).models), ElementsAre(0));
   // A model that is dearer and knows less than another takes no part.
   EXPECT_THAT((Hierarchy{{1, 0.95, 0.5}, {1, 0.01, 0.05}}.plan(2000).models), ElementsAre(0, 1));
   EXPECT_EQ((Hierarchy{{1, 0.3}, {1, 0.2}}.plan(1000).gain), 1);
