@@ -22,7 +22,7 @@ Pilot pilot_of(std::span<const std::vector<double>> values) {
   Pilot pilot;
   const std::size_t count = kept.front().size();
   for (const auto& model : kept) {
-    const bool enough = count > 2;
+    const bool enough = count >= kFewestPilotSamples;
     pilot.deviation.push_back(enough ? gsl_stats_sd(model.data(), 1, count) : 0);
     pilot.correlation.push_back(
         enough ? gsl_stats_correlation(kept[0].data(), 1, model.data(), 1, count) : 0);

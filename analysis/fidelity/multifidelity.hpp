@@ -20,6 +20,9 @@ namespace cagetol {
 /// Below this the dear model alone is as good: what a pilot predicts is itself uncertain.
 inline constexpr double kLeastMultifidelityGain = 1.2;
 
+/// The best of many plans from fewer samples would be chance.
+inline constexpr std::size_t kFewestPilotSamples = 16;
+
 struct MultifidelityPlan {
   std::vector<std::size_t> models;  ///< that take part, the dear one first
   std::vector<double> ratios;       ///< m_i / m_1
@@ -29,7 +32,8 @@ struct MultifidelityPlan {
 
 /// The best plan for these costs, from a pilot: `pilot[model][sample]`, the dear model first, NaN
 /// where a run gave none. A sample counts only with a value on every model. The dear model alone,
-/// gain 1, where no plan gains kLeastMultifidelityGain.
+/// gain 1, where no plan gains kLeastMultifidelityGain or the pilot has fewer than
+/// kFewestPilotSamples.
 MultifidelityPlan plan_multifidelity(std::span<const std::vector<double>> pilot,
                                      std::span<const double> costs);
 

@@ -99,6 +99,28 @@ TEST(Program, BadInputEndsWithTwoAndSaysWhy) {
   EXPECT_EQ(run({"check", shipped("scenes/nu205.toml"), "--set", "load.radial_N=-5"}).code, 2);
 }
 
+TEST(Program, ALadderSaysWhyItCannotBeClimbed) {
+  const ScratchDirectory scratch;
+  const auto ladder = [&](const std::string& setting) {
+    return run({"ladder", shipped("scenes/nu205.toml"), "-o", scratch / "out", "--set", setting});
+  };
+  EXPECT_EQ(
+      run({"ladder", shipped("scenes/nu205.toml"), "-o", scratch / "out", "--samples", "1"}).code,
+      2);
+  const auto wrong = ladder("load.radial_N=-5");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("outside the range"));
+  const auto scattered = ladder(
+      "integration.tolerance={ law = 'uniform', lower = 0, upper = 0.0001, nominal = 0.001 }");
+  EXPECT_EQ(scattered.code, 2);
+  EXPECT_THAT(scattered.output, HasSubstr("switches this key from rung to rung"));
+  const auto limitless = run({"sweep", shipped("studies/nu205.toml"), "-o", scratch / "out",
+                              "--set", "fidelity=auto", "--set", "limit=[]"});
+  EXPECT_EQ(limitless.code, 2);
+  EXPECT_THAT(limitless.output, HasSubstr("nothing to judge a rung by"));
+  EXPECT_THAT(limitless.output, HasSubstr("remedy: "));
+}
+
 TEST(Program, ChecksEveryShippedFile) {
   for (const char* path :
        {"scenes/nu205.toml", "scenes/nu205-thin.toml", "scenes/nu205-paper.toml",

@@ -94,6 +94,8 @@ TEST(Multifidelity, PredictedAndAchievedGainAgree) {
 TEST(Multifidelity, IsLeftAloneWhereItGainsLittle) {
   EXPECT_THAT((Hierarchy{{1, 0.3}, {1, 0.2}}.plan(1000).models), ElementsAre(0));
   EXPECT_THAT((Hierarchy{{1, 0.99}, {1, 0.9}}.plan(1000).models), ElementsAre(0));
+  // 1 / (sqrt(0.51) + sqrt(0.1 * 0.49))^2 = 1.14 is not worth it.
+  EXPECT_THAT((Hierarchy{{1, 0.7}, {1, 0.1}}.plan(4000).models), ElementsAre(0));
   // A model that is dearer and knows less than another takes no part.
   EXPECT_THAT((Hierarchy{{1, 0.95, 0.5}, {1, 0.01, 0.05}}.plan(2000).models), ElementsAre(0, 1));
   EXPECT_EQ((Hierarchy{{1, 0.3}, {1, 0.2}}.plan(1000).gain), 1);
@@ -106,10 +108,17 @@ TEST(Multifidelity, SamplesWithoutAValueLeaveTheTermsThatNeedThem) {
   const MultifidelityMean mean = multifidelity_mean(plan, values);
   EXPECT_DOUBLE_EQ(mean.value, 1 + 0.5 * 3);
   EXPECT_EQ(mean.lost, 3u);
-  auto pilot = std::vector<std::vector<double>>{{1, 2, 3, kNan, 5}, {1, 2, 3.1, 9, 5.05}};
+}
+
+TEST(Multifidelity, NeedsAPilotOfSixteenSamplesWithAllValues) {
+  std::vector<std::vector<double>> pilot(2);
+  for (int k = 0; k < 16; ++k) {
+    pilot[0].push_back(k);
+    pilot[1].push_back(k + 0.1 * (k % 3));
+  }
   const std::vector<double> costs = {1, 0.01};
   EXPECT_GT(plan_multifidelity(pilot, costs).gain, 10);
-  pilot = {{kNan, kNan, 3}, {1, 2, 3}};
+  pilot[1][4] = kNan;
   EXPECT_EQ(plan_multifidelity(pilot, costs).gain, 1);
 }
 
