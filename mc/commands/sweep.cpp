@@ -10,7 +10,6 @@
 #include "mc/log.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
-#include "src/input/input_error.hpp"
 
 namespace cagetol {
 namespace {
@@ -34,7 +33,7 @@ bool is_open(const SweepArguments& options) {
   try {
     const Study study = read_study(options.file, options.settings);
     return study.fidelity == "auto" && study.fidelity_decision.rung.empty();
-  } catch (const InputError&) {
+  } catch (const std::exception&) {
     return false;
   }
 }
