@@ -117,8 +117,8 @@ TEST(FlexibleCage, SpinningFreeDoesNotKnowTheOriginOfAngles) {
   EXPECT_NEAR(speed, other.velocity()[kCagePhi], 1e-9 * speed);  // steps round differently
 }
 
-// Turned by one pocket, a bearing is the same bearing with its pockets renumbered. Peaks are read at accepted steps,
-// which fall a little differently.
+// Turned by one pocket, a bearing is the same bearing with its pockets renumbered. Peaks are read
+// at accepted steps, which fall a little differently.
 TEST(FlexibleCage, ABearingTurnedByOnePocketIsTheSame) {
   Scene scene = coarse_scene();
   scene.window.settle_time = 0.2e-3;
