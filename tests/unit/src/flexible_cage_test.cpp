@@ -113,11 +113,12 @@ TEST(FlexibleCage, SpinningFreeDoesNotKnowTheOriginOfAngles) {
     const double scale = one.model.flexible.scale[static_cast<std::size_t>(k)];
     EXPECT_NEAR(one.position()[kModes + k] * scale, other.position()[kModes + k] * scale, 1e-11);
   }
-  EXPECT_NEAR(one.velocity()[kCagePhi], other.velocity()[kCagePhi], 1e-8);
+  const double speed = one.velocity()[kCagePhi];
+  EXPECT_NEAR(speed, other.velocity()[kCagePhi], 1e-9 * speed);  // steps round differently
 }
 
-// Turned by one pocket, a bearing is the same bearing with its pockets renumbered. Peaks are read at accepted steps,
-// which fall a little differently.
+// Turned by one pocket, a bearing is the same bearing with its pockets renumbered. Peaks are read
+// at accepted steps, which fall a little differently.
 TEST(FlexibleCage, ABearingTurnedByOnePocketIsTheSame) {
   Scene scene = coarse_scene();
   scene.window.settle_time = 0.2e-3;
