@@ -36,16 +36,25 @@ const std::vector<RunField>& run_fields() {
       {"static_consistency_error", "-",
        "elastic ring force and mean ring displacement against statics"},
       {"cage_frequency_error", "-",
-       "flexible cage: largest relative error of its frequencies up to 20 kHz against a full solve; NaN where not "
+       "flexible cage: largest relative error of its frequencies up to 20 kHz against a full "
+       "solve; NaN where not "
        "checked"},
   };
   return fields;
 }
 
 std::vector<double> run_values(const RunRecord& r) {
-  return {r.simulated_s,     r.cage_revolutions,        r.steps,          r.rejected_steps,
-          r.rhs_evaluations, r.jacobian_evaluations,    r.factorisations, r.smallest_step_s,
-          r.energy_residual, r.static_consistency_error, r.cage_frequency_error};
+  return {r.simulated_s,
+          r.cage_revolutions,
+          r.steps,
+          r.rejected_steps,
+          r.rhs_evaluations,
+          r.jacobian_evaluations,
+          r.factorisations,
+          r.smallest_step_s,
+          r.energy_residual,
+          r.static_consistency_error,
+          r.cage_frequency_error};
 }
 
 }  // namespace cagetol

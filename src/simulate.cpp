@@ -60,7 +60,11 @@ Outcome without_cage(const CageFault& fault) {
   return outcome;
 }
 
-void judge(const Scene& scene, Outcome& outcome) {
+/// Of a method without error control [error scales]: past it the stability suite finds wrong
+/// trajectories, below it none.
+constexpr double kStepErrorMax = 1;
+
+void judge(const Scene& scene, double step_error, Outcome& outcome) {
   const RunRecord& run = outcome.run;
   if (!(run.static_consistency_error <= scene.watch.static_consistency_max)) {
     outcome.status = Status::failed;
@@ -72,6 +76,11 @@ void judge(const Scene& scene, Outcome& outcome) {
     outcome.status = Status::failed;
     outcome.reason = "energy residual " + number(run.energy_residual) + " exceeds " +
                      number(scene.watch.energy_residual_max) + ": tighten integration.tolerance";
+  } else if (!(step_error <= kStepErrorMax)) {
+    outcome.status = Status::failed;
+    outcome.reason = "a single step was off by " + number(step_error) +
+                     " error scales (1 cm/s and kin), more than " + number(kStepErrorMax) +
+                     ": shorten integration.fixed_step_us";
   } else {
     outcome.status = Status::ok;
   }
@@ -140,7 +149,7 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     run.static_consistency_error = observer.static_consistency_error();
     outcome.quantities = observer.quantities();
     outcome.cage_peak = observer.cage_peak();
-    judge(scene, outcome);
+    judge(scene, system.counts.largest_step_error, outcome);
   } else {
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
     outcome.status = status == StepStatus::out_of_budget ? Status::censored : Status::failed;

@@ -48,7 +48,8 @@ Json assumptions_json(const StudyData& study) {
 }
 
 Json fidelity_json(const StudyData& study) {
-  return study.plan.whole.value("fidelity_decision", Json());
+  const Json& plan = study.plan.whole;
+  return plan.is_object() ? plan.value("fidelity_decision", Json()) : Json();
 }
 
 }  // namespace cagetol

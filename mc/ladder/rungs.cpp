@@ -70,7 +70,7 @@ const std::vector<Rung>& climbing_rungs() {
        {"cage.model='flexible'", "cage.modes=6", "cage.centrifugal=false", "cage.coriolis=false"}},
       {"flexible-20", "20 modes", {"cage.modes=20"}},
       {"rotating", "modes feel the rotation", {"cage.centrifugal=true", "cage.coriolis=true"}},
-      {"full", "integration tolerance 0.001", {"integration.tolerance=0.001"}},
+      {"full", "integration tolerance 0.0005", {"integration.tolerance=0.0005"}},
   });
   return rungs;
 }

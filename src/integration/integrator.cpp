@@ -10,8 +10,8 @@ namespace cagetol {
 
 const std::vector<MethodName>& integration_methods() {
   static const std::vector<MethodName> methods = {
-      {"rodas3", "linearly implicit, order 3(2), L-stable, touch-aware error-controlled step"},
-      {"rodas4", "the same of order 4(3)"},
+      {"rodas4", "linearly implicit, order 4(3), L-stable, touch-aware error-controlled step"},
+      {"rodas3", "the same of order 3(2)"},
       {"cvode-bdf", "CVODE, BDF with its order capped by integration.max_order"},
       {"arkode-esdirk", "ARKODE, diagonally implicit, order 3, L-stable"},
       {"arkode-erk", "ARKODE, explicit, order 3: limited by stability"},

@@ -11,6 +11,7 @@ StepStatus SemiImplicitEuler::step(System& system, double& t, double* y, double 
   const double h = last ? t_end - t : keys_.fixed_step;
   const StateLayout& l = system.model.layout;
   const int positions = l.positions();
+  watch_error(system, h);
   for (int i = positions; i < system.size; ++i)
     y[i] += h * system.rate[static_cast<std::size_t>(i)];
   // Every position's rate is a velocity slot; the spin, last of the roller velocities, has no
@@ -27,6 +28,19 @@ StepStatus SemiImplicitEuler::step(System& system, double& t, double* y, double 
   ++system.counts.steps;
   system.counts.smallest_step = std::min(system.counts.smallest_step, h);
   return StepStatus::accepted;
+}
+
+void SemiImplicitEuler::watch_error(System& system, double h) {
+  if (!past_rate_.empty()) {
+    error_.assign(past_rate_.size(), 0.0);
+    for (int i = system.model.layout.positions(); i < system.size; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      error_[k] = h / 2 * (system.rate[k] - past_rate_[k]);
+    }
+    system.counts.largest_step_error =
+        std::max(system.counts.largest_step_error, error_norm(system, error_.data()));
+  }
+  past_rate_ = system.rate;
 }
 
 }  // namespace cagetol

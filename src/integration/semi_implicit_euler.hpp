@@ -1,6 +1,6 @@
 // Semi-implicit (symplectic) Euler with a fixed step: the honest explicit baseline. Past its
-// stability limit one-sided contacts chatter and the bearing silently turns stiff; only the watch
-// on static consistency tells.
+// stability limit one-sided contacts chatter and the bearing silently turns stiff; only the watches
+// on static consistency and on the error of single steps tell.
 #pragma once
 
 #include "src/integration/integrator.hpp"
@@ -13,7 +13,11 @@ class SemiImplicitEuler : public Integrator {
   StepStatus step(System& system, double& t, double* y, double t_end) override;
 
  private:
+  /// Velocities are off by h/2 times the change of their rates over the step before.
+  void watch_error(System& system, double h);
+
   Integration keys_;
+  std::vector<double> past_rate_, error_;
 };
 
 }  // namespace cagetol

@@ -11,6 +11,7 @@ namespace cagetol {
 struct Counts {
   long steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorisations = 0;
   double smallest_step = 1e30;
+  double largest_step_error = 0;  ///< of methods without error control [error scales]
 };
 
 struct System {

@@ -134,8 +134,8 @@ struct Discretisation {
 };
 
 struct Integration {
-  std::string method = "rodas3";
-  double tolerance = 0.001;     ///< multiple of the error scales (1 um, 1 cm/s and kin)
+  std::string method = "rodas4";
+  double tolerance = 0.0005;    ///< multiple of the error scales (1 um, 1 cm/s and kin)
   double max_step = 100e-6;     ///< [s]
   double fixed_step = 1e-6;     ///< of fixed-step methods [s]
   long max_order = 2;           ///< cap of cvode-bdf

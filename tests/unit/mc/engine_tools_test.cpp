@@ -88,7 +88,7 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
       study, {.methods = {"rodas3"}, .horizon = 0.4e-3, .replicas = 2, .repeats = 1, .threads = 1},
       [](const std::string&) {});
   ASSERT_EQ(chart.points.size(), 5u);
-  EXPECT_EQ(chart.points[0].setting.accuracy, 0.001);
+  EXPECT_EQ(chart.points[0].setting.accuracy, 0.0005);
   EXPECT_LT(chart.reference_gap[1], 1e-2);
   for (const ChartPoint& p : chart.points)
     for (const ChartPoint& q : chart.points)
