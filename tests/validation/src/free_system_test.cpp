@@ -21,7 +21,7 @@ Scene free_scene() {
   scene.bearing.flange_clearance = 4e-3;
   scene.cage.guidance = "roller";
   scene.operation = {.radial_load = 0, .inner_speed = 0, .gravity = 0};
-  scene.integration.tolerance = 1e-6;
+  scene.integration.tolerance = 1e-7;
   return scene;
 }
 
