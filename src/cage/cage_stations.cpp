@@ -185,8 +185,10 @@ std::vector<int> stress_stations(const SectorGrid& grid) {
     const bool bar_root = around == 1 && axial == next_to_root;
     const bool side_ring = surface && ((around == 0 && (axial == 1 || axial == 2)) ||
                                        (around == half_way && axial == 2));
+    // Out-of-plane bending: the ring's end face over the bars.
+    const bool over_bar = point.radial == 0 && axial == 2 && (around == 1 || point.around == 2);
     const bool side_root = around == off_bar && axial == 1 && surface;
-    if (corner || bar_middle || bar_root || side_ring || side_root)
+    if (corner || bar_middle || bar_root || side_ring || over_bar || side_root)
       stations.push_back(static_cast<int>(p));
   }
   return stations;
@@ -204,9 +206,11 @@ std::string station_name(const SectorPoint& point) {
   if (std::abs(point.around) == 1)
     return (point.axial == 0 ? "bar middle, " + face : "bar, " + face + ", " + half) + ", " +
            surface;
-  const std::string place = std::abs(point.axial) == 2 ? "end face"
-                            : point.around == 0        ? "pocket end"
-                                                       : "beside the bar, " + face;
+  const std::string place =
+      std::abs(point.axial) == 2
+          ? (std::abs(point.around) >= 1 ? "end face over the bar" : "end face")
+      : point.around == 0 ? "pocket end"
+                          : "beside the bar, " + face;
   return "side ring, " + place + ", " + half + ", " + surface;
 }
 
