@@ -24,7 +24,7 @@ def centre_curves(report):
         axis.fill_between(shifts, lower, upper, color=BLUE, alpha=0.15, linewidth=0, label="between the bounds")
         axis.plot(shifts, value, "o-", color=BLUE, label="yield")
         axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
-        axis.set_xlabel(f"centre of pocket {dimension['name']} beside the nominal value [µm]")
+        axis.set_xlabel(f"centre of pocket {dimension['name']}\nbeside the nominal value [µm]")
         axis.set_xticks(shifts)
         axis.set_xticklabels([f"{shift:+.0f}\n({point['effective_runs']:.0f})" for shift, point in zip(shifts, points)],
                              fontsize=7)
