@@ -50,16 +50,18 @@ void collect_differences(const nlohmann::ordered_json& a, const nlohmann::ordere
   differences.push_back(fmt::format("{}: {} and {}", path, shown(a), shown(b)));
 }
 
-void require_comparable(const StudyData& before, const StudyData& after,
+void require_comparable(const StudyData& before, const StudyData& after, bool despite_keys,
                         std::vector<std::string>& notes) {
   std::vector<std::string> differences;
   collect_differences(before.plan.whole, after.plan.whole, "", differences, notes);
-  if (!differences.empty()) {
+  if (despite_keys) {
+    notes.insert(notes.end(), differences.begin(), differences.end());
+  } else if (!differences.empty()) {
     std::string text = "these are not runs of one study:";
     for (std::size_t i = 0; i < std::min<std::size_t>(differences.size(), 8); ++i)
       text += "\n  " + differences[i];
     if (differences.size() > 8) text += fmt::format("\n  and {} more", differences.size() - 8);
-    throw Refused(text);
+    throw Refused(text + "\n  remedy: --despite-keys compares them all the same");
   }
   const std::string& design = before.design.kind;
   if (design != "random" && design != "lhs" && design != "sobol")
@@ -255,10 +257,11 @@ bool Comparison::same() const {
                       [](const StatisticChange& change) { return change.changed; });
 }
 
-Comparison compare_studies(const StudyData& before, const StudyData& after, double error_rate) {
+Comparison compare_studies(const StudyData& before, const StudyData& after, double error_rate,
+                           bool despite_keys) {
   Comparison result;
   result.error_rate = error_rate;
-  require_comparable(before, after, result.notes);
+  require_comparable(before, after, despite_keys, result.notes);
   result.paired = same_cages(before, after);
   Runs old_runs = runs_of(before, "old"), new_runs = runs_of(after, "new");
   const std::vector<Column> quantities = old_runs.data.quantities;

@@ -29,7 +29,9 @@ struct Comparison {
 };
 
 /// Throws Refused with the reason where the two are not runs of one study: another scene, other
-/// laws, limits, candidates, design or units.
-Comparison compare_studies(const StudyData& before, const StudyData& after, double error_rate);
+/// laws, limits, candidates, design or units. `despite_keys` notes keys that differ instead: what
+/// did a change of the scene change?
+Comparison compare_studies(const StudyData& before, const StudyData& after, double error_rate,
+                           bool despite_keys = false);
 
 }  // namespace cagetol

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 struct CompareArguments {
   std::string before, after;
   double error_rate = 0.01;
-  bool json = false, all = false;
+  bool json = false, all = false, despite_keys = false;
 };
 
 /// Unchanged statistics that the table shows without --all: those nearest to a change.
@@ -76,9 +76,9 @@ int not_comparable(const CompareArguments& options, const std::string& reason) {
 
 int run_compare(const CompareArguments& options) {
   try {
-    const Comparison comparison =
-        compare_studies(read_study_data(study_file_in(options.before)),
-                        read_study_data(study_file_in(options.after)), options.error_rate);
+    const Comparison comparison = compare_studies(read_study_data(study_file_in(options.before)),
+                                                  read_study_data(study_file_in(options.after)),
+                                                  options.error_rate, options.despite_keys);
     print(options.json ? to_json(comparison).dump(2) + "\n" : table_text(comparison, options.all));
     return comparison.same() ? kDone : kLimitsNotMet;
   } catch (const Refused& refusal) {
@@ -105,6 +105,8 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(1e-9, 0.5))
       ->capture_default_str();
   command->add_flag("--all", options->all, "Show every statistic");
+  command->add_flag("--despite-keys", options->despite_keys,
+                    "Compare sweeps whose keys differ; the differences are noted");
   command->add_flag("--json", options->json, "Print every statistic as JSON");
   command->callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
 }

@@ -179,6 +179,14 @@ TEST(Comparison, RefusesWhatIsNotOneStudy) {
   EXPECT_THAT(refusal_of(other, other), HasSubstr("`grid`"));
 }
 
+TEST(Comparison, ComparesDespiteKeysWhenAsked) {
+  StudyData other = night(2);
+  other.plan.whole["scene"]["load"] = 2;
+  const Comparison result = compare_studies(night(1), other, 0.01, true);
+  EXPECT_THAT(result.notes, ElementsAre("scene.load: 1 and 2"));
+  EXPECT_FALSE(result.statistics.empty());
+}
+
 TEST(Comparison, NotesWhatOnlyOneHas) {
   StudyData other = night(2);
   other.plan.whole["scene"]["new_key"] = 2;
