@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "analysis/fidelity/model_ladder.hpp"
+#include "analysis/report/json_parts.hpp"
 
 namespace cagetol {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
 
 std::string least_name(const ModelLadder& ladder, const QuantityLadder& quantity) {
   return quantity.least ? ladder.rungs[*quantity.least].name : "unresolved";

@@ -10,8 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "analysis/report/figure_set.hpp"
-#include "analysis/report/report.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
 
@@ -35,12 +33,7 @@ int run_chart(const ChartArguments& options) {
   const std::filesystem::path directory = options.directory;
   replace_file(directory / "chart.json", chart_json(chart).dump(1) + "\n");
   replace_file(directory / "chart.csv", chart_csv(chart));
-  const ReportOptions drawing;
-  const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir,
-                                         directory / "chart.json", directory / "figures");
-  print(chart_text(chart) + "chart: " + (directory / "figures").string() + "\n");
-  if (!figures.problem.empty())
-    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  print(chart_text(chart) + "chart: " + draw_beside(directory / "chart.json") + "\n");
   return kDone;
 }
 

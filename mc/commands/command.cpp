@@ -1,10 +1,14 @@
 #include "mc/commands/command.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <map>
 
+#include "analysis/report/figure_set.hpp"
+#include "analysis/report/report.hpp"
 #include "src/input/input_error.hpp"
 #include "src/integration/integrator.hpp"
 
@@ -47,6 +51,15 @@ void print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw InputError({}, "", "", std::string("cannot write the output: ") + std::strerror(errno),
                      "free space on the disk or choose another place");
+}
+
+std::string draw_beside(const std::filesystem::path& json) {
+  const ReportOptions drawing;
+  const auto folder = json.parent_path() / "figures";
+  const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir, json, folder);
+  if (!figures.problem.empty())
+    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  return folder.string();
 }
 
 }  // namespace cagetol

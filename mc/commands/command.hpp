@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -52,5 +53,9 @@ void add_methods_option(CLI::App& command, std::vector<std::string>& methods);
 /// Prints a text on standard output. Throws InputError when it cannot be written (a full disk, a
 /// closed pipe).
 void print(const std::string& text);
+
+/// Draws a JSON file's figures into figures/ beside it and returns that folder; what went wrong is
+/// said on standard error.
+std::string draw_beside(const std::filesystem::path& json);
 
 }  // namespace cagetol

@@ -9,6 +9,7 @@
 #include "analysis/report/report.hpp"
 #include "analysis/study/study_file_error.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/json_number.hpp"
 
 namespace cagetol {
 namespace {
@@ -25,14 +26,13 @@ struct CompareArguments {
 constexpr std::size_t kUnchangedShown = 5;
 
 Json to_json(const Comparison& comparison) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   Json statistics = Json::array();
   for (const StatisticChange& change : comparison.statistics)
     statistics.push_back({{"quantity", change.quantity},
                           {"unit", change.unit},
                           {"statistic", change.statistic},
-                          {"old", number(change.before)},
-                          {"new", number(change.after)},
+                          {"old", json_number(change.before)},
+                          {"new", json_number(change.after)},
                           {"p_value", change.p_value},
                           {"adjusted_p_value", change.adjusted_p_value},
                           {"changed", change.changed}});

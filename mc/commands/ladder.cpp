@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "analysis/report/figure_set.hpp"
-#include "analysis/report/report.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/file_write.hpp"
@@ -27,13 +25,8 @@ void write_ladder(const ModelLadder& ladder, const LadderArguments& options) {
   const std::string json = ladder_json(ladder).dump(1) + "\n";
   replace_file(directory / "ladder.json", json);
   replace_file(directory / "ladder.csv", ladder_csv(ladder));
-  const ReportOptions drawing;
-  const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir,
-                                         directory / "ladder.json", directory / "figures");
-  print(options.json ? json
-                     : ladder_text(ladder) + "ladder: " + (directory / "figures").string() + "\n");
-  if (!figures.problem.empty())
-    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  const std::string figures = draw_beside(directory / "ladder.json");
+  print(options.json ? json : ladder_text(ladder) + "ladder: " + figures + "\n");
 }
 
 int run_ladder(const LadderArguments& options) {

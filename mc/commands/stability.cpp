@@ -11,8 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "analysis/report/figure_set.hpp"
-#include "analysis/report/report.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
 
@@ -42,12 +40,7 @@ int run_stability(const StabilityArguments& options) {
   const StabilityMap map = run_stability(suite, options.methods, options.threads, tell);
   const std::filesystem::path directory = options.directory;
   replace_file(directory / "stability.json", stability_json(map).dump(1) + "\n");
-  const ReportOptions drawing;
-  const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir,
-                                         directory / "stability.json", directory / "figures");
-  print(stability_text(map) + "map: " + (directory / "figures").string() + "\n");
-  if (!figures.problem.empty())
-    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  print(stability_text(map) + "map: " + draw_beside(directory / "stability.json") + "\n");
   return kDone;
 }
 

@@ -1,5 +1,7 @@
 #include "mc/ladder/rungs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "src/scene/scene_keys.hpp"
@@ -70,7 +72,10 @@ const std::vector<Rung>& climbing_rungs() {
        {"cage.model='flexible'", "cage.modes=6", "cage.centrifugal=false", "cage.coriolis=false"}},
       {"flexible-20", "20 modes", {"cage.modes=20"}},
       {"rotating", "modes feel the rotation", {"cage.centrifugal=true", "cage.coriolis=true"}},
-      {"full", "integration tolerance 0.0005", {"integration.tolerance=0.0005"}},
+      {"full",
+       "integration as by default",
+       {"integration.method='" + Integration{}.method + "'",
+        fmt::format("integration.tolerance={}", Integration{}.tolerance)}},
   });
   return rungs;
 }

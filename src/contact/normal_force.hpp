@@ -72,15 +72,6 @@ NormalForce<T> normal_force(const NormalLaw& law, T p, T rate) {
           select(touching, select(pushing, damping, zero), zero), select(touching, slope, zero)};
 }
 
-/// The force where `where`, none elsewhere.
-template <class T, class M>
-NormalForce<T> only(M where, const NormalForce<T>& f) {
-  const T zero{};
-  return {select(where, f.force, zero), select(where, f.elastic, zero),
-          select(where, f.stiffness, zero), select(where, f.damping, zero),
-          select(where, f.elastic_stiffness, zero)};
-}
-
 /// Elastic energy K p^(e+1)/(e+1) [J].
 template <class T>
 T elastic_energy(const NormalLaw& law, T p) {

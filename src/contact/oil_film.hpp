@@ -60,7 +60,6 @@ struct FilmContact {
   NormalForce<T> normal;  ///< by the geometric penetration and its rate
   T depth;                ///< delta [m]
   T thickness;            ///< h [m], anything where nothing is carried
-  T energy;               ///< stored in contact and film [J]
 };
 
 /// The two in series; nothing is carried below p = -thickest_film.
@@ -88,16 +87,22 @@ FilmContact<T> film_contact(const NormalLaw& law, const FilmLaw& film, T p, T ra
   normal.stiffness = normal.stiffness * share;
   normal.damping = normal.damping * share;
   normal.elastic_stiffness = normal.elastic_stiffness * share;
-  // Film: the integral of Q 1/K_o dQ, on the tangent and above it.
-  const T Q = normal.elastic, least = T{} + film.least_force, low = min(Q, least),
+  return {normal, depth, h.thickness};
+}
+
+/// Stored in contact and film [J]: elastic, and the integral of Q/K_o dQ on the tangent and above
+/// it; none where nothing is carried.
+template <class T>
+T film_energy(const NormalLaw& law, const FilmLaw& film, const FilmContact<T>& contact,
+              T speed_factor) {
+  const T Q = contact.normal.elastic, least = T{} + film.least_force, low = min(Q, least),
           high = max(Q, least);
   const auto at_least = oil_film(film, least, speed_factor),
              at_high = oil_film(film, high, speed_factor);
   const T in_film = 0.5 * low * low * at_least.compliance +
                     kFilmForceExponent / (1 - kFilmForceExponent) *
                         (at_high.thickness * high - at_least.thickness * least);
-  return {normal, depth, h.thickness,
-          Q * max(depth, T{}) * (1 / (law.exponent + 1)) + select(carrying, in_film, T{})};
+  return Q * contact.depth * (1 / (law.exponent + 1)) + in_film;
 }
 
 }  // namespace cagetol

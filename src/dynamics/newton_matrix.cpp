@@ -50,6 +50,8 @@ Eigen::VectorXd border_mass(const BearingModel& m) {
   return mass;
 }
 
+static_assert(int{kRigidBorder} + kMostModes <= SmallInverse::kMost);
+
 NewtonMatrix::NewtonMatrix(const BearingModel& model)
     : model_(model),
       groups_(static_cast<std::size_t>(model.layout.groups)),

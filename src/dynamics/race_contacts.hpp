@@ -64,17 +64,15 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack v1 = along - radius * q.spin - surface;
     const Pack v2 = q.vx + radius * (n_r * w_t - n_t * w_r) - swash;
 
-    Pack thickness = splat(kNoFilm), energy;
-    NormalForce<Pack> normal;
+    const Pack reached = select(touching, p, splat(-1.0));
+    FilmContact<Pack> contact;
     if (race.film.on) {
-      const auto both = film_contact(model.race, race.film, p, rate, speed_factor);
-      normal = only(touching, both.normal);
-      thickness = select(touching, both.thickness, thickness);
-      energy = select(touching, both.energy, Pack{});
+      contact = film_contact(model.race, race.film, reached, rate, speed_factor);
     } else {
-      normal = normal_force(model.race, select(touching, p, splat(-1.0)), rate);
-      energy = normal.elastic * max(p, Pack{}) * (1 / (model.race.exponent + 1));
+      contact.normal = normal_force(model.race, reached, rate);
+      contact.depth = max(p, Pack{});
     }
+    const NormalForce<Pack>& normal = contact.normal;
     const Pack speed2 = v1 * v1 + v2 * v2;
     const auto fr = friction(model.friction, speed2);
     const Pack g = fr.ratio * normal.force;
@@ -96,8 +94,13 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       drive += f1 * surface + f2 * swash;
       seen->friction_power += sum(g * speed2);
       seen->damping_power += sum((normal.force - normal.elastic) * rate);
-      seen->elastic_energy += sum(energy);
-      if (race.film.on) seen->thinnest_film = std::min(seen->thinnest_film, smallest(thickness));
+      if (race.film.on) {
+        seen->elastic_energy += sum(film_energy(model.race, race.film, contact, speed_factor));
+        seen->thinnest_film = std::min(
+            seen->thinnest_film, smallest(select(touching, contact.thickness, splat(kNoFilm))));
+      } else {
+        seen->elastic_energy += sum(normal.elastic * contact.depth) / (model.race.exponent + 1);
+      }
 
       const Pack zero{}, one = splat(1.0);
       const Pack gn[] = {n_r, n_t, n_x, xi * n_r, xi * n_t, zero};

@@ -139,12 +139,10 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   std::string nearest;
   std::size_t smallest = std::numeric_limits<std::size_t>::max();
   const std::string_view compared = name.substr(0, 200);
-  for (const auto& candidate : known)  // what it begins is nearer than what it resembles
-    if (candidate.starts_with(name) && (nearest.empty() || candidate.size() < nearest.size()))
-      nearest = candidate;
-  if (!name.empty() && !nearest.empty()) return nearest;
   for (const auto& candidate : known) {
-    const std::size_t distance = edit_distance(compared, candidate);
+    // What it begins is nearer than what it resembles.
+    const bool begun = !name.empty() && candidate.starts_with(name);
+    const std::size_t distance = begun ? 0 : edit_distance(compared, candidate);
     if (distance < smallest) {
       smallest = distance;
       nearest = candidate;

@@ -6,8 +6,6 @@
 namespace cagetol {
 namespace {
 
-constexpr int kMostPacks = 8;
-
 /// Gauss-Jordan in place on n vectors of `packs` packs: turns the columns of a matrix into those of
 /// its inverse (on rows it would turn rows into rows).
 template <int packs>
@@ -70,12 +68,8 @@ auto with_packs(int packs, const Run& run) {
       return run.template operator()<4>();
     case 5:
       return run.template operator()<5>();
-    case 6:
-      return run.template operator()<6>();
-    case 7:
-      return run.template operator()<7>();
     default:
-      return run.template operator()<kMostPacks>();
+      return run.template operator()<SmallInverse::kMost / kLanes>();
   }
 }
 

@@ -13,6 +13,7 @@ namespace cagetol {
 
 class SmallInverse {
  public:
+  static constexpr int kMost = 48;  ///< largest n
   explicit SmallInverse(int n);
 
   /// Inverts A (n x n). False where a pivot vanishes or is not a number. No allocation.

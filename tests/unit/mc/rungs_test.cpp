@@ -28,7 +28,8 @@ TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   EXPECT_EQ(top.cage.modes, 20);
   EXPECT_TRUE(top.cage.centrifugal && top.cage.coriolis);
   EXPECT_EQ(top.discretisation.race_slices, 5);
-  EXPECT_EQ(top.integration.tolerance, 0.0005);
+  EXPECT_EQ(top.integration.tolerance, Integration{}.tolerance);
+  EXPECT_EQ(top.integration.method, Integration{}.method);
   // A rung says the same whatever rung the scene was on.
   EXPECT_EQ(on_rung(on_rung(Scene{}, rungs[4]), rungs.back()).cage.modes, 20);
 }

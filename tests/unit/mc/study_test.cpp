@@ -1,3 +1,4 @@
+// One file on purpose, though long: a single table names every mistake a study file can hold.
 #include "mc/study.hpp"
 
 #include <gmock/gmock.h>
