@@ -57,7 +57,9 @@ double ring_acceleration(const Instant& at) {
 
 double cage_stress(const Instant& at) {
   if (!at.stress) return std::numeric_limits<double>::quiet_NaN();
-  return kMPa * at.stress->largest(border(at) + kModes, at.system.seen.bar_force).stress;
+  const Observation& seen = at.system.seen;
+  return kMPa *
+         at.stress->largest(border(at) + kModes, seen.bar_force, seen.centrifugal_spin).stress;
 }
 
 double skew(const Instant& at, int j) {

@@ -55,6 +55,7 @@ struct CagePeak {
   std::vector<double> modes;      ///< modal coordinates
   std::vector<double> bar_force;  ///< on the cage: per pocket the stations of the trailing, then of
                                   ///< the leading face, towards larger theta [N]
+  double spin = 0;                ///< whose centrifugal load acts, 0: none [rad/s]
 };
 
 /// Result of one sample. `quantities` follows the order of quantity_table()

@@ -8,10 +8,10 @@
 #include "analysis/report/cage_peak.hpp"
 #include "analysis/study/study_file_error.hpp"
 #include "mc/cage_cache.hpp"
+#include "mc/commands/peak_snapshot.hpp"
 #include "mc/file_write.hpp"
 #include "mc/replay.hpp"
 #include "mc/sample_run.hpp"
-#include "src/cage/cage_recovery.hpp"
 #include "src/cage/cage_surface.hpp"
 #include "src/cage/field_recovery.hpp"
 #include "src/quantities/quantity_table.hpp"
@@ -40,10 +40,7 @@ Json surface_json(const std::string& name, const CageSurface& surface, double ac
 
 Json field_json(const CageTable& table, const std::vector<PocketDeviation>& deviations,
                 const CagePeak& peak) {
-  const Eigen::Map<const Eigen::VectorXd> q(peak.modes.data(),
-                                            static_cast<long>(peak.modes.size())),
-      force(peak.bar_force.data(), static_cast<long>(peak.bar_force.size()));
-  const auto recovered = recover_cage(table, deviations, q, force);
+  const auto recovered = recover_cage(table, deviations, state_of(peak));
   if (const auto* fault = std::get_if<CageFault>(&recovered))
     throw std::runtime_error(fault->reason);
   const auto& [cage, displacement] = std::get<CageRecovery>(recovered);

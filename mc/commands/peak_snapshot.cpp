@@ -12,6 +12,13 @@ void add_snapshot_option(CLI::App& command, std::string& file) {
                      "Write the flexible cage at its largest stress to this VTU file (ParaView)");
 }
 
+CageStates state_of(const CagePeak& peak) {
+  const auto column = [](const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<long>(values.size()));
+  };
+  return {column(peak.modes), column(peak.bar_force), Eigen::VectorXd::Constant(1, peak.spin)};
+}
+
 void write_peak_snapshot(const std::string& file, const Scene& scene, const CageTable* table,
                          const Outcome& outcome) {
   const CagePeak& peak = outcome.cage_peak;
@@ -21,12 +28,10 @@ void write_peak_snapshot(const std::string& file, const Scene& scene, const Cage
                                       : "the run has no stress: " + outcome.reason,
                      table == nullptr ? "set cage.model = \"flexible\""
                                       : "choose a sample that runs to its end");
-  const Eigen::Map<const Eigen::VectorXd> q(peak.modes.data(),
-                                            static_cast<long>(peak.modes.size())),
-      force(peak.bar_force.data(), static_cast<long>(peak.bar_force.size()));
   std::optional<CageFault> fault;
   try {
-    fault = write_cage_snapshot(file, *table, pocket_deviations(scene.cage, table->cage), q, force);
+    fault = write_cage_snapshot(file, *table, pocket_deviations(scene.cage, table->cage),
+                                state_of(peak));
   } catch (const std::runtime_error& problem) {
     throw InputError({}, "--snapshot", file, problem.what(), "choose a place that can be written");
   }

@@ -4,12 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "src/cage/cage_recovery.hpp"
 #include "src/cage/scene_cage.hpp"
 #include "src/outcome.hpp"
 
 namespace cagetol {
 
 void add_snapshot_option(CLI::App& command, std::string& file);
+
+/// The one state of a run's peak.
+CageStates state_of(const CagePeak& peak);
 
 /// Throws InputError where the run has no flexible cage, no stress, or the file cannot be written.
 void write_peak_snapshot(const std::string& file, const Scene& scene, const CageTable* table,

@@ -139,6 +139,13 @@ std::string family_name(const ModeFamily& family) {
          (!axial && family.opposed ? " opposed" : "");
 }
 
+Eigen::VectorXd arms(const Eigen::Matrix3Xd& nodes) {
+  Eigen::VectorXd arm = Eigen::VectorXd::Zero(nodes.size());
+  for (Eigen::Index n = 0; n < nodes.cols(); ++n)
+    arm.segment<2>(3 * n + 1) = nodes.col(n).tail<2>();
+  return arm;
+}
+
 Eigen::MatrixXd seen_loads(const SectorTurn& turn, const CageDimensions& cage,
                            const CageStations& stations, const SectorGrid& grid,
                            const PocketDeviation& deviation) {
@@ -155,43 +162,63 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
                           const FreeModes& modes, const CageTableOptions& options) {
   CageBasis basis;
   SectorTurn& turn = basis.turn;
-  const Eigen::Index elastic = modes.frequency.size();
+  const auto mass = body.mass.selfadjointView<Eigen::Lower>();
+  const Eigen::MatrixXd centrifugal = mass * arms(mesh.mesh.nodes);
+  Eigen::MatrixXd turning = residual_response(body, factor, modes, centrifugal);
+  const double norm = std::sqrt((turning.transpose() * (mass * turning)).value());
+  turning /= norm;
+  const double turning_stiffness = (turning.transpose() * centrifugal).value() / norm;
+
+  const Eigen::Index free = 6 + modes.frequency.size();
+  const Eigen::Index elastic = modes.frequency.size() + 1;
   turn.sectors = mesh.cage.pocket_count;
   turn.reach = std::min<Eigen::Index>(options.reach, (turn.sectors - 1) / 2);
   basis.frequency = modes.frequency;
   basis.shapes.resize(modes.shape.rows(), 6 + elastic);
-  basis.shapes << rigid_motions(mesh.mesh.nodes), modes.shape;
-  const auto mass = body.mass.selfadjointView<Eigen::Lower>();
+  basis.shapes << rigid_motions(mesh.mesh.nodes), modes.shape, turning;
+  const auto elastic_shapes = basis.shapes.rightCols(elastic);
   Eigen::MatrixXd forward = Eigen::MatrixXd::Zero(6 + elastic, 6 + elastic);
   forward.topLeftCorner<3, 3>() = forward.block<3, 3>(3, 3) = sector_rotation(mesh.cage, 1);
   forward.bottomRightCorner(elastic, elastic) =
-      modes.shape.transpose() * (mass * turn_fields(mesh, modes.shape, 1));
+      elastic_shapes.transpose() * (mass * turn_fields(mesh, elastic_shapes, 1));
   find_turn(turn, forward);
-  for (Eigen::Index i = 0; i < elastic; ++i) {
+  for (Eigen::Index i = 0; i < modes.frequency.size(); ++i) {
     basis.family.push_back(mode_family(mesh, body.mass, modes.shape.col(i), turn.angle[6 + i]));
   }
 
   const Eigen::MatrixXd bars = on_whole_cage(mesh, bar_loads(mesh.cage, stations, mesh.grid, {}));
   Eigen::MatrixXd loads(bars.rows(), bars.cols() + options.corrections);
   loads << bars, correction_loads(mesh, material, range, body, factor, modes, options);
-  const Eigen::MatrixXd local = residual_response(body, factor, modes, loads);
+  const Eigen::RowVectorXd by_turning = turning.transpose() * loads / turning_stiffness;
+  const Eigen::MatrixXd local =
+      residual_response(body, factor, modes, loads) - turning * by_turning;
   turn.per_sector = loads.cols();
   basis.seen.resize(3 * static_cast<Eigen::Index>(mesh.grid.points.size()), turn.seen());
   basis.seen.leftCols(turn.modes) = first_sector(mesh, basis.shapes);
   basis.inertia = Eigen::MatrixXd::Zero(turn.seen(), turn.seen());
-  basis.inertia.diagonal().segment(6, elastic) =
+  basis.inertia.diagonal().segment(6, elastic - 1) =
       (2 * std::numbers::pi * modes.frequency.array()).square();
   const Eigen::MatrixXd gram = basis.shapes.transpose() * (mass * basis.shapes);
+  const Eigen::LLT<Eigen::MatrixXd> free_mass(gram.topLeftCorner(free, free));
+  const auto carried = [&](const Eigen::MatrixXd& forces) -> Eigen::MatrixXd {
+    return free_mass.solve(basis.shapes.leftCols(free).transpose() * forces);
+  };
+  basis.inertia.col(free).head(free) = -carried(centrifugal) / norm;
+  basis.turning = Eigen::VectorXd::Zero(turn.seen());
+  basis.turning[free] = 1 / norm;
   for (Eigen::Index o = -turn.reach; o <= turn.reach; ++o) {
     const Eigen::Index column = turn.seen_column(o);
     basis.seen.middleCols(column, turn.per_sector) =
         first_sector(mesh, turn_fields(mesh, local, o));
-    const Eigen::MatrixXd carried = basis.shapes.transpose() * turn_fields(mesh, loads, o);
-    basis.inertia.block(0, column, turn.modes, turn.per_sector) = -gram.llt().solve(carried);
+    basis.inertia.block(0, column, free, turn.per_sector) =
+        -carried(turn_fields(mesh, loads, o)) - basis.inertia.col(free).head(free) * by_turning;
+    basis.turning.segment(column, turn.per_sector) = -by_turning.transpose() / norm;
   }
   CageProjection& p = basis.projection;
   const Eigen::Index all_local = turn.all() - turn.modes;
   p.modal_stiffness = basis.inertia.block(6, 6, elastic, elastic);
+  p.modal_stiffness.col(elastic - 1).setZero();
+  p.modal_stiffness(elastic - 1, elastic - 1) = turning_stiffness;
   p.cross_stiffness = Eigen::MatrixXd::Zero(all_local, elastic);
   p.local_stiffness.resize(all_local, all_local);
   p.modal_mass = gram;

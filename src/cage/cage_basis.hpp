@@ -1,11 +1,13 @@
 // Displacement fields of the undeviated cage from which the cage of every sample is composed.
 //
-//   modes        6 rigid motions (unit translations and rotations), then the lowest free-free modes
+//   modes        6 rigid motions (unit translations and rotations), the lowest free-free modes, and
+//                last what these leave out of the static response to turning about the axis
 //   attachments  per sector: static response to a unit force on each bar station of its pocket,
-//   both faces corrections  per sector: static response to the forces by which a deviating pocket
-//   upsets the modes
-// Attachments and corrections hold no part of the modes (residual: orthogonal in stiffness and
-// mass), so on the undeviated cage they change nothing.
+//                both faces
+//   corrections  per sector: static response to the forces by which a deviating pocket upsets the
+//                modes
+// Each holds no part of those before it (residual: orthogonal in stiffness), so on the undeviated
+// cage the later ones change nothing.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,9 +40,10 @@ std::string family_name(const ModeFamily& family);
 
 struct CageBasis {
   SectorTurn turn;
-  Eigen::MatrixXd shapes;     ///< modes on all nodes
+  Eigen::MatrixXd shapes;     ///< modes on all nodes, the response to turning among them
   Eigen::MatrixXd seen;       ///< seen columns on the nodes of sector 0
   Eigen::MatrixXd inertia;    ///< drive of the seen columns, see FieldDrive
+  Eigen::VectorXd turning;    ///< square of the spin whose centrifugal load drives them besides
   Eigen::VectorXd frequency;  ///< elastic modes [Hz]
   CageProjection projection;  ///< of the undeviated cage
   std::vector<ModeFamily> family;
@@ -50,6 +53,10 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
                           const CageStations& stations, const PocketDeviation& range,
                           const BodyMatrices& body, const ShiftedFactor& factor,
                           const FreeModes& modes, const CageTableOptions& options);
+
+/// The y and z coordinates of nodes, in the order of a displacement: centrifugal load is the mass
+/// matrix times this times the square of the spin.
+Eigen::VectorXd arms(const Eigen::Matrix3Xd& nodes);
 
 /// Forces on the nodes of sector 0 that belong to the seen columns.
 Eigen::MatrixXd seen_loads(const SectorTurn& turn, const CageDimensions& cage,

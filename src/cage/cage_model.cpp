@@ -89,11 +89,12 @@ Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
 }
 
 /// Coefficients of all columns: of the elastic modes, kept and not, and of the static rest per
-/// contact force.
+/// contact force and per square of the spin.
 struct Coefficients {
   MatrixXd kept;
   MatrixXd left_out;
   MatrixXd residual;
+  Eigen::VectorXd turning;
 };
 
 /// The projections with what follows freely or statically.
@@ -213,9 +214,10 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
   const Index per_pocket = 2 * model.bar_stations;
   const Index kept = model.frequency.size();
   const Index near = 2 * model.span + 1;
-  model.stress.resize(sectors * per_sector, kept);
+  model.stress.resize(sectors * per_sector, kept + 1);
   model.stress_residual.resize(sectors * per_sector, near * per_pocket);
-  const MatrixXd modes = coefficients.kept.transpose();
+  MatrixXd modal(kept + 1, table.turn.all());
+  modal << coefficients.kept.transpose(), coefficients.turning.transpose();
   const MatrixXd residual = coefficients.residual.transpose();
   MatrixXd near_residual(near * per_pocket, table.turn.all());
   for (Index k = 0; k < sectors; ++k) {
@@ -231,7 +233,7 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
       near_residual.middleRows(o * per_pocket, per_pocket) =
           residual.middleRows(pocket * per_pocket, per_pocket);
     }
-    model.stress.middleRows(k * per_sector, per_sector).noalias() = rows * strain(modes);
+    model.stress.middleRows(k * per_sector, per_sector).noalias() = rows * strain(modal);
     model.stress_residual.middleRows(k * per_sector, per_sector).noalias() =
         rows * strain(near_residual);
   }
@@ -261,15 +263,20 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
   model.bar_stations = static_cast<long>(table.stations.bar_x.size());
   model.body = mass_properties(projection.modal_mass.topLeftCorner<6, 6>());
   Coefficients coefficients;
-  const Index kept = std::clamp<Index>(options.modes, 0, turn.modes - 6);
+  const Index kept = std::clamp<Index>(options.modes, 0, table.frequency.size());
   const Eigen::ArrayXd eigenvalues = solve_modes(turn, projection, followed, kept, coefficients);
+  const Eigen::ArrayXd left_out = eigenvalues.tail(eigenvalues.size() - kept);
   model.frequency = eigenvalues.head(kept).max(0).sqrt() / (2 * std::numbers::pi);
 
   const MatrixXd contact = polynomial_values(table.contact, terms);
   const Index n = model.bar_stations;
   const MatrixXd load_rows = bar_rows(table, contact, n);
-  solve_residual(turn, projection, followed, load_rows, eigenvalues.tail(turn.modes - 6 - kept),
-                 coefficients);
+  solve_residual(turn, projection, followed, load_rows, left_out, coefficients);
+  coefficients.turning =
+      coefficients.left_out *
+      ((coefficients.left_out.topRows(turn.modes).transpose() * table.centrifugal).array() /
+       left_out)
+          .matrix();
   fill_contact(table, terms, coefficients, load_rows, contact, model);
   model.stress_stations = static_cast<long>(table.stress_points.size());
   model.span = turn.reach;
@@ -283,8 +290,10 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
 }
 
 Eigen::VectorXd station_stress(const CageModel& model, const Eigen::VectorXd& q,
-                               const Eigen::VectorXd& bar_forces) {
-  Eigen::VectorXd components = model.stress.cast<double>() * q;
+                               const Eigen::VectorXd& bar_forces, double spin) {
+  Eigen::VectorXd modal(q.size() + 1);
+  modal << q, spin * spin;
+  Eigen::VectorXd components = model.stress.cast<double>() * modal;
   const Index per_sector = 6 * model.stress_stations;
   const Index per_pocket = 2 * model.bar_stations;
   const Index sectors = components.size() / per_sector;

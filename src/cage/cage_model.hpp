@@ -8,8 +8,8 @@
 // the right, Omega^2 centrifugal. (in_plane is the spin softening; without the centrifugal stress
 // stiffening, which the model does not hold, it has the wrong sign: use both or neither.)
 //
-// Stress at a station: modes q plus the quasi-static rest of the contact forces that the kept modes
-// do not carry (residual attachment).
+// Stress at a station: modes q plus the quasi-static rest of what the kept modes do not carry, of
+// the contact forces (residual attachment) and of the centrifugal load.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,8 +37,8 @@ struct CageModel {
   /// there, beyond what the kept modes give [m/N]: columns (2n) j + (leading stations of pocket j,
   /// trailing of pocket j+1).
   Eigen::MatrixXd residual_compliance;
-  /// Stress per modal coordinate: row 6 (stations j + station) + component, axes of sector j's
-  /// frame [Pa].
+  /// Stress per modal coordinate, and in the last column per square of the spin: row 6 (stations j
+  /// + station) + component, axes of sector j's frame [Pa].
   Eigen::MatrixXf stress;
   /// Stress per tangential force on bar stations near by: same rows; column 2n (o + span) + station
   /// for pocket j + o, o = -span ... span; trailing stations first, then leading [Pa/N].
@@ -62,10 +62,10 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
                                                    const std::vector<PocketDeviation>& deviations,
                                                    const CageModelOptions& options = {});
 
-/// Von Mises stress at every station: modal coordinates q, and tangential forces on the bar
-/// stations in the order pocket, trailing stations, leading stations (on the cage, towards larger
-/// theta) [Pa].
+/// Von Mises stress at every station: modal coordinates q, tangential forces on the bar stations in
+/// the order pocket, trailing stations, leading stations (on the cage, towards larger theta), and
+/// the spin whose centrifugal load acts (0: none) [Pa].
 Eigen::VectorXd station_stress(const CageModel& model, const Eigen::VectorXd& q,
-                               const Eigen::VectorXd& bar_forces);
+                               const Eigen::VectorXd& bar_forces, double spin = 0);
 
 }  // namespace cagetol

@@ -64,7 +64,8 @@ Eigen::VectorXd bar_forces_on_nodes(const CageMesh& mesh, const CageStations& st
 
 std::variant<CageRecovery, CageFault> recover_cage(const CageTable& table,
                                                    const std::vector<PocketDeviation>& deviations,
-                                                   const MatrixXd& q, const MatrixXd& bar_forces) {
+                                                   const CageStates& states) {
+  const MatrixXd& q = states.q;
   const auto made = make_cage_model(table, deviations, {.modes = q.rows(), .stress = false});
   if (const auto* fault = std::get_if<CageFault>(&made)) return *fault;
   const CageModel& model = std::get<CageModel>(made);
@@ -79,9 +80,11 @@ std::variant<CageRecovery, CageFault> recover_cage(const CageTable& table,
   const MatrixXd shapes =
       modes.shape * matching(table, mesh, deviations, modes.shape, model.contact);
 
-  MatrixXd loads(modes.shape.rows(), bar_forces.cols());
-  for (Index i = 0; i < bar_forces.cols(); ++i) {
-    loads.col(i) = bar_forces_on_nodes(mesh, table.stations, deviations, bar_forces.col(i));
+  const Eigen::VectorXd centrifugal =
+      body.mass.selfadjointView<Eigen::Lower>() * arms(mesh.mesh.nodes);
+  MatrixXd loads = centrifugal * states.spin.cwiseAbs2().transpose();
+  for (Index i = 0; i < loads.cols(); ++i) {
+    loads.col(i) += bar_forces_on_nodes(mesh, table.stations, deviations, states.bar_force.col(i));
   }
   const Eigen::ArrayXd omega = 2 * std::numbers::pi * model.frequency.array();
   const MatrixXd carried =
@@ -100,17 +103,18 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> stress_everywhere(const HexMesh& mesh,
 }
 
 std::variant<std::vector<PeakStress>, CageFault> compare_peak_stress(
-    const CageTable& table, const std::vector<PocketDeviation>& deviations, const MatrixXd& q,
-    const MatrixXd& bar_forces) {
-  const auto recovered = recover_cage(table, deviations, q, bar_forces);
+    const CageTable& table, const std::vector<PocketDeviation>& deviations,
+    const CageStates& states) {
+  const auto recovered = recover_cage(table, deviations, states);
   if (const auto* fault = std::get_if<CageFault>(&recovered)) return *fault;
   const auto& recovery = std::get<CageRecovery>(recovered);
   const CageModel model =
-      std::get<CageModel>(make_cage_model(table, deviations, {.modes = q.rows()}));
-  std::vector<PeakStress> peaks(static_cast<std::size_t>(q.cols()));
-  for (Index i = 0; i < q.cols(); ++i) {
+      std::get<CageModel>(make_cage_model(table, deviations, {.modes = states.q.rows()}));
+  std::vector<PeakStress> peaks(static_cast<std::size_t>(states.q.cols()));
+  for (Index i = 0; i < states.q.cols(); ++i) {
     PeakStress& peak = peaks[static_cast<std::size_t>(i)];
-    peak.stations = station_stress(model, q.col(i), bar_forces.col(i)).maxCoeff();
+    peak.stations =
+        station_stress(model, states.q.col(i), states.bar_force.col(i), states.spin[i]).maxCoeff();
     const auto stress =
         stress_everywhere(recovery.mesh.mesh, table.material, recovery.displacement.col(i));
     for (Index n = 0; n < stress.cols(); ++n) {

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "src/cage/cage_recovery.hpp"
 #include "src/cage/field_recovery.hpp"
 
 namespace cagetol {
@@ -52,9 +51,8 @@ void write_cells(std::string& out, const std::vector<std::array<int, 8>>& elemen
 std::optional<CageFault> write_cage_snapshot(const std::filesystem::path& file,
                                              const CageTable& table,
                                              const std::vector<PocketDeviation>& deviations,
-                                             const Eigen::VectorXd& q,
-                                             const Eigen::VectorXd& bar_forces) {
-  const auto recovered = recover_cage(table, deviations, q, bar_forces);
+                                             const CageStates& state) {
+  const auto recovered = recover_cage(table, deviations, state);
   if (const auto* fault = std::get_if<CageFault>(&recovered)) return *fault;
   const auto& [cage, displacement] = std::get<CageRecovery>(recovered);
   const HexMesh& mesh = cage.mesh;

@@ -1,23 +1,21 @@
 // A state of the flexible cage as a file for ParaView.
 #pragma once
 
-#include <Eigen/Core>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
-#include "src/cage/cage_table.hpp"
+#include "src/cage/cage_recovery.hpp"
 
 namespace cagetol {
 
 /// Writes a VTK unstructured grid (XML, .vtu, ASCII): the mesh of the deviated cage [m] with the
 /// node data `displacement` (elastic, cage frame) [m], `von_mises` and `stress` (xx, yy, zz, xy,
-/// yz, zx) [Pa]. Arguments as for recover_cage, one state. A fault where there is no such cage;
+/// yz, zx) [Pa]. The first of the states is drawn. A fault where there is no such cage;
 /// throws std::runtime_error where the file cannot be written.
 std::optional<CageFault> write_cage_snapshot(const std::filesystem::path& file,
                                              const CageTable& table,
                                              const std::vector<PocketDeviation>& deviations,
-                                             const Eigen::VectorXd& q,
-                                             const Eigen::VectorXd& bar_forces);
+                                             const CageStates& state);
 
 }  // namespace cagetol

@@ -34,8 +34,9 @@ void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
     const PocketDeviation& deviation = samples[static_cast<std::size_t>(s)];
     const HexMesh sector{sector_nodes(table.cage, deviation, grid), grid.elements};
     const BodyMatrices body = assemble_body(sector, table.material);
-    const FieldDrive drive{basis.inertia,
-                           seen_loads(turn, table.cage, table.stations, grid, deviation)};
+    FieldDrive drive{basis.inertia, seen_loads(turn, table.cage, table.stations, grid, deviation)};
+    drive.loads += (body.mass.selfadjointView<Eigen::Lower>() * arms(sector.nodes)) *
+                   basis.turning.transpose();
     const Eigen::MatrixXd carried = carry_fields(grid, body, basis.seen, drive);
     const auto project = [&](const SparseMatrix& matrix) {
       const Eigen::MatrixXd product = matrix.selfadjointView<Eigen::Lower>() * carried;
@@ -58,17 +59,15 @@ void spin_integrals(CageTable& table, const CageMesh& mesh, const Eigen::MatrixX
                     const SparseMatrix& mass) {
   Eigen::MatrixXd turned = Eigen::MatrixXd::Zero(shapes.rows(), shapes.cols());
   Eigen::MatrixXd in_plane = turned;
-  Eigen::VectorXd position = Eigen::VectorXd::Zero(shapes.rows());
   for (Eigen::Index n = 0; n < mesh.mesh.nodes.cols(); ++n) {
     turned.row(3 * n + 1) = -shapes.row(3 * n + 2);
     turned.row(3 * n + 2) = shapes.row(3 * n + 1);
     in_plane.middleRows<2>(3 * n + 1) = shapes.middleRows<2>(3 * n + 1);
-    position.segment<2>(3 * n + 1) = mesh.mesh.nodes.col(n).tail<2>();
   }
   const auto m = mass.selfadjointView<Eigen::Lower>();
   table.gyroscopic = shapes.transpose() * (m * turned);
   table.in_plane = shapes.transpose() * (m * in_plane);
-  table.centrifugal = shapes.transpose() * (m * position);
+  table.centrifugal = shapes.transpose() * (m * arms(mesh.mesh.nodes));
 }
 
 }  // namespace

@@ -206,6 +206,7 @@ void add_cage_block(const BearingModel& m, const BorderState& b, const double* y
   linear.border_velocity(kCageAxisZ, kCagePhi) += m.cage_polar * b.axis_rate[0];
   const FlexibleCage& flexible = m.flexible;
   const int modes = flexible.modes;
+  if (flexible.centrifugal) seen.centrifugal_spin = b.phi_rate;
   if (modes == 0) return;
   const double* v = y + m.layout.border_velocity(kModes);
   for (int k = 0; k < modes; ++k) {

@@ -25,6 +25,7 @@ struct Observation {
   /// pocket the stations of the trailing face, then of the leading face (station_stress,
   /// src/cage/cage_model.hpp).
   Eigen::VectorXd bar_force;
+  double centrifugal_spin = 0;    ///< of the cage where its centrifugal load is on, else 0 [rad/s]
   double land_force[2] = {0, 0};  ///< at x = -land_offset, +land_offset [N]
   double ring_elastic_y = 0,
          ring_elastic_z = 0;  ///< elastic part of the forces on the inner ring [N]

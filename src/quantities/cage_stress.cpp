@@ -47,10 +47,14 @@ CageStress::CageStress(const CageModel& model)
   regroup(model.stress_residual, stations_, residual_, near_norm);
   force_norm_ = near_norm.reshaped(per_pocket_, 2 * span_ + 1).rowwise().maxCoeff();
   near_.resize(residual_.cols());
+  q_.resize(modal_.cols());
 }
 
-CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& bar_force) {
-  q_ = Eigen::Map<const Eigen::VectorXd>(q, modal_.cols()).cast<float>();
+CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& bar_force,
+                                        double spin) {
+  const Eigen::Index modes = q_.size() - 1;
+  q_.head(modes) = Eigen::Map<const Eigen::VectorXd>(q, modes).cast<float>();
+  q_[modes] = static_cast<float>(spin * spin);
   force_ = bar_force.cast<float>();
   components_.noalias() = modal_ * q_;
   const long rows = 6 * stations_;
@@ -75,9 +79,10 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
   return largest;
 }
 
-double CageStress::bound(const double* q, const Eigen::VectorXd& bar_force) const {
-  double sum = 0;
-  for (Eigen::Index k = 0; k < mode_norm_.size(); ++k) sum += mode_norm_[k] * std::abs(q[k]);
+double CageStress::bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const {
+  const Eigen::Index modes = mode_norm_.size() - 1;
+  double sum = mode_norm_[modes] * spin * spin;
+  for (Eigen::Index k = 0; k < modes; ++k) sum += mode_norm_[k] * std::abs(q[k]);
   for (Eigen::Index f = 0; f < bar_force.size(); ++f)
     if (bar_force[f] != 0) sum += force_norm_[f % per_pocket_] * std::abs(bar_force[f]);
   return sum;

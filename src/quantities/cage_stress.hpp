@@ -18,17 +18,17 @@ class CageStress {
     double stress = 0;  ///< [Pa]
     long sector = 0, station = 0;
   };
-  /// Over all stations. `q`: modal coordinates; `bar_force` as in Observation [N]. Relative error
-  /// 1e-5.
-  Largest largest(const double* q, const Eigen::VectorXd& bar_force);
+  /// Over all stations. `q`: modal coordinates; `bar_force` as in Observation [N]; `spin` whose
+  /// centrifugal load acts, 0: none [rad/s]. Relative error 1e-5.
+  Largest largest(const double* q, const Eigen::VectorXd& bar_force, double spin);
 
   /// No station's stress exceeds this: von Mises stress is a norm, so parts add up at most [Pa].
-  double bound(const double* q, const Eigen::VectorXd& bar_force) const;
+  double bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const;
 
  private:
   long stations_, sectors_, per_pocket_, span_;
   Eigen::MatrixXf modal_, residual_;  ///< rows: (sector, component, station)
-  Eigen::VectorXd mode_norm_;         ///< largest stress of a unit of each mode
+  Eigen::VectorXd mode_norm_;         ///< largest stress of a unit of each mode, of a unit spin
   Eigen::VectorXd
       force_norm_;  ///< largest residual stress of a unit force, by its place in a pocket
   Eigen::VectorXf q_, force_, near_, components_;

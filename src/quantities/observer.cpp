@@ -101,14 +101,16 @@ void Observer::record_stress(double t, const double* y, const Observation& seen)
   const bool keep = t >= next_stress_;
   if (keep) next_stress_ = std::max(next_stress_ + kStressInterval, t);
   const double* q = y + model_.layout.border_position(kModes);
-  if (!keep && stress_->bound(q, seen.bar_force) <= cage_stress_.peak()) return;
-  const CageStress::Largest largest = stress_->largest(q, seen.bar_force);
+  const double spin = seen.centrifugal_spin;
+  if (!keep && stress_->bound(q, seen.bar_force, spin) <= cage_stress_.peak()) return;
+  const CageStress::Largest largest = stress_->largest(q, seen.bar_force, spin);
   if (largest.stress > cage_stress_.peak() || cage_peak_.modes.empty()) {
     cage_peak_.time = t;
     cage_peak_.pocket = static_cast<int>(largest.sector);
     cage_peak_.station = static_cast<int>(largest.station);
     cage_peak_.modes.assign(q, q + model_.layout.modes);
     cage_peak_.bar_force.assign(seen.bar_force.begin(), seen.bar_force.end());
+    cage_peak_.spin = spin;
   }
   cage_stress_.add(largest.stress, keep ? t - last_stress_ : 0, keep);
   if (keep) last_stress_ = t;

@@ -34,14 +34,15 @@ TEST(CageSnapshot, IsXmlThatHoldsMeshDisplacementAndStress) {
   q[0] = 1e-6;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(13 * 6);
   forces[6 * 3 + 4] = 25;
+  const CageStates state{q, forces, Eigen::VectorXd::Constant(1, 250)};
   const ScratchDirectory scratch;
   const std::string file = scratch / "cage.vtu";
-  ASSERT_FALSE(write_cage_snapshot(file, table, deviations, q, forces));
+  ASSERT_FALSE(write_cage_snapshot(file, table, deviations, state));
   std::ofstream(scratch / "read.py") << kReader;
   Process reader({"/usr/bin/python3", scratch / "read.py", file});
   ASSERT_EQ(reader.wait(), 0) << reader.output();
 
-  const auto recovered = recover_cage(table, deviations, q, forces);
+  const auto recovered = recover_cage(table, deviations, state);
   const auto& [cage, displacement] = std::get<CageRecovery>(recovered);
   const auto stress = stress_everywhere(cage.mesh, table.material, displacement.col(0));
   double largest = 0;
@@ -76,13 +77,13 @@ TEST(CageSnapshot, IsXmlThatHoldsMeshDisplacementAndStress) {
 TEST(CageSnapshot, SaysWhatIsWrong) {
   const CageTable& table = test::coarse_table();
   std::vector<PocketDeviation> deviations(13);
-  const Eigen::VectorXd q = Eigen::VectorXd::Zero(4);
-  const Eigen::VectorXd forces = Eigen::VectorXd::Zero(13 * 6);
-  EXPECT_THAT([&] { write_cage_snapshot("/no/such/folder/a.vtu", table, deviations, q, forces); },
+  const CageStates state{Eigen::VectorXd::Zero(4), Eigen::VectorXd::Zero(13 * 6),
+                         Eigen::VectorXd::Zero(1)};
+  EXPECT_THAT([&] { write_cage_snapshot("/no/such/folder/a.vtu", table, deviations, state); },
               testing::ThrowsMessage<std::runtime_error>(
                   testing::HasSubstr("cannot write /no/such/folder/a.vtu: No such file")));
   deviations[8].length = 6e-3;
-  const auto fault = write_cage_snapshot("/dev/null", table, deviations, q, forces);
+  const auto fault = write_cage_snapshot("/dev/null", table, deviations, state);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->pocket, 8);
 }

@@ -19,6 +19,7 @@ TEST(RunPeakStress, IsThatOfTheWholeField) {
   scene.watch.static_consistency_max = 1;
   const auto table = make_scene_cage_table(scene);
   std::vector<Eigen::VectorXd> q, force;
+  std::vector<double> spin;
   SimulateOptions options{.cage_table = table};
   double next = scene.window.settle_time;
   options.on_state = [&](double t, const double* y, const System& system) {
@@ -27,16 +28,19 @@ TEST(RunPeakStress, IsThatOfTheWholeField) {
     const StateLayout& l = system.model.layout;
     q.emplace_back(Eigen::Map<const Eigen::VectorXd>(y + l.border_position(kModes), l.modes));
     force.push_back(system.seen.bar_force);
+    spin.push_back(system.seen.centrifugal_spin);
   };
   ASSERT_EQ(simulate(scene, options).status, Status::ok);
   ASSERT_GE(q.size(), 15U);
-  Eigen::MatrixXd states(q[0].size(), q.size()), forces(force[0].size(), q.size());
+  CageStates states{Eigen::MatrixXd(q[0].size(), q.size()),
+                    Eigen::MatrixXd(force[0].size(), q.size()),
+                    Eigen::Map<const Eigen::VectorXd>(spin.data(), std::ssize(spin))};
   for (std::size_t i = 0; i < q.size(); ++i) {
-    states.col(static_cast<Eigen::Index>(i)) = q[i];
-    forces.col(static_cast<Eigen::Index>(i)) = force[i];
+    states.q.col(static_cast<Eigen::Index>(i)) = q[i];
+    states.bar_force.col(static_cast<Eigen::Index>(i)) = force[i];
   }
   const auto compared =
-      compare_peak_stress(*table, pocket_deviations(scene.cage, table->cage), states, forces);
+      compare_peak_stress(*table, pocket_deviations(scene.cage, table->cage), states);
   double worst = 0;
   for (const PeakStress& peak : std::get<std::vector<PeakStress>>(compared)) {
     const double error = peak.stations / peak.full - 1;
