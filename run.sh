@@ -6,7 +6,9 @@ cd "$(dirname "$0")"
 study=${1:-inputs/studies/nu205.toml}
 out=${2:-out/$(basename "$study" .toml)}
 need_packages "${program_packages[@]}"
+need_packages "${figure_packages[@]}" & # while the program is built
 build cagetol
+wait $!
 ranks=$(nproc)
 echo "Sweeping $study with $ranks ranks"
 progress=plain; [ -t 2 ] && progress=line

@@ -5,7 +5,7 @@ cd "$(dirname "$0")"
 . .ci/setup.sh
 nightly=
 [ "${1:-}" = --nightly ] && nightly=1
-need_packages "${program_packages[@]}" "${test_packages[@]}"
+need_packages "${program_packages[@]}" "${figure_packages[@]}" "${test_packages[@]}"
 build all
 [ -n "$nightly" ] && export CAGETOL_NIGHTLY=1
 which=(--label-exclude nightly --timeout 600)

@@ -64,7 +64,11 @@ Outcome without_cage(const CageFault& fault) {
 /// trajectories, below it none.
 constexpr double kStepErrorMax = 1;
 
-void judge(const Scene& scene, double step_error, Outcome& outcome) {
+/// The equations hold for small angles of the rollers' axes [rad]. Rollers that stay upright lean by
+/// some mrad, those that nothing rights by radians.
+constexpr double kLeanMax = 0.1;
+
+void judge(const Scene& scene, double step_error, double lean, Outcome& outcome) {
   const RunRecord& run = outcome.run;
   if (!(run.static_consistency_error <= scene.watch.static_consistency_max)) {
     outcome.status = Status::failed;
@@ -76,6 +80,11 @@ void judge(const Scene& scene, double step_error, Outcome& outcome) {
     outcome.status = Status::failed;
     outcome.reason = "energy residual " + number(run.energy_residual) + " exceeds " +
                      number(scene.watch.energy_residual_max) + ": tighten integration.tolerance";
+  } else if (!(lean <= kLeanMax)) {
+    outcome.status = Status::failed;
+    outcome.reason = "a roller leaned by " + number(lean) + " rad, more than " + number(kLeanMax) +
+                     ": rollers tumble; raise discretisation.race_slices to at least 3, a single "
+                     "slice rights no tilted roller";
   } else if (!(step_error <= kStepErrorMax)) {
     outcome.status = Status::failed;
     outcome.reason = "a single step was off by " + number(step_error) +
@@ -149,7 +158,7 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     run.static_consistency_error = observer.static_consistency_error();
     outcome.quantities = observer.quantities();
     outcome.cage_peak = observer.cage_peak();
-    judge(scene, system.counts.largest_step_error, outcome);
+    judge(scene, system.counts.largest_step_error, observer.largest_lean(), outcome);
   } else {
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
     outcome.status = status == StepStatus::out_of_budget ? Status::censored : Status::failed;

@@ -11,7 +11,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kFewFailures = 5;
+constexpr double kFewFailing = 5;
 
 /// The candidate's bands without those of dimension d.
 std::vector<double> rest_of(const CandidatePlan& candidate, std::size_t d) {
@@ -81,7 +81,7 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
     const YieldDifference loss = yield_difference(joint, narrow, wide, resampling);
     const EffectiveRuns runs = effective_runs(joint, wide);
     test.largest_loss = std::max(test.largest_loss, loss.value);
-    if (runs.failing < kFewFailures) {
+    if (runs.failing < kFewFailing) {
       const double bound = clopper_pearson_upper(runs.failing, runs.all, 1 - error_each);
       test.largest_loss_bound = std::max(test.largest_loss_bound, bound);
       continue;

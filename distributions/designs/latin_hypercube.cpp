@@ -8,7 +8,7 @@ namespace cagetol {
 
 namespace {
 
-constexpr std::uint64_t most_rows = std::uint64_t{1} << 28;
+constexpr std::uint64_t most_strata = std::uint64_t{1} << 28;
 
 // 24 bits: with at most 2^28 cells, cell + jitter is exact and never rounds into the next cell.
 double jitter(std::uint64_t cell, PhiloxKey key) {
@@ -23,7 +23,7 @@ LatinHypercube::LatinHypercube(const DesignSpec& spec) : rows_(spec.rows) {
 }
 
 std::uint64_t LatinHypercube::complete_rows(const DesignSpec& spec) {
-  return std::min(spec.rows, most_rows);
+  return std::min(spec.rows, most_strata);
 }
 
 void LatinHypercube::point(std::uint64_t row, std::span<double> u) const {

@@ -14,14 +14,14 @@ namespace cagetol {
 namespace {
 
 // Outside this range the distribution function of GSL loses digits or stops.
-constexpr double smallest_shape = 0.05, largest_shape = 1e4;
+constexpr double smallest_gamma_shape = 0.05, largest_gamma_shape = 1e4;
 
 }  // namespace
 
 void check(const Gamma& law) {
-  require(law.shape >= smallest_shape && law.shape <= largest_shape, "shape = ", law.shape,
-          " lies outside ", smallest_shape, " .. ", largest_shape,
-          "; for a larger shape the law is normal within its accuracy");
+  require(law.shape >= smallest_gamma_shape && law.shape <= largest_gamma_shape,
+          "shape = ", law.shape, " lies outside ", smallest_gamma_shape, " .. ",
+          largest_gamma_shape, "; for a larger shape the law is normal within its accuracy");
   require(std::isfinite(law.scale) && law.scale > 0, "scale = ", law.scale,
           " is not a finite number > 0");
   require(std::isfinite(law.shift), "shift = ", law.shift, " is not a finite number");

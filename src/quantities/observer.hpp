@@ -29,6 +29,8 @@ class Observer {
   double static_consistency_error() const;
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
+  /// Largest angle between a roller's axis and the bearing's [rad].
+  double largest_lean() const { return largest_lean_; }
   /// Of a flexible cage; empty of a rigid one.
   const CagePeak& cage_peak() const { return cage_peak_; }
 
@@ -62,6 +64,7 @@ class Observer {
   double last_stress_ = 0, next_stress_ = 0;
   CagePeak cage_peak_;
   double thinnest_film_ = kNoFilm;  ///< [m]
+  double largest_lean_ = 0;
   double orbit_turned_ = 0, orbit_angle_ = 0;
   double revolutions_ = 0, start_phase_ = 0;
   double end_displacement_ = 0;

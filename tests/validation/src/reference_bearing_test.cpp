@@ -100,5 +100,37 @@ TEST(ReferenceBearing, AllowedInterferenceRunsAndIsFlagged) {
   EXPECT_NEAR(outcome.interference_um, 2, 1e-6);
 }
 
+/// One slice rights no tilted roller: every number of such a run looks well, and means nothing.
+TEST(ReferenceBearing, TumblingRollersAreAFailedRun) {
+  Scene scene = short_run(20e-3, 20e-3);
+  scene.discretisation.race_slices = 1;
+  scene.watch.static_consistency_max = 1;
+  const Outcome outcome = simulate(scene);
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_NE(outcome.reason.find("race_slices"), std::string::npos) << outcome.reason;
+}
+
+double quantity(const Outcome& outcome, const char* key) {
+  return outcome.quantities[static_cast<std::size_t>(quantity_index(key))];
+}
+
+/// Oil between rollers and races lifts the ring on to its films (inner and outer, each 0.3 to 0.5
+/// um under load) and carries the same load.
+TEST(ReferenceBearing, RunsOnItsOilFilm) {
+  Scene scene = short_run();
+  const Outcome dry = simulate(scene);
+  scene.film.model = "series";
+  const Outcome oiled = simulate(scene);
+  ASSERT_EQ(oiled.status, Status::ok) << oiled.reason;
+  const double lifted = quantity(dry, "ring_displacement_mean_um") -
+                        quantity(oiled, "ring_displacement_mean_um");
+  EXPECT_GT(lifted, 0.6);
+  EXPECT_LT(lifted, 1.1);
+  EXPECT_TRUE(std::isnan(quantity(dry, "film_min_um")));
+  EXPECT_GT(quantity(oiled, "film_min_um"), 0.25);
+  EXPECT_LT(quantity(oiled, "film_min_um"), 0.4);
+  EXPECT_LT(oiled.run.energy_residual, 5e-3);
+}
+
 }  // namespace
 }  // namespace cagetol
