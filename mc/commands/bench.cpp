@@ -31,7 +31,7 @@ void add_bench_command(CLI::App& app, Chosen& chosen) {
       "bench", "Time every integration method on a scene: wall seconds per simulated second");
   command->footer(
       "Examples:\n  cagetol bench inputs/scenes/speed-z16.toml\n"
-      "  cagetol bench inputs/scenes/speed-z16.toml --json --methods rodas3,rodas4 --set "
+      "  cagetol bench inputs/scenes/speed-z16.toml --json --methods rodas3,rodasp --set "
       "load.radial_N=3000");
   auto options = std::make_shared<BenchArguments>();
   command->add_option("SCENE", options->file, "Scene file (or study: its first sample)")

@@ -52,12 +52,12 @@ void mark_front(std::vector<ChartPoint>& points, const Cost& cost, const Error& 
 
 void measure_trajectories(const Scene& scene, const SimulateOptions& options, Chart& chart) {
   std::map<std::string, Trajectory> references;
-  for (const char* method : {"rodas4", "arkode-erk"}) {
+  for (const char* method : {"rodasp", "arkode-erk"}) {
     const Setting setting = reference_setting(method);
     references[setting.method] =
         follow(with_setting(scene, setting), chart.options.horizon, options);
   }
-  chart.reference_gap = trajectory_error(references["rodas4"], references["arkode-erk"]);
+  chart.reference_gap = trajectory_error(references["rodasp"], references["arkode-erk"]);
   for (ChartPoint& p : chart.points) {
     std::vector<Outcome> outcomes;
     for (int repeat = 0; repeat < chart.options.repeats; ++repeat) {

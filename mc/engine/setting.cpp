@@ -61,7 +61,7 @@ SimulateOptions with_cage_table(const Scene& scene) {
 }
 
 Setting reference_setting(const std::string& method) {
-  return {method.starts_with("rodas") ? "arkode-erk" : "rodas4", kTight};
+  return {method.starts_with("rodas") ? "arkode-erk" : "rodasp", kTight};
 }
 
 }  // namespace cagetol

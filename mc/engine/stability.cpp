@@ -39,11 +39,11 @@ Scene by_method(const Scene& scene, const std::string& method) {
 
 void judge_trajectories(const Scene& scene, const SimulateOptions& options, SuiteRow& row) {
   std::map<std::string, Trajectory> references;
-  for (const char* method : {"rodas4", "arkode-erk"}) {
+  for (const char* method : {"rodasp", "arkode-erk"}) {
     const Setting setting = reference_setting(method);
     references[setting.method] = follow(with_setting(scene, setting), kSuiteHorizon, options);
   }
-  row.reference_gap = trajectory_error(references["rodas4"], references["arkode-erk"])[1];
+  row.reference_gap = trajectory_error(references["rodasp"], references["arkode-erk"])[1];
   for (auto& [method, cell] : row.cells) {
     cell.trajectory_error =
         trajectory_error(follow(by_method(scene, method), kSuiteHorizon, options),

@@ -10,7 +10,7 @@ namespace cagetol {
 
 const std::vector<MethodName>& integration_methods() {
   static const std::vector<MethodName> methods = {
-      {"rodas4", "linearly implicit, order 4(3), L-stable, touch-aware error-controlled step"},
+      {"rodasp", "linearly implicit, order 4(3), L-stable, touch-aware error-controlled step"},
       {"rodas3", "the same of order 3(2)"},
       {"cvode-bdf", "CVODE, BDF with its order capped by integration.max_order"},
       {"arkode-esdirk", "ARKODE, diagonally implicit, order 3, L-stable"},
@@ -23,7 +23,7 @@ const std::vector<MethodName>& integration_methods() {
 std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system,
                                             double t0, const double* y0) {
   if (keys.method == "rodas3") return std::make_unique<Rosenbrock>(kRodas3, keys, system);
-  if (keys.method == "rodas4") return std::make_unique<Rosenbrock>(kRodas4, keys, system);
+  if (keys.method == "rodasp") return std::make_unique<Rosenbrock>(kRodasP, keys, system);
   if (keys.method == "cvode-bdf") return make_cvode_bdf(keys, system, t0, y0);
   if (keys.method == "arkode-esdirk") return make_arkode(true, keys, system, t0, y0);
   if (keys.method == "arkode-erk") return make_arkode(false, keys, system, t0, y0);

@@ -26,9 +26,11 @@ struct RosenbrockTable {
 /// (doi 10.1016/S1352-2310(97)83212-8).
 extern const RosenbrockTable kRodas3;
 
-/// RODAS4: 6 stages, order 4(3), L-stable, stiffly accurate. Hairer & Wanner, Solving ODEs II,
-/// section IV.10 (code RODAS).
-extern const RosenbrockTable kRodas4;
+/// RODASP: 6 stages, order 4(3), L-stable, stiffly accurate, and of order 3 on Prothero and
+/// Robinson's stiff equation, where RODAS4 of the same cost has order 1. Steinebach, Order
+/// reduction of ROW-methods for DAEs and method of lines applications, TH Darmstadt preprint 1741
+/// (1995); coefficients as in Hairer and Wanner's code RODAS.
+extern const RosenbrockTable kRodasP;
 
 class Rosenbrock : public Integrator {
  public:

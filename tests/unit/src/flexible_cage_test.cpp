@@ -48,7 +48,7 @@ struct FreeCage {
     scene.cage.centrifugal = scene.cage.coriolis = spin_terms;
     scene.operation.gravity = 0;
     scene.start.cage_phase = phase;
-    scene.integration.method = "rodas4";
+    scene.integration.method = "rodasp";
     scene.integration.tolerance = 1e-7;
     auto made = scene_cage_model(scene, *coarse_table());
     model = make_bearing_model(scene, std::get<std::shared_ptr<const CageModel>>(made));
