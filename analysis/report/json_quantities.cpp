@@ -42,6 +42,7 @@ Json summary_json(const Summary& summary) {
           {"smallest", number(summary.smallest)},
           {"largest", number(summary.largest)},
           {"mean", to_json(summary.mean)},
+          {"standard_error_of_mean", number(summary.standard_error)},
           {"standard_deviation", to_json(summary.standard_deviation)},
           {"quantiles", quantiles},
           {"bound_of_95_quantile", number(summary.bound_95)},

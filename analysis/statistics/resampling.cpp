@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,27 +90,16 @@ Estimate Resampling::one_sided(const WeightedStatistic& statistic, double confid
 
 Estimate Resampling::interval(const WeightedStatistic& statistic, double tail,
                               std::span<const double> base) const {
-  std::vector<double> ones;
-  if (base.empty()) {
-    ones.assign(lot_of_.size(), 1.0);
-    base = ones;
-  }
+  const std::vector<double> ones(base.empty() ? lot_of_.size() : 0, 1.0);
+  if (base.empty()) base = ones;
   Estimate estimate;
   estimate.value = statistic(base);
   if (kind_ == IntervalKind::none || std::isnan(estimate.value)) return estimate;
-  std::vector<double> results, weights(base.size());
-  for (const auto& resample : weights_) {
-    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = base[i] * resample[i];
-    const double result = statistic(weights);
-    if (!std::isnan(result)) results.push_back(result);
-  }
-  const auto count = static_cast<double>(results.size());
-  if (2 * results.size() < weights_.size() || count < kFewestScrambles) return estimate;
+  const std::vector<double> results = resampled(statistic, base);
+  if (results.empty()) return estimate;
   if (kind_ == IntervalKind::scrambles) {
-    double mean = 0, square = 0;
-    for (const double result : results) mean += result / count;
-    for (const double result : results) square += (result - mean) * (result - mean);
-    const double error = std::sqrt(square / (count - 1) / count);
+    const auto count = static_cast<double>(results.size());
+    const double error = gsl_stats_sd(results.data(), 1, results.size()) / std::sqrt(count);
     const double t = gsl_cdf_tdist_Qinv(tail, count - 1);
     estimate.lower = estimate.value - t * error;
     estimate.upper = estimate.value + t * error;
@@ -120,6 +110,29 @@ Estimate Resampling::interval(const WeightedStatistic& statistic, double tail,
   estimate.lower = weighted_quantile(results, order, equal, tail);
   estimate.upper = weighted_quantile(results, order, equal, 1 - tail);
   return estimate;
+}
+
+std::vector<double> Resampling::resampled(const WeightedStatistic& statistic,
+                                          std::span<const double> base) const {
+  std::vector<double> results, weights;
+  for (const auto& resample : weights_) {
+    weights = resample;
+    for (std::size_t i = 0; i < base.size(); ++i) weights[i] *= base[i];
+    const double result = statistic(weights);
+    if (!std::isnan(result)) results.push_back(result);
+  }
+  if (2 * results.size() < weights_.size() || std::ssize(results) < kFewestScrambles)
+    results.clear();
+  return results;
+}
+
+double Resampling::standard_error(const WeightedStatistic& statistic,
+                                  std::span<const double> base) const {
+  const auto results = resampled(statistic, base);
+  if (results.empty()) return kUndefined;
+  const double scatter = gsl_stats_sd(results.data(), 1, results.size());
+  return kind_ == IntervalKind::scrambles ? scatter / std::sqrt(static_cast<double>(results.size()))
+                                          : scatter;
 }
 
 bool independent_runs(const StudyData& study, std::string* why_not) {

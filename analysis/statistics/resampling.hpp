@@ -45,7 +45,15 @@ class Resampling {
   Estimate one_sided(const WeightedStatistic& statistic, double confidence,
                      std::span<const double> base = {}) const;
 
+  /// Standard error of the value with unit weights (or `base`), from its scatter over resamples.
+  /// NaN where there is no interval.
+  double standard_error(const WeightedStatistic& statistic,
+                        std::span<const double> base = {}) const;
+
  private:
+  /// Over the resamples of `base` that define it; empty where too few do.
+  std::vector<double> resampled(const WeightedStatistic& statistic,
+                                std::span<const double> base) const;
   Estimate interval(const WeightedStatistic& statistic, double tail,
                     std::span<const double> base) const;
 

@@ -46,8 +46,9 @@ Summary summarise(const StudyData& runs, std::span<const double> values,
   }
   summary.smallest = values[order.front()];
   summary.largest = values[order.back()];
-  summary.mean = resampling.estimate(
-      [&](std::span<const double> w) { return weighted_mean(values, w); }, confidence, weights);
+  const auto mean = [&](std::span<const double> w) { return weighted_mean(values, w); };
+  summary.mean = resampling.estimate(mean, confidence, weights);
+  summary.standard_error = resampling.standard_error(mean, weights);
   summary.standard_deviation = resampling.estimate(
       [&](std::span<const double> w) { return weighted_standard_deviation(values, w); }, confidence,
       weights);

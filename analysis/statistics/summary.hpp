@@ -16,7 +16,8 @@ struct Summary {
   std::size_t defined = 0;  ///< runs in which the quantity has a value
   double smallest = kUndefined, largest = kUndefined;
   Estimate mean, standard_deviation;
-  std::vector<Estimate> quantiles;  ///< at kQuantileLevels
+  double standard_error = kUndefined;  ///< of the mean
+  std::vector<Estimate> quantiles;     ///< at kQuantileLevels
   double bound_95 = kUndefined;  ///< exceeds the 95 % quantile with the confidence given, whatever
                                  ///< the law (Wilks)
   std::string bound_95_refused;  ///< why there is no such bound

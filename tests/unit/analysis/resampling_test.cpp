@@ -54,6 +54,20 @@ TEST(Resampling, IntervalOfMeanCoversWithLots) {
   EXPECT_LE(covered, 199);
 }
 
+TEST(Resampling, StandardErrorOfAMeanOfLots) {
+  // Four cages to a lot: variance 1 / lots + 0.25 / cages; independent cages would give 0.07.
+  const StudyData study = plain_study(240, "random", 4);
+  const auto values = lot_values(study, 5);
+  const Resampling resampling(study, 1000);
+  EXPECT_NEAR(resampling.standard_error(
+                  [&](std::span<const double> w) { return weighted_mean(values, w); }),
+              std::sqrt(1.0 / 60 + 0.25 / 240), 0.02);
+  EXPECT_TRUE(std::isnan(
+      Resampling(plain_study(240, "grid"), 1000).standard_error([](std::span<const double>) {
+        return 1.0;
+      })));
+}
+
 TEST(Resampling, ScramblesGiveStudentT) {
   StudyData study = plain_study(40, "sobol");
   study.design.scrambles = 4;
@@ -66,6 +80,9 @@ TEST(Resampling, ScramblesGiveStudentT) {
       [&](std::span<const double> w) { return weighted_mean(values, w); }, 0.95);
   EXPECT_DOUBLE_EQ(mean.value, 1.5);
   EXPECT_NEAR(mean.upper, 1.5 + 3.182446 * std::sqrt(5.0 / 3 / 4), 1e-5);
+  EXPECT_NEAR(resampling.standard_error(
+                  [&](std::span<const double> w) { return weighted_mean(values, w); }),
+              std::sqrt(5.0 / 3 / 4), 1e-12);
 }
 
 TEST(Resampling, GridsHaveNoInterval) {
