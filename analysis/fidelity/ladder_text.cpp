@@ -42,10 +42,11 @@ std::string verdict_text(const RungShift& rung) {
 
 std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quantity) {
   const QuantityLadder& seen = quantity.ladder;
-  std::string text = fmt::format(
-      "{}{}: mean {:.4g}, standard deviation {:.2g}, budget {:.2g}{}; least rung: {}\n",
-      quantity.name, quantity.limited ? " (limited)" : "", seen.mean, seen.deviation, seen.budget,
-      quantity.unit == "-" ? "" : " " + quantity.unit, least_name(ladder, seen));
+  std::string text =
+      fmt::format("{}{}: mean {:.4g}, standard deviation {:.2g}, budget {:.2g}{}{}\n",
+                  quantity.name, quantity.limited ? " (limited)" : "", seen.mean, seen.deviation,
+                  seen.budget, quantity.unit == "-" ? "" : " " + quantity.unit,
+                  ladder.refining ? "" : "; least rung: " + least_name(ladder, seen));
   for (std::size_t r = 0; r + 1 < ladder.rungs.size(); ++r) {
     const RungShift& shift = seen.rungs[r];
     text +=
@@ -61,14 +62,16 @@ std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quan
 Json ladder_json(const ModelLadder& ladder) {
   Json json = {{"kind", "ladder"},
                {"study", ladder.study},
+               {"build", ladder.build},
                {"samples", ladder.samples},
                {"study_samples", ladder.rule.study_samples},
                {"budget_share", ladder.rule.budget_share},
                {"confidence", ladder.rule.confidence},
                {"reference", ladder.rungs.back().name}};
-  json["least_rung"] = Json::object();
-  for (const LadderQuantity& quantity : ladder.quantities)
-    json["least_rung"][quantity.name] = least_name(ladder, quantity.ladder);
+  json["refining"] = ladder.refining;
+  if (!ladder.refining)
+    for (const LadderQuantity& quantity : ladder.quantities)
+      json["least_rung"][quantity.name] = least_name(ladder, quantity.ladder);
   json["rungs"] = Json::array();
   for (const LadderRung& rung : ladder.rungs)
     json["rungs"].push_back({{"name", rung.name},
@@ -83,14 +86,17 @@ Json ladder_json(const ModelLadder& ladder) {
                   {"limited", quantity.limited},
                   {"mean", number(quantity.ladder.mean)},
                   {"standard_deviation", number(quantity.ladder.deviation)},
-                  {"budget", number(quantity.ladder.budget)},
-                  {"least_rung", least_name(ladder, quantity.ladder)},
-                  {"multifidelity_gain", quantity.multifidelity_gain},
-                  {"rungs", Json::array()}};
+                  {"budget", number(quantity.ladder.budget)}};
+    if (!ladder.refining) {
+      entry["least_rung"] = least_name(ladder, quantity.ladder);
+      entry["multifidelity_gain"] = quantity.multifidelity_gain;
+    }
+    entry["rungs"] = Json::array();
     for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
       entry["rungs"].push_back(shift_json(ladder.rungs[r], quantity.ladder.rungs[r]));
     json["quantities"].push_back(std::move(entry));
   }
+  json["resolved_study"] = ladder.resolved_study;
   return json;
 }
 
@@ -101,12 +107,12 @@ std::string ladder_csv(const ModelLadder& ladder) {
   for (const LadderQuantity& quantity : ladder.quantities)
     for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
       const RungShift& shift = quantity.ladder.rungs[r];
-      text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{},{},{:.6g}\n",
-                          quantity.name, quantity.unit, ladder.rungs[r].name, shift.shift.value,
-                          shift.shift.lower, shift.shift.upper, quantity.ladder.budget,
-                          shift.correlation, shift.pairs, shift.lost, shift.pairs_needed,
-                          rung_verdict_name(shift.verdict), least_name(ladder, quantity.ladder),
-                          ladder.rungs[r].cost_ratio);
+      text += fmt::format(
+          "{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{},{},{:.6g}\n", quantity.name,
+          quantity.unit, ladder.rungs[r].name, shift.shift.value, shift.shift.lower,
+          shift.shift.upper, quantity.ladder.budget, shift.correlation, shift.pairs, shift.lost,
+          shift.pairs_needed, rung_verdict_name(shift.verdict),
+          ladder.refining ? "" : least_name(ladder, quantity.ladder), ladder.rungs[r].cost_ratio);
     }
   return text;
 }
@@ -124,6 +130,9 @@ std::string ladder_text(const ModelLadder& ladder) {
   for (const LadderRung& rung : ladder.rungs)
     text +=
         fmt::format("{:<18}{:>8.3f}{:>6}  {}\n", rung.name, rung.cost_ratio, rung.ok, rung.meaning);
+  if (ladder.refining)
+    return text +
+           "\nshift: refined minus as-run. Positive: the scene as it is gives too small a mean.\n";
   text +=
       "\nleast rung of each quantity, predicted gain of a mean with the help of cheaper rungs\n";
   for (const LadderQuantity& quantity : ladder.quantities)

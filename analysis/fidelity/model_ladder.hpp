@@ -30,6 +30,11 @@ struct LadderQuantity {
 
 struct ModelLadder {
   std::string study;
+  std::string build;                      ///< of the program that climbed it
+  nlohmann::ordered_json resolved_study;  ///< for which (mc/README.md lists the keys)
+  /// Rungs refine the reference, the scene as it is, so that no least one is sought: a shift is
+  /// what refining adds to the mean, and the reference errs by its opposite.
+  bool refining = false;
   LadderRule rule;
   std::size_t samples = 0;
   std::vector<LadderRung> rungs;  ///< cheapest first, the last one is the reference

@@ -38,7 +38,8 @@ def draw_rungs(axis, entry, costs):
     axis.set_yscale("log")
     axis.set_xscale("log")
     axis.set_ylim(bottom=0.7 * FLOOR)
-    axis.set_title(f"{readable(entry['quantity'])}: {entry['least_rung']}", fontsize=9)
+    least = f": {entry['least_rung']}" if "least_rung" in entry else ""
+    axis.set_title(readable(entry["quantity"]) + least, fontsize=9)
 
 
 def ladder(data):
@@ -55,15 +56,16 @@ def ladder(data):
     for axis, entry in zip(axes.flat, entries):
         draw_rungs(axis, entry, costs)
     span = [cost for cost in map(known, costs) if math.isfinite(cost)]
-    ticks = [tick for tick in (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2) if 0.9 * min(span) <= tick <= 1.1 * max(span)]
+    ticks = [tick for tick in (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10) if 0.9 * min(span) <= tick <= 1.1 * max(span)]
     for axis in axes.flat[:len(entries)]:
         axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
         axis.minorticks_off()
     for axis in axes.flat[max(0, len(entries) - columns):len(entries)]:
-        axis.set_xlabel("wall time / that of the highest rung")
+        axis.set_xlabel(f"wall time / that of {data['reference']}")
         axis.tick_params(labelbottom=True)
     figure.supylabel("|shift of the mean| / budget, 95 % interval", fontsize=9)
     named = {label: handle for axis in axes.flat[:len(entries)] for handle, label in zip(*axis.get_legend_handles_labels())}
     legend_below(figure, list(named.values()), list(named), 0.55 / (0.9 + 2.1 * rows))
-    figure.suptitle(f"{data['study']}: least rung of each quantity, {data['samples']} samples (filled: adequate)", fontsize=10)
+    what = "what refining changes" if data.get("refining") else "least rung of each quantity"
+    figure.suptitle(f"{data['study']}: {what}, {data['samples']} samples (filled: adequate)", fontsize=10)
     return figure

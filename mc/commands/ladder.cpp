@@ -16,7 +16,7 @@ struct LadderArguments {
   std::string file, directory;
   std::vector<std::string> settings;
   LadderOptions ladder;
-  bool separate = false, json = false;
+  bool separate = false, refine = false, json = false;
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
@@ -33,10 +33,14 @@ int run_ladder(const LadderArguments& options) {
   log_to_stderr();
   return run_staged(make_sweep_plan, options.progress, [&](StagedSweeps& stages) {
     const Study study = read_study(options.file, options.settings);
-    const auto& rungs = options.separate ? separate_rungs() : climbing_rungs();
-    const auto climbed = climb(study, rungs, options.ladder, options.directory + "/rungs", stages);
+    const auto rungs = options.refine     ? refining_rungs(study.scene)
+                       : options.separate ? separate_rungs()
+                                          : climbing_rungs();
+    auto climbed = climb(study, rungs, options.ladder, options.directory + "/rungs", stages);
     if (const int* code = std::get_if<int>(&climbed)) return *code;
-    write_ladder(std::get<ModelLadder>(climbed), options);
+    auto& ladder = std::get<ModelLadder>(climbed);
+    ladder.refining = options.refine;
+    write_ladder(ladder, options);
     return static_cast<int>(kDone);
   });
 }
@@ -51,12 +55,15 @@ void add_ladder_command(CLI::App& app, Chosen& chosen) {
       "modes,\n"
       "each in a sweep of its own, DIR/rungs/RUNG; started again, the command goes on. A rung is\n"
       "adequate where its shift against the highest rung is within the budget with its whole 95 %\n"
-      "interval; where the samples do not tell, the answer is \"unresolved\".\n\n"
+      "interval; where the samples do not tell, the answer is \"unresolved\".\n"
+      "--refine compares the scene as it is with the same refined in one thing at a time, for the\n"
+      "error budget in the report of the sweep whose directory holds it as ladder-refine.\n\n"
       "Examples:\n  cagetol ladder inputs/scenes/nu205.toml -o out/ladder\n"
       "  mpirun cagetol ladder inputs/studies/nu205.toml -o out/ladder-study --samples 200 "
       "--budget "
       "1\n"
-      "  cagetol ladder inputs/scenes/nu205-thin.toml -o out/worth --separate --json");
+      "  cagetol ladder inputs/scenes/nu205-thin.toml -o out/worth --separate --json\n"
+      "  cagetol ladder out/nu205/study.toml --refine -o out/nu205/ladder-refine");
   auto options = std::make_shared<LadderArguments>();
   command->add_option("FILE", options->file, "Scene or study file")->required();
   command
@@ -72,8 +79,13 @@ void add_ladder_command(CLI::App& app, Chosen& chosen) {
                    "scene)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_flag("--separate", options->separate,
-                    "Take one thing at a time away from the highest rung");
+  auto* separate = command->add_flag("--separate", options->separate,
+                                     "Take one thing at a time away from the highest rung");
+  command
+      ->add_flag("--refine", options->refine,
+                 "Refine one thing at a time of the scene as it is: integrator, modes, slices, "
+                 "mesh, window")
+      ->excludes(separate);
   command->add_flag("--json", options->json, "Print ladder.json on standard output");
   add_settings_option(*command, options->settings);
   add_progress_option(*command, options->progress);

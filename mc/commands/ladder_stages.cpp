@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "mc/build_info.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
 #include "mc/sweep_directory.hpp"
@@ -58,6 +59,8 @@ std::variant<ModelLadder, int> climb(const Study& study, const std::vector<Rung>
       std::move(names), runs,
       {.study_samples = ladder_study_samples(study), .budget_share = options.budget_share});
   ladder.study = study.name;
+  ladder.resolved_study = nlohmann::ordered_json::parse(study.resolved_json);
+  ladder.build = build_id(build_info());
   return ladder;
 }
 

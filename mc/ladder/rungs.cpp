@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "src/scene/scene_keys.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr double kOffsetShare = 0.1;    // of the narrowest pocket's clearance
 constexpr double kSceneSamples = 1000;  // a usual study
+// As far as the keys go (scene_keys.cpp).
+constexpr long kMostModes = 36, kFinestMesh = 12, kMostSlices = 100;
 
 /// Later settings replace earlier ones of the same key.
 std::vector<std::string> joined(std::vector<std::string> settings,
@@ -98,6 +101,46 @@ const std::vector<Rung>& separate_rungs() {
     all.push_back(full);
     return all;
   }();
+  return rungs;
+}
+
+std::vector<Rung> refining_rungs(const Scene& scene) {
+  const bool flexible = scene.cage.model == "flexible";
+  std::vector<Rung> rungs;
+  const double tolerance = scene.integration.tolerance / 10;
+  Rung& integrator = rungs.emplace_back(Rung{"integrator",
+                                             fmt::format("integration tolerance {:g}", tolerance),
+                                             {fmt::format("integration.tolerance={}", tolerance)}});
+  if (const std::string usual = Integration{}.method; scene.integration.method != usual) {
+    integrator.meaning += ", method " + usual;
+    integrator.settings.push_back("integration.method='" + usual + "'");
+  }
+  if (!flexible)
+    rungs.push_back(
+        {"modes",
+         fmt::format("flexible cage with {} modes", CageGeometry{}.modes),
+         {"cage.model='flexible'", fmt::format("cage.modes={}", CageGeometry{}.modes)}});
+  else if (scene.cage.modes < kMostModes)
+    rungs.push_back({"modes",
+                     fmt::format("{} modes of the flexible cage", kMostModes),
+                     {fmt::format("cage.modes={}", kMostModes)}});
+  const long slices = std::min(2 * scene.discretisation.race_slices + 1, kMostSlices);
+  if (slices > scene.discretisation.race_slices)
+    rungs.push_back({"slices",
+                     fmt::format("{} slices of a contact", slices),
+                     {fmt::format("discretisation.race_slices={}", slices)}});
+  const long density = std::min(scene.cage.mesh_density + 2, kFinestMesh);
+  if (flexible && density > scene.cage.mesh_density)
+    rungs.push_back({"mesh",
+                     fmt::format("{} finite elements through the cage's thickness", density),
+                     {fmt::format("cage.mesh_density={}", density)}});
+  const bool timed = !std::isnan(scene.window.measure_time);
+  rungs.push_back({"window",
+                   "measured twice as long",
+                   {timed ? fmt::format("window.measure_time_s={}", 2 * scene.window.measure_time)
+                          : fmt::format("window.measure_revolutions={}",
+                                        2 * scene.window.measure_revolutions)}});
+  rungs.push_back({"as-run", "the scene as it is", {}});
   return rungs;
 }
 

@@ -1,4 +1,5 @@
-// The model ladder: what a scene's keys switch, as rungs from the cheapest model to the dearest.
+// The model ladder: what a scene's keys switch, as rungs from the cheapest model to the dearest,
+// and as refinements of one scene.
 #pragma once
 
 #include <string>
@@ -21,6 +22,13 @@ const std::vector<Rung>& climbing_rungs();
 
 /// The reference with one thing taken away at a time, and the reference last: what each is worth.
 const std::vector<Rung>& separate_rungs();
+
+/// The scene as it is, "as-run", last, and before it the scene with one setting refined at a time:
+/// `integrator` (a tenth of its tolerance, the default method), `modes` (a rigid cage becomes
+/// flexible with the default modes, a flexible one gets 36), `slices` (2 n + 1), `mesh` (two more
+/// elements through the thickness of a flexible cage), `window` (measured twice as long). What
+/// cannot be refined in this scene is left out.
+std::vector<Rung> refining_rungs(const Scene& scene);
 
 /// The scene on that rung.
 Scene on_rung(Scene scene, const Rung& rung);

@@ -45,6 +45,23 @@ TEST(ModelLadder, NamesTheLeastRungOfEachQuantity) {
   EXPECT_THAT(ladder_csv(ladder), HasSubstr("\ncage_slip_ratio,-,low,0.5,0.5,0.5,"));
 }
 
+TEST(ModelLadder, RefiningSeeksNoLeastRung) {
+  ModelLadder ladder = climbed({rung_runs(0.5, 16, 50), rung_runs(0, 2, 50), rung_runs(0, 8, 50)});
+  EXPECT_FALSE(ladder_json(ladder)["refining"]);
+  ladder.refining = true;
+  ladder.resolved_study = {{"seed", 5}};
+  ladder.build = "this one";
+  const auto json = ladder_json(ladder);
+  EXPECT_TRUE(json["refining"]);
+  EXPECT_EQ(json["resolved_study"]["seed"], 5);
+  EXPECT_EQ(json["build"], "this one");
+  EXPECT_FALSE(json.contains("least_rung"));
+  EXPECT_FALSE(json["quantities"][0].contains("least_rung"));
+  EXPECT_EQ(json["quantities"][0]["rungs"][0]["shift"], 0.5);  // refined minus as run
+  EXPECT_THAT(ladder_text(ladder), testing::Not(HasSubstr("least rung")));
+  EXPECT_THAT(ladder_text(ladder), HasSubstr("refined minus as-run"));
+}
+
 TEST(ModelLadder, CountsRunsThatGaveNoResult) {
   auto failed = rung_runs(0, 1, 50);
   failed.status[2] = RunStatus::failed;

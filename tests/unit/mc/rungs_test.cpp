@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/fidelity/error_budget.hpp"
 #include "mc/sample.hpp"
 #include "src/input/input_error.hpp"
 #include "src/scene/scene_keys.hpp"
@@ -46,6 +47,61 @@ TEST(Rungs, OneThingIsTakenAwayAtATime) {
   }
 }
 
+std::vector<std::string> names_of(const std::vector<Rung>& rungs) {
+  std::vector<std::string> names;
+  for (const Rung& rung : rungs) names.push_back(rung.name);
+  return names;
+}
+
+TEST(Rungs, EachRefinesOneThingOfTheScene) {
+  Scene rigid;
+  rigid.integration = {.method = "rodas3", .tolerance = 0.005};
+  const auto rungs = refining_rungs(rigid);
+  EXPECT_EQ(names_of(rungs),
+            (std::vector<std::string>{"integrator", "modes", "slices", "window", "as-run"}));
+  const Scene integrator = on_rung(rigid, rungs[0]), modes = on_rung(rigid, rungs[1]),
+              slices = on_rung(rigid, rungs[2]), window = on_rung(rigid, rungs[3]);
+  EXPECT_EQ(integrator.integration.method, Integration{}.method);
+  EXPECT_DOUBLE_EQ(integrator.integration.tolerance, 0.0005);
+  EXPECT_EQ(integrator.cage.model, "rigid");
+  EXPECT_EQ(modes.cage.model, "flexible");
+  EXPECT_EQ(modes.cage.modes, 20);
+  EXPECT_EQ(modes.integration.tolerance, 0.005);
+  EXPECT_EQ(slices.discretisation.race_slices, 11);
+  EXPECT_EQ(window.window.measure_revolutions, 12);
+  EXPECT_TRUE(rungs.back().settings.empty());
+  EXPECT_EQ(rungs[0].settings.size(), 2u);
+
+  Scene flexible = rigid;
+  flexible.cage.model = "flexible";
+  flexible.integration = {};
+  flexible.window.measure_time = 0.0125;
+  const auto more = refining_rungs(flexible);
+  std::vector<std::string> all(kRefinedSettings.begin(), kRefinedSettings.end());
+  all.emplace_back("as-run");
+  EXPECT_EQ(names_of(more), all);          // the error budget asks for these
+  EXPECT_EQ(more[0].settings.size(), 1u);  // its method is the default already
+  EXPECT_EQ(on_rung(flexible, more[1]).cage.modes, 36);
+  EXPECT_EQ(on_rung(flexible, more[3]).cage.mesh_density, flexible.cage.mesh_density + 2);
+  EXPECT_DOUBLE_EQ(on_rung(flexible, more[4]).window.measure_time, 0.025);
+  EXPECT_EQ(on_rung(flexible, more[4]).window.measure_revolutions, 6);
+}
+
+TEST(Rungs, WhatCannotBeRefinedIsLeftOut) {
+  Scene finest;
+  finest.cage.model = "flexible";
+  finest.cage.modes = 36;
+  finest.cage.mesh_density = 12;
+  finest.discretisation.race_slices = 100;
+  EXPECT_EQ(names_of(refining_rungs(finest)),
+            (std::vector<std::string>{"integrator", "window", "as-run"}));
+  finest.discretisation.race_slices = 60;
+  finest.cage.mesh_density = 11;
+  const auto rungs = refining_rungs(finest);
+  EXPECT_EQ(on_rung(finest, rungs[1]).discretisation.race_slices, 100);
+  EXPECT_EQ(on_rung(finest, rungs[2]).cage.mesh_density, 12);
+}
+
 TEST(Rungs, AllSeeTheSameSamples) {
   const Study study = read_study(shipped("studies/nu205.toml"));
   const Study low = rung_study(study, climbing_rungs().front(), 24),
@@ -60,6 +116,11 @@ TEST(Rungs, AllSeeTheSameSamples) {
     EXPECT_EQ(a.scene.start.cage_phase, own.scene.start.cage_phase);
     EXPECT_EQ(a.scene.cage.model, "rigid");
     EXPECT_EQ(b.scene.cage.model, "flexible");
+  }
+  for (const Rung& rung : refining_rungs(study.scene)) {
+    const Sample own = draw_sample(study, 7), refined = draw_sample(rung_study(study, rung, 24), 7);
+    EXPECT_EQ(own.scene.cage.pocket_width, refined.scene.cage.pocket_width) << rung.name;
+    EXPECT_EQ(own.scene.start.cage_phase, refined.scene.start.cage_phase) << rung.name;
   }
   EXPECT_EQ(ladder_study_samples(study), 480);
 }

@@ -346,6 +346,13 @@ std::string trend_study(const std::string& changes, const std::string& design = 
          changes;
 }
 
+TEST_F(StudyFile, AResolvedFileIsTheSameStudy) {
+  for (const char* path : {"studies/nu205.toml", "studies/nu205-measured.toml"}) {
+    const Study study = read_study(shipped(path), {"samples=20"});
+    EXPECT_EQ(study_of(study.resolved_toml).resolved_json, study.resolved_json) << path;
+  }
+}
+
 TEST_F(StudyFile, TrendsAreReadAndComeBackFromTheResolvedStudy) {
   const Study study = study_of(trend_study(
       "quantity = 'cage_slip_ratio'\nbetween = [-0.25, 0.125]\nexpected = 'falls'\nby_share = "
