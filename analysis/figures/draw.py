@@ -21,6 +21,7 @@ def main(report_file, output_dir):
     import centres
     import contributors
     import engine
+    import error_budget
     import fidelity
     import quantities
     import response
@@ -32,7 +33,7 @@ def main(report_file, output_dir):
         "limited_quantities": quantities.limited_quantities, "other_quantities": quantities.other_quantities,
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
-        "cage_stress": cage.cage_stress,
+        "cage_stress": cage.cage_stress, "error_budget": error_budget.error_budget,
         **response.figures(),
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},

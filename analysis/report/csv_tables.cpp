@@ -94,6 +94,24 @@ std::string quantities_csv(const Json& report) {
   return text;
 }
 
+std::string error_budget_csv(const Json& report) {
+  std::string text =
+      "quantity,unit,mean,source,state,error,lower,upper,bound,standard_errors,pairs,lost,"
+      "largest\n";
+  for (const Json& quantity : report["error_budget"]["quantities"])
+    for (const Json& source : quantity["sources"]) {
+      std::vector<std::string> cells = {cell(quantity["quantity"]), cell(quantity["unit"]),
+                                        cell(quantity["mean"]), cell(source["source"]),
+                                        cell(source["state"])};
+      add_estimate(cells, source["error"]);
+      for (const char* key : {"bound", "standard_errors", "pairs", "lost"})
+        cells.push_back(cell(source[key]));
+      cells.emplace_back(source["source"] == quantity["largest"] ? "yes" : "no");
+      text += line(cells);
+    }
+  return text;
+}
+
 std::string contributors_csv(const Json& report) {
   std::string text = "output,feature,share,share_lower,share_upper,rank_estimate\n";
   for (const Json& output : report["contributors"]["outputs"])
@@ -145,6 +163,7 @@ void write_csv_tables(const std::filesystem::path& directory, const StudyData& s
                       const Json& report) {
   write_text(directory / "samples.csv", samples_csv(study));
   write_text(directory / "quantities.csv", quantities_csv(report));
+  write_text(directory / "error_budget.csv", error_budget_csv(report));
   write_text(directory / "contributors.csv", contributors_csv(report));
   write_text(directory / "yield.csv", yield_csv(report));
 }

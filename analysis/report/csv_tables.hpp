@@ -9,8 +9,8 @@
 namespace cagetol {
 
 /// samples.csv: one line a sample, with outcome, features of the cage and quantities.
-/// quantities.csv, contributors.csv and yield.csv: the tables of report.json. Throws StudyFileError
-/// when a file cannot be written.
+/// quantities.csv, error_budget.csv, contributors.csv and yield.csv: the tables of report.json.
+/// Throws StudyFileError when a file cannot be written.
 void write_csv_tables(const std::filesystem::path& directory, const StudyData& study,
                       const Json& report);
 

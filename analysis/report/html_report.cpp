@@ -62,7 +62,8 @@ std::string heading(const Json& report) {
       "<code>{}</code>; study <code>{}</code>, seed {}; cagetol {} ({})</p></header>\n"
       "<nav>{}{}<a href=\"#limits\">Limits</a><a href=\"#tolerance\">Yield and tolerance</a><a "
       "href=\"#contributors\">Contributors</a>"
-      "<a href=\"#quantities\">Quantities</a><a href=\"#failures\">Failures</a><a "
+      "<a href=\"#quantities\">Quantities</a><a href=\"#errors\">Error budget</a><a "
+      "href=\"#failures\">Failures</a><a "
       "href=\"#convergence\">Convergence</a>"
       "<a href=\"#health\">Run health</a><a href=\"#provenance\">Where this comes from</a></nav>\n",
       escaped(from["study_name"]), rounded(outcomes["samples"]),
@@ -95,6 +96,7 @@ std::string html_report(const Json& report, const FigureSet& figures) {
   page += tolerance_chapter(report, figures);
   page += contributors_chapter(report, figures);
   page += quantities_chapter(report, figures);
+  page += error_budget_chapter(report, figures);
   page += cage_chapter(report, figures);
   page += capability_chapter(report);
   page += failures_chapter(report);

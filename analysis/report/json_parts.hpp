@@ -36,6 +36,8 @@ Json fidelity_json(const StudyData& study);
 Json outcomes_json(const ReportBasis& basis);
 Json limits_json(const ReportBasis& basis);
 Json quantities_json(const ReportBasis& basis);
+/// From quantities_json and what read_refining_ladder (refining_ladder.hpp) found.
+Json error_budget_json(const ReportBasis& basis, const Json& quantities, const Json& ladder);
 Json capability_json(const ReportBasis& basis);
 Json convergence_json(const ReportBasis& basis);
 Json health_json(const ReportBasis& basis);

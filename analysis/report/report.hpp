@@ -20,19 +20,21 @@ struct ReportOptions {
 
 /// Every number of the report, from the study alone: the same study gives the same bytes.
 /// `confirmations` are the attempts to confirm its recommendation, `directory` is how replay
-/// commands name the place of its runs, `cage_peak` what read_cage_peak (cage_peak.hpp) found.
+/// commands name the place of its runs, `cage_peak` what read_cage_peak (cage_peak.hpp) found,
+/// `refining_ladder` what read_refining_ladder (refining_ladder.hpp) did.
 nlohmann::ordered_json make_report(const StudyData& study,
                                    const std::vector<StudyData>& confirmations = {},
                                    const std::string& directory = "DIR",
-                                   const nlohmann::ordered_json& cage_peak = {});
+                                   const nlohmann::ordered_json& cage_peak = {},
+                                   const nlohmann::ordered_json& refining_ladder = {});
 
 /// DIR/mixture/study.h5 where DIR holds the stages of a recommendation, otherwise DIR/study.h5.
 std::filesystem::path study_file_in(const std::filesystem::path& directory);
 
 /// Reads DIR/study.h5, or DIR/mixture/study.h5 and the confirmations beside it, and writes
-/// report.json, report.html, samples.csv, quantities.csv, contributors.csv, yield.csv and figures/
-/// beside it. Figures that cannot be drawn are replaced by the reason. Prints the verdict. Returns
-/// 0; throws StudyFileError.
+/// report.json, report.html, samples.csv, quantities.csv, error_budget.csv, contributors.csv,
+/// yield.csv and figures/ beside it. Figures that cannot be drawn are replaced by the reason.
+/// Prints the verdict. Returns 0; throws StudyFileError.
 int run_report(const std::filesystem::path& study_dir, const ReportOptions& options = {});
 
 }  // namespace cagetol

@@ -51,7 +51,7 @@ TEST_F(Report, WritesEverythingInOnePage) {
   const std::string html = text_of(directory_ / "report.html");
   for (const char* title :
        {"What may be printed on the drawing", "Outcomes and limits", "Yield against tolerance",
-        "What drives the quantities", "Statistics of every quantity",
+        "What drives the quantities", "Statistics of every quantity", "Error budget",
         "Capability against the limits", "Failures and worst samples", "Are there enough runs?",
         "Run health", "Where this comes from"})
     EXPECT_THAT(html, testing::HasSubstr(title));
