@@ -12,8 +12,9 @@ lines=$(grep -E '^    .*build/cagetol ' README.md | grep -v '&&' | sed 's/ *#.*/
 while read -r line; do
   command=${line//build\/cagetol/$program}
   command=${command//out\/nu205/$out\/nu205}
-  [[ $line == *" sweep "* ]] && command="$command $short"
-  [[ $line == *" ladder "* ]] && command="$command --samples 3 --set cage.mesh_density=2 ${short/--set samples=20/}"
+  [[ $line == *" sweep "* ]] && command="$command $short --set scene.cage.mesh_density=2"
+  [[ $line == *" ladder "* ]] && command="$command --samples 3"
+  [[ $line == *" ladder inputs/"* ]] && command="$command --set cage.mesh_density=2 ${short/--set samples=20/}"
   # So few and so short runs confirm nothing, which ends with 1.
   [[ $line == *" recommend "* ]] && command="$command ${short/samples=20/samples=100} || [ \$? -eq 1 ]"
   echo "+ $line"
@@ -21,3 +22,6 @@ while read -r line; do
   ran=$((${ran:-0} + 1))
 done <<<"$lines"
 [ "$ran" -eq "$(wc -l <<<"$lines")" ]
+# The ladder that the README puts below the sweep is the one that its report looks for.
+"$program" report "$out/nu205" --json >"$out/report.json"
+grep -A1 '"evidence": {' "$out/report.json" | grep -q '"state": "measured"' || { echo "no error budget" >&2; exit 1; }
