@@ -37,7 +37,8 @@ def draw_row(axis, row, entry):
         ends = [known(source["error"][key]) / scale for key in ("lower", "upper")]
         axis.plot(ends, [place, place], color=COLOURS[name], linewidth=1.3)
         axis.plot(known(source["error"]["value"]) / scale, place, MARKERS[name], color=COLOURS[name], markersize=4.5,
-                  markerfacecolor=COLOURS[name] if source["state"] == "resolved" else "white", label=name)
+                  markerfacecolor=COLOURS[name] if source["state"] == "resolved" else "white")
+        axis.plot([], [], MARKERS[name] + "-", color=COLOURS[name], linewidth=1.3, markersize=4.5, label=name)
 
 
 def error_budget(report):
@@ -51,7 +52,9 @@ def error_budget(report):
         draw_row(axis, row, entry)
     axis.axvline(0, color=GREY, linewidth=0.8)
     axis.set_xscale("symlog", linthresh=1, linscale=0.6)
-    reach = max([1.5] + [abs(x) for x in axis.get_xlim()])
+    low, high = axis.get_xlim()
+    axis.set_xlim(min(1.3 * low, -1.5), max(1.3 * high, 1.5))
+    reach = max(abs(x) for x in axis.get_xlim())
     ticks = [0.0] + [side * 10.0**power for power in range(6) for side in (-1, 1) if 10.0**power <= reach]
     axis.set_xticks(sorted(ticks))
     axis.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:+g}" if x else "0"))

@@ -23,7 +23,7 @@ std::string code(const std::string& text) {
 
 std::string in_standard_errors(const Json& source) {
   const Json& share = source["standard_errors"];
-  return share.is_number() ? below(fmt::format("{:.2g} SE", share.get<double>())) : "";
+  return share.is_number() ? below(rounded(share) + " SE") : "";
 }
 
 std::string source_text(const Json& source, bool largest) {
@@ -82,7 +82,7 @@ std::string budget_table(const Json& budget, bool limited) {
 std::string refined_text(const Json& evidence) {
   std::string list;
   for (const Json& refined : evidence["refined"])
-    list += fmt::format("{}{}: {} ({} times the time)", list.empty() ? "" : "; ",
+    list += fmt::format("{}{} - {}, {} times the time", list.empty() ? "" : "; ",
                         escaped(refined["setting"]), escaped(refined["meaning"]),
                         rounded(refined["cost_ratio"]));
   return list;
@@ -104,7 +104,7 @@ std::string evidence_text(const Json& evidence) {
   if (state == "measured")
     return paragraph(fmt::format(
                "What the settings of the model are worth was measured with this study's first {} "
-               "samples: as run, and again with one setting refined. {}.",
+               "samples: as run, and again with one setting refined: {}.",
                rounded(evidence["samples"]), refined_text(evidence))) +
            (evidence["another_build"] == true
                 ? "<p class=\"warning\">Another build of the program measured it than ran this "
