@@ -133,8 +133,9 @@ std::string error_budget_chapter(const Json& report, const FigureSet& figures) {
   body += figure_html(
       figures, "error_budget",
       fmt::format(
-          "Errors of the means in standard errors, with {:g} % intervals. Filled: resolved; "
-          "open: may be zero. Grey: what other samples would do (one standard error), "
+          "Errors of the means in standard errors, with {:g} % intervals. Filled: resolved, with "
+          "all settings of the quantity tested together; open: may be zero. Grey: what other "
+          "samples would do (one standard error), "
           "dark bar: what fresh starts of the same cages would. A filled mark right of the band: "
           "the study's mean is too large, and more runs would not mend it.",
           confidence));
