@@ -24,7 +24,7 @@ const std::vector<RunField>& run_fields() {
   static const std::vector<RunField> fields = {
       {"simulated_s", "s", "length of the run, settling included"},
       {"cage_revolutions", "1", "revolutions of the cage in the measuring window"},
-      {"steps", "1", "accepted integration steps"},
+      {"steps", "1", "accepted integration steps; quasi-static: positions"},
       {"rejected_steps", "1", "steps tried and rejected"},
       {"rhs_evaluations", "1", "evaluations of all forces"},
       {"jacobian_evaluations", "1", "of these, with derivatives"},
@@ -32,9 +32,9 @@ const std::vector<RunField>& run_fields() {
       {"smallest_step_s", "s", "smallest accepted step"},
       {"energy_residual", "-",
        "|work in - dissipation - change of stored energy| over the dissipation (at least 1/1000 of "
-       "the stored energy)"},
+       "the stored energy); quasi-static: NaN"},
       {"static_consistency_error", "-",
-       "elastic ring force and mean ring displacement against statics"},
+       "elastic ring force and mean ring displacement against statics; quasi-static: NaN"},
       {"cage_frequency_error", "-",
        "flexible cage: largest relative error of its frequencies up to 20 kHz against a full "
        "solve; NaN where not "

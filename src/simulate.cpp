@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "src/cage/scene_cage.hpp"
 #include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quantities/observer.hpp"
 #include "src/quantities/quantity_table.hpp"
+#include "src/quasi_static.hpp"
+#include "src/window_times.hpp"
 
 namespace cagetol {
 namespace {
@@ -21,18 +21,6 @@ std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
   return text;
-}
-
-/// Length of the window's two parts [s].
-struct Times {
-  double settle, measure;
-};
-Times window_times(const Scene& scene, const BearingModel& model) {
-  const double revolution =
-      2 * std::numbers::pi / std::abs(kinematic_cage_speed(model, model.inner_speed));
-  const Window& w = scene.window;
-  return {std::isnan(w.settle_time) ? w.settle_revolutions * revolution : w.settle_time,
-          std::isnan(w.measure_time) ? w.measure_revolutions * revolution : w.measure_time};
 }
 
 Outcome jammed(const Jam& jam) {
@@ -109,6 +97,13 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     outcome.pocket = jam.pocket;
     outcome.interference_um = 1e6 * jam.interference;
   }
+  if (is_quasi_static(scene)) {
+    Outcome still = quasi_static_outcome(scene);
+    still.pocket = outcome.pocket;
+    still.interference_um = outcome.interference_um;
+    still.run.wall_s = seconds();
+    return still;
+  }
   std::shared_ptr<const CageModel> cage;
   if (is_flexible(scene)) {
     const auto table = options.cage_table ? options.cage_table : make_scene_cage_table(scene);
@@ -117,7 +112,7 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     cage = std::get<std::shared_ptr<const CageModel>>(made);
   }
   const BearingModel model = make_bearing_model(scene, cage);
-  const Times times = window_times(scene, model);
+  const WindowTimes times = window_times(scene, model);
   std::vector<double> y = start_state(model, scene.start);
   System system(model);
   double t = 0;

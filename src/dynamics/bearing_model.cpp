@@ -33,6 +33,7 @@ double profile_drop(const std::string& profile, double x, double diameter, doubl
 RollerGroup make_group(const Scene& scene, int group) {
   RollerGroup g;
   const long z = scene.bearing.roller_count;
+  const bool planar = has_planar_rollers(scene);  // every section of the bearing is alike
   for (int lane = 0; lane < kLanes; ++lane) {
     const long j = group * kLanes + lane;
     g.exists[lane] = j < z;
@@ -46,14 +47,14 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.inverse_polar[lane] = 1 / g.polar[lane];
     g.inverse_transverse[lane] = 1 / g.transverse[lane];
     g.radius[lane] = radius;
-    g.taper_slope[lane] = each(scene.roller.taper, k) / (2 * length);
+    g.taper_slope[lane] = planar ? 0 : each(scene.roller.taper, k) / (2 * length);
     const double angle =
         2 * pi * static_cast<double>(j) / static_cast<double>(z) + each(scene.cage.pocket_pitch, k);
     g.pocket_cos[lane] = std::cos(angle);
     g.pocket_sin[lane] = std::sin(angle);
     g.half_width[lane] = each(scene.cage.pocket_width, k) / 2;
     g.half_length[lane] = each(scene.cage.pocket_length, k) / 2;
-    g.squareness[lane] = each(scene.cage.pocket_squareness, k);
+    g.squareness[lane] = planar ? 0 : each(scene.cage.pocket_squareness, k);
   }
   return g;
 }
@@ -73,6 +74,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   const auto& b = scene.bearing;
   m.layout.rollers = static_cast<int>(b.roller_count);
   m.layout.groups = (m.layout.rollers + kLanes - 1) / kLanes;
+  m.planar = has_planar_rollers(scene);
   for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
   if (flexible) m.flexible = make_flexible_cage(std::move(flexible), scene.cage, m.layout.groups);
   m.layout.modes = m.flexible.modes;
@@ -80,7 +82,9 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   for (long j = 0; j < b.roller_count; ++j) m.nominal_diameter += each(scene.roller.diameter, j);
   m.nominal_diameter /= static_cast<double>(b.roller_count);
   const double length = scene.roller.length;
-  const long slices = scene.discretisation.race_slices,
+  // Slices of a cylinder that stays parallel to its race are alike: one does the work of all.
+  const bool alike = m.planar && scene.roller.profile == "none";
+  const long slices = alike ? 1 : scene.discretisation.race_slices,
              stations = scene.discretisation.bar_stations;
   for (long k = 0; k < slices; ++k) {
     const double x = ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
@@ -113,8 +117,10 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
   m.flange_points = end_points(m.nominal_diameter / 2, b.shoulder_diameter / 2 - m.pitch_radius);
-  m.misalignment_y = b.misalignment_y;
-  m.misalignment_z = b.misalignment_z;
+  if (!m.planar) {
+    m.misalignment_y = b.misalignment_y;
+    m.misalignment_z = b.misalignment_z;
+  }
   m.ring_mass = given_or(b.inner_ring_mass, ring_mass(b, 2 * m.inner_radius));
 
   const CageMass cage = cage_mass(scene.cage, b.roller_count);

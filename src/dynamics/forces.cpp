@@ -12,23 +12,30 @@
 namespace cagetol {
 namespace {
 
+/// Planar rollers are at x = 0, straight and still in the directions in which they are held,
+/// whatever the state says of these.
+template <bool planar>
 RollerPack unpack_rollers(const StateLayout& l, const double* y, int group) {
   const int j = group * kLanes;
   RollerPack p;
   p.r = load(y + l.position(kRadius, j));
   sine_cosine(load(y + l.position(kAngle, j)), p.sine, p.cosine);
+  p.vr = load(y + l.velocity(kRadialSpeed, j));
+  p.omega = load(y + l.velocity(kOrbitRate, j));
+  p.vt = p.r * p.omega;
+  p.spin = load(y + l.velocity(kSpin, j));
+  if constexpr (planar) {
+    p.x = p.a_r = p.a_t = p.vx = p.b_r = p.b_t = Pack{};
+    return p;
+  }
   p.x = load(y + l.position(kAxial, j));
   const Pack ay = load(y + l.position(kAxisY, j)), az = load(y + l.position(kAxisZ, j));
   p.a_r = along_r(p, ay, az);
   p.a_t = along_t(p, ay, az);
-  p.vr = load(y + l.velocity(kRadialSpeed, j));
-  p.omega = load(y + l.velocity(kOrbitRate, j));
-  p.vt = p.r * p.omega;
   p.vx = load(y + l.velocity(kAxialSpeed, j));
   const Pack by = load(y + l.velocity(kAxisRateY, j)), bz = load(y + l.velocity(kAxisRateZ, j));
   p.b_r = along_r(p, by, bz);
   p.b_t = along_t(p, by, bz);
-  p.spin = load(y + l.velocity(kSpin, j));
   return p;
 }
 
@@ -61,6 +68,7 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
 }
 
 /// Accelerations of a pack of rollers from its loads; velocities into the position rates.
+template <bool planar>
 void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerPack& q,
                  const RollerLoads& loads, const double* y, double* rate, int group) {
   const StateLayout& l = m.layout;
@@ -76,13 +84,18 @@ void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerP
   put(l.velocity(kRadialSpeed, j), loads.f[kLr] * roller.inverse_mass + gravity_r + q.vt * q.omega);
   put(l.velocity(kOrbitRate, j),
       (loads.f[kLt] * roller.inverse_mass + gravity_t - 2.0 * q.vr * q.omega) / q.r);
+  put(l.velocity(kSpin, j), loads.f[kLs] * roller.inverse_polar);
+  if constexpr (planar) {
+    for (const RollerVelocity slot : {kAxialSpeed, kAxisRateY, kAxisRateZ})
+      put(l.velocity(slot, j), Pack{});
+    return;
+  }
   put(l.velocity(kAxialSpeed, j), loads.f[kLx] * roller.inverse_mass);
   const Pack gyro = roller.polar * q.spin;
   const Pack lean_r = (loads.f[kLar] - gyro * q.b_t) * roller.inverse_transverse;
   const Pack lean_t = (loads.f[kLat] + gyro * q.b_r) * roller.inverse_transverse;
   put(l.velocity(kAxisRateY, j), q.cosine * lean_r - q.sine * lean_t);
   put(l.velocity(kAxisRateZ, j), q.sine * lean_r + q.cosine * lean_t);
-  put(l.velocity(kSpin, j), loads.f[kLs] * roller.inverse_polar);
 }
 
 /// `modal_force`: of the contacts on the elastic modes.
@@ -234,7 +247,7 @@ void add_cage_block(const BearingModel& m, const BorderState& b, const double* y
   }
 }
 
-template <bool linear>
+template <bool linear, bool planar>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
@@ -252,7 +265,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   }
   for (int group = 0; group < m.layout.groups; ++group) {
     const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
-    const RollerPack q = unpack_rollers(m.layout, y, group);
+    const RollerPack q = unpack_rollers<planar>(m.layout, y, group);
     GroupLinear* g = nullptr;
     if constexpr (linear) {
       g = &jac->groups[static_cast<std::size_t>(group)];
@@ -294,7 +307,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     race_contacts<linear>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r, elastic_t,
                           drive);
-    flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
+    if constexpr (!planar)  // who stands still in the middle touches no flange
+      flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
       turn_frame(q, *g);
@@ -305,10 +319,11 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
                           touch);
     if constexpr (linear) {
-      seen->net_power_rate += roller_power_rate(roller, q, loads, m.gravity, *g);
       add_inertial(m, roller, q, loads, *g);
+      if constexpr (planar) jac->hold(group);
+      seen->net_power_rate += roller_power_rate(roller, q, loads, m.gravity, *g);
     }
-    store_rates(m, roller, q, loads, y, rate, group);
+    store_rates<planar>(m, roller, q, loads, y, rate, group);
   }
   double soonest = 1e30, on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = sum(modal_force[k]);
@@ -349,19 +364,22 @@ void Observation::clear() {
 }
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
-  evaluate<false>(model, t, y, rate, nullptr, nullptr);
+  const auto with = model.planar ? evaluate<false, true> : evaluate<false, false>;
+  with(model, t, y, rate, nullptr, nullptr);
 }
 
 void linearise(const BearingModel& model, double t, const double* y, double* rate,
                Linearisation& linear, Observation& seen) {
-  evaluate<true>(model, t, y, rate, &linear, &seen);
+  const auto with = model.planar ? evaluate<true, true> : evaluate<true, false>;
+  with(model, t, y, rate, &linear, &seen);
 }
 
 double body_energy(const BearingModel& m, const double* y) {
   double energy = 0;
   for (int group = 0; group < m.layout.groups; ++group) {
     const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
-    const RollerPack q = unpack_rollers(m.layout, y, group);
+    const RollerPack q = m.planar ? unpack_rollers<true>(m.layout, y, group)
+                                  : unpack_rollers<false>(m.layout, y, group);
     energy += sum(roller.exists *
                   (0.5 * roller.mass * (q.vr * q.vr + q.vt * q.vt + q.vx * q.vx) +
                    0.5 * roller.transverse * (q.b_r * q.b_r + q.b_t * q.b_t) +

@@ -45,6 +45,31 @@ CageCoupling& Linearisation::coupling(int roller) {
   return couplings[static_cast<std::size_t>(index)];
 }
 
+void Linearisation::hold(int group) {
+  GroupLinear& g = groups[static_cast<std::size_t>(group)];
+  for (int i = 0; i < kLocalVelocities; ++i)
+    for (int j = 0; j < kLocalVelocities; ++j) {
+      if (!held<true>(i) && !held<true>(j)) continue;
+      g.velocity[i][j] = Pack{};
+      if (j < kLocalPositions) g.position[i][j] = Pack{};
+    }
+  for (int i = kLx; i <= kLat; ++i) {
+    for (int k = 0; k < 2; ++k)
+      g.ring_position[i][k] = g.ring_velocity[i][k] = g.to_ring_position[k][i] =
+          g.to_ring_velocity[k][i] = Pack{};
+    g.power_position[i] = g.power_velocity[i] = Pack{};
+  }
+  for (int n = 0; n < coupled; ++n) {
+    CageCoupling& c = couplings[static_cast<std::size_t>(n)];
+    if (c.roller / kLanes != group) continue;
+    constexpr int count = kLat - kLx + 1;
+    c.position.middleRows<count>(kLx).setZero();
+    c.velocity.middleRows<count>(kLx).setZero();
+    c.to_position.middleCols<count>(kLx).setZero();
+    c.to_velocity.middleCols<count>(kLx).setZero();
+  }
+}
+
 void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller,
                  Linearisation& linear) {
   // F1 = -ratio Q v1, F2 likewise; dQ = k dp + c dp', dp = -g_n P, dp' = -g_n V.

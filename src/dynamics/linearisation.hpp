@@ -16,6 +16,12 @@ namespace cagetol {
 /// Local directions of a roller.
 enum Local { kLr, kLt, kLx, kLar, kLat, kLs, kLocalVelocities, kLocalPositions = kLs };
 
+/// Whether planar rollers are held in a local direction.
+template <bool planar>
+constexpr bool held(int local) {
+  return planar && local >= kLx && local <= kLat;
+}
+
 struct GroupLinear {
   Pack position[kLocalVelocities][kLocalPositions];   ///< dF/dP
   Pack velocity[kLocalVelocities][kLocalVelocities];  ///< dF/dV
@@ -54,6 +60,9 @@ struct Linearisation {
   void clear();
   /// The coupling record of a roller, made on first use.
   CageCoupling& coupling(int roller);
+  /// Planar rollers do not answer in the directions in which they are held, nor move along them:
+  /// clears these of a pack of rollers.
+  void hold(int group);
 
   std::vector<GroupLinear> groups;
   Eigen::MatrixXd border_position, border_velocity;

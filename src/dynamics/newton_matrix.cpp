@@ -13,29 +13,43 @@ void local_mass(const RollerGroup& roller, Pack (&mass)[kLocalVelocities]) {
 }
 
 /// Gauss-Jordan in place, without pivoting. False where a pivot of an existing roller is not well
-/// above zero (or not a number) against its mass.
+/// above zero (or not a number) against its mass. Directions in which rollers are held have only
+/// their mass: a diagonal entry each.
+template <bool planar>
 bool invert(Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack (&mass)[kLocalVelocities],
             double beta, Pack exists) {
   Mask bad{};
   for (int k = 0; k < kLocalVelocities; ++k) {
+    if (held<planar>(k)) {
+      a[k][k] = beta / mass[k];
+      continue;
+    }
     bad |= ~(abs(a[k][k]) > 1e-9 * mass[k] / beta);  // also true for NaN
     const Pack inverse = 1.0 / a[k][k];
-    for (int j = 0; j < kLocalVelocities; ++j) a[k][j] *= inverse;
+    for (int j = 0; j < kLocalVelocities; ++j)
+      if (!held<planar>(j)) a[k][j] *= inverse;
     a[k][k] = inverse;
     for (int i = 0; i < kLocalVelocities; ++i) {
-      if (i == k) continue;
+      if (i == k || held<planar>(i)) continue;
       const Pack factor = a[i][k];
       a[i][k] = Pack{};
-      for (int j = 0; j < kLocalVelocities; ++j) a[i][j] -= factor * a[k][j];
+      for (int j = 0; j < kLocalVelocities; ++j)
+        if (!held<planar>(j)) a[i][j] -= factor * a[k][j];
     }
   }
   return !any(bad & (exists > 0.0));
 }
 
+template <bool planar>
 void multiply(const Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack* b, Pack* x) {
   for (int i = 0; i < kLocalVelocities; ++i) {
+    if (held<planar>(i)) {
+      x[i] = a[i][i] * b[i];
+      continue;
+    }
     x[i] = a[i][0] * b[0];
-    for (int k = 1; k < kLocalVelocities; ++k) x[i] += a[i][k] * b[k];
+    for (int k = 1; k < kLocalVelocities; ++k)
+      if (!held<planar>(k)) x[i] += a[i][k] * b[k];
   }
 }
 
@@ -70,28 +84,26 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
   }
 }
 
-bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
-  linear_ = &linear;
-  beta_ = beta;
-  const int cage_columns = kCageRigid + model_.layout.modes;
-  schur_ = -linear.border_velocity - beta * linear.border_position;
-  schur_.diagonal() += border_mass_ / beta;
+/// Blocks of the rollers, and what of them reaches the ring.
+template <bool planar>
+bool NewtonMatrix::factor_rollers(double beta) {
   bool sound = true;
-
   double ring[2][2] = {{0, 0}, {0, 0}};
   for (int g = 0; g < model_.layout.groups; ++g) {
-    const GroupLinear& l = linear.groups[static_cast<std::size_t>(g)];
+    const GroupLinear& l = linear_->groups[static_cast<std::size_t>(g)];
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(g)];
     Group& f = groups_[static_cast<std::size_t>(g)];
     Pack mass[kLocalVelocities];
     local_mass(roller, mass);
     for (int i = 0; i < kLocalVelocities; ++i) {
+      if (held<planar>(i)) continue;
       for (int j = 0; j < kLocalVelocities; ++j)
-        f.inverse[i][j] =
-            -l.velocity[i][j] - (j < kLocalPositions ? beta * l.position[i][j] : Pack{});
+        if (!held<planar>(j))
+          f.inverse[i][j] =
+              -l.velocity[i][j] - (j < kLocalPositions ? beta * l.position[i][j] : Pack{});
       f.inverse[i][i] += mass[i] / beta;
     }
-    if (!invert(f.inverse, mass, beta, roller.exists)) sound = false;
+    if (!invert<planar>(f.inverse, mass, beta, roller.exists)) sound = false;
     for (int c = 0; c < 2; ++c) {
       Pack from_ring[kLocalVelocities], solved[kLocalVelocities];
       for (int i = 0; i < kLocalVelocities; ++i) {
@@ -99,7 +111,7 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
         f.to_ring[c][i] = -l.to_ring_velocity[c][i] -
                           (i < kLocalPositions ? beta * l.to_ring_position[c][i] : Pack{});
       }
-      multiply(f.inverse, from_ring, solved);
+      multiply<planar>(f.inverse, from_ring, solved);
       for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[i][c] = solved[i];
     }
     Pack local[2][2] = {};
@@ -116,7 +128,16 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
   }
   for (int a = 0; a < 2; ++a)
     for (int c = 0; c < 2; ++c) schur_(a, c) -= ring[a][c];
+  return sound;
+}
 
+bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
+  linear_ = &linear;
+  beta_ = beta;
+  const int cage_columns = kCageRigid + model_.layout.modes;
+  schur_ = -linear.border_velocity - beta * linear.border_position;
+  schur_.diagonal() += border_mass_ / beta;
+  bool sound = model_.planar ? factor_rollers<true>(beta) : factor_rollers<false>(beta);
   for (int n = 0; n < linear.coupled; ++n) {
     const CageCoupling& c = linear.couplings[static_cast<std::size_t>(n)];
     Cage& cage = cages_[static_cast<std::size_t>(n)];
@@ -152,6 +173,11 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
 }
 
 void NewtonMatrix::solve(const double* rhs, double* x) {
+  model_.planar ? solve_as<true>(rhs, x) : solve_as<false>(rhs, x);
+}
+
+template <bool planar>
+void NewtonMatrix::solve_as(const double* rhs, double* x) {
   const StateLayout& layout = model_.layout;
   const int border = layout.border(), cage_columns = kCageRigid + layout.modes;
   const double *bq = rhs + layout.border_position(0), *bv = rhs + layout.border_velocity(0);
@@ -183,7 +209,9 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
     const Pack ring_r = l.cosine * border_positions_[kRingY] + l.sine * border_positions_[kRingZ];
     const Pack ring_t = l.cosine * border_positions_[kRingZ] - l.sine * border_positions_[kRingY];
     for (int i = 0; i < kLocalVelocities; ++i) {
-      for (int k = 0; k < kLocalPositions; ++k) force[i] += l.position[i][k] * P[k];
+      if (held<planar>(i)) continue;
+      for (int k = 0; k < kLocalPositions; ++k)
+        if (!held<planar>(k)) force[i] += l.position[i][k] * P[k];
       force[i] += l.ring_position[i][0] * ring_r + l.ring_position[i][1] * ring_t;
     }
     Pack to_ring[2] = {};
@@ -198,7 +226,7 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
       for (int k = 0; k < kLocalPositions; ++k)
         border_rhs_.tail(cage_columns) += c.to_position.col(k) * P[k][lane];
     }
-    multiply(f.inverse, force, f.rhs);
+    multiply<planar>(f.inverse, force, f.rhs);
     for (int a = 0; a < 2; ++a)
       for (int i = 0; i < kLocalVelocities; ++i) to_ring[a] -= f.to_ring[a][i] * f.rhs[i];
     border_rhs_[kRingY] += sum(roller.exists * (l.cosine * to_ring[0] - l.sine * to_ring[1]));

@@ -32,6 +32,11 @@ class NewtonMatrix {
   double beta() const { return beta_; }
 
  private:
+  template <bool planar>
+  bool factor_rollers(double beta);
+  template <bool planar>
+  void solve_as(const double* rhs, double* x);
+
   struct Group {
     Pack inverse[kLocalVelocities][kLocalVelocities];  ///< A^-1
     Pack to_ring[2][kLocalVelocities];                 ///< T, ring part, in the rollers' directions

@@ -7,6 +7,18 @@
 
 namespace cagetol {
 
+std::vector<double> roller_angles(const BearingModel& m, double cage_phase) {
+  const StateLayout& l = m.layout;
+  std::vector<double> angle(static_cast<std::size_t>(l.padded()));
+  for (int j = 0; j < l.padded(); ++j) {
+    const RollerGroup& g = m.groups[static_cast<std::size_t>(j / kLanes)];
+    angle[static_cast<std::size_t>(j)] =
+        cage_phase + (j < l.rollers ? std::atan2(g.pocket_sin[j % kLanes], g.pocket_cos[j % kLanes])
+                                    : 2 * std::numbers::pi * j / l.padded());
+  }
+  return angle;
+}
+
 std::vector<double> start_state(const BearingModel& m, const Start& start) {
   const StateLayout& l = m.layout;
   std::vector<double> y(static_cast<std::size_t>(l.size()), 0.0);
@@ -14,14 +26,7 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   const double inner_speed = inner_speed_at(m, 0),
                cage_speed = kinematic_cage_speed(m, inner_speed);
 
-  std::vector<double> angle(static_cast<std::size_t>(l.padded()));
-  for (int j = 0; j < l.padded(); ++j) {
-    const RollerGroup& g = m.groups[static_cast<std::size_t>(j / kLanes)];
-    angle[static_cast<std::size_t>(j)] =
-        start.cage_phase + (j < l.rollers
-                                ? std::atan2(g.pocket_sin[j % kLanes], g.pocket_cos[j % kLanes])
-                                : 2 * std::numbers::pi * j / l.padded());
-  }
+  const std::vector<double> angle = roller_angles(m, start.cage_phase);
   StaticEquilibrium equilibrium(m);
   const bool settled = start.state == "equilibrium";
   const StaticState* rest =
@@ -32,7 +37,7 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
     const double roller_radius = m.groups[static_cast<std::size_t>(j / kLanes)].radius[j % kLanes];
     at(l.position(kRadius, j)) = radius;
     at(l.position(kAngle, j)) = a;
-    const double tilt = rest ? rest->tilt[k] : 0;
+    const double tilt = rest && !m.planar ? rest->tilt[k] : 0;
     at(l.position(kAxisY, j)) = tilt * std::cos(a);
     at(l.position(kAxisZ, j)) = tilt * std::sin(a);
     at(l.velocity(kOrbitRate, j)) = cage_speed;

@@ -8,6 +8,10 @@
 
 namespace cagetol {
 
+/// Angles of the rollers (padded) in the middle of their pockets, the cage turned by `cage_phase`
+/// [rad].
+std::vector<double> roller_angles(const BearingModel& model, double cage_phase);
+
 /// "equilibrium": loaded static equilibrium, rollers in mid-pocket with the speeds of pure rolling,
 /// the cage where the scene puts it, turning at its kinematic speed. "centred": ring and cage
 /// centred (plus the scene's cage offset), rollers at mid-clearance.

@@ -32,6 +32,8 @@ class StaticEquilibrium {
   /// [rad/s]; `load` along -z [N].
   const StaticState& solve(const double* angle, double orbit_rate, double load,
                            RollerMotion motion = RollerMotion::at_rest);
+  /// The last solution.
+  const StaticState& state() const { return state_; }
 
  private:
   struct RingForce {

@@ -184,6 +184,7 @@ double Observer::static_consistency_error() const {
 }
 
 std::vector<double> Observer::quantities() const {
+  const double none = std::numeric_limits<double>::quiet_NaN();
   std::map<std::string, double> q;
   const double cage_speed = cage_speed_.mean(), inner_speed = inner_speed_.mean();
   const double clearance = model_.guide_clearance, duration = end_ - begin_;
@@ -222,13 +223,13 @@ std::vector<double> Observer::quantities() const {
   q["ring_acceleration_rms_m_s2"] = ring_acceleration_.rms();
   q["ring_acceleration_peak_m_s2"] = ring_acceleration_.peak();
   q["roller_speed_std_ratio"] = roller_speed_.standard_deviation() / std::abs(roller_speed_.mean());
-  q["roller_skew_rms_mrad"] = 1e3 * skew_.rms();
-  q["roller_skew_p95_mrad"] = 1e3 * skew_.quantile(0.95);
-  q["roller_tilt_p95_mrad"] = 1e3 * tilt_.quantile(0.95);
+  const bool lean = !model_.planar;
+  q["roller_skew_rms_mrad"] = lean ? 1e3 * skew_.rms() : none;
+  q["roller_skew_p95_mrad"] = lean ? 1e3 * skew_.quantile(0.95) : none;
+  q["roller_tilt_p95_mrad"] = lean ? 1e3 * tilt_.quantile(0.95) : none;
   q["power_loss_W"] = dissipation_.integral() / duration;
   q["friction_torque_Nmm"] =
       inner_speed != 0 ? 1e3 * drive_.integral() / duration / inner_speed : 0;
-  const double none = std::numeric_limits<double>::quiet_NaN();
   q["cage_stress_peak_MPa"] = stress_ ? 1e-6 * cage_stress_.peak() : none;
   q["cage_stress_p99_MPa"] = stress_ ? 1e-6 * cage_stress_.quantile(0.99) : none;
   q["cage_stress_rms_MPa"] = stress_ ? 1e-6 * cage_stress_.rms() : none;

@@ -142,6 +142,9 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
                 "friction must peak at a lower speed than that of full sliding (" +
                     check.with_value("friction.dynamic_speed_m_s") + ")",
                 "give a smaller static_speed or a larger dynamic_speed");
+  check.require(!is_quasi_static(scene) || scene.cage.model == "rigid", "cage.model",
+                "no force bends the cage while model.motion = \"quasi-static\"",
+                "set cage.model = \"rigid\", or model.motion = \"dynamic\"");
   check.require(scene.operation.inner_speed != 0 || !std::isnan(scene.window.measure_time),
                 "speed.inner_rpm", "at standstill the cage makes no revolutions to measure over",
                 "give window.settle_time_s and window.measure_time_s");

@@ -18,6 +18,12 @@ struct Material {
   double density = 7810;  ///< rho [kg/m^3]
 };
 
+/// How much of the motion is modelled.
+struct Simplification {
+  std::string rollers = "spatial";  ///< "spatial" or "planar": no tilt, skew or axial motion
+  std::string motion = "dynamic";   ///< "dynamic" or "quasi-static": equilibria, no integration
+};
+
 struct BearingGeometry {
   long roller_count = 13;                   ///< Z
   double bore_diameter = 25e-3;             ///< [m]
@@ -158,6 +164,7 @@ struct Assumption {
 struct Scene {
   std::string name = "nu205";
   std::vector<Assumption> assumptions;
+  Simplification model;
   BearingGeometry bearing;
   RollerGeometry roller;
   CageGeometry cage;
@@ -173,6 +180,13 @@ struct Scene {
       false;  ///< simulate a jammed pocket's elastic pinch instead of reporting the jam
   double history_interval = 20e-6;  ///< [s]
 };
+
+inline bool has_planar_rollers(const Scene& scene) {
+  return scene.model.rollers == "planar";
+}
+inline bool is_quasi_static(const Scene& scene) {
+  return scene.model.motion == "quasi-static";
+}
 
 /// Element j of a per-pocket list that may hold one value for all.
 inline double each(const std::vector<double>& values, long j) {

@@ -19,6 +19,8 @@ std::vector<std::string> method_names() {
 void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
       {"name", any_value(), AT(name), "name of the scene, for titles"},
+      {"model.rollers", one_of({"spatial", "planar"}), AT(model.rollers), "spatial: rollers tilt, skew and move axially; planar: they stay parallel to the bearing's axis, in the middle, and misalignment, squareness and taper do nothing to them"},
+      {"model.motion", one_of({"dynamic", "quasi-static"}), AT(model.motion), "dynamic: equations of motion; quasi-static: equilibria of ring and rollers over one turn of the cage at full load and kinematic speed; no cage forces, no slip, no oil film"},
       {"bearing.roller_count", within(3, 64), AT(bearing.roller_count), "number of rollers and pockets Z"},
       {"bearing.bore_diameter_mm", above(0), AT(bearing.bore_diameter), "bore d"},
       {"bearing.outside_diameter_mm", above(0), AT(bearing.outside_diameter), "outside diameter D"},

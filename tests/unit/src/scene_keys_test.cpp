@@ -100,6 +100,13 @@ TEST(SceneKeys, SpeedSceneIsTheOneThatSpeedsAreMeasuredOn) {
   EXPECT_EQ(scene.operation.gravity, 0);
 }
 
+TEST(SceneKeys, TheModelIsSpatialAndDynamicUnlessToldOtherwise) {
+  EXPECT_FALSE(has_planar_rollers(scene_of("")) || is_quasi_static(scene_of("")));
+  EXPECT_TRUE(has_planar_rollers(scene_of("model.rollers = 'planar'\n")));
+  EXPECT_TRUE(is_quasi_static(scene_of("model.motion = 'quasi-static'\n")));
+  EXPECT_THAT(problem_of("model.motion = 'static'\n"), HasSubstr("choose from dynamic"));
+}
+
 TEST(SceneKeys, ADistributionCountsWithItsNominal) {
   const Scene scene = scene_of(
       "[cage]\npocket_width_mm = { nominal = 7.7, lot = { law = 'normal', sigma = 0.01 } }\n"
@@ -200,6 +207,9 @@ TEST(SceneMessages, BodiesThatDoNotFitEachOther) {
   EXPECT_THAT(problem_of("friction.static_speed_m_s = 2\n"),
               HasSubstr("friction.dynamic_speed_m_s = 1"));
   EXPECT_THAT(problem_of("speed.inner_rpm = 0\n"), HasSubstr("window.measure_time_s"));
+  EXPECT_THAT(
+      problem_of("[model]\nmotion = 'quasi-static'\n[cage]\nmodel = 'flexible'\n"),
+      AllOf(HasSubstr("t.toml:4: cage.model"), HasSubstr("remedy: set cage.model = \"rigid\"")));
 }
 
 TEST(SceneKeys, EveryKeyHasAMeaningAndAUnitThatItsNameShows) {

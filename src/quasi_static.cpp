@@ -1,0 +1,89 @@
+#include "src/quasi_static.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "src/dynamics/start_state.hpp"
+#include "src/dynamics/static_equilibrium.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "src/quantities/series.hpp"
+#include "src/window_times.hpp"
+
+namespace cagetol {
+namespace {
+
+using std::numbers::pi;
+
+// The ring's displacement repeats with the pitch of the rollers and is smooth but where a roller
+// enters or leaves the load zone: 8 positions a pitch give its mean to 4e-5 (16: 2e-5), the 95 %
+// quantile of its orbit to some per cent, and cost a hundredth of the motion.
+constexpr double kPositionsPerPitch = 8;
+
+constexpr const char* kDefined[] = {"ring_displacement_mean_um", "ring_displacement_end_um",
+                                    "ring_orbit_p95_um", "roller_tilt_p95_mrad"};
+
+/// The cage's angles, equally spaced, up to the end of the window and over a turn at most [rad].
+struct Positions {
+  long count;
+  double end, spacing;
+  double angle(long k) const { return end - spacing * static_cast<double>(count - 1 - k); }
+};
+Positions positions_in_window(const Scene& scene, const BearingModel& model, double cage_speed) {
+  const WindowTimes window = window_times(scene, model);
+  const double span = std::min(std::abs(cage_speed) * window.measure, 2 * pi);
+  const double pitch = 2 * pi / model.layout.rollers;
+  const long count = std::max(1L, std::lround(std::ceil(kPositionsPerPitch * span / pitch)));
+  return {count, scene.start.cage_phase + cage_speed * (window.settle + window.measure),
+          std::copysign(span, cage_speed) / static_cast<double>(count)};
+}
+
+}  // namespace
+
+Outcome quasi_static_outcome(const Scene& scene) {
+  Scene dry = scene;
+  dry.film.model = "none";
+  const BearingModel model = make_bearing_model(dry);
+  Outcome outcome;
+  outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
+  outcome.run.energy_residual = outcome.run.static_consistency_error =
+      std::numeric_limits<double>::quiet_NaN();  // nothing to watch
+  const double cage_speed = kinematic_cage_speed(model, model.inner_speed);
+  const Positions positions = positions_in_window(scene, model, cage_speed);
+  StaticEquilibrium equilibrium(model);
+  Series ring_y, ring_z, tilt;
+  for (long k = 0; k < positions.count; ++k) {
+    const std::vector<double> angle = roller_angles(model, positions.angle(k));
+    const StaticState& rest =
+        equilibrium.solve(angle.data(), cage_speed, model.load, RollerMotion::orbiting);
+    ++outcome.run.steps;
+    if (!rest.converged) {
+      outcome.status = Status::failed;
+      outcome.reason = "no equilibrium of ring and rollers found at a cage angle of " +
+                       std::to_string(positions.angle(k) * 180 / pi) + " degrees";
+      return outcome;
+    }
+    ring_y.add(rest.ring_y, 1, true);
+    ring_z.add(rest.ring_z, 1, true);
+    for (int j = 0; j < model.layout.rollers; ++j)
+      tilt.add(std::abs(rest.tilt[static_cast<std::size_t>(j)]), 1, true);
+  }
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const double values[] = {-1e6 * ring_z.mean(), -1e6 * equilibrium.state().ring_z,
+                           1e6 * distance_quantile(ring_y, ring_z, 0.95),
+                           model.planar ? none : 1e3 * tilt.quantile(0.95)};
+  static_assert(std::size(values) == std::size(kDefined));
+  for (std::size_t k = 0; k < std::size(kDefined); ++k)
+    outcome.quantities[static_cast<std::size_t>(quantity_index(kDefined[k]))] = values[k];
+  outcome.run.cage_revolutions =
+      std::abs(positions.spacing) * static_cast<double>(positions.count) / (2 * pi);
+  outcome.status = Status::ok;
+  return outcome;
+}
+
+bool is_quasi_static_quantity(const std::string& key) {
+  return std::find(std::begin(kDefined), std::end(kDefined), key) != std::end(kDefined);
+}
+
+}  // namespace cagetol
