@@ -1,5 +1,6 @@
 #include "mc/study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -11,6 +12,7 @@
 #include "mc/study_layers.hpp"
 #include "mc/study_limits.hpp"
 #include "mc/study_trends.hpp"
+#include "src/quasi_static.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -73,6 +75,13 @@ void complete_rows(Study& study) {
 }
 
 void check_history(const Study& study, const toml::table& root, const std::string& file) {
+  // A study that chooses its model by itself may end up on equilibria: then it keeps no histories.
+  if (study.history.points > 0 && is_quasi_static(study.scene) && study.fidelity != "auto") {
+    const auto* node = find_node(root, "history.points");
+    throw InputError(place_of(*node, file), "history.points", shown(*node),
+                     "a quasi-static run has no time history",
+                     "set it to 0, or scene.model.motion = \"dynamic\"");
+  }
   const long rollers = study.scene.bearing.roller_count;
   if (study.history.roller < rollers) return;
   const auto* node = find_node(root, "history.roller");
@@ -141,8 +150,31 @@ Study changed_study(Study study, const std::function<void(Study&)>& change) {
   return read_resolved_study(text.str(), study.name);
 }
 
-std::vector<std::string> study_notes(const Study& study) {
+std::vector<std::string> model_notes(const Study& study) {
   std::vector<std::string> notes;
+  if (has_planar_rollers(study.scene))
+    for (const char* key : {"bearing.misalignment_y_mrad", "bearing.misalignment_z_mrad",
+                            "roller.taper_um", "cage.pocket_squareness_mrad"}) {
+      const auto values = key_numbers(*find_key(scene_keys(), key), study.scene);
+      const bool varies = std::any_of(study.inputs.begin(), study.inputs.end(),
+                                      [&](const auto& input) { return input.key == key; });
+      const bool zero = std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
+      if (varies || !zero)
+        notes.push_back(std::string(key) +
+                        " does nothing to planar rollers (scene.model.rollers = \"planar\")");
+    }
+  if (!is_quasi_static(study.scene)) return notes;
+  notes.push_back(
+      "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "
+      "and an oil film are not (scene.model.motion)");
+  for (const auto& limit : study.limits)
+    if (!is_quasi_static_quantity(limit.quantity))
+      notes.push_back("limit on " + limit.quantity + ": a quasi-static run does not define it");
+  return notes;
+}
+
+std::vector<std::string> study_notes(const Study& study) {
+  std::vector<std::string> notes = model_notes(study);
   const auto& window = study.scene.window;
   for (const auto& limit : study.limits)
     if (limit.cage_revolutions > 0 && std::isnan(window.measure_time) &&

@@ -161,4 +161,7 @@ Study changed_study(Study study, const std::function<void(Study&)>& change);
 /// revolutions, the window has 2".
 std::vector<std::string> study_notes(const Study& study);
 
+/// Of these, what a simplified model (the scene's section [model]) leaves out of this study.
+std::vector<std::string> model_notes(const Study& study);
+
 }  // namespace cagetol

@@ -31,7 +31,14 @@ bool is_defined(const LadderQuantity& quantity) {
   return std::isfinite(quantity.ladder.budget);
 }
 
+/// "-" where there is none.
+std::string shown(double value, int width, const char* format = "{:.3g}") {
+  return fmt::format("{:>{}}", std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value),
+                     width);
+}
+
 std::string verdict_text(const RungShift& rung) {
+  if (rung.pairs == 0) return "no run has a value";
   std::string text = rung_verdict_name(rung.verdict);
   if (rung.verdict == RungVerdict::unusable)
     text += fmt::format(": {} runs without a value", rung.lost);
@@ -49,10 +56,10 @@ std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quan
                   ladder.refining ? "" : "; least rung: " + least_name(ladder, seen));
   for (std::size_t r = 0; r + 1 < ladder.rungs.size(); ++r) {
     const RungShift& shift = seen.rungs[r];
-    text +=
-        fmt::format("  {:<16}{:>11.3g}  [{:>10.3g}, {:>10.3g}]{:>8.3f}{:>8.3f}  {}\n",
-                    ladder.rungs[r].name, shift.shift.value, shift.shift.lower, shift.shift.upper,
-                    shift.correlation, ladder.rungs[r].cost_ratio, verdict_text(shift));
+    text += fmt::format("  {:<16}{}  [{}, {}]{}{}  {}\n", ladder.rungs[r].name,
+                        shown(shift.shift.value, 11), shown(shift.shift.lower, 10),
+                        shown(shift.shift.upper, 10), shown(shift.correlation, 8, "{:.3f}"),
+                        shown(ladder.rungs[r].cost_ratio, 8, "{:.2g}"), verdict_text(shift));
   }
   return text;
 }
@@ -128,8 +135,8 @@ std::string ladder_text(const ModelLadder& ladder) {
     if (is_defined(quantity)) text += quantity_table(ladder, quantity);
   text += fmt::format("\n{:<18}{:>8}{:>6}  {}\n", "rung", "cost", "ok", "what it is");
   for (const LadderRung& rung : ladder.rungs)
-    text +=
-        fmt::format("{:<18}{:>8.3f}{:>6}  {}\n", rung.name, rung.cost_ratio, rung.ok, rung.meaning);
+    text += fmt::format("{:<18}{}{:>6}  {}\n", rung.name, shown(rung.cost_ratio, 8, "{:.2g}"),
+                        rung.ok, rung.meaning);
   if (ladder.refining)
     return text +
            "\nshift: refined minus as-run. Positive: the scene as it is gives too small a mean.\n";

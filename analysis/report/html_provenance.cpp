@@ -84,6 +84,16 @@ std::string assumptions_text(const Json& assumptions) {
     html += paragraph("Friction law and its transition speeds: " + speeds +
                       ". Slip, wear and power loss depend on them; they are assumptions unless "
                       "measured for this lubricant.");
+  if (assumptions["model"].value("rollers", "") == "planar")
+    html += paragraph(
+        "Rollers are planar: they stay parallel to the bearing's axis, in the middle. "
+        "Misalignment, squareness and taper do nothing to them, and skew and tilt are not "
+        "defined.");
+  if (assumptions["model"].value("motion", "") == "quasi-static")
+    html += paragraph(
+        "The bearing is quasi-static: ring and rollers are in equilibrium at every position of the "
+        "cage, which turns at its kinematic speed; rolling without slip is assumed, without an oil "
+        "film. Forces on the cage, its motion, slip and friction are not defined.");
   const Json& stated = assumptions["stated"];
   if (stated.is_null() || stated.empty())
     return html + paragraph(

@@ -44,7 +44,8 @@ Json assumptions_json(const StudyData& study) {
   Json speeds = Json::object();
   if (scene.is_object() && scene.contains("friction"))
     for (const auto& [key, value] : scene.at("friction").items()) speeds["friction." + key] = value;
-  return {{"stated", stated}, {"friction", speeds}};
+  const Json model = scene.is_object() ? scene.value("model", Json::object()) : Json::object();
+  return {{"stated", stated}, {"friction", speeds}, {"model", model}};
 }
 
 Json fidelity_json(const StudyData& study) {

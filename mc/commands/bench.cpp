@@ -19,6 +19,7 @@ struct BenchArguments {
 
 int run_bench(const BenchArguments& options) {
   const Study study = read_study(options.file, options.settings);
+  require_dynamic(study.scene, "FILE", options.file, "integration to measure");
   const BenchResult result = bench(draw_sample(study, 0).scene, options.bench);
   print(options.json ? bench_json(result).dump(2) + "\n" : bench_text(result));
   return cost_of(result, result.default_method).status == Status::ok ? kDone : kSamplesFailed;

@@ -25,6 +25,7 @@ struct ChartArguments {
 
 int run_chart(const ChartArguments& options) {
   const Study study = read_study(options.file, options.settings);
+  require_dynamic(study.scene, "FILE", options.file, "integration to measure");
   make_directory(options.directory);
   ChartOptions wanted = options.chart;
   wanted.horizon = 1e-3 * options.horizon_ms;

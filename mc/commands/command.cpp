@@ -46,6 +46,13 @@ void add_methods_option(CLI::App& command, std::vector<std::string>& methods) {
       ->allow_extra_args(false);
 }
 
+void require_dynamic(const Scene& scene, const std::string& option, const std::string& value,
+                     const std::string& what) {
+  if (is_quasi_static(scene))
+    throw InputError({}, option, value, "a quasi-static run has no " + what,
+                     "set model.motion = \"dynamic\"");
+}
+
 void print(const std::string& text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mc/progress.hpp"
+#include "src/scene/scene.hpp"
 
 namespace cagetol {
 
@@ -49,6 +50,11 @@ void add_progress_option(CLI::App& command, ProgressStyle& style);
 
 /// The option --methods a,b: names of integration methods, checked.
 void add_methods_option(CLI::App& command, std::vector<std::string>& methods);
+
+/// Throws InputError where the scene is quasi-static; `option` with `value` asks for what only an
+/// integrated motion has, `what`.
+void require_dynamic(const Scene& scene, const std::string& option, const std::string& value,
+                     const std::string& what);
 
 /// Prints a text on standard output. Throws InputError when it cannot be written (a full disk, a
 /// closed pipe).

@@ -33,8 +33,10 @@ int run_ladder(const LadderArguments& options) {
   log_to_stderr();
   return run_staged(make_sweep_plan, options.progress, [&](StagedSweeps& stages) {
     const Study study = read_study(options.file, options.settings);
+    if (options.refine)
+      require_dynamic(study.scene, "--refine", options.file, "integration to refine");
     const auto rungs = options.refine     ? refining_rungs(study.scene)
-                       : options.separate ? separate_rungs()
+                       : options.separate ? separate_rungs(study.scene)
                                           : climbing_rungs();
     auto climbed = climb(study, rungs, options.ladder, options.directory + "/rungs", stages);
     if (const int* code = std::get_if<int>(&climbed)) return *code;
@@ -51,11 +53,11 @@ void add_ladder_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
       "ladder", "Find the least model that each quantity of interest needs, on common samples");
   command->footer(
-      "Rungs go from a rigid cage with one slice of a contact to a flexible one with all its "
-      "modes,\n"
-      "each in a sweep of its own, DIR/rungs/RUNG; started again, the command goes on. A rung is\n"
-      "adequate where its shift against the highest rung is within the budget with its whole 95 %\n"
-      "interval; where the samples do not tell, the answer is \"unresolved\".\n"
+      "Rungs go from equilibria without motion over planar rollers and a rigid cage to a flexible\n"
+      "one with all its modes, each in a sweep of its own, DIR/rungs/RUNG; started again, the\n"
+      "command goes on. A rung is adequate where its shift against the highest rung is within the\n"
+      "budget with its whole 95 % interval; where the samples do not tell, the answer is\n"
+      "\"unresolved\". \"-\": the rung does not define the quantity.\n"
       "--refine compares the scene as it is with the same refined in one thing at a time, for the\n"
       "error budget in the report of the sweep whose directory holds it as ladder-refine.\n\n"
       "Examples:\n  cagetol ladder inputs/scenes/nu205.toml -o out/ladder\n"

@@ -45,6 +45,8 @@ std::string json_text(const StoredSample& stored, const Outcome& outcome,
 
 SampleRun run_again(const StoredSample& stored, const std::string& history_file,
                     const std::string& snapshot_file) {
+  if (!history_file.empty())
+    require_dynamic(stored.sample.scene, "--output", history_file, "time history");
   RunHistory history(stored.sample.scene);
   std::function<void(const Instant&)> record;
   if (!history_file.empty()) record = [&history](const Instant& at) { history.record(at); };

@@ -24,9 +24,10 @@ struct SimulateArguments {
 };
 
 std::string table_text(const Study& study, const Outcome& outcome, std::uint64_t id) {
-  const std::string text =
+  std::string text =
       fmt::format("scene {}, sample {} of {}: {}{}\n", study.scene.name, id, sample_count(study),
                   status_name(outcome.status), outcome.reason.empty() ? "" : ", " + outcome.reason);
+  for (const std::string& note : model_notes(study)) text += "note: " + note + "\n";
   return text + outcome_table(outcome);
 }
 
@@ -43,6 +44,8 @@ int run_simulate(const SimulateArguments& options) {
                      fmt::format("the study has the samples 0 to {}", sample_count(study) - 1),
                      "choose one of them, or ask for more with --set samples=...");
   const Sample sample = draw_sample(study, options.sample);
+  if (!options.history.empty())
+    require_dynamic(sample.scene, "--output", options.history, "time history");
   RunHistory history(sample.scene);
   std::function<void(const Instant&)> record;
   if (!options.history.empty()) record = [&history](const Instant& at) { history.record(at); };

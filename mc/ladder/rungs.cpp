@@ -64,10 +64,14 @@ std::vector<UncertainInput> start_scatter(const Scene& scene) {
 
 const std::vector<Rung>& climbing_rungs() {
   static const std::vector<Rung> rungs = climbed({
-      {"coarse-1",
-       "rigid cage, one slice of a contact, integration tolerance 0.02",
-       {"cage.model='rigid'", "discretisation.race_slices=1", "integration.tolerance=0.02"}},
-      {"coarse-3", "three slices", {"discretisation.race_slices=3"}},
+      {"quasi-static",
+       "equilibria of ring and rollers over the cage's turn, five slices of a contact",
+       {"model.motion='quasi-static'", "model.rollers='spatial'", "cage.model='rigid'",
+        "discretisation.race_slices=5", "integration.tolerance=0.02"}},
+      {"planar",
+       "motion of planar rollers and a rigid cage, three slices, integration tolerance 0.02",
+       {"model.motion='dynamic'", "model.rollers='planar'", "discretisation.race_slices=3"}},
+      {"coarse-3", "rollers tilt, skew and move axially", {"model.rollers='spatial'"}},
       {"coarse-5", "five slices", {"discretisation.race_slices=5"}},
       {"rigid-5", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
       {"flexible-6",
@@ -83,25 +87,23 @@ const std::vector<Rung>& climbing_rungs() {
   return rungs;
 }
 
-const std::vector<Rung>& separate_rungs() {
-  static const std::vector<Rung> rungs = [] {
-    const Rung& full = climbing_rungs().back();
-    const std::vector<Rung> less = {
-        {"tolerance-0.02", "integration tolerance 0.02", {"integration.tolerance=0.02"}},
-        {"tolerance-0.005", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
-        {"rigid", "rigid cage", {"cage.model='rigid'"}},
-        {"slices-1", "one slice of a contact", {"discretisation.race_slices=1"}},
-        {"slices-3", "three slices", {"discretisation.race_slices=3"}},
-        {"modes-6", "6 modes", {"cage.modes=6"}},
-        {"at-rest", "modes without rotation", {"cage.centrifugal=false", "cage.coriolis=false"}},
-    };
-    std::vector<Rung> all;
-    for (const Rung& rung : less)
-      all.push_back({rung.name, rung.meaning, joined(full.settings, rung.settings)});
-    all.push_back(full);
-    return all;
-  }();
-  return rungs;
+std::vector<Rung> separate_rungs(const Scene& scene) {
+  const Rung& full = climbing_rungs().back();
+  std::vector<Rung> less = {
+      {"tolerance-0.02", "integration tolerance 0.02", {"integration.tolerance=0.02"}},
+      {"tolerance-0.005", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
+      {"rigid", "rigid cage", {"cage.model='rigid'"}},
+      {"planar", "planar rollers", {"model.rollers='planar'"}},
+      {"slices-3", "three slices", {"discretisation.race_slices=3"}},
+      {"modes-6", "6 modes", {"cage.modes=6"}},
+      {"at-rest", "modes without rotation", {"cage.centrifugal=false", "cage.coriolis=false"}},
+  };
+  if (scene.film.model != "none") less.push_back({"no-film", "no oil film", {"film.model='none'"}});
+  std::vector<Rung> all;
+  for (const Rung& rung : less)
+    all.push_back({rung.name, rung.meaning, joined(full.settings, rung.settings)});
+  all.push_back(full);
+  return all;
 }
 
 std::vector<Rung> refining_rungs(const Scene& scene) {

@@ -16,12 +16,15 @@ struct Rung {
   std::vector<std::string> settings;  ///< "dotted.key=value", each key once
 };
 
-/// Cheapest first by this order, never by measured time; each rung adds one thing to the one below
-/// it. The last one is the reference.
+/// Cheapest first by this order, never by measured time. The lowest rung has no motion, the second
+/// all of it in the plane; from there each rung adds one thing to the one below it. The last one is
+/// the reference. An oil film stays as the scene has it, its data are the scene's to give;
+/// equilibria are dry.
 const std::vector<Rung>& climbing_rungs();
 
 /// The reference with one thing taken away at a time, and the reference last: what each is worth.
-const std::vector<Rung>& separate_rungs();
+/// Where the scene has an oil film, it is one of these things.
+std::vector<Rung> separate_rungs(const Scene& scene);
 
 /// The scene as it is, "as-run", last, and before it the scene with one setting refined at a time:
 /// `integrator` (a tenth of its tolerance, the default method), `modes` (a rigid cage becomes

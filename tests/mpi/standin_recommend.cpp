@@ -26,7 +26,8 @@ cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds,
   outcome.quantities.assign(cagetol::quantity_table().size(), sample.scene.start.cage_phase);
   outcome.quantities[static_cast<std::size_t>(cagetol::quantity_index("cage_slip_ratio"))] =
       1e3 * *std::max_element(widths.begin(), widths.end()) - 7.65 +
-      0.01 * static_cast<double>(5 - sample.scene.discretisation.race_slices);
+      0.01 * static_cast<double>(5 - sample.scene.discretisation.race_slices) +
+      (cagetol::is_quasi_static(sample.scene) ? 0.01 : 0);
   return outcome;
 }
 

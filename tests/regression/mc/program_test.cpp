@@ -99,6 +99,26 @@ TEST(Program, BadInputEndsWithTwoAndSaysWhy) {
   EXPECT_EQ(run({"check", shipped("scenes/nu205.toml"), "--set", "load.radial_N=-5"}).code, 2);
 }
 
+TEST(Program, EquilibriaAreToldApartFromMotion) {
+  const ScratchDirectory scratch;
+  const auto still = [&](std::vector<std::string> arguments) {
+    for (const char* more : {"--set", "model.motion=quasi-static"}) arguments.push_back(more);
+    return run(arguments);
+  };
+  const std::string scene = shipped("scenes/nu205.toml");
+  const auto plain = still({"simulate", scene});
+  EXPECT_EQ(plain.code, 0) << plain.output;
+  EXPECT_THAT(plain.output, HasSubstr("note: quasi-static: "));
+  EXPECT_THAT(plain.output, testing::ContainsRegex("cage_slip_ratio +-"));
+  EXPECT_THAT(plain.output, testing::ContainsRegex("ring_displacement_mean_um +[0-9]"));
+  const auto history = still({"simulate", scene, "-o", scratch / "run.h5"});
+  EXPECT_EQ(history.code, 2);
+  EXPECT_THAT(history.output, HasSubstr("a quasi-static run has no time history"));
+  EXPECT_THAT(history.output, HasSubstr("remedy: set model.motion = \"dynamic\""));
+  EXPECT_EQ(still({"bench", scene}).code, 2);
+  EXPECT_EQ(still({"chart", scene, "-o", scratch / "chart"}).code, 2);
+}
+
 TEST(Program, ALadderSaysWhyItCannotBeClimbed) {
   const ScratchDirectory scratch;
   const auto ladder = [&](const std::string& setting) {

@@ -10,6 +10,7 @@ namespace cagetol {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -42,6 +43,8 @@ TEST(ModelLadder, NamesTheLeastRungOfEachQuantity) {
   // Only limited quantities choose the rung of a study.
   EXPECT_EQ(chosen_rung(ladder), 1u);
   EXPECT_THAT(ladder_text(ladder), HasSubstr("least rung: middle"));
+  EXPECT_THAT(ladder_text(ladder), HasSubstr("no run has a value"));
+  EXPECT_THAT(ladder_text(ladder), Not(HasSubstr("nan")));
   EXPECT_THAT(ladder_csv(ladder), HasSubstr("\ncage_slip_ratio,-,low,0.5,0.5,0.5,"));
 }
 

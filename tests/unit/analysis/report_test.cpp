@@ -75,7 +75,7 @@ TEST_F(Report, ShowsTheModelThatAPilotChose) {
   EXPECT_TRUE(make_report(study)["fidelity"].is_null());
   study.plan.whole["fidelity_decision"] = nlohmann::ordered_json::parse(
       R"({"rung": "coarse-3", "reason": "the cheapest", "shift": [{"quantity": "cage_slip_ratio",
-          "rung": "coarse-1", "verdict": "biased", "shift": 0.5, "budget": 0.25}]})");
+          "rung": "planar", "verdict": "biased", "shift": 0.5, "budget": 0.25}]})");
   const auto report = make_report(study);
   EXPECT_EQ(report["fidelity"]["rung"], "coarse-3");
   const std::string html = html_report(report, {});

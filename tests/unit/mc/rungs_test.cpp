@@ -8,12 +8,17 @@
 #include "analysis/fidelity/error_budget.hpp"
 #include "mc/sample.hpp"
 #include "src/input/input_error.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "src/quasi_static.hpp"
 #include "src/scene/scene_keys.hpp"
+#include "src/simulate.hpp"
 
 namespace cagetol {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 std::string shipped(const std::string& path) {
   return std::string(CAGETOL_SOURCE_DIR) + "/inputs/" + path;
@@ -23,8 +28,14 @@ TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   const auto& rungs = climbing_rungs();
   const Scene bottom = on_rung(Scene{}, rungs.front()), top = on_rung(Scene{}, rungs.back());
   EXPECT_EQ(bottom.cage.model, "rigid");
-  EXPECT_EQ(bottom.discretisation.race_slices, 1);
-  EXPECT_EQ(bottom.integration.tolerance, 0.02);
+  EXPECT_TRUE(is_quasi_static(bottom));
+  EXPECT_EQ(bottom.discretisation.race_slices, 5);
+  const Scene plane = on_rung(Scene{}, rungs[1]);
+  EXPECT_TRUE(has_planar_rollers(plane));
+  EXPECT_FALSE(is_quasi_static(plane));
+  EXPECT_EQ(plane.integration.tolerance, 0.02);
+  EXPECT_FALSE(has_planar_rollers(on_rung(plane, rungs[2])));
+  EXPECT_FALSE(has_planar_rollers(top) || is_quasi_static(top));
   EXPECT_EQ(top.cage.model, "flexible");
   EXPECT_EQ(top.cage.modes, 20);
   EXPECT_TRUE(top.cage.centrifugal && top.cage.coriolis);
@@ -32,17 +43,22 @@ TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   EXPECT_EQ(top.integration.tolerance, Integration{}.tolerance);
   EXPECT_EQ(top.integration.method, Integration{}.method);
   // A rung says the same whatever rung the scene was on.
-  EXPECT_EQ(on_rung(on_rung(Scene{}, rungs[4]), rungs.back()).cage.modes, 20);
+  for (const Rung& rung : rungs)
+    EXPECT_EQ(dump_keys(scene_keys(), on_rung(on_rung(Scene{}, rung), rungs.back())),
+              dump_keys(scene_keys(), top))
+        << rung.name;
 }
 
 TEST(Rungs, OneThingIsTakenAwayAtATime) {
   const Scene top = on_rung(Scene{}, climbing_rungs().back());
-  for (const Rung& rung : separate_rungs()) {
+  for (const Rung& rung : separate_rungs(Scene{})) {
     const Scene less = on_rung(Scene{}, rung);
     int changes = (less.cage.model != top.cage.model) + (less.cage.modes != top.cage.modes) +
                   (less.cage.centrifugal != top.cage.centrifugal) +
                   (less.discretisation.race_slices != top.discretisation.race_slices) +
-                  (less.integration.tolerance != top.integration.tolerance);
+                  (less.integration.tolerance != top.integration.tolerance) +
+                  (less.model.rollers != top.model.rollers) +
+                  (less.model.motion != top.model.motion);
     EXPECT_EQ(changes, rung.name == "full" ? 0 : 1) << rung.name;
   }
 }
@@ -100,6 +116,34 @@ TEST(Rungs, WhatCannotBeRefinedIsLeftOut) {
   const auto rungs = refining_rungs(finest);
   EXPECT_EQ(on_rung(finest, rungs[1]).discretisation.race_slices, 100);
   EXPECT_EQ(on_rung(finest, rungs[2]).cage.mesh_density, 12);
+}
+
+TEST(Rungs, AFilmIsTakenAwayWhereTheSceneHasOneAndNeverAdded) {
+  Scene scene;
+  const auto names = [&] {
+    std::vector<std::string> all;
+    for (const Rung& rung : separate_rungs(scene)) all.push_back(rung.name);
+    return all;
+  };
+  EXPECT_THAT(names(), Not(Contains("no-film")));
+  scene.film.model = "series";
+  EXPECT_THAT(names(), Contains("no-film"));
+  for (const Rung& rung : separate_rungs(scene))
+    EXPECT_EQ(on_rung(scene, rung).film.model, rung.name == "no-film" ? "none" : "series");
+  for (const Rung& rung : climbing_rungs()) {
+    EXPECT_EQ(on_rung(scene, rung).film.model, "series");
+    EXPECT_EQ(on_rung(Scene{}, rung).film.model, "none");
+  }
+}
+
+TEST(Rungs, TheLowestGivesItsQuantitiesAndNoOthers) {
+  const Scene scene = on_rung(Scene{}, climbing_rungs().front());
+  const Outcome outcome = simulate(scene);
+  ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
+  for (std::size_t k = 0; k < quantity_table().size(); ++k)
+    EXPECT_EQ(std::isfinite(outcome.quantities[k]),
+              is_quasi_static_quantity(quantity_table()[k].key))
+        << quantity_table()[k].key;
 }
 
 TEST(Rungs, AllSeeTheSameSamples) {
@@ -164,16 +208,16 @@ TEST(Rungs, TheDecisionIsPartOfTheResolvedStudy) {
   const Study decided = changed_study(study, [&](Study& changed) {
     changed.scene = on_rung(changed.scene, climbing_rungs().front());
     changed.fidelity_decision = {
-        "coarse-1",
+        "quasi-static",
         "because",
         {{"cage_slip_ratio", "coarse-3", 0.5, 0.25, 0.75, 0.125, "biased"},
-         {"cage_slip_ratio", "coarse-1", 0, unknown, unknown, 0.125, "unresolved"}}};
+         {"cage_slip_ratio", "quasi-static", 0, unknown, unknown, 0.125, "unresolved"}}};
   });
   EXPECT_NE(decided.hash, study.hash);
   const Study again = read_resolved_study(decided.resolved_toml, "again");
   EXPECT_EQ(again.hash, decided.hash);
-  EXPECT_EQ(again.scene.discretisation.race_slices, 1);
-  EXPECT_EQ(again.fidelity_decision.rung, "coarse-1");
+  EXPECT_TRUE(is_quasi_static(again.scene));
+  EXPECT_EQ(again.fidelity_decision.rung, "quasi-static");
   ASSERT_EQ(again.fidelity_decision.shifts.size(), 2u);
   EXPECT_EQ(again.fidelity_decision.shifts[0].upper, 0.75);
   EXPECT_TRUE(std::isnan(again.fidelity_decision.shifts[1].upper));

@@ -398,6 +398,31 @@ TEST_F(StudyFile, HistoriesNeedARollerOfTheBearing) {
       AllOf(HasSubstr("study.toml:2: history.roller = 13"), HasSubstr("the rollers 0 to 12")));
 }
 
+TEST_F(StudyFile, EquilibriaHaveNoHistory) {
+  const std::string text =
+      "samples = 1\nhistory.points = 7\n[scene]\nmodel.motion = 'quasi-static'\n";
+  EXPECT_THAT(problem_of(text), AllOf(HasSubstr("study.toml:2: history.points = 7"),
+                                      HasSubstr("a quasi-static run has no time history")));
+  EXPECT_EQ(problem_of("fidelity = 'auto'\n" + text), "no error");
+}
+
+TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
+  const std::string squareness = "cage.pocket_squareness_mrad = { law = 'normal', sigma = 1 }\n";
+  const auto notes = model_notes(
+      study_of("samples = 5\n[scene]\nmodel.rollers = 'planar'\nbearing.misalignment_z_mrad = 2\n" +
+               squareness));
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_THAT(notes[0], HasSubstr("bearing.misalignment_z_mrad does nothing to planar rollers"));
+  EXPECT_THAT(notes[1], HasSubstr("cage.pocket_squareness_mrad"));
+  EXPECT_TRUE(model_notes(study_of("samples = 5\n[scene]\n" + squareness)).empty());
+  const auto limits = study_notes(
+      study_of("samples = 5\n[[limit]]\nquantity = 'pocket_force_peak_N'\nmax = 1\nsource = 's'\n"
+               "[[limit]]\nquantity = 'ring_displacement_mean_um'\nmax = 1\nsource = 's'\n"
+               "[scene]\nmodel.motion = 'quasi-static'\n"));
+  EXPECT_THAT(limits, testing::Contains(HasSubstr("limit on pocket_force_peak_N: a quasi-static")));
+  EXPECT_THAT(limits, Not(testing::Contains(HasSubstr("limit on ring_displacement_mean_um"))));
+}
+
 TEST(ShippedStudies, OfThePaperHaveItsLevelsAndOneSwitch) {
   for (const char* name : {"paper-length", "paper-length-tight", "paper-width"}) {
     const Study study =
