@@ -17,9 +17,9 @@ struct Rung {
 };
 
 /// Cheapest first by this order, never by measured time. The lowest rung has no motion, the second
-/// all of it in the plane; from there each rung adds one thing to the one below it. The last one is
-/// the reference. An oil film stays as the scene has it, its data are the scene's to give;
-/// equilibria are dry.
+/// all of it in the plane, the third all of it in space; from there each rung adds one thing to the
+/// one below it. The last one is the reference. An oil film stays as the scene has it, its data are
+/// the scene's to give; equilibria are dry.
 const std::vector<Rung>& climbing_rungs();
 
 /// The reference with one thing taken away at a time, and the reference last: what each is worth.
