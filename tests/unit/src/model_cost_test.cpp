@@ -39,7 +39,7 @@ class Kernels {
       : y_(bearing.y), system_(bearing.model), newton_(bearing.model), rates_(y_.size()) {}
 
   void right_hand_side() { system_.rates(0, y_.data(), rates_.data()); }
-  /// The work of a step of rodas4: derivatives, factors, six stages.
+  /// The work of a step of the default method: derivatives, factors, six stages.
   void step() {
     system_.linearise_at(0, y_.data());
     newton_.factor(system_.linear, 2e-6);
