@@ -17,10 +17,6 @@ std::string below(const std::string& html) {
   return "<br>" + small(html);
 }
 
-std::string code(const std::string& text) {
-  return "<code>" + escaped(text) + "</code>";
-}
-
 std::string in_standard_errors(const Json& source) {
   const Json& share = source["standard_errors"];
   return share.is_number() ? below(rounded(share) + " SE") : "";

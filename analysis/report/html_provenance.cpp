@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::size_t kFailuresShown = 25;
 
-std::string code(const std::string& text) {
-  return "<code>" + escaped(text) + "</code>";
-}
-
 std::string value_text(const Json& value) {
   if (value.is_string()) return escaped(value.get<std::string>());
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());

@@ -53,6 +53,10 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
+std::string code(const std::string& text) {
+  return "<code>" + escaped(text) + "</code>";
+}
+
 std::string rounded(const Json& value) {
   if (!value.is_number()) return "-";
   const double x = value.get<double>();

@@ -11,6 +11,9 @@ namespace cagetol {
 /// &, <, > and quotes made harmless.
 std::string escaped(const std::string& text);
 
+/// Escaped text in <code>.
+std::string code(const std::string& text);
+
 /// Three significant digits, without exponent where it can be avoided; "-" for null.
 std::string rounded(const Json& value);
 

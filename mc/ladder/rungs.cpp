@@ -13,7 +13,7 @@ namespace {
 constexpr double kOffsetShare = 0.1;    // of the narrowest pocket's clearance
 constexpr double kSceneSamples = 1000;  // a usual study
 // As far as the keys go (scene_keys.cpp).
-constexpr long kMostModes = 36, kFinestMesh = 12, kMostSlices = 100;
+constexpr long kMostRefinedModes = 36, kFinestMesh = 12, kMostSlices = 100;
 
 /// Later settings replace earlier ones of the same key.
 std::vector<std::string> joined(std::vector<std::string> settings,
@@ -126,10 +126,10 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
         {"modes",
          fmt::format("flexible cage with {} modes", CageGeometry{}.modes),
          {"cage.model='flexible'", fmt::format("cage.modes={}", CageGeometry{}.modes)}});
-  else if (scene.cage.modes < kMostModes)
+  else if (scene.cage.modes < kMostRefinedModes)
     rungs.push_back({"modes",
-                     fmt::format("{} modes of the flexible cage", kMostModes),
-                     {fmt::format("cage.modes={}", kMostModes)}});
+                     fmt::format("{} modes of the flexible cage", kMostRefinedModes),
+                     {fmt::format("cage.modes={}", kMostRefinedModes)}});
   const long slices = std::min(2 * scene.discretisation.race_slices + 1, kMostSlices);
   if (slices > scene.discretisation.race_slices)
     rungs.push_back({"slices",
