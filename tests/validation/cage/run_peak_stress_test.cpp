@@ -1,6 +1,7 @@
 // The stress that a run reports against the whole stress field, recovered on the full mesh with
 // static correction, at instants of that run.
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 
 #include "src/cage/cage_recovery.hpp"
@@ -41,18 +42,18 @@ TEST(RunPeakStress, IsThatOfTheWholeField) {
   }
   const auto compared =
       compare_peak_stress(*table, pocket_deviations(scene.cage, table->cage), states);
-  double largest = 0, worst = 0;
-  const auto& peaks = std::get<std::vector<PeakStress>>(compared);
-  for (const PeakStress& peak : peaks) largest = std::max(largest, peak.full);
-  for (const PeakStress& peak : peaks) {
+  std::vector<double> errors;
+  for (const PeakStress& peak : std::get<std::vector<PeakStress>>(compared)) {
     const double error = peak.stations / peak.full - 1;
-    if (peak.full > 0.2 * largest) worst = std::max(worst, std::abs(error));
-    EXPECT_LT(std::abs(error), 0.05);  // at quiet instants 3 % is missed now and then
+    errors.push_back(std::abs(error));
     std::printf("  %.4f MPa by stations, %.4f MPa by the whole field: %+.2f %%\n",
                 1e-6 * peak.stations, 1e-6 * peak.full, 100 * error);
   }
-  RecordProperty("worst", std::to_string(worst));
-  EXPECT_LT(worst, 0.03);
+  // Now and then a peak lies between stations, or a part of it comes from two pockets away.
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LT(errors[errors.size() / 2], 0.005);
+  EXPECT_LT(errors[errors.size() * 9 / 10], 0.03);
+  EXPECT_LT(errors.back(), 0.05);
 }
 
 }  // namespace
