@@ -1,7 +1,7 @@
 // Von Mises stress of a flexible cage at its stress stations, fast enough for every accepted step:
-// elastic modes plus the static rest of the bar forces (station_stress in src/cage/cage_model.hpp,
-// in single precision), and a bound that tells without looking when no station can exceed a known
-// value.
+// elastic modes plus the static rest of bar forces and turning (station_stress in
+// src/cage/cage_model.hpp, in single precision), and a bound that tells without looking when no
+// station can exceed a known value.
 #pragma once
 
 #include <Eigen/Core>
