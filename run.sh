@@ -5,6 +5,7 @@ cd "$(dirname "$0")"
 . .ci/setup.sh
 study=${1:-inputs/studies/nu205.toml}
 out=${2:-out/$(basename "$study" .toml)}
+can_install || need_packages "${program_packages[@]}" "${figure_packages[@]}" # one line to run, for all
 need_packages "${program_packages[@]}"
 need_packages "${figure_packages[@]}" & # while the program is built
 build cagetol

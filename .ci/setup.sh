@@ -1,5 +1,7 @@
 # Sourced by run.sh and test.sh from the project's root: Debian packages, the build, and what Open MPI wants to hear.
 
+can_install() { [ "$(id -u)" -eq 0 ] || { command -v sudo >/dev/null && sudo -n true 2>/dev/null; }; }
+
 # need_packages PACKAGE...: installs what is missing, as root or through sudo; else prints the line to run and stops.
 need_packages() {
   local missing=() p
@@ -8,7 +10,7 @@ need_packages() {
   echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
   local as=""
   if [ "$(id -u)" -ne 0 ]; then
-    if command -v sudo >/dev/null && sudo -n true 2>/dev/null; then as="sudo"; else
+    if can_install; then as="sudo"; else
       echo "Not root, and sudo wants a password. Run this line, then start again:" >&2
       echo "  sudo apt-get update && sudo apt-get install -y --no-install-recommends ${missing[*]}" >&2
       exit 2

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/dynamics/flexible_cage.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -13,7 +14,7 @@ namespace {
 constexpr double kOffsetShare = 0.1;    // of the narrowest pocket's clearance
 constexpr double kSceneSamples = 1000;  // a usual study
 // As far as the keys go (scene_keys.cpp).
-constexpr long kMostRefinedModes = 36, kFinestMesh = 12, kMostSlices = 100;
+constexpr long kFinestMesh = 12, kMostSlices = 100;
 
 /// Later settings replace earlier ones of the same key.
 std::vector<std::string> joined(std::vector<std::string> settings,
@@ -126,10 +127,10 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
         {"modes",
          fmt::format("flexible cage with {} modes", CageGeometry{}.modes),
          {"cage.model='flexible'", fmt::format("cage.modes={}", CageGeometry{}.modes)}});
-  else if (scene.cage.modes < kMostRefinedModes)
+  else if (scene.cage.modes < kMostModes)
     rungs.push_back({"modes",
-                     fmt::format("{} modes of the flexible cage", kMostRefinedModes),
-                     {fmt::format("cage.modes={}", kMostRefinedModes)}});
+                     fmt::format("{} modes of the flexible cage", kMostModes),
+                     {fmt::format("cage.modes={}", kMostModes)}});
   const long slices = std::min(2 * scene.discretisation.race_slices + 1, kMostSlices);
   if (slices > scene.discretisation.race_slices)
     rungs.push_back({"slices",

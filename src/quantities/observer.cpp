@@ -128,7 +128,7 @@ void Observer::record_rollers(const double* y, const System& system, double weig
     const double angle = y[l.position(kAngle, j)], spin = y[l.velocity(kSpin, j)];
     const double c = std::cos(angle), s = std::sin(angle);
     const double ay = y[l.position(kAxisY, j)], az = y[l.position(kAxisZ, j)];
-    largest_lean_ = std::max(largest_lean_, std::hypot(ay, az));
+    largest_lean_squared_ = std::max(largest_lean_squared_, ay * ay + az * az);
     skew_.add(std::abs(c * az - s * ay), weight, keep);
     tilt_.add(std::abs(c * ay + s * az), weight, keep);
     roller_speed_.add(spin, weight);

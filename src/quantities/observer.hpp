@@ -2,6 +2,7 @@
 // interest, the energy account and the consistency with statics.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,7 @@ class Observer {
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
   /// Largest angle between a roller's axis and the bearing's [rad].
-  double largest_lean() const { return largest_lean_; }
+  double largest_lean() const { return std::sqrt(largest_lean_squared_); }
   /// Of a flexible cage; empty of a rigid one.
   const CagePeak& cage_peak() const { return cage_peak_; }
 
@@ -64,7 +65,7 @@ class Observer {
   double last_stress_ = 0, next_stress_ = 0;
   CagePeak cage_peak_;
   double thinnest_film_ = kNoFilm;  ///< [m]
-  double largest_lean_ = 0;
+  double largest_lean_squared_ = 0;
   double orbit_turned_ = 0, orbit_angle_ = 0;
   double revolutions_ = 0, start_phase_ = 0;
   double end_displacement_ = 0;

@@ -65,8 +65,10 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredInEveryState) {
     const double in = seen.drive_power + seen.load_power,
                  out = seen.friction_power + seen.damping_power;
     double open = 1;
-    // Rounding spoils short differences, a contact that opens or closes long ones.
-    for (const double step : {2e-9, 8e-9}) {
+    // Planar rollers have little power to measure by: rounding spoils short differences, a contact
+    // that opens or closes long ones.
+    const std::vector<double> planar{2e-9, 8e-9}, spatial{2e-9};
+    for (const double step : GetParam() ? planar : spatial) {
       const double elastic = rate_along_motion(b, rates, step, [&](const std::vector<double>& y) {
         moved.linearise_at(b.t, y.data());
         return moved.seen.elastic_energy;

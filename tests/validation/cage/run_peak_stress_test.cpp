@@ -51,9 +51,9 @@ TEST(RunPeakStress, IsThatOfTheWholeField) {
   }
   // Now and then a peak lies between stations, or a part of it comes from two pockets away.
   std::sort(errors.begin(), errors.end());
-  EXPECT_LT(errors[errors.size() / 2], 0.005);
-  EXPECT_LT(errors[errors.size() * 9 / 10], 0.03);
-  EXPECT_LT(errors.back(), 0.05);
+  EXPECT_LT(errors[errors.size() / 2], 0.002);
+  EXPECT_LT(errors[errors.size() * 9 / 10], 0.01);
+  EXPECT_LT(errors.back(), 0.04);
 }
 
 }  // namespace
