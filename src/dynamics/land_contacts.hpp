@@ -58,6 +58,8 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
     }
     const double distance = __builtin_sqrt(y * y + z * z);
     double p = distance - model.guide_clearance;
+    if constexpr (!linear)
+      if (!(p > -modal.farthest)) continue;
     const double inverse = distance > 0 ? 1 / distance : 0;
     const double ny = y * inverse, nz = z * inverse;
     const double along = ny * vz - nz * vy;

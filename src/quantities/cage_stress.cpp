@@ -80,14 +80,15 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
       else
         here += force.value * far_.col(offset * per_pocket_ + force.place);
     }
-    Eigen::Index at = 0;
-    const float here_most = von_mises_squared(here).maxCoeff(&at);
+    const float here_most = von_mises_squared(here).maxCoeff();
     if (here_most > most) {
       most = here_most;
       largest.sector = k;
-      largest.station = at;
     }
   }
+  Eigen::Index at = 0;
+  von_mises_squared(components_.segment(largest.sector * rows, rows)).maxCoeff(&at);
+  largest.station = at;
   largest.stress = std::sqrt(static_cast<double>(most));
   return largest;
 }
