@@ -101,13 +101,17 @@ struct FidelityShift {
   std::string quantity, rung;
   double shift = 0, lower = 0, upper = 0;  ///< against the highest rung, with its interval
   double budget = 0;                       ///< largest |shift| allowed
-  std::string verdict;                     ///< adequate, biased, unresolved, unusable
+  std::string verdict;                     ///< adequate, settled, biased, unresolved, unusable
+  std::string limit = {};                  ///< on the quantity, in words
+  /// Share of samples on the wrong side of the limit, at most, and what would settle it.
+  double wrong_share = 0, allowed_wrong_share = 0;
 };
 
 /// The rung that fidelity = "auto" has taken, and why.
 struct FidelityDecision {
   std::string rung;                   ///< empty: nothing has been decided
   std::string reason;                 ///< in words
+  std::string assumption;             ///< what verdicts rest on, where some limit is settled
   std::vector<FidelityShift> shifts;  ///< by quantity, then by rung
 };
 

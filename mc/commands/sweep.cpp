@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "mc/adopted_runs.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/log.hpp"
@@ -43,9 +44,13 @@ int run_sweep(const SweepArguments& options) {
   if (is_open(options))
     return run_staged(make_sweep_plan, options.sweep.progress, [&](StagedSweeps& stages) {
       const std::string& directory = options.sweep.directory;
-      const auto study = with_fidelity(read_with_notes(options), directory, stages);
-      if (const int* code = std::get_if<int>(&study)) return *code;
-      return stages.sweep(std::get<Study>(study), directory);
+      const auto climbed = with_fidelity(read_with_notes(options), directory, stages);
+      if (const int* code = std::get_if<int>(&climbed)) return *code;
+      const Study& study = std::get<Study>(climbed);
+      const std::size_t adopted = adopt_runs(
+          study, directory, fidelity_folder(directory) + "/" + study.fidelity_decision.rung);
+      if (adopted > 0) spdlog::info("{} runs of the pilot are the study's own", adopted);
+      return stages.sweep(study, directory);
     });
   return run_sweep([&] { return make_sweep_plan(read_with_notes(options)); }, options.sweep);
 }
