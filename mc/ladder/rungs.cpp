@@ -171,6 +171,7 @@ Study rung_study(const Study& study, const Rung& rung, long samples) {
     changed.name += ", rung " + rung.name;
     changed.fidelity = "pinned";
     changed.fidelity_decision = {};
+    changed.multifidelity = "off";
     changed.samples = samples;
     changed.design = "random";
     changed.cages_per_lot = 1;
