@@ -127,10 +127,11 @@ TEST_F(Fidelity, NoCompanionWhereNothingIsGained) {
   // What no rung can switch is told before the sweep, not after it.
   const Ended scattered =
       sweep("other",
-            {"scene.discretisation.race_slices={nominal=5, noise={law='uniform', "
-             "lower=-1, upper=1}}"},
+            {"scene.integration.tolerance={ law = 'uniform', lower = 0, upper = 0.0001, nominal = "
+             "0.001 }"},
             "nu205-displacement");
   EXPECT_EQ(scattered.code, 2) << scattered.output;
+  EXPECT_THAT(scattered.output, HasSubstr("switches this key from rung to rung"));
   EXPECT_FALSE(std::filesystem::exists(scratch_ / "other/study.h5"));
 }
 
