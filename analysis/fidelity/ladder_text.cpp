@@ -119,6 +119,7 @@ Json ladder_json(const ModelLadder& ladder) {
                              {"settings", rung.settings},
                              {"cost_ratio", number(rung.cost_ratio)},
                              {"runs_ok", rung.ok}});
+  json["rungs_not_run"] = ladder.not_run;
   json["quantities"] = Json::array();
   for (const LadderQuantity& quantity : ladder.quantities) {
     Json entry = {{"quantity", quantity.name},

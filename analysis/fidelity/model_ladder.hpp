@@ -38,7 +38,8 @@ struct ModelLadder {
   bool refining = false;
   LadderRule rule;
   std::size_t samples = 0;
-  std::vector<LadderRung> rungs;  ///< cheapest first, the last one is the reference
+  std::vector<LadderRung> rungs;          ///< cheapest first, the last one is the reference
+  std::vector<std::string> not_run = {};  ///< rungs that were not climbed: nothing is known of them
   std::vector<LadderQuantity> quantities;
 };
 

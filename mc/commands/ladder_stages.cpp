@@ -76,6 +76,8 @@ class Climb {
     ModelLadder ladder = make_model_ladder(
         std::move(names), runs,
         {.study_samples = ladder_study_samples(study_), .budget_share = options_.budget_share});
+    for (std::size_t rung = 0; rung < rungs_.size(); ++rung)
+      if (!runs_.contains(rung)) ladder.not_run.push_back(rungs_[rung].name);
     ladder.study = study_.name;
     ladder.resolved_study = nlohmann::ordered_json::parse(study_.resolved_json);
     ladder.build = build_id(build_info());

@@ -59,6 +59,8 @@ TEST_F(Fidelity, ASettledLimitTakesTheCheapestRungAndThePilotsRuns) {
   EXPECT_FALSE(climbed("auto", "coarse-3"));
   std::ifstream file(scratch_ / "auto/fidelity/ladder.json");
   const auto ladder = nlohmann::json::parse(file);
+  EXPECT_EQ(ladder["rungs_not_run"].size(), 6u);
+  EXPECT_EQ(ladder["rungs_not_run"][0], "coarse-3");
   EXPECT_THAT(ladder["settled_assumes"].get<std::string>(), HasSubstr("scatter normally"));
   for (const auto& quantity : ladder["quantities"])
     if (quantity["quantity"] == "cage_slip_ratio") {
