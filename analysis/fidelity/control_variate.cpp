@@ -62,12 +62,13 @@ Interval allowed(std::span<const LimitPlan> limits) {
   return interval;
 }
 
+/// The mean of f is known as well as help makes it: centred by the dear runs' own, squares of both
+/// models would correlate less.
 Terms squares(const PairedRuns& runs) {
   Terms terms;
-  const double f = known_mean(runs.dear), g = known_mean(runs.cheap);
-  const auto count = static_cast<double>(
-      std::count_if(runs.dear.begin(), runs.dear.end(), [](double x) { return !std::isnan(x); }));
-  for (const double x : runs.dear) terms.h.push_back((x - f) * (x - f) * count / (count - 1));
+  const double f = helped_estimate(HelpedStatistic::mean, runs, {}).value,
+               g = known_mean(runs.cheap);
+  for (const double x : runs.dear) terms.h.push_back((x - f) * (x - f));
   for (const double x : runs.cheap) terms.c.push_back((x - g) * (x - g));
   return terms;
 }
@@ -134,6 +135,7 @@ HelpedEstimate helped_estimate(HelpedStatistic statistic, const PairedRuns& runs
   const Terms terms = terms_of(statistic, runs, limits);
   const Pairs pairs = known_pairs(terms.h, terms.c);
   const std::size_t count = pairs.first.size();
+  if (count < kFewestPilotSamples) return estimate;
   const double variance = gsl_stats_variance(pairs.second.data(), 1, count);
   const Pairs dear = known_pairs(terms.h, terms.h);
   const auto n = static_cast<double>(dear.first.size());
@@ -153,6 +155,8 @@ HelpedEstimate helped_estimate(HelpedStatistic statistic, const PairedRuns& runs
   }
   if (statistic == HelpedStatistic::deviation) {
     take_root(estimate.plain, estimate.plain_error);
+    const Pairs values = known_pairs(runs.dear, runs.dear);
+    estimate.plain = gsl_stats_sd(values.first.data(), 1, values.first.size());
     take_root(estimate.value, estimate.standard_error);
   }
   return estimate;

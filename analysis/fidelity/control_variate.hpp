@@ -4,7 +4,7 @@
 // Gorodetsky et al., J. Comput. Phys. 408 (2020) 109257, doi:10.1016/j.jcp.2020.109257):
 //   Q = mean over N of (h - a c) + a mean over M of c,  a = cov(h, c) / var(c) from the N pairs
 //   mean                h = f                              c = g
-//   standard deviation  h = (f - mean f)^2 N / (N - 1)     c = (g - mean g)^2, root of Q
+//   standard deviation  h = (f - Q of the mean)^2          c = (g - mean over M of g)^2, root of Q
 //   yield               h = 1 where f meets the limits     c = P(f meets the limits | g),
 //     f | g taken as normal about its regression on g; a wrong c costs gain, never makes Q wrong
 // f: dear, g: cheap model, N: samples of f, M > N: samples of g, the first N the same. At equal

@@ -1,22 +1,27 @@
 // What the runs of a cheap companion add.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "analysis/report/html_report.hpp"
 #include "analysis/report/html_text.hpp"
 
 namespace cagetol {
 namespace {
 
-std::string value_with_error(const Json& estimate) {
-  return rounded(estimate["value"]) + " &plusmn; " + rounded(estimate["standard_error"]);
+std::string bracketed(const std::string& unit) {
+  return unit.empty() || unit == "-" ? "" : " [" + escaped(unit) + "]";
 }
 
-/// Means need more digits than three where their errors are small.
-std::string precise(const Json& estimate) {
-  if (!estimate["value"].is_number() || !estimate["standard_error"].is_number())
-    return value_with_error(estimate);
-  return fmt::format("{:.6g} &plusmn; {:.2g}", estimate["value"].get<double>(),
-                     estimate["standard_error"].get<double>());
+/// As many digits as the error deserves, two of it.
+std::string with_error(const Json& estimate) {
+  const Json &value = estimate["value"], &error = estimate["standard_error"];
+  if (!value.is_number() || !error.is_number() || !(error > 0)) return rounded(value);
+  const int decimals =
+      std::clamp(1 - static_cast<int>(std::floor(std::log10(error.get<double>()))), 0, 15);
+  return fmt::format("{:.{}f} &plusmn; {:.{}f}", value.get<double>(), decimals, error.get<double>(),
+                     decimals);
 }
 
 }  // namespace
@@ -31,9 +36,9 @@ std::string multifidelity_chapter(const Json& report) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& quantity : part["quantities"])
     for (const Json& entry : quantity["statistics"])
-      rows.push_back({escaped(readable(quantity["quantity"])) + unit_suffix(quantity["unit"]),
-                      escaped(entry["statistic"].get<std::string>()), precise(entry["plain"]),
-                      precise(entry["helped"]), rounded(entry["predicted_gain"]),
+      rows.push_back({escaped(readable(quantity["quantity"])) + bracketed(quantity["unit"]),
+                      escaped(entry["statistic"].get<std::string>()), with_error(entry["plain"]),
+                      with_error(entry["helped"]), rounded(entry["predicted_gain"]),
                       rounded(entry["achieved_gain"])});
   const double share = part["companion_runs"].get<double>() * part["cost_ratio"].get<double>() /
                        part["runs"].get<double>();

@@ -48,22 +48,29 @@ std::string wrong_share_text(const Json& shift) {
   return fmt::format("{:.2g} % ({:.2g} %)", 100 * share.get<double>(), 100 * allowed.get<double>());
 }
 
+std::string quantity_text(const Json& shift) {
+  const std::string limit = shift.value("limit", "");
+  return escaped(readable(shift["quantity"])) +
+         (limit.empty() ? "" : "<br><small>" + escaped(limit) + "</small>");
+}
+
 std::string fidelity_text(const Json& decision) {
   if (decision.is_null()) return "";
   std::vector<std::vector<std::string>> rows;
   for (const Json& shift : decision["shift"])
-    rows.push_back({escaped(readable(shift["quantity"])), escaped(shift.value("limit", "")),
-                    escaped(shift["rung"]), shift_text(shift),
+    rows.push_back({quantity_text(shift), escaped(shift["rung"]), shift_text(shift),
                     rounded(shift.value("budget", Json())), wrong_share_text(shift),
                     escaped(shift["verdict"])});
-  std::string html =
-      "<h3>The model, chosen by a pilot</h3>\n" +
-      paragraph("Rung <b>" + escaped(decision["rung"]) + "</b>: " + escaped(decision["reason"]) +
-                ".") +
-      table("tttnnnt",
-            {"limited quantity", "", "rung", "shift of the mean against the highest rung (95 %)",
-             "budget", "beyond the limit, at most (settles it)", "verdict"},
-            rows);
+  std::string html = "<h3>The model, chosen by a pilot</h3>\n" +
+                     paragraph("Rung <b>" + escaped(decision["rung"]) +
+                               "</b>: " + escaped(decision["reason"]) + ".") +
+                     table("ttnnnt",
+                           {"limited quantity", "rung", "shift of the mean (95 %)", "budget",
+                            "beyond the limit (allowed)", "verdict"},
+                           rows);
+  html += note(
+      "Shifts are those against the highest rung; beyond the limit: the largest share of runs "
+      "on its wrong side, and the share below which it is settled.");
   if (const std::string assumption = decision.value("assumption", ""); !assumption.empty())
     html += paragraph(
         "<b>Settled</b>: no run of the pilot is on the wrong side of the limit, "

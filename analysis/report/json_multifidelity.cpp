@@ -12,7 +12,11 @@
 namespace cagetol {
 namespace {
 
-constexpr int kGainResamples = 200;
+/// A ratio of variances is known to 4 % from 2000 resamples; very many cheap runs take some
+/// seconds.
+int gain_resamples(std::size_t cheap_runs) {
+  return static_cast<int>(std::clamp(1e8 / static_cast<double>(cheap_runs), 400.0, 2000.0));
+}
 
 std::vector<double> values_of_ok_runs(const StudyData& runs, const std::string& quantity) {
   std::vector<double> values = find_quantity(runs, quantity)->values;
@@ -53,7 +57,7 @@ Json statistic_json(HelpedStatistic statistic, const Helped& helped) {
                                         static_cast<double>(runs.cheap.size()), helped.cost);
   const bool pays = predicted >= kLeastMultifidelityGain;
   const double achieved = pays ? resampled_gain(statistic, runs, helped.limits, helped.cost,
-                                                helped.seed, kGainResamples)
+                                                helped.seed, gain_resamples(runs.cheap.size()))
                                : kUndefined;
   return {
       {"statistic", helped_statistic_name(statistic)},
@@ -105,7 +109,7 @@ Json multifidelity_json(const ReportBasis& basis, const StudyData* companion) {
   json["companion_runs"] = companion->size();
   json["cost_ratio"] = number(cost);
   json["pilot_pairs"] = pilot_pairs(basis.runs);
-  json["resamples"] = kGainResamples;
+  json["resamples"] = gain_resamples(companion->size());
   json["quantities"] = Json::array();
   for (const Column& column : basis.runs.quantities) {
     if (find_quantity(*companion, column.name) == nullptr) continue;
