@@ -7,8 +7,8 @@ import matplotlib.pyplot as plt
 from common import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, WIDTH, known, readable
 from engine import legend_below
 
-COLOURS = [RED, ORANGE, PINK, SKY, BLUE, GREEN, BLACK]
-MARKERS = "osD^v<>"
+COLOURS = [RED, ORANGE, PINK, SKY, BLUE, GREEN, BLACK, "#7A4B2A"]  # one for each rung below the reference
+MARKERS = "osD^v<>P"
 USUAL = ["cage_slip_ratio", "pocket_force_rms_N", "pocket_impacts_per_revolution", "friction_torque_Nmm",
          "ring_displacement_mean_um", "cage_stress_p99_MPa"]
 FLOOR = 1e-2  # budgets: what is smaller is drawn here
