@@ -84,10 +84,15 @@ toml::table decision_table(const FidelityDecision& decision) {
     insert_known("lower", shift.lower, table);
     insert_known("upper", shift.upper, table);
     insert_known("budget", shift.budget, table);
+    if (!shift.limit.empty()) table.insert("limit", shift.limit);
+    insert_known("wrong_share", shift.wrong_share, table);
+    insert_known("allowed_wrong_share", shift.allowed_wrong_share, table);
     shifts.push_back(std::move(table));
   }
-  return toml::table{
+  toml::table table{
       {"rung", decision.rung}, {"reason", decision.reason}, {"shift", std::move(shifts)}};
+  if (!decision.assumption.empty()) table.insert("assumption", decision.assumption);
+  return table;
 }
 
 toml::table candidate_table(const Candidate& candidate) {
@@ -142,17 +147,22 @@ FidelityDecision take_fidelity_decision(toml::table& root) {
   const auto stored = root["fidelity_decision"];
   decision.rung = stored["rung"].value_or("");
   decision.reason = stored["reason"].value_or("");
+  decision.assumption = stored["assumption"].value_or("");
   auto* shifts = stored["shift"].as_array();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; shifts && k < shifts->size(); ++k) {
     const toml::node_view<toml::node> shift((*shifts)[k]);
-    decision.shifts.push_back({.quantity = shift["quantity"].value_or(""),
-                               .rung = shift["rung"].value_or(""),
-                               .shift = shift["shift"].value_or(unknown),
-                               .lower = shift["lower"].value_or(unknown),
-                               .upper = shift["upper"].value_or(unknown),
-                               .budget = shift["budget"].value_or(unknown),
-                               .verdict = shift["verdict"].value_or("")});
+    decision.shifts.push_back(
+        {.quantity = shift["quantity"].value_or(""),
+         .rung = shift["rung"].value_or(""),
+         .shift = shift["shift"].value_or(unknown),
+         .lower = shift["lower"].value_or(unknown),
+         .upper = shift["upper"].value_or(unknown),
+         .budget = shift["budget"].value_or(unknown),
+         .verdict = shift["verdict"].value_or(""),
+         .limit = shift["limit"].value_or(""),
+         .wrong_share = shift["wrong_share"].value_or(unknown),
+         .allowed_wrong_share = shift["allowed_wrong_share"].value_or(unknown)});
   }
   root.erase("fidelity_decision");
   return decision;

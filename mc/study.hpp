@@ -101,13 +101,17 @@ struct FidelityShift {
   std::string quantity, rung;
   double shift = 0, lower = 0, upper = 0;  ///< against the highest rung, with its interval
   double budget = 0;                       ///< largest |shift| allowed
-  std::string verdict;                     ///< adequate, biased, unresolved, unusable
+  std::string verdict;                     ///< adequate, settled, biased, unresolved, unusable
+  std::string limit = {};                  ///< on the quantity, in words
+  /// Share of samples on the wrong side of the limit, at most, and what would settle it.
+  double wrong_share = 0, allowed_wrong_share = 0;
 };
 
 /// The rung that fidelity = "auto" has taken, and why.
 struct FidelityDecision {
   std::string rung;                   ///< empty: nothing has been decided
   std::string reason;                 ///< in words
+  std::string assumption;             ///< what verdicts rest on, where some limit is settled
   std::vector<FidelityShift> shifts;  ///< by quantity, then by rung
 };
 
@@ -121,11 +125,12 @@ struct Study {
   long scrambles = 8;
   long cages_per_lot = 1;
   double allowed_failure_share = 0.02;
-  std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
-  long fidelity_samples = 24;       ///< runs on each rung of the model ladder
-  double fidelity_budget = 0.1;     ///< largest shift allowed, in standard errors of the study
-  std::vector<long> grid_levels;    ///< of design "grid": levels per varied input
-  Scene scene;                      ///< nominal
+  std::string fidelity = "pinned";    ///< of the model: "pinned" as the scene says, or "auto"
+  long fidelity_samples = 24;         ///< runs on each rung of the model ladder
+  std::string multifidelity = "off";  ///< "auto": cheap runs beside the study where they pay
+  double fidelity_budget = 0.1;       ///< largest shift allowed, in standard errors of the study
+  std::vector<long> grid_levels;      ///< of design "grid": levels per varied input
+  Scene scene;                        ///< nominal
   std::vector<UncertainInput> inputs;
   std::vector<Correlation> correlations;
   std::vector<Limit> limits;

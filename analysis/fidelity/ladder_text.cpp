@@ -1,6 +1,7 @@
 // A climbed ladder as JSON, CSV and tables for people.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/fidelity/model_ladder.hpp"
@@ -23,12 +24,21 @@ Json shift_json(const LadderRung& rung, const RungShift& shift) {
           {"pairs", shift.pairs},
           {"lost", shift.lost},
           {"pairs_needed", number(shift.pairs_needed)},
+          {"wrong_share", number(shift.wrong_share)},
           {"verdict", rung_verdict_name(shift.verdict)}};
 }
 
 /// Whether there is anything to say: some quantities need a flexible cage, or never happen.
 bool is_defined(const LadderQuantity& quantity) {
   return std::isfinite(quantity.ladder.budget);
+}
+
+Json limits_json(const std::vector<LimitPlan>& limits) {
+  Json list = Json::array();
+  for (const LimitPlan& limit : limits)
+    list.push_back({{"minimum", limit.minimum ? Json(*limit.minimum) : Json()},
+                    {"maximum", limit.maximum ? Json(*limit.maximum) : Json()}});
+  return list;
 }
 
 /// "-" where there is none.
@@ -44,6 +54,11 @@ std::string verdict_text(const RungShift& rung) {
     text += fmt::format(": {} runs without a value", rung.lost);
   if (rung.verdict == RungVerdict::unresolved && rung.pairs_needed > 0)
     text += fmt::format(", about {:.2g} samples would tell", rung.pairs_needed);
+  if (rung.wrong_share < 1)
+    text += fmt::format("{} at most {:.2g} % beyond the limit",
+                        rung.verdict == RungVerdict::settled ? ":" : ",", 100 * rung.wrong_share);
+  else if (rung.wrong_share == 1)
+    text += ", runs on both sides of the limit, or too few";
   return text;
 }
 
@@ -51,9 +66,12 @@ std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quan
   const QuantityLadder& seen = quantity.ladder;
   std::string text =
       fmt::format("{}{}: mean {:.4g}, standard deviation {:.2g}, budget {:.2g}{}{}\n",
-                  quantity.name, quantity.limited ? " (limited)" : "", seen.mean, seen.deviation,
+                  quantity.name, quantity.limited() ? " (limited)" : "", seen.mean, seen.deviation,
                   seen.budget, quantity.unit == "-" ? "" : " " + quantity.unit,
                   ladder.refining ? "" : "; least rung: " + least_name(ladder, seen));
+  if (quantity.limited() && !ladder.refining)
+    text += fmt::format("  {}; settled below {:.2g} % on the wrong side\n",
+                        limits_text(quantity.limits), 100 * seen.allowed_wrong_share);
   for (std::size_t r = 0; r + 1 < ladder.rungs.size(); ++r) {
     const RungShift& shift = seen.rungs[r];
     text += fmt::format("  {:<16}{}  [{}, {}]{}{}  {}\n", ladder.rungs[r].name,
@@ -66,6 +84,18 @@ std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quan
 
 }  // namespace
 
+std::string limits_text(const std::vector<LimitPlan>& limits) {
+  std::string text;
+  const auto add = [&](const char* what, const std::optional<double>& bound) {
+    if (bound) text += fmt::format("{}{} {:g}", text.empty() ? "limit " : ", ", what, *bound);
+  };
+  for (const LimitPlan& limit : limits) {
+    add("at least", limit.minimum);
+    add("at most", limit.maximum);
+  }
+  return text;
+}
+
 Json ladder_json(const ModelLadder& ladder) {
   Json json = {{"kind", "ladder"},
                {"study", ladder.study},
@@ -74,6 +104,9 @@ Json ladder_json(const ModelLadder& ladder) {
                {"study_samples", ladder.rule.study_samples},
                {"budget_share", ladder.rule.budget_share},
                {"confidence", ladder.rule.confidence},
+               {"target_yield", ladder.rule.target_yield},
+               {"candidates", ladder.rule.candidates},
+               {"settled_assumes", kSettledAssumption},
                {"reference", ladder.rungs.back().name}};
   json["refining"] = ladder.refining;
   if (!ladder.refining)
@@ -86,14 +119,17 @@ Json ladder_json(const ModelLadder& ladder) {
                              {"settings", rung.settings},
                              {"cost_ratio", number(rung.cost_ratio)},
                              {"runs_ok", rung.ok}});
+  json["rungs_not_run"] = ladder.not_run;
   json["quantities"] = Json::array();
   for (const LadderQuantity& quantity : ladder.quantities) {
     Json entry = {{"quantity", quantity.name},
                   {"unit", quantity.unit},
-                  {"limited", quantity.limited},
+                  {"limited", quantity.limited()},
+                  {"limits", limits_json(quantity.limits)},
                   {"mean", number(quantity.ladder.mean)},
                   {"standard_deviation", number(quantity.ladder.deviation)},
-                  {"budget", number(quantity.ladder.budget)}};
+                  {"budget", number(quantity.ladder.budget)},
+                  {"allowed_wrong_share", number(quantity.ladder.allowed_wrong_share)}};
     if (!ladder.refining) {
       entry["least_rung"] = least_name(ladder, quantity.ladder);
       entry["multifidelity_gain"] = quantity.multifidelity_gain;
@@ -109,16 +145,17 @@ Json ladder_json(const ModelLadder& ladder) {
 
 std::string ladder_csv(const ModelLadder& ladder) {
   std::string text =
-      "quantity,unit,rung,shift,lower,upper,budget,correlation,pairs,lost,pairs_needed,verdict,"
-      "least_rung,cost_ratio\n";
+      "quantity,unit,rung,shift,lower,upper,budget,correlation,pairs,lost,pairs_needed,wrong_share,"
+      "allowed_wrong_share,verdict,least_rung,cost_ratio\n";
   for (const LadderQuantity& quantity : ladder.quantities)
     for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
       const RungShift& shift = quantity.ladder.rungs[r];
       text += fmt::format(
-          "{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{},{},{:.6g}\n", quantity.name,
-          quantity.unit, ladder.rungs[r].name, shift.shift.value, shift.shift.lower,
+          "{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{},{},{:.6g}\n",
+          quantity.name, quantity.unit, ladder.rungs[r].name, shift.shift.value, shift.shift.lower,
           shift.shift.upper, quantity.ladder.budget, shift.correlation, shift.pairs, shift.lost,
-          shift.pairs_needed, rung_verdict_name(shift.verdict),
+          shift.pairs_needed, shift.wrong_share, quantity.ladder.allowed_wrong_share,
+          rung_verdict_name(shift.verdict),
           ladder.refining ? "" : least_name(ladder, quantity.ladder), ladder.rungs[r].cost_ratio);
     }
   return text;
@@ -140,6 +177,10 @@ std::string ladder_text(const ModelLadder& ladder) {
   if (ladder.refining)
     return text +
            "\nshift: refined minus as-run. Positive: the scene as it is gives too small a mean.\n";
+  const bool limited =
+      std::any_of(ladder.quantities.begin(), ladder.quantities.end(),
+                  [](const LadderQuantity& quantity) { return quantity.limited(); });
+  if (limited) text += fmt::format("\n\"settled\" assumes {}.\n", kSettledAssumption);
   text +=
       "\nleast rung of each quantity, predicted gain of a mean with the help of cheaper rungs\n";
   for (const LadderQuantity& quantity : ladder.quantities)

@@ -30,8 +30,21 @@ double pairs_until(double pairs, double half_width, double target) {
   return target > 0 ? std::ceil(pairs * std::pow(half_width / target, 2)) : kUndefined;
 }
 
+double allowed_share(const LadderRule& rule) {
+  return allowed_wrong_share(rule.budget_share, rule.target_yield, rule.study_samples,
+                             rule.candidates);
+}
+
+double wrong_share(const std::vector<double>& values, const std::vector<double>& reference,
+                   std::span<const LimitPlan> limits, const LadderRule& rule) {
+  double share = kUndefined;
+  for (const LimitPlan& limit : limits)
+    share = std::fmax(share, settled_limit(values, reference, limit, rule.confidence).wrong_share);
+  return share;
+}
+
 RungShift judged(const std::vector<double>& values, const std::vector<double>& reference,
-                 double budget, const LadderRule& rule) {
+                 double budget, const LadderRule& rule, std::span<const LimitPlan> limits) {
   const PairedDifference paired = paired_difference(reference, values, rule.confidence);
   RungShift rung;
   rung.shift = paired.difference;
@@ -50,8 +63,11 @@ RungShift judged(const std::vector<double>& values, const std::vector<double>& r
   const double size = std::abs(rung.shift.value), half = rung.shift.upper - rung.shift.value;
   rung.upper_limit = size + half;
   rung.pairs_needed = pairs_until(static_cast<double>(rung.pairs), half, budget);
+  rung.wrong_share = wrong_share(values, reference, limits, rule);
   if (rung.upper_limit <= budget)
     rung.verdict = RungVerdict::adequate;
+  else if (rung.wrong_share <= allowed_share(rule))
+    rung.verdict = RungVerdict::settled;
   else if (size - half > budget)
     rung.verdict = RungVerdict::biased;
   return rung;
@@ -63,6 +79,8 @@ const char* rung_verdict_name(RungVerdict verdict) {
   switch (verdict) {
     case RungVerdict::adequate:
       return "adequate";
+    case RungVerdict::settled:
+      return "settled";
     case RungVerdict::biased:
       return "biased";
     case RungVerdict::unusable:
@@ -73,8 +91,14 @@ const char* rung_verdict_name(RungVerdict verdict) {
   return "unresolved";
 }
 
-QuantityLadder least_rung(std::span<const std::vector<double>> values, const LadderRule& rule) {
+bool will_do(RungVerdict verdict) {
+  return verdict == RungVerdict::adequate || verdict == RungVerdict::settled;
+}
+
+QuantityLadder least_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
+                          std::span<const LimitPlan> limits) {
   QuantityLadder ladder;
+  if (!limits.empty()) ladder.allowed_wrong_share = allowed_share(rule);
   const std::vector<double>& reference = values.back();
   const auto known = values_with_partner(reference, reference);
   if (known.size() >= 2) {
@@ -84,15 +108,16 @@ QuantityLadder least_rung(std::span<const std::vector<double>> values, const Lad
   }
   bool open = std::isnan(ladder.budget);  // whether some rung may yet turn out to be adequate
   for (const auto& rung : values.first(values.size() - 1)) {
-    ladder.rungs.push_back(judged(rung, reference, ladder.budget, rule));
+    ladder.rungs.push_back(judged(rung, reference, ladder.budget, rule, limits));
     const RungVerdict verdict = ladder.rungs.back().verdict;
     open = open || verdict == RungVerdict::unresolved;
-    if (verdict == RungVerdict::adequate && !ladder.least) ladder.least = ladder.rungs.size() - 1;
+    if (will_do(verdict) && !ladder.least) ladder.least = ladder.rungs.size() - 1;
   }
   RungShift top;
   top.pairs = known.size();
   if (!known.empty()) top.shift = {0, 0, 0};
   top.upper_limit = 0;
+  top.wrong_share = wrong_share(reference, reference, limits, rule);
   top.correlation = 1;
   top.verdict = RungVerdict::adequate;
   ladder.rungs.push_back(top);
@@ -100,11 +125,17 @@ QuantityLadder least_rung(std::span<const std::vector<double>> values, const Lad
   return ladder;
 }
 
+bool is_hopeless(const QuantityLadder& quantity, std::size_t rung, const LadderRule& rule) {
+  const RungShift& seen = quantity.rungs[rung];
+  const bool open = !(quantity.rungs.back().wrong_share <= quantity.allowed_wrong_share);
+  return open && !will_do(seen.verdict) && seen.pairs_needed > rule.study_samples;
+}
+
 std::size_t least_rung_for_all(std::span<const QuantityLadder> quantities) {
   const std::size_t top = quantities.front().rungs.size() - 1;
   for (std::size_t r = 0; r < top; ++r)
     if (std::all_of(quantities.begin(), quantities.end(), [r](const QuantityLadder& quantity) {
-          return quantity.rungs[r].verdict == RungVerdict::adequate;
+          return will_do(quantity.rungs[r].verdict);
         }))
       return r;
   return top;

@@ -44,9 +44,11 @@ double predicted_gain(const std::vector<std::vector<double>>& values,
   return pilot.size() > 1 ? plan_multifidelity(pilot, costs).gain : 1;
 }
 
-bool has_limit(const StudyPlan& plan, const std::string& quantity) {
-  return std::any_of(plan.limits.begin(), plan.limits.end(),
-                     [&](const LimitPlan& limit) { return limit.quantity == quantity; });
+std::vector<LimitPlan> limits_on(const std::string& quantity, const StudyPlan& plan) {
+  std::vector<LimitPlan> limits;
+  for (const LimitPlan& limit : plan.limits)
+    if (limit.quantity == quantity) limits.push_back(limit);
+  return limits;
 }
 
 }  // namespace
@@ -57,6 +59,9 @@ ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<S
   ModelLadder ladder;
   ladder.study = reference.plan.name;
   ladder.rule = rule;
+  ladder.rule.target_yield = reference.plan.target_yield;
+  ladder.rule.candidates =
+      static_cast<double>(std::max<std::size_t>(reference.plan.candidates.size(), 1));
   ladder.samples = reference.size();
   ladder.rungs = std::move(rungs);
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -72,9 +77,10 @@ ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<S
     std::vector<std::vector<double>> values;
     for (const StudyData& rung : runs)
       values.push_back(ok_values(rung, find_quantity(rung, column.name)->values));
-    const QuantityLadder judged = least_rung(values, rule);
-    ladder.quantities.push_back({column.name, column.unit, has_limit(reference.plan, column.name),
-                                 judged, predicted_gain(values, ladder.rungs, judged)});
+    auto limits = limits_on(column.name, reference.plan);
+    const QuantityLadder judged = least_rung(values, ladder.rule, limits);
+    ladder.quantities.push_back({column.name, column.unit, std::move(limits), judged,
+                                 predicted_gain(values, ladder.rungs, judged)});
   }
   return ladder;
 }
@@ -82,7 +88,7 @@ ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<S
 std::size_t chosen_rung(const ModelLadder& ladder) {
   std::vector<QuantityLadder> limited;
   for (const LadderQuantity& quantity : ladder.quantities)
-    if (quantity.limited) limited.push_back(quantity.ladder);
+    if (quantity.limited()) limited.push_back(quantity.ladder);
   return limited.empty() ? ladder.rungs.size() - 1 : least_rung_for_all(limited);
 }
 

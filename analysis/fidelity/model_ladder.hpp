@@ -21,11 +21,12 @@ struct LadderRung {
 
 struct LadderQuantity {
   std::string name, unit;
-  bool limited = false;  ///< the study has a limit on it
+  std::vector<LimitPlan> limits = {};  ///< of the study on it
   QuantityLadder ladder;
   /// Predicted for a mean that takes cheaper rungs to help (multifidelity.hpp), measured costs; 1:
   /// the reference alone.
   double multifidelity_gain = 1;
+  bool limited() const { return !limits.empty(); }
 };
 
 struct ModelLadder {
@@ -37,17 +38,22 @@ struct ModelLadder {
   bool refining = false;
   LadderRule rule;
   std::size_t samples = 0;
-  std::vector<LadderRung> rungs;  ///< cheapest first, the last one is the reference
+  std::vector<LadderRung> rungs;          ///< cheapest first, the last one is the reference
+  std::vector<std::string> not_run = {};  ///< rungs that were not climbed: nothing is known of them
   std::vector<LadderQuantity> quantities;
 };
 
-/// `runs[r]` are the same samples on rung r. Throws StudyFileError where they are not.
+/// `runs[r]` are the same samples on rung r; target yield, candidates and limits are those of the
+/// study in their files. Throws StudyFileError where the samples differ.
 ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<StudyData>& runs,
                               const LadderRule& rule);
 
-/// The rung that `fidelity = "auto"` takes: the cheapest one that is adequate for every limited
-/// quantity, the reference where no other one is.
+/// The rung that `fidelity = "auto"` takes: the cheapest one that will do for every limited
+/// quantity, the reference where no other one does.
 std::size_t chosen_rung(const ModelLadder& ladder);
+
+/// "limit at least 1, at most 2".
+std::string limits_text(const std::vector<LimitPlan>& limits);
 
 nlohmann::ordered_json ladder_json(const ModelLadder& ladder);
 std::string ladder_csv(const ModelLadder& ladder);

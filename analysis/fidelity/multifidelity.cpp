@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace cagetol {
 namespace {
@@ -89,7 +88,8 @@ MultifidelityMean multifidelity_mean(const MultifidelityPlan& plan,
                                      std::span<const std::vector<double>> values) {
   MultifidelityMean mean;
   mean.value = 0;
-  // What each sample adds to the mean; samples of a shell, m_{i-1} <= k < m_i, are alike.
+  // What each sample adds to the deviation of the mean; samples of a shell, m_{i-1} <= k < m_i, are
+  // alike. A sample that is left out of a term deviates there by nothing.
   std::vector<double> share(values.back().size(), 0);
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::vector<std::size_t> kept;
@@ -100,9 +100,12 @@ MultifidelityMean multifidelity_mean(const MultifidelityPlan& plan,
     for (std::size_t k = 0; k < values[i].size(); ++k)
       if (!std::isnan(term(k))) kept.push_back(k);
     mean.lost += values[i].size() - kept.size();
-    for (const std::size_t k : kept) share[k] += term(k) / static_cast<double>(kept.size());
+    const auto count = static_cast<double>(kept.size());
+    double sum = 0;
+    for (const std::size_t k : kept) sum += term(k);
+    mean.value += sum / count;
+    for (const std::size_t k : kept) share[k] += (term(k) - sum / count) / count;
   }
-  mean.value = std::accumulate(share.begin(), share.end(), 0.0);
   double variance = 0;
   for (std::size_t i = 0, begin = 0; i < values.size(); begin = values[i++].size()) {
     const std::size_t count = values[i].size() - begin;

@@ -39,6 +39,21 @@ def error_against_cost(chart, horizon, error, cost, noise=None):
     return panel
 
 
+def rung_marks(axis, chart, cost):
+    """The rungs of the model ladder, with their own settings, against the highest one integrated tightly."""
+    shown = [(known(rung["window"][cost]), known(rung["window"]["bias_rms"]), rung["rung"]) for rung in chart.get("rungs", [])]
+    shown = [(x, y, name) for x, y, name in shown if x > 0 and y > 0]
+    if not shown:
+        return
+    axis.plot([x for x, _, _ in shown], [y for _, y, _ in shown], "*", color=BLACK, markersize=8, markerfacecolor="gold",
+              markeredgewidth=0.6, zorder=5, label=f"rung, against {chart['rungs'][-1]['rung']}")
+    for x, y, name in shown:
+        near = [other for other, height, _ in shown if abs(math.log10(height / y)) < 0.12 and 0 < abs(math.log10(other / x)) < 0.6]
+        left = bool(near) and x < min(near)  # of two labels side by side one goes to the left
+        axis.annotate(name, (x, y), xytext=(-5 if left else 5, 3), textcoords="offset points", fontsize=6.5,
+                      ha="right" if left else "left")
+
+
 def chart(data):
     """Trajectory error (left) and bias (right), against wall time (above) and right-hand sides (below)."""
     long = [point["window"]["bias_noise"] for point in data["points"] if point["window"]["bias_noise"] is not None]
@@ -52,6 +67,9 @@ def chart(data):
             error_against_cost(data, horizon, error, cost, noise)(axis)
             axis.set_xlabel(x_label)
             axis.set_ylabel(y_label)
+            if horizon == "window":
+                axis.margins(x=0.18, y=0.1)
+                rung_marks(axis, data, cost)
     named = {label: handle for axis in axes.flat for handle, label in zip(*axis.get_legend_handles_labels())}
     legend_below(figure, list(named.values()), list(named), 0.1)
     figure.suptitle(data["scene"], fontsize=10)

@@ -7,8 +7,8 @@ import matplotlib.pyplot as plt
 from common import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, WIDTH, known, readable
 from engine import legend_below
 
-COLOURS = [RED, ORANGE, PINK, SKY, BLUE, GREEN, BLACK]
-MARKERS = "osD^v<>"
+COLOURS = [RED, ORANGE, PINK, SKY, BLUE, GREEN, BLACK, "#7A4B2A"]  # one for each rung below the reference
+MARKERS = "osD^v<>P"
 USUAL = ["cage_slip_ratio", "pocket_force_rms_N", "pocket_impacts_per_revolution", "friction_torque_Nmm",
          "ring_displacement_mean_um", "cage_stress_p99_MPa"]
 FLOOR = 1e-2  # budgets: what is smaller is drawn here
@@ -33,7 +33,7 @@ def draw_rungs(axis, entry, costs):
         colour = COLOURS[k % len(COLOURS)]
         axis.plot([cost, cost], [lower, max(upper, FLOOR)], color=colour, linewidth=1.2)
         axis.plot(cost, max(shift, FLOOR), MARKERS[k % len(MARKERS)], color=colour, markersize=5.5,
-                  markerfacecolor=colour if rung["verdict"] == "adequate" else "white", label=rung["rung"])
+                  markerfacecolor=colour if rung["verdict"] in ("adequate", "settled") else "white", label=rung["rung"])
     axis.axhline(1, color=GREY, linestyle="--", linewidth=1.2, label="budget")
     axis.set_yscale("log")
     axis.set_xscale("log")
@@ -67,5 +67,5 @@ def ladder(data):
     named = {label: handle for axis in axes.flat[:len(entries)] for handle, label in zip(*axis.get_legend_handles_labels())}
     legend_below(figure, list(named.values()), list(named), 0.55 / (0.9 + 2.1 * rows))
     what = "what refining changes" if data.get("refining") else "least rung of each quantity"
-    figure.suptitle(f"{data['study']}: {what}, {data['samples']} samples (filled: adequate)", fontsize=10)
+    figure.suptitle(f"{data['study']}: {what}, {data['samples']} samples (filled: adequate or settled)", fontsize=10)
     return figure

@@ -40,19 +40,44 @@ std::string shift_text(const Json& shift) {
   return known("shift") + " (" + known("lower") + " to " + known("upper") + ")";
 }
 
+/// "0.0021 % (0.063 %)"; nothing where the quantity's limits were not looked at.
+std::string wrong_share_text(const Json& shift) {
+  const Json share = shift.value("wrong_share", Json()),
+             allowed = shift.value("allowed_wrong_share", Json());
+  if (share.is_null() || allowed.is_null()) return "-";
+  return fmt::format("{:.2g} % ({:.2g} %)", 100 * share.get<double>(), 100 * allowed.get<double>());
+}
+
+std::string quantity_text(const Json& shift) {
+  const std::string limit = shift.value("limit", "");
+  return escaped(readable(shift["quantity"])) +
+         (limit.empty() ? "" : "<br><small>" + escaped(limit) + "</small>");
+}
+
 std::string fidelity_text(const Json& decision) {
   if (decision.is_null()) return "";
   std::vector<std::vector<std::string>> rows;
   for (const Json& shift : decision["shift"])
-    rows.push_back({escaped(readable(shift["quantity"])), escaped(shift["rung"]), shift_text(shift),
-                    rounded(shift.value("budget", Json())), escaped(shift["verdict"])});
-  return "<h3>The model, chosen by a pilot</h3>\n" +
-         paragraph("Rung <b>" + escaped(decision["rung"]) + "</b>: " + escaped(decision["reason"]) +
-                   ".") +
-         table("ttnnt",
-               {"limited quantity", "rung", "shift of the mean against the highest rung (95 %)",
-                "budget", "verdict"},
-               rows);
+    rows.push_back({quantity_text(shift), escaped(shift["rung"]), shift_text(shift),
+                    rounded(shift.value("budget", Json())), wrong_share_text(shift),
+                    escaped(shift["verdict"])});
+  std::string html = "<h3>The model, chosen by a pilot</h3>\n" +
+                     paragraph("Rung <b>" + escaped(decision["rung"]) +
+                               "</b>: " + escaped(decision["reason"]) + ".") +
+                     table("ttnnnt",
+                           {"limited quantity", "rung", "shift of the mean (95 %)", "budget",
+                            "beyond the limit (allowed)", "verdict"},
+                           rows);
+  html += note(
+      "Shifts are those against the highest rung; beyond the limit: the largest share of runs "
+      "on its wrong side, and the share below which it is settled.");
+  if (const std::string assumption = decision.value("assumption", ""); !assumption.empty())
+    html += paragraph(
+        "<b>Settled</b>: no run of the pilot is on the wrong side of the limit, "
+        "on this rung and on the highest one, and at most the given share of all "
+        "can be (95 % confidence): too little to move a yield. It assumes " +
+        escaped(assumption) + ". The mean of such a quantity may be off by the shift.");
+  return html;
 }
 
 std::string scene_items(const Json& section, const std::string& prefix) {

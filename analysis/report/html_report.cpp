@@ -97,6 +97,7 @@ std::string html_report(const Json& report, const FigureSet& figures) {
   page += contributors_chapter(report, figures);
   page += quantities_chapter(report, figures);
   page += error_budget_chapter(report, figures);
+  page += multifidelity_chapter(report);
   page += cage_chapter(report, figures);
   page += capability_chapter(report);
   page += failures_chapter(report);

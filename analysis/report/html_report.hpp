@@ -21,6 +21,7 @@ std::string tolerance_chapter(const Json& report, const FigureSet& figures);
 std::string contributors_chapter(const Json& report, const FigureSet& figures);
 std::string quantities_chapter(const Json& report, const FigureSet& figures);
 std::string error_budget_chapter(const Json& report, const FigureSet& figures);
+std::string multifidelity_chapter(const Json& report);
 std::string cage_chapter(const Json& report, const FigureSet& figures);
 std::string capability_chapter(const Json& report);
 std::string failures_chapter(const Json& report);

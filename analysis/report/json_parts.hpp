@@ -38,6 +38,8 @@ Json limits_json(const ReportBasis& basis);
 Json quantities_json(const ReportBasis& basis);
 /// From quantities_json and what read_refining_ladder (refining_ladder.hpp) found.
 Json error_budget_json(const ReportBasis& basis, const Json& quantities, const Json& ladder);
+/// From the runs of the companion (companion.hpp); null without one.
+Json multifidelity_json(const ReportBasis& basis, const StudyData* companion);
 Json capability_json(const ReportBasis& basis);
 Json convergence_json(const ReportBasis& basis);
 Json health_json(const ReportBasis& basis);

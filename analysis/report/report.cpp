@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "analysis/report/cage_peak.hpp"
+#include "analysis/report/companion.hpp"
 #include "analysis/report/csv_tables.hpp"
 #include "analysis/report/figure_set.hpp"
 #include "analysis/report/html_report.hpp"
@@ -38,9 +39,10 @@ int run_report(const std::filesystem::path& study_dir, const ReportOptions& opti
   const auto file = study_file_in(study_dir);
   const bool staged = file.parent_path() != study_dir;
   const StudyData study = read_study_data(file);
-  const Json report = make_report(
-      study, read_confirmations(study_dir), staged ? "DIR/mixture" : "DIR",
-      read_cage_peak(file.parent_path(), study), read_refining_ladder(file.parent_path()));
+  const Json report =
+      make_report(study, read_confirmations(study_dir), staged ? "DIR/mixture" : "DIR",
+                  read_cage_peak(file.parent_path(), study),
+                  read_refining_ladder(file.parent_path()), read_companion(file.parent_path()));
   const std::string text = report.dump(1) + "\n";
   write_text(study_dir / "report.json", text);
   write_csv_tables(study_dir, study, report);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "analysis/study/study_data.hpp"
@@ -21,12 +22,14 @@ struct ReportOptions {
 /// Every number of the report, from the study alone: the same study gives the same bytes.
 /// `confirmations` are the attempts to confirm its recommendation, `directory` is how replay
 /// commands name the place of its runs, `cage_peak` what read_cage_peak (cage_peak.hpp) found,
-/// `refining_ladder` what read_refining_ladder (refining_ladder.hpp) did.
+/// `refining_ladder` what read_refining_ladder (refining_ladder.hpp) did, `companion` what
+/// read_companion (companion.hpp) did.
 nlohmann::ordered_json make_report(const StudyData& study,
                                    const std::vector<StudyData>& confirmations = {},
                                    const std::string& directory = "DIR",
                                    const nlohmann::ordered_json& cage_peak = {},
-                                   const nlohmann::ordered_json& refining_ladder = {});
+                                   const nlohmann::ordered_json& refining_ladder = {},
+                                   const std::optional<StudyData>& companion = {});
 
 /// DIR/mixture/study.h5 where DIR holds the stages of a recommendation, otherwise DIR/study.h5.
 std::filesystem::path study_file_in(const std::filesystem::path& directory);

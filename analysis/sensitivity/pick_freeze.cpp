@@ -15,7 +15,7 @@ namespace {
 using Base = std::vector<double>;
 
 /// "KEY:lot" or "KEY:pocket" -> group of its columns.
-std::string group_of(const StudyDesign& design, const std::string& input) {
+std::string group_column(const StudyDesign& design, const std::string& input) {
   for (std::size_t c = 0; c < design.columns.size(); ++c)
     if (design.columns[c] == input || design.columns[c].starts_with(input + "["))
       return design.groups[c];
@@ -24,7 +24,8 @@ std::string group_of(const StudyDesign& design, const std::string& input) {
 
 void require_independent_groups(const StudyData& runs) {
   for (const CorrelationPlan& pair : runs.plan.correlations)
-    if (pair.rho != 0 && group_of(runs.design, pair.first) != group_of(runs.design, pair.second))
+    if (pair.rho != 0 &&
+        group_column(runs.design, pair.first) != group_column(runs.design, pair.second))
       throw Refused(
           "pick-freeze indices refused: " + pair.first + " and " + pair.second +
           " are correlated but belong to different groups; correlated inputs must share one");

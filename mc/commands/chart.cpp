@@ -12,6 +12,7 @@
 
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
+#include "src/input/input_error.hpp"
 
 namespace cagetol {
 namespace {
@@ -26,6 +27,10 @@ struct ChartArguments {
 int run_chart(const ChartArguments& options) {
   const Study study = read_study(options.file, options.settings);
   require_dynamic(study.scene, "FILE", options.file, "integration to measure");
+  if (options.chart.rungs && options.chart.replicas < 2)
+    throw InputError({}, "--rungs", fmt::format("--replicas {}", options.chart.replicas),
+                     "a rung is compared by the means of its replicas",
+                     "give --replicas 2 or more");
   make_directory(options.directory);
   ChartOptions wanted = options.chart;
   wanted.horizon = 1e-3 * options.horizon_ms;
@@ -48,7 +53,8 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
       "bias of every quantity of interest over replicas with other cage offsets.\n\n"
       "Examples:\n  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
       "  cagetol chart inputs/scenes/speed-z16-skew.toml -o out/lively --methods rodas3,cvode-bdf "
-      "--replicas 100");
+      "--replicas 100\n"
+      "  cagetol chart inputs/scenes/nu205.toml -o out/models --methods rodasp --rungs");
   auto options = std::make_shared<ChartArguments>();
   command->add_option("SCENE", options->file, "Scene file (or study: its first row)")->required();
   command
@@ -61,6 +67,8 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
                    "Runs of each setting over the scene's window; 0: trajectories only")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
+  command->add_flag("--rungs", options->chart.rungs,
+                    "Run the replicas on each rung of the model ladder, too (`cagetol ladder`)");
   command->add_option("--horizon-ms", options->horizon_ms, "Length of the trajectories")
       ->check(CLI::Range(1e-3, 1e3))
       ->capture_default_str();

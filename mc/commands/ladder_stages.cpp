@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <map>
+
 #include "mc/build_info.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
@@ -12,33 +15,110 @@
 namespace cagetol {
 namespace {
 
+std::string reason_of(const ModelLadder& ladder, std::size_t chosen) {
+  if (chosen + 1 < ladder.rungs.size())
+    return "the cheapest rung that will do for every limited quantity";
+  std::string open;
+  for (const LadderQuantity& quantity : ladder.quantities)
+    if (quantity.limited() && !quantity.ladder.least)
+      open += (open.empty() ? "" : ", ") + quantity.name;
+  if (open.empty()) return "the highest rung: no cheaper one will do for every limited quantity";
+  return fmt::format("the highest rung: {} samples do not tell for {}", ladder.samples, open);
+}
+
 FidelityDecision decision_of(const ModelLadder& ladder) {
   const std::size_t chosen = chosen_rung(ladder);
   FidelityDecision decision;
   decision.rung = ladder.rungs[chosen].name;
-  std::string open;
+  decision.reason = reason_of(ladder, chosen);
   for (const LadderQuantity& quantity : ladder.quantities) {
-    if (!quantity.limited) continue;
-    if (!quantity.ladder.least) open += (open.empty() ? "" : ", ") + quantity.name;
+    if (!quantity.limited()) continue;
     for (std::size_t r = 0; r + 1 < ladder.rungs.size(); ++r) {
       const RungShift& rung = quantity.ladder.rungs[r];
+      if (rung.verdict == RungVerdict::settled) decision.assumption = kSettledAssumption;
       decision.shifts.push_back({.quantity = quantity.name,
                                  .rung = ladder.rungs[r].name,
                                  .shift = rung.shift.value,
                                  .lower = rung.shift.lower,
                                  .upper = rung.shift.upper,
                                  .budget = quantity.ladder.budget,
-                                 .verdict = rung_verdict_name(rung.verdict)});
+                                 .verdict = rung_verdict_name(rung.verdict),
+                                 .limit = limits_text(quantity.limits),
+                                 .wrong_share = rung.wrong_share,
+                                 .allowed_wrong_share = quantity.ladder.allowed_wrong_share});
     }
   }
-  if (chosen + 1 < ladder.rungs.size())
-    decision.reason = "the cheapest rung that is adequate for every limited quantity";
-  else if (open.empty())
-    decision.reason = "the highest rung: no cheaper one is adequate for every limited quantity";
-  else
-    decision.reason =
-        fmt::format("the highest rung: {} samples do not tell for {}", ladder.samples, open);
   return decision;
+}
+
+/// The sweeps of one climb. Rungs are run in any order and judged against the last one of `rungs`.
+class Climb {
+ public:
+  Climb(const Study& study, const std::vector<Rung>& rungs, const LadderOptions& options,
+        const std::string& directory, StagedSweeps& stages)
+      : study_(study), rungs_(rungs), options_(options), directory_(directory), stages_(stages) {}
+
+  /// Runs what is missing of that rung. Exit code of the sweep.
+  int run(std::size_t rung) {
+    const std::string folder = directory_ + "/" + rungs_[rung].name;
+    const int code = stages_.sweep(rung_study(study_, rungs_[rung], options_.samples), folder);
+    if (code == kDone) runs_.emplace(rung, read_study_data(study_file_path(folder)));
+    return code;
+  }
+  /// Of the rungs that have been run.
+  ModelLadder ladder() const {
+    std::vector<LadderRung> names;
+    std::vector<StudyData> runs;
+    for (const auto& [rung, data] : runs_) {
+      names.push_back({rungs_[rung].name, rungs_[rung].meaning, rungs_[rung].settings});
+      runs.push_back(data);
+    }
+    ModelLadder ladder = make_model_ladder(
+        std::move(names), runs,
+        {.study_samples = ladder_study_samples(study_), .budget_share = options_.budget_share});
+    for (std::size_t rung = 0; rung < rungs_.size(); ++rung)
+      if (!runs_.contains(rung)) ladder.not_run.push_back(rungs_[rung].name);
+    ladder.study = study_.name;
+    ladder.resolved_study = nlohmann::ordered_json::parse(study_.resolved_json);
+    ladder.build = build_id(build_info());
+    return ladder;
+  }
+
+ private:
+  const Study& study_;
+  const std::vector<Rung>& rungs_;
+  const LadderOptions& options_;
+  std::string directory_;
+  StagedSweeps& stages_;
+  std::map<std::size_t, StudyData> runs_;  ///< by place on the ladder
+};
+
+bool is_hopeless(const ModelLadder& ladder, std::size_t rung) {
+  return std::any_of(ladder.quantities.begin(), ladder.quantities.end(),
+                     [&](const LadderQuantity& quantity) {
+                       return quantity.limited() && is_hopeless(quantity.ladder, rung, ladder.rule);
+                     });
+}
+
+/// The reference, then rungs from the cheapest up to the first that will do for every limited
+/// quantity, or to one that shows that none above it will.
+std::variant<ModelLadder, int> climb_as_needed(Climb& climb, std::size_t rungs) {
+  if (const int code = climb.run(rungs - 1); code != kDone) return code;
+  for (std::size_t rung = 0; rung + 1 < rungs; ++rung) {
+    if (const int code = climb.run(rung); code != kDone) return code;
+    ModelLadder ladder = climb.ladder();
+    if (chosen_rung(ladder) == rung || is_hopeless(ladder, rung)) return ladder;
+  }
+  return climb.ladder();
+}
+
+/// What the pilot has cost beyond the runs that the study makes anyway, for people.
+void tell_cost(const ModelLadder& ladder, const FidelityDecision& decision) {
+  double cost = 0;
+  for (const LadderRung& rung : ladder.rungs) cost += rung.cost_ratio;
+  spdlog::info("fidelity: {}, {}; the pilot of {} samples on {} rungs cost about {:.0f} runs of {}",
+               decision.rung, decision.reason, ladder.samples, ladder.rungs.size(),
+               cost * static_cast<double>(ladder.samples), ladder.rungs.back().name);
 }
 
 }  // namespace
@@ -46,22 +126,10 @@ FidelityDecision decision_of(const ModelLadder& ladder) {
 std::variant<ModelLadder, int> climb(const Study& study, const std::vector<Rung>& rungs,
                                      const LadderOptions& options, const std::string& directory,
                                      StagedSweeps& stages) {
-  std::vector<LadderRung> names;
-  std::vector<StudyData> runs;
-  for (const Rung& rung : rungs) {
-    const std::string folder = directory + "/" + rung.name;
-    const int code = stages.sweep(rung_study(study, rung, options.samples), folder);
-    if (code != kDone) return code;
-    runs.push_back(read_study_data(study_file_path(folder)));
-    names.push_back({rung.name, rung.meaning, rung.settings});
-  }
-  ModelLadder ladder = make_model_ladder(
-      std::move(names), runs,
-      {.study_samples = ladder_study_samples(study), .budget_share = options.budget_share});
-  ladder.study = study.name;
-  ladder.resolved_study = nlohmann::ordered_json::parse(study.resolved_json);
-  ladder.build = build_id(build_info());
-  return ladder;
+  Climb climb(study, rungs, options, directory, stages);
+  for (std::size_t rung = 0; rung < rungs.size(); ++rung)
+    if (const int code = climb.run(rung); code != kDone) return code;
+  return climb.ladder();
 }
 
 std::variant<Study, int> with_fidelity(const Study& study, const std::string& directory,
@@ -71,19 +139,27 @@ std::variant<Study, int> with_fidelity(const Study& study, const std::string& di
     throw InputError({}, "fidelity", "\"auto\"",
                      "the study has no limits: there is nothing to judge a rung by",
                      "add [[limit]], or give fidelity = \"pinned\"");
-  const std::string folder = directory + "/fidelity";
-  const auto climbed = climb(
-      study, climbing_rungs(),
-      {.samples = study.fidelity_samples, .budget_share = study.fidelity_budget}, folder, stages);
+  const std::string folder = fidelity_folder(directory);
+  const auto& rungs = climbing_rungs();
+  const LadderOptions options{.samples = study.fidelity_samples,
+                              .budget_share = study.fidelity_budget};
+  Climb climb(study, rungs, options, folder, stages);
+  const auto climbed = climb_as_needed(climb, rungs.size());
   if (const int* code = std::get_if<int>(&climbed)) return *code;
   const auto& ladder = std::get<ModelLadder>(climbed);
   replace_file(folder + "/ladder.json", ladder_json(ladder).dump(1) + "\n");
   const FidelityDecision decision = decision_of(ladder);
-  spdlog::info("fidelity: {}, {}", decision.rung, decision.reason);
+  tell_cost(ladder, decision);
+  const auto chosen = std::find_if(rungs.begin(), rungs.end(),
+                                   [&](const Rung& rung) { return rung.name == decision.rung; });
   return changed_study(study, [&](Study& changed) {
-    changed.scene = on_rung(changed.scene, climbing_rungs()[chosen_rung(ladder)]);
+    changed.scene = on_rung(changed.scene, *chosen);
     changed.fidelity_decision = decision;
   });
+}
+
+std::string fidelity_folder(const std::string& directory) {
+  return directory + "/fidelity";
 }
 
 }  // namespace cagetol

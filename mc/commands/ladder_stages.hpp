@@ -25,8 +25,13 @@ std::variant<ModelLadder, int> climb(const Study& study, const std::vector<Rung>
 
 /// A study with fidelity = "auto" on the rung that its pilot, DIR/fidelity/RUNG, chooses, with the
 /// evidence; any other study, and one that is decided, as it is. Or the exit code of the sweep that
-/// ended early. Throws InputError where the study has no limits to choose by.
+/// ended early. The pilot runs the reference, then rungs from the cheapest up to the first that
+/// will do for every limited quantity. Throws InputError where the study has no limits to choose
+/// by.
 std::variant<Study, int> with_fidelity(const Study& study, const std::string& directory,
                                        StagedSweeps& stages);
+
+/// DIR/fidelity, where the pilot's rungs are.
+std::string fidelity_folder(const std::string& directory);
 
 }  // namespace cagetol

@@ -5,7 +5,9 @@
 
 #include <memory>
 
+#include "mc/adopted_runs.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/companion_stages.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/log.hpp"
 #include "mc/study.hpp"
@@ -27,26 +29,40 @@ Study read_with_notes(const SweepArguments& options) {
   return study;
 }
 
-/// Whether a pilot has to choose the model first. Every rank finds the same; a file that cannot be
-/// read is left to the sweep, which has the messages.
-bool is_open(const SweepArguments& options) {
+/// Whether there is more to run than one sweep: a pilot that chooses the model, cheap runs that
+/// help. Every rank finds the same; a file that cannot be read is left to the sweep, which has the
+/// messages.
+bool is_staged(const SweepArguments& options) {
   try {
     const Study study = read_study(options.file, options.settings);
-    return study.fidelity == "auto" && study.fidelity_decision.rung.empty();
+    const bool open = study.fidelity == "auto" && study.fidelity_decision.rung.empty();
+    return open || study.multifidelity == "auto";
   } catch (const std::exception&) {
     return false;
   }
 }
 
+int run_stages(const SweepArguments& options, StagedSweeps& stages) {
+  const std::string& directory = options.sweep.directory;
+  const Study given = read_with_notes(options);
+  const auto climbed = with_fidelity(given, directory, stages);
+  if (const int* code = std::get_if<int>(&climbed)) return *code;
+  const Study& study = std::get<Study>(climbed);
+  check_companion(study);
+  if (study.hash != given.hash) {
+    const std::size_t adopted = adopt_runs(
+        study, directory, fidelity_folder(directory) + "/" + study.fidelity_decision.rung);
+    if (adopted > 0) spdlog::info("{} runs of the pilot are the study's own", adopted);
+  }
+  if (const int code = stages.sweep(study, directory); code != kDone) return code;
+  return run_companion(study, directory, stages);
+}
+
 int run_sweep(const SweepArguments& options) {
   log_to_stderr();
-  if (is_open(options))
-    return run_staged(make_sweep_plan, options.sweep.progress, [&](StagedSweeps& stages) {
-      const std::string& directory = options.sweep.directory;
-      const auto study = with_fidelity(read_with_notes(options), directory, stages);
-      if (const int* code = std::get_if<int>(&study)) return *code;
-      return stages.sweep(std::get<Study>(study), directory);
-    });
+  if (is_staged(options))
+    return run_staged(make_sweep_plan, options.sweep.progress,
+                      [&](StagedSweeps& stages) { return run_stages(options, stages); });
   return run_sweep([&] { return make_sweep_plan(read_with_notes(options)); }, options.sweep);
 }
 
@@ -56,7 +72,9 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
       "sweep", "Run every sample of a study; started again, it goes on where it was interrupted");
   command->footer(
-      "With fidelity = \"auto\" in the study a pilot in DIR/fidelity chooses the model first.\n"
+      "With fidelity = \"auto\" in the study a pilot in DIR/fidelity chooses the model first; "
+      "with\n"
+      "multifidelity = \"auto\" cheap runs in DIR/companion help where they pay.\n"
       "SIGUSR1 drains: samples in flight finish, everything is written, exit code 75.\n\n"
       "Examples:\n  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  mpirun cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"

@@ -1,12 +1,16 @@
 #include "mc/engine/chart.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "mc/cage_cache.hpp"
 #include "mc/engine/replicas.hpp"
 #include "mc/engine/statistics.hpp"
 #include "mc/engine/trajectory.hpp"
+#include "src/cage/scene_cage.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -82,7 +86,8 @@ std::vector<double> values_of(const std::vector<Outcome>& outcomes, std::size_t 
   return values;
 }
 
-void summarise_biases(ChartPoint& p) {
+/// Number of quantities that count.
+int summarise_biases(WindowErrors& p) {
   double bias = 0, noise = 0;
   int count = 0;
   for (const Bias& b : p.biases) {
@@ -93,6 +98,18 @@ void summarise_biases(ChartPoint& p) {
   }
   p.bias_rms = count ? std::sqrt(bias / count) : kUnknown;
   p.bias_noise = count ? std::sqrt(noise / count) : kUnknown;
+  return count;
+}
+
+/// What the runs say against those of the reference, which is called `name`.
+int compare_runs(const std::vector<Outcome>& outcomes, const std::vector<Outcome>& reference,
+                 const std::string& name, WindowErrors& p) {
+  p.window = cost_of(outcomes);
+  for (std::size_t q = 0; q < quantity_table().size(); ++q)
+    p.biases.push_back(compare_means(values_of(outcomes, q), values_of(reference, q)));
+  if (const ChartCost cost = cost_of(reference); p.window.problem.empty() && !cost.problem.empty())
+    p.window.problem = "reference " + name + ": " + cost.problem;
+  return summarise_biases(p);
 }
 
 std::vector<Outcome> run_replicas(const std::vector<Scene>& scenes, const Setting& setting,
@@ -118,16 +135,47 @@ void measure_biases(const Study& study, const SimulateOptions& options, Chart& c
     }
     say(setting_label(p.setting));
     const auto outcomes = run_replicas(scenes, p.setting, chart.options.threads, options);
-    p.window = cost_of(outcomes);
-    for (std::size_t q = 0; q < quantity_table().size(); ++q)
-      p.biases.push_back(compare_means(values_of(outcomes, q), values_of(known, q)));
-    summarise_biases(p);
-    if (const ChartCost cost = cost_of(known); p.window.problem.empty() && !cost.problem.empty())
-      p.window.problem = "reference " + setting_label(reference) + ": " + cost.problem;
+    compare_runs(outcomes, known, setting_label(reference), p);
   }
   mark_front(
       chart.points, [](ChartPoint& p) -> ChartCost& { return p.window; },
       [](const ChartPoint& p) { return p.bias_rms; });
+}
+
+std::vector<Outcome> run_rung(const std::vector<Scene>& scenes, const Rung& rung, int threads) {
+  std::vector<Scene> set;
+  for (const Scene& scene : scenes) set.push_back(on_rung(scene, rung));
+  SimulateOptions options;
+  if (is_flexible(set.front())) options.cage_table = kept_cage_table(set.front());
+  return simulate_all(set, threads, options);
+}
+
+/// The highest rung, integrated tightly by a method of another kind.
+Rung tight(Rung rung) {
+  const Setting setting = reference_setting(setting_of(on_rung({}, rung)).method);
+  rung.settings.push_back("integration.method='" + setting.method + "'");
+  rung.settings.push_back("integration.tolerance=" + fmt::format("{}", setting.accuracy));
+  return rung;
+}
+
+void measure_rungs(const Study& study, Chart& chart,
+                   const std::function<void(const std::string&)>& say) {
+  const int n = chart.options.replicas, threads = chart.options.threads;
+  const std::vector<Scene> all = replica_scenes(study, 2 * n);
+  const std::vector<Scene> scenes(all.begin(), all.begin() + n), others(all.begin() + n, all.end());
+  const Rung& highest = climbing_rungs().back();
+  say("reference of the rungs");
+  const auto reference = run_rung(others, tight(highest), threads);
+  for (const Rung& rung : climbing_rungs()) {
+    say("rung " + rung.name);
+    RungPoint& p = chart.rungs.emplace_back();
+    p.rung = rung;
+    auto outcomes = run_rung(scenes, rung, threads);
+    // Equilibria simulate no time; they stand for the same window as the motion.
+    for (Outcome& outcome : outcomes)
+      if (outcome.run.simulated_s == 0) outcome.run.simulated_s = reference.front().run.simulated_s;
+    p.quantities = compare_runs(outcomes, reference, "of " + highest.name, p);
+  }
 }
 
 }  // namespace
@@ -135,7 +183,7 @@ void measure_biases(const Study& study, const SimulateOptions& options, Chart& c
 Chart make_chart(const Study& study, const ChartOptions& options,
                  const std::function<void(const std::string&)>& say) {
   const Scene scene = replica_scenes(study, 1).front();
-  Chart chart{scene.name, options, {kUnknown, kUnknown}, {}};
+  Chart chart{scene.name, options, {kUnknown, kUnknown}, {}, {}};
   for (const Setting& setting : setting_ladder(scene, options.methods)) {
     ChartPoint point;
     point.setting = setting;
@@ -146,6 +194,7 @@ Chart make_chart(const Study& study, const ChartOptions& options,
   const SimulateOptions shared = with_cage_table(scene);
   measure_trajectories(scene, shared, chart);
   if (options.replicas > 0) measure_biases(study, shared, chart, say);
+  if (options.replicas > 0 && options.rungs) measure_rungs(study, chart, say);
   return chart;
 }
 

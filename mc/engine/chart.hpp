@@ -1,5 +1,6 @@
 // Error against cost of every method and tolerance on one scene: trajectories over a short horizon,
-// means of the quantities of interest over the scene's whole window.
+// means of the quantities of interest over the scene's whole window. There the rungs of the model
+// ladder may stand beside them: what a cheaper model saves and costs, in the same units.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 
 #include "mc/engine/bias.hpp"
 #include "mc/engine/setting.hpp"
+#include "mc/ladder/rungs.hpp"
 #include "mc/study.hpp"
 #include "src/outcome.hpp"
 
@@ -21,6 +23,7 @@ struct ChartOptions {
   int replicas = 4;                  ///< of the long horizon; 0: short horizon only
   int repeats = 3;                   ///< of each short run, for its time
   int threads = 1;                   ///< replicas at a time
+  bool rungs = false;                ///< the model ladder beside the settings
 };
 
 /// One setting over one horizon.
@@ -31,14 +34,25 @@ struct ChartCost {
   bool on_front = false;  ///< nothing measured is both cheaper and more accurate
 };
 
-struct ChartPoint {
-  Setting setting;
-  ChartCost brief;
-  std::array<double, 2> trajectory_error{};  ///< at half the horizon and at the horizon
+/// Means over the replicas' windows against those of a reference.
+struct WindowErrors {
   ChartCost window;
   std::vector<Bias> biases;  ///< in the order of quantity_table()
   double bias_rms = 0;       ///< root mean square over the quantities of bias / deviation
   double bias_noise = 0;     ///< the same of standard error / deviation: what is resolved
+};
+
+struct ChartPoint : WindowErrors {
+  Setting setting;
+  ChartCost brief;
+  std::array<double, 2> trajectory_error{};  ///< at half the horizon and at the horizon
+};
+
+/// A rung of the model ladder with its own settings, against the highest rung integrated tightly;
+/// over the quantities that it defines.
+struct RungPoint : WindowErrors {
+  Rung rung;
+  int quantities = 0;  ///< in bias_rms
 };
 
 struct Chart {
@@ -46,6 +60,7 @@ struct Chart {
   ChartOptions options;
   std::array<double, 2> reference_gap{};  ///< trajectories of the two references apart
   std::vector<ChartPoint> points;         ///< the scene's own setting first
+  std::vector<RungPoint> rungs;           ///< climbing_rungs(), where asked for
 };
 
 /// Measures all settings; `say` is told what is going on.

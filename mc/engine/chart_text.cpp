@@ -13,6 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string quoted(const std::string& s) {
+  return s.empty() ? s : "\"" + s + "\"";
+}
+
 Json cost_json(const ChartCost& cost) {
   return {{"rtf", json_number(cost.rtf)},
           {"rhs_evaluations_per_s", json_number(cost.rhs_per_s)},
@@ -20,7 +24,7 @@ Json cost_json(const ChartCost& cost) {
           {"on_front", cost.on_front}};
 }
 
-Json biases_json(const ChartPoint& p) {
+Json biases_json(const WindowErrors& p) {
   Json list = Json::array();
   for (std::size_t q = 0; q < p.biases.size(); ++q) {
     const Bias& b = p.biases[q];
@@ -32,6 +36,37 @@ Json biases_json(const ChartPoint& p) {
                     {"verdict", verdict_name(b.verdict)}});
   }
   return list;
+}
+
+Json window_json(const WindowErrors& p) {
+  Json json = cost_json(p.window);
+  json["bias_rms"] = json_number(p.bias_rms);
+  json["bias_noise"] = json_number(p.bias_noise);
+  json["biases"] = biases_json(p);
+  return json;
+}
+
+std::string window_rows(const std::string& head, const WindowErrors& p) {
+  std::string text;
+  for (std::size_t q = 0; q < p.biases.size(); ++q) {
+    const Bias& b = p.biases[q];
+    text += fmt::format("{}window,{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.6g},{:.6g},{},{}\n", head,
+                        quantity_table()[q].key, b.bias, b.standard_error, b.upper_limit, b.allowed,
+                        verdict_name(b.verdict), p.window.rtf, p.window.rhs_per_s,
+                        p.window.on_front ? 1 : 0, quoted(p.window.problem));
+  }
+  return text;
+}
+
+std::string rungs_text(const Chart& chart) {
+  std::string text = fmt::format(
+      "\nrungs of the model ladder against {}, integrated tightly\n{:<32}{:>9}{:>11}{:>11}{:>11}\n",
+      chart.rungs.back().rung.name, "rung", "RTF", "quantities", "bias rms", "resolved");
+  for (const RungPoint& p : chart.rungs)
+    text += fmt::format("{:<32}{:>9.3f}{:>11}{:>11.2g}{:>11.2g}{}\n", p.rung.name, p.window.rtf,
+                        p.quantities, p.bias_rms, p.bias_noise,
+                        p.window.problem.empty() ? "" : "  " + p.window.problem);
+  return text;
 }
 
 /// Keys of the quantities with that verdict, separated by commas.
@@ -63,12 +98,16 @@ Json chart_json(const Chart& chart) {
     point["trajectory"] = cost_json(p.brief);
     point["trajectory"]["error_half"] = json_number(p.trajectory_error[0]);
     point["trajectory"]["error"] = json_number(p.trajectory_error[1]);
-    point["window"] = cost_json(p.window);
-    point["window"]["bias_rms"] = json_number(p.bias_rms);
-    point["window"]["bias_noise"] = json_number(p.bias_noise);
-    point["window"]["biases"] = biases_json(p);
+    point["window"] = window_json(p);
     points.push_back(std::move(point));
   }
+  json["rungs"] = Json::array();
+  for (const RungPoint& p : chart.rungs)
+    json["rungs"].push_back({{"rung", p.rung.name},
+                             {"meaning", p.rung.meaning},
+                             {"settings", p.rung.settings},
+                             {"quantities", p.quantities},
+                             {"window", window_json(p)}});
   return json;
 }
 
@@ -76,7 +115,6 @@ std::string chart_csv(const Chart& chart) {
   std::string text =
       "setting,default,horizon,quantity,error,standard_error,upper_limit_95,allowed,verdict,rtf,"
       "rhs_evaluations_per_s,on_front,problem\n";
-  const auto problem = [](const std::string& s) { return s.empty() ? s : "\"" + s + "\""; };
   for (const ChartPoint& p : chart.points) {
     const std::string head =
         setting_label(p.setting) + (&p == &chart.points.front() ? ",1," : ",0,");
@@ -84,15 +122,10 @@ std::string chart_csv(const Chart& chart) {
       text += fmt::format("{}{} ms,trajectory,{:.6g},,,,,{:.6g},{:.6g},{},{}\n", head,
                           1e3 * chart.options.horizon * (k ? 1 : 0.5), p.trajectory_error[k],
                           p.brief.rtf, p.brief.rhs_per_s, p.brief.on_front ? 1 : 0,
-                          problem(p.brief.problem));
-    for (std::size_t q = 0; q < p.biases.size(); ++q) {
-      const Bias& b = p.biases[q];
-      text += fmt::format("{}window,{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.6g},{:.6g},{},{}\n", head,
-                          quantity_table()[q].key, b.bias, b.standard_error, b.upper_limit,
-                          b.allowed, verdict_name(b.verdict), p.window.rtf, p.window.rhs_per_s,
-                          p.window.on_front ? 1 : 0, problem(p.window.problem));
-    }
+                          quoted(p.brief.problem));
+    text += window_rows(head, p);
   }
+  for (const RungPoint& p : chart.rungs) text += window_rows("rung " + p.rung.name + ",0,", p);
   return text;
 }
 
@@ -137,6 +170,7 @@ std::string chart_text(const Chart& chart) {
         "No cheaper setting is shown to be unbiased: {} replicas leave the rest unresolved; about "
         "{:.0f} would resolve a bias of one standard error of a {:g}-sample study.\n",
         chart.options.replicas, replicas_to_resolve(), kStudySamples);
+  if (!chart.rungs.empty()) text += rungs_text(chart);
   return text;
 }
 

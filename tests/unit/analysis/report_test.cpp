@@ -75,12 +75,18 @@ TEST_F(Report, ShowsTheModelThatAPilotChose) {
   EXPECT_TRUE(make_report(study)["fidelity"].is_null());
   study.plan.whole["fidelity_decision"] = nlohmann::ordered_json::parse(
       R"({"rung": "coarse-3", "reason": "the cheapest", "shift": [{"quantity": "cage_slip_ratio",
-          "rung": "planar", "verdict": "biased", "shift": 0.5, "budget": 0.25}]})");
+          "rung": "planar", "verdict": "biased", "shift": 0.5, "budget": 0.25},
+          {"quantity": "cage_slip_ratio", "rung": "coarse-3", "verdict": "settled",
+           "limit": "limit at most 0.02", "wrong_share": 2e-5, "allowed_wrong_share": 6e-4}],
+          "assumption": "that tails are light"})");
   const auto report = make_report(study);
   EXPECT_EQ(report["fidelity"]["rung"], "coarse-3");
   const std::string html = html_report(report, {});
   EXPECT_THAT(html, testing::HasSubstr("Rung <b>coarse-3</b>: the cheapest."));
   EXPECT_THAT(html, testing::HasSubstr("0.500 (- to -)"));
+  EXPECT_THAT(html, testing::HasSubstr("limit at most 0.02"));
+  EXPECT_THAT(html, testing::HasSubstr("0.002 % (0.06 %)"));
+  EXPECT_THAT(html, testing::HasSubstr("It assumes that tails are light"));
 }
 
 TEST_F(Report, SameStudySameBytes) {

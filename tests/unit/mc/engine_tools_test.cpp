@@ -100,6 +100,36 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
   EXPECT_TRUE(chart_json(chart)["points"][0]["default"].get<bool>());
 }
 
+TEST(Chart, RungsStandBesideTheSettings) {
+  const Study study = read_study(
+      std::string(CAGETOL_SOURCE_DIR) + "/inputs/scenes/nu205.toml",
+      {"window.settle_revolutions=0.3", "window.measure_revolutions=0.3", "cage.mesh_density=2",
+       "watch.energy_residual_max=1000", "watch.static_consistency_max=1000"});
+  const Chart chart = make_chart(study,
+                                 {.methods = {"rodas3"},
+                                  .horizon = 0.1e-3,
+                                  .replicas = 2,
+                                  .repeats = 1,
+                                  .threads = 1,
+                                  .rungs = true},
+                                 [](const std::string&) {});
+  ASSERT_EQ(chart.rungs.size(), climbing_rungs().size());
+  const RungPoint &equilibria = chart.rungs.front(), &highest = chart.rungs.back();
+  EXPECT_EQ(highest.rung.name, "full");
+  // Equilibria define few quantities; where a rung has none, it has no bias either.
+  EXPECT_GT(equilibria.quantities, 0);
+  EXPECT_LT(equilibria.quantities, highest.quantities);
+  EXPECT_LT(equilibria.window.rtf, highest.window.rtf);
+  const auto slip = static_cast<std::size_t>(quantity_index("cage_slip_ratio"));
+  EXPECT_TRUE(std::isnan(equilibria.biases[slip].bias));
+  EXPECT_GT(highest.biases[slip].deviation, 0);
+  const auto json = chart_json(chart);
+  EXPECT_EQ(json["rungs"][8]["rung"], "full");
+  EXPECT_EQ(json["rungs"][8]["window"]["bias_rms"].get<double>(), highest.bias_rms);
+  EXPECT_THAT(chart_csv(chart), HasSubstr("\nrung planar,0,window,cage_slip_ratio,"));
+  EXPECT_THAT(chart_text(chart), HasSubstr("rungs of the model ladder against full"));
+}
+
 TEST(Stability, Judgement) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(judge_soundness(Status::ok, 0.05, 0.01), Soundness::right);

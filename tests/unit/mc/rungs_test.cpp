@@ -208,11 +208,13 @@ TEST(Rungs, TheDecisionIsPartOfTheResolvedStudy) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   const Study decided = changed_study(study, [&](Study& changed) {
     changed.scene = on_rung(changed.scene, climbing_rungs().front());
-    changed.fidelity_decision = {
-        "quasi-static",
-        "because",
-        {{"cage_slip_ratio", "coarse-3", 0.5, 0.25, 0.75, 0.125, "biased"},
-         {"cage_slip_ratio", "quasi-static", 0, unknown, unknown, 0.125, "unresolved"}}};
+    changed.fidelity_decision = {"quasi-static",
+                                 "because",
+                                 "that it is so",
+                                 {{"cage_slip_ratio", "coarse-3", 0.5, 0.25, 0.75, 0.125, "settled",
+                                   "limit at most 1", 1e-5, 1e-3},
+                                  {"cage_slip_ratio", "quasi-static", 0, unknown, unknown, 0.125,
+                                   "unresolved", "", unknown, unknown}}};
   });
   EXPECT_NE(decided.hash, study.hash);
   const Study again = read_resolved_study(decided.resolved_toml, "again");
@@ -223,7 +225,11 @@ TEST(Rungs, TheDecisionIsPartOfTheResolvedStudy) {
   EXPECT_EQ(again.fidelity_decision.shifts[0].upper, 0.75);
   EXPECT_TRUE(std::isnan(again.fidelity_decision.shifts[1].upper));
   const auto json = nlohmann::json::parse(decided.resolved_json);
-  EXPECT_EQ(json["fidelity_decision"]["shift"][0]["verdict"], "biased");
+  EXPECT_EQ(again.fidelity_decision.assumption, "that it is so");
+  EXPECT_EQ(again.fidelity_decision.shifts[0].wrong_share, 1e-5);
+  EXPECT_EQ(again.fidelity_decision.shifts[0].limit, "limit at most 1");
+  EXPECT_TRUE(std::isnan(again.fidelity_decision.shifts[1].wrong_share));
+  EXPECT_EQ(json["fidelity_decision"]["shift"][0]["verdict"], "settled");
   EXPECT_FALSE(json["fidelity_decision"]["shift"][1].contains("upper"));
   // Only a resolved study may hold it.
   EXPECT_THROW(read_study(shipped("studies/nu205.toml"), {"fidelity_decision.rung=full"}),

@@ -1,0 +1,141 @@
+// A study that chooses its model by itself, as users start it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/process.hpp"
+#include "tests/support/study_compare.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class Fidelity : public testing::Test {
+ protected:
+  struct Ended {
+    int code;
+    std::string output;
+  };
+  Ended run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), std::string(CAGETOL_BINARY_DIR) + "/cagetol");
+    Process process(arguments, [&] { ::setenv("CAGETOL_CACHE", (scratch_ / "cache").c_str(), 1); });
+    const int code = process.wait();
+    return {code, process.output()};
+  }
+  /// A study, made short.
+  Ended sweep(const std::string& directory, std::vector<std::string> more = {},
+              const std::string& study = "nu205-slip") const {
+    std::vector<std::string> arguments = {
+        "sweep", std::string(CAGETOL_SOURCE_DIR) + "/inputs/studies/" + study + ".toml", "-o",
+        scratch_ / directory};
+    for (const char* setting :
+         {"samples=12", "fidelity_samples=8", "scene.window.settle_revolutions=0.3",
+          "scene.window.measure_revolutions=0.3", "scene.cage.mesh_density=2",
+          "scene.watch.energy_residual_max=1000", "scene.watch.static_consistency_max=1000"})
+      arguments.insert(arguments.end(), {"--set", setting});
+    for (const std::string& setting : more) arguments.insert(arguments.end(), {"--set", setting});
+    return run(arguments);
+  }
+  bool climbed(const std::string& directory, const std::string& rung) const {
+    return std::filesystem::exists(scratch_ / (directory + "/fidelity/" + rung + "/study.h5"));
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(Fidelity, ASettledLimitTakesTheCheapestRungAndThePilotsRuns) {
+  const Ended automatic = sweep("auto");
+  ASSERT_EQ(automatic.code, 0) << automatic.output;
+  EXPECT_THAT(automatic.output, HasSubstr("fidelity: planar, the cheapest rung that will do"));
+  EXPECT_THAT(automatic.output, HasSubstr("8 runs of the pilot are the study's own"));
+  EXPECT_THAT(automatic.output, HasSubstr("8 of 13 samples are already done"));
+  EXPECT_TRUE(climbed("auto", "full"));
+  EXPECT_FALSE(climbed("auto", "coarse-3"));
+  std::ifstream file(scratch_ / "auto/fidelity/ladder.json");
+  const auto ladder = nlohmann::json::parse(file);
+  EXPECT_EQ(ladder["rungs_not_run"].size(), 6u);
+  EXPECT_EQ(ladder["rungs_not_run"][0], "coarse-3");
+  EXPECT_THAT(ladder["settled_assumes"].get<std::string>(), HasSubstr("scatter normally"));
+  for (const auto& quantity : ladder["quantities"])
+    if (quantity["quantity"] == "cage_slip_ratio") {
+      EXPECT_EQ(quantity["rungs"][1]["verdict"], "settled");
+      EXPECT_LT(quantity["rungs"][1]["wrong_share"], quantity["allowed_wrong_share"]);
+      EXPECT_EQ(quantity["limits"][0]["maximum"], 0.02);
+    }
+  // The same study, decided, without the pilot's help: the same bits.
+  const Ended pinned = run({"sweep", scratch_ / "auto/study.toml", "-o", scratch_ / "pinned"});
+  ASSERT_EQ(pinned.code, 0) << pinned.output;
+  EXPECT_THAT(pinned.output, Not(HasSubstr("pilot")));
+  EXPECT_THAT(study_file_differences(scratch_ / "auto/study.h5", scratch_ / "pinned/study.h5"),
+              IsEmpty());
+  EXPECT_EQ(sweep("auto").code, 0);  // nothing is left to do
+  const Ended report = run({"report", scratch_ / "auto"});
+  ASSERT_EQ(report.code, 0) << report.output;
+  std::ifstream page(scratch_ / "auto/report.html");
+  const std::string html(std::istreambuf_iterator<char>(page), {});
+  EXPECT_THAT(html, HasSubstr("<b>Settled</b>"));
+}
+
+TEST_F(Fidelity, ALimitThatTheReferenceLeavesOpenTakesTheHighestRung) {
+  const Ended ended =
+      sweep("auto", {"limit=[{quantity='cage_slip_ratio', max=0.0003, source='test'}]"});
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_THAT(ended.output, HasSubstr("fidelity: full, the highest rung: 8 samples do not tell"));
+  EXPECT_TRUE(climbed("auto", "planar"));
+  EXPECT_FALSE(climbed("auto", "coarse-3"));  // hopeless
+  EXPECT_THAT(ended.output, HasSubstr("8 runs of the pilot are the study's own"));
+}
+
+TEST_F(Fidelity, RunsOfAnotherDesignAreNotAdopted) {
+  const Ended ended = sweep("auto", {"design='lhs'"});
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_THAT(ended.output, HasSubstr("fidelity: planar"));
+  EXPECT_THAT(ended.output, Not(HasSubstr("runs of the pilot")));
+}
+
+TEST_F(Fidelity, ACompanionHelpsWhereItPays) {
+  const std::vector<std::string> few = {"samples=20", "fidelity_samples=20"};
+  const Ended ended = sweep("out", few, "nu205-displacement");
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_THAT(ended.output, HasSubstr("multifidelity: quasi-static helps, a gain of 3"));
+  EXPECT_THAT(ended.output, HasSubstr("20 of 1000 samples are already done"));
+  const auto written = std::filesystem::last_write_time(scratch_ / "out/companion/study.h5");
+  const Ended again = sweep("out", few, "nu205-displacement");
+  EXPECT_EQ(again.code, 0) << again.output;
+  EXPECT_EQ(std::filesystem::last_write_time(scratch_ / "out/companion/study.h5"), written);
+  ASSERT_EQ(run({"report", scratch_ / "out"}).code, 0);
+  std::ifstream file(scratch_ / "out/report.json");
+  const auto part = nlohmann::json::parse(file)["multifidelity"];
+  EXPECT_TRUE(part["problem"].is_null()) << part["problem"];
+  EXPECT_EQ(part["companion_runs"], 1000);
+  EXPECT_EQ(part["quantities"][0]["quantity"], "ring_displacement_mean_um");
+  EXPECT_GT(part["quantities"][0]["statistics"][0]["achieved_gain"].get<double>(), 3);
+}
+
+TEST_F(Fidelity, NoCompanionWhereNothingIsGained) {
+  const Ended ended = sweep("out",
+                            {"samples=20", "fidelity_samples=20",
+                             "limit=[{quantity='roller_skew_rms_mrad', max=9, source='test'}]"},
+                            "nu205-displacement");
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_THAT(ended.output, HasSubstr("multifidelity: no cheap model helps"));
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "out/companion/study.h5"));
+  // What no rung can switch is told before the sweep, not after it.
+  const Ended scattered =
+      sweep("other",
+            {"scene.integration.tolerance={ law = 'uniform', lower = 0, upper = 0.0001, nominal = "
+             "0.001 }"},
+            "nu205-displacement");
+  EXPECT_EQ(scattered.code, 2) << scattered.output;
+  EXPECT_THAT(scattered.output, HasSubstr("switches this key from rung to rung"));
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "other/study.h5"));
+}
+
+}  // namespace
+}  // namespace cagetol
