@@ -110,10 +110,10 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.outer_radius = b.outer_raceway_diameter / 2 + b.internal_clearance / 4;
   const double modulus = effective_modulus(scene.roller.material, b.ring_material);
   const double roller = m.nominal_diameter / 2;
-  m.inner_film =
-      make_film_law(scene.film, modulus, 1 / (1 / roller + 1 / m.inner_radius), length, slices);
-  m.outer_film =
-      make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length, slices);
+  m.inner_film = make_film_law(scene.film, modulus, 1 / (1 / roller + 1 / m.inner_radius), length,
+                               slices, m.race);
+  m.outer_film = make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length,
+                               slices, m.race);
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
   m.flange_points = end_points(m.nominal_diameter / 2, b.shoulder_diameter / 2 - m.pitch_radius);

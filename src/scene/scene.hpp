@@ -103,7 +103,7 @@ struct Contacts {
 
 /// Oil film of the roller-race contacts (src/contact/oil_film.hpp).
 struct OilFilm {
-  std::string model = "none";         ///< "none" or "series"
+  std::string model = "none";         ///< "none", "series" or "series-bounded"
   double viscosity = 0.02;            ///< eta0 [Pa s]
   double pressure_viscosity = 18e-9;  ///< alpha [1/Pa]
   double least_force =
