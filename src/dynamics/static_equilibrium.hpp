@@ -43,7 +43,8 @@ class StaticEquilibrium {
   };
   RingForce settle_rollers(const double* angle, double orbit_rate, RollerMotion motion);
 
-  BearingModel model_;  ///< a copy with friction off
+  BearingModel model_;  ///< a copy without friction, and without damping where rollers are at rest
+  NormalLaw damped_;
   StaticState state_;
 };
 

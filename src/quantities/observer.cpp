@@ -155,7 +155,11 @@ void Observer::record_statics(double t, const double* y) {
   const double load = load_at(model_, t);
   const StaticState& rest =
       statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)], load, RollerMotion::orbiting);
-  if (!rest.converged) return;
+  ++static_positions_;
+  if (!rest.converged) {
+    ++static_positions_missed_;
+    return;
+  }
   dynamic_displacement_.add(-y[l.border_position(kRingZ)], 1);
   static_displacement_.add(-rest.ring_z, 1);
   static_elastic_z_.add(rest.ring_elastic_z, 1);
