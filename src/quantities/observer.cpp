@@ -89,7 +89,7 @@ void Observer::record(double t, const double* y, const System& system) {
   ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), weight);
   ring_elastic_z_.add(seen.ring_elastic_z, weight);
   guide_force_.add(seen.land_force[0] + seen.land_force[1], weight, keep);
-  for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_force[k] > 0);
+  for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_touching[k]);
   end_displacement_ = -q[kRingZ];
   record_rollers(y, system, weight, keep);
   record_statics(t, y);
