@@ -9,6 +9,7 @@
 // slides differentially along its length.
 #pragma once
 
+#include "src/contact/film_contact.hpp"
 #include "src/dynamics/contact_frame.hpp"
 
 namespace cagetol {

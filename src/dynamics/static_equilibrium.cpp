@@ -13,9 +13,13 @@ namespace {
 constexpr double kSoftSpring = 1e4;     // [N/m]
 constexpr double kLongestMove = 20e-6;  // [m]
 constexpr int kMostIterations = 60;
-// Of a roller's place: 1e-14 m would be a millionth of a newton of a loaded contact, more than the
-// balance of the ring is solved to, and its iteration would see noise.
-constexpr double kSettled = 1e-16;  // [m]
+constexpr int kMostUnsettled = 10;  // tries at which rollers found no place: then there is none
+// Of a roller's place [m]: 1e-14 m would be a millionth of a newton of a loaded contact, more than
+// the balance of the ring is solved to, and its iteration would see noise. Never below what the
+// place itself can be told to.
+double settled_within(double radius) {
+  return std::max(1e-16, 2e-15 * radius);
+}
 
 }  // namespace
 
@@ -82,7 +86,8 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       const Pack da = min(max((k_rr * T - k_ar * F) * inverse, splat(-kLongestMove / half)),
                           splat(kLongestMove / half));
       const Pack size = roller.exists * (max(dr, -dr) + half * max(da, -da));
-      if (largest(size) < kSettled && pass + 1 < passes) {
+      const bool settled = largest(size) < settled_within(model_.pitch_radius);
+      if (settled && pass + 1 < passes) {
         ++pass;
         model_.race = damped_;
         q.vt = q.r * orbit_rate;
@@ -90,7 +95,8 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
         q.vr = q.vt * g.position[kLr][kLt] / k_rr;
         continue;
       }
-      if (largest(size) < kSettled || iteration + 1 == kMostIterations) {
+      if (settled || iteration + 1 == kMostIterations) {
+        ring.settled = ring.settled && settled;
         // Condense: a ring move u changes the inner force directly, and through the roller that
         // follows it.
         const Pack co = q.cosine * roller.exists, si = q.sine * roller.exists;
@@ -133,14 +139,21 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
                                             RollerMotion motion) {
   const double weight = load + model_.ring_mass * model_.gravity;
   state_.converged = false;
-  RingForce f = settle_rollers(angle, orbit_rate, motion);
+  int unsettled = 0;
+  const auto settle = [&] {
+    const RingForce force = settle_rollers(angle, orbit_rate, motion);
+    if (!force.settled) ++unsettled;
+    return force;
+  };
+  RingForce f = settle();
   const auto imbalance = [&] { return std::hypot(f.y, f.z - weight); };
   const double tolerance = std::max(1e-10 * weight, 1e-8);  // [N]
   // A light ring on one roller turns over it with a stiffness of weight over radius only: the
   // spring must not outweigh that many times, or the ring creeps to the next roller.
   const double soft =
       std::min(kSoftSpring, std::max(4 * std::abs(weight), 1e-3) / model_.inner_radius);
-  for (state_.iterations = 0; state_.iterations < kMostIterations; ++state_.iterations) {
+  for (state_.iterations = 0; state_.iterations < kMostIterations && unsettled < kMostUnsettled;
+       ++state_.iterations) {
     const double now = imbalance();
     if (now < tolerance) {
       state_.converged = true;
@@ -154,10 +167,10 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
       dy *= kLongestMove / length;
       dz *= kLongestMove / length;
     }
-    for (int halving = 0; halving < 30; ++halving) {
+    for (int halving = 0; halving < 30 && unsettled < kMostUnsettled; ++halving) {
       state_.ring_y += dy;
       state_.ring_z += dz;
-      f = settle_rollers(angle, orbit_rate, motion);
+      f = settle();
       // Energy is convex, so a step that still leads downhill at its end is sound even where the
       // imbalance did not fall: crossing a clearance it stays the load itself until the rollers
       // touch, and may be more just behind.

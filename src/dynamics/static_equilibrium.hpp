@@ -40,6 +40,7 @@ class StaticEquilibrium {
     double y, z, yy, yz, zy,
         zz;            ///< force on the ring from the rollers in equilibrium, and its derivatives
     double elastic_z;  ///< elastic part of z
+    bool settled = true;  ///< every roller found its place
   };
   RingForce settle_rollers(const double* angle, double orbit_rate, RollerMotion motion);
 

@@ -98,10 +98,11 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
       cage.guidance != "roller", "cage.guide_film",
       "rollers guide this cage (" + check.with_value("cage.guidance") + "): no land carries a film",
       "set cage.guide_film = \"none\", or guide the cage by a ring");
-  const double radius = cage.guidance == "inner"
-                            ? cage.inner_diameter - scene.bearing.inner_raceway_diameter
-                            : scene.bearing.shoulder_diameter - cage.outer_diameter;
-  const double clearance = std::isnan(cage.guide_clearance) ? radius / 2 : cage.guide_clearance;
+  const double on_diameter = cage.guidance == "inner"
+                                 ? cage.inner_diameter - scene.bearing.inner_raceway_diameter
+                                 : scene.bearing.shoulder_diameter - cage.outer_diameter;
+  const double clearance =
+      std::isnan(cage.guide_clearance) ? on_diameter / 2 : cage.guide_clearance;
   check.require(4 * cage.guide_film.least < clearance, "cage.guide_film_least_um",
                 "roughness this high fills the guide clearance (" +
                     number_text(std::round(clearance * 1e9) / 1e3) + " um)",

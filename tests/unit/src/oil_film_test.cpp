@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "src/contact/film_contact.hpp"
 #include "src/contact/hertz_line.hpp"
 
 namespace cagetol {

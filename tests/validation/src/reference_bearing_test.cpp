@@ -114,6 +114,19 @@ double quantity(const Outcome& outcome, const char* key) {
   return outcome.quantities[static_cast<std::size_t>(quantity_index(key))];
 }
 
+/// Damping that holds rollers off the races as they go round leaves statics nothing to find: the run
+/// says so instead of passing unwatched.
+TEST(ReferenceBearing, SaysWhereStaticsFindNothing) {
+  Scene scene = short_run();
+  scene.contact.race.restitution = 0.01;
+  scene.contact.race.restitution_speed = 1e-3;
+  const Outcome outcome = simulate(scene);
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_EQ(outcome.run.static_positions_missed, 64);
+  EXPECT_NE(outcome.reason.find("64 of 64"), std::string::npos) << outcome.reason;
+  EXPECT_EQ(simulate(short_run()).run.static_positions_missed, 0);
+}
+
 /// Oil between rollers and races lifts the ring on to its films (inner and outer, each 0.3 to 0.5
 /// um under load) and carries the same load.
 TEST(ReferenceBearing, RunsOnItsOilFilm) {
