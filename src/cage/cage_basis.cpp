@@ -214,6 +214,10 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
         -carried(turn_fields(mesh, loads, o)) - basis.inertia.col(free).head(free) * by_turning;
     basis.turning.segment(column, turn.per_sector) = -by_turning.transpose() / norm;
   }
+  basis.attachments.resize(basis.seen.rows(), turn.sectors * bars.cols());
+  for (Eigen::Index o = 0; o < turn.sectors; ++o)
+    basis.attachments.middleCols(o * bars.cols(), bars.cols()) =
+        first_sector(mesh, turn_fields(mesh, local.leftCols(bars.cols()), o));
   CageProjection& p = basis.projection;
   const Eigen::Index all_local = turn.all() - turn.modes;
   p.modal_stiffness = basis.inertia.block(6, 6, elastic, elastic);

@@ -40,8 +40,11 @@ std::string family_name(const ModeFamily& family);
 
 struct CageBasis {
   SectorTurn turn;
-  Eigen::MatrixXd shapes;     ///< modes on all nodes, the response to turning among them
-  Eigen::MatrixXd seen;       ///< seen columns on the nodes of sector 0
+  Eigen::MatrixXd shapes;  ///< modes on all nodes, the response to turning among them
+  Eigen::MatrixXd seen;    ///< seen columns on the nodes of sector 0
+  /// Attachments of all sectors on the nodes of sector 0: sectors 0 ... Z-1, each with all of its
+  /// bar stations.
+  Eigen::MatrixXd attachments;
   Eigen::MatrixXd inertia;    ///< drive of the seen columns, see FieldDrive
   Eigen::VectorXd turning;    ///< square of the spin whose centrifugal load drives them besides
   Eigen::VectorXd frequency;  ///< elastic modes [Hz]

@@ -204,6 +204,32 @@ void fill_contact(const CageTable& table, const MatrixXd& terms, const Coefficie
   }
 }
 
+/// What forces far away leave on the undeviated cage beyond the kept modes: attachments, and modes
+/// left out. Where the last mode kept has its partner left out, neither counts.
+Eigen::MatrixXf far_residual(const CageTable& table, Index kept, Index span) {
+  const SectorTurn& turn = table.turn;
+  const Index stations = 2 * static_cast<Index>(table.stations.bar_x.size());
+  const auto contact = sector_rows(table.contact, turn.seen(), 0);
+  MatrixXd tangential(stations, turn.modes);
+  for (Index i = 0; i < stations; ++i) tangential.row(i) = contact.row(3 * i + 1).head(turn.modes);
+  MatrixXd compliance = MatrixXd::Zero(turn.modes - 6, stations);
+  const auto stress = sector_rows(table.stress, turn.seen() - 6, 0);
+  Eigen::MatrixXf far =
+      Eigen::MatrixXf::Zero(table.attachment_stress.rows(), table.attachment_stress.cols());
+  for (Index o = span + 1; o < turn.sectors - span; ++o) {
+    const MatrixXd rows = turn_modes(turn, tangential, o);
+    for (Index i = kept; i < table.frequency.size(); ++i)
+      if (turn.partner[6 + i] >= 6 + kept)
+        compliance.row(i) =
+            rows.col(6 + i).transpose() / std::pow(2 * std::numbers::pi * table.frequency[i], 2);
+    far.middleCols(o * stations, stations) =
+        table.attachment_stress.middleCols(o * stations, stations);
+    far.middleCols(o * stations, stations).noalias() +=
+        stress.leftCols(turn.modes - 6) * compliance.cast<float>();
+  }
+  return far;
+}
+
 void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficients& coefficients,
                  CageModel& model) {
   const Eigen::MatrixXf flat =
@@ -237,6 +263,7 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
     model.stress_residual.middleRows(k * per_sector, per_sector).noalias() =
         rows * strain(near_residual);
   }
+  model.far_residual = far_residual(table, kept, model.span);
 }
 
 }  // namespace
@@ -297,14 +324,19 @@ Eigen::VectorXd station_stress(const CageModel& model, const Eigen::VectorXd& q,
   const Index per_sector = 6 * model.stress_stations;
   const Index per_pocket = 2 * model.bar_stations;
   const Index sectors = components.size() / per_sector;
-  Eigen::VectorXd near(model.stress_residual.cols());
   for (Index k = 0; k < sectors; ++k) {
-    for (Index o = -model.span; o <= model.span; ++o) {
-      near.segment((o + model.span) * per_pocket, per_pocket) =
-          bar_forces.segment(((k + o + sectors) % sectors) * per_pocket, per_pocket);
+    auto here = components.segment(k * per_sector, per_sector);
+    for (Index o = 0; o < sectors; ++o) {
+      const Eigen::VectorXd force = bar_forces.segment((k + o) % sectors * per_pocket, per_pocket);
+      const Index near = near_place(o, sectors, model.span);
+      if (near >= 0)
+        here +=
+            model.stress_residual.block(k * per_sector, near * per_pocket, per_sector, per_pocket)
+                .cast<double>() *
+            force;
+      else
+        here += model.far_residual.middleCols(o * per_pocket, per_pocket).cast<double>() * force;
     }
-    components.segment(k * per_sector, per_sector).noalias() +=
-        model.stress_residual.middleRows(k * per_sector, per_sector).cast<double>() * near;
   }
   Eigen::VectorXd stress(components.size() / 6);
   for (Index i = 0; i < stress.size(); ++i) stress[i] = von_mises(components.segment<6>(6 * i));

@@ -43,8 +43,11 @@ struct CageModel {
   /// Stress per tangential force on bar stations near by: same rows; column 2n (o + span) + station
   /// for pocket j + o, o = -span ... span; trailing stations first, then leading [Pa/N].
   Eigen::MatrixXf stress_residual;
+  /// The same for all sectors, of forces farther away, as on the undeviated cage: rows 6 station +
+  /// component; column 2n o + station for pocket j + o, o = span + 1 ... Z - span - 1, others zero.
+  Eigen::MatrixXf far_residual;
   long stress_stations = 0;  ///< per sector
-  long span = 0;  ///< stress takes the residual of forces on pockets up to this many sectors away
+  long span = 0;             ///< how many sectors away a force is near by
   Eigen::MatrixXd gyroscopic;
   Eigen::MatrixXd in_plane;
   Eigen::VectorXd centrifugal;
@@ -56,6 +59,13 @@ struct CageModel {
     return 6 * (stress_stations * sector + station);
   }
 };
+
+/// Place 0 ... 2 span in stress_residual of a pocket `offset` = 0 ... Z-1 sectors on, -1 where it
+/// is far.
+inline Eigen::Index near_place(Eigen::Index offset, Eigen::Index sectors, Eigen::Index span) {
+  const Eigen::Index place = (offset + span) % sectors;
+  return place <= 2 * span ? place : -1;
+}
 
 /// The cage with these deviations, or why there is none. At most a few milliseconds.
 std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,

@@ -69,12 +69,11 @@ long contact_points(const CageStations& stations) {
   return 2 * static_cast<long>(stations.bar_x.size()) + 8;
 }
 
-SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations,
-                        const PocketDeviation& deviation, double face, double x) {
+SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations, double face,
+                        double x) {
   const double depth =
       (stations.pitch_radius - cage.inner_radius) / (cage.outer_radius - cage.inner_radius);
-  const double half_length = 0.5 * (cage.pocket_length + deviation.length);
-  return {std::clamp(depth, 0.0, 1.0), face, std::clamp(x / half_length, -1.0, 1.0)};
+  return {std::clamp(depth, 0.0, 1.0), face, std::clamp(2 * x / cage.pocket_length, -1.0, 1.0)};
 }
 
 SectorReading read_at(const SectorGrid& grid, const SectorPoint& place) {
@@ -103,13 +102,12 @@ SectorReading read_at(const SectorGrid& grid, const SectorPoint& place) {
 }
 
 std::vector<SectorReading> read_bar(const CageDimensions& cage, const CageStations& stations,
-                                    const SectorGrid& grid, const PocketDeviation& deviation,
-                                    double face, std::size_t i) {
+                                    const SectorGrid& grid, double face, std::size_t i) {
   std::vector<SectorReading> readings;
   for (int k = 0; k < kLinePoints; ++k) {
     const double along = (2 * k + 1.0) / kLinePoints - 1;
     const double x = stations.bar_x[i] + along * stations.bar_half[i];
-    readings.push_back(read_at(grid, bar_station(cage, stations, deviation, face, x)));
+    readings.push_back(read_at(grid, bar_station(cage, stations, face, x)));
     readings.back().weight /= kLinePoints;
   }
   return readings;
@@ -139,9 +137,9 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
   const double half_width = 0.5 * (cage.pocket_width + deviation.width);
   for (double face : {-1.0, 1.0}) {
     for (std::size_t i = 0; i < stations.bar_x.size(); ++i)
-      add_readings(read_bar(cage, stations, grid, deviation, face, i), deviation.pitch);
+      add_readings(read_bar(cage, stations, grid, face, i), deviation.pitch);
   }
-  const double radial = bar_station(cage, stations, deviation, 1, 0).radial;
+  const double radial = bar_station(cage, stations, 1, 0).radial;
   const double across = std::min(1.0, stations.end_offset / half_width);
   for (double end : {-1.0, 1.0}) {
     for (double side : {-1.0, 1.0}) add({radial, side * across, end}, deviation.pitch);
@@ -170,24 +168,23 @@ std::vector<int> stress_stations(const SectorGrid& grid) {
   const double half_way = nearest_line(grid, &SectorPoint::around, 0.5);
   const double next_to_root = nearest_line(grid, &SectorPoint::axial, 0.999);
   const double off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
+  const double in_bore = 1 / static_cast<double>(grid.counts.radial);  // the first line inside
   std::vector<int> stations;
   for (std::size_t p = 0; p < grid.points.size(); ++p) {
     const SectorPoint& point = grid.points[p];
     const bool surface = point.radial == 0 || point.radial == 1;
     const double around = std::abs(point.around);
     const double axial = std::abs(point.axial);
-    const bool middle_depth =
-        std::abs(point.radial - 0.5) < 0.51 / static_cast<double>(grid.counts.radial) &&
-        (grid.counts.radial % 2 == 1 || point.radial == 0.5);
-    const bool corner = around == 1 && axial == 1 && (surface || middle_depth);
+    const bool corner = around == 1 && axial == 1 && surface;
     const bool bar_middle =
         around == 1 && (axial == 0 || axial == between || axial == under_load) && surface;
     const bool bar_root = around == 1 && axial == next_to_root;
     const bool side_ring = surface && ((around == 0 && (axial == 1 || axial == 2)) ||
                                        (around == half_way && axial == 2));
-    // Out-of-plane bending: the ring's end face over the bars.
-    const bool over_bar = point.radial == 0 && axial == 2 && (around == 1 || point.around == 2);
-    const bool side_root = around == off_bar && axial == 1 && surface;
+    // Out-of-plane bending: the ring's end face over the bars and beside them.
+    const bool over_bar =
+        point.radial == 0 && axial == 2 && (around == 1 || point.around == 2 || around == off_bar);
+    const bool side_root = around == off_bar && axial == 1 && (surface || point.radial == in_bore);
     if (corner || bar_middle || bar_root || side_ring || over_bar || side_root)
       stations.push_back(static_cast<int>(p));
   }

@@ -21,13 +21,15 @@
 namespace cagetol {
 
 struct CageStations {
-  std::vector<double> bar_x = {-3.6e-3, 0, 3.6e-3};  ///< axial positions on the bar faces [m]
-  std::vector<double> bar_half = {0.9e-3, 1.8e-3,
-                                  0.9e-3};  ///< a station stands for bar_x +- this [m]
-  double pitch_radius = 19.5e-3;            ///< of bar stations and end points [m]
-  double end_offset = 3.0e-3;               ///< tangential offset of the end points [m]
-  double land_offset = 5.8e-3;              ///< axial position of the guide lands [m]
-  bool outer_guided = true;                 ///< guiding surface is the outer one
+  /// Axial positions on the bar faces [m], and a station stands for bar_x +- bar_half: on the
+  /// undeviated pocket. On a longer one both grow with its length, else the ends of the loaded line
+  /// would cross lines of the mesh and no polynomial would follow.
+  std::vector<double> bar_x = {-3.6e-3, 0, 3.6e-3};
+  std::vector<double> bar_half = {0.9e-3, 1.8e-3, 0.9e-3};
+  double pitch_radius = 19.5e-3;  ///< of bar stations and end points [m]
+  double end_offset = 3.0e-3;     ///< tangential offset of the end points [m]
+  double land_offset = 5.8e-3;    ///< axial position of the guide lands [m]
+  bool outer_guided = true;       ///< guiding surface is the outer one
 };
 
 /// Stations of a scene: bar_stations at the middles' span +-0.4 L_w, end points at 0.8 of the
@@ -36,10 +38,10 @@ CageStations cage_stations(const Scene& scene);
 
 long contact_points(const CageStations& stations);  ///< per pocket
 
-/// Place of a bar station at axial position x; face -1: trailing, +1: leading. Beyond the pocket's
-/// end: there.
-SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations,
-                        const PocketDeviation& deviation, double face, double x);
+/// Place of a bar station at axial position x of the undeviated pocket; face -1: trailing, +1:
+/// leading. Beyond the pocket's end: there.
+SectorPoint bar_station(const CageDimensions& cage, const CageStations& stations, double face,
+                        double x);
 
 /// A displacement reading: weights on the grid points of one element.
 struct SectorReading {
@@ -53,8 +55,7 @@ SectorReading read_at(const SectorGrid& grid, const SectorPoint& place);
 /// The mean over the line on the bar's face that station i stands for, as readings that add up: a
 /// roller touches along a line, and a force in a point would bring a stress of its own.
 std::vector<SectorReading> read_bar(const CageDimensions& cage, const CageStations& stations,
-                                    const SectorGrid& grid, const PocketDeviation& deviation,
-                                    double face, std::size_t i);
+                                    const SectorGrid& grid, double face, std::size_t i);
 
 /// The rows of all contact points of a pocket: 3 contact_points x 3 points of the grid, times
 /// fields in the sector's own frame. A bar station beyond the pocket's end reads at the end.
@@ -62,9 +63,9 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
                              const SectorGrid& grid, const PocketDeviation& deviation,
                              const Eigen::MatrixXd& sector_fields);
 
-/// Grid points at which the stress can be largest: the pocket's four corners at three depths, the
-/// bar faces at and beside the middle and, at every depth, beside the root, the side rings' edges
-/// at the pocket's middle and, at the pocket's end, beside the bars.
+/// Grid points at which the stress can be largest: the pocket's four corners, the bar faces at and
+/// beside the middle and, at every depth, beside the root, the side rings' edges at the pocket's
+/// middle and beside the bars.
 std::vector<int> stress_stations(const SectorGrid& grid);
 
 /// "pocket corner, leading face, x > 0, outer surface" and the like, for reports.

@@ -52,6 +52,9 @@ void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
   table.projection.col(0).setZero();
   table.contact = fit_polynomial(contact, table.range);
   table.stress = fit_polynomial(stress, table.range).cast<float>();
+  const HexMesh undeviated{sector_nodes(table.cage, {}, grid), grid.elements};
+  table.attachment_stress =
+      nodal_stress(undeviated, table.material, basis.attachments, watched).cast<float>();
 }
 
 /// Integrals that couple modes with a spin about x, on the undeviated cage.

@@ -31,6 +31,9 @@ struct CageTable {
   Eigen::MatrixXd projection;  ///< change of a packed share (sector_share.hpp) x terms
   Eigen::MatrixXd contact;     ///< (3 contact points, seen columns) x terms
   Eigen::MatrixXf stress;      ///< (6 stress stations, seen columns but the rigid ones) x terms
+  /// Undeviated, of attachments of all sectors: (6 stress stations) x (sectors 0 ... Z-1, bar
+  /// stations of each), seen from sector 0.
+  Eigen::MatrixXf attachment_stress;
   std::vector<SectorPoint> stress_points;
 
   Eigen::MatrixXd gyroscopic;   ///< integral of rho Phi_i . (e_x x Phi_j), modes x modes [kg]

@@ -13,7 +13,7 @@
 namespace cagetol {
 namespace {
 
-constexpr const char* kMagic = "cagetol cage table 5\n";
+constexpr const char* kMagic = "cagetol cage table 6\n";
 
 /// FNV-1a over the bit patterns of numbers.
 class Hash {
@@ -104,6 +104,7 @@ void transfer(Stream stream, Table& table) {
   stream(table.projection);
   stream(table.contact);
   stream(table.stress);
+  stream(table.attachment_stress);
   stream(table.gyroscopic);
   stream(table.in_plane);
   stream(table.centrifugal);

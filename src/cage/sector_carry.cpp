@@ -52,7 +52,7 @@ Eigen::MatrixXd bar_loads(const CageDimensions& cage, const CageStations& statio
       Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(grid.points.size()), 2 * n);
   for (Eigen::Index i = 0; i < 2 * n; ++i) {
     for (const SectorReading& place :
-         read_bar(cage, stations, grid, deviation, i < n ? -1 : 1, static_cast<std::size_t>(i % n)))
+         read_bar(cage, stations, grid, i < n ? -1 : 1, static_cast<std::size_t>(i % n)))
       for (int a = 0; a < 8; ++a)
         loads.block<3, 1>(3 * place.point[static_cast<std::size_t>(a)], i) +=
             place.weight[a] * tangent;

@@ -27,7 +27,7 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack reach = roller.radius * (abs(f.a_R - f.A_R) + abs(f.a_T - f.A_T)) +
                        half * abs(f.A_R * f.a_R + f.A_T * f.a_T);
     const Pack offset = abs(f.X + f.A_R * f.D_R + f.A_T * f.D_T);
-    if (!modal.flexible() && !any(offset + reach > roller.half_length - half)) return;
+    if (!any(offset + reach > roller.half_length - half - modal.farthest)) return;
   }
   PocketLoads on;
   bool touched = false;

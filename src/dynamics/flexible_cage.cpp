@@ -47,6 +47,13 @@ FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> model,
   return f;
 }
 
+double farthest_displacement(const FlexibleCage& cage, const double* q) {
+  double sum = 0;
+  for (int k = 0; k < cage.modes; ++k)
+    sum += cage.scale[static_cast<std::size_t>(k)] * std::abs(q[k]);
+  return (1 + 1e-12) * sum;  // rounding must not make it less
+}
+
 void couple_spin(const FlexibleCage& cage, double polar, double spin, const double* q,
                  const double* rate, double* acceleration, double& spin_acceleration) {
   const Coordinates at(q, cage.modes), velocity(rate, cage.modes);

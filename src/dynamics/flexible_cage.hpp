@@ -50,7 +50,8 @@ FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> cage, const Cag
 struct ModalState {
   const FlexibleCage* cage;
   const double *q, *rate;
-  Pack* force;  ///< modes packs, to be summed over lanes
+  Pack* force;          ///< modes packs, to be summed over lanes
+  double farthest = 0;  ///< no contact point has moved farther along one of its directions [m]
 
   bool flexible() const { return cage->modes > 0; }
   /// Displacement or speed of a contact point of a pack of pockets.
@@ -67,6 +68,9 @@ struct ModalState {
     for (int k = 0; k < cage->modes; ++k) force[k] += R[k] * f_R + T[k] * f_T + x[k] * f_x;
   }
 };
+
+/// Bound of any displacement at these modal coordinates.
+double farthest_displacement(const FlexibleCage& cage, const double* q);
 
 /// What the spin does to the modes, and they to it (Lagrange's equations of
 ///   T = (I_p + 2 c.q) w^2/2 + q'.q'/2 + w q'.G q;

@@ -254,7 +254,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   BorderLoads border;
   Pack modal_force[kMostModes];
   const ModalState modal{&m.flexible, y + m.layout.border_position(kModes),
-                         y + m.layout.border_velocity(kModes), modal_force};
+                         y + m.layout.border_velocity(kModes), modal_force,
+                         farthest_displacement(m.flexible, y + m.layout.border_position(kModes))};
   for (int k = 0; k < m.layout.modes; ++k) modal_force[k] = Pack{};
   [[maybe_unused]] Pack touch = splat(1e30);
   ContactRows* rows = nullptr;

@@ -69,6 +69,8 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
       guide_film<linear>(model, b, X, delta, moving, border, oil, rows, jac, seen);
       if constexpr (linear) seen->land_force[land] = std::hypot(oil[0], oil[1]);
     }
+    if constexpr (!linear)
+      if (!(p > -modal.farthest)) continue;
     BentLand bent;
     if (modal.flexible()) {
       bend_land(modal, land, std::atan2(side * nz, side * ny) - b.phi, bent);

@@ -1,5 +1,7 @@
 #include "src/dynamics/linearisation.hpp"
 
+#include "src/dynamics/flexible_cage.hpp"
+
 namespace cagetol {
 
 Linearisation::Linearisation(const StateLayout& layout)
@@ -111,21 +113,30 @@ void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller,
       }
     }
   }
+  constexpr int kMostBorder = kRigidBorder + kMostModes;
+  double damped[kMostBorder], stiff[kMostBorder], by1[kMostBorder], by2[kMostBorder];
   for (int i = first; i < border; ++i) {
-    mixed(bn[i], b1[i], b2[i], e, w1, w2);
+    mixed(bn[i], b1[i], b2[i], e, by1[i], by2[i]);
+    damped[i] = e * s.damping;
+    stiff[i] = e * s.stiffness;
     linear.power_velocity[i] += lost.rate * bn[i] - lost.v1 * b1[i] - lost.v2 * b2[i];
     linear.power_position[i] += lost.p * bn[i];
-    if (roller >= 0) {
-      for (int j = 0; j < kLocalVelocities; ++j)
-        coupling->to_velocity(i - first, j) -=
-            e * s.damping * rows.roller[0][j] + w1 * rows.roller[1][j] + w2 * rows.roller[2][j];
-      for (int j = 0; j < kLocalPositions; ++j)
-        coupling->to_position(i - first, j) -=
-            e * s.stiffness * rows.roller[0][j] + w2 * rows.lean[j];
-    }
-    for (int j = first; j < border; ++j) {
-      linear.border_velocity(i, j) -= e * s.damping * bn[j] + w1 * b1[j] + w2 * b2[j];
-      linear.border_position(i, j) -= e * s.stiffness * bn[j];
+  }
+  for (int i = first; roller >= 0 && i < border; ++i) {
+    for (int j = 0; j < kLocalVelocities; ++j)
+      coupling->to_velocity(i - first, j) -=
+          damped[i] * rows.roller[0][j] + by1[i] * rows.roller[1][j] + by2[i] * rows.roller[2][j];
+    for (int j = 0; j < kLocalPositions; ++j)
+      coupling->to_position(i - first, j) -= stiff[i] * rows.roller[0][j] + by2[i] * rows.lean[j];
+  }
+  // Column by column, as these matrices lie in memory.
+  for (int j = first; j < border; ++j) {
+    double *velocity = linear.border_velocity.col(j).data(),
+           *position = linear.border_position.col(j).data();
+    const double n = bn[j], t1 = b1[j], t2 = b2[j];
+    for (int i = first; i < border; ++i) {
+      velocity[i] -= damped[i] * n + by1[i] * t1 + by2[i] * t2;
+      position[i] -= stiff[i] * n;
     }
   }
 }

@@ -45,8 +45,13 @@ CageStress::CageStress(const CageModel& model)
   regroup(model.stress, stations_, modal_, mode_norm_);
   Eigen::VectorXd near_norm;
   regroup(model.stress_residual, stations_, residual_, near_norm);
-  force_norm_ = near_norm.reshaped(per_pocket_, 2 * span_ + 1).rowwise().maxCoeff();
-  near_.resize(residual_.cols());
+  Eigen::VectorXd far_norm;
+  regroup(model.far_residual, stations_, far_, far_norm);
+  force_norm_ = near_norm.reshaped(per_pocket_, 2 * span_ + 1)
+                    .rowwise()
+                    .maxCoeff()
+                    .cwiseMax(far_norm.reshaped(per_pocket_, sectors_).rowwise().maxCoeff());
+  acting_.reserve(static_cast<std::size_t>(per_pocket_ * sectors_));
   q_.resize(modal_.cols());
 }
 
@@ -55,26 +60,35 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
   const Eigen::Index modes = q_.size() - 1;
   q_.head(modes) = Eigen::Map<const Eigen::VectorXd>(q, modes).cast<float>();
   q_[modes] = static_cast<float>(spin * spin);
-  force_ = bar_force.cast<float>();
+  acting_.clear();
+  for (long j = 0; j < sectors_; ++j)
+    for (long i = 0; i < per_pocket_; ++i)
+      if (const double force = bar_force[j * per_pocket_ + i]; force != 0)
+        acting_.push_back({j, i, static_cast<float>(force)});
   components_.noalias() = modal_ * q_;
   const long rows = 6 * stations_;
   Largest largest;
   float most = -1;
   for (long k = 0; k < sectors_; ++k) {
-    for (long o = -span_; o <= span_; ++o)
-      near_.segment((o + span_) * per_pocket_, per_pocket_) =
-          force_.segment(((k + o + sectors_) % sectors_) * per_pocket_, per_pocket_);
     auto here = components_.segment(k * rows, rows);
-    for (Eigen::Index f = 0; f < near_.size(); ++f)
-      if (near_[f] != 0) here += near_[f] * residual_.col(f).segment(k * rows, rows);
-    Eigen::Index at = 0;
-    const float here_most = von_mises_squared(here).maxCoeff(&at);
+    for (const ActingForce& force : acting_) {
+      const long offset = (force.pocket - k + sectors_) % sectors_;
+      const long near = near_place(offset, sectors_, span_);
+      if (near >= 0)
+        here +=
+            force.value * residual_.col(near * per_pocket_ + force.place).segment(k * rows, rows);
+      else
+        here += force.value * far_.col(offset * per_pocket_ + force.place);
+    }
+    const float here_most = von_mises_squared(here).maxCoeff();
     if (here_most > most) {
       most = here_most;
       largest.sector = k;
-      largest.station = at;
     }
   }
+  Eigen::Index at = 0;
+  von_mises_squared(components_.segment(largest.sector * rows, rows)).maxCoeff(&at);
+  largest.station = at;
   largest.stress = std::sqrt(static_cast<double>(most));
   return largest;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "src/cage/cage_model.hpp"
 
@@ -26,12 +27,20 @@ class CageStress {
   double bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const;
 
  private:
+  /// A force that acts: its pocket, its place in the pocket.
+  struct ActingForce {
+    long pocket, place;
+    float value;
+  };
+
   long stations_, sectors_, per_pocket_, span_;
   Eigen::MatrixXf modal_, residual_;  ///< rows: (sector, component, station)
+  Eigen::MatrixXf far_;               ///< rows: (component, station)
   Eigen::VectorXd mode_norm_;         ///< largest stress of a unit of each mode, of a unit spin
   Eigen::VectorXd
       force_norm_;  ///< largest residual stress of a unit force, by its place in a pocket
-  Eigen::VectorXf q_, force_, near_, components_;
+  Eigen::VectorXf q_, components_;
+  std::vector<ActingForce> acting_;
 };
 
 }  // namespace cagetol

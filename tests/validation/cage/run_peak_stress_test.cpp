@@ -12,11 +12,11 @@
 namespace cagetol {
 namespace {
 
-TEST(RunPeakStress, IsThatOfTheWholeField) {
-  Scene scene;
+/// Errors of the reported peak at instants of a run.
+std::vector<double> peak_errors(Scene scene) {
   scene.cage.model = "flexible";
   scene.window.settle_time = 1e-3;
-  scene.window.measure_time = 30e-3;
+  scene.window.measure_time = 50e-3;
   scene.watch.static_consistency_max = 1;
   const auto table = make_scene_cage_table(scene);
   std::vector<Eigen::VectorXd> q, force;
@@ -31,8 +31,7 @@ TEST(RunPeakStress, IsThatOfTheWholeField) {
     force.push_back(system.seen.bar_force);
     spin.push_back(system.seen.centrifugal_spin);
   };
-  ASSERT_EQ(simulate(scene, options).status, Status::ok);
-  ASSERT_GE(q.size(), 15U);
+  EXPECT_EQ(simulate(scene, options).status, Status::ok);
   CageStates states{Eigen::MatrixXd(q[0].size(), q.size()),
                     Eigen::MatrixXd(force[0].size(), q.size()),
                     Eigen::Map<const Eigen::VectorXd>(spin.data(), std::ssize(spin))};
@@ -49,11 +48,30 @@ TEST(RunPeakStress, IsThatOfTheWholeField) {
     std::printf("  %.4f MPa by stations, %.4f MPa by the whole field: %+.2f %%\n",
                 1e-6 * peak.stations, 1e-6 * peak.full, 100 * error);
   }
-  // Now and then a peak lies between stations, or a part of it comes from two pockets away.
+  return errors;
+}
+
+void expect_close(std::vector<double> errors) {
+  ASSERT_GE(errors.size(), 30U);
   std::sort(errors.begin(), errors.end());
-  EXPECT_LT(errors[errors.size() / 2], 0.002);
-  EXPECT_LT(errors[errors.size() * 9 / 10], 0.01);
-  EXPECT_LT(errors.back(), 0.04);
+  EXPECT_LT(errors[errors.size() / 2], 0.01);
+  EXPECT_LT(errors.back(), 0.03);
+}
+
+TEST(RunPeakStress, IsThatOfTheWholeField) {
+  expect_close(peak_errors(Scene{}));
+}
+
+TEST(RunPeakStress, OfScatteredPocketsToo) {
+  Scene scene;
+  scene.cage.pocket_width.resize(13, scene.cage.pocket_width[0]);
+  scene.cage.pocket_length.resize(13, scene.cage.pocket_length[0]);
+  for (long j = 0; j < scene.bearing.roller_count; ++j) {
+    const double place = static_cast<double>(j);
+    scene.cage.pocket_width[static_cast<std::size_t>(j)] += 75e-6 * std::sin(1 + 5 * place);
+    scene.cage.pocket_length[static_cast<std::size_t>(j)] += 75e-6 * std::sin(2 + 3 * place);
+  }
+  expect_close(peak_errors(scene));
 }
 
 }  // namespace
