@@ -35,6 +35,9 @@ const std::vector<RunField>& run_fields() {
        "the stored energy); quasi-static: NaN"},
       {"static_consistency_error", "-",
        "elastic ring force and mean ring displacement against statics; quasi-static: NaN"},
+      {"static_positions_missed", "1",
+       "roller positions at which no static solution was found to compare with, of 64 and at most "
+       "one a step"},
       {"cage_frequency_error", "-",
        "flexible cage: largest relative error of its frequencies up to 20 kHz against a full "
        "solve; NaN where not "
@@ -54,6 +57,7 @@ std::vector<double> run_values(const RunRecord& r) {
           r.smallest_step_s,
           r.energy_residual,
           r.static_consistency_error,
+          r.static_positions_missed,
           r.cage_frequency_error};
 }
 

@@ -33,6 +33,8 @@ struct RunRecord {
   double smallest_step_s = 0;
   double energy_residual = 0;  ///< |work in - dissipation - change of stored energy| / dissipation
   double static_consistency_error = 0;  ///< see quantities/
+  /// Of the roller positions at which it was to be measured: without a static solution.
+  double static_positions_missed = 0;
   /// Of the flexible cage's model against a full solve, largest relative; NaN where not checked.
   double cage_frequency_error = std::numeric_limits<double>::quiet_NaN();
   double wall_s = 0;

@@ -52,13 +52,23 @@ Outcome without_cage(const CageFault& fault) {
 /// trajectories, below it none.
 constexpr double kStepErrorMax = 1;
 
-/// The equations hold for small angles of the rollers' axes [rad]. Rollers that stay upright lean by
-/// some mrad, those that nothing rights by radians.
+/// The equations hold for small angles of the rollers' axes [rad]. Rollers that stay upright lean
+/// by some mrad, those that nothing rights by radians.
 constexpr double kLeanMax = 0.1;
 
-void judge(const Scene& scene, double step_error, double lean, Outcome& outcome) {
+/// Share of the roller positions that statics may miss.
+constexpr double kMissedMax = 0.5;
+
+void judge(const Scene& scene, double step_error, const Observer& observer, Outcome& outcome) {
   const RunRecord& run = outcome.run;
-  if (!(run.static_consistency_error <= scene.watch.static_consistency_max)) {
+  const double lean = observer.largest_lean();
+  const long positions = observer.static_positions(), missed = observer.static_positions_missed();
+  if (static_cast<double>(missed) > kMissedMax * static_cast<double>(positions)) {
+    outcome.status = Status::failed;
+    outcome.reason = "no static equilibrium of ring and rollers was found at " +
+                     std::to_string(missed) + " of " + std::to_string(positions) +
+                     " roller positions: nothing tells whether the loaded contacts are right";
+  } else if (!(run.static_consistency_error <= scene.watch.static_consistency_max)) {
     outcome.status = Status::failed;
     outcome.reason =
         "static consistency error " + number(run.static_consistency_error) + " exceeds " +
@@ -151,9 +161,10 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     run.cage_revolutions = observer.cage_revolutions();
     run.energy_residual = observer.energy_residual();
     run.static_consistency_error = observer.static_consistency_error();
+    run.static_positions_missed = static_cast<double>(observer.static_positions_missed());
     outcome.quantities = observer.quantities();
     outcome.cage_peak = observer.cage_peak();
-    judge(scene, system.counts.largest_step_error, observer.largest_lean(), outcome);
+    judge(scene, system.counts.largest_step_error, observer, outcome);
   } else {
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
     outcome.status = status == StepStatus::out_of_budget ? Status::censored : Status::failed;

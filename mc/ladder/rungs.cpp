@@ -104,6 +104,8 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
       {"at-rest", "modes without rotation", {"cage.centrifugal=false", "cage.coriolis=false"}},
   };
   if (scene.film.model != "none") less.push_back({"no-film", "no oil film", {"film.model='none'"}});
+  if (scene.cage.guide_film.model != "none")
+    less.push_back({"no-guide-film", "dry guide lands", {"cage.guide_film='none'"}});
   std::vector<Rung> all;
   for (const Rung& rung : less)
     all.push_back({rung.name, rung.meaning, joined(full.settings, rung.settings)});

@@ -110,10 +110,10 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.outer_radius = b.outer_raceway_diameter / 2 + b.internal_clearance / 4;
   const double modulus = effective_modulus(scene.roller.material, b.ring_material);
   const double roller = m.nominal_diameter / 2;
-  m.inner_film =
-      make_film_law(scene.film, modulus, 1 / (1 / roller + 1 / m.inner_radius), length, slices);
-  m.outer_film =
-      make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length, slices);
+  m.inner_film = make_film_law(scene.film, modulus, 1 / (1 / roller + 1 / m.inner_radius), length,
+                               slices, m.race);
+  m.outer_film = make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length,
+                               slices, m.race);
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
   m.flange_points = end_points(m.nominal_diameter / 2, b.shoulder_diameter / 2 - m.pitch_radius);
@@ -140,6 +140,19 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   for (long j = 0; j < b.roller_count; ++j) mean_length += each(c.pocket_length, j);
   mean_length /= static_cast<double>(b.roller_count);
   m.land_offset = given_or(c.land_offset, (c.width + mean_length) / 4);
+  m.land_clearance = m.guide_clearance;
+  if (c.guide_film.model != "none" && m.guidance != Guidance::roller) {
+    const double radius = (m.land_radius + m.guide_ring_radius) / 2,
+                 width = given_or(c.guide_film.width, (c.width - mean_length) / 2);
+    const double turned = 2 * pi * c.guide_film.viscosity * radius * width;
+    m.guide_film = {true,
+                    c.guide_film.viscosity * radius * width * width * width,
+                    turned * radius * radius,
+                    turned,
+                    m.guide_clearance,
+                    c.guide_film.least};
+    m.land_clearance -= c.guide_film.least;
+  }
 
   const auto& o = scene.operation;
   m.load = o.radial_load;

@@ -7,6 +7,7 @@
 #include "src/contact/friction.hpp"
 #include "src/contact/normal_force.hpp"
 #include "src/contact/oil_film.hpp"
+#include "src/contact/short_bearing.hpp"
 #include "src/dynamics/flexible_cage.hpp"
 #include "src/dynamics/state.hpp"
 #include "src/scene/scene.hpp"
@@ -63,6 +64,8 @@ struct BearingModel {
   FlexibleCage flexible;   ///< no modes: a rigid cage
   Guidance guidance = Guidance::outer;
   double guide_clearance = 0, land_radius = 0, land_offset = 0;
+  double land_clearance = 0;  ///< at which lands touch: less than guide_clearance under a film [m]
+  ShortBearing guide_film;    ///< of one land
   double guide_ring_radius = 0;
 
   double load = 0, load_ramp = 0, gravity = 0;

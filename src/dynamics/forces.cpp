@@ -358,6 +358,7 @@ void Observation::clear() {
     std::fill(v->begin(), v->end(), 0.0);
   bar_force.setZero();
   land_force[0] = land_force[1] = 0;
+  land_touching[0] = land_touching[1] = false;
   ring_elastic_y = ring_elastic_z = 0;
   drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy =
       time_to_touch = 0;

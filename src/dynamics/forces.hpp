@@ -25,13 +25,15 @@ struct Observation {
   /// pocket the stations of the trailing face, then of the leading face (station_stress,
   /// src/cage/cage_model.hpp).
   Eigen::VectorXd bar_force;
-  double centrifugal_spin = 0;    ///< of the cage where its centrifugal load is on, else 0 [rad/s]
-  double land_force[2] = {0, 0};  ///< at x = -land_offset, +land_offset [N]
+  double centrifugal_spin = 0;  ///< of the cage where its centrifugal load is on, else 0 [rad/s]
+  /// Of contact and guide film at x = -land_offset, +land_offset [N].
+  double land_force[2] = {0, 0};
+  bool land_touching[2] = {false, false};
   double ring_elastic_y = 0,
          ring_elastic_z = 0;  ///< elastic part of the forces on the inner ring [N]
   double drive_power = 0;     ///< of the inner ring's prescribed rotation [W]
   double load_power = 0;      ///< of the applied load [W]
-  double friction_power = 0;  ///< dissipated, >= 0 [W]
+  double friction_power = 0;  ///< dissipated by friction and in the guide film, >= 0 [W]
   double damping_power = 0;   ///< dissipated by normal damping, >= 0 [W]
   double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
   double elastic_energy = 0;  ///< stored in contacts [J]

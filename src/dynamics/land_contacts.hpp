@@ -1,5 +1,6 @@
 // Cage lands against the guiding ring, one at each side ring of the cage (x = +-land_offset). delta
-// is the land's offset from the guiding ring's axis, n = delta/|delta|, p = |delta| - clearance;
+// is the land's offset from the guiding ring's axis, n = delta/|delta|, p = |delta| - clearance
+// (less the height at which roughness ends a guide film, where there is one: guide_film.hpp);
 // the force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2 along e_x, of the cage's surface
 // at land_radius n relative to the ring's. Inner guidance rubs on the inner ring, which answers.
 // A flexible cage's guiding surface bends: its displacement, interpolated around between the
@@ -9,7 +10,7 @@
 
 #include <numbers>
 
-#include "src/dynamics/contact_frame.hpp"
+#include "src/dynamics/guide_film.hpp"
 
 namespace cagetol {
 
@@ -57,13 +58,19 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
       vz -= b.ring_rate[1];
     }
     const double distance = __builtin_sqrt(y * y + z * z);
-    double p = distance - model.guide_clearance;
-    if constexpr (!linear)
-      if (!(p > -modal.farthest)) continue;
+    double p = distance - model.land_clearance;
     const double inverse = distance > 0 ? 1 / distance : 0;
     const double ny = y * inverse, nz = z * inverse;
     const double along = ny * vz - nz * vy;
     double rate = ny * vy + nz * vz;
+    double oil[2] = {0, 0};
+    if (model.guide_film.on) {
+      const double delta[2] = {y, z}, moving[2] = {vy, vz};
+      guide_film<linear>(model, b, X, delta, moving, border, oil, rows, jac, seen);
+      if constexpr (linear) seen->land_force[land] = std::hypot(oil[0], oil[1]);
+    }
+    if constexpr (!linear)
+      if (!(p > -modal.farthest)) continue;
     BentLand bent;
     if (modal.flexible()) {
       bend_land(modal, land, std::atan2(side * nz, side * ny) - b.phi, bent);
@@ -101,7 +108,10 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
       border.ring[1] -= fz;
     }
     if constexpr (linear) {
-      seen->land_force[land] = normal.force;
+      seen->land_force[land] =
+          model.guide_film.on ? std::hypot(oil[0] - normal.force * py, oil[1] - normal.force * pz)
+                              : normal.force;
+      seen->land_touching[land] = normal.force > 0;
       seen->friction_power += g * speed2;
       seen->damping_power += (normal.force - normal.elastic) * rate;
       seen->elastic_energy += normal.elastic * p / (model.land.exponent + 1);

@@ -9,6 +9,7 @@
 // slides differentially along its length.
 #pragma once
 
+#include "src/contact/film_contact.hpp"
 #include "src/dynamics/contact_frame.hpp"
 
 namespace cagetol {
@@ -22,19 +23,33 @@ struct RaceSide {
   const FilmLaw& film;
 };
 
-/// u^0.7 of the mean speed at which both surfaces carry oil into the contact.
-inline Pack entrainment_factor(const RaceSide& race, const RollerGroup& roller, const RollerPack& q,
-                               Pack distance) {
-  const Pack axis = race.sign * (q.vt - race.du_t);    // along t, as e_x x n
-  const Pack contact = axis * race.radius / distance;  // the contact travels with the roller
-  const Pack surfaces = race.sign * race.speed * race.radius + axis - roller.radius * q.spin;
-  return film_speed_factor(abs(0.5 * surfaces - contact));
+/// Mean speed at which both surfaces carry oil into the contact, as seen from the contact, which
+/// travels with the roller; the same along the whole roller.
+struct Entrainment {
+  Pack speed;           ///< u >= 0 [m/s]
+  Pack by_vt, by_spin;  ///< its derivatives
+};
+inline Entrainment entrainment(const RaceSide& race, const RollerGroup& roller,
+                               const RollerPack& q) {
+  const Pack lever = race.sign * (0.5 - race.radius / (race.radius + race.sign * roller.radius));
+  const Pack forward = 0.5 * (race.sign * race.speed * race.radius - roller.radius * q.spin) +
+                       lever * (q.vt - race.du_t);
+  const Pack way = select(forward < 0.0, splat(-1.0), splat(1.0));
+  return {way * forward, way * lever, -0.5 * way * roller.radius};
 }
 
 template <bool linear>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
                    Pack& total, Pack& sliding, Pack& elastic_r, Pack& elastic_t, Pack& drive) {
+  Entrainment oil;
+  FilmAtSpeed<Pack> film;
+  Pack thickest{};
+  if (race.film.on) {
+    oil = entrainment(race, roller, q);
+    film = film_at_speed(race.film, oil.speed);
+    thickest = thickest_film(race.film, film);
+  }
   for (const Slice& slice : model.race_slices) {
     const double xi = slice.position;
     const Pack place = q.x + xi;
@@ -43,11 +58,6 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack distance = sqrt(d_r * d_r + d_t * d_t);
     const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
     const Pack p = race.sign * (race.radius - distance) + radius;
-    Pack speed_factor{}, thickest{};
-    if (race.film.on) {
-      speed_factor = entrainment_factor(race, roller, q, distance);
-      thickest = thickest_film(race.film, speed_factor);
-    }
     const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
     if (!any(touching)) continue;
 
@@ -67,7 +77,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack reached = select(touching, p, splat(-1.0));
     FilmContact<Pack> contact;
     if (race.film.on) {
-      contact = film_contact(model.race, race.film, reached, rate, speed_factor);
+      contact = film_contact(model.race, race.film, film, reached, rate);
     } else {
       contact.normal = normal_force(model.race, reached, rate);
       contact.depth = max(p, Pack{});
@@ -95,7 +105,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       seen->friction_power += sum(g * speed2);
       seen->damping_power += sum((normal.force - normal.elastic) * rate);
       if (race.film.on) {
-        seen->elastic_energy += sum(film_energy(model.race, race.film, contact, speed_factor));
+        seen->elastic_energy += sum(film_energy(model.race, race.film, film, contact));
         seen->thinnest_film = std::min(
             seen->thinnest_film, smallest(select(touching, contact.thickness, splat(kNoFilm))));
       } else {
@@ -127,6 +137,12 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         jac->power_velocity[i] += by_rate * gn[i] - by_v1 * g1[i] - by_v2 * g2[i];
         if (i < kLocalPositions) jac->power_position[i] += by_p * gn[i] + by_turn * g1[i];
       }
+      if (race.film.on) {
+        const Pack by_speed = contact.by_speed * (fr.ratio * speed2 + rate + driven) -
+                              contact.elastic_by_speed * rate;
+        jac->power_velocity[kLt] -= by_speed * oil.by_vt;
+        jac->power_velocity[kLs] -= by_speed * oil.by_spin;
+      }
       jac->power_position[kLar] -= by_v2 * lean_r;
       jac->power_position[kLat] -= by_v2 * lean_t;
       for (int i = 0; i < kLocalVelocities; ++i) {
@@ -139,6 +155,10 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         for (int j = 0; j < kLocalVelocities; ++j)
           jac->velocity[i][j] -= ec * gn[j] + w1 * g1[j] + w2 * g2[j];
         for (int j = 0; j < kLocalPositions; ++j) jac->position[i][j] += et * g1[j] - ek * gn[j];
+        if (race.film.on) {
+          jac->velocity[i][kLt] += e * contact.by_speed * oil.by_vt;
+          jac->velocity[i][kLs] += e * contact.by_speed * oil.by_spin;
+        }
         jac->position[i][kLar] -= w2 * lean_r;
         jac->position[i][kLat] -= w2 * lean_t;
       }

@@ -13,10 +13,18 @@ namespace {
 constexpr double kSoftSpring = 1e4;     // [N/m]
 constexpr double kLongestMove = 20e-6;  // [m]
 constexpr int kMostIterations = 60;
+constexpr int kMostUnsettled = 10;  // tries at which rollers found no place: then there is none
+// Of a roller's place [m]: 1e-14 m would be a millionth of a newton of a loaded contact, more than
+// the balance of the ring is solved to, and its iteration would see noise. Never below what the
+// place itself can be told to.
+double settled_within(double radius) {
+  return std::max(1e-16, 2e-15 * radius);
+}
 
 }  // namespace
 
-StaticEquilibrium::StaticEquilibrium(const BearingModel& model) : model_(model) {
+StaticEquilibrium::StaticEquilibrium(const BearingModel& model)
+    : model_(model), damped_(model.race) {
   model_.friction.static_coefficient = model_.friction.dynamic_coefficient = 0;
   const auto n = static_cast<std::size_t>(model.layout.padded());
   state_.radius.assign(n, model.outer_radius - model.nominal_diameter / 2);
@@ -49,8 +57,11 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                          t(model_.misalignment_y, model_.misalignment_z),
                          model_.inner_film};
     const RaceSide outer{-1, model_.outer_radius, 0, {}, {}, {}, {}, {}, {}, model_.outer_film};
-    // At rest first; then orbiting: a roller follows the races, r' = orbit_rate dr/dtheta, and the
-    // law's damping has its say.
+    // Rolling, without slip, drags the film in. At rest first, where no speed damps; then orbiting:
+    // a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
+    q.vt = splat(model_.pitch_radius * orbit_rate);
+    q.spin = -q.vt / roller.radius;
+    model_.race.damping = model_.race.chi = 0;
     const int passes = motion == RollerMotion::at_rest ? 1 : 2;
     for (int pass = 0, iteration = 0; iteration < kMostIterations; ++iteration) {
       GroupLinear g{};
@@ -75,14 +86,17 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       const Pack da = min(max((k_rr * T - k_ar * F) * inverse, splat(-kLongestMove / half)),
                           splat(kLongestMove / half));
       const Pack size = roller.exists * (max(dr, -dr) + half * max(da, -da));
-      if (largest(size) < 1e-14 && pass + 1 < passes) {
+      const bool settled = largest(size) < settled_within(model_.pitch_radius);
+      if (settled && pass + 1 < passes) {
         ++pass;
+        model_.race = damped_;
         q.vt = q.r * orbit_rate;
-        q.spin = -q.vt / roller.radius;  // rolling: what drags the film in
+        q.spin = -q.vt / roller.radius;
         q.vr = q.vt * g.position[kLr][kLt] / k_rr;
         continue;
       }
-      if (largest(size) < 1e-14 || iteration + 1 == kMostIterations) {
+      if (settled || iteration + 1 == kMostIterations) {
+        ring.settled = ring.settled && settled;
         // Condense: a ring move u changes the inner force directly, and through the roller that
         // follows it.
         const Pack co = q.cosine * roller.exists, si = q.sine * roller.exists;
@@ -125,17 +139,27 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
                                             RollerMotion motion) {
   const double weight = load + model_.ring_mass * model_.gravity;
   state_.converged = false;
-  RingForce f = settle_rollers(angle, orbit_rate, motion);
+  int unsettled = 0;
+  const auto settle = [&] {
+    const RingForce force = settle_rollers(angle, orbit_rate, motion);
+    if (!force.settled) ++unsettled;
+    return force;
+  };
+  RingForce f = settle();
   const auto imbalance = [&] { return std::hypot(f.y, f.z - weight); };
-  const double tolerance = 1e-10 * std::max(weight, 1.0);
-  for (state_.iterations = 0; state_.iterations < kMostIterations; ++state_.iterations) {
+  const double tolerance = std::max(1e-10 * weight, 1e-8);  // [N]
+  // A light ring on one roller turns over it with a stiffness of weight over radius only: the
+  // spring must not outweigh that many times, or the ring creeps to the next roller.
+  const double soft =
+      std::min(kSoftSpring, std::max(4 * std::abs(weight), 1e-3) / model_.inner_radius);
+  for (state_.iterations = 0; state_.iterations < kMostIterations && unsettled < kMostUnsettled;
+       ++state_.iterations) {
     const double now = imbalance();
     if (now < tolerance) {
       state_.converged = true;
       break;
     }
-    const double yy = kSoftSpring - f.yy, zz = kSoftSpring - f.zz, yz = -f.yz, zy = -f.zy,
-                 b_z = f.z - weight;
+    const double yy = soft - f.yy, zz = soft - f.zz, yz = -f.yz, zy = -f.zy, b_z = f.z - weight;
     const double det = yy * zz - yz * zy;
     double dy = (zz * f.y - yz * b_z) / det, dz = (yy * b_z - zy * f.y) / det;
     const double length = std::hypot(dy, dz);
@@ -143,10 +167,10 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
       dy *= kLongestMove / length;
       dz *= kLongestMove / length;
     }
-    for (int halving = 0; halving < 30; ++halving) {
+    for (int halving = 0; halving < 30 && unsettled < kMostUnsettled; ++halving) {
       state_.ring_y += dy;
       state_.ring_z += dz;
-      f = settle_rollers(angle, orbit_rate, motion);
+      f = settle();
       // Energy is convex, so a step that still leads downhill at its end is sound even where the
       // imbalance did not fall: crossing a clearance it stays the load itself until the rollers
       // touch, and may be more just behind.

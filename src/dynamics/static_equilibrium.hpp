@@ -40,10 +40,12 @@ class StaticEquilibrium {
     double y, z, yy, yz, zy,
         zz;            ///< force on the ring from the rollers in equilibrium, and its derivatives
     double elastic_z;  ///< elastic part of z
+    bool settled = true;  ///< every roller found its place
   };
   RingForce settle_rollers(const double* angle, double orbit_rate, RollerMotion motion);
 
-  BearingModel model_;  ///< a copy with friction off
+  BearingModel model_;  ///< a copy without friction, and without damping where rollers are at rest
+  NormalLaw damped_;
   StaticState state_;
 };
 

@@ -57,6 +57,24 @@ inline double sqrt(double x) {
 inline double power(double x, double e) {
   return __builtin_pow(x, e);
 }
+inline double log2(double x) {
+  return __builtin_log2(x);
+}
+inline double exp2(double x) {
+  return __builtin_exp2(x);
+}
+inline double abs(double x) {
+  return __builtin_fabs(x);
+}
+/// Whole part of x >= 0, for gather(); the rest into `share`.
+inline std::int64_t cell(double x, double& share) {
+  const auto whole = static_cast<std::int64_t>(x);
+  share = x - static_cast<double>(whole);
+  return whole;
+}
+inline double gather(const double* table, std::int64_t at) {
+  return table[at];
+}
 
 inline bool any(Mask m) {
 #ifdef __AVX512F__
@@ -152,6 +170,23 @@ inline Pack power(Pack x, double e) {
 
 inline Pack abs(Pack x) {
   return max(x, -x);
+}
+
+inline Mask cell(Pack x, Pack& share) {
+  const Mask whole = __builtin_convertvector(x, Mask);
+  share = x - __builtin_convertvector(whole, Pack);
+  return whole;
+}
+/// table[at] of every lane.
+inline Pack gather(const double* table, Mask at) {
+#ifdef __AVX512F__
+  return reinterpret_cast<Pack>(
+      _mm512_i64gather_pd(reinterpret_cast<__m512i>(at), table, sizeof(double)));
+#else
+  Pack y;
+  for (int i = 0; i < kLanes; ++i) y[i] = table[at[i]];
+  return y;
+#endif
 }
 
 /// Sine and cosine, absolute error below 3e-16 for |x| < 1e5.

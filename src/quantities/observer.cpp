@@ -89,7 +89,7 @@ void Observer::record(double t, const double* y, const System& system) {
   ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), weight);
   ring_elastic_z_.add(seen.ring_elastic_z, weight);
   guide_force_.add(seen.land_force[0] + seen.land_force[1], weight, keep);
-  for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_force[k] > 0);
+  for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_touching[k]);
   end_displacement_ = -q[kRingZ];
   record_rollers(y, system, weight, keep);
   record_statics(t, y);
@@ -155,7 +155,11 @@ void Observer::record_statics(double t, const double* y) {
   const double load = load_at(model_, t);
   const StaticState& rest =
       statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)], load, RollerMotion::orbiting);
-  if (!rest.converged) return;
+  ++static_positions_;
+  if (!rest.converged) {
+    ++static_positions_missed_;
+    return;
+  }
   dynamic_displacement_.add(-y[l.border_position(kRingZ)], 1);
   static_displacement_.add(-rest.ring_z, 1);
   static_elastic_z_.add(rest.ring_elastic_z, 1);

@@ -28,6 +28,9 @@ class Observer {
   /// of the stored energy where a run dissipates less than that.
   double energy_residual() const;
   double static_consistency_error() const;
+  /// Roller positions compared with statics, and those of them at which statics failed.
+  long static_positions() const { return static_positions_; }
+  long static_positions_missed() const { return static_positions_missed_; }
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
   /// Largest angle between a roller's axis and the bearing's [rad].
@@ -51,6 +54,7 @@ class Observer {
   std::vector<double> angles_;
   double next_statics_;
   double statics_interval_;
+  long static_positions_ = 0, static_positions_missed_ = 0;
   Series dynamic_displacement_, static_displacement_, static_elastic_z_;
 
   double last_time_ = -1, next_record_ = 0;

@@ -34,7 +34,8 @@ const std::vector<Quantity>& quantity_table() {
       {"pocket_impacts_per_revolution", "1/rev",
        "closings of roller-bar contacts per cage revolution"},
       {"guide_force_rms_N", "N",
-       "rms over time of the normal force between cage lands and guiding ring, both lands"},
+       "rms over time of the normal force between cage lands and guiding ring, both lands; where a "
+       "guide film is modelled, of its pressure and the contact's force together"},
       {"guide_force_p99_N", "N", "99 % quantile over time of the same force"},
       {"guide_force_peak_N", "N", "largest value of the same force over every accepted step"},
       {"guide_impacts_per_revolution", "1/rev", "closings of land contacts per cage revolution"},

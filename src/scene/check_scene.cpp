@@ -93,6 +93,25 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "cage.land_offset_mm",
                 "the guide lands lie outside the cage (" + check.with_value("cage.width_mm") + ")",
                 "give at most half the cage's width");
+  if (cage.guide_film.model == "none") return;
+  check.require(
+      cage.guidance != "roller", "cage.guide_film",
+      "rollers guide this cage (" + check.with_value("cage.guidance") + "): no land carries a film",
+      "set cage.guide_film = \"none\", or guide the cage by a ring");
+  const double on_diameter = cage.guidance == "inner"
+                                 ? cage.inner_diameter - scene.bearing.inner_raceway_diameter
+                                 : scene.bearing.shoulder_diameter - cage.outer_diameter;
+  const double clearance =
+      std::isnan(cage.guide_clearance) ? on_diameter / 2 : cage.guide_clearance;
+  check.require(4 * cage.guide_film.least < clearance, "cage.guide_film_least_um",
+                "roughness this high fills the guide clearance (" +
+                    number_text(std::round(clearance * 1e9) / 1e3) + " um)",
+                "give less than a quarter of the clearance");
+  check.require(
+      std::isnan(cage.guide_film.width) || cage.guide_film.width <= cage.width / 2,
+      "cage.guide_film_width_mm",
+      "two lands this wide do not fit on the cage (" + check.with_value("cage.width_mm") + ")",
+      "give at most half the cage's width");
 }
 
 void check_pockets(const Scene& scene, const SceneCheck& check) {

@@ -50,6 +50,14 @@ struct RollerGeometry {
   Material material;
 };
 
+/// Oil film between the cage's lands and their guiding ring (src/contact/short_bearing.hpp).
+struct GuideFilm {
+  std::string model = "none";  ///< "none" or "short-bearing"
+  double viscosity = 0.02;     ///< eta [Pa s]
+  double width = kAuto;        ///< of a land, axial [m]
+  double least = 1e-6;         ///< gap at which roughness ends the film and the lands touch [m]
+};
+
 struct CageGeometry {
   std::string model = "rigid";                    ///< "rigid" or "flexible"
   double inner_diameter = 37.0e-3;                ///< [m]
@@ -69,11 +77,12 @@ struct CageGeometry {
   std::string guidance = "outer";     ///< "outer", "inner" or "roller"
   double guide_clearance = kAuto;     ///< radial [m]
   double land_offset = kAuto;         ///< lands at x = +-land_offset [m]
-  long mesh_density = 4;              ///< of a flexible cage: elements through the thickness
-  long modes = 20;                    ///< elastic modes kept of a flexible cage
-  double mode_damping = 0.01;         ///< damping ratio of elastic modes
-  bool centrifugal = true;            ///< centrifugal loading of the elastic modes
-  bool coriolis = true;               ///< Coriolis coupling of the elastic modes
+  GuideFilm guide_film;
+  long mesh_density = 4;       ///< of a flexible cage: elements through the thickness
+  long modes = 20;             ///< elastic modes kept of a flexible cage
+  double mode_damping = 0.01;  ///< damping ratio of elastic modes
+  bool centrifugal = true;     ///< centrifugal loading of the elastic modes
+  bool coriolis = true;        ///< Coriolis coupling of the elastic modes
 };
 
 /// Parameters of one contact kind.
@@ -103,7 +112,7 @@ struct Contacts {
 
 /// Oil film of the roller-race contacts (src/contact/oil_film.hpp).
 struct OilFilm {
-  std::string model = "none";         ///< "none" or "series"
+  std::string model = "none";         ///< "none", "series" or "series-bounded"
   double viscosity = 0.02;            ///< eta0 [Pa s]
   double pressure_viscosity = 18e-9;  ///< alpha [1/Pa]
   double least_force =

@@ -91,6 +91,8 @@ std::shared_ptr<const CageModel> random_cage(const Scene& s, int modes, Draw& dr
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
   if (options.planar) b.scene.model.rollers = "planar";
+  b.scene.film.model = options.film;
+  b.scene.cage.guide_film.model = options.guide_film;
   Draw shapes(seed + 2000003), draw(seed + 1000003);
   b.model = make_bearing_model(
       b.scene, options.modes > 0 ? random_cage(b.scene, options.modes, shapes) : nullptr);

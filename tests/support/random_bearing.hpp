@@ -18,10 +18,12 @@ struct RandomBearing {
 };
 
 struct RandomBearingOptions {
-  double lean = 1;       ///< scales every small angle: axes, misalignment, squareness
-  double depth = 30e-6;  ///< typical penetration and gap [m]
-  int modes = 0;         ///< elastic modes of the cage, of random shape
-  bool planar = false;   ///< planar rollers
+  double lean = 1;                  ///< scales every small angle: axes, misalignment, squareness
+  double depth = 30e-6;             ///< typical penetration and gap [m]
+  int modes = 0;                    ///< elastic modes of the cage, of random shape
+  bool planar = false;              ///< planar rollers
+  const char* guide_film = "none";  ///< cage.guide_film
+  const char* film = "none";        ///< film.model
 };
 
 /// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered,

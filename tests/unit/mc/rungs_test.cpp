@@ -131,6 +131,12 @@ TEST(Rungs, AFilmIsTakenAwayWhereTheSceneHasOneAndNeverAdded) {
   EXPECT_THAT(names(), Contains("no-film"));
   for (const Rung& rung : separate_rungs(scene))
     EXPECT_EQ(on_rung(scene, rung).film.model, rung.name == "no-film" ? "none" : "series");
+  EXPECT_THAT(names(), Not(Contains("no-guide-film")));
+  scene.cage.guide_film.model = "short-bearing";
+  EXPECT_THAT(names(), Contains("no-guide-film"));
+  for (const Rung& rung : separate_rungs(scene))
+    EXPECT_EQ(on_rung(scene, rung).cage.guide_film.model,
+              rung.name == "no-guide-film" ? "none" : "short-bearing");
   for (const Rung& rung : climbing_rungs()) {
     EXPECT_EQ(on_rung(scene, rung).film.model, "series");
     EXPECT_EQ(on_rung(Scene{}, rung).film.model, "none");

@@ -27,9 +27,11 @@ double rate_along_motion(const RandomBearing& b, const std::vector<double>& rate
   return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step);
 }
 
-/// Rigid and flexible cages by turns.
+/// Rigid and flexible cages, dry and oiled lands by turns.
 RandomBearing bearing(unsigned seed, bool planar) {
-  return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5, .planar = planar});
+  return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
+                               .planar = planar,
+                               .guide_film = seed % 3 == 0 ? "short-bearing" : "none"});
 }
 
 /// Net power into the bearing, and its rate along the motion by differences.

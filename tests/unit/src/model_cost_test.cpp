@@ -103,6 +103,13 @@ TEST(ModelCost, NoFilmIsNotDearerThanAFilm) {
   expect_not_dearer(dry, loaded(scene));
 }
 
+TEST(ModelCost, DryLandsAreNotDearerThanOiledOnes) {
+  Scene scene = speed_scene();
+  const Bearing dry = loaded(scene);
+  scene.cage.guide_film.model = "short-bearing";
+  expect_not_dearer(dry, loaded(scene));
+}
+
 TEST(ModelCost, ARigidCageIsNotDearerThanAFlexibleOne) {
   const RandomBearing rigid = random_bearing(3), flexible = random_bearing(3, {.modes = 20});
   expect_not_dearer({rigid.model, rigid.y}, {flexible.model, flexible.y});

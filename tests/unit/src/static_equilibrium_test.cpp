@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "src/dynamics/start_state.hpp"
+#include "tests/support/shipped_scene.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -53,6 +56,57 @@ INSTANTIATE_TEST_SUITE_P(IsoLineContact, LoadDistribution,
                                          Case{20, 0, 1.5101, 204.23, 1e-4, 1e-2},
                                          Case{14, 20, 13.336, 492.8, 1e-3, 0.1},
                                          Case{14, 40, 23.996, 602.2, 1e-3, 0.1}));
+
+// Eight positions to each pitch of the rollers.
+TEST(StaticEquilibrium, IsFoundAtEveryPositionOfTheReferenceBearing) {
+  for (const char* film : {"none", "series", "series-bounded"})
+    for (const double viscosity : {0.02, 1.0})
+      for (const double load : {1.0, 1000.0, 10000.0})
+        for (const RollerMotion motion : {RollerMotion::at_rest, RollerMotion::orbiting}) {
+          Scene scene = shipped_scene("nu205");
+          scene.film.model = film;
+          scene.film.viscosity = viscosity;
+          const BearingModel model = make_bearing_model(scene);
+          StaticEquilibrium equilibrium(model);
+          for (int k = 0; k < 104; ++k) {
+            const auto angle = roller_angles(model, 2 * std::numbers::pi * k / 104);
+            const StaticState& rest = equilibrium.solve(
+                angle.data(), kinematic_cage_speed(model, model.inner_speed), load, motion);
+            EXPECT_TRUE(rest.converged)
+                << film << ", " << viscosity << " Pa s, " << load << " N, position " << k;
+          }
+        }
+}
+
+// The film of a roller's two races is all that lies between this ring and the dry one.
+TEST(StaticEquilibrium, RestsOnTheFilmsOfTheLoadedRoller) {
+  Scene scene;
+  scene.bearing.roller_count = 3;
+  scene.operation.gravity = 0;
+  scene.discretisation.race_slices = 1;
+  const auto rest = [&](const char* film) {
+    scene.film.model = film;
+    const BearingModel model = make_bearing_model(scene);
+    std::vector<double> angle(static_cast<std::size_t>(model.layout.padded()));
+    for (std::size_t j = 0; j < angle.size(); ++j)
+      angle[j] = -std::numbers::pi / 2 + 2 * std::numbers::pi * static_cast<double>(j) / 3;
+    StaticEquilibrium equilibrium(model);
+    return equilibrium.solve(angle.data(), 250, 1000).ring_z;
+  };
+  const BearingModel model = make_bearing_model(scene);
+  scene.film.model = "series";
+  const BearingModel oiled = make_bearing_model(scene);
+  // Rolling: seen from the contact, which goes round with the roller, all surfaces move like the
+  // outer race.
+  const double speed = 250 * model.outer_radius;
+  double lift = 0;
+  for (const FilmLaw* law : {&oiled.inner_film, &oiled.outer_film}) {
+    const double centrifugal = model.groups[0].mass[0] * 250 * 250 * model.pitch_radius;
+    const double force = 1000 + (law == &oiled.outer_film ? centrifugal : 0);
+    lift += film_thickness(*law, film_at_speed(*law, speed), force);
+  }
+  EXPECT_NEAR(rest("series") - rest("none"), lift, 0.002 * lift);
+}
 
 }  // namespace
 }  // namespace cagetol
