@@ -13,7 +13,9 @@ namespace {
 constexpr double kSoftSpring = 1e4;     // [N/m]
 constexpr double kLongestMove = 20e-6;  // [m]
 constexpr int kMostIterations = 60;
-constexpr int kMostUnsettled = 10;  // tries at which rollers found no place: then there is none
+constexpr int kMostUnsettled = 200;  // tries at which rollers found no place: then there is none
+constexpr double kNoPlace =
+    1e-11;  // a roller that still moves farther at the last try has none [m]
 // Of a roller's place [m]: 1e-14 m would be a millionth of a newton of a loaded contact, more than
 // the balance of the ring is solved to, and its iteration would see noise. Never below what the
 // place itself can be told to.
@@ -96,7 +98,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
         continue;
       }
       if (settled || iteration + 1 == kMostIterations) {
-        ring.settled = ring.settled && settled;
+        ring.settled = ring.settled && largest(size) < kNoPlace;
         // Condense: a ring move u changes the inner force directly, and through the roller that
         // follows it.
         const Pack co = q.cosine * roller.exists, si = q.sine * roller.exists;
