@@ -67,7 +67,10 @@ const std::vector<Quantity>& quantity_table() {
       {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
       {"cage_stress_peak_MPa", "MPa",
        "largest von Mises stress of a flexible cage over its stress stations and every accepted "
-       "step; modes and the static rest of bar forces and turning"},
+       "step; modes and the static rest of bar forces and turning. Pocket corners are modelled "
+       "sharp: "
+       "it grows as the mesh gets finer (by 30 % from 4 to 6 elements), so it compares between "
+       "cages of one cage.mesh_density, not with a strength"},
       {"cage_stress_p99_MPa", "MPa",
        "99 % quantile over time (every 50 us) of the largest stress over the cage"},
       {"cage_stress_rms_MPa", "MPa",
