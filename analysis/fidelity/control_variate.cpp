@@ -154,7 +154,7 @@ HelpedEstimate helped_estimate(HelpedStatistic statistic, const PairedRuns& runs
         gsl_stats_correlation(pairs.first.data(), 1, pairs.second.data(), 1, count);
   }
   if (statistic == HelpedStatistic::deviation) {
-    take_root(estimate.plain, estimate.plain_error);
+    take_root(estimate.plain, estimate.plain_error);  // for the error; the value has n - 1
     const Pairs values = known_pairs(runs.dear, runs.dear);
     estimate.plain = gsl_stats_sd(values.first.data(), 1, values.first.size());
     take_root(estimate.value, estimate.standard_error);

@@ -11,13 +11,6 @@
 namespace cagetol {
 namespace {
 
-std::vector<double> ok_values(const StudyData& runs, const std::vector<double>& column) {
-  std::vector<double> values = column;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (runs.status[k] != RunStatus::ok) values[k] = kUndefined;
-  return values;
-}
-
 std::vector<double> wall_times(const StudyData& runs) {
   for (const Column& column : runs.timing)
     if (column.name == "wall_s") return ok_values(runs, column.values);

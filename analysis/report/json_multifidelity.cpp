@@ -18,13 +18,6 @@ int gain_resamples(std::size_t cheap_runs) {
   return static_cast<int>(std::clamp(1e8 / static_cast<double>(cheap_runs), 400.0, 2000.0));
 }
 
-std::vector<double> values_of_ok_runs(const StudyData& runs, const std::string& quantity) {
-  std::vector<double> values = find_quantity(runs, quantity)->values;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (runs.status[k] != RunStatus::ok) values[k] = kUndefined;
-  return values;
-}
-
 double mean_wall_time(const StudyData& runs) {
   for (const Column& column : runs.timing)
     if (column.name == "wall_s" && !column.values.empty())
@@ -76,8 +69,8 @@ Json quantity_json(const ReportBasis& basis, const StudyData& companion, const C
   std::vector<LimitPlan> limits;
   for (const LimitPlan& limit : basis.runs.plan.limits)
     if (limit.quantity == column.name) limits.push_back(limit);
-  const auto dear = values_of_ok_runs(basis.runs, column.name),
-             cheap = values_of_ok_runs(companion, column.name);
+  const auto dear = ok_values(basis.runs, column.values),
+             cheap = ok_values(companion, find_quantity(companion, column.name)->values);
   const Helped helped{dear,   cheap,
                       limits, pilot_pairs(basis.runs),
                       cost,   static_cast<std::uint64_t>(basis.runs.provenance.seed)};

@@ -1,10 +1,10 @@
 #include "analysis/statistics/tail_bounds.hpp"
 
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_randist.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -15,17 +15,10 @@ namespace {
 /// Beyond this distance in standard deviations a normal law has nothing: 1e-23.
 constexpr double kFarthestScore = 10;
 constexpr double kScorePrecision = 1e-4;  // of that distance
-constexpr double kNormalStep = 0.25;  // trapezoids of a normal density are exact to 1e-100 with it
 
-/// P(T <= t) for t > 0 of T = (Z + d) / sqrt(X / f), Z normal, X chi-squared with f degrees of
-/// freedom: the mean over Z of P(X >= f ((Z + d) / t)^2).
+/// Of the noncentral t law.
 double noncentral_t_below(double t, double freedom, double noncentrality) {
-  double sum = 0;
-  for (double z = -8; z <= 8; z += kNormalStep) {
-    const double least = std::max(z + noncentrality, 0.0) / t;
-    sum += gsl_ran_ugaussian_pdf(z) * gsl_cdf_chisq_Q(freedom * least * least, freedom);
-  }
-  return kNormalStep * sum;
+  return boost::math::cdf(boost::math::non_central_t(freedom, noncentrality), t);
 }
 
 bool is_beyond(std::span<const double> values, double limit) {

@@ -1,5 +1,6 @@
 #include "analysis/study/study_data.hpp"
 
+#include "analysis/statistics/estimate.hpp"
 #include "analysis/study/hdf5_reader.hpp"
 #include "analysis/study/study_file_error.hpp"
 
@@ -204,6 +205,13 @@ std::vector<std::size_t> first_runs(const StudyData& study) {
   for (std::size_t i = 0; i < study.size(); ++i)
     if (study.replicate[i] == 0 && study.status[i] != RunStatus::not_run) keep.push_back(i);
   return keep;
+}
+
+std::vector<double> ok_values(const StudyData& runs, const std::vector<double>& column) {
+  std::vector<double> values = column;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (runs.status[k] != RunStatus::ok) values[k] = kUndefined;
+  return values;
 }
 
 const Column* find_quantity(const StudyData& study, const std::string& name) {

@@ -73,6 +73,9 @@ StudyData select_samples(const StudyData& study, const std::vector<std::size_t>&
 /// statistic but the noise share is computed from.
 std::vector<std::size_t> first_runs(const StudyData& study);
 
+/// A column of the runs, NaN where a run gave no result.
+std::vector<double> ok_values(const StudyData& runs, const std::vector<double>& column);
+
 const Column* find_quantity(const StudyData& study, const std::string& name);
 const InputColumns* find_input(const StudyData& study, const std::string& key);
 

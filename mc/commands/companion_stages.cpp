@@ -44,10 +44,8 @@ struct Offer {
 
 std::vector<double> first_values(const StudyData& runs, const std::string& quantity,
                                  std::size_t count) {
-  std::vector<double> values = find_quantity(runs, quantity)->values;
+  std::vector<double> values = ok_values(runs, find_quantity(runs, quantity)->values);
   values.resize(std::min(count, values.size()));
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (runs.status[k] != RunStatus::ok) values[k] = kUndefined;
   return values;
 }
 

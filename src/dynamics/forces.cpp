@@ -345,26 +345,6 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
 
 }  // namespace
 
-Observation::Observation(const BearingModel& model)
-    : bar_force(Eigen::VectorXd::Zero(2 * model.flexible.stations * model.layout.rollers)) {
-  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force,
-                  &wall_force, &flange_force})
-    v->assign(static_cast<std::size_t>(model.layout.padded()), 0.0);
-}
-
-void Observation::clear() {
-  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force,
-                  &wall_force, &flange_force})
-    std::fill(v->begin(), v->end(), 0.0);
-  bar_force.setZero();
-  land_force[0] = land_force[1] = 0;
-  land_touching[0] = land_touching[1] = false;
-  ring_elastic_y = ring_elastic_z = 0;
-  drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy =
-      time_to_touch = 0;
-  thinnest_film = kNoFilm;
-}
-
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
   const auto with = model.planar ? evaluate<false, true> : evaluate<false, false>;
   with(model, t, y, rate, nullptr, nullptr);

@@ -6,6 +6,8 @@
 
 #include "src/cage/cage_modes.hpp"
 #include "src/cage/cage_report.hpp"
+#include "src/cage/field_recovery.hpp"
+#include "src/cage/sector_carry.hpp"
 
 namespace cagetol {
 namespace {
@@ -43,6 +45,44 @@ TEST(MeshDensity, NightlyDefaultIsCloseToAMuchFinerMesh) {
   const Eigen::VectorXd fine = frequencies(6);
   EXPECT_LT((chosen - fine).maxCoeff(), 0.5 * (two - chosen).maxCoeff());
   EXPECT_LT((chosen - fine).cwiseQuotient(fine).maxCoeff(), 0.015);
+}
+
+/// Largest stress under a unit force on a bar station of the trailing face [Pa].
+double stress_under(long density, Eigen::Index station) {
+  const CageDimensions cage;
+  const Material steel{206e9, 0.30, 7850};
+  const auto meshed =
+      make_cage_mesh(cage, std::vector<PocketDeviation>(13), mesh_counts(cage, density));
+  const CageMesh& mesh = std::get<CageMesh>(meshed);
+  const BodyMatrices body = assemble_body(mesh.mesh, steel);
+  const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
+  const Eigen::VectorXd sector = bar_loads(cage, {}, mesh.grid, {}).col(station);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(body.mass.rows());
+  for (std::size_t p = 0; p < mesh.grid.points.size(); ++p)
+    load.segment<3>(3 * mesh.sector_node[0][p]) +=
+        sector.segment<3>(3 * static_cast<Eigen::Index>(p));
+  const Eigen::VectorXd moved =
+      free_static_response(body, factor, free_modes(mesh.mesh, body, factor, 1).rigid, load);
+  double largest = 0;
+  for (const int point : stress_stations(mesh.grid))
+    largest = std::max(
+        largest, von_mises(nodal_stress(mesh.mesh, steel, moved,
+                                        {mesh.sector_node[0][static_cast<std::size_t>(point)]})
+                               .col(0)));
+  std::printf("density %ld, station %ld: %.3f MPa\n", density, static_cast<long>(station),
+              1e-6 * largest);
+  return largest;
+}
+
+/// At sharp corners stress has no limit: from the default to a finer mesh it grows more than it did
+/// from a coarser one, wherever the force is. Whoever compares stresses must know.
+TEST(MeshDensity, StressAtTheRootDoesNotConverge) {
+  for (const Eigen::Index station : {0, 1}) {
+    const double coarse = stress_under(3, station), usual = stress_under(4, station),
+                 fine = stress_under(6, station);
+    EXPECT_GT(fine, 1.1 * usual);
+    EXPECT_GT(fine - usual, usual - coarse);
+  }
 }
 
 TEST(CageReport, DefaultSceneMeetsItsBars) {

@@ -95,18 +95,24 @@ TEST_P(Linearisation, AgreesWithDifferencesButForStatedTerms) {
   EXPECT_LT(worst, 0.04);
 }
 
+/// Loaded races, the ring moving, rollers slipping a little.
+RandomBearing loaded_races(const char* law, const char* film, bool planar) {
+  RandomBearing b;
+  b.scene.contact.race.law = law;
+  b.scene.film.model = film;
+  if (planar) b.scene.model.rollers = "planar";
+  b.model = make_bearing_model(b.scene);
+  const StateLayout& l = b.model.layout;
+  b.y = start_state(b.model, b.scene.start);
+  b.y[static_cast<std::size_t>(l.border_velocity(kRingZ))] = 0.02;
+  b.y[static_cast<std::size_t>(l.border_velocity(kRingY))] = 0.01;
+  for (int j = 0; j < l.rollers; ++j) b.y[static_cast<std::size_t>(l.velocity(kSpin, j))] *= 1.003;
+  return b;
+}
+
 TEST_P(Linearisation, LoadedRacesAreExact) {
   for (const char* law : {"hertz", "impact"}) {
-    RandomBearing b;
-    b.scene.contact.race.law = law;
-    if (GetParam()) b.scene.model.rollers = "planar";
-    b.model = make_bearing_model(b.scene);
-    const StateLayout& l = b.model.layout;
-    b.y = start_state(b.model, b.scene.start);
-    b.y[static_cast<std::size_t>(l.border_velocity(kRingZ))] = 0.02;
-    b.y[static_cast<std::size_t>(l.border_velocity(kRingY))] = 0.01;
-    for (int j = 0; j < l.rollers; ++j)
-      b.y[static_cast<std::size_t>(l.velocity(kSpin, j))] *= 1.003;
+    const RandomBearing b = loaded_races(law, "none", GetParam());
     // What differencing can tell: the error of its own falls with the step squared, down to 1e-7 at
     // this one.
     EXPECT_LT(relative_difference(b, 1e-4), 2e-7) << law;
@@ -120,17 +126,8 @@ TEST_P(Linearisation, LoadedRacesWithAFilmAreExact) {
   for (const char* film : {"series", "series-bounded"})
     for (const char* law : {"hertz", "impact"})
       for (const double speed : {1.0, 1e-3, 0.0}) {
-        RandomBearing b;
-        b.scene.film.model = film;
-        b.scene.contact.race.law = law;
-        if (GetParam()) b.scene.model.rollers = "planar";
-        b.model = make_bearing_model(b.scene);
+        RandomBearing b = loaded_races(law, film, GetParam());
         const StateLayout& l = b.model.layout;
-        b.y = start_state(b.model, b.scene.start);
-        b.y[static_cast<std::size_t>(l.border_velocity(kRingZ))] = 0.02;
-        b.y[static_cast<std::size_t>(l.border_velocity(kRingY))] = 0.01;
-        for (int j = 0; j < l.rollers; ++j)
-          b.y[static_cast<std::size_t>(l.velocity(kSpin, j))] *= 1.003;
         b.model.inner_speed = b.model.speed_from = b.model.inner_speed * speed;
         for (int j = 0; j < l.rollers; ++j)
           for (const RollerVelocity slot : {kOrbitRate, kSpin})

@@ -12,13 +12,15 @@
 namespace cagetol {
 namespace {
 
-/// Errors of the reported peak at instants of a run.
-std::vector<double> peak_errors(Scene scene) {
+/// Errors of the reported peak at instants of a run, rising; `all`: what every pocket deviates by.
+std::vector<double> peak_errors(Scene scene, const PocketDeviation& all = {}) {
   scene.cage.model = "flexible";
   scene.window.settle_time = 1e-3;
   scene.window.measure_time = 50e-3;
   scene.watch.static_consistency_max = 1;
   const auto table = make_scene_cage_table(scene);
+  for (double& width : scene.cage.pocket_width) width += all.width;
+  for (double& length : scene.cage.pocket_length) length += all.length;
   std::vector<Eigen::VectorXd> q, force;
   std::vector<double> spin;
   SimulateOptions options{.cage_table = table};
@@ -48,18 +50,20 @@ std::vector<double> peak_errors(Scene scene) {
     std::printf("  %.4f MPa by stations, %.4f MPa by the whole field: %+.2f %%\n",
                 1e-6 * peak.stations, 1e-6 * peak.full, 100 * error);
   }
+  std::sort(errors.begin(), errors.end());
   return errors;
 }
 
-void expect_close(std::vector<double> errors) {
-  ASSERT_GE(errors.size(), 30U);
-  std::sort(errors.begin(), errors.end());
-  EXPECT_LT(errors[errors.size() / 2], 0.01);
-  EXPECT_LT(errors.back(), 0.03);
+double part(const std::vector<double>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size()))];
 }
 
 TEST(RunPeakStress, IsThatOfTheWholeField) {
-  expect_close(peak_errors(Scene{}));
+  const auto errors = peak_errors(Scene{});
+  ASSERT_GE(errors.size(), 30U);
+  EXPECT_LT(part(errors, 0.5), 0.002);
+  EXPECT_LT(part(errors, 0.9), 0.01);
+  EXPECT_LT(errors.back(), 0.03);
 }
 
 TEST(RunPeakStress, OfScatteredPocketsToo) {
@@ -71,7 +75,32 @@ TEST(RunPeakStress, OfScatteredPocketsToo) {
     scene.cage.pocket_width[static_cast<std::size_t>(j)] += 75e-6 * std::sin(1 + 5 * place);
     scene.cage.pocket_length[static_cast<std::size_t>(j)] += 75e-6 * std::sin(2 + 3 * place);
   }
-  expect_close(peak_errors(scene));
+  const auto errors = peak_errors(scene);
+  ASSERT_GE(errors.size(), 30U);
+  EXPECT_LT(part(errors, 0.5), 0.01);
+  EXPECT_LT(errors.back(), 0.03);
+}
+
+/// As far as Xin et al. go: beyond what the model is made for, and known how far.
+TEST(RunPeakStress, OfCagesThatDeviateAsAWhole) {
+  struct Case {
+    double width, length;  // [m]
+  };
+  for (const auto& [width, length] :
+       {Case{0, -0.25e-3}, Case{0, 0.25e-3}, Case{-0.2e-3, 0}, Case{0.2e-3, 0}}) {
+    Scene scene;
+    scene.cage.pocket_width = {7.80e-3};
+    scene.cage.pocket_length = {9.40e-3};
+    const auto errors = peak_errors(scene, {.width = width, .length = length});
+    ASSERT_GE(errors.size(), 20U);
+    std::printf(
+        "width %+.2f, length %+.2f mm: half within %.1f %%, 90 %% within %.1f %%, all %.1f %%\n",
+        1e3 * width, 1e3 * length, 100 * part(errors, 0.5), 100 * part(errors, 0.9),
+        100 * errors.back());
+    EXPECT_LT(part(errors, 0.5), 0.03);
+    EXPECT_LT(part(errors, 0.9), 0.1);
+    EXPECT_LT(errors.back(), 0.13);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+// What a run sees of its contacts at one state, beside forces and derivatives (forces.hpp).
+#pragma once
+
+#include <vector>
+
+#include "src/dynamics/bearing_model.hpp"
+
+namespace cagetol {
+
+/// What is seen of the contacts at one state. Arrays have one element per roller (padded).
+struct Observation {
+  explicit Observation(const BearingModel& model);
+  void clear();
+
+  std::vector<double> inner_force;    ///< normal force on the inner race, all slices [N]
+  std::vector<double> outer_force;    ///< on the outer race [N]
+  std::vector<double> inner_sliding;  ///< force-weighted mean sliding speed at the inner race [m/s]
+  std::vector<double> leading_force,
+      trailing_force;                ///< on the pocket's bars ahead of and behind the roller [N]
+  std::vector<double> wall_force;    ///< on both end walls of the pocket [N]
+  std::vector<double> flange_force;  ///< on the ring's flanges [N]
+  /// Force on the cage at its bar stations towards larger theta, flexible cages only [N]: per
+  /// pocket the stations of the trailing face, then of the leading face (station_stress,
+  /// src/cage/cage_model.hpp).
+  Eigen::VectorXd bar_force;
+  double centrifugal_spin = 0;  ///< of the cage where its centrifugal load is on, else 0 [rad/s]
+  /// Of contact and guide film at x = -land_offset, +land_offset [N].
+  double land_force[2] = {0, 0};
+  bool land_touching[2] = {false, false};
+  double ring_elastic_y = 0,
+         ring_elastic_z = 0;  ///< elastic part of the forces on the inner ring [N]
+  double drive_power = 0;     ///< of the inner ring's prescribed rotation [W]
+  double load_power = 0;      ///< of the applied load [W]
+  double friction_power = 0;  ///< dissipated by friction and in the guide film, >= 0 [W]
+  double damping_power = 0;   ///< dissipated by normal damping, >= 0 [W]
+  double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
+  double elastic_energy = 0;  ///< stored in contacts [J]
+  double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]
+  double time_to_touch =
+      0;  ///< smallest gap over closing speed of open bar, wall, flange and land contacts [s]
+};
+
+}  // namespace cagetol
