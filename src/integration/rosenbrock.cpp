@@ -117,7 +117,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
           for (int i = 0; i < n; ++i)
             error_[static_cast<std::size_t>(i)] +=
                 table_.e[s] * stage_[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
-      error = error_norm(system, error_.data()) / keys_.tolerance;
+      error = step_error_(system, y, error_.data(), h, keys_.tolerance);
       if (!std::isfinite(error)) error = 1e6;
     }
     const double bounded = std::clamp(error, 1e-6, 1e6);
@@ -131,6 +131,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
           for (int i = 0; i < n; ++i)
             y[i] += table_.m[s] * stage_[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
       t = last ? t_end : t + h;
+      step_error_.advance(system, h);
       ++system.counts.steps;
       if (!last) system.counts.smallest_step = std::min(system.counts.smallest_step, h);
       last_error_ = std::max(bounded, 1e-2);

@@ -5,6 +5,7 @@
 
 #include "src/dynamics/newton_matrix.hpp"
 #include "src/integration/integrator.hpp"
+#include "src/integration/step_error.hpp"
 
 namespace cagetol {
 
@@ -41,6 +42,7 @@ class Rosenbrock : public Integrator {
   const RosenbrockTable& table_;
   Integration keys_;
   NewtonMatrix newton_;
+  StepError step_error_;
   double next_step_;
   double last_error_ = 1;
   std::vector<std::vector<double>> stage_;

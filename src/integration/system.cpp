@@ -6,7 +6,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kLength = 1e-6, kSpeed = 1e-2, kNever = 1e30;
+constexpr double kLengthScale = 1e-6, kNever = 1e30;
 
 bool all_finite(const double* x, int n) {
   // A sum of zero times each is not a number exactly if one of them is not finite.
@@ -23,6 +23,8 @@ bool all_finite(const double* x, int n) {
 System::System(const BearingModel& m)
     : model(m),
       size(m.layout.size()),
+      components((int{kRollerPositions} + int{kRollerVelocities}) * m.layout.rollers +
+                 2 * m.layout.border()),
       scale(error_scales(m)),
       per_scale(scale.size()),
       rate(static_cast<std::size_t>(size)),
@@ -56,20 +58,20 @@ std::vector<double> error_scales(const BearingModel& m) {
   for (int j = 0; j < l.rollers; ++j) {
     const double lever[kRollerPositions] = {1, m.pitch_radius, 1, half, half};
     for (int slot = 0; slot < kRollerPositions; ++slot) {
-      set(l.position(static_cast<RollerPosition>(slot), j), kLength / lever[slot]);
-      set(l.velocity(static_cast<RollerVelocity>(slot), j), kSpeed / lever[slot]);
+      set(l.position(static_cast<RollerPosition>(slot), j), kLengthScale / lever[slot]);
+      set(l.velocity(static_cast<RollerVelocity>(slot), j), kSpeedScale / lever[slot]);
     }
-    set(l.velocity(kSpin, j), kSpeed / (m.nominal_diameter / 2));
+    set(l.velocity(kSpin, j), kSpeedScale / (m.nominal_diameter / 2));
   }
   const double lever[kRigidBorder] = {1, 1, 1, 1, 1, m.pitch_radius, m.land_offset, m.land_offset};
   for (int i = 0; i < kRigidBorder; ++i) {
-    set(l.border_position(i), kLength / lever[i]);
-    set(l.border_velocity(i), kSpeed / lever[i]);
+    set(l.border_position(i), kLengthScale / lever[i]);
+    set(l.border_velocity(i), kSpeedScale / lever[i]);
   }
   for (int k = 0; k < l.modes; ++k) {
     const double moved = m.flexible.scale[static_cast<std::size_t>(k)];
-    set(l.border_position(kModes + k), kLength / moved);
-    set(l.border_velocity(kModes + k), kSpeed / moved);
+    set(l.border_position(kModes + k), kLengthScale / moved);
+    set(l.border_velocity(kModes + k), kSpeedScale / moved);
   }
   return scale;
 }
@@ -84,9 +86,7 @@ double error_norm(const System& s, const double* error) {
   }
   double total = sum(sums);
   for (; i < s.size; ++i) total += error[i] * per_scale[i] * (error[i] * per_scale[i]);
-  const int components = (int{kRollerPositions} + int{kRollerVelocities}) * s.model.layout.rollers +
-                         2 * s.model.layout.border();
-  return std::sqrt(total / components);
+  return std::sqrt(total / s.components);
 }
 
 }  // namespace cagetol

@@ -8,6 +8,8 @@
 
 namespace cagetol {
 
+inline constexpr double kSpeedScale = 1e-2;  ///< one unit of error of a speed [m/s]
+
 struct Counts {
   long steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorisations = 0;
   double smallest_step = 1e30;
@@ -26,6 +28,7 @@ struct System {
 
   const BearingModel& model;
   int size;
+  int components;             ///< of the state that exist, padding left out
   std::vector<double> scale;  ///< size of one unit of error of each component: 1 um, 1 cm/s, and
                               ///< these over lever arms
   std::vector<double> per_scale;  ///< 1/scale

@@ -1,0 +1,28 @@
+// How a step's error counts in the control of its length.
+//
+// Unloaded rollers bounce between the races, between the flanges and about their tilt at 20 to
+// 40 kHz, with centimetres a second and an energy that no quantity asks for; followed like
+// everything else they alone would set the step. Their bouncing speeds count in a larger unit of
+// error as long as the energy which this moves stays small beside what the bearing dissipates:
+// where bouncing is all that happens they count in full.
+#pragma once
+
+#include "src/integration/system.hpp"
+
+namespace cagetol {
+
+class StepError {
+ public:
+  /// Error of a step of length h [s] from y in units of `tolerance`: a step may be taken up to 1.
+  /// Never more than error_norm / tolerance. Expects system.linearise_at to have been called at y.
+  double operator()(const System& system, const double* y, const double* error, double h,
+                    double tolerance) const;
+
+  /// To be told of every step taken, before the system is linearised at its end.
+  void advance(const System& system, double h);
+
+ private:
+  double dissipation_ = 0;  ///< power, mean over the last millisecond [W]
+};
+
+}  // namespace cagetol
