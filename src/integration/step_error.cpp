@@ -33,7 +33,7 @@ double StepError::operator()(const System& s, const double* y, const double* err
   const double strict = error_norm(s, error) / tolerance;
   // These speeds slide on bars, races and flanges, too: no unit coarser than friction's own speed.
   const double unit = std::min(kBounceSpeed, s.model.friction.static_speed) / kSpeedScale;
-  if (unit <= 1) return strict;
+  if (unit <= 1 || !std::isfinite(strict)) return strict;
   const StateLayout& l = s.model.layout;
   Pack squares{}, energy{};
   for (int group = 0; group < l.groups; ++group) {

@@ -1,0 +1,111 @@
+// How a step's error counts: bouncing speeds in a larger unit, while the energy they move is small.
+#include "src/integration/step_error.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <vector>
+
+#include "src/dynamics/start_state.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kTolerance = 1e-3, kStep = 1e-5, kPower = 2;  // [-], [s], [W]
+
+class StepErrorOf : public testing::Test {
+ protected:
+  StepErrorOf() { prepare(); }
+
+  void prepare() {
+    model_ = make_bearing_model(scene_);
+    system_ = std::make_unique<System>(model_);
+    y_ = start_state(model_, scene_.start);
+    system_->linearise_at(0, y_.data());
+    const StateLayout& l = model_.layout;
+    for (int j = 0; j < l.rollers; ++j) {
+      y_[at(kRadialSpeed, j)] = 0;
+      system_->rate[at(kRadialSpeed, j)] = 0;
+    }
+    system_->seen.damping_power = 0;
+    system_->seen.friction_power = kPower;
+    error_.assign(y_.size(), 0.0);
+  }
+  std::size_t at(RollerVelocity slot, int roller) const {
+    return static_cast<std::size_t>(model_.layout.velocity(slot, roller));
+  }
+  /// After `time` of the dissipation.
+  double counted(double time) const {
+    StepError judged;
+    if (time > 0) judged.advance(*system_, time);
+    return judged(*system_, y_.data(), error_.data(), kStep, kTolerance);
+  }
+  double strict() const { return error_norm(*system_, error_.data()) / kTolerance; }
+
+  Scene scene_ = shipped_scene("nu205");
+  BearingModel model_;
+  std::unique_ptr<System> system_;
+  std::vector<double> y_, error_;
+};
+
+constexpr double kLong = 1;  // [s], a thousand times as long as the dissipation is averaged
+
+TEST_F(StepErrorOf, BounceOfARollerCountsInUnitsOfSevenCentimetresASecond) {
+  error_[at(kRadialSpeed, 3)] = 1e-3;
+  EXPECT_NEAR(counted(kLong), strict() / 7, 1e-12 * strict());
+}
+
+TEST_F(StepErrorOf, OtherSpeedsCountInFull) {
+  error_[at(kSpin, 3)] = 1;
+  error_[static_cast<std::size_t>(model_.layout.border_velocity(kCageY))] = 1e-3;
+  EXPECT_DOUBLE_EQ(counted(kLong), strict());
+}
+
+TEST_F(StepErrorOf, EverythingCountsInFullWhereNothingDissipates) {
+  error_[at(kRadialSpeed, 3)] = 1e-3;
+  y_[at(kRadialSpeed, 3)] = 1e-3;
+  EXPECT_DOUBLE_EQ(counted(0), strict());
+}
+
+TEST_F(StepErrorOf, EnergyMovedIsBoundByOneHundredthOfTheDissipated) {
+  const double mass = model_.groups[0].mass[3], e = 2e-4;
+  error_[at(kRadialSpeed, 3)] = e;
+  // Between a seventh of the error and all of it.
+  const double wanted = 0.5 * strict();
+  y_[at(kRadialSpeed, 3)] = wanted * 0.01 * kPower * kStep / (mass * e);
+  EXPECT_NEAR(counted(kLong), wanted, 1e-9 * wanted);
+  // A place moves energy where a force acts on the roller beyond its inertia's balance.
+  error_[static_cast<std::size_t>(model_.layout.position(kRadius, 3))] = 1e-12;
+  system_->rate[at(kRadialSpeed, 3)] = -1e4;
+  EXPECT_NEAR(counted(kLong), wanted + mass * 1e-8 / (0.01 * kPower * kStep), 1e-6 * wanted);
+}
+
+TEST_F(StepErrorOf, DissipationIsAveragedOverAMillisecond) {
+  error_[at(kRadialSpeed, 3)] = 2e-4;
+  y_[at(kRadialSpeed, 3)] =
+      0.3 * strict() * 0.01 * kPower * kStep / (model_.groups[0].mass[3] * 2e-4);
+  EXPECT_NEAR(counted(1e-3), 0.3 * strict() / (1 - std::exp(-1.0)), 1e-9 * strict());
+}
+
+TEST_F(StepErrorOf, NoUnitIsCoarserThanFrictionsOwnSpeed) {
+  scene_.contact.static_speed = 0.001;
+  scene_.contact.dynamic_speed = 0.01;
+  prepare();
+  error_[at(kRadialSpeed, 3)] = 1e-3;
+  EXPECT_DOUBLE_EQ(counted(kLong), strict());
+  scene_.contact.static_speed = 0.02;
+  scene_.contact.dynamic_speed = 0.2;
+  prepare();
+  error_[at(kRadialSpeed, 3)] = 1e-3;
+  EXPECT_NEAR(counted(kLong), strict() / 2, 1e-12 * strict());
+}
+
+TEST_F(StepErrorOf, WhatIsNotANumberStaysNone) {
+  error_[at(kRadialSpeed, 3)] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(counted(kLong) <= 1);
+  error_[at(kRadialSpeed, 3)] = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(counted(kLong) <= 1);
+}
+
+}  // namespace
+}  // namespace cagetol
