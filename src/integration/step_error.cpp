@@ -1,7 +1,6 @@
 #include "src/integration/step_error.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cagetol {
@@ -11,16 +10,6 @@ namespace {
 constexpr double kBounceSpeed = 0.07;      ///< unit of error of bouncing speeds, at most [m/s]
 constexpr double kMovedEnergy = 0.01;      ///< that an error may move, in shares of the dissipated
 constexpr double kDissipationTime = 1e-3;  ///< over which the dissipation is averaged [s]
-
-struct Bounce {
-  RollerPosition place;
-  RollerVelocity speed;
-  Pack RollerGroup::*inertia;
-};
-constexpr std::array<Bounce, 4> kBounces{{{kRadius, kRadialSpeed, &RollerGroup::mass},
-                                          {kAxial, kAxialSpeed, &RollerGroup::mass},
-                                          {kAxisY, kAxisRateY, &RollerGroup::transverse},
-                                          {kAxisZ, kAxisRateZ, &RollerGroup::transverse}}};
 
 Pack magnitude(Pack x) {
   return max(x, -x);
@@ -39,14 +28,29 @@ double StepError::operator()(const System& s, const double* y, const double* err
   for (int group = 0; group < l.groups; ++group) {
     const RollerGroup& roller = s.model.groups[static_cast<std::size_t>(group)];
     const int j = group * kLanes;
-    for (const Bounce& bounce : kBounces) {
-      const int place = l.position(bounce.place, j), speed = l.velocity(bounce.speed, j);
-      const Pack e = load(error + speed), counted = e * load(s.per_scale.data() + speed);
+    const auto position = [&](const double* of, RollerPosition slot) {
+      return load(of + l.position(slot, j));
+    };
+    const auto velocity = [&](const double* of, RollerVelocity slot) {
+      return load(of + l.velocity(slot, j));
+    };
+    const auto count = [&](Pack inertia, Pack speed, Pack acceleration, Pack wrong_speed,
+                           Pack wrong_place, RollerVelocity scale) {
+      const Pack counted = wrong_speed * velocity(s.per_scale.data(), scale);
       squares += counted * counted;
-      energy += roller.exists * (roller.*bounce.inertia) *
-                (magnitude(load(y + speed) * e) +
-                 magnitude(load(s.rate.data() + speed) * load(error + place)));
-    }
+      energy += roller.exists * inertia *
+                (magnitude(speed * wrong_speed) + magnitude(acceleration * wrong_place));
+    };
+    const double* rate = s.rate.data();
+    count(roller.mass, velocity(y, kRadialSpeed), velocity(rate, kRadialSpeed),
+          velocity(error, kRadialSpeed), position(error, kRadius), kRadialSpeed);
+    Pack sine, cosine;
+    sine_cosine(position(y, kAngle), sine, cosine);
+    const auto tilt = [&](Pack along_y, Pack along_z) { return cosine * along_y + sine * along_z; };
+    count(roller.transverse, tilt(velocity(y, kAxisRateY), velocity(y, kAxisRateZ)),
+          tilt(velocity(rate, kAxisRateY), velocity(rate, kAxisRateZ)),
+          tilt(velocity(error, kAxisRateY), velocity(error, kAxisRateZ)),
+          tilt(position(error, kAxisY), position(error, kAxisZ)), kAxisRateY);
   }
   const double spared = sum(squares) * (1 - 1 / (unit * unit)) / (tolerance * tolerance);
   const double coarse = std::sqrt(std::max(0.0, strict * strict - spared / s.components));

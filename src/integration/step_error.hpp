@@ -1,10 +1,10 @@
 // How a step's error counts in the control of its length.
 //
-// Unloaded rollers bounce between the races, between the flanges and about their tilt at 20 to
-// 40 kHz, with centimetres a second and an energy that no quantity asks for; followed like
-// everything else they alone would set the step. Their bouncing speeds count in a larger unit of
-// error as long as the energy which this moves stays small beside what the bearing dissipates:
-// where bouncing is all that happens they count in full.
+// Unloaded rollers bounce between the races and rock about their tilt at 20 to 40 kHz, with
+// centimetres a second and an energy that no quantity asks for; followed like everything else they
+// alone would set the step. These two speeds count in a larger unit of error as long as the energy
+// which this moves stays small beside what the bearing dissipates: where bouncing is all that
+// happens they count in full. Skew and axial motion, which friction steers, always do.
 #pragma once
 
 #include "src/integration/system.hpp"

@@ -55,7 +55,21 @@ TEST_F(StepErrorOf, BounceOfARollerCountsInUnitsOfSevenCentimetresASecond) {
   EXPECT_NEAR(counted(kLong), strict() / 7, 1e-12 * strict());
 }
 
+TEST_F(StepErrorOf, TiltCountsLikeABounceButSkewDoesNot) {
+  const double angle = y_[static_cast<std::size_t>(model_.layout.position(kAngle, 3))];
+  const auto lean = [&](double y, double z) {
+    for (auto* of : {&y_, &system_->rate}) (*of)[at(kAxisRateY, 3)] = (*of)[at(kAxisRateZ, 3)] = 0;
+    error_[at(kAxisRateY, 3)] = 0.1 * y;
+    error_[at(kAxisRateZ, 3)] = 0.1 * z;
+  };
+  lean(std::cos(angle), std::sin(angle));
+  EXPECT_NEAR(counted(kLong), strict() / 7, 1e-12 * strict());
+  lean(-std::sin(angle), std::cos(angle));
+  EXPECT_NEAR(counted(kLong), strict(), 1e-12 * strict());
+}
+
 TEST_F(StepErrorOf, OtherSpeedsCountInFull) {
+  error_[at(kAxialSpeed, 5)] = 1e-3;
   error_[at(kSpin, 3)] = 1;
   error_[static_cast<std::size_t>(model_.layout.border_velocity(kCageY))] = 1e-3;
   EXPECT_DOUBLE_EQ(counted(kLong), strict());
