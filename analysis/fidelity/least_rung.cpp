@@ -125,10 +125,12 @@ QuantityLadder least_rung(std::span<const std::vector<double>> values, const Lad
   return ladder;
 }
 
-bool is_hopeless(const QuantityLadder& quantity, std::size_t rung, const LadderRule& rule) {
-  const RungShift& seen = quantity.rungs[rung];
-  const bool open = !(quantity.rungs.back().wrong_share <= quantity.allowed_wrong_share);
-  return open && !will_do(seen.verdict) && seen.pairs_needed > rule.study_samples;
+bool leaves_limit_open(const QuantityLadder& quantity) {
+  return !(quantity.rungs.back().wrong_share <= quantity.allowed_wrong_share);
+}
+
+bool is_out_of_reach(const RungShift& rung, const LadderRule& rule) {
+  return !will_do(rung.verdict) && rung.pairs_needed > rule.study_samples;
 }
 
 std::size_t least_rung_for_all(std::span<const QuantityLadder> quantities) {

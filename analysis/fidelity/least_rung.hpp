@@ -62,10 +62,12 @@ struct QuantityLadder {
 QuantityLadder least_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
                           std::span<const LimitPlan> limits = {});
 
-/// Whether no rung above `rung` can be expected to do, by what it shows: the reference itself
-/// leaves a limit open, so that only the mean is left to judge by, and to resolve that would take
-/// more samples than the study has.
-bool is_hopeless(const QuantityLadder& quantity, std::size_t rung, const LadderRule& rule);
+/// Whether the reference itself leaves a limit on the quantity open, so that only its mean is left
+/// to judge rungs by.
+bool leaves_limit_open(const QuantityLadder& quantity);
+/// Whether to show that the rung's mean is within the budget would take more samples than the study
+/// has.
+bool is_out_of_reach(const RungShift& rung, const LadderRule& rule);
 
 /// The cheapest rung that will do for all quantities; the reference where no other one does.
 std::size_t least_rung_for_all(std::span<const QuantityLadder> quantities);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mc/adopted_runs.hpp"
 #include "mc/build_info.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
@@ -15,9 +16,12 @@
 namespace cagetol {
 namespace {
 
-std::string reason_of(const ModelLadder& ladder, std::size_t chosen) {
+std::string reason_of(const ModelLadder& ladder, std::size_t chosen, long pilot_samples) {
   if (chosen + 1 < ladder.rungs.size())
     return "the cheapest rung that will do for every limited quantity";
+  if (ladder.samples < static_cast<std::size_t>(pilot_samples))
+    return fmt::format("the highest rung: a first look at {} samples finds no other within reach",
+                       ladder.samples);
   std::string open;
   for (const LadderQuantity& quantity : ladder.quantities)
     if (quantity.limited() && !quantity.ladder.least)
@@ -26,11 +30,11 @@ std::string reason_of(const ModelLadder& ladder, std::size_t chosen) {
   return fmt::format("the highest rung: {} samples do not tell for {}", ladder.samples, open);
 }
 
-FidelityDecision decision_of(const ModelLadder& ladder) {
+FidelityDecision decision_of(const ModelLadder& ladder, long pilot_samples) {
   const std::size_t chosen = chosen_rung(ladder);
   FidelityDecision decision;
   decision.rung = ladder.rungs[chosen].name;
-  decision.reason = reason_of(ladder, chosen);
+  decision.reason = reason_of(ladder, chosen, pilot_samples);
   for (const LadderQuantity& quantity : ladder.quantities) {
     if (!quantity.limited()) continue;
     for (std::size_t r = 0; r + 1 < ladder.rungs.size(); ++r) {
@@ -58,11 +62,12 @@ class Climb {
         const std::string& directory, StagedSweeps& stages)
       : study_(study), rungs_(rungs), options_(options), directory_(directory), stages_(stages) {}
 
-  /// Runs what is missing of that rung. Exit code of the sweep.
-  int run(std::size_t rung) {
-    const std::string folder = directory_ + "/" + rungs_[rung].name;
-    const int code = stages_.sweep(rung_study(study_, rungs_[rung], options_.samples), folder);
-    if (code == kDone) runs_.emplace(rung, read_study_data(study_file_path(folder)));
+  /// Runs what is missing of that rung, beyond what `other` has run of it. Exit code of the sweep.
+  int run(std::size_t rung, const Climb* other = nullptr) {
+    const Study study = rung_study(study_, rungs_[rung], options_.samples);
+    if (other) adopt_runs(study, folder(rung), other->folder(rung));
+    const int code = stages_.sweep(study, folder(rung));
+    if (code == kDone) runs_.emplace(rung, read_study_data(study_file_path(folder(rung))));
     return code;
   }
   /// Of the rungs that have been run.
@@ -85,6 +90,8 @@ class Climb {
   }
 
  private:
+  std::string folder(std::size_t rung) const { return directory_ + "/" + rungs_[rung].name; }
+
   const Study& study_;
   const std::vector<Rung>& rungs_;
   const LadderOptions& options_;
@@ -93,30 +100,51 @@ class Climb {
   std::map<std::size_t, StudyData> runs_;  ///< by place on the ladder
 };
 
-bool is_hopeless(const ModelLadder& ladder, std::size_t rung) {
-  return std::any_of(ladder.quantities.begin(), ladder.quantities.end(),
-                     [&](const LadderQuantity& quantity) {
-                       return quantity.limited() && is_hopeless(quantity.ladder, rung, ladder.rule);
-                     });
+/// Samples of the first look at a rung.
+constexpr long kFirstLook = 3;
+
+/// Whether no rung from `rung` up can be expected to do, by what a first look shows: for some
+/// quantity the pilot leaves a limit open on the reference, and only the mean is left to judge by,
+/// out of the study's reach.
+bool is_hopeless(const ModelLadder& pilot, const ModelLadder& look, std::size_t rung) {
+  for (std::size_t i = 0; i < pilot.quantities.size(); ++i) {
+    const QuantityLadder& seen = look.quantities[i].ladder;
+    if (pilot.quantities[i].limited() && leaves_limit_open(pilot.quantities[i].ladder) &&
+        is_out_of_reach(seen.rungs[rung], look.rule))
+      return true;
+  }
+  return false;
 }
 
 /// The reference, then rungs from the cheapest up to the first that will do for every limited
-/// quantity, or to one that shows that none above it will.
-std::variant<ModelLadder, int> climb_as_needed(Climb& climb, std::size_t rungs) {
-  if (const int code = climb.run(rungs - 1); code != kDone) return code;
-  for (std::size_t rung = 0; rung + 1 < rungs; ++rung) {
-    if (const int code = climb.run(rung); code != kDone) return code;
-    ModelLadder ladder = climb.ladder();
-    if (chosen_rung(ladder) == rung || is_hopeless(ladder, rung)) return ladder;
+/// quantity, or to one at which a first look shows that none above it will: that look is then the
+/// evidence.
+std::variant<ModelLadder, int> climb_as_needed(const Study& study, const std::vector<Rung>& rungs,
+                                               const LadderOptions& options,
+                                               const std::string& directory, StagedSweeps& stages) {
+  const std::size_t reference = rungs.size() - 1;
+  LadderOptions brief = options;
+  brief.samples = std::min(kFirstLook, options.samples);
+  Climb pilot(study, rungs, options, directory, stages);
+  Climb look(study, rungs, brief, directory + "/first-look", stages);
+  if (const int code = pilot.run(reference); code != kDone) return code;
+  if (const int code = look.run(reference, &pilot); code != kDone) return code;
+  for (std::size_t rung = 0; rung < reference; ++rung) {
+    if (const int code = look.run(rung); code != kDone) return code;
+    const ModelLadder seen = look.ladder();
+    if (is_hopeless(pilot.ladder(), seen, rung)) return seen;
+    if (const int code = pilot.run(rung, &look); code != kDone) return code;
+    ModelLadder ladder = pilot.ladder();
+    if (chosen_rung(ladder) == rung) return ladder;
   }
-  return climb.ladder();
+  return pilot.ladder();
 }
 
 /// What the pilot has cost beyond the runs that the study makes anyway, for people.
 void tell_cost(const ModelLadder& ladder, const FidelityDecision& decision) {
   double cost = 0;
   for (const LadderRung& rung : ladder.rungs) cost += rung.cost_ratio;
-  spdlog::info("fidelity: {}, {}; the pilot of {} samples on {} rungs cost about {:.0f} runs of {}",
+  spdlog::info("fidelity: {}, {}; the pilot of {} samples on {} rungs cost about {:.1f} runs of {}",
                decision.rung, decision.reason, ladder.samples, ladder.rungs.size(),
                cost * static_cast<double>(ladder.samples), ladder.rungs.back().name);
 }
@@ -143,12 +171,11 @@ std::variant<Study, int> with_fidelity(const Study& study, const std::string& di
   const auto& rungs = climbing_rungs();
   const LadderOptions options{.samples = study.fidelity_samples,
                               .budget_share = study.fidelity_budget};
-  Climb climb(study, rungs, options, folder, stages);
-  const auto climbed = climb_as_needed(climb, rungs.size());
+  const auto climbed = climb_as_needed(study, rungs, options, folder, stages);
   if (const int* code = std::get_if<int>(&climbed)) return *code;
   const auto& ladder = std::get<ModelLadder>(climbed);
   replace_file(folder + "/ladder.json", ladder_json(ladder).dump(1) + "\n");
-  const FidelityDecision decision = decision_of(ladder);
+  const FidelityDecision decision = decision_of(ladder, options.samples);
   tell_cost(ladder, decision);
   const auto chosen = std::find_if(rungs.begin(), rungs.end(),
                                    [&](const Rung& rung) { return rung.name == decision.rung; });

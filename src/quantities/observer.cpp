@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kStaticsInstants = 64;
 constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
-constexpr double kStressInterval = 50e-6;    // likewise of the cage's stress, which costs more
+constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, which costs more
 constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that hardly dissipate
 constexpr double kLoadedShare = 0.01;        // of the applied load
 constexpr double kDisplacementFloor = 1e-6;  // of the consistency error [m]

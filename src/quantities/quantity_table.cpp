@@ -72,9 +72,9 @@ const std::vector<Quantity>& quantity_table() {
        "it grows as the mesh gets finer (by 30 % from 4 to 6 elements), so it compares between "
        "cages of one cage.mesh_density, not with a strength"},
       {"cage_stress_p99_MPa", "MPa",
-       "99 % quantile over time (every 50 us) of the largest stress over the cage"},
+       "99 % quantile over time (every 100 us) of the largest stress over the cage"},
       {"cage_stress_rms_MPa", "MPa",
-       "rms over time (every 50 us) of the largest stress over the cage"},
+       "rms over time (every 100 us) of the largest stress over the cage"},
       {"cage_stress_peak_pocket", "-",
        "pocket beside which the peak stress sits, counted from 0 (sector from bar middle to bar "
        "middle)"},

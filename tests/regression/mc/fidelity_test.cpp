@@ -60,6 +60,7 @@ TEST_F(Fidelity, ASettledLimitTakesTheCheapestRungAndThePilotsRuns) {
   EXPECT_THAT(automatic.output, HasSubstr("8 of 13 samples are already done"));
   EXPECT_TRUE(climbed("auto", "full"));
   EXPECT_FALSE(climbed("auto", "coarse-3"));
+  EXPECT_THAT(automatic.output, HasSubstr("3 of 8 samples are already done"));  // a first look's
   std::ifstream file(scratch_ / "auto/fidelity/ladder.json");
   const auto ladder = nlohmann::json::parse(file);
   EXPECT_EQ(ladder["rungs_not_run"].size(), 6u);
@@ -89,8 +90,11 @@ TEST_F(Fidelity, ALimitThatTheReferenceLeavesOpenTakesTheHighestRung) {
   const Ended ended =
       sweep("auto", {"limit=[{quantity='cage_slip_ratio', max=0.0003, source='test'}]"});
   ASSERT_EQ(ended.code, 0) << ended.output;
-  EXPECT_THAT(ended.output, HasSubstr("fidelity: full, the highest rung"));
-  EXPECT_TRUE(climbed("auto", "planar"));
+  EXPECT_THAT(ended.output,
+              HasSubstr("fidelity: full, the highest rung: a first look at 3 samples finds no "
+                        "other within reach; the pilot of 3 samples on 3 rungs cost about"));
+  EXPECT_TRUE(climbed("auto", "first-look/planar"));
+  EXPECT_FALSE(climbed("auto", "planar"));
   EXPECT_FALSE(climbed("auto", "coarse-3"));  // hopeless
   EXPECT_THAT(ended.output, HasSubstr("8 runs of the pilot are the study's own"));
 }

@@ -120,8 +120,9 @@ TEST(SettledLimit, TheLadderRecoversThePlantedRung) {
 
 TEST(SettledLimit, NothingMoreIsClimbedWhereNoRungCanDo) {
   const auto hopeless = [](const LimitPlan& limit, const LadderRule& rule) {
-    return is_hopeless(least_rung(runs_of({{.shift = 2}, {}, {}}, 1), rule, std::vector{limit}), 0,
-                       rule);
+    const QuantityLadder ladder =
+        least_rung(runs_of({{.shift = 2}, {}, {}}, 1), rule, std::vector{limit});
+    return leaves_limit_open(ladder) && is_out_of_reach(ladder.rungs[0], rule);
   };
   // The reference leaves the limit open, and chaotic pairs would take 5e5 samples for the mean.
   EXPECT_TRUE(hopeless(at_most(3), kRule));
