@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "mc/cage_cache.hpp"
 #include "mc/engine/replicas.hpp"
@@ -54,22 +55,46 @@ void mark_front(std::vector<ChartPoint>& points, const Cost& cost, const Error& 
   }
 }
 
+std::vector<Scene> starts_of(const Scene& scene, int count) {
+  std::vector<Scene> starts(static_cast<std::size_t>(count), scene);
+  const double pitch = 2 * std::numbers::pi / static_cast<double>(scene.bearing.roller_count);
+  for (int k = 0; k < count; ++k)
+    starts[static_cast<std::size_t>(k)].start.cage_phase += pitch * k / count;
+  return starts;
+}
+
+std::vector<Trajectory> follow_all(const std::vector<Scene>& starts, const Setting& setting,
+                                   double horizon, const SimulateOptions& options) {
+  std::vector<Trajectory> runs;
+  for (const Scene& scene : starts)
+    runs.push_back(follow(with_setting(scene, setting), horizon, options));
+  return runs;
+}
+
+std::array<double, 2> rms_error(const std::vector<Trajectory>& runs,
+                                const std::vector<Trajectory>& references) {
+  std::array<double, 2> sum{};
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const auto error = trajectory_error(runs[k], references[k]);
+    for (std::size_t i = 0; i < 2; ++i)
+      sum[i] += error[i] * error[i] / static_cast<double>(runs.size());
+  }
+  return {std::sqrt(sum[0]), std::sqrt(sum[1])};
+}
+
 void measure_trajectories(const Scene& scene, const SimulateOptions& options, Chart& chart) {
-  std::map<std::string, Trajectory> references;
+  const std::vector<Scene> starts = starts_of(scene, chart.options.starts);
+  std::map<std::string, std::vector<Trajectory>> references;
   for (const char* method : {"rodasp", "arkode-erk"}) {
     const Setting setting = reference_setting(method);
-    references[setting.method] =
-        follow(with_setting(scene, setting), chart.options.horizon, options);
+    references[setting.method] = follow_all(starts, setting, chart.options.horizon, options);
   }
-  chart.reference_gap = trajectory_error(references["rodasp"], references["arkode-erk"]);
+  chart.reference_gap = rms_error(references["rodasp"], references["arkode-erk"]);
   for (ChartPoint& p : chart.points) {
+    const auto runs = follow_all(starts, p.setting, chart.options.horizon, options);
+    p.trajectory_error = rms_error(runs, references[reference_setting(p.setting.method).method]);
     std::vector<Outcome> outcomes;
-    for (int repeat = 0; repeat < chart.options.repeats; ++repeat) {
-      const Trajectory run = follow(with_setting(scene, p.setting), chart.options.horizon, options);
-      p.trajectory_error =
-          trajectory_error(run, references[reference_setting(p.setting.method).method]);
-      outcomes.push_back(run.outcome);
-    }
+    for (const Trajectory& run : runs) outcomes.push_back(run.outcome);
     p.brief = cost_of(outcomes);
   }
   mark_front(

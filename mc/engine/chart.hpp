@@ -21,7 +21,7 @@ struct ChartOptions {
   std::vector<std::string> methods;  ///< empty: all
   double horizon = 2e-3;             ///< of trajectories [s]
   int replicas = 4;                  ///< of the long horizon; 0: short horizon only
-  int repeats = 3;                   ///< of each short run, for its time
+  int starts = 8;                    ///< of short runs: places of the rollers within one pitch
   int threads = 1;                   ///< replicas at a time
   bool rungs = false;                ///< the model ladder beside the settings
 };
@@ -45,7 +45,8 @@ struct WindowErrors {
 struct ChartPoint : WindowErrors {
   Setting setting;
   ChartCost brief;
-  std::array<double, 2> trajectory_error{};  ///< at half the horizon and at the horizon
+  /// At half the horizon and at the horizon, root mean square over the starts [error scales].
+  std::array<double, 2> trajectory_error{};
 };
 
 /// A rung of the model ladder with its own settings, against the highest rung integrated tightly;
@@ -58,7 +59,7 @@ struct RungPoint : WindowErrors {
 struct Chart {
   std::string scene;
   ChartOptions options;
-  std::array<double, 2> reference_gap{};  ///< trajectories of the two references apart
+  std::array<double, 2> reference_gap{};  ///< trajectories of the two references apart, likewise
   std::vector<ChartPoint> points;         ///< the scene's own setting first
   std::vector<RungPoint> rungs;           ///< climbing_rungs(), where asked for
 };

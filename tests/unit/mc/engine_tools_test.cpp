@@ -85,7 +85,7 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
   const Study study =
       read_study(scene_file(), {"window.settle_time_s = 0.003", "window.measure_time_s = 0.001"});
   const Chart chart = make_chart(
-      study, {.methods = {"rodas3"}, .horizon = 0.4e-3, .replicas = 2, .repeats = 1, .threads = 1},
+      study, {.methods = {"rodas3"}, .horizon = 0.4e-3, .replicas = 2, .starts = 2, .threads = 1},
       [](const std::string&) {});
   ASSERT_EQ(chart.points.size(), 6u);  // the scene's own tolerance and five
   EXPECT_EQ(chart.points[0].setting.accuracy, 0.0005);
@@ -109,7 +109,7 @@ TEST(Chart, RungsStandBesideTheSettings) {
                                  {.methods = {"rodas3"},
                                   .horizon = 0.1e-3,
                                   .replicas = 2,
-                                  .repeats = 1,
+                                  .starts = 1,
                                   .threads = 1,
                                   .rungs = true},
                                  [](const std::string&) {});
