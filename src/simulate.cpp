@@ -52,8 +52,8 @@ Outcome without_cage(const CageFault& fault) {
 /// trajectories, below it none.
 constexpr double kStepErrorMax = 1;
 
-/// The equations hold for small angles of the rollers' axes [rad]. Rollers that stay upright lean
-/// by some mrad, those that nothing rights by radians.
+/// The equations hold for small angles of the rollers' axes and of the ring's [rad]. Rollers that
+/// stay upright lean by some mrad, those that nothing rights by radians.
 constexpr double kLeanMax = 0.1;
 
 /// Share of the roller positions that statics may miss.
@@ -61,7 +61,7 @@ constexpr double kMissedMax = 0.5;
 
 void judge(const Scene& scene, double step_error, const Observer& observer, Outcome& outcome) {
   const RunRecord& run = outcome.run;
-  const double lean = observer.largest_lean();
+  const double lean = observer.largest_lean(), tilt = observer.largest_tilt();
   const long positions = observer.static_positions(), missed = observer.static_positions_missed();
   if (static_cast<double>(missed) > kMissedMax * static_cast<double>(positions)) {
     outcome.status = Status::failed;
@@ -83,6 +83,11 @@ void judge(const Scene& scene, double step_error, const Observer& observer, Outc
     outcome.reason = "a roller leaned by " + number(lean) + " rad, more than " + number(kLeanMax) +
                      ": rollers tumble; raise discretisation.race_slices to at least 3, a single "
                      "slice rights no tilted roller";
+  } else if (!(tilt <= kLeanMax)) {
+    outcome.status = Status::failed;
+    outcome.reason = "the inner ring tilted by " + number(tilt) + " rad, more than " +
+                     number(kLeanMax) +
+                     ": nothing holds it; raise bearing.tilt_stiffness_N_m_rad, or load it less";
   } else if (!(step_error <= kStepErrorMax)) {
     outcome.status = Status::failed;
     outcome.reason = "a single step was off by " + number(step_error) +

@@ -53,6 +53,12 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
   b.ring[1] = q[kRingZ];
   b.ring_rate[0] = v[kRingY];
   b.ring_rate[1] = v[kRingZ];
+  const bool tilting = m.layout.ring_tilt > 0;
+  const double misalignment[2] = {m.misalignment_y, m.misalignment_z};
+  for (int k = 0; k < 2; ++k) {
+    b.tilt[k] = tilting ? q[m.layout.ring_tilt_slot() + k] : misalignment[k];
+    b.tilt_rate[k] = tilting ? v[m.layout.ring_tilt_slot() + k] : 0;
+  }
   b.cage[0] = q[kCageY] - b.unbalance[0];
   b.cage[1] = q[kCageZ] - b.unbalance[1];
   b.cage[2] = q[kCageX];
@@ -105,8 +111,19 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
   const double* v = y + m.layout.border_velocity(0);
   double *dq = rate + m.layout.border_position(0), *dv = rate + m.layout.border_velocity(0);
   for (int i = 0; i < m.layout.border(); ++i) dq[i] = v[i];
+  const RingLoad load = load_at(m, t);
   dv[kRingY] = loads.ring[0] / m.ring_mass;
-  dv[kRingZ] = (loads.ring[1] - load_at(m, t)) / m.ring_mass - m.gravity;
+  dv[kRingZ] = (loads.ring[1] - load.radial) / m.ring_mass - m.gravity;
+  if (m.layout.ring_tilt > 0) {
+    const int tilt = m.layout.ring_tilt_slot();
+    const double gyro = m.ring_polar * b.inner_speed;
+    const double held_y = m.tilt_stiffness * (b.tilt[0] - m.misalignment_y),
+                 held_z = m.tilt_stiffness * (b.tilt[1] - m.misalignment_z);
+    const double moment_y = loads.tilt[0] + load.moment_y - held_y - gyro * b.tilt_rate[1],
+                 moment_z = loads.tilt[1] + load.moment_z - held_z + gyro * b.tilt_rate[0];
+    dv[tilt] = moment_y / m.ring_transverse;
+    dv[tilt + 1] = moment_z / m.ring_transverse;
+  }
   dv[kCageY] = loads.cage[0] / m.cage_mass;
   dv[kCageZ] = loads.cage[1] / m.cage_mass - m.gravity;
   dv[kCageX] = loads.cage[2] / m.cage_mass;
@@ -129,21 +146,22 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
 }
 
 /// Forces turn with the roller's directions, and its velocity does in directions held still:
-/// completes the race and flange derivatives, which were taken in frozen directions. Keeps what the
-/// inner race alone gives for the ring.
+/// completes a row of the race and flange derivatives, which were taken in frozen directions.
+void turn_frame(const RollerPack& q, Pack* position, const Pack* velocity) {
+  position[kLr] += q.omega * velocity[kLt];
+  position[kLt] += q.vr / q.r * velocity[kLt] - q.omega * velocity[kLr];
+}
+
+/// Keeps what the inner race alone gives for the ring.
 void finish_inner(const RollerPack& q, GroupLinear& g) {
   for (int i = 0; i < kLocalVelocities; ++i)
     for (int k = 0; k < 2; ++k) {
-      g.ring_position[i][k] = -g.position[i][k];
-      g.ring_velocity[i][k] = -g.velocity[i][k];
-      g.to_ring_velocity[k][i] = -g.velocity[k][i];
-      if (i < kLocalPositions) g.to_ring_position[k][i] = -g.position[k][i];
+      g.ring.position[i][k] = -g.position[i][k];
+      g.ring.velocity[i][k] = -g.velocity[i][k];
+      g.ring.to_velocity[k][i] = -g.velocity[k][i];
+      if (i < kLocalPositions) g.ring.to_position[k][i] = -g.position[k][i];
     }
-  for (int k = 0; k < 2; ++k) {
-    g.to_ring_position[k][kLr] += q.omega * g.to_ring_velocity[k][kLt];
-    g.to_ring_position[k][kLt] +=
-        q.vr / q.r * g.to_ring_velocity[k][kLt] - q.omega * g.to_ring_velocity[k][kLr];
-  }
+  for (int k = 0; k < 2; ++k) turn_frame(q, g.ring.to_position[k], g.ring.to_velocity[k]);
 }
 
 /// Rate of the net power along the motion, in frozen directions: gradient times velocities and
@@ -163,13 +181,6 @@ double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const R
   for (int i = 0; i < kLocalVelocities; ++i) change += g.power_velocity[i] * acceleration[i];
   for (int i = 0; i < kLocalPositions; ++i) change += g.power_position[i] * velocity[i];
   return sum(change * roller.exists);
-}
-
-void turn_frame(const RollerPack& q, GroupLinear& g) {
-  for (int i = 0; i < kLocalVelocities; ++i) {
-    g.position[i][kLr] += q.omega * g.velocity[i][kLt];
-    g.position[i][kLt] += q.vr / q.r * g.velocity[i][kLt] - q.omega * g.velocity[i][kLr];
-  }
 }
 
 /// Inertial terms of the polar coordinates and the gyroscopic moment, as derivatives of forces.
@@ -194,19 +205,42 @@ void add_inertial(const BearingModel& m, const RollerGroup& roller, const Roller
   g.velocity[kLat][kLs] += roller.polar * q.b_r;
 }
 
+/// Adds a matrix in the rollers' directions r, t to a block in y, z, from `row`, `column` on.
+void add_turned(const GroupLinear& g, Pack rr, Pack rt, Pack tr, Pack tt, Eigen::MatrixXd& block,
+                int row, int column) {
+  const Pack c = g.cosine, s = g.sine;
+  block(row, column) += sum(c * (rr * c - rt * s) - s * (tr * c - tt * s));
+  block(row, column + 1) += sum(c * (rr * s + rt * c) - s * (tr * s + tt * c));
+  block(row + 1, column) += sum(s * (rr * c - rt * s) + c * (tr * c - tt * s));
+  block(row + 1, column + 1) += sum(s * (rr * s + rt * c) + c * (tr * s + tt * c));
+}
+
 /// The ring's own block from the inner race: d(force on ring)/d(ring) in y, z.
 void add_ring_block(const GroupLinear& g, Linearisation& linear) {
   const auto add = [&](const Pack(&to)[kLocalVelocities][2], Eigen::MatrixXd& block) {
     // Force on the ring is the opposite of that on the roller: -d(f_r, f_t)/d(u_r, u_t).
-    const Pack rr = -to[kLr][0], rt = -to[kLr][1], tr = -to[kLt][0], tt = -to[kLt][1];
-    const Pack c = g.cosine, s = g.sine;
-    block(kRingY, kRingY) += sum(c * (rr * c - rt * s) - s * (tr * c - tt * s));
-    block(kRingY, kRingZ) += sum(c * (rr * s + rt * c) - s * (tr * s + tt * c));
-    block(kRingZ, kRingY) += sum(s * (rr * c - rt * s) + c * (tr * c - tt * s));
-    block(kRingZ, kRingZ) += sum(s * (rr * s + rt * c) + c * (tr * s + tt * c));
+    add_turned(g, -to[kLr][0], -to[kLr][1], -to[kLt][0], -to[kLt][1], block, kRingY, kRingY);
   };
-  add(g.ring_position, linear.border_position);
-  add(g.ring_velocity, linear.border_velocity);
+  add(g.ring.position, linear.border_position);
+  add(g.ring.velocity, linear.border_velocity);
+}
+
+/// Likewise of the ring's tilt: moments on the ring, and its displacement with the tilt. Then what
+/// the rollers' frames do to the moments.
+void finish_tilt(const RollerPack& q, const GroupLinear& g, int slot, TiltLinear& tilt,
+                 Linearisation& linear) {
+  RingCoupling& c = tilt.coupling;
+  const auto add = [&](const Pack(&own)[2][2], const Pack(&by_tilt)[kLocalVelocities][2],
+                       const Pack* moment_r, const Pack* moment_t, Eigen::MatrixXd& block) {
+    add_turned(g, own[0][0], own[0][1], own[1][0], own[1][1], block, slot, slot);
+    add_turned(g, -by_tilt[kLr][0], -by_tilt[kLr][1], -by_tilt[kLt][0], -by_tilt[kLt][1], block,
+               kRingY, slot);
+    add_turned(g, -moment_r[kLr], -moment_r[kLt], -moment_t[kLr], -moment_t[kLt], block, slot,
+               kRingY);
+  };
+  add(tilt.position, c.position, c.to_position[0], c.to_position[1], linear.border_position);
+  add(tilt.velocity, c.velocity, c.to_velocity[0], c.to_velocity[1], linear.border_velocity);
+  for (int k = 0; k < 2; ++k) turn_frame(q, c.to_position[k], c.to_velocity[k]);
 }
 
 /// The cage's own derivatives: gyroscopic moment, elastic modes, and what the spin does to these.
@@ -233,11 +267,11 @@ void add_cage_block(const BearingModel& m, const BorderState& b, const double* y
   // Leading terms of the coupling with the spin; what they leave out is smaller by displacement
   // over radius.
   const double spin = b.phi_rate;
-  auto among = linear.border_velocity.bottomRightCorner(modes, modes);
-  auto by_spin = linear.border_velocity.col(kCagePhi).tail(modes);
+  auto among = linear.border_velocity.block(kModes, kModes, modes, modes);
+  auto by_spin = linear.border_velocity.col(kCagePhi).segment(kModes, modes);
   if (flexible.centrifugal) {
     by_spin += 2 * spin * flexible.model->centrifugal;
-    linear.border_velocity.row(kCagePhi).tail(modes) -=
+    linear.border_velocity.row(kCagePhi).segment(kModes, modes) -=
         2 * spin * flexible.model->centrifugal.transpose();
   }
   if (flexible.coriolis) {
@@ -247,7 +281,17 @@ void add_cage_block(const BearingModel& m, const BorderState& b, const double* y
   }
 }
 
-template <bool linear, bool planar>
+/// The shaft's hold on the ring's tilt, and the gyroscopic moment of the spinning ring.
+void add_shaft_block(const BearingModel& m, const BorderState& b, Linearisation& linear) {
+  const int tilt = m.layout.ring_tilt_slot();
+  const double gyro = m.ring_polar * b.inner_speed;
+  linear.border_velocity(tilt, tilt + 1) -= gyro;
+  linear.border_velocity(tilt + 1, tilt) += gyro;
+  for (int k = 0; k < 2; ++k) linear.border_position(tilt + k, tilt + k) -= m.tilt_stiffness;
+}
+
+/// `tilting`: the inner ring's tilt is free.
+template <bool linear, bool planar, bool tilting>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
@@ -277,17 +321,26 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
     const auto tt = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };
-    const double lean[2] = {m.misalignment_y, m.misalignment_z};
-    const RaceSide inner{1,          m.inner_radius, b.inner_speed,   r(b.ring),
-                         tt(b.ring), r(b.ring_rate), tt(b.ring_rate), r(lean),
-                         tt(lean),   m.inner_film};
-    const RaceSide outer{-1, m.outer_radius, 0, {}, {}, {}, {}, {}, {}, m.outer_film};
+    RaceSide inner{1, m.inner_radius, b.inner_speed, m.inner_film};
+    inner.u_r = r(b.ring), inner.u_t = tt(b.ring);
+    inner.du_r = r(b.ring_rate), inner.du_t = tt(b.ring_rate);
+    inner.B_r = r(b.tilt), inner.B_t = tt(b.tilt);
+    RingTilt tilt;
+    if constexpr (tilting) {
+      inner.dB_r = r(b.tilt_rate), inner.dB_t = tt(b.tilt_rate);
+      if constexpr (linear) tilt.linear = &jac->tilts[static_cast<std::size_t>(group)];
+    }
+    const RaceSide outer{-1, m.outer_radius, 0, m.outer_film};
     RollerLoads loads;
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
-    race_contacts<linear>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r, elastic_t,
-                          drive);
+    race_contacts<linear, tilting>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r,
+                                   elastic_t, drive, &tilt);
     border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
+    if constexpr (tilting) {
+      border.tilt[0] += sum(q.cosine * tilt.moment[0] - q.sine * tilt.moment[1]);
+      border.tilt[1] += sum(q.sine * tilt.moment[0] + q.cosine * tilt.moment[1]);
+    }
     if constexpr (linear) {
       finish_inner(q, *g);
       for (int k = 0; k < 2; ++k) {
@@ -298,6 +351,16 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
         to[kRingZ] -= sum(q.sine * on_r + q.cosine * on_t);
       }
       add_ring_block(*g, *jac);
+      if constexpr (tilting) {
+        const int slot = m.layout.ring_tilt_slot();
+        const auto add = [&](const Pack(&power)[2], Eigen::VectorXd& to) {
+          to[slot] += sum(q.cosine * power[0] - q.sine * power[1]);
+          to[slot + 1] += sum(q.sine * power[0] + q.cosine * power[1]);
+        };
+        add(tilt.linear->power_position, jac->power_position);
+        add(tilt.linear->power_velocity, jac->power_velocity);
+        finish_tilt(q, *g, slot, *tilt.linear, *jac);
+      }
       store(seen->inner_force.data() + group * kLanes, total);
       store(seen->inner_sliding.data() + group * kLanes,
             select(total > 0.0, sliding / max(total, splat(1e-300)), Pack{}));
@@ -312,7 +375,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
-      turn_frame(q, *g);
+      for (int i = 0; i < kLocalVelocities; ++i) turn_frame(q, g->position[i], g->velocity[i]);
     }
     const PocketFrame pocket = pocket_frame(roller, q, b);
     pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
@@ -332,8 +395,15 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {
     add_cage_block(m, b, y, *jac, *seen);
-    seen->load_power = -load_at(m, t) * b.ring_rate[1];
-    jac->power_velocity[kRingZ] -= load_at(m, t);
+    const RingLoad load = load_at(m, t);
+    seen->load_power = -load.radial * b.ring_rate[1];
+    jac->power_velocity[kRingZ] -= load.radial;
+    if constexpr (tilting) {
+      add_shaft_block(m, b, *jac);
+      seen->load_power += load.moment_y * b.tilt_rate[0] + load.moment_z * b.tilt_rate[1];
+      jac->power_velocity[m.layout.ring_tilt_slot()] += load.moment_y;
+      jac->power_velocity[m.layout.ring_tilt_slot() + 1] += load.moment_z;
+    }
     const double *border_v = y + m.layout.border_velocity(0),
                  *border_a = rate + m.layout.border_velocity(0);
     for (int i = 0; i < m.layout.border(); ++i)
@@ -346,13 +416,17 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
 }  // namespace
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
-  const auto with = model.planar ? evaluate<false, true> : evaluate<false, false>;
+  const auto with = model.planar                 ? evaluate<false, true, false>
+                    : model.layout.ring_tilt > 0 ? evaluate<false, false, true>
+                                                 : evaluate<false, false, false>;
   with(model, t, y, rate, nullptr, nullptr);
 }
 
 void linearise(const BearingModel& model, double t, const double* y, double* rate,
                Linearisation& linear, Observation& seen) {
-  const auto with = model.planar ? evaluate<true, true> : evaluate<true, false>;
+  const auto with = model.planar                 ? evaluate<true, true, false>
+                    : model.layout.ring_tilt > 0 ? evaluate<true, false, true>
+                                                 : evaluate<true, false, false>;
   with(model, t, y, rate, &linear, &seen);
 }
 
@@ -371,6 +445,12 @@ double body_energy(const BearingModel& m, const double* y) {
   const auto square = [&](int slot) { return v[slot] * v[slot]; };
   energy +=
       0.5 * m.ring_mass * (square(kRingY) + square(kRingZ)) + m.ring_mass * m.gravity * q[kRingZ];
+  if (m.layout.ring_tilt > 0) {
+    const int tilt = m.layout.ring_tilt_slot();
+    const double bent_y = q[tilt] - m.misalignment_y, bent_z = q[tilt + 1] - m.misalignment_z;
+    energy += 0.5 * m.ring_transverse * (square(tilt) + square(tilt + 1)) +
+              0.5 * m.tilt_stiffness * (bent_y * bent_y + bent_z * bent_z);
+  }
   energy += 0.5 * m.cage_mass * (square(kCageY) + square(kCageZ) + square(kCageX)) +
             m.cage_mass * m.gravity * q[kCageZ];
   energy += 0.5 * m.cage_polar * square(kCagePhi) +

@@ -35,6 +35,8 @@ class Observer {
   double cage_revolutions() const { return revolutions_; }
   /// Largest angle between a roller's axis and the bearing's [rad].
   double largest_lean() const { return std::sqrt(largest_lean_squared_); }
+  /// Likewise of the inner ring's centre line.
+  double largest_tilt() const { return ring_tilt_.peak(); }
   /// Of a flexible cage; empty of a rigid one.
   const CagePeak& cage_peak() const { return cage_peak_; }
 
@@ -63,7 +65,7 @@ class Observer {
       cage_lean_z_;
   Series slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_, guide_force_,
       roller_speed_;
-  Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_;
+  Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_, ring_tilt_, tilt_y_, tilt_z_;
   std::optional<CageStress> stress_;
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;
