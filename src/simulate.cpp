@@ -63,7 +63,13 @@ void judge(const Scene& scene, double step_error, const Observer& observer, Outc
   const RunRecord& run = outcome.run;
   const double lean = observer.largest_lean(), tilt = observer.largest_tilt();
   const long positions = observer.static_positions(), missed = observer.static_positions_missed();
-  if (static_cast<double>(missed) > kMissedMax * static_cast<double>(positions)) {
+  if (!(tilt <= kLeanMax)) {
+    outcome.status = Status::failed;
+    outcome.reason =
+        "the inner ring tilted by " + number(tilt) + " rad, more than " + number(kLeanMax) +
+        ": too little holds it; raise bearing.tilt_stiffness_N_m_rad, or "
+        "discretisation.race_slices to at least 3, a single slice rights no tilted ring";
+  } else if (static_cast<double>(missed) > kMissedMax * static_cast<double>(positions)) {
     outcome.status = Status::failed;
     outcome.reason = "no static equilibrium of ring and rollers was found at " +
                      std::to_string(missed) + " of " + std::to_string(positions) +
@@ -83,11 +89,6 @@ void judge(const Scene& scene, double step_error, const Observer& observer, Outc
     outcome.reason = "a roller leaned by " + number(lean) + " rad, more than " + number(kLeanMax) +
                      ": rollers tumble; raise discretisation.race_slices to at least 3, a single "
                      "slice rights no tilted roller";
-  } else if (!(tilt <= kLeanMax)) {
-    outcome.status = Status::failed;
-    outcome.reason = "the inner ring tilted by " + number(tilt) + " rad, more than " +
-                     number(kLeanMax) +
-                     ": nothing holds it; raise bearing.tilt_stiffness_N_m_rad, or load it less";
   } else if (!(step_error <= kStepErrorMax)) {
     outcome.status = Status::failed;
     outcome.reason = "a single step was off by " + number(step_error) +
