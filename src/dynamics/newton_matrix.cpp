@@ -1,8 +1,6 @@
 #include "src/dynamics/newton_matrix.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace cagetol {
 namespace {
@@ -55,12 +53,19 @@ void multiply(const Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack* b
   }
 }
 
-/// A vector of the border, at `slot`, in the rollers' directions r, t.
-std::pair<Pack, Pack> in_rollers_frame(const GroupLinear& l, const Eigen::VectorXd& border,
-                                       int slot) {
-  return {l.cosine * border[slot] + l.sine * border[slot + 1],
-          l.cosine * border[slot + 1] - l.sine * border[slot]};
-}
+/// What couples of the inner ring to rollers, in the rollers' directions r, t: its displacement,
+/// and its tilt where that is free.
+template <int vectors>
+struct RingVectors {
+  Pack r[vectors], t[vectors];
+  RingVectors(const GroupLinear& l, const Eigen::VectorXd& border, const StateLayout& layout) {
+    for (int v = 0; v < vectors; ++v) {
+      const int slot = v == 0 ? kRingY : layout.ring_tilt_slot();
+      r[v] = l.cosine * border[slot] + l.sine * border[slot + 1];
+      t[v] = l.cosine * border[slot + 1] - l.sine * border[slot];
+    }
+  }
+};
 
 }  // namespace
 
@@ -242,21 +247,21 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
     force[kLar] = roller.transverse * (l.cosine * by + l.sine * bz);
     force[kLat] = roller.transverse * (l.cosine * bz - l.sine * by);
     force[kLs] = roller.polar * velocity(kSpin);
+    RingVectors<vectors> ring(l, border_positions_, model_.layout);
     for (int i = 0; i < kLocalVelocities; ++i) {
       if (held<planar>(i)) continue;
       for (int k = 0; k < kLocalPositions; ++k)
         if (!held<planar>(k)) force[i] += l.position[i][k] * P[k];
+      for (int v = 0; v < vectors; ++v) {
+        const RingCoupling& with = coupling(n, v);
+        force[i] += with.position[i][0] * ring.r[v] + with.position[i][1] * ring.t[v];
+      }
     }
     Pack to_ring[vectors][2] = {};
-    for (int v = 0; v < vectors; ++v) {
-      const RingCoupling& with = coupling(n, v);
-      const auto [ring_r, ring_t] = in_rollers_frame(l, border_positions_, ring_slot(v));
-      for (int i = 0; i < kLocalVelocities; ++i)
-        if (!held<planar>(i))
-          force[i] += with.position[i][0] * ring_r + with.position[i][1] * ring_t;
+    for (int v = 0; v < vectors; ++v)
       for (int a = 0; a < 2; ++a)
-        for (int k = 0; k < kLocalPositions; ++k) to_ring[v][a] += with.to_position[a][k] * P[k];
-    }
+        for (int k = 0; k < kLocalPositions; ++k)
+          to_ring[v][a] += coupling(n, v).to_position[a][k] * P[k];
     for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
       const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
       if (slot < 0) continue;
@@ -289,12 +294,12 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
     Group& f = groups_[static_cast<std::size_t>(n)];
     const int j = n * kLanes;
+    RingVectors<vectors> ring(l, border_solution_, model_.layout);
     Pack u[kLocalVelocities];
-    std::copy(f.rhs, f.rhs + kLocalVelocities, u);
-    for (int v = 0; v < vectors; ++v) {
-      const auto [ring_r, ring_t] = in_rollers_frame(l, border_solution_, ring_slot(v));
-      for (int i = 0; i < kLocalVelocities; ++i)
-        u[i] = u[i] - f.from_ring[v][i][0] * ring_r - f.from_ring[v][i][1] * ring_t;
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      u[i] = f.rhs[i];
+      for (int v = 0; v < vectors; ++v)
+        u[i] = u[i] - f.from_ring[v][i][0] * ring.r[v] - f.from_ring[v][i][1] * ring.t[v];
     }
     for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
       const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];

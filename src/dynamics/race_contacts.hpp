@@ -20,8 +20,8 @@ struct RaceSide {
   double radius;  ///< R_race [m]
   double speed;   ///< of the race about its axis [rad/s]
   const FilmLaw& film;
-  Pack u_r{}, u_t{}, du_r{}, du_t{};  ///< its centre and its velocity in the rollers' directions
-  Pack B_r{}, B_t{}, dB_r{}, dB_t{};  ///< slope of its axis and its rate, likewise
+  Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
+  Pack B_r, B_t;              ///< slope of its axis, likewise
 };
 
 /// Mean speed at which both surfaces carry oil into the contact, as seen from the contact, which
@@ -41,6 +41,7 @@ inline Entrainment entrainment(const RaceSide& race, const RollerGroup& roller,
 
 /// The free tilt of the inner ring, as a pack of rollers sees it.
 struct RingTilt {
+  Pack rate_r, rate_t;  ///< B' in the rollers' directions
   Pack moment[2] = {};  ///< of the rollers on the ring, conjugate to (B_r, B_t)
   TiltLinear* linear = nullptr;
 };
@@ -92,8 +93,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack n_x = -(n_r * race.B_r + n_t * race.B_t);
     Pack v_r = q.vr + xi * q.b_r - race.du_r, v_t = q.vt + xi * q.b_t - race.du_t;
     if constexpr (tilting) {
-      v_r -= place * race.dB_r;
-      v_t -= place * race.dB_t;
+      v_r -= place * tilt->rate_r;
+      v_t -= place * tilt->rate_t;
     }
     const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
     const Pack along = n_r * v_t - n_t * v_r;  // velocity of the axes along t
@@ -104,7 +105,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack v1 = along - radius * q.spin - surface;
     Pack v2 = q.vx + radius * (n_r * w_t - n_t * w_r) - swash;
     [[maybe_unused]] const double arm = race.sign * race.radius;  // of the race's surface along n
-    if constexpr (tilting) v2 += arm * (n_r * race.dB_r + n_t * race.dB_t);
+    if constexpr (tilting) v2 += arm * (n_r * tilt->rate_r + n_t * tilt->rate_t);
 
     const Pack reached = select(touching, p, splat(-1.0));
     FilmContact<Pack> contact;

@@ -52,11 +52,17 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
     q.a_r = load(state_.tilt.data() + j);
     const auto r = [&](double y, double z) { return along_r(q, splat(y), splat(z)); };
     const auto t = [&](double y, double z) { return along_t(q, splat(y), splat(z)); };
-    RaceSide inner{1, model_.inner_radius,
-                   2 * model_.pitch_radius * orbit_rate / model_.inner_radius, model_.inner_film};
-    inner.u_r = r(state_.ring_y, state_.ring_z), inner.u_t = t(state_.ring_y, state_.ring_z);
-    inner.B_r = r(state_.tilt_y, state_.tilt_z), inner.B_t = t(state_.tilt_y, state_.tilt_z);
-    const RaceSide outer{-1, model_.outer_radius, 0, model_.outer_film};
+    const RaceSide inner{1,
+                         model_.inner_radius,
+                         2 * model_.pitch_radius * orbit_rate / model_.inner_radius,
+                         model_.inner_film,
+                         r(state_.ring_y, state_.ring_z),
+                         t(state_.ring_y, state_.ring_z),
+                         {},
+                         {},
+                         r(state_.tilt_y, state_.tilt_z),
+                         t(state_.tilt_y, state_.tilt_z)};
+    const RaceSide outer{-1, model_.outer_radius, 0, model_.outer_film, {}, {}, {}, {}, {}, {}};
     // Rolling, without slip, drags the film in. At rest first, where no speed damps; then orbiting:
     // a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
     q.vt = splat(model_.pitch_radius * orbit_rate);
@@ -69,7 +75,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       Pack total{}, a{}, er{}, et{}, drive{};
       TiltLinear by_tilt;
       if constexpr (tilting) by_tilt = {};
-      RingTilt tilt{.linear = &by_tilt};
+      RingTilt tilt{.rate_r = {}, .rate_t = {}, .linear = &by_tilt};
       race_contacts<true, tilting>(model_, roller, q, inner, loads, &g, &unused, total, a, er, et,
                                    drive, &tilt);
       const RollerLoads on_inner = loads;

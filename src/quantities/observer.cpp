@@ -88,12 +88,12 @@ void Observer::record(double t, const double* y, const System& system) {
   ring_z_.add(q[kRingZ], weight, keep);
   ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), weight);
   ring_elastic_z_.add(seen.ring_elastic_z, weight);
-  const bool tilting = l.ring_tilt > 0;
-  const double tilt_y = tilting ? q[l.ring_tilt_slot()] : model_.misalignment_y,
-               tilt_z = tilting ? q[l.ring_tilt_slot() + 1] : model_.misalignment_z;
-  ring_tilt_.add(std::hypot(tilt_y, tilt_z), weight);
-  tilt_y_.add(tilt_y, weight);
-  tilt_z_.add(tilt_z, weight);
+  if (l.ring_tilt > 0) {
+    const double tilt_y = q[l.ring_tilt_slot()], tilt_z = q[l.ring_tilt_slot() + 1];
+    ring_tilt_.add(std::hypot(tilt_y, tilt_z), weight);
+    tilt_y_.add(tilt_y, weight);
+    tilt_z_.add(tilt_z, weight);
+  }
   guide_force_.add(seen.land_force[0] + seen.land_force[1], weight, keep);
   for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_touching[k]);
   end_displacement_ = -q[kRingZ];
@@ -176,16 +176,25 @@ double Observer::energy_residual() const {
          std::max(std::abs(lost), kEnergyFloor * std::abs(first_energy_));
 }
 
+double Observer::rollers_couple(const RingLoad& load) const {
+  if (model_.layout.ring_tilt == 0) return 0;
+  const double k = model_.tilt_stiffness;
+  return std::hypot(load.moment_y - k * (tilt_y_.mean() - model_.misalignment_y),
+                    load.moment_z - k * (tilt_z_.mean() - model_.misalignment_z)) /
+         model_.roller_half_length;
+}
+
 double Observer::static_consistency_error() const {
-  const double weight = load_at(model_, end_).radial + model_.ring_mass * model_.gravity;
+  const RingLoad load = load_at(model_, end_);
+  const double weight = load.radial + model_.ring_mass * model_.gravity;
   // Below the centrifugal force of one roller the ring bounces within its clearance: its mean place
   // says nothing.
   const RollerGroup& g = model_.groups.front();
   const double cage_speed = cage_speed_.mean();
   const double light = std::max(1.0, g.mass[0] * model_.pitch_radius * cage_speed * cage_speed);
   const double expected_force = static_elastic_z_.empty() ? weight : static_elastic_z_.mean();
-  const double force =
-      std::abs(ring_elastic_z_.mean() - expected_force) / std::max(std::abs(weight), light);
+  const double force = std::abs(ring_elastic_z_.mean() - expected_force) /
+                       std::max({std::abs(weight), light, rollers_couple(load)});
   if (dynamic_displacement_.empty() || std::abs(weight) < light) return force;
   const double expected = static_displacement_.mean();
   return std::max(force, std::abs(dynamic_displacement_.mean() - expected) /
@@ -231,13 +240,12 @@ std::vector<double> Observer::quantities() const {
   q["ring_orbit_p95_um"] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
   q["ring_acceleration_rms_m_s2"] = ring_acceleration_.rms();
   q["ring_acceleration_peak_m_s2"] = ring_acceleration_.peak();
-  q["ring_tilt_mean_mrad"] = model_.planar ? none : 1e3 * ring_tilt_.mean();
+  const bool lean = !model_.planar, tilts = model_.layout.ring_tilt > 0;
+  const double held = std::hypot(model_.misalignment_y, model_.misalignment_z);
+  q["ring_tilt_mean_mrad"] = lean ? 1e3 * (tilts ? ring_tilt_.mean() : held) : none;
   q["ring_tilt_std_mrad"] =
-      model_.layout.ring_tilt > 0
-          ? 1e3 * std::hypot(tilt_y_.standard_deviation(), tilt_z_.standard_deviation())
-          : none;
+      tilts ? 1e3 * std::hypot(tilt_y_.standard_deviation(), tilt_z_.standard_deviation()) : none;
   q["roller_speed_std_ratio"] = roller_speed_.standard_deviation() / std::abs(roller_speed_.mean());
-  const bool lean = !model_.planar;
   q["roller_skew_rms_mrad"] = lean ? 1e3 * skew_.rms() : none;
   q["roller_skew_p95_mrad"] = lean ? 1e3 * skew_.quantile(0.95) : none;
   q["roller_tilt_p95_mrad"] = lean ? 1e3 * tilt_.quantile(0.95) : none;

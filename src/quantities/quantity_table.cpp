@@ -91,10 +91,10 @@ const std::vector<Quantity>& quantity_table() {
        "modelled"},
       {"static_consistency_error", "-",
        "the larger of: mean elastic force on the ring against the quasi-static one (the load, less "
-       "what the normal law's damping "
-       "carries as rollers go round); mean ring displacement against the quasi-static one over "
-       "the same roller positions (relative; below the centrifugal force of one roller only the "
-       "force counts, relative to it)"},
+       "what the normal law's damping carries as rollers go round; relative to the load, or to the "
+       "couple at the rollers' ends that rights a ring whose tilt is free, if that is more); mean "
+       "ring displacement against the quasi-static one over the same roller positions (relative; "
+       "below the centrifugal force of one roller only the force counts, relative to it)"},
   };
   return table;
 }
