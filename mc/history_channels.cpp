@@ -55,6 +55,13 @@ double ring_acceleration(const Instant& at) {
   return std::hypot(dv[kRingY], dv[kRingZ]);
 }
 
+/// Slope of the inner ring's centre line in y (k = 0) or z (1).
+double ring_tilt(const Instant& at, int k) {
+  const BearingModel& m = at.system.model;
+  if (m.layout.ring_tilt > 0) return border(at)[m.layout.ring_tilt_slot() + k];
+  return k == 0 ? m.misalignment_y : m.misalignment_z;
+}
+
 double cage_stress(const Instant& at) {
   if (!at.stress) return std::numeric_limits<double>::quiet_NaN();
   const Observation& seen = at.system.seen;
@@ -88,6 +95,8 @@ const std::vector<BearingChannel>& bearing_channels() {
       {"ring_displacement", "um", "inner ring, along the load", [](I at) { return -kUm * border(at)[kRingZ]; }},
       {"ring_velocity", "m/s", "speed of the inner ring's centre", ring_speed},
       {"ring_acceleration", "m/s2", "acceleration of the inner ring's centre, magnitude", ring_acceleration},
+      {"ring_tilt_y", "mrad", "slope of the inner ring's centre line in y", [](I at) { return kMrad * ring_tilt(at, 0); }},
+      {"ring_tilt_z", "mrad", "slope of the inner ring's centre line in z", [](I at) { return kMrad * ring_tilt(at, 1); }},
       {"cage_x", "um", "cage centre, axial", [](I at) { return kUm * border(at)[kCageX]; }},
       {"cage_y", "um", "geometric centre of the cage, y", [](I at) { return kUm * cage_centre(at).y; }},
       {"cage_z", "um", "geometric centre of the cage, z", [](I at) { return kUm * cage_centre(at).z; }},

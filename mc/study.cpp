@@ -181,6 +181,9 @@ std::vector<std::string> model_notes(const Study& study) {
         notes.push_back(std::string(key) +
                         " does nothing to planar rollers (scene.model.rollers = \"planar\")");
     }
+  if (has_planar_rollers(study.scene) && study.scene.model.ring_tilt == "free")
+    notes.push_back(
+        "a free tilt of the inner ring (scene.model.ring_tilt) does nothing to planar rollers");
   if (!is_quasi_static(study.scene)) return notes;
   notes.push_back(
       "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "

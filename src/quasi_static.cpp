@@ -22,7 +22,8 @@ using std::numbers::pi;
 constexpr double kPositionsPerPitch = 8;
 
 constexpr const char* kDefined[] = {"ring_displacement_mean_um", "ring_displacement_end_um",
-                                    "ring_orbit_p95_um", "roller_tilt_p95_mrad"};
+                                    "ring_orbit_p95_um", "ring_tilt_mean_mrad",
+                                    "roller_tilt_p95_mrad"};
 
 /// The cage's angles, equally spaced, up to the end of the window and over a turn at most [rad].
 struct Positions {
@@ -52,7 +53,7 @@ Outcome quasi_static_outcome(const Scene& scene) {
   const double cage_speed = kinematic_cage_speed(model, model.inner_speed);
   const Positions positions = positions_in_window(scene, model, cage_speed);
   StaticEquilibrium equilibrium(model);
-  Series ring_y, ring_z, tilt;
+  Series ring_y, ring_z, ring_tilt, tilt;
   for (long k = 0; k < positions.count; ++k) {
     const std::vector<double> angle = roller_angles(model, positions.angle(k));
     const StaticState& rest =
@@ -66,12 +67,14 @@ Outcome quasi_static_outcome(const Scene& scene) {
     }
     ring_y.add(rest.ring_y, 1, true);
     ring_z.add(rest.ring_z, 1, true);
+    ring_tilt.add(std::hypot(rest.tilt_y, rest.tilt_z), 1);
     for (int j = 0; j < model.layout.rollers; ++j)
       tilt.add(std::abs(rest.tilt[static_cast<std::size_t>(j)]), 1, true);
   }
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const double values[] = {-1e6 * ring_z.mean(), -1e6 * equilibrium.state().ring_z,
                            1e6 * distance_quantile(ring_y, ring_z, 0.95),
+                           model.planar ? none : 1e3 * ring_tilt.mean(),
                            model.planar ? none : 1e3 * tilt.quantile(0.95)};
   static_assert(std::size(values) == std::size(kDefined));
   for (std::size_t k = 0; k < std::size(kDefined); ++k)

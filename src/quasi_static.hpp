@@ -16,7 +16,7 @@ namespace cagetol {
 /// damping (src/dynamics/static_equilibrium.hpp), without an oil film. Positions end with the
 /// window; more than one turn repeats the first.
 ///
-/// Defines the ring's displacements and orbit, and the tilt of spatial rollers; all other
+/// Defines the ring's displacements, orbit and tilt, and the tilt of spatial rollers; all other
 /// quantities are NaN, slip too: it is assumed, not found. `run.steps` counts positions. Fails
 /// where a position has no equilibrium.
 Outcome quasi_static_outcome(const Scene& scene);

@@ -52,8 +52,8 @@ Outcome without_cage(const CageFault& fault) {
 /// trajectories, below it none.
 constexpr double kStepErrorMax = 1;
 
-/// The equations hold for small angles of the rollers' axes [rad]. Rollers that stay upright lean
-/// by some mrad, those that nothing rights by radians.
+/// The equations hold for small angles of the rollers' axes and of the ring's [rad]. Rollers that
+/// stay upright lean by some mrad, those that nothing rights by radians.
 constexpr double kLeanMax = 0.1;
 
 /// Share of the roller positions that statics may miss.
@@ -61,9 +61,15 @@ constexpr double kMissedMax = 0.5;
 
 void judge(const Scene& scene, double step_error, const Observer& observer, Outcome& outcome) {
   const RunRecord& run = outcome.run;
-  const double lean = observer.largest_lean();
+  const double lean = observer.largest_lean(), tilt = observer.largest_tilt();
   const long positions = observer.static_positions(), missed = observer.static_positions_missed();
-  if (static_cast<double>(missed) > kMissedMax * static_cast<double>(positions)) {
+  if (!(tilt <= kLeanMax)) {
+    outcome.status = Status::failed;
+    outcome.reason =
+        "the inner ring tilted by " + number(tilt) + " rad, more than " + number(kLeanMax) +
+        ": too little holds it; raise bearing.tilt_stiffness_N_m_rad, or "
+        "discretisation.race_slices to at least 3, a single slice rights no tilted ring";
+  } else if (static_cast<double>(missed) > kMissedMax * static_cast<double>(positions)) {
     outcome.status = Status::failed;
     outcome.reason = "no static equilibrium of ring and rollers was found at " +
                      std::to_string(missed) + " of " + std::to_string(positions) +

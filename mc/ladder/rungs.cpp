@@ -106,6 +106,13 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
   if (scene.film.model != "none") less.push_back({"no-film", "no oil film", {"film.model='none'"}});
   if (scene.cage.guide_film.model != "none")
     less.push_back({"no-guide-film", "dry guide lands", {"cage.guide_film='none'"}});
+  if (has_free_ring_tilt(scene)) {
+    Rung held{"held-ring", "tilt of the inner ring prescribed", {"model.ring_tilt='prescribed'"}};
+    const auto& load = scene.operation;  // moments go to the shaft
+    if (load.tilting_moment_y != 0) held.settings.push_back("load.tilting_moment_y_N_m=0");
+    if (load.tilting_moment_z != 0) held.settings.push_back("load.tilting_moment_z_N_m=0");
+    less.push_back(held);
+  }
   std::vector<Rung> all;
   for (const Rung& rung : less)
     all.push_back({rung.name, rung.meaning, joined(full.settings, rung.settings)});

@@ -18,12 +18,13 @@ struct Rung {
 
 /// Cheapest first by this order, never by measured time. The lowest rung has no motion, the second
 /// all of it in the plane, the third all of it in space; from there each rung adds one thing to the
-/// one below it. The last one is the reference. An oil film stays as the scene has it, its data are
-/// the scene's to give; equilibria are dry.
+/// one below it. The last one is the reference. An oil film, and an inner ring whose tilt is free,
+/// stay as the scene has them, their data are the scene's to give; equilibria are dry, and in the
+/// plane no ring tilts.
 const std::vector<Rung>& climbing_rungs();
 
 /// The reference with one thing taken away at a time, and the reference last: what each is worth.
-/// Where the scene has an oil film, it is one of these things.
+/// Where the scene has an oil film or an inner ring whose tilt is free, it is one of these things.
 std::vector<Rung> separate_rungs(const Scene& scene);
 
 /// The scene as it is, "as-run", last, and before it the scene with one setting refined at a time:

@@ -75,6 +75,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.layout.rollers = static_cast<int>(b.roller_count);
   m.layout.groups = (m.layout.rollers + kLanes - 1) / kLanes;
   m.planar = has_planar_rollers(scene);
+  m.layout.ring_tilt = has_free_ring_tilt(scene) ? 2 : 0;
   for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
   if (flexible) m.flexible = make_flexible_cage(std::move(flexible), scene.cage, m.layout.groups);
   m.layout.modes = m.flexible.modes;
@@ -122,6 +123,13 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
     m.misalignment_z = b.misalignment_z;
   }
   m.ring_mass = given_or(b.inner_ring_mass, ring_mass(b, 2 * m.inner_radius));
+  // Of a hollow cylinder of that mass.
+  const double bore = b.bore_diameter / 2;
+  const double radii = m.inner_radius * m.inner_radius + bore * bore;
+  m.ring_polar = given_or(b.inner_ring_polar_inertia, m.ring_mass * radii / 2);
+  m.ring_transverse =
+      given_or(b.inner_ring_transverse_inertia, m.ring_mass * (3 * radii + b.width * b.width) / 12);
+  m.tilt_stiffness = b.tilt_stiffness;
 
   const CageMass cage = cage_mass(scene.cage, b.roller_count);
   m.cage_mass = given_or(scene.cage.mass, cage.mass);
@@ -155,7 +163,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   }
 
   const auto& o = scene.operation;
-  m.load = o.radial_load;
+  m.load = {o.radial_load, o.tilting_moment_y, o.tilting_moment_z};
   m.load_ramp = o.load_ramp;
   m.gravity = o.gravity;
   m.inner_speed = o.inner_speed;
@@ -164,8 +172,10 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   return m;
 }
 
-double load_at(const BearingModel& m, double t) {
-  return m.load_ramp > 0 ? m.load * smooth_step(t / m.load_ramp) : m.load;
+RingLoad load_at(const BearingModel& m, double t) {
+  if (!(m.load_ramp > 0)) return m.load;
+  const double share = smooth_step(t / m.load_ramp);
+  return {m.load.radial * share, m.load.moment_y * share, m.load.moment_z * share};
 }
 
 double inner_speed_at(const BearingModel& m, double t) {

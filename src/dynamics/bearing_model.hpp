@@ -39,6 +39,13 @@ struct EndPoint {
 
 enum class Guidance { outer, inner, roller };
 
+/// What acts on the inner ring from outside: a force along -z [N], and a moment [N m] conjugate to
+/// its tilt (B_y, B_z): moment_y tilts the centre line towards +y (a vector along +z), moment_z
+/// towards +z (a vector along -y). The shaft takes the moment where the tilt is prescribed.
+struct RingLoad {
+  double radial = 0, moment_y = 0, moment_z = 0;
+};
+
 struct BearingModel {
   StateLayout layout;
   bool planar = false;  ///< rollers keep their axes parallel to the bearing's, and x = 0
@@ -56,8 +63,10 @@ struct BearingModel {
   FilmLaw inner_film, outer_film;  ///< of one slice
 
   double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]
-  double misalignment_y = 0, misalignment_z = 0;
-  double ring_mass = 0;
+  double misalignment_y = 0,
+         misalignment_z = 0;  ///< tilt of the ring, or what its shaft would give it
+  double ring_mass = 0, ring_polar = 0, ring_transverse = 0;
+  double tilt_stiffness = 0;  ///< of the shaft, against the free tilt of the ring [N m/rad]
   double cage_mass = 0, cage_polar = 0, cage_transverse = 0;
   double unbalance_y = 0,
          unbalance_z = 0;  ///< mass centre minus geometric centre in the cage frame [m]
@@ -68,7 +77,8 @@ struct BearingModel {
   ShortBearing guide_film;    ///< of one land
   double guide_ring_radius = 0;
 
-  double load = 0, load_ramp = 0, gravity = 0;
+  RingLoad load;
+  double load_ramp = 0, gravity = 0;
   double inner_speed = 0, speed_from = 0, speed_ramp = 0;
 
   double pitch_radius = 0;      ///< (F + E)/4 of the actual raceways [m]
@@ -79,8 +89,8 @@ struct BearingModel {
 /// what cannot be built (the reader checks scenes before).
 BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> cage = {});
 
-/// Radial load along -z at time t [N], and inner-ring speed [rad/s].
-double load_at(const BearingModel& model, double t);
+/// Load on the inner ring at time t, and its speed [rad/s].
+RingLoad load_at(const BearingModel& model, double t);
 double inner_speed_at(const BearingModel& model, double t);
 
 /// Kinematic cage speed w_i R_i / (R_i + R_o) at inner speed w_i [rad/s].

@@ -19,6 +19,7 @@ struct RollerPack {
 /// there to its mass centre.
 struct BorderState {
   double ring[2], ring_rate[2];
+  double tilt[2], tilt_rate[2];  ///< slopes B_y, B_z of the inner ring's centre line
   double cage[3], cage_rate[3];  ///< y, z, x
   double phi, phi_rate, phi_cos, phi_sin;
   double axis[2], axis_rate[2];  ///< A_y, A_z
@@ -26,10 +27,10 @@ struct BorderState {
   double inner_speed;
 };
 
-/// Generalised forces on the border: inner ring; cage at its geometric centre, conjugate to (y, z,
-/// x, phi, A_y, A_z).
+/// Generalised forces on the border: inner ring, and the moment on it conjugate to (B_y, B_z); cage
+/// at its geometric centre, conjugate to (y, z, x, phi, A_y, A_z).
 struct BorderLoads {
-  double ring[2] = {0, 0};
+  double ring[2] = {0, 0}, tilt[2] = {0, 0};
   double cage[kCageRigid] = {0, 0, 0, 0, 0, 0};
 };
 

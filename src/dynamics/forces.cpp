@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/dynamics/contact_frame.hpp"
 #include "src/dynamics/end_contacts.hpp"
+#include "src/dynamics/finish_derivatives.hpp"
 #include "src/dynamics/land_contacts.hpp"
 #include "src/dynamics/pocket_contacts.hpp"
 #include "src/dynamics/race_contacts.hpp"
@@ -53,6 +53,12 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
   b.ring[1] = q[kRingZ];
   b.ring_rate[0] = v[kRingY];
   b.ring_rate[1] = v[kRingZ];
+  const bool tilting = m.layout.ring_tilt > 0;
+  const double misalignment[2] = {m.misalignment_y, m.misalignment_z};
+  for (int k = 0; k < 2; ++k) {
+    b.tilt[k] = tilting ? q[m.layout.ring_tilt_slot() + k] : misalignment[k];
+    b.tilt_rate[k] = tilting ? v[m.layout.ring_tilt_slot() + k] : 0;
+  }
   b.cage[0] = q[kCageY] - b.unbalance[0];
   b.cage[1] = q[kCageZ] - b.unbalance[1];
   b.cage[2] = q[kCageX];
@@ -105,8 +111,19 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
   const double* v = y + m.layout.border_velocity(0);
   double *dq = rate + m.layout.border_position(0), *dv = rate + m.layout.border_velocity(0);
   for (int i = 0; i < m.layout.border(); ++i) dq[i] = v[i];
+  const RingLoad load = load_at(m, t);
   dv[kRingY] = loads.ring[0] / m.ring_mass;
-  dv[kRingZ] = (loads.ring[1] - load_at(m, t)) / m.ring_mass - m.gravity;
+  dv[kRingZ] = (loads.ring[1] - load.radial) / m.ring_mass - m.gravity;
+  if (m.layout.ring_tilt > 0) {
+    const int tilt = m.layout.ring_tilt_slot();
+    const double gyro = m.ring_polar * b.inner_speed;
+    const double held_y = m.tilt_stiffness * (b.tilt[0] - m.misalignment_y),
+                 held_z = m.tilt_stiffness * (b.tilt[1] - m.misalignment_z);
+    const double moment_y = loads.tilt[0] + load.moment_y - held_y - gyro * b.tilt_rate[1],
+                 moment_z = loads.tilt[1] + load.moment_z - held_z + gyro * b.tilt_rate[0];
+    dv[tilt] = moment_y / m.ring_transverse;
+    dv[tilt + 1] = moment_z / m.ring_transverse;
+  }
   dv[kCageY] = loads.cage[0] / m.cage_mass;
   dv[kCageZ] = loads.cage[1] / m.cage_mass - m.gravity;
   dv[kCageX] = loads.cage[2] / m.cage_mass;
@@ -128,126 +145,8 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
               dv[kCagePhi]);
 }
 
-/// Forces turn with the roller's directions, and its velocity does in directions held still:
-/// completes the race and flange derivatives, which were taken in frozen directions. Keeps what the
-/// inner race alone gives for the ring.
-void finish_inner(const RollerPack& q, GroupLinear& g) {
-  for (int i = 0; i < kLocalVelocities; ++i)
-    for (int k = 0; k < 2; ++k) {
-      g.ring_position[i][k] = -g.position[i][k];
-      g.ring_velocity[i][k] = -g.velocity[i][k];
-      g.to_ring_velocity[k][i] = -g.velocity[k][i];
-      if (i < kLocalPositions) g.to_ring_position[k][i] = -g.position[k][i];
-    }
-  for (int k = 0; k < 2; ++k) {
-    g.to_ring_position[k][kLr] += q.omega * g.to_ring_velocity[k][kLt];
-    g.to_ring_position[k][kLt] +=
-        q.vr / q.r * g.to_ring_velocity[k][kLt] - q.omega * g.to_ring_velocity[k][kLr];
-  }
-}
-
-/// Rate of the net power along the motion, in frozen directions: gradient times velocities and
-/// accelerations.
-double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,
-                         double gravity, const GroupLinear& g) {
-  const Pack gyro = roller.polar * q.spin;
-  const Pack acceleration[kLocalVelocities] = {
-      loads.f[kLr] * roller.inverse_mass - gravity * q.sine,
-      loads.f[kLt] * roller.inverse_mass - gravity * q.cosine,
-      loads.f[kLx] * roller.inverse_mass,
-      (loads.f[kLar] - gyro * q.b_t) * roller.inverse_transverse,
-      (loads.f[kLat] + gyro * q.b_r) * roller.inverse_transverse,
-      loads.f[kLs] * roller.inverse_polar};
-  const Pack velocity[kLocalPositions] = {q.vr, q.vt, q.vx, q.b_r, q.b_t};
-  Pack change{};
-  for (int i = 0; i < kLocalVelocities; ++i) change += g.power_velocity[i] * acceleration[i];
-  for (int i = 0; i < kLocalPositions; ++i) change += g.power_position[i] * velocity[i];
-  return sum(change * roller.exists);
-}
-
-void turn_frame(const RollerPack& q, GroupLinear& g) {
-  for (int i = 0; i < kLocalVelocities; ++i) {
-    g.position[i][kLr] += q.omega * g.velocity[i][kLt];
-    g.position[i][kLt] += q.vr / q.r * g.velocity[i][kLt] - q.omega * g.velocity[i][kLr];
-  }
-}
-
-/// Inertial terms of the polar coordinates and the gyroscopic moment, as derivatives of forces.
-void add_inertial(const BearingModel& m, const RollerGroup& roller, const RollerPack& q,
-                  const RollerLoads& loads, GroupLinear& g) {
-  const Pack mass = roller.mass;
-  const Pack F_r = loads.f[kLr] - mass * m.gravity * q.sine,
-             F_t = loads.f[kLt] - mass * m.gravity * q.cosine;
-  g.position[kLr][kLr] += mass * q.omega * q.omega;
-  g.position[kLr][kLt] += F_t / q.r;  // F_r turns with theta
-  g.velocity[kLr][kLt] += 2.0 * mass * q.omega;
-  // r theta'' = F_t/m - 2 r' omega: the row is m r d(theta'').
-  const Pack orbit_acceleration = (F_t - 2.0 * mass * q.vr * q.omega) / q.r;
-  g.position[kLt][kLr] -= orbit_acceleration;
-  g.position[kLt][kLt] -= F_r / q.r;
-  g.velocity[kLt][kLr] -= 2.0 * mass * q.omega;
-  g.velocity[kLt][kLt] -= 2.0 * mass * q.vr / q.r;
-  const Pack gyro = roller.polar * q.spin;
-  g.velocity[kLar][kLat] -= gyro;
-  g.velocity[kLar][kLs] -= roller.polar * q.b_t;
-  g.velocity[kLat][kLar] += gyro;
-  g.velocity[kLat][kLs] += roller.polar * q.b_r;
-}
-
-/// The ring's own block from the inner race: d(force on ring)/d(ring) in y, z.
-void add_ring_block(const GroupLinear& g, Linearisation& linear) {
-  const auto add = [&](const Pack(&to)[kLocalVelocities][2], Eigen::MatrixXd& block) {
-    // Force on the ring is the opposite of that on the roller: -d(f_r, f_t)/d(u_r, u_t).
-    const Pack rr = -to[kLr][0], rt = -to[kLr][1], tr = -to[kLt][0], tt = -to[kLt][1];
-    const Pack c = g.cosine, s = g.sine;
-    block(kRingY, kRingY) += sum(c * (rr * c - rt * s) - s * (tr * c - tt * s));
-    block(kRingY, kRingZ) += sum(c * (rr * s + rt * c) - s * (tr * s + tt * c));
-    block(kRingZ, kRingY) += sum(s * (rr * c - rt * s) + c * (tr * c - tt * s));
-    block(kRingZ, kRingZ) += sum(s * (rr * s + rt * c) + c * (tr * s + tt * c));
-  };
-  add(g.ring_position, linear.border_position);
-  add(g.ring_velocity, linear.border_velocity);
-}
-
-/// The cage's own derivatives: gyroscopic moment, elastic modes, and what the spin does to these.
-void add_cage_block(const BearingModel& m, const BorderState& b, const double* y,
-                    Linearisation& linear, Observation& seen) {
-  const double gyro = m.cage_polar * b.phi_rate;
-  linear.border_velocity(kCageAxisY, kCageAxisZ) -= gyro;
-  linear.border_velocity(kCageAxisZ, kCageAxisY) += gyro;
-  linear.border_velocity(kCageAxisY, kCagePhi) -= m.cage_polar * b.axis_rate[1];
-  linear.border_velocity(kCageAxisZ, kCagePhi) += m.cage_polar * b.axis_rate[0];
-  const FlexibleCage& flexible = m.flexible;
-  const int modes = flexible.modes;
-  if (flexible.centrifugal) seen.centrifugal_spin = b.phi_rate;
-  if (modes == 0) return;
-  const double* v = y + m.layout.border_velocity(kModes);
-  for (int k = 0; k < modes; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    const double damping = flexible.damping[at];
-    linear.border_position(kModes + k, kModes + k) -= flexible.stiffness[at];
-    linear.border_velocity(kModes + k, kModes + k) -= damping;
-    linear.power_velocity[kModes + k] -= 2 * damping * v[k];
-    seen.damping_power += damping * v[k] * v[k];
-  }
-  // Leading terms of the coupling with the spin; what they leave out is smaller by displacement
-  // over radius.
-  const double spin = b.phi_rate;
-  auto among = linear.border_velocity.bottomRightCorner(modes, modes);
-  auto by_spin = linear.border_velocity.col(kCagePhi).tail(modes);
-  if (flexible.centrifugal) {
-    by_spin += 2 * spin * flexible.model->centrifugal;
-    linear.border_velocity.row(kCagePhi).tail(modes) -=
-        2 * spin * flexible.model->centrifugal.transpose();
-  }
-  if (flexible.coriolis) {
-    among -= 2 * spin * flexible.model->gyroscopic;
-    by_spin.noalias() -=
-        (2 * flexible.model->gyroscopic) * Eigen::Map<const Eigen::VectorXd>(v, modes);
-  }
-}
-
-template <bool linear, bool planar>
+/// `tilting`: the inner ring's tilt is free.
+template <bool linear, bool planar, bool tilting>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
@@ -277,17 +176,25 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
     const auto tt = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };
-    const double lean[2] = {m.misalignment_y, m.misalignment_z};
-    const RaceSide inner{1,          m.inner_radius, b.inner_speed,   r(b.ring),
-                         tt(b.ring), r(b.ring_rate), tt(b.ring_rate), r(lean),
-                         tt(lean),   m.inner_film};
-    const RaceSide outer{-1, m.outer_radius, 0, {}, {}, {}, {}, {}, {}, m.outer_film};
+    const RaceSide inner{1,          m.inner_radius, b.inner_speed,   m.inner_film, r(b.ring),
+                         tt(b.ring), r(b.ring_rate), tt(b.ring_rate), r(b.tilt),    tt(b.tilt)};
+    const RaceSide outer{-1, m.outer_radius, 0, m.outer_film, {}, {}, {}, {}, {}, {}};
+    [[maybe_unused]] RingTilt tilt;
+    if constexpr (tilting) {
+      tilt.rate_r = r(b.tilt_rate);
+      tilt.rate_t = tt(b.tilt_rate);
+      if constexpr (linear) tilt.linear = &jac->tilts[static_cast<std::size_t>(group)];
+    }
     RollerLoads loads;
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
-    race_contacts<linear>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r, elastic_t,
-                          drive);
+    race_contacts<linear, tilting>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r,
+                                   elastic_t, drive, tilting ? &tilt : nullptr);
     border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
+    if constexpr (tilting) {
+      border.tilt[0] += sum(q.cosine * tilt.moment[0] - q.sine * tilt.moment[1]);
+      border.tilt[1] += sum(q.sine * tilt.moment[0] + q.cosine * tilt.moment[1]);
+    }
     if constexpr (linear) {
       finish_inner(q, *g);
       for (int k = 0; k < 2; ++k) {
@@ -298,6 +205,16 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
         to[kRingZ] -= sum(q.sine * on_r + q.cosine * on_t);
       }
       add_ring_block(*g, *jac);
+      if constexpr (tilting) {
+        const int slot = m.layout.ring_tilt_slot();
+        const auto add = [&](const Pack(&power)[2], Eigen::VectorXd& to) {
+          to[slot] += sum(q.cosine * power[0] - q.sine * power[1]);
+          to[slot + 1] += sum(q.sine * power[0] + q.cosine * power[1]);
+        };
+        add(tilt.linear->power_position, jac->power_position);
+        add(tilt.linear->power_velocity, jac->power_velocity);
+        finish_tilt(q, *g, slot, *tilt.linear, *jac);
+      }
       store(seen->inner_force.data() + group * kLanes, total);
       store(seen->inner_sliding.data() + group * kLanes,
             select(total > 0.0, sliding / max(total, splat(1e-300)), Pack{}));
@@ -312,7 +229,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
-      turn_frame(q, *g);
+      for (int i = 0; i < kLocalVelocities; ++i) turn_frame(q, g->position[i], g->velocity[i]);
     }
     const PocketFrame pocket = pocket_frame(roller, q, b);
     pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
@@ -332,8 +249,15 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {
     add_cage_block(m, b, y, *jac, *seen);
-    seen->load_power = -load_at(m, t) * b.ring_rate[1];
-    jac->power_velocity[kRingZ] -= load_at(m, t);
+    const RingLoad load = load_at(m, t);
+    seen->load_power = -load.radial * b.ring_rate[1];
+    jac->power_velocity[kRingZ] -= load.radial;
+    if constexpr (tilting) {
+      add_shaft_block(m, b, *jac);
+      seen->load_power += load.moment_y * b.tilt_rate[0] + load.moment_z * b.tilt_rate[1];
+      jac->power_velocity[m.layout.ring_tilt_slot()] += load.moment_y;
+      jac->power_velocity[m.layout.ring_tilt_slot() + 1] += load.moment_z;
+    }
     const double *border_v = y + m.layout.border_velocity(0),
                  *border_a = rate + m.layout.border_velocity(0);
     for (int i = 0; i < m.layout.border(); ++i)
@@ -346,13 +270,17 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
 }  // namespace
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
-  const auto with = model.planar ? evaluate<false, true> : evaluate<false, false>;
+  const auto with = model.planar                 ? evaluate<false, true, false>
+                    : model.layout.ring_tilt > 0 ? evaluate<false, false, true>
+                                                 : evaluate<false, false, false>;
   with(model, t, y, rate, nullptr, nullptr);
 }
 
 void linearise(const BearingModel& model, double t, const double* y, double* rate,
                Linearisation& linear, Observation& seen) {
-  const auto with = model.planar ? evaluate<true, true> : evaluate<true, false>;
+  const auto with = model.planar                 ? evaluate<true, true, false>
+                    : model.layout.ring_tilt > 0 ? evaluate<true, false, true>
+                                                 : evaluate<true, false, false>;
   with(model, t, y, rate, &linear, &seen);
 }
 
@@ -371,6 +299,12 @@ double body_energy(const BearingModel& m, const double* y) {
   const auto square = [&](int slot) { return v[slot] * v[slot]; };
   energy +=
       0.5 * m.ring_mass * (square(kRingY) + square(kRingZ)) + m.ring_mass * m.gravity * q[kRingZ];
+  if (m.layout.ring_tilt > 0) {
+    const int tilt = m.layout.ring_tilt_slot();
+    const double bent_y = q[tilt] - m.misalignment_y, bent_z = q[tilt + 1] - m.misalignment_z;
+    energy += 0.5 * m.ring_transverse * (square(tilt) + square(tilt + 1)) +
+              0.5 * m.tilt_stiffness * (bent_y * bent_y + bent_z * bent_z);
+  }
   energy += 0.5 * m.cage_mass * (square(kCageY) + square(kCageZ) + square(kCageX)) +
             m.cage_mass * m.gravity * q[kCageZ];
   energy += 0.5 * m.cage_polar * square(kCagePhi) +

@@ -16,7 +16,7 @@ void linearise(const BearingModel& model, double t, const double* y, double* rat
                Linearisation& linear, Observation& seen);
 
 /// Kinetic energy of all bodies but the driven spin of the inner ring, plus potential of gravity
-/// [J].
+/// and of the shaft's hold on a ring whose tilt is free [J].
 double body_energy(const BearingModel& model, const double* y);
 
 }  // namespace cagetol

@@ -6,14 +6,16 @@ namespace cagetol {
 
 Linearisation::Linearisation(const StateLayout& layout)
     : groups(static_cast<std::size_t>(layout.groups)),
+      tilts(layout.ring_tilt > 0 ? groups.size() : 0),
       border_position(Eigen::MatrixXd::Zero(layout.border(), layout.border())),
       border_velocity(Eigen::MatrixXd::Zero(layout.border(), layout.border())),
       power_position(Eigen::VectorXd::Zero(layout.border())),
       power_velocity(Eigen::VectorXd::Zero(layout.border())),
       couplings(static_cast<std::size_t>(layout.rollers)),
       slot(static_cast<std::size_t>(layout.rollers), -1) {
-  for (auto& row : scratch.border) row.assign(static_cast<std::size_t>(layout.border()), 0.0);
-  const int columns = kCageRigid + layout.modes;
+  for (auto& row : scratch.border)
+    row.assign(static_cast<std::size_t>(kCageY + layout.cage()), 0.0);
+  const int columns = layout.cage();
   for (auto& c : couplings) {
     c.position.setZero(kLocalVelocities, columns);
     c.velocity.setZero(kLocalVelocities, columns);
@@ -24,6 +26,7 @@ Linearisation::Linearisation(const StateLayout& layout)
 
 void Linearisation::clear() {
   for (auto& g : groups) g = GroupLinear{};
+  for (auto& t : tilts) t = TiltLinear{};
   border_position.setZero();
   border_velocity.setZero();
   power_position.setZero();
@@ -57,8 +60,8 @@ void Linearisation::hold(int group) {
     }
   for (int i = kLx; i <= kLat; ++i) {
     for (int k = 0; k < 2; ++k)
-      g.ring_position[i][k] = g.ring_velocity[i][k] = g.to_ring_position[k][i] =
-          g.to_ring_velocity[k][i] = Pack{};
+      g.ring.position[i][k] = g.ring.velocity[i][k] = g.ring.to_position[k][i] =
+          g.ring.to_velocity[k][i] = Pack{};
     g.power_position[i] = g.power_velocity[i] = Pack{};
   }
   for (int n = 0; n < coupled; ++n) {
@@ -84,7 +87,7 @@ void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller,
     w1 = d11 * g1 + d12 * g2;
     w2 = d12 * g1 + d22 * g2;
   };
-  const int border = static_cast<int>(linear.border_position.rows());
+  const int border = static_cast<int>(rows.border[0].size());
   const double *bn = rows.border[0].data(), *b1 = rows.border[1].data(),
                *b2 = rows.border[2].data();
   const int first = roller < 0 ? 0 : kCageY;  // rollers never couple to the ring through the cage

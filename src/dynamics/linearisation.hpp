@@ -22,17 +22,29 @@ constexpr bool held(int local) {
   return planar && local >= kLx && local <= kLat;
 }
 
+/// Coupling of a pack of rollers with a vector of the inner ring - its displacement, or its tilt -
+/// in the rollers' directions r, t.
+struct RingCoupling {
+  Pack position[kLocalVelocities][2], velocity[kLocalVelocities][2];  ///< dF/d(vector), dF/d(rate)
+  Pack to_position[2][kLocalPositions],
+      to_velocity[2][kLocalVelocities];  ///< d(force conjugate to the vector)/dP, dV
+};
+
 struct GroupLinear {
   Pack position[kLocalVelocities][kLocalPositions];   ///< dF/dP
   Pack velocity[kLocalVelocities][kLocalVelocities];  ///< dF/dV
-  Pack ring_position[kLocalVelocities][2],
-      ring_velocity[kLocalVelocities][2];  ///< dF/d(ring in r, t)
-  Pack to_ring_position[2][kLocalPositions],
-      to_ring_velocity[2][kLocalVelocities];  ///< d(ring force in r, t)/dP, dV
+  RingCoupling ring;                                  ///< with the inner ring's displacement
   Pack power_position[kLocalPositions],
       power_velocity[kLocalVelocities];  ///< gradient of the net power, see below
   Pack cosine, sine;                     ///< of the roller's angle
   Pack radius, inverse_radius;           ///< r [m]
+};
+
+/// What a pack of rollers has to do with the free tilt of the inner ring.
+struct TiltLinear {
+  RingCoupling coupling;
+  Pack position[2][2], velocity[2][2];        ///< d(moment in r, t)/d(tilt), d(its rate)
+  Pack power_position[2], power_velocity[2];  ///< as in GroupLinear
 };
 
 /// Coupling of one roller with the cage's degrees of freedom (rigid, then modes).
@@ -50,7 +62,7 @@ struct CageCoupling {
 /// speed (for the normal channel: of the separation speed -p').
 struct ContactRows {
   double roller[3][kLocalVelocities] = {};
-  std::vector<double> border[3];  ///< over the whole border
+  std::vector<double> border[3];  ///< over ring, cage and modes
   double lean[kLocalPositions] =
       {};  ///< dependence of the second tangential speed on the roller's positions
 };
@@ -65,6 +77,7 @@ struct Linearisation {
   void hold(int group);
 
   std::vector<GroupLinear> groups;
+  std::vector<TiltLinear> tilts;  ///< one for each group where the inner ring's tilt is free
   Eigen::MatrixXd border_position, border_velocity;
   /// Gradient over the border of the net power: drive + load - dissipation, the rate of the stored
   /// energy. Its time derivative makes the energy account's quadrature one order better than the

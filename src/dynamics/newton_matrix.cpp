@@ -53,6 +53,20 @@ void multiply(const Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack* b
   }
 }
 
+/// What couples of the inner ring to rollers, in the rollers' directions r, t: its displacement,
+/// and its tilt where that is free.
+template <int vectors>
+struct RingVectors {
+  Pack r[vectors], t[vectors];
+  RingVectors(const GroupLinear& l, const Eigen::VectorXd& border, const StateLayout& layout) {
+    for (int v = 0; v < vectors; ++v) {
+      const int slot = v == 0 ? kRingY : layout.ring_tilt_slot();
+      r[v] = l.cosine * border[slot] + l.sine * border[slot + 1];
+      t[v] = l.cosine * border[slot + 1] - l.sine * border[slot];
+    }
+  }
+};
+
 }  // namespace
 
 Eigen::VectorXd border_mass(const BearingModel& m) {
@@ -61,10 +75,11 @@ Eigen::VectorXd border_mass(const BearingModel& m) {
   mass[kCageY] = mass[kCageZ] = mass[kCageX] = m.cage_mass;
   mass[kCagePhi] = m.cage_polar;
   mass[kCageAxisY] = mass[kCageAxisZ] = m.cage_transverse;
+  mass.tail(m.layout.ring_tilt).setConstant(m.ring_transverse);
   return mass;
 }
 
-static_assert(int{kRigidBorder} + kMostModes <= SmallInverse::kMost);
+static_assert(int{kRigidBorder} + kMostModes + 2 <= SmallInverse::kMost);
 
 NewtonMatrix::NewtonMatrix(const BearingModel& model)
     : model_(model),
@@ -76,7 +91,7 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
       border_rhs_(model.layout.border()),
       border_positions_(model.layout.border()),
       border_solution_(model.layout.border()) {
-  const int columns = kCageRigid + model.layout.modes;
+  const int columns = model.layout.cage();
   for (auto& c : cages_) {
     c.into.setZero(kLocalVelocities, columns);
     c.from.setZero(kLocalVelocities, columns);
@@ -84,11 +99,16 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
   }
 }
 
+const RingCoupling& NewtonMatrix::coupling(int group, int vector) const {
+  const auto at = static_cast<std::size_t>(group);
+  return vector == 0 ? linear_->groups[at].ring : linear_->tilts[at].coupling;
+}
+
 /// Blocks of the rollers, and what of them reaches the ring.
-template <bool planar>
+template <bool planar, int vectors>
 bool NewtonMatrix::factor_rollers(double beta) {
   bool sound = true;
-  double ring[2][2] = {{0, 0}, {0, 0}};
+  double ring[vectors][vectors][2][2] = {};
   for (int g = 0; g < model_.layout.groups; ++g) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(g)];
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(g)];
@@ -104,40 +124,56 @@ bool NewtonMatrix::factor_rollers(double beta) {
       f.inverse[i][i] += mass[i] / beta;
     }
     if (!invert<planar>(f.inverse, mass, beta, roller.exists)) sound = false;
-    for (int c = 0; c < 2; ++c) {
-      Pack from_ring[kLocalVelocities], solved[kLocalVelocities];
-      for (int i = 0; i < kLocalVelocities; ++i) {
-        from_ring[i] = -(l.ring_velocity[i][c] + beta * l.ring_position[i][c]);
-        f.to_ring[c][i] = -l.to_ring_velocity[c][i] -
-                          (i < kLocalPositions ? beta * l.to_ring_position[c][i] : Pack{});
+    for (int v = 0; v < vectors; ++v) {
+      const RingCoupling& with = coupling(g, v);
+      for (int c = 0; c < 2; ++c) {
+        Pack from_ring[kLocalVelocities], solved[kLocalVelocities];
+        for (int i = 0; i < kLocalVelocities; ++i) {
+          from_ring[i] = -(with.velocity[i][c] + beta * with.position[i][c]);
+          f.to_ring[v][c][i] = -with.to_velocity[c][i] -
+                               (i < kLocalPositions ? beta * with.to_position[c][i] : Pack{});
+        }
+        multiply<planar>(f.inverse, from_ring, solved);
+        for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[v][i][c] = solved[i];
       }
-      multiply<planar>(f.inverse, from_ring, solved);
-      for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[i][c] = solved[i];
     }
-    Pack local[2][2] = {};
-    for (int a = 0; a < 2; ++a)
-      for (int c = 0; c < 2; ++c)
-        for (int i = 0; i < kLocalVelocities; ++i)
-          local[a][c] += f.to_ring[a][i] * f.from_ring[i][c];
     const Pack co = roller.exists * l.cosine, si = roller.exists * l.sine;
-    const Pack rr = local[0][0], rt = local[0][1], tr = local[1][0], tt = local[1][1];
-    ring[0][0] += sum(co * (rr * l.cosine - rt * l.sine) - si * (tr * l.cosine - tt * l.sine));
-    ring[0][1] += sum(co * (rr * l.sine + rt * l.cosine) - si * (tr * l.sine + tt * l.cosine));
-    ring[1][0] += sum(si * (rr * l.cosine - rt * l.sine) + co * (tr * l.cosine - tt * l.sine));
-    ring[1][1] += sum(si * (rr * l.sine + rt * l.cosine) + co * (tr * l.sine + tt * l.cosine));
+    for (int v = 0; v < vectors; ++v)
+      for (int w = 0; w < vectors; ++w) {
+        Pack local[2][2] = {};
+        for (int a = 0; a < 2; ++a)
+          for (int c = 0; c < 2; ++c)
+            for (int i = 0; i < kLocalVelocities; ++i)
+              local[a][c] += f.to_ring[v][a][i] * f.from_ring[w][i][c];
+        const Pack rr = local[0][0], rt = local[0][1], tr = local[1][0], tt = local[1][1];
+        auto& to = ring[v][w];
+        to[0][0] += sum(co * (rr * l.cosine - rt * l.sine) - si * (tr * l.cosine - tt * l.sine));
+        to[0][1] += sum(co * (rr * l.sine + rt * l.cosine) - si * (tr * l.sine + tt * l.cosine));
+        to[1][0] += sum(si * (rr * l.cosine - rt * l.sine) + co * (tr * l.cosine - tt * l.sine));
+        to[1][1] += sum(si * (rr * l.sine + rt * l.cosine) + co * (tr * l.sine + tt * l.cosine));
+      }
   }
-  for (int a = 0; a < 2; ++a)
-    for (int c = 0; c < 2; ++c) schur_(a, c) -= ring[a][c];
+  for (int v = 0; v < vectors; ++v)
+    for (int w = 0; w < vectors; ++w)
+      for (int a = 0; a < 2; ++a)
+        for (int c = 0; c < 2; ++c) schur_(ring_slot(v) + a, ring_slot(w) + c) -= ring[v][w][a][c];
   return sound;
 }
 
 bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
+  return model_.planar                 ? factor_as<true, 1>(linear, beta)
+         : model_.layout.ring_tilt > 0 ? factor_as<false, 2>(linear, beta)
+                                       : factor_as<false, 1>(linear, beta);
+}
+
+template <bool planar, int vectors>
+bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
   linear_ = &linear;
   beta_ = beta;
-  const int cage_columns = kCageRigid + model_.layout.modes;
+  const int cage_columns = model_.layout.cage();
   schur_ = -linear.border_velocity - beta * linear.border_position;
   schur_.diagonal() += border_mass_ / beta;
-  bool sound = model_.planar ? factor_rollers<true>(beta) : factor_rollers<false>(beta);
+  bool sound = factor_rollers<planar, vectors>(beta);
   for (int n = 0; n < linear.coupled; ++n) {
     const CageCoupling& c = linear.couplings[static_cast<std::size_t>(n)];
     Cage& cage = cages_[static_cast<std::size_t>(n)];
@@ -148,38 +184,43 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
     cage.to = -c.to_velocity;
     cage.to.leftCols<kLocalPositions>() -= beta * c.to_position;
     Eigen::Matrix<double, kLocalVelocities, kLocalVelocities> inverse;
-    double ring_from[kLocalVelocities][2], ring_to[2][kLocalVelocities];
+    double ring_from[vectors][kLocalVelocities][2], ring_to[vectors][2][kLocalVelocities];
     const double co = l.cosine[lane], si = l.sine[lane];
     for (int i = 0; i < kLocalVelocities; ++i) {
       for (int j = 0; j < kLocalVelocities; ++j) inverse(i, j) = f.inverse[i][j][lane];
-      const double fr = f.from_ring[i][0][lane], ft = f.from_ring[i][1][lane];
-      ring_from[i][0] = fr * co - ft * si;
-      ring_from[i][1] = fr * si + ft * co;
-      const double tr = f.to_ring[0][i][lane], tt = f.to_ring[1][i][lane];
-      ring_to[0][i] = tr * co - tt * si;
-      ring_to[1][i] = tr * si + tt * co;
-    }
-    cage.from.noalias() = inverse * cage.into;
-    schur_.bottomRightCorner(cage_columns, cage_columns).noalias() -= cage.to * cage.from;
-    for (int i = 0; i < kLocalVelocities; ++i) {
-      for (int a = 0; a < 2; ++a) {
-        schur_.row(a).tail(cage_columns) -= ring_to[a][i] * cage.from.row(i);
-        schur_.col(a).tail(cage_columns) -= ring_from[i][a] * cage.to.col(i);
+      for (int v = 0; v < vectors; ++v) {
+        const double fr = f.from_ring[v][i][0][lane], ft = f.from_ring[v][i][1][lane];
+        ring_from[v][i][0] = fr * co - ft * si;
+        ring_from[v][i][1] = fr * si + ft * co;
+        const double tr = f.to_ring[v][0][i][lane], tt = f.to_ring[v][1][i][lane];
+        ring_to[v][0][i] = tr * co - tt * si;
+        ring_to[v][1][i] = tr * si + tt * co;
       }
     }
+    cage.from.noalias() = inverse * cage.into;
+    schur_.block(kCageY, kCageY, cage_columns, cage_columns).noalias() -= cage.to * cage.from;
+    for (int i = 0; i < kLocalVelocities; ++i)
+      for (int v = 0; v < vectors; ++v)
+        for (int a = 0; a < 2; ++a) {
+          const int ring = ring_slot(v) + a;
+          schur_.row(ring).segment(kCageY, cage_columns) -= ring_to[v][a][i] * cage.from.row(i);
+          schur_.col(ring).segment(kCageY, cage_columns) -= ring_from[v][i][a] * cage.to.col(i);
+        }
   }
   if (!schur_inverse_.invert(schur_)) sound = false;
   return sound;
 }
 
 void NewtonMatrix::solve(const double* rhs, double* x) {
-  model_.planar ? solve_as<true>(rhs, x) : solve_as<false>(rhs, x);
+  model_.planar                 ? solve_as<true, 1>(rhs, x)
+  : model_.layout.ring_tilt > 0 ? solve_as<false, 2>(rhs, x)
+                                : solve_as<false, 1>(rhs, x);
 }
 
-template <bool planar>
+template <bool planar, int vectors>
 void NewtonMatrix::solve_as(const double* rhs, double* x) {
   const StateLayout& layout = model_.layout;
-  const int border = layout.border(), cage_columns = kCageRigid + layout.modes;
+  const int border = layout.border(), cage_columns = layout.cage();
   const double *bq = rhs + layout.border_position(0), *bv = rhs + layout.border_velocity(0);
   for (int i = 0; i < border; ++i) {
     border_positions_[i] = beta_ * bq[i];
@@ -195,48 +236,55 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
     const auto q = [&](RollerPosition slot) {
       return beta_ * load(rhs + layout.position(slot, j));
     };
-    const auto v = [&](RollerVelocity slot) { return load(rhs + layout.velocity(slot, j)); };
-    const Pack ay = q(kAxisY), az = q(kAxisZ), by = v(kAxisRateY), bz = v(kAxisRateZ);
+    const auto velocity = [&](RollerVelocity slot) { return load(rhs + layout.velocity(slot, j)); };
+    const Pack ay = q(kAxisY), az = q(kAxisZ), by = velocity(kAxisRateY), bz = velocity(kAxisRateZ);
     const Pack P[kLocalPositions] = {q(kRadius), l.radius * q(kAngle), q(kAxial),
                                      l.cosine * ay + l.sine * az, l.cosine * az - l.sine * ay};
     Pack force[kLocalVelocities];
-    force[kLr] = roller.mass * v(kRadialSpeed);
-    force[kLt] = roller.mass * l.radius * v(kOrbitRate);
-    force[kLx] = roller.mass * v(kAxialSpeed);
+    force[kLr] = roller.mass * velocity(kRadialSpeed);
+    force[kLt] = roller.mass * l.radius * velocity(kOrbitRate);
+    force[kLx] = roller.mass * velocity(kAxialSpeed);
     force[kLar] = roller.transverse * (l.cosine * by + l.sine * bz);
     force[kLat] = roller.transverse * (l.cosine * bz - l.sine * by);
-    force[kLs] = roller.polar * v(kSpin);
-    const Pack ring_r = l.cosine * border_positions_[kRingY] + l.sine * border_positions_[kRingZ];
-    const Pack ring_t = l.cosine * border_positions_[kRingZ] - l.sine * border_positions_[kRingY];
+    force[kLs] = roller.polar * velocity(kSpin);
+    RingVectors<vectors> ring(l, border_positions_, model_.layout);
     for (int i = 0; i < kLocalVelocities; ++i) {
       if (held<planar>(i)) continue;
       for (int k = 0; k < kLocalPositions; ++k)
         if (!held<planar>(k)) force[i] += l.position[i][k] * P[k];
-      force[i] += l.ring_position[i][0] * ring_r + l.ring_position[i][1] * ring_t;
+      for (int v = 0; v < vectors; ++v) {
+        const RingCoupling& with = coupling(n, v);
+        force[i] += with.position[i][0] * ring.r[v] + with.position[i][1] * ring.t[v];
+      }
     }
-    Pack to_ring[2] = {};
-    for (int a = 0; a < 2; ++a)
-      for (int k = 0; k < kLocalPositions; ++k) to_ring[a] += l.to_ring_position[a][k] * P[k];
+    Pack to_ring[vectors][2] = {};
+    for (int v = 0; v < vectors; ++v)
+      for (int a = 0; a < 2; ++a)
+        for (int k = 0; k < kLocalPositions; ++k)
+          to_ring[v][a] += coupling(n, v).to_position[a][k] * P[k];
     for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
       const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
       if (slot < 0) continue;
       const CageCoupling& c = linear_->couplings[static_cast<std::size_t>(slot)];
       for (int i = 0; i < kLocalVelocities; ++i)
-        force[i][lane] += c.position.row(i).dot(border_positions_.tail(cage_columns));
+        force[i][lane] += c.position.row(i).dot(border_positions_.segment(kCageY, cage_columns));
       for (int k = 0; k < kLocalPositions; ++k)
-        border_rhs_.tail(cage_columns) += c.to_position.col(k) * P[k][lane];
+        border_rhs_.segment(kCageY, cage_columns) += c.to_position.col(k) * P[k][lane];
     }
     multiply<planar>(f.inverse, force, f.rhs);
-    for (int a = 0; a < 2; ++a)
-      for (int i = 0; i < kLocalVelocities; ++i) to_ring[a] -= f.to_ring[a][i] * f.rhs[i];
-    border_rhs_[kRingY] += sum(roller.exists * (l.cosine * to_ring[0] - l.sine * to_ring[1]));
-    border_rhs_[kRingZ] += sum(roller.exists * (l.sine * to_ring[0] + l.cosine * to_ring[1]));
+    for (int v = 0; v < vectors; ++v) {
+      Pack(&to)[2] = to_ring[v];
+      for (int a = 0; a < 2; ++a)
+        for (int i = 0; i < kLocalVelocities; ++i) to[a] -= f.to_ring[v][a][i] * f.rhs[i];
+      border_rhs_[ring_slot(v)] += sum(roller.exists * (l.cosine * to[0] - l.sine * to[1]));
+      border_rhs_[ring_slot(v) + 1] += sum(roller.exists * (l.sine * to[0] + l.cosine * to[1]));
+    }
     for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
       const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
       if (slot < 0) continue;
       const Cage& cage = cages_[static_cast<std::size_t>(slot)];
       for (int i = 0; i < kLocalVelocities; ++i)
-        border_rhs_.tail(cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
+        border_rhs_.segment(kCageY, cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
     }
   }
   schur_inverse_.solve(border_rhs_, border_solution_);
@@ -246,17 +294,19 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
     Group& f = groups_[static_cast<std::size_t>(n)];
     const int j = n * kLanes;
-    const Pack ring_r = l.cosine * border_solution_[kRingY] + l.sine * border_solution_[kRingZ];
-    const Pack ring_t = l.cosine * border_solution_[kRingZ] - l.sine * border_solution_[kRingY];
+    RingVectors<vectors> ring(l, border_solution_, model_.layout);
     Pack u[kLocalVelocities];
-    for (int i = 0; i < kLocalVelocities; ++i)
-      u[i] = f.rhs[i] - f.from_ring[i][0] * ring_r - f.from_ring[i][1] * ring_t;
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      u[i] = f.rhs[i];
+      for (int v = 0; v < vectors; ++v)
+        u[i] = u[i] - f.from_ring[v][i][0] * ring.r[v] - f.from_ring[v][i][1] * ring.t[v];
+    }
     for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
       const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
       if (slot < 0) continue;
       const Cage& cage = cages_[static_cast<std::size_t>(slot)];
       for (int i = 0; i < kLocalVelocities; ++i)
-        u[i][lane] -= cage.from.row(i).dot(border_solution_.tail(cage_columns));
+        u[i][lane] -= cage.from.row(i).dot(border_solution_.segment(kCageY, cage_columns));
     }
     const Pack speed[kRollerVelocities] = {u[kLr],
                                            u[kLt] * l.inverse_radius,

@@ -32,15 +32,23 @@ class NewtonMatrix {
   double beta() const { return beta_; }
 
  private:
-  template <bool planar>
+  // `vectors` of the inner ring couple to rollers: its displacement, and its tilt where it is free.
+  template <bool planar, int vectors>
+  bool factor_as(const Linearisation& linear, double beta);
+  template <bool planar, int vectors>
   bool factor_rollers(double beta);
-  template <bool planar>
+  template <bool planar, int vectors>
   void solve_as(const double* rhs, double* x);
+  /// Coupling of a pack of rollers with a vector of the ring, and where the vector stands in the
+  /// border.
+  const RingCoupling& coupling(int group, int vector) const;
+  int ring_slot(int vector) const { return vector == 0 ? kRingY : model_.layout.ring_tilt_slot(); }
 
+  static constexpr int kMostVectors = 2;
   struct Group {
     Pack inverse[kLocalVelocities][kLocalVelocities];  ///< A^-1
-    Pack to_ring[2][kLocalVelocities];                 ///< T, ring part, in the rollers' directions
-    Pack from_ring[kLocalVelocities][2];               ///< A^-1 N, ring part
+    Pack to_ring[kMostVectors][2][kLocalVelocities];   ///< T, ring part, in the rollers' directions
+    Pack from_ring[kMostVectors][kLocalVelocities][2];  ///< A^-1 N, ring part
     Pack rhs[kLocalVelocities];  ///< A^-1 of the right-hand side being solved for
   };
   using Columns = Eigen::Matrix<double, kLocalVelocities, Eigen::Dynamic, Eigen::RowMajor>;

@@ -3,10 +3,11 @@
 // inside (inner race), -1 outside:
 //   n = s d/|d|,  p = s (R_race - |d|) + R_slice,  p' = -n . (velocity of the roller's axis -
 //   velocity of the race's axis)
-// The inner race may be misaligned: its axis passes the slice at u + m X, X the slice's axial
-// place, so n has the axial part -n.m. Sliding speeds: v1 along t = e_x x n, v2 along e_x, of the
-// roller's surface at -R_slice n relative to the race's surface: a tapered or profiled roller
-// slides differentially along its length.
+// The inner race may be tilted: its axis passes the slice at u + B X, X the slice's axial place, so
+// n has the axial part -n.B. Sliding speeds: v1 along t = e_x x n, v2 along e_x, of the roller's
+// surface at -R_slice n relative to the race's surface: a tapered or profiled roller slides
+// differentially along its length. Where the tilt is free it has its own row in each channel: the
+// axis at the slice moves with B' X, the race's surface axially with -s R_race n.B'.
 #pragma once
 
 #include "src/contact/film_contact.hpp"
@@ -15,12 +16,12 @@
 namespace cagetol {
 
 struct RaceSide {
-  double sign;                ///< s
-  double radius;              ///< R_race [m]
-  double speed;               ///< of the race about its axis [rad/s]
-  Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
-  Pack m_r, m_t;              ///< its misalignment, likewise
+  double sign;    ///< s
+  double radius;  ///< R_race [m]
+  double speed;   ///< of the race about its axis [rad/s]
   const FilmLaw& film;
+  Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
+  Pack B_r, B_t;              ///< slope of its axis, likewise
 };
 
 /// Mean speed at which both surfaces carry oil into the contact, as seen from the contact, which
@@ -38,10 +39,36 @@ inline Entrainment entrainment(const RaceSide& race, const RollerGroup& roller,
   return {way * forward, way * lever, -0.5 * way * roller.radius};
 }
 
-template <bool linear>
+/// The free tilt of the inner ring, as a pack of rollers sees it.
+struct RingTilt {
+  Pack rate_r, rate_t;  ///< B' in the rollers' directions
+  Pack moment[2] = {};  ///< of the rollers on the ring, conjugate to (B_r, B_t)
+  TiltLinear* linear = nullptr;
+};
+
+/// Row of the derivatives: of a local direction of the roller, or, beyond these, of the tilt's.
+struct LinearRow {
+  Pack *position, *velocity;            ///< over the roller's directions
+  Pack *tilt_position, *tilt_velocity;  ///< over the tilt
+};
+template <bool tilting>
+LinearRow linear_row(int i, GroupLinear& of_roller, [[maybe_unused]] RingTilt* tilt) {
+  if constexpr (tilting) {
+    TiltLinear& of_tilt = *tilt->linear;
+    RingCoupling& c = of_tilt.coupling;
+    if (const int k = i - kLocalVelocities; k >= 0)
+      return {c.to_position[k], c.to_velocity[k], of_tilt.position[k], of_tilt.velocity[k]};
+    return {of_roller.position[i], of_roller.velocity[i], c.position[i], c.velocity[i]};
+  }
+  return {of_roller.position[i], of_roller.velocity[i], nullptr, nullptr};
+}
+
+/// `tilt`: where `tilting`.
+template <bool linear, bool tilting = false>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
-                   Pack& total, Pack& sliding, Pack& elastic_r, Pack& elastic_t, Pack& drive) {
+                   Pack& total, Pack& sliding, Pack& elastic_r, Pack& elastic_t, Pack& drive,
+                   RingTilt* tilt = nullptr) {
   Entrainment oil;
   FilmAtSpeed<Pack> film;
   Pack thickest{};
@@ -53,8 +80,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
   for (const Slice& slice : model.race_slices) {
     const double xi = slice.position;
     const Pack place = q.x + xi;
-    const Pack d_r = q.r + xi * q.a_r - race.u_r - race.m_r * place;
-    const Pack d_t = xi * q.a_t - race.u_t - race.m_t * place;
+    const Pack d_r = q.r + xi * q.a_r - race.u_r - race.B_r * place;
+    const Pack d_t = xi * q.a_t - race.u_t - race.B_t * place;
     const Pack distance = sqrt(d_r * d_r + d_t * d_t);
     const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
     const Pack p = race.sign * (race.radius - distance) + radius;
@@ -63,16 +90,22 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
 
     const Pack inverse = race.sign / distance;
     const Pack n_r = d_r * inverse, n_t = d_t * inverse;
-    const Pack n_x = -(n_r * race.m_r + n_t * race.m_t);
-    const Pack v_r = q.vr + xi * q.b_r - race.du_r, v_t = q.vt + xi * q.b_t - race.du_t;
+    const Pack n_x = -(n_r * race.B_r + n_t * race.B_t);
+    Pack v_r = q.vr + xi * q.b_r - race.du_r, v_t = q.vt + xi * q.b_t - race.du_t;
+    if constexpr (tilting) {
+      v_r -= place * tilt->rate_r;
+      v_t -= place * tilt->rate_t;
+    }
     const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
     const Pack along = n_r * v_t - n_t * v_r;  // velocity of the axes along t
     const Pack w_r = q.spin * q.a_r - q.b_t, w_t = q.spin * q.a_t + q.b_r;
     const Pack surface =
         race.sign * race.speed * race.radius + Pack{};  // speed of the race along t
-    const Pack swash = race.sign * race.speed * race.radius * (race.m_r * n_t - race.m_t * n_r);
+    const Pack swash = race.sign * race.speed * race.radius * (race.B_r * n_t - race.B_t * n_r);
     const Pack v1 = along - radius * q.spin - surface;
-    const Pack v2 = q.vx + radius * (n_r * w_t - n_t * w_r) - swash;
+    Pack v2 = q.vx + radius * (n_r * w_t - n_t * w_r) - swash;
+    [[maybe_unused]] const double arm = race.sign * race.radius;  // of the race's surface along n
+    if constexpr (tilting) v2 += arm * (n_r * tilt->rate_r + n_t * tilt->rate_t);
 
     const Pack reached = select(touching, p, splat(-1.0));
     FilmContact<Pack> contact;
@@ -95,6 +128,10 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     loads.f[kLar] += xi * f_r + radius * n_r * f2;
     loads.f[kLat] += xi * f_t + radius * n_t * f2;
     loads.f[kLs] += radius * (f2 * lean - f1);
+    if constexpr (tilting) {
+      tilt->moment[0] += arm * n_r * f2 - place * f_r;
+      tilt->moment[1] += arm * n_t * f2 - place * f_t;
+    }
 
     if constexpr (linear) {
       total += normal.force;
@@ -113,9 +150,17 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       }
 
       const Pack zero{}, one = splat(1.0);
-      const Pack gn[] = {n_r, n_t, n_x, xi * n_r, xi * n_t, zero};
-      const Pack g1[] = {-n_t, n_r, zero, -xi * n_t, xi * n_r, -radius};
-      const Pack g2[] = {zero, zero, one, radius * n_r, radius * n_t, radius * lean};
+      // Rows over the roller's velocities, then the ring's tilt.
+      constexpr int rows = kLocalVelocities + (tilting ? 2 : 0);
+      Pack gn[rows] = {n_r, n_t, n_x, xi * n_r, xi * n_t, zero};
+      Pack g1[rows] = {-n_t, n_r, zero, -xi * n_t, xi * n_r, -radius};
+      Pack g2[rows] = {zero, zero, one, radius * n_r, radius * n_t, radius * lean};
+      if constexpr (tilting)
+        for (int k = 0; k < 2; ++k) {
+          gn[kLocalVelocities + k] = -place * gn[k];
+          g1[kLocalVelocities + k] = -place * g1[k];
+          g2[kLocalVelocities + k] = arm * gn[k];
+        }
       const Pack lean_r = -radius * q.spin * n_t, lean_t = radius * q.spin * n_r;
       const Pack q0 = normal.force;
       const Pack d11 = q0 * (fr.ratio + fr.bend * v1 * v1), d12 = q0 * fr.bend * v1 * v2;
@@ -145,7 +190,17 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       }
       jac->power_position[kLar] -= by_v2 * lean_r;
       jac->power_position[kLat] -= by_v2 * lean_t;
-      for (int i = 0; i < kLocalVelocities; ++i) {
+      // What v2 loses to the swash as the ring tilts.
+      [[maybe_unused]] const Pack swashing[2] = {-arm * race.speed * n_t, arm * race.speed * n_r};
+      if constexpr (tilting)
+        for (int k = 0; k < 2; ++k) {
+          const int i = kLocalVelocities + k;
+          tilt->linear->power_velocity[k] += by_rate * gn[i] - by_v1 * g1[i] - by_v2 * g2[i];
+          tilt->linear->power_position[k] +=
+              by_p * gn[i] + by_turn * g1[i] - (by_v2 + f2) * swashing[k];
+        }
+      for (int i = 0; i < rows; ++i) {
+        const LinearRow row = linear_row<tilting>(i, *jac, tilt);
         const Pack e = gn[i] - m1 * g1[i] - m2 * g2[i];
         const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
         const Pack ec = e * normal.damping, ek = e * normal.stiffness;
@@ -153,14 +208,28 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         const Pack bend = i == kLx ? zero : gn[i] * m1 * spread;
         const Pack et = (i == kLs ? zero : g1[i] * spread) + bend - e * turn - w1 * inverse * rate;
         for (int j = 0; j < kLocalVelocities; ++j)
-          jac->velocity[i][j] -= ec * gn[j] + w1 * g1[j] + w2 * g2[j];
-        for (int j = 0; j < kLocalPositions; ++j) jac->position[i][j] += et * g1[j] - ek * gn[j];
+          row.velocity[j] -= ec * gn[j] + w1 * g1[j] + w2 * g2[j];
+        for (int j = 0; j < kLocalPositions; ++j) row.position[j] += et * g1[j] - ek * gn[j];
         if (race.film.on) {
-          jac->velocity[i][kLt] += e * contact.by_speed * oil.by_vt;
-          jac->velocity[i][kLs] += e * contact.by_speed * oil.by_spin;
+          row.velocity[kLt] += e * contact.by_speed * oil.by_vt;
+          row.velocity[kLs] += e * contact.by_speed * oil.by_spin;
         }
-        jac->position[i][kLar] -= w2 * lean_r;
-        jac->position[i][kLat] -= w2 * lean_t;
+        row.position[kLar] -= w2 * lean_r;
+        row.position[kLat] -= w2 * lean_t;
+        if constexpr (tilting)
+          for (int k = 0; k < 2; ++k) {
+            const int j = kLocalVelocities + k;
+            row.tilt_velocity[k] -= ec * gn[j] + w1 * g1[j] + w2 * g2[j];
+            row.tilt_position[k] += et * g1[j] - ek * gn[j] - w2 * swashing[k];
+          }
+      }
+      if constexpr (tilting) {
+        RingCoupling& coupling = tilt->linear->coupling;
+        // n_x follows the tilt, and the force's lever on the ring the roller's axial place.
+        coupling.position[kLx][0] -= q0 * n_r;
+        coupling.position[kLx][1] -= q0 * n_t;
+        coupling.to_position[0][kLx] -= f_r;
+        coupling.to_position[1][kLx] -= f_t;
       }
     }
   }

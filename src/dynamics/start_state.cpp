@@ -52,6 +52,10 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
     at(l.border_position(kRingY)) = rest->ring_y;
     at(l.border_position(kRingZ)) = rest->ring_z;
   }
+  if (l.ring_tilt > 0) {
+    at(l.border_position(l.ring_tilt_slot())) = rest ? rest->tilt_y : m.misalignment_y;
+    at(l.border_position(l.ring_tilt_slot() + 1)) = rest ? rest->tilt_z : m.misalignment_z;
+  }
   // The scene speaks of the geometric centre, the state of the mass centre.
   const double c = std::cos(start.cage_phase), s = std::sin(start.cage_phase);
   const double e_y = c * m.unbalance_y - s * m.unbalance_z,

@@ -14,7 +14,8 @@ std::vector<double> roller_angles(const BearingModel& model, double cage_phase);
 
 /// "equilibrium": loaded static equilibrium, rollers in mid-pocket with the speeds of pure rolling,
 /// the cage where the scene puts it, turning at its kinematic speed. "centred": ring and cage
-/// centred (plus the scene's cage offset), rollers at mid-clearance.
+/// centred (plus the scene's cage offset), rollers at mid-clearance, a ring whose tilt is free as
+/// its shaft would have it.
 std::vector<double> start_state(const BearingModel& model, const Start& start);
 
 }  // namespace cagetol

@@ -1,6 +1,6 @@
 // The state vector: named slots, never numbers. Rollers are stored component by component
 // (structure of arrays), each component padded to whole packs; then the border: inner ring, cage,
-// cage modes. Positions first, then velocities.
+// cage modes, and the inner ring's tilt where it is free. Positions first, then velocities.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ enum RollerVelocity {
   kRollerVelocities
 };
 /// Border slots: inner ring, then the cage's mass centre, spin angle and axis, then modal
-/// coordinates.
+/// coordinates, then the two slopes B_y, B_z of the inner ring's centre line where they are free.
 enum Border { kRingY, kRingZ, kCageY, kCageZ, kCageX, kCagePhi, kCageAxisY, kCageAxisZ, kModes };
 inline constexpr int kRigidBorder = kModes;
 inline constexpr int kCageRigid = kModes - kCageY;  ///< rigid degrees of freedom of the cage
@@ -35,9 +35,12 @@ struct StateLayout {
   int rollers = 0;  ///< Z
   int groups = 0;   ///< packs of kLanes rollers
   int modes = 0;
+  int ring_tilt = 0;  ///< 2 where the inner ring's tilt is free, else 0
 
   int padded() const { return groups * kLanes; }
-  int border() const { return kRigidBorder + modes; }
+  int cage() const { return kCageRigid + modes; }              ///< from kCageY on
+  int ring_tilt_slot() const { return kRigidBorder + modes; }  ///< of the border, then the next one
+  int border() const { return kRigidBorder + modes + ring_tilt; }
   int positions() const { return kRollerPositions * padded() + border(); }
   int velocities() const { return kRollerVelocities * padded() + border(); }
   int size() const { return positions() + velocities(); }

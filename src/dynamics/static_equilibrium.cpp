@@ -1,5 +1,6 @@
 #include "src/dynamics/static_equilibrium.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -32,8 +33,11 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model)
   state_.radius.assign(n, model.outer_radius - model.nominal_diameter / 2);
   state_.tilt.assign(n, 0.0);
   state_.inner_force.assign(n, 0.0);
+  state_.tilt_y = model.misalignment_y;
+  state_.tilt_z = model.misalignment_z;
 }
 
+template <bool tilting>
 StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* angle,
                                                                double orbit_rate,
                                                                RollerMotion motion) {
@@ -51,14 +55,14 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
     const RaceSide inner{1,
                          model_.inner_radius,
                          2 * model_.pitch_radius * orbit_rate / model_.inner_radius,
+                         model_.inner_film,
                          r(state_.ring_y, state_.ring_z),
                          t(state_.ring_y, state_.ring_z),
                          {},
                          {},
-                         r(model_.misalignment_y, model_.misalignment_z),
-                         t(model_.misalignment_y, model_.misalignment_z),
-                         model_.inner_film};
-    const RaceSide outer{-1, model_.outer_radius, 0, {}, {}, {}, {}, {}, {}, model_.outer_film};
+                         r(state_.tilt_y, state_.tilt_z),
+                         t(state_.tilt_y, state_.tilt_z)};
+    const RaceSide outer{-1, model_.outer_radius, 0, model_.outer_film, {}, {}, {}, {}, {}, {}};
     // Rolling, without slip, drags the film in. At rest first, where no speed damps; then orbiting:
     // a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
     q.vt = splat(model_.pitch_radius * orbit_rate);
@@ -69,7 +73,11 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       GroupLinear g{};
       RollerLoads loads;
       Pack total{}, a{}, er{}, et{}, drive{};
-      race_contacts<true>(model_, roller, q, inner, loads, &g, &unused, total, a, er, et, drive);
+      TiltLinear by_tilt;
+      if constexpr (tilting) by_tilt = {};
+      RingTilt tilt{.rate_r = {}, .rate_t = {}, .linear = &by_tilt};
+      race_contacts<true, tilting>(model_, roller, q, inner, loads, &g, &unused, total, a, er, et,
+                                   drive, &tilt);
       const RollerLoads on_inner = loads;
       const GroupLinear from_inner = g;
       const Pack elastic_r = er, elastic_t = et;
@@ -99,33 +107,51 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       }
       if (settled || iteration + 1 == kMostIterations) {
         ring.settled = ring.settled && largest(size) < kNoPlace;
-        // Condense: a ring move u changes the inner force directly, and through the roller that
-        // follows it.
-        const Pack co = q.cosine * roller.exists, si = q.sine * roller.exists;
-        ring.y -= sum(co * on_inner.f[kLr] - si * on_inner.f[kLt]);
-        ring.z -= sum(si * on_inner.f[kLr] + co * on_inner.f[kLt]);
-        ring.elastic_z -= sum(si * elastic_r + co * elastic_t);
-        Pack K[2][2];
-        for (int c = 0; c < 2; ++c) {
-          const int to_r = kLr, to_a = kLar, col = c == 0 ? kLr : kLt;
-          const Pack b_r = -from_inner.position[to_r][col],
-                     b_a = -from_inner.position[to_a][col];  // dF, dT per du
+        // Condense: a move of the ring changes the inner force directly, and through the roller
+        // that follows it. Rows: forces on the ring in r, t, then moments; columns likewise.
+        constexpr int n = tilting ? 4 : 2;
+        const auto& P = from_inner.position;
+        const RingCoupling& with_tilt = by_tilt.coupling;
+        Pack K[n][n];
+        for (int c = 0; c < n; ++c) {
+          const int of_tilt = c - 2, col = of_tilt < 0 ? kLr + c : kLr + of_tilt;
+          Pack b_r = -P[kLr][col], b_a = -P[kLar][col];  // dF, dT per move of the ring
+          if constexpr (tilting)
+            if (of_tilt >= 0)
+              b_r = with_tilt.position[kLr][of_tilt], b_a = with_tilt.position[kLar][of_tilt];
           const Pack dr_du = (k_aa * b_r - k_ra * b_a) * inverse,
                      da_du = (k_rr * b_a - k_ar * b_r) * inverse;
           for (int i = 0; i < 2; ++i) {
-            const int row = i == 0 ? kLr : kLt;
-            K[i][c] = from_inner.position[row][col] - from_inner.position[row][kLr] * dr_du -
-                      from_inner.position[row][kLar] * da_du;
+            Pack direct = P[kLr + i][col];
+            if constexpr (tilting)
+              if (of_tilt >= 0) direct = -with_tilt.position[kLr + i][of_tilt];
+            K[i][c] = direct - P[kLr + i][kLr] * dr_du - P[kLr + i][kLar] * da_du;
+            if constexpr (tilting) {
+              const Pack(&moment)[kLocalPositions] = with_tilt.to_position[i];
+              K[2 + i][c] = (of_tilt < 0 ? -moment[col] : by_tilt.position[i][of_tilt]) +
+                            moment[kLr] * dr_du + moment[kLar] * da_du;
+            }
           }
         }
-        ring.yy += sum(co * (K[0][0] * q.cosine - K[0][1] * q.sine) -
-                       si * (K[1][0] * q.cosine - K[1][1] * q.sine));
-        ring.yz += sum(co * (K[0][0] * q.sine + K[0][1] * q.cosine) -
-                       si * (K[1][0] * q.sine + K[1][1] * q.cosine));
-        ring.zy += sum(si * (K[0][0] * q.cosine - K[0][1] * q.sine) +
-                       co * (K[1][0] * q.cosine - K[1][1] * q.sine));
-        ring.zz += sum(si * (K[0][0] * q.sine + K[0][1] * q.cosine) +
-                       co * (K[1][0] * q.sine + K[1][1] * q.cosine));
+        const Pack co = q.cosine * roller.exists, si = q.sine * roller.exists;
+        const auto add = [&](int row, int column) {
+          const Pack rr = K[row][column], rt = K[row][column + 1], tr = K[row + 1][column],
+                     tt = K[row + 1][column + 1];
+          auto to = ring.slope.block<2, 2>(row, column);
+          to(0, 0) += sum(co * (rr * q.cosine - rt * q.sine) - si * (tr * q.cosine - tt * q.sine));
+          to(0, 1) += sum(co * (rr * q.sine + rt * q.cosine) - si * (tr * q.sine + tt * q.cosine));
+          to(1, 0) += sum(si * (rr * q.cosine - rt * q.sine) + co * (tr * q.cosine - tt * q.sine));
+          to(1, 1) += sum(si * (rr * q.sine + rt * q.cosine) + co * (tr * q.sine + tt * q.cosine));
+        };
+        for (int row = 0; row < n; row += 2)
+          for (int column = 0; column < n; column += 2) add(row, column);
+        ring.force[0] -= sum(co * on_inner.f[kLr] - si * on_inner.f[kLt]);
+        ring.force[1] -= sum(si * on_inner.f[kLr] + co * on_inner.f[kLt]);
+        ring.elastic_z -= sum(si * elastic_r + co * elastic_t);
+        if constexpr (tilting) {
+          ring.force[2] += sum(co * tilt.moment[0] - si * tilt.moment[1]);
+          ring.force[3] += sum(si * tilt.moment[0] + co * tilt.moment[1]);
+        }
         break;
       }
       q.r += dr;
@@ -137,19 +163,45 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
   return ring;
 }
 
-const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_rate, double load,
-                                            RollerMotion motion) {
-  const double weight = load + model_.ring_mass * model_.gravity;
+const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_rate,
+                                            const RingLoad& load, RollerMotion motion) {
+  const bool tilting = model_.layout.ring_tilt > 0;
+  const double weight = load.radial + model_.ring_mass * model_.gravity;
+  const double lever = model_.roller_half_length;  // makes forces of moments, and moves of tilts
   state_.converged = false;
   int unsettled = 0;
+  // What is left over of the forces and moments on the ring, and their derivatives.
   const auto settle = [&] {
-    const RingForce force = settle_rollers(angle, orbit_rate, motion);
-    if (!force.settled) ++unsettled;
-    return force;
+    RingForce ring = tilting ? settle_rollers<true>(angle, orbit_rate, motion)
+                             : settle_rollers<false>(angle, orbit_rate, motion);
+    if (!ring.settled) ++unsettled;
+    ring.force[1] -= weight;
+    if (tilting) {
+      ring.force[2] +=
+          load.moment_y - model_.tilt_stiffness * (state_.tilt_y - model_.misalignment_y);
+      ring.force[3] +=
+          load.moment_z - model_.tilt_stiffness * (state_.tilt_z - model_.misalignment_z);
+      ring.slope.diagonal().tail<2>().array() -= model_.tilt_stiffness;
+    }
+    return ring;
+  };
+  const auto move = [&](const Eigen::Vector4d& d) {
+    state_.ring_y += d[0];
+    state_.ring_z += d[1];
+    state_.tilt_y += d[2];
+    state_.tilt_z += d[3];
+  };
+  const auto length = [&](const Eigen::Vector4d& d) {
+    return std::hypot(std::hypot(d[0], d[1]), lever * std::hypot(d[2], d[3]));
   };
   RingForce f = settle();
-  const auto imbalance = [&] { return std::hypot(f.y, f.z - weight); };
-  const double tolerance = std::max(1e-10 * weight, 1e-8);  // [N]
+  const auto imbalance = [&] {
+    return std::hypot(std::hypot(f.force[0], f.force[1]),
+                      std::hypot(f.force[2], f.force[3]) / lever);
+  };
+  const double size =
+      tilting ? std::max(weight, std::hypot(load.moment_y, load.moment_z) / lever) : weight;
+  const double tolerance = std::max(1e-10 * size, 1e-8);  // [N]
   // A light ring on one roller turns over it with a stiffness of weight over radius only: the
   // spring must not outweigh that many times, or the ring creeps to the next roller.
   const double soft =
@@ -161,30 +213,23 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
       state_.converged = true;
       break;
     }
-    const double yy = soft - f.yy, zz = soft - f.zz, yz = -f.yz, zy = -f.zy, b_z = f.z - weight;
-    const double det = yy * zz - yz * zy;
-    double dy = (zz * f.y - yz * b_z) / det, dz = (yy * b_z - zy * f.y) / det;
-    const double length = std::hypot(dy, dz);
-    if (length > kLongestMove) {
-      dy *= kLongestMove / length;
-      dz *= kLongestMove / length;
-    }
+    Eigen::Matrix4d K = -f.slope;
+    K.diagonal() += Eigen::Vector4d(soft, soft, soft * lever * lever, soft * lever * lever);
+    Eigen::Vector4d d = K.partialPivLu().solve(f.force);
+    if (const double far = length(d); far > kLongestMove) d *= kLongestMove / far;
     for (int halving = 0; halving < 30 && unsettled < kMostUnsettled; ++halving) {
-      state_.ring_y += dy;
-      state_.ring_z += dz;
+      move(d);
       f = settle();
       // Energy is convex, so a step that still leads downhill at its end is sound even where the
       // imbalance did not fall: crossing a clearance it stays the load itself until the rollers
       // touch, and may be more just behind.
-      const bool downhill = f.y * dy + (f.z - weight) * dz > 0;
-      if (imbalance() < now || downhill || std::hypot(dy, dz) < 1e-16) break;
-      state_.ring_y -= dy;
-      state_.ring_z -= dz;
-      dy /= 2;
-      dz /= 2;
+      const bool downhill = f.force.dot(d) > 0;
+      if (imbalance() < now || downhill || length(d) < 1e-16) break;
+      move(-d);
+      d /= 2;
     }
-    if (std::hypot(dy, dz) < 1e-16) {
-      state_.converged = imbalance() < 1e-6 * std::max(weight, 1.0);
+    if (length(d) < 1e-16) {
+      state_.converged = imbalance() < 1e-6 * std::max(size, 1.0);
       break;
     }
   }

@@ -1,11 +1,12 @@
 // Quasi-static equilibrium of inner ring and rollers for given roller angles: Newton on the race
 // forces, centrifugal force and weight, without friction. The rollers' radial places and tilts are
-// condensed onto the ring's two displacements. Orbiting, the rollers follow the races as they go
-// round, and the normal law's damping on the way in and out of the load zone is part of the balance
-// (at 10 kN and the impact law of Xin et al. it carries a tenth of the load sideways); at rest it
-// is plain statics.
+// condensed onto the ring's two displacements, and its two slopes where its tilt is free. Orbiting,
+// the rollers follow the races as they go round, and the normal law's damping on the way in and out
+// of the load zone is part of the balance (at 10 kN and the impact law of Xin et al. it carries a
+// tenth of the load sideways); at rest it is plain statics.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "src/dynamics/bearing_model.hpp"
@@ -14,6 +15,7 @@ namespace cagetol {
 
 struct StaticState {
   double ring_y = 0, ring_z = 0;     ///< displacement of the inner ring [m]
+  double tilt_y = 0, tilt_z = 0;     ///< slopes of its centre line [rad]
   double ring_elastic_z = 0;         ///< elastic part of the force on the ring along z [N]
   std::vector<double> radius, tilt;  ///< of each roller (padded) [m], [rad]
   std::vector<double> inner_force;   ///< on the inner race, all slices [N]
@@ -29,19 +31,22 @@ class StaticEquilibrium {
   explicit StaticEquilibrium(const BearingModel& model);
 
   /// `angle` has one element per roller (padded) [rad]; `orbit_rate` makes the centrifugal force
-  /// [rad/s]; `load` along -z [N].
-  const StaticState& solve(const double* angle, double orbit_rate, double load,
+  /// [rad/s].
+  const StaticState& solve(const double* angle, double orbit_rate, const RingLoad& load,
                            RollerMotion motion = RollerMotion::at_rest);
   /// The last solution.
   const StaticState& state() const { return state_; }
 
  private:
+  /// On the ring from the rollers in equilibrium: force in y, z and, where its tilt is free,
+  /// moment; derivatives with respect to displacement and tilt.
   struct RingForce {
-    double y, z, yy, yz, zy,
-        zz;            ///< force on the ring from the rollers in equilibrium, and its derivatives
-    double elastic_z;  ///< elastic part of z
-    bool settled = true;  ///< every roller found its place
+    Eigen::Vector4d force = Eigen::Vector4d::Zero();
+    Eigen::Matrix4d slope = Eigen::Matrix4d::Zero();
+    double elastic_z = 0;  ///< elastic part of the force along z
+    bool settled = true;   ///< every roller found its place
   };
+  template <bool tilting>
   RingForce settle_rollers(const double* angle, double orbit_rate, RollerMotion motion);
 
   BearingModel model_;  ///< a copy without friction, and without damping where rollers are at rest

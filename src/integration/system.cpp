@@ -68,6 +68,10 @@ std::vector<double> error_scales(const BearingModel& m) {
     set(l.border_position(i), kLengthScale / lever[i]);
     set(l.border_velocity(i), kSpeedScale / lever[i]);
   }
+  for (int k = 0; k < l.ring_tilt; ++k) {
+    set(l.border_position(l.ring_tilt_slot() + k), kLength / half);
+    set(l.border_velocity(l.ring_tilt_slot() + k), kSpeed / half);
+  }
   for (int k = 0; k < l.modes; ++k) {
     const double moved = m.flexible.scale[static_cast<std::size_t>(k)];
     set(l.border_position(kModes + k), kLengthScale / moved);

@@ -88,6 +88,12 @@ void Observer::record(double t, const double* y, const System& system) {
   ring_z_.add(q[kRingZ], weight, keep);
   ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), weight);
   ring_elastic_z_.add(seen.ring_elastic_z, weight);
+  if (l.ring_tilt > 0) {
+    const double tilt_y = q[l.ring_tilt_slot()], tilt_z = q[l.ring_tilt_slot() + 1];
+    ring_tilt_.add(std::hypot(tilt_y, tilt_z), weight);
+    tilt_y_.add(tilt_y, weight);
+    tilt_z_.add(tilt_z, weight);
+  }
   guide_force_.add(seen.land_force[0] + seen.land_force[1], weight, keep);
   for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_touching[k]);
   end_displacement_ = -q[kRingZ];
@@ -122,7 +128,7 @@ void Observer::record_rollers(const double* y, const System& system, double weig
   const double ratio = model_.nominal_diameter / (2 * model_.pitch_radius);
   const double inner_speed = inner_speed_at(model_, last_time_ < 0 ? begin_ : last_time_);
   const double rolling = inner_speed / (2 * ratio) * (1 - ratio * ratio);
-  const double threshold = kLoadedShare * model_.load;
+  const double threshold = kLoadedShare * model_.load.radial;
   for (int j = 0; j < l.rollers; ++j) {
     const auto k = static_cast<std::size_t>(j);
     const double angle = y[l.position(kAngle, j)], spin = y[l.velocity(kSpin, j)];
@@ -152,9 +158,8 @@ void Observer::record_statics(double t, const double* y) {
   while (next_statics_ <= t) next_statics_ += statics_interval_;
   const StateLayout& l = model_.layout;
   std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
-  const double load = load_at(model_, t);
-  const StaticState& rest =
-      statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)], load, RollerMotion::orbiting);
+  const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)],
+                                           load_at(model_, t), RollerMotion::orbiting);
   ++static_positions_;
   if (!rest.converged) {
     ++static_positions_missed_;
@@ -171,16 +176,25 @@ double Observer::energy_residual() const {
          std::max(std::abs(lost), kEnergyFloor * std::abs(first_energy_));
 }
 
+double Observer::rollers_couple(const RingLoad& load) const {
+  if (model_.layout.ring_tilt == 0) return 0;
+  const double k = model_.tilt_stiffness;
+  return std::hypot(load.moment_y - k * (tilt_y_.mean() - model_.misalignment_y),
+                    load.moment_z - k * (tilt_z_.mean() - model_.misalignment_z)) /
+         model_.roller_half_length;
+}
+
 double Observer::static_consistency_error() const {
-  const double weight = load_at(model_, end_) + model_.ring_mass * model_.gravity;
+  const RingLoad load = load_at(model_, end_);
+  const double weight = load.radial + model_.ring_mass * model_.gravity;
   // Below the centrifugal force of one roller the ring bounces within its clearance: its mean place
   // says nothing.
   const RollerGroup& g = model_.groups.front();
   const double cage_speed = cage_speed_.mean();
   const double light = std::max(1.0, g.mass[0] * model_.pitch_radius * cage_speed * cage_speed);
   const double expected_force = static_elastic_z_.empty() ? weight : static_elastic_z_.mean();
-  const double force =
-      std::abs(ring_elastic_z_.mean() - expected_force) / std::max(std::abs(weight), light);
+  const double force = std::abs(ring_elastic_z_.mean() - expected_force) /
+                       std::max({std::abs(weight), light, rollers_couple(load)});
   if (dynamic_displacement_.empty() || std::abs(weight) < light) return force;
   const double expected = static_displacement_.mean();
   return std::max(force, std::abs(dynamic_displacement_.mean() - expected) /
@@ -226,8 +240,12 @@ std::vector<double> Observer::quantities() const {
   q["ring_orbit_p95_um"] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
   q["ring_acceleration_rms_m_s2"] = ring_acceleration_.rms();
   q["ring_acceleration_peak_m_s2"] = ring_acceleration_.peak();
+  const bool lean = !model_.planar, tilts = model_.layout.ring_tilt > 0;
+  const double held = std::hypot(model_.misalignment_y, model_.misalignment_z);
+  q["ring_tilt_mean_mrad"] = lean ? 1e3 * (tilts ? ring_tilt_.mean() : held) : none;
+  q["ring_tilt_std_mrad"] =
+      tilts ? 1e3 * std::hypot(tilt_y_.standard_deviation(), tilt_z_.standard_deviation()) : none;
   q["roller_speed_std_ratio"] = roller_speed_.standard_deviation() / std::abs(roller_speed_.mean());
-  const bool lean = !model_.planar;
   q["roller_skew_rms_mrad"] = lean ? 1e3 * skew_.rms() : none;
   q["roller_skew_p95_mrad"] = lean ? 1e3 * skew_.quantile(0.95) : none;
   q["roller_tilt_p95_mrad"] = lean ? 1e3 * tilt_.quantile(0.95) : none;

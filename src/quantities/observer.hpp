@@ -35,6 +35,8 @@ class Observer {
   double cage_revolutions() const { return revolutions_; }
   /// Largest angle between a roller's axis and the bearing's [rad].
   double largest_lean() const { return std::sqrt(largest_lean_squared_); }
+  /// Likewise of the inner ring's centre line where its tilt is free, else 0.
+  double largest_tilt() const { return ring_tilt_.empty() ? 0 : ring_tilt_.peak(); }
   /// Of a flexible cage; empty of a rigid one.
   const CagePeak& cage_peak() const { return cage_peak_; }
 
@@ -46,6 +48,8 @@ class Observer {
   };
   void record_rollers(const double* y, const System& system, double weight, bool keep);
   void record_statics(double t, const double* y);
+  /// What the shaft leaves of the moment to the rollers, as a couple at their ends [N].
+  double rollers_couple(const RingLoad& load) const;
   void record_stress(double t, const double* y, const Observation& seen);
 
   const BearingModel& model_;
@@ -63,7 +67,7 @@ class Observer {
       cage_lean_z_;
   Series slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_, guide_force_,
       roller_speed_;
-  Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_;
+  Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_, ring_tilt_, tilt_y_, tilt_z_;
   std::optional<CageStress> stress_;
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;

@@ -57,6 +57,12 @@ const std::vector<Quantity>& quantity_table() {
       {"ring_acceleration_rms_m_s2", "m/s2", "rms of the inner ring's acceleration"},
       {"ring_acceleration_peak_m_s2", "m/s2",
        "largest acceleration of the inner ring over every accepted step"},
+      {"ring_tilt_mean_mrad", "mrad",
+       "mean angle between the inner ring's centre line and the bearing's axis; the misalignment "
+       "where the tilt is prescribed"},
+      {"ring_tilt_std_mrad", "mrad",
+       "root of the summed variances of the slopes of the inner ring's centre line; where its tilt "
+       "is free"},
       {"roller_speed_std_ratio", "-",
        "standard deviation over mean of the rollers' absolute spin, over time and rollers"},
       {"roller_skew_rms_mrad", "mrad", "rms over time and rollers of the skew a.e_t"},
@@ -85,10 +91,10 @@ const std::vector<Quantity>& quantity_table() {
        "modelled"},
       {"static_consistency_error", "-",
        "the larger of: mean elastic force on the ring against the quasi-static one (the load, less "
-       "what the normal law's damping "
-       "carries as rollers go round); mean ring displacement against the quasi-static one over "
-       "the same roller positions (relative; below the centrifugal force of one roller only the "
-       "force counts, relative to it)"},
+       "what the normal law's damping carries as rollers go round; relative to the load, or to the "
+       "couple at the rollers' ends that rights a ring whose tilt is free, if that is more); mean "
+       "ring displacement against the quasi-static one over the same roller positions (relative; "
+       "below the centrifugal force of one roller only the force counts, relative to it)"},
   };
   return table;
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "src/scene/scene_keys.hpp"
 
@@ -149,6 +150,21 @@ void check_pockets(const Scene& scene, const SceneCheck& check) {
   }
 }
 
+void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
+  check.require(!has_free_ring_tilt(scene) || scene.cage.guidance != "inner", "model.ring_tilt",
+                "the lands of a cage do not follow the free tilt of the ring that guides it (" +
+                    check.with_value("cage.guidance") + ")",
+                "set model.ring_tilt = \"prescribed\", or guide the cage by the outer ring or the "
+                "rollers");
+  const auto& load = scene.operation;
+  for (const auto& [key, moment] : {std::pair{"load.tilting_moment_y_N_m", load.tilting_moment_y},
+                                    std::pair{"load.tilting_moment_z_N_m", load.tilting_moment_z}})
+    check.require(scene.model.ring_tilt == "free" || moment == 0, key,
+                  "a ring whose tilt is prescribed hands any moment on to its shaft (" +
+                      check.with_value("model.ring_tilt") + ")",
+                  "set model.ring_tilt = \"free\", or leave the moment out");
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root) {
@@ -164,6 +180,7 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
   check.require(!is_quasi_static(scene) || scene.cage.model == "rigid", "cage.model",
                 "no force bends the cage while model.motion = \"quasi-static\"",
                 "set cage.model = \"rigid\", or model.motion = \"dynamic\"");
+  check_ring_tilt(scene, check);
   check.require(scene.operation.inner_speed != 0 || !std::isnan(scene.window.measure_time),
                 "speed.inner_rpm", "at standstill the cage makes no revolutions to measure over",
                 "give window.settle_time_s and window.measure_time_s");

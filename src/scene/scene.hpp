@@ -22,6 +22,7 @@ struct Material {
 struct Simplification {
   std::string rollers = "spatial";  ///< "spatial" or "planar": no tilt, skew or axial motion
   std::string motion = "dynamic";   ///< "dynamic" or "quasi-static": equilibria, no integration
+  std::string ring_tilt = "prescribed";  ///< of the inner ring: "prescribed" or "free"
 };
 
 struct BearingGeometry {
@@ -37,9 +38,11 @@ struct BearingGeometry {
       30e-6;  ///< diametral, beyond what the catalogue diameters leave; half on each raceway [m]
   double flange_clearance = 0.08e-3;  ///< roller to both flanges, axial, total [m]
   Material ring_material;
-  double inner_ring_mass = kAuto;  ///< [kg]
-  double misalignment_y = 0;       ///< centre line of the inner ring: y_i + misalignment_y x [rad]
-  double misalignment_z = 0;       ///< likewise in z [rad]
+  double inner_ring_mass = kAuto;                                                  ///< [kg]
+  double inner_ring_polar_inertia = kAuto, inner_ring_transverse_inertia = kAuto;  ///< [kg m^2]
+  double misalignment_y = 0;  ///< centre line of the inner ring: y_i + misalignment_y x [rad]
+  double misalignment_z = 0;  ///< likewise in z [rad]
+  double tilt_stiffness = 0;  ///< of the shaft, against a free tilt of the ring [N m/rad]
 };
 
 struct RollerGeometry {
@@ -120,8 +123,10 @@ struct OilFilm {
 };
 
 struct Operation {
-  double radial_load = 1000;  ///< on the inner ring, along -z [N]
-  double load_ramp = 0;       ///< time over which the load rises from zero by STEP [s]
+  double radial_load = 1000;    ///< on the inner ring, along -z [N]
+  double tilting_moment_y = 0;  ///< on an inner ring whose tilt is free, towards +y [N m]
+  double tilting_moment_z = 0;  ///< likewise towards +z [N m]
+  double load_ramp = 0;         ///< time over which load and moment rise from zero by STEP [s]
   double inner_speed = 6000 * 0.10471975511965977;  ///< about +x [rad/s]
   double speed_ramp_from = kAuto;                   ///< speed at t = 0; auto: no ramp [rad/s]
   double speed_ramp = 0;                            ///< time of the ramp by STEP [s]
@@ -192,6 +197,10 @@ struct Scene {
 
 inline bool has_planar_rollers(const Scene& scene) {
   return scene.model.rollers == "planar";
+}
+/// Planar rollers see every section of the bearing alike: none is tilted.
+inline bool has_free_ring_tilt(const Scene& scene) {
+  return scene.model.ring_tilt == "free" && !has_planar_rollers(scene);
 }
 inline bool is_quasi_static(const Scene& scene) {
   return scene.model.motion == "quasi-static";

@@ -47,6 +47,13 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
     acceleration_of(l.velocity(kAxisRateZ, j), at + kLat) = c * lean;
     acceleration_of(l.velocity(kSpin, j), at + kLs) = 1 / roller.polar[lane];
     const double turn[2][2] = {{c, s}, {-s, c}};  // (r, t) from (y, z)
+    const auto add_ring = [&](const RingCoupling& ring, int slot, int i, int k, double turned) {
+      by_position(at + i, locals + slot) += ring.position[i][k][lane] * turned;
+      by_velocity(at + i, locals + slot) += ring.velocity[i][k][lane] * turned;
+      if (i < kLocalPositions)
+        by_position(locals + slot, at + i) += turned * ring.to_position[k][i][lane];
+      by_velocity(locals + slot, at + i) += turned * ring.to_velocity[k][i][lane];
+    };
     for (int i = 0; i < kLocalVelocities; ++i) {
       for (int k = 0; k < kLocalVelocities; ++k) {
         if (k < kLocalPositions) by_position(at + i, at + k) = local.position[i][k][lane];
@@ -54,11 +61,10 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
       }
       for (int k = 0; k < 2; ++k)
         for (int a = 0; a < 2; ++a) {
-          by_position(at + i, locals + a) += local.ring_position[i][k][lane] * turn[k][a];
-          by_velocity(at + i, locals + a) += local.ring_velocity[i][k][lane] * turn[k][a];
-          if (i < kLocalPositions)
-            by_position(locals + a, at + i) += turn[k][a] * local.to_ring_position[k][i][lane];
-          by_velocity(locals + a, at + i) += turn[k][a] * local.to_ring_velocity[k][i][lane];
+          add_ring(local.ring, kRingY + a, i, k, turn[k][a]);
+          if (l.ring_tilt > 0)
+            add_ring(linear.tilts[static_cast<std::size_t>(g)].coupling, l.ring_tilt_slot() + a, i,
+                     k, turn[k][a]);
         }
     }
     const int slot = linear.slot[static_cast<std::size_t>(j)];
@@ -78,7 +84,10 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
   for (int i = 0; i < border; ++i) {
     position_of(locals + i, l.border_position(i)) = velocity_of(locals + i, l.border_velocity(i)) =
         1;
-    acceleration_of(l.border_velocity(i), locals + i) = i < kRigidBorder ? 1 / masses[i] : 1;
+    acceleration_of(l.border_velocity(i), locals + i) = i < kRigidBorder ? 1 / masses[i]
+                                                        : i < l.ring_tilt_slot()
+                                                            ? 1
+                                                            : 1 / m.ring_transverse;
   }
   Eigen::MatrixXd J = acceleration_of * (by_position * position_of + by_velocity * velocity_of);
   for (int slot = 0; slot < kRollerPositions; ++slot)

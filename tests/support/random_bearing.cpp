@@ -88,9 +88,26 @@ std::shared_ptr<const CageModel> random_cage(const Scene& s, int modes, Draw& dr
   return std::make_shared<const CageModel>(std::move(cage));
 }
 
+const char* freedom_name(Freedom freedom) {
+  return freedom == Freedom::spatial  ? "spatial"
+         : freedom == Freedom::planar ? "planar"
+                                      : "tilting";
+}
+
+/// Lets the inner ring tilt, held by a shaft, under a moment.
+void free_the_ring(unsigned seed, Scene& scene) {
+  Draw draw(seed + 3000017);
+  scene.model.ring_tilt = "free";
+  if (scene.cage.guidance == "inner") scene.cage.guidance = "roller";
+  scene.bearing.tilt_stiffness = draw.between(0, 2e4);
+  scene.operation.tilting_moment_y = draw.about(10);
+  scene.operation.tilting_moment_z = draw.about(10);
+}
+
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
-  if (options.planar) b.scene.model.rollers = "planar";
+  if (options.freedom == Freedom::planar) b.scene.model.rollers = "planar";
+  if (options.freedom == Freedom::tilting) free_the_ring(seed, b.scene);
   b.scene.film.model = options.film;
   b.scene.cage.guide_film.model = options.guide_film;
   Draw shapes(seed + 2000003), draw(seed + 1000003);
@@ -155,6 +172,10 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   for (int k = 0; k < options.modes; ++k) {
     at(l.border_position(kModes + k)) = shapes.about(depth / 30);
     at(l.border_velocity(kModes + k)) = shapes.about(0.01);
+  }
+  for (int k = 0; k < l.ring_tilt; ++k) {
+    at(l.border_position(l.ring_tilt_slot() + k)) = lean * shapes.about(2e-3);
+    at(l.border_velocity(l.ring_tilt_slot() + k)) = shapes.about(10);
   }
   // Padding as a run has it: somewhere harmless.
   for (int j = l.rollers; j < l.padded(); ++j) at(l.position(kRadius, j)) = m.pitch_radius;

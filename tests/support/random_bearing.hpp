@@ -17,13 +17,19 @@ struct RandomBearing {
   double t = 0;
 };
 
+/// Which motions of the bearing are free: those of spatial rollers, of planar ones, or of spatial
+/// ones and the inner ring's tilt.
+enum class Freedom { spatial, planar, tilting };
+/// For names of tests.
+const char* freedom_name(Freedom freedom);
+
 struct RandomBearingOptions {
-  double lean = 1;                  ///< scales every small angle: axes, misalignment, squareness
-  double depth = 30e-6;             ///< typical penetration and gap [m]
-  int modes = 0;                    ///< elastic modes of the cage, of random shape
-  bool planar = false;              ///< planar rollers
-  const char* guide_film = "none";  ///< cage.guide_film
-  const char* film = "none";        ///< film.model
+  double lean = 1;                     ///< scales every small angle: axes, misalignment, squareness
+  double depth = 30e-6;                ///< typical penetration and gap [m]
+  int modes = 0;                       ///< elastic modes of the cage, of random shape
+  Freedom freedom = Freedom::spatial;  ///< tilting: no cage is guided by the inner ring
+  const char* guide_film = "none";     ///< cage.guide_film
+  const char* film = "none";           ///< film.model
 };
 
 /// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered,

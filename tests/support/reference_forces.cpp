@@ -34,6 +34,7 @@ struct Motion {
   Vector3d lean = Vector3d::Zero();       ///< a' of its axis
   double spin = 0;                        ///< w_s
   Vector3d ring = Vector3d::Zero();       ///< of the inner ring's centre
+  Vector3d ring_tilt = Vector3d::Zero();  ///< B' of its centre line
   Vector3d cage = Vector3d::Zero();       ///< of the cage's mass centre
   double cage_spin = 0;                   ///< phi'
   Vector3d cage_lean = Vector3d::Zero();  ///< A'
@@ -75,7 +76,7 @@ struct Forces {  // generalised, conjugate to Motion
 };
 
 struct Borders {
-  Sum3 ring, cage, cage_lean;
+  Sum3 ring, ring_tilt, cage, cage_lean;
   Sum cage_spin;
 };
 
@@ -102,7 +103,7 @@ class Bearing {
     for (int j = 0; j < layout_.rollers; ++j) roller(j);
     lands();
     border();
-    result_.load_power = -load() * moving_.ring.z();
+    result_.load_power = -load() * moving_.ring.z() + moment().dot(moving_.ring_tilt);
     return result_;
   }
 
@@ -121,6 +122,11 @@ class Bearing {
     return reference_step(t_, 0, auto_or(o.speed_ramp_from, o.inner_speed), o.speed_ramp,
                           o.inner_speed);
   }
+  /// Conjugate to the ring's tilt, where that is free.
+  Vector3d moment() const {
+    const auto& o = scene_.operation;
+    return load() / o.radial_load * Vector3d(0, o.tilting_moment_y, o.tilting_moment_z);
+  }
   Vector3d misalignment() const {
     return {0, scene_.bearing.misalignment_y, scene_.bearing.misalignment_z};
   }
@@ -135,6 +141,10 @@ class Bearing {
     cage_axis_ = Vector3d(1, q(kCageAxisY), q(kCageAxisZ));
     ring_ = Vector3d(0, q(kRingY), q(kRingZ));
     moving_.ring = Vector3d(0, v(kRingY), v(kRingZ));
+    const int tilt = layout_.ring_tilt_slot();
+    const bool tilting = layout_.ring_tilt > 0;
+    ring_slope_ = tilting ? Vector3d(0, q(tilt), q(tilt + 1)) : misalignment();
+    if (tilting) moving_.ring_tilt = Vector3d(0, v(tilt), v(tilt + 1));
     moving_.cage = Vector3d(v(kCageX), v(kCageY), v(kCageZ));
     moving_.cage_spin = v(kCagePhi);
     moving_.cage_lean = Vector3d(0, v(kCageAxisY), v(kCageAxisZ));
@@ -198,6 +208,9 @@ class Bearing {
       unit.ring = direction;
       border_.ring[at] += power(unit);
       unit = {};
+      unit.ring_tilt = direction;
+      border_.ring_tilt[at] += power(unit);
+      unit = {};
       unit.cage_lean = direction;
       border_.cage_lean[at] += power(unit);
     }
@@ -222,7 +235,7 @@ class Bearing {
     const double catalogue = inner ? b.inner_raceway_diameter - b.internal_clearance / 2
                                    : b.outer_raceway_diameter + b.internal_clearance / 2;
     const double race_radius = catalogue / 2;
-    const Vector3d m = inner ? misalignment() : Vector3d::Zero().eval();
+    const Vector3d m = inner ? ring_slope_ : Vector3d::Zero().eval();
     const long slices = scene_.discretisation.race_slices;
     const double length = scene_.roller.length;
     double mean_diameter = 0;
@@ -240,10 +253,13 @@ class Bearing {
       const Vector3d n = s * d.normalized(), t = kX.cross(n);
       const double p = s * (race_radius - d.norm()) + radius;
       const auto speeds = [=, &roller](const Motion& v) {
-        const Vector3d ring = inner ? v.ring : Vector3d::Zero().eval();
+        // The ring's axis at the slice, and the turning of the ring.
+        const Vector3d tilt = inner ? v.ring_tilt : Vector3d::Zero().eval();
+        const Vector3d ring = inner ? (v.ring + place * tilt).eval() : tilt;
         const double spin = inner ? v.inner_spin : 0;
         const Vector3d approach = v.roller + xi * v.lean - ring - v.roller.x() * m;
-        const Vector3d surface = ring + spin * (kX + m).cross(s * race_radius * n);
+        const Vector3d surface =
+            ring + (spin * (kX + m) + kX.cross(tilt)).cross(s * race_radius * n);
         const Vector3d slide = roller_point(roller, v, xi, -radius * n) - surface;
         return Speeds{-n.dot(approach), t.dot(slide), slide.x()};
       };
@@ -439,6 +455,22 @@ class Bearing {
     for (int slot = 0; slot < kRigidBorder; ++slot) q(slot) = state(layout_.border_velocity(slot));
     v(kRingY) = border_.ring[1].net / ring_mass;
     v(kRingZ) = (border_.ring[2].net - load()) / ring_mass - g;
+    if (layout_.ring_tilt > 0) {
+      const int tilt = layout_.ring_tilt_slot();
+      const double outer = inner / 2, hole = bore / 2, radii = outer * outer + hole * hole;
+      const double polar = auto_or(b.inner_ring_polar_inertia, ring_mass * radii / 2);
+      const double transverse = auto_or(b.inner_ring_transverse_inertia,
+                                        ring_mass * (radii / 4 + b.width * b.width / 12));
+      const Vector3d held = b.tilt_stiffness * (ring_slope_ - misalignment());
+      const Vector3d acceleration = (net(border_.ring_tilt) + moment() - held +
+                                     polar * moving_.inner_spin * kX.cross(moving_.ring_tilt)) /
+                                    transverse;
+      for (int k = 0; k < 2; ++k) {
+        q(tilt + k) = moving_.ring_tilt[1 + k];
+        v(tilt + k) = acceleration[1 + k];
+        size(layout_.border_velocity(tilt + k)) = gross(border_.ring_tilt) / transverse;
+      }
+    }
     v(kCageX) = border_.cage[0].net / cage_mass_;
     v(kCageY) = border_.cage[1].net / cage_mass_;
     v(kCageZ) = border_.cage[2].net / cage_mass_ - g;
@@ -468,7 +500,7 @@ class Bearing {
   Borders border_;
   Motion moving_;
   double phi_ = 0;
-  Vector3d unbalance_, cage_centre_, cage_axis_, ring_;
+  Vector3d unbalance_, cage_centre_, cage_axis_, ring_, ring_slope_;
   double cage_mass_ = 0, cage_polar_ = 0, cage_transverse_ = 0;
 };
 
@@ -478,6 +510,7 @@ StateLayout reference_layout(const Scene& scene) {
   StateLayout layout;
   layout.rollers = static_cast<int>(scene.bearing.roller_count);
   layout.groups = (layout.rollers + kLanes - 1) / kLanes;
+  if (scene.model.ring_tilt == "free") layout.ring_tilt = 2;
   return layout;
 }
 

@@ -143,6 +143,24 @@ TEST(Rungs, AFilmIsTakenAwayWhereTheSceneHasOneAndNeverAdded) {
   }
 }
 
+TEST(Rungs, AFreeRingIsHeldWhereTheSceneHasOne) {
+  Scene scene;
+  EXPECT_THAT(names_of(separate_rungs(scene)), Not(Contains("held-ring")));
+  scene.model.ring_tilt = "free";
+  scene.operation.tilting_moment_z = 2;
+  for (const Rung& rung : separate_rungs(scene)) {
+    const Scene on = on_rung(scene, rung);
+    EXPECT_EQ(on.model.ring_tilt, rung.name == "held-ring" ? "prescribed" : "free") << rung.name;
+    EXPECT_EQ(on.operation.tilting_moment_z, rung.name == "held-ring" ? 0 : 2) << rung.name;
+    EXPECT_NO_THROW(check_scene(on, "rung"));
+  }
+  EXPECT_THAT(names_of(separate_rungs(scene)), Contains("held-ring"));
+  for (const Rung& rung : climbing_rungs()) {
+    EXPECT_EQ(on_rung(scene, rung).model.ring_tilt, "free");
+    EXPECT_NO_THROW(check_scene(on_rung(scene, rung), "rung"));
+  }
+}
+
 TEST(Rungs, TheLowestGivesItsQuantitiesAndNoOthers) {
   const Scene scene = on_rung(Scene{}, climbing_rungs().front());
   const Outcome outcome = simulate(scene);

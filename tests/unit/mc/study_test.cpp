@@ -430,6 +430,10 @@ TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
   EXPECT_THAT(notes[0], HasSubstr("bearing.misalignment_z_mrad does nothing to planar rollers"));
   EXPECT_THAT(notes[1], HasSubstr("cage.pocket_squareness_mrad"));
   EXPECT_TRUE(model_notes(study_of("samples = 5\n[scene]\n" + squareness)).empty());
+  const std::string free = "samples = 5\n[scene]\nmodel.ring_tilt = 'free'\n";
+  EXPECT_TRUE(model_notes(study_of(free)).empty());
+  EXPECT_THAT(model_notes(study_of(free + "model.rollers = 'planar'\n")),
+              testing::ElementsAre(HasSubstr("free tilt of the inner ring")));
   const auto limits = study_notes(
       study_of("samples = 5\n[[limit]]\nquantity = 'pocket_force_peak_N'\nmax = 1\nsource = 's'\n"
                "[[limit]]\nquantity = 'ring_displacement_mean_um'\nmax = 1\nsource = 's'\n"

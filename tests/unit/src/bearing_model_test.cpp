@@ -77,13 +77,17 @@ TEST(BearingModel, StartIsInBalance) {
 
 TEST(BearingModel, RampsFollowStep) {
   Scene scene;
+  scene.operation.tilting_moment_y = 4;
+  scene.operation.tilting_moment_z = -6;
   scene.operation.load_ramp = 1e-3;
   scene.operation.speed_ramp = 2e-3;
   scene.operation.speed_ramp_from = 100;
   const BearingModel m = make_bearing_model(scene);
-  EXPECT_EQ(load_at(m, 0), 0);
-  EXPECT_DOUBLE_EQ(load_at(m, 0.5e-3), 500);
-  EXPECT_DOUBLE_EQ(load_at(m, 1), 1000);
+  EXPECT_EQ(load_at(m, 0).radial, 0);
+  EXPECT_DOUBLE_EQ(load_at(m, 0.5e-3).radial, 500);
+  EXPECT_DOUBLE_EQ(load_at(m, 0.5e-3).moment_y, 2);
+  EXPECT_DOUBLE_EQ(load_at(m, 0.5e-3).moment_z, -3);
+  EXPECT_DOUBLE_EQ(load_at(m, 1).radial, 1000);
   EXPECT_EQ(inner_speed_at(m, 0), 100);
   EXPECT_DOUBLE_EQ(inner_speed_at(m, 1e-3), (100 + scene.operation.inner_speed) / 2);
   EXPECT_DOUBLE_EQ(inner_speed_at(m, 1), scene.operation.inner_speed);

@@ -28,9 +28,9 @@ double rate_along_motion(const RandomBearing& b, const std::vector<double>& rate
 }
 
 /// Rigid and flexible cages, dry and oiled lands by turns.
-RandomBearing bearing(unsigned seed, bool planar) {
+RandomBearing bearing(unsigned seed, Freedom freedom) {
   return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
-                               .planar = planar,
+                               .freedom = freedom,
                                .guide_film = seed % 3 == 0 ? "short-bearing" : "none"});
 }
 
@@ -48,9 +48,10 @@ double differenced_net_power(const RandomBearing& b) {
                            [&](const std::vector<double>& y) { return net_power(system, b.t, y); });
 }
 
-class EnergyAccount : public testing::TestWithParam<bool> {};
-INSTANTIATE_TEST_SUITE_P(Rollers, EnergyAccount, testing::Bool(),
-                         [](const auto& test) { return test.param ? "planar" : "spatial"; });
+class EnergyAccount : public testing::TestWithParam<Freedom> {};
+INSTANTIATE_TEST_SUITE_P(Rollers, EnergyAccount,
+                         testing::Values(Freedom::spatial, Freedom::planar, Freedom::tilting),
+                         [](const auto& test) { return freedom_name(test.param); });
 
 TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredInEveryState) {
   double worst = 0;
@@ -70,7 +71,7 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredInEveryState) {
     // Planar rollers have little power to measure by: rounding spoils short differences, a contact
     // that opens or closes long ones.
     const std::vector<double> planar{2e-9, 8e-9}, spatial{2e-9};
-    for (const double step : GetParam() ? planar : spatial) {
+    for (const double step : GetParam() == Freedom::planar ? planar : spatial) {
       const double elastic = rate_along_motion(b, rates, step, [&](const std::vector<double>& y) {
         moved.linearise_at(b.t, y.data());
         return moved.seen.elastic_energy;
@@ -88,7 +89,8 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredInEveryState) {
 
 TEST(EnergyAccountOfContacts, ObservationAgreesWithTheReference) {
   for (unsigned seed = 0; seed < 60; ++seed) {
-    const RandomBearing b = random_bearing(seed);
+    const RandomBearing b =
+        random_bearing(seed, {.freedom = seed % 2 == 0 ? Freedom::spatial : Freedom::tilting});
     System system(b.model);
     system.linearise_at(b.t, b.y.data());
     const Reference reference = reference_rates(b.scene, b.t, b.y);
@@ -107,7 +109,7 @@ TEST(EnergyAccountOfContacts, ObservationAgreesWithTheReference) {
 TEST_P(EnergyAccount, NetPowerRateIsTheDerivativeAlongTheMotion) {
   double worst = 0;
   for (unsigned seed = 0; seed < 96; ++seed) {
-    RandomBearing b = bearing(seed, GetParam()), spatial = bearing(seed, false);
+    RandomBearing b = bearing(seed, GetParam()), spatial = bearing(seed, Freedom::spatial);
     b.t = spatial.t = 1;  // after every ramp
     System system(b.model);
     system.linearise_at(b.t, b.y.data());

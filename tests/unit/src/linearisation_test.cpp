@@ -51,17 +51,18 @@ double relative_difference(const RandomBearing& bearing, double step) {
 }
 
 /// Rigid and flexible cages by turns.
-RandomBearing bearing(unsigned seed, bool planar) {
-  return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5, .planar = planar});
+RandomBearing bearing(unsigned seed, Freedom freedom) {
+  return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5, .freedom = freedom});
 }
 
-class Linearisation : public testing::TestWithParam<bool> {};
-class NewtonMatrixOfRollers : public testing::TestWithParam<bool> {};
+class Linearisation : public testing::TestWithParam<Freedom> {};
+class NewtonMatrixOfRollers : public testing::TestWithParam<Freedom> {};
+const auto kFreedoms = testing::Values(Freedom::spatial, Freedom::planar, Freedom::tilting);
 
-INSTANTIATE_TEST_SUITE_P(Rollers, Linearisation, testing::Bool(),
-                         [](const auto& test) { return test.param ? "planar" : "spatial"; });
-INSTANTIATE_TEST_SUITE_P(Rollers, NewtonMatrixOfRollers, testing::Bool(),
-                         [](const auto& test) { return test.param ? "planar" : "spatial"; });
+INSTANTIATE_TEST_SUITE_P(Rollers, Linearisation, kFreedoms,
+                         [](const auto& test) { return freedom_name(test.param); });
+INSTANTIATE_TEST_SUITE_P(Rollers, NewtonMatrixOfRollers, kFreedoms,
+                         [](const auto& test) { return freedom_name(test.param); });
 
 TEST_P(Linearisation, RatesAreThoseOfTheRightHandSide) {
   for (unsigned seed = 0; seed < 60; ++seed) {
@@ -88,19 +89,21 @@ TEST_P(Linearisation, RatesAreThoseOfTheRightHandSide) {
 TEST_P(Linearisation, AgreesWithDifferencesButForStatedTerms) {
   double worst = 0;
   for (unsigned seed = 0; seed < 48; ++seed)
-    worst = std::max(worst, relative_difference(GetParam() ? random_bearing(seed, {.planar = true})
-                                                           : bearing(seed, false),
+    worst = std::max(worst, relative_difference(GetParam() == Freedom::planar
+                                                    ? random_bearing(seed, {.freedom = GetParam()})
+                                                    : bearing(seed, GetParam()),
                                                 1e-4));
   RecordProperty("worst", std::to_string(worst));
   EXPECT_LT(worst, 0.04);
 }
 
 /// Loaded races, the ring moving, rollers slipping a little.
-RandomBearing loaded_races(const char* law, const char* film, bool planar) {
+RandomBearing loaded_races(const char* law, const char* film, Freedom freedom) {
   RandomBearing b;
   b.scene.contact.race.law = law;
   b.scene.film.model = film;
-  if (planar) b.scene.model.rollers = "planar";
+  if (freedom == Freedom::planar) b.scene.model.rollers = "planar";
+  if (freedom == Freedom::tilting) b.scene.model.ring_tilt = "free";
   b.model = make_bearing_model(b.scene);
   const StateLayout& l = b.model.layout;
   b.y = start_state(b.model, b.scene.start);
@@ -142,7 +145,7 @@ TEST_P(Linearisation, AgreesWithDifferencesWhereEverythingIsOiled) {
     for (const char* film : {"series", "series-bounded"})
       worst = std::max(
           worst,
-          relative_difference(random_bearing(seed, {.planar = GetParam(), .film = film}), 1e-4));
+          relative_difference(random_bearing(seed, {.freedom = GetParam(), .film = film}), 1e-4));
   RecordProperty("worst", std::to_string(worst));
   EXPECT_LT(worst, 0.04);
 }

@@ -110,6 +110,13 @@ TEST(ModelCost, DryLandsAreNotDearerThanOiledOnes) {
   expect_not_dearer(dry, loaded(scene));
 }
 
+TEST(ModelCost, APrescribedTiltOfTheRingIsNotDearerThanAFreeOne) {
+  Scene scene = speed_scene();
+  const Bearing prescribed = loaded(scene);
+  scene.model.ring_tilt = "free";
+  expect_not_dearer(prescribed, loaded(scene));
+}
+
 TEST(ModelCost, ARigidCageIsNotDearerThanAFlexibleOne) {
   const RandomBearing rigid = random_bearing(3), flexible = random_bearing(3, {.modes = 20});
   expect_not_dearer({rigid.model, rigid.y}, {flexible.model, flexible.y});

@@ -32,8 +32,8 @@ TEST(NoAllocation, TheCounterCounts) {
 
 TEST(NoAllocation, InRightHandSideDerivativesAndSolution) {
   for (unsigned seed = 0; seed < 24; ++seed) {
-    const RandomBearing b =
-        random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5, .planar = seed % 4 / 2 == 1});
+    const RandomBearing b = random_bearing(
+        seed, {.modes = seed % 2 == 0 ? 0 : 5, .freedom = static_cast<Freedom>(seed / 2 % 3)});
     System system(b.model);
     NewtonMatrix newton(b.model);
     std::vector<double> rates(b.y.size());

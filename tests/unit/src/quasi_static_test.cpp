@@ -89,7 +89,7 @@ TEST(QuasiStatic, DefinesWhatEquilibriaDefineAndNothingElse) {
   scene.film.model = "series";  // is left out
   expect_defined({});
   scene.model.rollers = "planar";
-  expect_defined({"roller_tilt_p95_mrad"});
+  expect_defined({"roller_tilt_p95_mrad", "ring_tilt_mean_mrad"});
   EXPECT_FALSE(is_quasi_static_quantity("cage_slip_ratio"));
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
+#include "src/dynamics/bearing_model.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -105,6 +107,34 @@ TEST(SceneKeys, TheModelIsSpatialAndDynamicUnlessToldOtherwise) {
   EXPECT_TRUE(has_planar_rollers(scene_of("model.rollers = 'planar'\n")));
   EXPECT_TRUE(is_quasi_static(scene_of("model.motion = 'quasi-static'\n")));
   EXPECT_THAT(problem_of("model.motion = 'static'\n"), HasSubstr("choose from dynamic"));
+}
+
+TEST(SceneKeys, TheRingTiltsWhereItIsFreeTo) {
+  EXPECT_FALSE(has_free_ring_tilt(scene_of("")));
+  const std::string free = "model.ring_tilt = 'free'\n";
+  EXPECT_TRUE(has_free_ring_tilt(scene_of(free)));
+  EXPECT_FALSE(has_free_ring_tilt(scene_of(free + "model.rollers = 'planar'\n")));
+  const Scene scene = scene_of(free +
+                               "load.tilting_moment_z_N_m = 3\n[bearing]\n"
+                               "tilt_stiffness_N_m_rad = 2e4\ninner_ring_polar_inertia_kg_mm2 = 9\n"
+                               "inner_ring_transverse_inertia_kg_mm2 = 6\n");
+  const BearingModel model = make_bearing_model(scene);
+  EXPECT_EQ(model.load.moment_z, 3);
+  EXPECT_EQ(model.tilt_stiffness, 2e4);
+  EXPECT_DOUBLE_EQ(model.ring_polar, 9e-6);
+  EXPECT_DOUBLE_EQ(model.ring_transverse, 6e-6);
+}
+
+TEST(SceneMessages, ARingTiltThatTheModelDoesNotHave) {
+  const auto guided = problem_of("model.ring_tilt = 'free'\ncage.guidance = 'inner'\n");
+  EXPECT_THAT(guided, HasSubstr("t.toml:1: model.ring_tilt = \"free\": the lands of a cage do not "
+                                "follow the free tilt of the ring that guides it (cage.guidance = "
+                                "\"inner\")"));
+  EXPECT_THAT(guided, HasSubstr("remedy: set model.ring_tilt = \"prescribed\""));
+  const auto moment = problem_of("[load]\ntilting_moment_y_N_m = 2\n");
+  EXPECT_THAT(moment, HasSubstr("t.toml:2: load.tilting_moment_y_N_m = 2: a ring whose tilt is "
+                                "prescribed hands any moment on to its shaft"));
+  EXPECT_THAT(moment, HasSubstr("remedy: set model.ring_tilt = \"free\", or leave the moment out"));
 }
 
 TEST(SceneKeys, ADistributionCountsWithItsNominal) {

@@ -40,7 +40,7 @@ TEST_P(LoadDistribution, GivesTheNumbersToTheirOwnDigits) {
       angle[j] = -std::numbers::pi / 2 +
                  2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(c.rollers);
     StaticEquilibrium equilibrium(model);
-    const StaticState& rest = equilibrium.solve(angle.data(), 0, 1000);
+    const StaticState& rest = equilibrium.solve(angle.data(), 0, {1000});
     EXPECT_TRUE(rest.converged);
     EXPECT_NEAR(-rest.ring_z * 1e6, c.displacement_um, c.displacement_digit);
     EXPECT_NEAR(rest.inner_force[0], c.force, c.force_digit);
@@ -71,7 +71,7 @@ TEST(StaticEquilibrium, IsFoundAtEveryPositionOfTheReferenceBearing) {
           for (int k = 0; k < 104; ++k) {
             const auto angle = roller_angles(model, 2 * std::numbers::pi * k / 104);
             const StaticState& rest = equilibrium.solve(
-                angle.data(), kinematic_cage_speed(model, model.inner_speed), load, motion);
+                angle.data(), kinematic_cage_speed(model, model.inner_speed), {load}, motion);
             EXPECT_TRUE(rest.converged)
                 << film << ", " << viscosity << " Pa s, " << load << " N, position " << k;
           }
@@ -91,7 +91,7 @@ TEST(StaticEquilibrium, RestsOnTheFilmsOfTheLoadedRoller) {
     for (std::size_t j = 0; j < angle.size(); ++j)
       angle[j] = -std::numbers::pi / 2 + 2 * std::numbers::pi * static_cast<double>(j) / 3;
     StaticEquilibrium equilibrium(model);
-    return equilibrium.solve(angle.data(), 250, 1000).ring_z;
+    return equilibrium.solve(angle.data(), 250, {1000}).ring_z;
   };
   const BearingModel model = make_bearing_model(scene);
   scene.film.model = "series";
