@@ -69,8 +69,8 @@ std::vector<double> error_scales(const BearingModel& m) {
     set(l.border_velocity(i), kSpeedScale / lever[i]);
   }
   for (int k = 0; k < l.ring_tilt; ++k) {
-    set(l.border_position(l.ring_tilt_slot() + k), kLength / half);
-    set(l.border_velocity(l.ring_tilt_slot() + k), kSpeed / half);
+    set(l.border_position(l.ring_tilt_slot() + k), kLengthScale / half);
+    set(l.border_velocity(l.ring_tilt_slot() + k), kSpeedScale / half);
   }
   for (int k = 0; k < l.modes; ++k) {
     const double moved = m.flexible.scale[static_cast<std::size_t>(k)];
