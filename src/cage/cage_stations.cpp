@@ -164,7 +164,6 @@ std::vector<int> stress_stations(const SectorGrid& grid) {
   // Forces off the middle put the largest moment of a bar between middle and root. Side rings bend
   // most just off the bars' roots: an edge's own corner averages the stress of three elements.
   const double between = nearest_line(grid, &SectorPoint::axial, 0.4);
-  const double under_load = nearest_line(grid, &SectorPoint::axial, 0.78);
   const double half_way = nearest_line(grid, &SectorPoint::around, 0.5);
   const double next_to_root = nearest_line(grid, &SectorPoint::axial, 0.999);
   const double off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
@@ -176,8 +175,9 @@ std::vector<int> stress_stations(const SectorGrid& grid) {
     const double around = std::abs(point.around);
     const double axial = std::abs(point.axial);
     const bool corner = around == 1 && axial == 1 && surface;
+    const bool under_load = axial > 0.55 && axial < 0.8;  // of the outermost bar station
     const bool bar_middle =
-        around == 1 && (axial == 0 || axial == between || axial == under_load) && surface;
+        around == 1 && (axial == 0 || axial == between || under_load) && surface;
     const bool bar_root = around == 1 && axial == next_to_root;
     const bool side_ring = surface && ((around == 0 && (axial == 1 || axial == 2)) ||
                                        (around == half_way && axial == 2));
