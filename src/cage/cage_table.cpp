@@ -22,7 +22,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
               const std::function<void(double)>& progress) {
   const SectorTurn& turn = table.turn;
-  const std::vector<int> watched = stress_stations(grid);
+  const std::vector<int> watched = stress_stations(table.cage, table.stations, grid);
   const auto samples = polynomial_samples(table.range);
   const auto count = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd projection(share_layout(turn).size, count);
@@ -84,7 +84,7 @@ void complete_cage_table(CageTable& table, const CageDimensions& cage, const Mat
   table.range = table_range(table.cage);
   const SectorGrid grid = make_sector_grid(table.counts);
   table.stress_points.clear();
-  for (int p : stress_stations(grid)) {
+  for (int p : stress_stations(table.cage, stations, grid)) {
     table.stress_points.push_back(grid.points[static_cast<std::size_t>(p)]);
   }
 }

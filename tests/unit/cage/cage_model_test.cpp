@@ -145,7 +145,7 @@ TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
     double peak = 0;
     for (long j = 0; j < 13; ++j) {
       std::vector<int> watched;
-      for (int p : stress_stations(full.mesh.grid)) {
+      for (int p : stress_stations(table().cage, table().stations, full.mesh.grid)) {
         watched.push_back(
             full.mesh.sector_node[static_cast<std::size_t>(j)][static_cast<std::size_t>(p)]);
       }
