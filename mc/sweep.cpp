@@ -244,7 +244,6 @@ void Sweep::prepare(const std::function<SweepPlan()>& make_plan, bool mpi_runs) 
     open_journal();
     for (const StoredOutcome& outcome : directory_->only_in_study_file())
       journal_->finished(outcome);
-    if (plan_.prepare) plan_.prepare();
     if (!mpi_runs) run_suspects(plan_, directory_->stored(), *journal_);
   });
 }
@@ -253,9 +252,8 @@ int Sweep::run(const Team& team) {
   const bool leads = launch_.rank == 0;
   if (const int code = agreed(team, problem_)) return leads ? code : 0;
   problem_ = problem_of([&] {
-    if (leads) return;
-    if (plan_.prepare) plan_.prepare();
-    open_journal();
+    if (!leads) open_journal();
+    if (plan_.prepare) plan_.prepare(team.rank(), team.size());
   });
   if (const int code = agreed(team, problem_)) return leads ? code : 0;
 

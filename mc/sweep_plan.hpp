@@ -19,9 +19,9 @@ struct SweepPlan {
   DesignColumns columns;
   std::uint64_t rows = 0;     ///< of the design
   std::uint64_t samples = 0;  ///< ids are 0 .. samples-1
-  /// Makes what all samples share and takes long. Called once on each rank before its first sample,
-  /// on rank 0 before the others, which find kept what it made. May be empty.
-  std::function<void()> prepare;
+  /// Makes what samples share and takes long, and keeps it where all ranks find it: each rank makes
+  /// its part, before the first sample of any. May be empty.
+  std::function<void(int rank, int ranks)> prepare;
   std::function<Sample(std::uint64_t id)> draw;
   std::function<SampleRun(const Sample&, const StopRequested&)> job;
 };

@@ -17,7 +17,7 @@ struct CageTable;
 /// What a run may be given beside its scene.
 struct SimulateOptions {
   /// Of the flexible cage (src/cage/scene_cage.hpp). Without one it is made from the scene's own
-  /// pockets, which takes half a minute; a study's samples share the table of the nominal scene.
+  /// pockets, which takes some seconds; samples of a study share the tables of the nominal scene.
   std::shared_ptr<const CageTable> cage_table = {};
   /// Called at every accepted state, linearised (src/integration/system.hpp): time histories,
   /// tests.

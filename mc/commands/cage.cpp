@@ -76,10 +76,14 @@ int run_cage(const CageArguments& options) {
   log_to_stderr();
   const Scene scene = read_study(options.file, options.settings).scene;
   const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
-  const auto deviations = options.deviations.empty()
-                              ? pocket_deviations(scene.cage, cage)
-                              : read_pocket_deviations(options.deviations, cage.pocket_count);
-  const auto result = cage_report(*kept_cage_table(scene), deviations, scene.cage.modes);
+  Scene sample = scene;
+  if (!options.deviations.empty())
+    deviate_pockets(sample.cage, cage,
+                    read_pocket_deviations(options.deviations, cage.pocket_count));
+  CageTables tables(scene);
+  const auto table = tables.of(sample);
+  const auto result = cage_report(*tables.of(scene), *table,
+                                  pocket_deviations(sample.cage, table->cage), scene.cage.modes);
   if (const auto* fault = std::get_if<CageFault>(&result)) {
     const std::string& file = options.deviations.empty() ? options.file : options.deviations;
     throw InputError({file, 0}, fmt::format("pocket {} (the first is 0)", fault->pocket), "",

@@ -77,7 +77,7 @@ Json peak_json(const std::filesystem::path& sweep_directory, const StudyData& st
   const StoredSample stored =
       read_stored_sample(sweep_directory.string(), static_cast<std::uint64_t>(sample));
   SimulateOptions options;
-  options.cage_table = kept_cage_table(stored.study.scene);
+  options.cage_table = CageTables(stored.study.scene).of(stored.sample.scene);
   const SampleRun again = run_sample(stored.study, stored.sample, options);
   if (!outcome_differences(stored.stored.value(),
                            make_stored_outcome(stored.sample.id, again, 0, 0))

@@ -171,7 +171,7 @@ std::vector<Outcome> run_rung(const std::vector<Scene>& scenes, const Rung& rung
   std::vector<Scene> set;
   for (const Scene& scene : scenes) set.push_back(on_rung(scene, rung));
   SimulateOptions options;
-  if (is_flexible(set.front())) options.cage_table = kept_cage_table(set.front());
+  if (is_flexible(set.front())) options.cage_table = CageTables(set.front()).of(set.front());
   return simulate_all(set, threads, options);
 }
 

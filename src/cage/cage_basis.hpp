@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include "src/cage/cage_grid.hpp"
 #include "src/cage/cage_modes.hpp"
 #include "src/cage/cage_stations.hpp"
 #include "src/cage/sector_carry.hpp"
@@ -22,6 +23,7 @@ namespace cagetol {
 
 struct CageTableOptions {
   long density = 4;           ///< of the mesh, see mesh_counts
+  GridPoint point = {};       ///< of the table's undeviated pocket
   long basis_modes = 36;      ///< elastic modes of the undeviated cage in the basis
   long corrections = 2;       ///< correction fields per pocket
   long corrected_modes = 16;  ///< lowest elastic modes for which the corrections are chosen

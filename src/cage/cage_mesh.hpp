@@ -126,4 +126,8 @@ CageDimensions cage_dimensions(const CageGeometry& geometry, long pocket_count);
 std::vector<PocketDeviation> pocket_deviations(const CageGeometry& geometry,
                                                const CageDimensions& cage);
 
+/// Gives a scene's pockets these deviations from the undeviated pocket of `cage`.
+void deviate_pockets(CageGeometry& geometry, const CageDimensions& cage,
+                     const std::vector<PocketDeviation>& deviations);
+
 }  // namespace cagetol

@@ -20,16 +20,20 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 /// Which deviation of a pocket the table does not cover; empty where it covers all.
-std::string beyond_range(const PocketDeviation& deviation, const PocketDeviation& range) {
+std::string beyond_range(const PocketDeviation& deviation, const CageTable& table) {
+  const PocketDeviation& range = table.range;
   if (inside_range(deviation, range)) return "";
-  const auto text = [](const char* what, double value, double limit, const char* unit) {
-    return fmt::format("{} deviates by {:.4g} {}, the cage table covers +-{:.4g} {}", what,
-                       1e3 * value, unit, 1e3 * limit, unit);
+  const auto text = [](const char* what, double value, double limit, const std::string& unit) {
+    return fmt::format("{} deviates by {:.4g} {}, the cage table covers +-{:.4g}", what,
+                       1e3 * value, unit, 1e3 * limit);
+  };
+  const auto from = [](double undeviated) {
+    return fmt::format("mm from {:.5g}", 1e3 * undeviated);
   };
   if (std::abs(deviation.width) > range.width)
-    return text("pocket width", deviation.width, range.width, "mm");
+    return text("pocket width", deviation.width, range.width, from(table.cage.pocket_width));
   if (std::abs(deviation.length) > range.length)
-    return text("pocket length", deviation.length, range.length, "mm");
+    return text("pocket length", deviation.length, range.length, from(table.cage.pocket_length));
   if (std::abs(deviation.pitch) > range.pitch)
     return text("pocket pitch", deviation.pitch, range.pitch, "mrad");
   return text("pocket squareness", deviation.squareness, range.squareness, "mrad");
@@ -42,7 +46,7 @@ std::optional<CageFault> model_fault(const CageTable& table,
   }
   if (auto fault = cage_fault(table.cage, deviations)) return fault;
   for (std::size_t j = 0; j < deviations.size(); ++j) {
-    const std::string reason = beyond_range(deviations[j], table.range);
+    const std::string reason = beyond_range(deviations[j], table);
     if (!reason.empty()) {
       return CageFault{CageFaultKind::outside_table, static_cast<int>(j), reason};
     }

@@ -30,9 +30,10 @@ struct CageReport {
       0;  ///< one per-sample model, stress rows included, likewise, median of many
 };
 
-/// Solves the cage with these pockets both ways and keeps `modes` elastic modes. A fault where the
-/// pockets leave no valid cage.
-std::variant<CageReport, CageFault> cage_report(const CageTable& table,
+/// Solves the cage with these pockets both ways and keeps `modes` elastic modes. `undeviated` is
+/// the table of the scene, `table` the one that serves the cage, from which `deviations` are. A
+/// fault where the pockets leave no valid cage.
+std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, const CageTable& table,
                                                 const std::vector<PocketDeviation>& deviations,
                                                 long modes);
 

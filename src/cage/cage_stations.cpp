@@ -160,24 +160,26 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
   return rows;
 }
 
-std::vector<int> stress_stations(const SectorGrid& grid) {
+std::vector<int> stress_stations(const CageDimensions& cage, const CageStations& stations,
+                                 const SectorGrid& grid) {
   // Forces off the middle put the largest moment of a bar between middle and root. Side rings bend
   // most just off the bars' roots: an edge's own corner averages the stress of three elements.
   const double between = nearest_line(grid, &SectorPoint::axial, 0.4);
-  const double under_load = nearest_line(grid, &SectorPoint::axial, 0.78);
   const double half_way = nearest_line(grid, &SectorPoint::around, 0.5);
   const double next_to_root = nearest_line(grid, &SectorPoint::axial, 0.999);
   const double off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
   const double in_bore = 1 / static_cast<double>(grid.counts.radial);  // the first line inside
-  std::vector<int> stations;
+  // Rollers push on the bars nearer to one surface.
+  const double loaded = std::round(bar_station(cage, stations, 1, 0).radial);
+  std::vector<int> watched;
   for (std::size_t p = 0; p < grid.points.size(); ++p) {
     const SectorPoint& point = grid.points[p];
     const bool surface = point.radial == 0 || point.radial == 1;
     const double around = std::abs(point.around);
     const double axial = std::abs(point.axial);
     const bool corner = around == 1 && axial == 1 && surface;
-    const bool bar_middle =
-        around == 1 && (axial == 0 || axial == between || axial == under_load) && surface;
+    const bool bar_middle = around == 1 && surface && (axial == 0 || axial == between);
+    const bool under_load = around == 1 && point.radial == loaded && axial > 0.55 && axial < 0.82;
     const bool bar_root = around == 1 && axial == next_to_root;
     const bool side_ring = surface && ((around == 0 && (axial == 1 || axial == 2)) ||
                                        (around == half_way && axial == 2));
@@ -185,10 +187,10 @@ std::vector<int> stress_stations(const SectorGrid& grid) {
     const bool over_bar =
         point.radial == 0 && axial == 2 && (around == 1 || point.around == 2 || around == off_bar);
     const bool side_root = around == off_bar && axial == 1 && (surface || point.radial == in_bore);
-    if (corner || bar_middle || bar_root || side_ring || over_bar || side_root)
-      stations.push_back(static_cast<int>(p));
+    if (corner || bar_middle || under_load || bar_root || side_ring || over_bar || side_root)
+      watched.push_back(static_cast<int>(p));
   }
-  return stations;
+  return watched;
 }
 
 std::string station_name(const SectorPoint& point) {

@@ -64,9 +64,10 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
                              const Eigen::MatrixXd& sector_fields);
 
 /// Grid points at which the stress can be largest: the pocket's four corners, the bar faces at and
-/// beside the middle and, at every depth, beside the root, the side rings' edges at the pocket's
-/// middle and beside the bars.
-std::vector<int> stress_stations(const SectorGrid& grid);
+/// beside the middle, under the outermost bar stations and, at every depth, beside the root, the
+/// side rings' edges at the pocket's middle and beside the bars.
+std::vector<int> stress_stations(const CageDimensions& cage, const CageStations& stations,
+                                 const SectorGrid& grid);
 
 /// "pocket corner, leading face, x > 0, outer surface" and the like, for reports.
 std::string station_name(const SectorPoint& point);

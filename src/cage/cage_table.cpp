@@ -22,7 +22,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
               const std::function<void(double)>& progress) {
   const SectorTurn& turn = table.turn;
-  const std::vector<int> watched = stress_stations(grid);
+  const std::vector<int> watched = stress_stations(table.cage, table.stations, grid);
   const auto samples = polynomial_samples(table.range);
   const auto count = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd projection(share_layout(turn).size, count);
@@ -77,14 +77,14 @@ void spin_integrals(CageTable& table, const CageMesh& mesh, const Eigen::MatrixX
 
 void complete_cage_table(CageTable& table, const CageDimensions& cage, const Material& material,
                          const CageStations& stations, const CageTableOptions& options) {
-  table.cage = cage;
+  table.cage = cage_at(cage, options.point);
   table.material = material;
   table.stations = stations;
   table.counts = mesh_counts(cage, options.density);
-  table.range = table_range(cage);
+  table.range = table_range(table.cage);
   const SectorGrid grid = make_sector_grid(table.counts);
   table.stress_points.clear();
-  for (int p : stress_stations(grid)) {
+  for (int p : stress_stations(table.cage, stations, grid)) {
     table.stress_points.push_back(grid.points[static_cast<std::size_t>(p)]);
   }
 }
@@ -100,7 +100,7 @@ CageTable make_cage_table(const CageDimensions& cage, const Material& material,
   CageTable table;
   complete_cage_table(table, cage, material, stations, options);
   const std::vector<PocketDeviation> none(static_cast<std::size_t>(cage.pocket_count));
-  const auto meshed = make_cage_mesh(cage, none, table.counts);
+  const auto meshed = make_cage_mesh(table.cage, none, table.counts);
   if (const auto* fault = std::get_if<CageFault>(&meshed)) {
     throw std::runtime_error("cage: the undeviated cage is impossible: " + fault->reason);
   }

@@ -18,7 +18,7 @@
 namespace cagetol {
 
 struct CageTable {
-  CageDimensions cage;
+  CageDimensions cage;  ///< with undeviated pockets
   Material material;
   CageStations stations;
   MeshCounts counts;
@@ -51,7 +51,9 @@ struct CageTableNews {
   std::function<void(const std::string&)> warning;  ///< why the table could not be kept
 };
 
-/// Throws std::runtime_error where the undeviated cage itself cannot be meshed.
+/// The table whose undeviated pocket is that of `options.point`, on the grid around the pocket of
+/// `cage`. All points have the elements of `cage`, lest stresses at corners step from one to the
+/// next. Throws std::runtime_error where the undeviated cage itself cannot be meshed.
 CageTable make_cage_table(const CageDimensions& cage, const Material& material,
                           const CageStations& stations, const CageTableOptions& options = {},
                           const CageTableNews& news = {});

@@ -13,7 +13,7 @@
 namespace cagetol {
 namespace {
 
-constexpr const char* kMagic = "cagetol cage table 6\n";
+constexpr const char* kMagic = "cagetol cage table 7\n";
 
 /// FNV-1a over the bit patterns of numbers.
 class Hash {
@@ -153,6 +153,8 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
         static_cast<double>(options.corrected_modes), static_cast<double>(options.reach)}) {
     hash.add(value);
   }
+  for (long steps : {options.point.width, options.point.length})
+    hash.add(static_cast<double>(steps));
   for (double x : stations.bar_x) hash.add(x);
   for (double half : stations.bar_half) hash.add(half);
   char text[20];

@@ -20,13 +20,18 @@ bool close(double a, double b) {
 
 }  // namespace
 
-std::shared_ptr<const CageTable> make_scene_cage_table(const Scene& nominal,
+GridPoint table_point(const Scene& nominal, const Scene& sample) {
+  const CageDimensions cage = cage_dimensions(nominal.cage, nominal.bearing.roller_count);
+  return nearest_point(cage, pocket_deviations(sample.cage, cage));
+}
+
+std::shared_ptr<const CageTable> make_scene_cage_table(const Scene& nominal, const GridPoint& point,
                                                        const std::filesystem::path& folder,
                                                        const CageTableNews& news) {
   const CageDimensions cage = cage_dimensions(nominal.cage, nominal.bearing.roller_count);
   const Material material = tabulated_material(nominal);
   const CageStations stations = cage_stations(nominal);
-  const CageTableOptions options = {.density = nominal.cage.mesh_density};
+  const CageTableOptions options = {.density = nominal.cage.mesh_density, .point = point};
   return std::make_shared<const CageTable>(
       folder.empty() ? make_cage_table(cage, material, stations, options, news)
                      : cached_cage_table(folder, cage, material, stations, options, news));

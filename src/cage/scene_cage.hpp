@@ -14,10 +14,14 @@ inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == "flexible";
 }
 
-/// The table of a scene's cage; its undeviated pocket is the mean of the scene's. Read from
-/// `folder` where it is already there, else made (half a minute) and, with a folder, kept there. A
-/// cage.mass_kg given in the scene scales the density.
+/// Of the tables of a scene's cage, the one that serves a sample of the scene.
+GridPoint table_point(const Scene& nominal, const Scene& sample);
+
+/// The table of a scene's cage at a point of the grid around the mean of the scene's pockets. Read
+/// from `folder` where it is already there, else made (some seconds) and, with a folder, kept
+/// there. A cage.mass_kg given in the scene scales the density.
 std::shared_ptr<const CageTable> make_scene_cage_table(const Scene& nominal,
+                                                       const GridPoint& point = {},
                                                        const std::filesystem::path& folder = {},
                                                        const CageTableNews& news = {});
 

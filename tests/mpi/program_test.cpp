@@ -55,6 +55,37 @@ TEST(ProgramTest, AnyNumberOfRanksGivesTheSameFileAndEverySampleReplaysToTheBit)
   }
 }
 
+/// Pocket widths of cages from -0.2 to 0.2 mm need several cage tables, which ranks make together.
+TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
+  const ScratchDirectory scratch;
+  const auto sweep = [&](const std::string& directory) {
+    auto command = sweep_of(kStudy, directory, "scene.cage.model='flexible'");
+    for (const char* setting :
+         {"scene.cage.mesh_density=1", "scene.cage.modes=6",
+          "scene.cage.pocket_width_mm.lot={law='uniform', lower=-0.2, upper=0.2}"})
+      command.insert(command.end(), {"--set", setting});
+    return command;
+  };
+  const auto cached = [](const std::string& folder, std::vector<std::string> command) {
+    command.insert(command.begin(), {"env", "CAGETOL_CACHE=" + folder});
+    return command;
+  };
+  const Ended serial = run(cached(scratch / "cache-1", sweep(scratch / "1")));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  EXPECT_THAT(serial.output, HasSubstr("making cage table 3 of "));
+  const Ended shared = run(cached(scratch / "cache-2", with_mpirun(2, sweep(scratch / "2"))));
+  ASSERT_EQ(shared.code, 0) << shared.output;
+  EXPECT_THAT(study_file_differences(study_file_of(scratch / "1"), study_file_of(scratch / "2")),
+              IsEmpty());
+  for (const char* id : {"0", "3", "5"}) {
+    const Ended replay =
+        run(cached(scratch / ("alone-" + std::string(id)),
+                   {CAGETOL_BINARY_DIR "/cagetol", "replay", scratch / "2", "--sample", id}));
+    EXPECT_THAT(replay.output, HasSubstr("reproduced to the bit"));
+    EXPECT_THAT(replay.output, HasSubstr("making a cage table"));
+  }
+}
+
 TEST(ProgramTest, AnotherSeedIsRefusedWithKeyAndBothValues) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run(sweep_of(kStudy, scratch / "out")).code, 0);

@@ -36,4 +36,14 @@ inline std::vector<PocketDeviation> scattered_pockets(unsigned seed) {
   return deviations;
 }
 
+/// Deviations from the default cage as deviations from the undeviated pocket of one of its tables.
+inline std::vector<PocketDeviation> deviations_from(const CageTable& table,
+                                                    std::vector<PocketDeviation> deviations) {
+  for (PocketDeviation& deviation : deviations) {
+    deviation.width += CageDimensions{}.pocket_width - table.cage.pocket_width;
+    deviation.length += CageDimensions{}.pocket_length - table.cage.pocket_length;
+  }
+  return deviations;
+}
+
 }  // namespace cagetol::test

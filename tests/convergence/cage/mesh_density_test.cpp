@@ -64,7 +64,7 @@ double stress_under(long density, Eigen::Index station) {
   const Eigen::VectorXd moved =
       free_static_response(body, factor, free_modes(mesh.mesh, body, factor, 1).rigid, load);
   double largest = 0;
-  for (const int point : stress_stations(mesh.grid))
+  for (const int point : stress_stations(cage, {}, mesh.grid))
     largest = std::max(
         largest, von_mises(nodal_stress(mesh.mesh, steel, moved,
                                         {mesh.sector_node[0][static_cast<std::size_t>(point)]})
@@ -91,7 +91,7 @@ TEST(CageReport, DefaultSceneMeetsItsBars) {
                        7.70e-3, 7.63e-3, 7.66e-3, 7.72e-3, 7.58e-3, 7.62e-3};
   const CageDimensions dimensions = cage_dimensions(cage, 13);
   const CageTable table = make_cage_table(dimensions, cage.material, {}, {.density = 2});
-  const auto result = cage_report(table, pocket_deviations(cage, dimensions), cage.modes);
+  const auto result = cage_report(table, table, pocket_deviations(cage, dimensions), cage.modes);
   const CageReport& report = std::get<CageReport>(result);
   EXPECT_EQ(report.modes.size(), 20U);
   EXPECT_EQ(report.modes[0].family, "in-plane 2");

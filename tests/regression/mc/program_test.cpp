@@ -202,7 +202,7 @@ TEST(Program, CagePrintsModesAndSaysWhichPocketIsWrong) {
   const auto far = cage(rows + "0.45,0,0,0\n");
   EXPECT_EQ(far.code, 2);
   EXPECT_THAT(far.output, HasSubstr("pockets.csv: pocket 12 (the first is 0): pocket width "
-                                    "deviates by 0.45 mm, the cage table covers"));
+                                    "deviates by 0.3728 mm from 7.7272, the cage table covers"));
 }
 
 TEST(Program, AJamIsAnOutcome) {

@@ -178,6 +178,26 @@ TEST(FlexibleCage, ImpossiblePocketsAreAnOutcome) {
   EXPECT_EQ(run(scene).status, Status::failed);
 }
 
+/// What becomes of a cage whose pockets are all wider, at the table that serves it.
+std::variant<std::shared_ptr<const CageModel>, CageFault> wider_cage(double by) {
+  Scene scene = coarse_scene();
+  for (double& width : scene.cage.pocket_width) width += by;
+  return scene_cage_model(
+      scene, *make_scene_cage_table(coarse_scene(), table_point(coarse_scene(), scene)));
+}
+
+TEST(FlexibleCage, PocketsThatAreAllWiderThanTheNominalTableCoversHaveATableUpToAFault) {
+  EXPECT_GT(0.4e-3, coarse_table()->range.width);
+  EXPECT_TRUE(std::holds_alternative<std::shared_ptr<const CageModel>>(wider_cage(0.4e-3)));
+  for (const auto& [by, kind] : {std::pair{0.6e-3, CageFaultKind::outside_table},
+                                 std::pair{2e-3, CageFaultKind::geometry}}) {
+    const auto made = wider_cage(by);
+    ASSERT_TRUE(std::holds_alternative<CageFault>(made)) << by;
+    EXPECT_EQ(std::get<CageFault>(made).kind, kind);
+    EXPECT_EQ(std::get<CageFault>(made).pocket, 0);
+  }
+}
+
 TEST(CageStress, IsTheLargestStationStressAndNeverAboveItsBound) {
   const Scene scene = coarse_scene();
   auto made = scene_cage_model(scene, *coarse_table());

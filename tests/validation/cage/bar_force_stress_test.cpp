@@ -26,7 +26,7 @@ TEST(BarForceStress, IsThatOfTheWholeCageAtEveryStation) {
                     Eigen::MatrixXd::Zero(13 * 6, forces), Eigen::VectorXd::Zero(forces)};
   for (Eigen::Index i = 0; i < forces; ++i) states.bar_force(first + i, i) = 1;
   const auto recovery = std::get<CageRecovery>(recover_cage(*table, deviations, states));
-  const std::vector<int> points = stress_stations(recovery.mesh.grid);
+  const std::vector<int> points = stress_stations(table->cage, table->stations, recovery.mesh.grid);
   double worst = 0;
   for (Eigen::Index i = 0; i < forces; ++i) {
     const auto full =

@@ -12,15 +12,18 @@
 namespace cagetol {
 namespace {
 
-/// Errors of the reported peak at instants of a run, rising; `all`: what every pocket deviates by.
-std::vector<double> peak_errors(Scene scene, const PocketDeviation& all = {}) {
+/// Errors of the reported peak at instants of a run, rising; `all`: what every pocket deviates by,
+/// `measured`: length of the run [s].
+std::vector<double> peak_errors(Scene scene, const PocketDeviation& all = {},
+                                double measured = 50e-3) {
   scene.cage.model = "flexible";
   scene.window.settle_time = 1e-3;
-  scene.window.measure_time = 50e-3;
+  scene.window.measure_time = measured;
   scene.watch.static_consistency_max = 1;
-  const auto table = make_scene_cage_table(scene);
+  const Scene nominal = scene;
   for (double& width : scene.cage.pocket_width) width += all.width;
   for (double& length : scene.cage.pocket_length) length += all.length;
+  const auto table = make_scene_cage_table(nominal, table_point(nominal, scene));
   std::vector<Eigen::VectorXd> q, force;
   std::vector<double> spin;
   SimulateOptions options{.cage_table = table};
@@ -81,26 +84,41 @@ TEST(RunPeakStress, OfScatteredPocketsToo) {
   EXPECT_LT(errors.back(), 0.03);
 }
 
-/// As far as Xin et al. go: beyond what the model is made for, and known how far.
+/// Of cages of the scene whose pockets are all wider and longer [m].
+void expect_within_three_percent(const Scene& scene, double width, double length) {
+  const auto errors = peak_errors(scene, {.width = width, .length = length}, 100e-3);
+  ASSERT_GE(errors.size(), 50U);
+  std::printf(
+      "width %+.3f, length %+.3f mm: half within %.1f %%, 90 %% within %.1f %%, all %.1f %%\n",
+      1e3 * width, 1e3 * length, 100 * part(errors, 0.5), 100 * part(errors, 0.9),
+      100 * errors.back());
+  EXPECT_LT(part(errors, 0.5), 0.01);
+  EXPECT_LT(errors.back(), 0.03);
+}
+
+Scene wide_pockets() {
+  Scene scene;
+  scene.cage.pocket_width = {7.80e-3};
+  scene.cage.pocket_length = {9.40e-3};
+  return scene;
+}
+
+/// As far as Xin et al. go.
 TEST(RunPeakStress, OfCagesThatDeviateAsAWhole) {
-  struct Case {
-    double width, length;  // [m]
-  };
-  for (const auto& [width, length] :
-       {Case{0, -0.25e-3}, Case{0, 0.25e-3}, Case{-0.2e-3, 0}, Case{0.2e-3, 0}}) {
-    Scene scene;
-    scene.cage.pocket_width = {7.80e-3};
-    scene.cage.pocket_length = {9.40e-3};
-    const auto errors = peak_errors(scene, {.width = width, .length = length});
-    ASSERT_GE(errors.size(), 20U);
-    std::printf(
-        "width %+.2f, length %+.2f mm: half within %.1f %%, 90 %% within %.1f %%, all %.1f %%\n",
-        1e3 * width, 1e3 * length, 100 * part(errors, 0.5), 100 * part(errors, 0.9),
-        100 * errors.back());
-    EXPECT_LT(part(errors, 0.5), 0.03);
-    EXPECT_LT(part(errors, 0.9), 0.1);
-    EXPECT_LT(errors.back(), 0.13);
-  }
+  expect_within_three_percent(wide_pockets(), 0, -0.25e-3);
+  expect_within_three_percent(wide_pockets(), 0, 0.25e-3);
+  expect_within_three_percent(wide_pockets(), -0.2e-3, 0);
+  expect_within_three_percent(wide_pockets(), 0.2e-3, 0);
+}
+
+TEST(RunPeakStress, HalfWayBetweenThePocketsOfFourTables) {
+  const Scene scene = wide_pockets();
+  const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
+  const CageDimensions next = cage_at(cage, {1, 1});
+  const double width = 0.4999 * (next.pocket_width - cage.pocket_width);
+  const double length = 0.4999 * (next.pocket_length - cage.pocket_length);
+  for (const double a : {-width, width})
+    for (const double b : {-length, length}) expect_within_three_percent(scene, a, b);
 }
 
 }  // namespace
