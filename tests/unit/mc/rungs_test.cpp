@@ -33,7 +33,7 @@ TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   const Scene plane = on_rung(Scene{}, rungs[1]);
   EXPECT_TRUE(has_planar_rollers(plane));
   EXPECT_FALSE(is_quasi_static(plane));
-  EXPECT_EQ(plane.integration.tolerance, 0.005);
+  EXPECT_EQ(plane.integration.tolerance, 0.002);
   EXPECT_EQ(on_rung(plane, rungs[2]).integration.tolerance, 0.02);
   EXPECT_FALSE(has_planar_rollers(on_rung(plane, rungs[2])));
   EXPECT_FALSE(has_planar_rollers(top) || is_quasi_static(top));
