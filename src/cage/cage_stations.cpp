@@ -171,6 +171,8 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
   const double in_bore = 1 / static_cast<double>(grid.counts.radial);  // the first line inside
   // Rollers push on the bars nearer to one surface.
   const double loaded = std::round(bar_station(cage, stations, 1, 0).radial);
+  // Lines on both sides of the middle differ by rounding.
+  const auto on = [](double value, double line) { return std::abs(value - line) < 1e-9; };
   std::vector<int> watched;
   for (std::size_t p = 0; p < grid.points.size(); ++p) {
     const SectorPoint& point = grid.points[p];
@@ -178,15 +180,16 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
     const double around = std::abs(point.around);
     const double axial = std::abs(point.axial);
     const bool corner = around == 1 && axial == 1 && surface;
-    const bool bar_middle = around == 1 && surface && (axial == 0 || axial == between);
+    const bool bar_middle = around == 1 && surface && (axial == 0 || on(axial, between));
     const bool under_load = around == 1 && point.radial == loaded && axial > 0.55 && axial < 0.82;
-    const bool bar_root = around == 1 && axial == next_to_root;
-    const bool side_ring = surface && ((around == 0 && (axial == 1 || axial == 2)) ||
-                                       (around == half_way && axial == 2));
+    const bool bar_root = around == 1 && on(axial, next_to_root);
+    const bool side_ring = (surface && around == 0 && (axial == 1 || axial == 2)) ||
+                           (point.radial == 0 && on(around, half_way) && axial == 2);
     // Out-of-plane bending: the ring's end face over the bars and beside them.
-    const bool over_bar =
-        point.radial == 0 && axial == 2 && (around == 1 || point.around == 2 || around == off_bar);
-    const bool side_root = around == off_bar && axial == 1 && (surface || point.radial == in_bore);
+    const bool over_bar = point.radial == 0 && axial == 2 &&
+                          (around == 1 || point.around == 2 || on(around, off_bar));
+    const bool side_root =
+        on(around, off_bar) && axial == 1 && (surface || point.radial == in_bore);
     if (corner || bar_middle || under_load || bar_root || side_ring || over_bar || side_root)
       watched.push_back(static_cast<int>(p));
   }
