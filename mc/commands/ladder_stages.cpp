@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "mc/adopted_runs.hpp"
 #include "mc/build_info.hpp"
@@ -116,12 +117,31 @@ bool is_hopeless(const ModelLadder& pilot, const ModelLadder& look, std::size_t 
   return false;
 }
 
+/// The evidence, and what each rung cost [runs of the reference].
+struct Climbed {
+  ModelLadder ladder;
+  std::map<std::string, double> cost;
+};
+
+Climbed with_cost(ModelLadder ladder, std::span<const ModelLadder> others) {
+  Climbed climbed{std::move(ladder), {}};
+  const auto add = [&](const ModelLadder& one) {
+    for (const LadderRung& rung : one.rungs) {
+      double& cost = climbed.cost[rung.name];
+      cost = std::max(cost, rung.cost_ratio * static_cast<double>(one.samples));
+    }
+  };
+  add(climbed.ladder);
+  std::for_each(others.begin(), others.end(), add);
+  return climbed;
+}
+
 /// The reference, then rungs from the cheapest up to the first that will do for every limited
 /// quantity, or to one at which a first look shows that none above it will: that look is then the
 /// evidence.
-std::variant<ModelLadder, int> climb_as_needed(const Study& study, const std::vector<Rung>& rungs,
-                                               const LadderOptions& options,
-                                               const std::string& directory, StagedSweeps& stages) {
+std::variant<Climbed, int> climb_as_needed(const Study& study, const std::vector<Rung>& rungs,
+                                           const LadderOptions& options,
+                                           const std::string& directory, StagedSweeps& stages) {
   const std::size_t reference = rungs.size() - 1;
   LadderOptions brief = options;
   brief.samples = std::min(kFirstLook, options.samples);
@@ -131,22 +151,21 @@ std::variant<ModelLadder, int> climb_as_needed(const Study& study, const std::ve
   if (const int code = look.run(reference, &pilot); code != kDone) return code;
   for (std::size_t rung = 0; rung < reference; ++rung) {
     if (const int code = look.run(rung); code != kDone) return code;
-    const ModelLadder seen = look.ladder();
-    if (is_hopeless(pilot.ladder(), seen, rung)) return seen;
+    const ModelLadder seen = look.ladder(), known = pilot.ladder();
+    if (is_hopeless(known, seen, rung)) return with_cost(seen, {&known, 1});
     if (const int code = pilot.run(rung, &look); code != kDone) return code;
-    ModelLadder ladder = pilot.ladder();
-    if (chosen_rung(ladder) == rung) return ladder;
+    if (chosen_rung(pilot.ladder()) == rung) break;
   }
-  return pilot.ladder();
+  return with_cost(pilot.ladder(), {});
 }
 
 /// What the pilot has cost beyond the runs that the study makes anyway, for people.
-void tell_cost(const ModelLadder& ladder, const FidelityDecision& decision) {
+void tell_cost(const Climbed& climbed, const FidelityDecision& decision) {
   double cost = 0;
-  for (const LadderRung& rung : ladder.rungs) cost += rung.cost_ratio;
-  spdlog::info("fidelity: {}, {}; the pilot of {} samples on {} rungs cost about {:.1f} runs of {}",
-               decision.rung, decision.reason, ladder.samples, ladder.rungs.size(),
-               cost * static_cast<double>(ladder.samples), ladder.rungs.back().name);
+  for (const auto& [rung, runs] : climbed.cost)
+    if (rung != decision.rung) cost += runs;
+  spdlog::info("fidelity: {}, {}; the pilot cost about {:.1f} runs of {} beyond the study's own",
+               decision.rung, decision.reason, cost, climbed.ladder.rungs.back().name);
 }
 
 }  // namespace
@@ -173,10 +192,10 @@ std::variant<Study, int> with_fidelity(const Study& study, const std::string& di
                               .budget_share = study.fidelity_budget};
   const auto climbed = climb_as_needed(study, rungs, options, folder, stages);
   if (const int* code = std::get_if<int>(&climbed)) return *code;
-  const auto& ladder = std::get<ModelLadder>(climbed);
+  const ModelLadder& ladder = std::get<Climbed>(climbed).ladder;
   replace_file(folder + "/ladder.json", ladder_json(ladder).dump(1) + "\n");
   const FidelityDecision decision = decision_of(ladder, options.samples);
-  tell_cost(ladder, decision);
+  tell_cost(std::get<Climbed>(climbed), decision);
   const auto chosen = std::find_if(rungs.begin(), rungs.end(),
                                    [&](const Rung& rung) { return rung.name == decision.rung; });
   return changed_study(study, [&](Study& changed) {
