@@ -52,6 +52,7 @@ TEST(RingTilt, OfALonelyRingNutatesAndPrecesses) {
     Integration keys = scene.integration;
     keys.method = method;
     keys.max_order = 5;
+    keys.tolerance = 0.0002;  // at the default ARKODE's ESDIRK is at the edge of the bound below
     System system(model);
     std::vector<double> y = start_state(model, {.state = "centred"});
     const auto slot = [&](int k) -> double& { return y[static_cast<std::size_t>(k)]; };
