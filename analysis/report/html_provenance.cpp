@@ -112,9 +112,8 @@ std::string assumptions_text(const Json& assumptions) {
         "defined.");
   else if (assumptions["model"].value("ring_tilt", "") == "free")
     html += paragraph(
-        "The tilt of the inner ring is free: rollers, shaft and the ring's inertia hold it, not "
-        "the "
-        "seat. Its shaft is a spring against the tilt that the misalignment states.");
+        "The tilt of the inner ring is free: rollers, shaft and the ring's inertia hold it, "
+        "not the seat. Its shaft is a spring against the tilt that the misalignment states.");
   if (assumptions["model"].value("motion", "") == "quasi-static")
     html += paragraph(
         "The bearing is quasi-static: ring and rollers are in equilibrium at every position of the "

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <span>
 
 #include "mc/adopted_runs.hpp"
 #include "mc/build_info.hpp"
@@ -123,17 +122,14 @@ struct Climbed {
   std::map<std::string, double> cost;
 };
 
-Climbed with_cost(ModelLadder ladder, std::span<const ModelLadder> others) {
-  Climbed climbed{std::move(ladder), {}};
-  const auto add = [&](const ModelLadder& one) {
-    for (const LadderRung& rung : one.rungs) {
-      double& cost = climbed.cost[rung.name];
-      cost = std::max(cost, rung.cost_ratio * static_cast<double>(one.samples));
-    }
-  };
-  add(climbed.ladder);
-  std::for_each(others.begin(), others.end(), add);
-  return climbed;
+/// Of a rung in several climbs the longest counts: it holds the runs of the others.
+std::map<std::string, double> cost_of(const std::vector<ModelLadder>& climbs) {
+  std::map<std::string, double> cost;
+  for (const ModelLadder& climb : climbs)
+    for (const LadderRung& rung : climb.rungs)
+      cost[rung.name] =
+          std::max(cost[rung.name], rung.cost_ratio * static_cast<double>(climb.samples));
+  return cost;
 }
 
 /// The reference, then rungs from the cheapest up to the first that will do for every limited
@@ -152,11 +148,12 @@ std::variant<Climbed, int> climb_as_needed(const Study& study, const std::vector
   for (std::size_t rung = 0; rung < reference; ++rung) {
     if (const int code = look.run(rung); code != kDone) return code;
     const ModelLadder seen = look.ladder(), known = pilot.ladder();
-    if (is_hopeless(known, seen, rung)) return with_cost(seen, {&known, 1});
+    if (is_hopeless(known, seen, rung)) return Climbed{seen, cost_of({seen, known})};
     if (const int code = pilot.run(rung, &look); code != kDone) return code;
     if (chosen_rung(pilot.ladder()) == rung) break;
   }
-  return with_cost(pilot.ladder(), {});
+  const ModelLadder known = pilot.ladder();
+  return Climbed{known, cost_of({known})};
 }
 
 /// What the pilot has cost beyond the runs that the study makes anyway, for people.
