@@ -15,6 +15,10 @@
 
 namespace cagetol {
 
+/// How much farther than elsewhere steps go on behind the touch of a race [s]: just behind it the
+/// power changes at a rate that says nothing of the step before, and would mislead its integral.
+inline constexpr double kBehindTouch = 2e-6;
+
 struct RaceSide {
   double sign;    ///< s
   double radius;  ///< R_race [m]
@@ -99,7 +103,11 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     }
     const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
     if constexpr (linear) {
-      if (touch) see_touch(p + thickest, rate, roller.exists, *touch);
+      if (touch) {
+        see_touch(p + thickest - kBehindTouch * rate, rate, roller.exists, *touch);
+        // Leaving the load zone is foreseen, too; on the outer race rollers bounce all the time.
+        if (race.sign > 0) see_touch(-p - thickest, -rate, roller.exists, *touch);
+      }
       if (!any(touching)) continue;
     }
     const Pack along = n_r * v_t - n_t * v_r;  // velocity of the axes along t

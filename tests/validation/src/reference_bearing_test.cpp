@@ -59,7 +59,7 @@ TEST(ReferenceBearing, AUniformCageHasNoFirstPocket) {
   // Turning rollers and cage by one pitch renames the rollers, no more; rounding stays small over
   // so short a time, and so do steps that end a little apart.
   Scene scene = short_run(0.5e-3, 1e-3);
-  scene.integration.tolerance = 1e-5;
+  scene.integration.tolerance = 2e-6;
   const Outcome plain = simulate(scene);
   scene.start.cage_phase = 2 * std::numbers::pi / 13;
   const Outcome shifted = simulate(scene);
