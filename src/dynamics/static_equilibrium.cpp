@@ -37,12 +37,6 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
   state_.tilt_z = model.misalignment_z;
 }
 
-void StaticEquilibrium::guess(double ring_y, double ring_z, const double* radius) {
-  state_.ring_y = ring_y;
-  state_.ring_z = ring_z;
-  std::copy(radius, radius + model_.layout.rollers, state_.radius.begin());
-}
-
 template <bool tilting>
 StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* angle,
                                                                double orbit_rate,

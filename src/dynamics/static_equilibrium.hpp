@@ -35,9 +35,6 @@ class StaticEquilibrium {
   /// [rad/s].
   const StaticState& solve(const double* angle, double orbit_rate, const RingLoad& load,
                            RollerMotion motion = RollerMotion::at_rest);
-  /// Where the next solve starts, instead of at the last solution: displacement of the ring and
-  /// radial place of each roller [m].
-  void guess(double ring_y, double ring_z, const double* radius);
   /// The last solution.
   const StaticState& state() const { return state_; }
 

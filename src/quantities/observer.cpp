@@ -14,7 +14,7 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
-constexpr double kStaticsAccuracy = 1e-6;    // of the balance, in shares of the load
+constexpr double kStaticsAccuracy = 1e-6;
 constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
 constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, which costs more
 constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that hardly dissipate
@@ -159,8 +159,6 @@ void Observer::record_statics(double t, const double* y) {
   while (next_statics_ <= t) next_statics_ += statics_interval_;
   const StateLayout& l = model_.layout;
   std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
-  statics_.guess(y[l.border_position(kRingY)], y[l.border_position(kRingZ)],
-                 y + l.position(kRadius, 0));
   const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)],
                                            load_at(model_, t), RollerMotion::orbiting);
   ++static_positions_;
