@@ -122,7 +122,10 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
       const Pack p = e * (q.x - h * q.a_r - tau * q.a_t) - model.flange_half_clearance;
       const Pack turn = tau * q.a_r - h * q.a_t;
       const Pack rate = e * (q.vx - h * q.b_r - tau * q.b_t + turn * q.omega);
-      if constexpr (linear) see_touch(p, rate, roller.exists, touch);
+      if constexpr (linear) {
+        see_touch(p, rate, roller.exists, touch);
+        see_touch(-p, -rate, roller.exists, touch);  // partings, too: they decide on the skew left
+      }
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;
       const Pack v1 = q.vr + xi * q.b_r - q.spin * tau, v2 = q.vt + xi * q.b_t + q.spin * h;
@@ -152,6 +155,14 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
         const auto lost =
             dissipation_slopes(normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend,
                                v1, v2, normal.elastic, normal.elastic_stiffness, rate);
+        // Points and directions turn with the orbit, and so do the forces; add_inertial, which
+        // takes these for held still, does the same again: less that.
+        const Pack rate_turn =
+            e * (tau * q.b_r - h * q.b_t + q.omega * (tau * q.a_t + h * q.a_r));  // dp'/d(theta)
+        to.position[kLr][kLt] -= (f2 - push * turn / q.r) / q.r;
+        to.position[kLt][kLt] += f1 / q.r;
+        to.position[kLar][kLt] -= (xi * f2 + tau * push) / q.r;
+        to.position[kLat][kLt] += (xi * f1 + h * push) / q.r;
         for (int i = 0; i < kLocalVelocities; ++i) {
           to.power_velocity[i] += lost.rate * gn[i] - lost.v1 * g1[i] - lost.v2 * g2[i];
           if (i < kLocalPositions) to.power_position[i] += lost.p * gn[i];
@@ -161,6 +172,11 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
             to.velocity[i][j] -= slide * normal.damping * gn[j] + w1 * g1[j] + w2 * g2[j];
           for (int j = 0; j < kLocalPositions; ++j)
             to.position[i][j] -= slide * normal.stiffness * gn[j];
+          const Pack damped = slide * normal.damping;
+          to.position[i][kLr] -= q.omega * w2;
+          to.position[i][kLt] += (damped * rate_turn - xi * (w1 * q.b_t - w2 * q.b_r)) / q.r;
+          to.position[i][kLar] += e * q.omega * tau * damped;
+          to.position[i][kLat] -= e * q.omega * h * damped;
         }
       }
     }

@@ -8,7 +8,7 @@ namespace cagetol {
 namespace {  // forces.cpp alone uses these, and inlines what pays
 
 /// Forces turn with the roller's directions, and its velocity does in directions held still:
-/// completes a row of the race and flange derivatives, which were taken in frozen directions.
+/// completes a row of the races' derivatives, which were taken in frozen directions.
 void turn_frame(const RollerPack& q, Pack* position, const Pack* velocity) {
   position[kLr] += q.omega * velocity[kLt];
   position[kLt] += q.vr / q.r * velocity[kLt] - q.omega * velocity[kLr];

@@ -188,7 +188,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     RollerLoads loads;
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
     race_contacts<linear, tilting>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r,
-                                   elastic_t, drive, tilting ? &tilt : nullptr);
+                                   elastic_t, drive, tilting ? &tilt : nullptr, &touch);
     border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
     if constexpr (tilting) {
@@ -224,13 +224,13 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       total = Pack{};
     }
     race_contacts<linear>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r, elastic_t,
-                          drive);
-    if constexpr (!planar)  // who stands still in the middle touches no flange
-      flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
+                          drive, nullptr, &touch);
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
       for (int i = 0; i < kLocalVelocities; ++i) turn_frame(q, g->position[i], g->velocity[i]);
     }
+    if constexpr (!planar)  // who stands still in the middle touches no flange
+      flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
     const PocketFrame pocket = pocket_frame(roller, q, b);
     pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
                             touch);

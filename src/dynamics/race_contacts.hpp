@@ -15,6 +15,10 @@
 
 namespace cagetol {
 
+/// How much farther than elsewhere steps go on behind the touch of a race [s]: just behind it the
+/// power changes at a rate that says nothing of the step before, and would mislead its integral.
+inline constexpr double kBehindTouch = 2e-6;
+
 struct RaceSide {
   double sign;    ///< s
   double radius;  ///< R_race [m]
@@ -68,7 +72,7 @@ template <bool linear, bool tilting = false>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
                    Pack& total, Pack& sliding, Pack& elastic_r, Pack& elastic_t, Pack& drive,
-                   RingTilt* tilt = nullptr) {
+                   RingTilt* tilt = nullptr, [[maybe_unused]] Pack* touch = nullptr) {
   Entrainment oil;
   FilmAtSpeed<Pack> film;
   Pack thickest{};
@@ -86,7 +90,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
     const Pack p = race.sign * (race.radius - distance) + radius;
     const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
-    if (!any(touching)) continue;
+    if constexpr (!linear)
+      if (!any(touching)) continue;
 
     const Pack inverse = race.sign / distance;
     const Pack n_r = d_r * inverse, n_t = d_t * inverse;
@@ -97,6 +102,14 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       v_t -= place * tilt->rate_t;
     }
     const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
+    if constexpr (linear) {
+      if (touch) {
+        see_touch(p + thickest - kBehindTouch * rate, rate, roller.exists, *touch);
+        // Leaving the load zone is foreseen, too; on the outer race rollers bounce all the time.
+        if (race.sign > 0) see_touch(-p - thickest, -rate, roller.exists, *touch);
+      }
+      if (!any(touching)) continue;
+    }
     const Pack along = n_r * v_t - n_t * v_r;  // velocity of the axes along t
     const Pack w_r = q.spin * q.a_r - q.b_t, w_t = q.spin * q.a_t + q.b_r;
     const Pack surface =
@@ -150,6 +163,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       }
 
       const Pack zero{}, one = splat(1.0);
+      const Pack askew = race.B_r * n_t - race.B_t * n_r;  // of the race's axis, along t
       // Rows over the roller's velocities, then the ring's tilt.
       constexpr int rows = kLocalVelocities + (tilting ? 2 : 0);
       Pack gn[rows] = {n_r, n_t, n_x, xi * n_r, xi * n_t, zero};
@@ -166,9 +180,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       const Pack d11 = q0 * (fr.ratio + fr.bend * v1 * v1), d12 = q0 * fr.bend * v1 * v2;
       const Pack d22 = q0 * (fr.ratio + fr.bend * v2 * v2);
       const Pack m1 = fr.ratio * v1, m2 = fr.ratio * v2;
-      const Pack turn =
-          normal.damping * inverse * along;  // p' changes as n turns with the axis moving along t
-      const Pack spread = q0 * inverse;      // and so does the direction of the force
+      const Pack turn = normal.damping * inverse * along;
+      const Pack spread = q0 * inverse;
       const auto lost = dissipation_slopes(q0, normal.stiffness, normal.damping, fr.ratio, fr.bend,
                                            v1, v2, normal.elastic, normal.elastic_stiffness, rate);
       // Net power = drive - dissipation; the drive's F1 and F2 follow Q and the sliding speeds.
@@ -177,7 +190,13 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
                  by_rate = lost.rate + driven * normal.damping;
       const Pack by_v1 = lost.v1 + d11 * surface + d12 * swash,
                  by_v2 = lost.v2 + d12 * surface + d22 * swash;
-      const Pack by_turn = by_rate * inverse * along;
+      // As the axis moves along t, n turns, and with it p', v1, v2 and the swash.
+      const Pack swash_turn =
+          inverse * (race.sign * race.speed * race.radius) * (race.B_r * n_r + race.B_t * n_t);
+      const Pack v1_turn = inverse * rate;
+      const Pack v2_turn = -inverse * radius * (n_r * w_r + n_t * w_t) - swash_turn;
+      const Pack by_turn =
+          by_rate * inverse * along - by_v1 * v1_turn - by_v2 * v2_turn + f2 * swash_turn;
       for (int i = 0; i < kLocalVelocities; ++i) {
         jac->power_velocity[i] += by_rate * gn[i] - by_v1 * g1[i] - by_v2 * g2[i];
         if (i < kLocalPositions) jac->power_position[i] += by_p * gn[i] + by_turn * g1[i];
@@ -188,6 +207,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         jac->power_velocity[kLt] -= by_speed * oil.by_vt;
         jac->power_velocity[kLs] -= by_speed * oil.by_spin;
       }
+      jac->power_position[kLx] += by_turn * askew;
       jac->power_position[kLar] -= by_v2 * lean_r;
       jac->power_position[kLat] -= by_v2 * lean_t;
       // What v2 loses to the swash as the ring tilts.
@@ -199,14 +219,24 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
           tilt->linear->power_position[k] +=
               by_p * gn[i] + by_turn * g1[i] - (by_v2 + f2) * swashing[k];
         }
+      // What forces do, held fast, as n turns with t and with it the lever of F2.
+      Pack turned[rows];
+      for (int i = 0; i < rows; ++i) turned[i] = spread * (g1[i] + m1 * gn[i]);
+      const Pack lever = inverse * f2;
+      turned[kLx] = spread * askew;
+      turned[kLar] -= radius * n_t * lever;
+      turned[kLat] += radius * n_r * lever;
+      turned[kLs] = -radius * (n_r * q.a_r + n_t * q.a_t) * lever;
+      if constexpr (tilting) {
+        turned[kLocalVelocities] -= arm * n_t * lever;
+        turned[kLocalVelocities + 1] += arm * n_r * lever;
+      }
       for (int i = 0; i < rows; ++i) {
         const LinearRow row = linear_row<tilting>(i, *jac, tilt);
         const Pack e = gn[i] - m1 * g1[i] - m2 * g2[i];
         const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
         const Pack ec = e * normal.damping, ek = e * normal.stiffness;
-        // Friction turns with t = e_x x n, and v1 is seen along the turned t.
-        const Pack bend = i == kLx ? zero : gn[i] * m1 * spread;
-        const Pack et = (i == kLs ? zero : g1[i] * spread) + bend - e * turn - w1 * inverse * rate;
+        const Pack et = turned[i] - e * turn - w1 * v1_turn - w2 * v2_turn;
         for (int j = 0; j < kLocalVelocities; ++j)
           row.velocity[j] -= ec * gn[j] + w1 * g1[j] + w2 * g2[j];
         for (int j = 0; j < kLocalPositions; ++j) row.position[j] += et * g1[j] - ek * gn[j];
@@ -214,6 +244,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
           row.velocity[kLt] += e * contact.by_speed * oil.by_vt;
           row.velocity[kLs] += e * contact.by_speed * oil.by_spin;
         }
+        row.position[kLx] += et * askew;
         row.position[kLar] -= w2 * lean_r;
         row.position[kLat] -= w2 * lean_t;
         if constexpr (tilting)
@@ -223,6 +254,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
             row.tilt_position[k] += et * g1[j] - ek * gn[j] - w2 * swashing[k];
           }
       }
+      jac->position[kLs][kLar] -= radius * n_t * f2;
+      jac->position[kLs][kLat] += radius * n_r * f2;
       if constexpr (tilting) {
         RingCoupling& coupling = tilt->linear->coupling;
         // n_x follows the tilt, and the force's lever on the ring the roller's axial place.

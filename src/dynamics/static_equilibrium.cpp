@@ -17,17 +17,17 @@ constexpr int kMostIterations = 60;
 constexpr int kMostUnsettled = 200;  // tries at which rollers found no place: then there is none
 constexpr double kNoPlace =
     1e-11;  // a roller that still moves farther at the last try has none [m]
-// Of a roller's place [m]: 1e-14 m would be a millionth of a newton of a loaded contact, more than
-// the balance of the ring is solved to, and its iteration would see noise. Never below what the
-// place itself can be told to.
-double settled_within(double radius) {
-  return std::max(1e-16, 2e-15 * radius);
+// Of a roller's place [m], for a balance of the ring to a share `accuracy` of the load: were it
+// more, the ring's iteration would see noise (1e-14 m are a millionth of a newton of a loaded
+// contact). Never below what the place itself can be told to.
+double settled_within(double radius, double accuracy) {
+  return std::max({1e-16, 2e-15 * radius, 1e-6 * accuracy});
 }
 
 }  // namespace
 
-StaticEquilibrium::StaticEquilibrium(const BearingModel& model)
-    : model_(model), damped_(model.race) {
+StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
+    : model_(model), damped_(model.race), accuracy_(accuracy) {
   model_.friction.static_coefficient = model_.friction.dynamic_coefficient = 0;
   const auto n = static_cast<std::size_t>(model.layout.padded());
   state_.radius.assign(n, model.outer_radius - model.nominal_diameter / 2);
@@ -96,7 +96,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       const Pack da = min(max((k_rr * T - k_ar * F) * inverse, splat(-kLongestMove / half)),
                           splat(kLongestMove / half));
       const Pack size = roller.exists * (max(dr, -dr) + half * max(da, -da));
-      const bool settled = largest(size) < settled_within(model_.pitch_radius);
+      const bool settled = largest(size) < settled_within(model_.pitch_radius, accuracy_);
       if (settled && pass + 1 < passes) {
         ++pass;
         model_.race = damped_;
@@ -201,7 +201,7 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
   };
   const double size =
       tilting ? std::max(weight, std::hypot(load.moment_y, load.moment_z) / lever) : weight;
-  const double tolerance = std::max(1e-10 * size, 1e-8);  // [N]
+  const double tolerance = std::max(accuracy_ * size, 1e-8);  // [N]
   // A light ring on one roller turns over it with a stiffness of weight over radius only: the
   // spring must not outweigh that many times, or the ring creeps to the next roller.
   const double soft =

@@ -28,7 +28,8 @@ enum class RollerMotion { at_rest, orbiting };
 
 class StaticEquilibrium {
  public:
-  explicit StaticEquilibrium(const BearingModel& model);
+  /// Solves the balance of the ring to a share `accuracy` of the load.
+  explicit StaticEquilibrium(const BearingModel& model, double accuracy = 1e-10);
 
   /// `angle` has one element per roller (padded) [rad]; `orbit_rate` makes the centrifugal force
   /// [rad/s].
@@ -51,6 +52,7 @@ class StaticEquilibrium {
 
   BearingModel model_;  ///< a copy without friction, and without damping where rollers are at rest
   NormalLaw damped_;
+  double accuracy_;
   StaticState state_;
 };
 

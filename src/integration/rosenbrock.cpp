@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace cagetol {
 
@@ -48,6 +49,18 @@ constexpr double kFirstStep = 1e-7, kSmallestStep = 1e-12;
 constexpr double kTouchMargin =
     0.5e-6;  ///< steps end this long after a predicted touch, inside the contact [s]
 
+/// to = from + sum of weights times terms, in one pass.
+template <int terms>
+void add_up(const double* from, const double* const* term, const double* weight, double* to,
+            int n) {
+#pragma GCC ivdep
+  for (int i = 0; i < n; ++i) {
+    double sum = from[i];
+    for (int k = 0; k < terms; ++k) sum += weight[k] * term[k][i];
+    to[i] = sum;
+  }
+}
+
 }  // namespace
 
 Rosenbrock::Rosenbrock(const RosenbrockTable& table, const Integration& keys, const System& system)
@@ -61,6 +74,23 @@ Rosenbrock::Rosenbrock(const RosenbrockTable& table, const Integration& keys, co
       argument_(static_cast<std::size_t>(system.size)),
       time_rates_(static_cast<std::size_t>(system.size)),
       error_(static_cast<std::size_t>(system.size)) {}
+
+void Rosenbrock::combine(const double* from, const double* weights, double factor, int stages,
+                         std::vector<double>& to) const {
+  const double* term[RosenbrockTable::kMaxStages];
+  double weight[RosenbrockTable::kMaxStages];
+  int terms = 0;
+  for (int j = 0; j < stages; ++j) {
+    if (weights[j] == 0) continue;
+    term[terms] = stage_[static_cast<std::size_t>(j)].data();
+    weight[terms++] = factor * weights[j];
+  }
+  using AddUp = void (*)(const double*, const double* const*, const double*, double*, int);
+  static constexpr AddUp kOf[] = {add_up<0>, add_up<1>, add_up<2>, add_up<3>,
+                                  add_up<4>, add_up<5>, add_up<6>};
+  static_assert(std::size(kOf) == RosenbrockTable::kMaxStages + 1);
+  kOf[terms](from, term, weight, to.data(), static_cast<int>(to.size()));
+}
 
 StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) {
   const int n = system.size;
@@ -88,22 +118,12 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       const auto& a = table_.a[s];
       const auto& c = table_.c[s];
       if (table_.new_rates[s]) {
-        std::copy(y, y + n, argument_.begin());
-        for (int j = 0; j < s; ++j)
-          if (a[j] != 0)
-            for (int i = 0; i < n; ++i)
-              argument_[static_cast<std::size_t>(i)] +=
-                  a[j] * stage_[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+        combine(y, a, 1, s, argument_);
         sound = system.rates(t + table_.alpha[s] * h, argument_.data(), rates_.data());
         rates = rates_.data();
       }
       double* u = stage_[static_cast<std::size_t>(s)].data();
-      std::copy(rates, rates + n, u);
-      for (int j = 0; j < s; ++j)
-        if (c[j] != 0) {
-          const double* from = stage_[static_cast<std::size_t>(j)].data();
-          for (int i = 0; i < n; ++i) u[i] += c[j] / h * from[i];
-        }
+      combine(rates, c, 1 / h, s, stage_[static_cast<std::size_t>(s)]);
       if (driven && table_.gamma_sum[s] != 0)
         for (int i = 0; i < n; ++i)
           u[i] += table_.gamma_sum[s] * h * time_rates_[static_cast<std::size_t>(i)];
@@ -112,11 +132,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
     double error = 1e6;
     if (sound) {
       std::fill(error_.begin(), error_.end(), 0.0);
-      for (int s = 0; s < table_.stages; ++s)
-        if (table_.e[s] != 0)
-          for (int i = 0; i < n; ++i)
-            error_[static_cast<std::size_t>(i)] +=
-                table_.e[s] * stage_[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
+      combine(error_.data(), table_.e, 1, table_.stages, error_);
       error = step_error_(system, y, error_.data(), h, keys_.tolerance);
       if (!std::isfinite(error)) error = 1e6;
     }
@@ -126,10 +142,8 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       // Gustafsson's predictive part; no growth right after a rejection.
       factor = std::min(factor, factor * std::pow(last_error_ / bounded, 0.08));
       factor = std::clamp(factor, 0.2, rejected ? 1.0 : 4.0);
-      for (int s = 0; s < table_.stages; ++s)
-        if (table_.m[s] != 0)
-          for (int i = 0; i < n; ++i)
-            y[i] += table_.m[s] * stage_[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)];
+      combine(y, table_.m, 1, table_.stages, argument_);
+      std::copy(argument_.begin(), argument_.end(), y);
       t = last ? t_end : t + h;
       step_error_.advance(system, h);
       ++system.counts.steps;

@@ -39,6 +39,10 @@ class Rosenbrock : public Integrator {
   StepStatus step(System& system, double& t, double* y, double t_end) override;
 
  private:
+  /// to = from + factor times the weighted sum of the first `stages` stages. `to` may be `from`.
+  void combine(const double* from, const double* weights, double factor, int stages,
+               std::vector<double>& to) const;
+
   const RosenbrockTable& table_;
   Integration keys_;
   NewtonMatrix newton_;

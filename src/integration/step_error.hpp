@@ -2,9 +2,11 @@
 //
 // Unloaded rollers bounce between the races and rock about their tilt at 20 to 40 kHz, with
 // centimetres a second and an energy that no quantity asks for; followed like everything else they
-// alone would set the step. These two speeds count in a larger unit of error as long as the energy
+// alone would set the step. These two motions count in larger units of error as long as the energy
 // which this moves stays small beside what the bearing dissipates: where bouncing is all that
-// happens they count in full. Skew and axial motion, which friction steers, always do.
+// happens they count in full. A shift of phase, which is most of what a long step does to an
+// oscillation, moves no energy. Tilt counts in a unit not much larger than that of everything else,
+// as rollers lean on flanges; skew and axial motion, which friction steers, always count in full.
 #pragma once
 
 #include "src/integration/system.hpp"

@@ -6,7 +6,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kLengthScale = 1e-6, kNever = 1e30;
+constexpr double kNever = 1e30;
 
 bool all_finite(const double* x, int n) {
   // A sum of zero times each is not a number exactly if one of them is not finite.

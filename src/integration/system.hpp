@@ -8,7 +8,8 @@
 
 namespace cagetol {
 
-inline constexpr double kSpeedScale = 1e-2;  ///< one unit of error of a speed [m/s]
+inline constexpr double kLengthScale = 1e-6;  ///< one unit of error of a length [m]
+inline constexpr double kSpeedScale = 1e-2;   ///< of a speed [m/s]
 
 struct Counts {
   long steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorisations = 0;

@@ -14,6 +14,7 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
+constexpr double kStaticsAccuracy = 1e-6;
 constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
 constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, which costs more
 constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that hardly dissipate
@@ -32,7 +33,7 @@ Observer::Observer(const BearingModel& model, double begin, double end)
     : model_(model),
       begin_(begin),
       end_(end),
-      statics_(model),
+      statics_(model, kStaticsAccuracy),
       angles_(static_cast<std::size_t>(model.layout.padded())),
       next_statics_(begin),
       statics_interval_((end - begin) / kStaticsInstants) {

@@ -31,7 +31,7 @@ Scene lonely_ring() {
   scene.operation = {.radial_load = 0, .inner_speed = 2000, .gravity = 0};
   scene.bearing.tilt_stiffness = 50;
   scene.bearing.misalignment_y = 0.4e-3;
-  scene.integration.tolerance = 1e-6;
+  scene.integration.tolerance = 5e-7;
   return scene;
 }
 
