@@ -7,8 +7,7 @@ namespace cagetol {
 namespace {
 
 // Chosen by measurement (tests/ACCURACY.md): the stability suite, and steps saved.
-constexpr double kBounceSpeed = 0.15;      ///< unit of error of bouncing, at most [m/s]
-constexpr double kBouncePerSlide = 1.5;    ///< likewise, of the speed at which friction is full
+constexpr double kBounceSpeed = 0.1;       ///< unit of error of bouncing, at most [m/s]
 constexpr double kBounceLength = 3e-6;     ///< unit of error of a bouncing roller's place [m]
 constexpr double kTiltSpeed = 0.02;        ///< unit of error of rocking, at most [m/s]
 constexpr double kMovedEnergy = 0.01;      ///< that an error may move, in shares of the dissipated
@@ -28,8 +27,8 @@ Pack magnitude(Pack x) {
 double StepError::operator()(const System& s, const double* y, const double* error, double h,
                              double tolerance) const {
   const double strict = error_norm(s, error) / tolerance;
-  // These speeds slide on bars, races and flanges, too: no unit much coarser than friction's own.
-  const double most = kBouncePerSlide * s.model.friction.static_speed;
+  // These speeds slide on bars, races and flanges, too: no unit coarser than friction's own speed.
+  const double most = s.model.friction.static_speed;
   const double bounce = std::min(kBounceSpeed, most) / kSpeedScale,
                tilting = std::min(kTiltSpeed, most) / kSpeedScale;
   if (tilting <= 1 || !std::isfinite(strict)) return strict;
