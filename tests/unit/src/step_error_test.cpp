@@ -77,7 +77,7 @@ TEST_F(StepErrorOf, AShiftOfPhaseMovesNoEnergy) {
   EXPECT_NEAR(counted(kLong), moved / (0.01 * kPower * kStep), 1e-9);
 }
 
-TEST_F(StepErrorOf, TiltCountsInUnitsOfTwoCentimetresASecondAndSkewInFull) {
+TEST_F(StepErrorOf, TiltAndSkewCountInFull) {
   const double angle = y_[static_cast<std::size_t>(model_.layout.position(kAngle, 3))];
   const auto lean = [&](double y, double z) {
     for (auto* of : {&y_, &system_->rate}) (*of)[at(kAxisRateY, 3)] = (*of)[at(kAxisRateZ, 3)] = 0;
@@ -85,7 +85,7 @@ TEST_F(StepErrorOf, TiltCountsInUnitsOfTwoCentimetresASecondAndSkewInFull) {
     error_[at(kAxisRateZ, 3)] = 0.1 * z;
   };
   lean(std::cos(angle), std::sin(angle));
-  EXPECT_NEAR(counted(kLong), strict() / 2, 1e-12 * strict());
+  EXPECT_NEAR(counted(kLong), strict(), 1e-12 * strict());
   lean(-std::sin(angle), std::cos(angle));
   EXPECT_NEAR(counted(kLong), strict(), 1e-12 * strict());
 }
