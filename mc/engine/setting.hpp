@@ -33,7 +33,7 @@ std::vector<Setting> setting_ladder(const Scene& scene, const std::vector<std::s
 SimulateOptions with_cage_table(const Scene& scene);
 
 /// A tight setting of a method of another kind, to hold `method` against: explicit Runge-Kutta for
-/// linearly implicit methods, RODAS4 for all others.
+/// linearly implicit methods, RODASP for all others.
 Setting reference_setting(const std::string& method);
 
 }  // namespace cagetol

@@ -37,17 +37,35 @@ Scene by_method(const Scene& scene, const std::string& method) {
   return set;
 }
 
+// Shares of the horizon. An impact just at an instant makes centimetres a second of a microsecond's
+// delay: the median of three instants tells how far a trajectory is off.
+constexpr double kInstants[] = {0.92, 0.96, 1};
+
+double median(std::vector<double> of_three) {
+  for (double value : of_three)
+    if (std::isnan(value)) return value;
+  std::sort(of_three.begin(), of_three.end());
+  return of_three[1];
+}
+
 void judge_trajectories(const Scene& scene, const SimulateOptions& options, SuiteRow& row) {
-  std::map<std::string, Trajectory> references;
-  for (const char* method : {"rodasp", "arkode-erk"}) {
-    const Setting setting = reference_setting(method);
-    references[setting.method] = follow(with_setting(scene, setting), kSuiteHorizon, options);
+  std::vector<double> gaps;
+  std::map<std::string, std::vector<double>> errors;
+  for (const double share : kInstants) {
+    const double horizon = share * kSuiteHorizon;
+    std::map<std::string, Trajectory> references;
+    for (const char* method : {"rodasp", "arkode-erk"}) {
+      const Setting setting = reference_setting(method);
+      references[setting.method] = follow(with_setting(scene, setting), horizon, options);
+    }
+    gaps.push_back(trajectory_error(references["rodasp"], references["arkode-erk"])[1]);
+    for (const auto& [method, cell] : row.cells)
+      errors[method].push_back(trajectory_error(follow(by_method(scene, method), horizon, options),
+                                                references[reference_setting(method).method])[1]);
   }
-  row.reference_gap = trajectory_error(references["rodasp"], references["arkode-erk"])[1];
+  row.reference_gap = median(gaps);
   for (auto& [method, cell] : row.cells) {
-    cell.trajectory_error =
-        trajectory_error(follow(by_method(scene, method), kSuiteHorizon, options),
-                         references[reference_setting(method).method])[1];
+    cell.trajectory_error = median(errors[method]);
     cell.soundness = judge_soundness(cell.outcome.status, cell.trajectory_error, row.reference_gap);
   }
 }

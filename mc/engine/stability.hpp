@@ -24,8 +24,8 @@ struct SuiteScene {
 std::vector<SuiteScene> read_suite(const std::string& path);
 
 /// right:      every watch within its bound and the trajectory within 0.1 error scales (0.1 um,
-///             1 mm/s and kin, root mean square) of a tight run of a method of another kind; or the
-///             jam that is due
+///             1 mm/s and kin, root mean square; median of three instants) of a tight run of a
+///             method of another kind; or the jam that is due
 /// degraded:   the same, within 1 error scale
 /// wrong:      further away though no watch speaks: a silently wrong result
 /// unresolved: every watch within its bound, but two tight references part by more than 0.1 error

@@ -159,7 +159,7 @@ TEST(FlexibleCage, EnergyAccountCloses) {
   scene.window.settle_time = 0.5e-3;
   scene.window.measure_time = 5e-3;
   scene.watch.static_consistency_max = 1;
-  scene.integration.tolerance = 1e-4;
+  scene.integration.tolerance = 5e-5;
   const Outcome outcome = run(scene);
   ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
   EXPECT_LT(outcome.run.energy_residual, 2e-3);
