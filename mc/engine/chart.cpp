@@ -80,9 +80,7 @@ std::array<double, 2> median_error(const std::vector<Trajectory>& runs,
     std::vector<double> errors;
     for (std::size_t k = 0; k < runs.size(); ++k)
       errors.push_back(trajectory_error(runs[k], references[k])[i]);
-    const bool whole =
-        std::none_of(errors.begin(), errors.end(), [](double e) { return std::isnan(e); });
-    middle[i] = whole ? median(std::move(errors)) : kUnknown;
+    middle[i] = median_of_whole(std::move(errors));
   }
   return middle;
 }

@@ -8,6 +8,7 @@
 
 #include "mc/engine/replicas.hpp"
 #include "mc/engine/setting.hpp"
+#include "mc/engine/statistics.hpp"
 #include "mc/engine/trajectory.hpp"
 #include "mc/json_number.hpp"
 #include "src/integration/integrator.hpp"
@@ -41,13 +42,6 @@ Scene by_method(const Scene& scene, const std::string& method) {
 // delay: the median of three instants tells how far a trajectory is off.
 constexpr double kInstants[] = {0.92, 0.96, 1};
 
-double median(std::vector<double> of_three) {
-  for (double value : of_three)
-    if (std::isnan(value)) return value;
-  std::sort(of_three.begin(), of_three.end());
-  return of_three[1];
-}
-
 void judge_trajectories(const Scene& scene, const SimulateOptions& options, SuiteRow& row) {
   std::vector<double> gaps;
   std::map<std::string, std::vector<double>> errors;
@@ -63,9 +57,9 @@ void judge_trajectories(const Scene& scene, const SimulateOptions& options, Suit
       errors[method].push_back(trajectory_error(follow(by_method(scene, method), horizon, options),
                                                 references[reference_setting(method).method])[1]);
   }
-  row.reference_gap = median(gaps);
+  row.reference_gap = median_of_whole(gaps);
   for (auto& [method, cell] : row.cells) {
-    cell.trajectory_error = median(errors[method]);
+    cell.trajectory_error = median_of_whole(errors[method]);
     cell.soundness = judge_soundness(cell.outcome.status, cell.trajectory_error, row.reference_gap);
   }
 }

@@ -1,7 +1,9 @@
 #include "mc/engine/statistics.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cagetol {
 
@@ -10,6 +12,12 @@ double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
   return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+double median_of_whole(std::vector<double> values) {
+  for (const double value : values)
+    if (std::isnan(value)) return value;
+  return median(std::move(values));
 }
 
 }  // namespace cagetol

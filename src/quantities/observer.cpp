@@ -14,7 +14,7 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
-constexpr double kStaticsAccuracy = 1e-6;
+constexpr double kStaticsAccuracy = 1e-6;    // of the balance, in shares of the load
 constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
 constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, which costs more
 constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that hardly dissipate
