@@ -21,6 +21,7 @@ NormalLaw make_normal_law(const ContactParameters& parameters, double length, lo
     law.damping = parameters.damping * share;
     law.inverse_depth = 1.0 / parameters.damping_depth;
   }
+  law.softening = FixedPower(law.exponent - 1);
   return law;
 }
 

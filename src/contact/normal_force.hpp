@@ -14,6 +14,7 @@
 #pragma once
 
 #include "src/contact/step.hpp"
+#include "src/numerics/fixed_power.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -22,6 +23,7 @@ struct NormalLaw {
   bool hertz = false;
   double stiffness = 0;  ///< K (1 um)^e [N]
   double exponent = 10.0 / 9.0;
+  FixedPower softening{1.0 / 9.0};  ///< to the exponent less one
   double damping = 0;        ///< c_max [N s/m], impact only
   double inverse_depth = 0;  ///< 1/d [1/m], impact only
   double chi = 0;            ///< [s/m], hertz only
@@ -50,7 +52,7 @@ template <class T>
 NormalForce<T> normal_force(const NormalLaw& law, T p, T rate) {
   const auto touching = p > 0.0;
   const T scaled = select(touching, p * 1e6, T{} + 1.0);
-  const T w = law.stiffness * power(scaled, law.exponent - 1.0);
+  const T w = law.stiffness * law.softening(scaled);
   const T elastic = w * scaled;
   const T slope = 1e6 * law.exponent * w;
   T force, stiffness, damping;

@@ -86,14 +86,15 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack place = q.x + xi;
     const Pack d_r = q.r + xi * q.a_r - race.u_r - race.B_r * place;
     const Pack d_t = xi * q.a_t - race.u_t - race.B_t * place;
-    const Pack distance = sqrt(d_r * d_r + d_t * d_t);
+    Pack inverse;
+    const Pack distance = sqrt(d_r * d_r + d_t * d_t, inverse);
     const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
     const Pack p = race.sign * (race.radius - distance) + radius;
     const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
     if constexpr (!linear)
       if (!any(touching)) continue;
 
-    const Pack inverse = race.sign / distance;
+    inverse *= race.sign;
     const Pack n_r = d_r * inverse, n_t = d_t * inverse;
     const Pack n_x = -(n_r * race.B_r + n_t * race.B_t);
     Pack v_r = q.vr + xi * q.b_r - race.du_r, v_t = q.vt + xi * q.b_t - race.du_t;

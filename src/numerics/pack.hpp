@@ -96,6 +96,26 @@ inline Pack sqrt(Pack x) {
 #endif
 }
 
+/// Root of x > 0 and its reciprocal, without waiting for a division.
+inline Pack sqrt(Pack x, Pack& inverse) {
+#ifdef __AVX512F__
+  // Two Newton steps from 14 bits, then the root's own residual.
+  const __m512d v = reinterpret_cast<__m512d>(x), half = _mm512_mul_pd(_mm512_set1_pd(0.5), v);
+  __m512d r = _mm512_rsqrt14_pd(v);
+  for (int step = 0; step < 2; ++step)
+    r = _mm512_mul_pd(
+        r, _mm512_fnmadd_pd(_mm512_mul_pd(half, r), r, _mm512_set1_pd(1.5)));
+  const __m512d root = _mm512_mul_pd(v, r);
+  inverse = reinterpret_cast<Pack>(r);
+  return reinterpret_cast<Pack>(_mm512_fmadd_pd(_mm512_mul_pd(_mm512_set1_pd(0.5), r),
+                                                _mm512_fnmadd_pd(root, root, v), root));
+#else
+  const Pack root = sqrt(x);
+  inverse = 1.0 / root;
+  return root;
+#endif
+}
+
 /// Sum of the lanes, always in the same order.
 inline double sum(Pack x) {
   return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
@@ -186,6 +206,44 @@ inline Pack gather(const double* table, Mask at) {
   Pack y;
   for (int i = 0; i < kLanes; ++i) y[i] = table[at[i]];
   return y;
+#endif
+}
+
+inline std::int64_t bits_of(double x) {
+  std::int64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+inline Mask bits_of(Pack x) {
+  return reinterpret_cast<Mask>(x);
+}
+template <class T>
+T number_of(std::int64_t bits) {
+  double x;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+template <class T>
+T number_of(Mask bits) {
+  return reinterpret_cast<Pack>(bits);
+}
+/// As gather(), of tables so small that they fit into registers.
+template <int n>
+double look_up(const double (&table)[n], std::int64_t at) {
+  return table[at];
+}
+template <int n>
+Pack look_up(const double (&table)[n], Mask at) {
+#ifdef __AVX512F__
+  static_assert(n == 16 || n == 32);
+  const auto half = [&](int from) {
+    return _mm512_permutex2var_pd(_mm512_loadu_pd(table + from), reinterpret_cast<__m512i>(at),
+                                  _mm512_loadu_pd(table + from + kLanes));
+  };
+  if constexpr (n == 16) return reinterpret_cast<Pack>(half(0));
+  return select(at < 16, reinterpret_cast<Pack>(half(0)), reinterpret_cast<Pack>(half(n - 16)));
+#else
+  return gather(table, at);
 #endif
 }
 
