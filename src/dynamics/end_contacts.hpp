@@ -43,6 +43,8 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
       Pack p = e * (X + f.A_R * D_R + f.A_T * D_T) - roller.half_length;
       Pack rate = e * (f.v_x - h * f.b_R - tau * f.b_T + f.A_R * V_R + f.A_T * V_T + f.dA_R * D_R +
                        f.dA_T * D_T + turn * phi);
+      if constexpr (linear)
+        if (!any(modal.may_touch(p, rate, touch) & (roller.exists > 0.0))) continue;
       if (modal.flexible()) {
         p -= e * modal.along(group, point, 2, modal.q);
         rate -= e * modal.along(group, point, 2, modal.rate);

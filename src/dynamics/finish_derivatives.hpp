@@ -106,40 +106,45 @@ void finish_tilt(const RollerPack& q, const GroupLinear& g, int slot, TiltLinear
 }
 
 /// The cage's own derivatives: gyroscopic moment, elastic modes, and what the spin does to these.
-void add_cage_block(const BearingModel& m, const BorderState& b, const double* y,
+/// To be called before contacts add theirs.
+void set_cage_block(const BearingModel& m, const BorderState& b, const double* y,
                     Linearisation& linear, Observation& seen) {
   const double gyro = m.cage_polar * b.phi_rate;
-  linear.border_velocity(kCageAxisY, kCageAxisZ) -= gyro;
-  linear.border_velocity(kCageAxisZ, kCageAxisY) += gyro;
-  linear.border_velocity(kCageAxisY, kCagePhi) -= m.cage_polar * b.axis_rate[1];
-  linear.border_velocity(kCageAxisZ, kCagePhi) += m.cage_polar * b.axis_rate[0];
+  linear.border_velocity(kCageAxisY, kCageAxisZ) = -gyro;
+  linear.border_velocity(kCageAxisZ, kCageAxisY) = gyro;
+  linear.border_velocity(kCageAxisY, kCagePhi) = -m.cage_polar * b.axis_rate[1];
+  linear.border_velocity(kCageAxisZ, kCagePhi) = m.cage_polar * b.axis_rate[0];
   const FlexibleCage& flexible = m.flexible;
   const int modes = flexible.modes;
   if (flexible.centrifugal) seen.centrifugal_spin = b.phi_rate;
   if (modes == 0) return;
   const double* v = y + m.layout.border_velocity(kModes);
-  for (int k = 0; k < modes; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    const double damping = flexible.damping[at];
-    linear.border_position(kModes + k, kModes + k) -= flexible.stiffness[at];
-    linear.border_velocity(kModes + k, kModes + k) -= damping;
-    linear.power_velocity[kModes + k] -= 2 * damping * v[k];
-    seen.damping_power += damping * v[k] * v[k];
-  }
   // Leading terms of the coupling with the spin; what they leave out is smaller by displacement
   // over radius.
   const double spin = b.phi_rate;
   auto among = linear.border_velocity.block(kModes, kModes, modes, modes);
   auto by_spin = linear.border_velocity.col(kCagePhi).segment(kModes, modes);
+  if (flexible.coriolis) {
+    among.noalias() = -2 * spin * flexible.model->gyroscopic;
+    double turned[kMostModes];
+    flexible.gyroscopic.multiply(v, turned);
+    by_spin = -2 * Eigen::Map<const Eigen::VectorXd>(turned, modes);
+  } else {
+    among.setZero();
+    by_spin.setZero();
+  }
   if (flexible.centrifugal) {
     by_spin += 2 * spin * flexible.model->centrifugal;
-    linear.border_velocity.row(kCagePhi).segment(kModes, modes) -=
-        2 * spin * flexible.model->centrifugal.transpose();
+    linear.border_velocity.row(kCagePhi).segment(kModes, modes) =
+        -2 * spin * flexible.model->centrifugal.transpose();
   }
-  if (flexible.coriolis) {
-    among -= 2 * spin * flexible.model->gyroscopic;
-    by_spin.noalias() -=
-        (2 * flexible.model->gyroscopic) * Eigen::Map<const Eigen::VectorXd>(v, modes);
+  for (int k = 0; k < modes; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const double damping = flexible.damping[at];
+    linear.border_position(kModes + k, kModes + k) = -flexible.stiffness[at];
+    among(k, k) -= damping;
+    linear.power_velocity[kModes + k] -= 2 * damping * v[k];
+    seen.damping_power += damping * v[k] * v[k];
   }
 }
 

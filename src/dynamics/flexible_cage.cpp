@@ -22,6 +22,7 @@ FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> model,
   f.points = 2 * f.stations + 4;
   f.centrifugal = geometry.centrifugal;
   f.coriolis = geometry.coriolis;
+  f.gyroscopic = PackMatrix(model->gyroscopic);
   const long pockets = model->contact.rows() / (3 * model->points);
   f.corners = static_cast<int>(2 * pockets);
   f.rows.assign(static_cast<std::size_t>(groups * f.points * 3 * f.modes), Pack{});
@@ -69,12 +70,11 @@ void couple_spin(const FlexibleCage& cage, double polar, double spin, const doub
     spin_acceleration = torque / inertia;
     return;
   }
-  const auto& G = cage.model->gyroscopic;
   double turned[kMostModes];
-  Eigen::Map<Eigen::VectorXd> Gq(turned, cage.modes);
-  Gq.noalias() = G * velocity;
+  const Eigen::Map<const Eigen::VectorXd> Gq(turned, cage.modes);
+  cage.gyroscopic.multiply(rate, turned);
   a -= 2 * spin * Gq;
-  Gq.noalias() = G * at;
+  cage.gyroscopic.multiply(q, turned);
   spin_acceleration = (torque - Gq.dot(a)) / (inertia - Gq.squaredNorm());
   a -= spin_acceleration * Gq;
 }

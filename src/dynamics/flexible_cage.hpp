@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "src/cage/cage_model.hpp"
-#include "src/numerics/pack.hpp"
+#include "src/numerics/pack_matrix.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -31,6 +31,7 @@ struct FlexibleCage {
   std::vector<double> stiffness, damping;  ///< omega^2 [1/s^2], 2 zeta omega [1/s] of each mode
   std::vector<double> scale;               ///< largest contact displacement per modal coordinate
   bool centrifugal = false, coriolis = false;
+  PackMatrix gyroscopic;  ///< of the model
 
   const Pack* row(int group, int point, int direction) const {
     return rows.data() +
@@ -52,8 +53,15 @@ struct ModalState {
   const double *q, *rate;
   Pack* force;          ///< modes packs, to be summed over lanes
   double farthest = 0;  ///< no contact point has moved farther along one of its directions [m]
+  double fastest = 0;   ///< nor moves faster [m/s]; known with derivatives only
 
   bool flexible() const { return cage->modes > 0; }
+  /// Whether a point may touch within a time, however the cage has bent and moves: of penetration
+  /// and its rate without that.
+  template <class T>
+  auto may_touch(T penetration, T closing, T within) const {
+    return penetration + farthest + within * max(closing + fastest, T{}) > 0.0;
+  }
   /// Displacement or speed of a contact point of a pack of pockets.
   Pack along(int group, int point, int direction, const double* coordinate) const {
     const Pack* row = cage->row(group, point, direction);

@@ -152,16 +152,22 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   const BorderState b = unpack_border(m, t, y);
   BorderLoads border;
   Pack modal_force[kMostModes];
-  const ModalState modal{&m.flexible, y + m.layout.border_position(kModes),
-                         y + m.layout.border_velocity(kModes), modal_force,
-                         farthest_displacement(m.flexible, y + m.layout.border_position(kModes))};
+  const double *modes = y + m.layout.border_position(kModes),
+               *mode_rates = y + m.layout.border_velocity(kModes);
+  const ModalState modal{&m.flexible,
+                         modes,
+                         mode_rates,
+                         modal_force,
+                         farthest_displacement(m.flexible, modes),
+                         linear ? farthest_displacement(m.flexible, mode_rates) : 0};
   for (int k = 0; k < m.layout.modes; ++k) modal_force[k] = Pack{};
-  [[maybe_unused]] Pack touch = splat(1e30);
+  [[maybe_unused]] Pack touch = splat(kTouchHorizon);
   ContactRows* rows = nullptr;
   if constexpr (linear) {
     jac->clear();
     seen->clear();
     rows = &jac->scratch;
+    set_cage_block(m, b, y, *jac, *seen);
   }
   for (int group = 0; group < m.layout.groups; ++group) {
     const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
@@ -243,12 +249,11 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     store_rates<planar>(m, roller, q, loads, y, rate, group);
   }
-  double soonest = 1e30, on_modes[kMostModes];
+  double soonest = kTouchHorizon, on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = sum(modal_force[k]);
   land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, soonest);
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {
-    add_cage_block(m, b, y, *jac, *seen);
     const RingLoad load = load_at(m, t);
     seen->load_power = -load.radial * b.ring_rate[1];
     jac->power_velocity[kRingZ] -= load.radial;

@@ -69,8 +69,10 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
       guide_film<linear>(model, b, X, delta, moving, border, oil, rows, jac, seen);
       if constexpr (linear) seen->land_force[land] = std::hypot(oil[0], oil[1]);
     }
-    if constexpr (!linear)
-      if (!(p > -modal.farthest)) continue;
+    // The surface's slope lets a bent land close a little faster.
+    const double sloping = 2 * modal.farthest * modal.cage->corners / (2 * std::numbers::pi) *
+                           std::abs(along * inverse - b.phi_rate);
+    if (linear ? !modal.may_touch(p, rate + sloping, touch) : !(p > -modal.farthest)) continue;
     BentLand bent;
     if (modal.flexible()) {
       bend_land(modal, land, std::atan2(side * nz, side * ny) - b.phi, bent);

@@ -27,8 +27,19 @@ Linearisation::Linearisation(const StateLayout& layout)
 void Linearisation::clear() {
   for (auto& g : groups) g = GroupLinear{};
   for (auto& t : tilts) t = TiltLinear{};
-  border_position.setZero();
-  border_velocity.setZero();
+  if (cage_touched) {
+    border_position.setZero();
+    border_velocity.setZero();
+  } else {
+    const int ring[2] = {kRingY, static_cast<int>(border_position.rows()) - 2};
+    const int vectors = tilts.empty() ? 1 : 2;
+    for (int v = 0; v < vectors; ++v)
+      for (int w = 0; w < vectors; ++w) {
+        border_position.block<2, 2>(ring[v], ring[w]).setZero();
+        border_velocity.block<2, 2>(ring[v], ring[w]).setZero();
+      }
+  }
+  cage_touched = false;
   power_position.setZero();
   power_velocity.setZero();
   for (int i = 0; i < coupled; ++i)
@@ -77,6 +88,7 @@ void Linearisation::hold(int group) {
 
 void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller,
                  Linearisation& linear) {
+  linear.cage_touched = true;
   // F1 = -ratio Q v1, F2 likewise; dQ = k dp + c dp', dp = -g_n P, dp' = -g_n V.
   const double d11 = s.force * (s.ratio + s.bend * s.v1 * s.v1),
                d12 = s.force * s.bend * s.v1 * s.v2;

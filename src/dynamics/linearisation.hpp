@@ -69,6 +69,7 @@ struct ContactRows {
 
 struct Linearisation {
   explicit Linearisation(const StateLayout& layout);
+  /// Makes ready for another state; the cage's own terms (set_cage_block) stay until they are set.
   void clear();
   /// The coupling record of a roller, made on first use.
   CageCoupling& coupling(int roller);
@@ -79,6 +80,9 @@ struct Linearisation {
   std::vector<GroupLinear> groups;
   std::vector<TiltLinear> tilts;  ///< one for each group where the inner ring's tilt is free
   Eigen::MatrixXd border_position, border_velocity;
+  /// Something touches the cage: a roller, a ring, a guide film. Where nothing does, the border's
+  /// matrices hold but the blocks of the ring and the cage's own terms.
+  bool cage_touched = false;
   /// Gradient over the border of the net power: drive + load - dissipation, the rate of the stored
   /// energy. Its time derivative makes the energy account's quadrature one order better than the
   /// powers alone would.

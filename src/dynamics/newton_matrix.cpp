@@ -87,6 +87,7 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
       cages_(static_cast<std::size_t>(model.layout.rollers)),
       schur_(model.layout.border(), model.layout.border()),
       schur_inverse_(model.layout.border()),
+      free_(model.layout),
       border_mass_(border_mass(model)),
       border_rhs_(model.layout.border()),
       border_positions_(model.layout.border()),
@@ -166,10 +167,77 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
                                        : factor_as<false, 1>(linear, beta);
 }
 
+NewtonMatrix::FreeBorder::FreeBorder(const StateLayout& layout)
+    : ring(2 + layout.ring_tilt),
+      rigid(kCageRigid),
+      modes(layout.modes),
+      to_spin(layout.modes),
+      from_spin(layout.modes),
+      ring_schur(2 + layout.ring_tilt, 2 + layout.ring_tilt),
+      rigid_schur(kCageRigid, kCageRigid),
+      mode_block(layout.modes, layout.modes) {}
+
+/// The ring's own block into schur_, and the cage's factors.
+template <int vectors>
+bool NewtonMatrix::factor_free_border() {
+  const Linearisation& l = *linear_;
+  for (int v = 0; v < vectors; ++v)
+    for (int w = 0; w < vectors; ++w) {
+      const int row = ring_slot(v), column = ring_slot(w);
+      auto block = schur_.block<2, 2>(row, column);
+      block = -l.border_velocity.block<2, 2>(row, column) -
+              beta_ * l.border_position.block<2, 2>(row, column);
+      if (v == w) block.diagonal() += border_mass_.segment<2>(row) / beta_;
+    }
+  free_.rigid_schur = -l.border_velocity.block<kCageRigid, kCageRigid>(kCageY, kCageY);
+  free_.rigid_schur.diagonal() += border_mass_.segment<kCageRigid>(kCageY) / beta_;
+  const int modes = model_.layout.modes;
+  bool sound = true;
+  if (modes > 0) {
+    free_.mode_block = -l.border_velocity.block(kModes, kModes, modes, modes);
+    for (int k = 0; k < modes; ++k)
+      free_.mode_block(k, k) +=
+          1 / beta_ - beta_ * l.border_position(kModes + k, kModes + k);
+    sound = free_.modes.invert(free_.mode_block);
+    free_.to_spin = -l.border_velocity.row(kCagePhi).segment(kModes, modes).transpose();
+    free_.from_spin = -l.border_velocity.col(kCagePhi).segment(kModes, modes);
+    free_.modes.solve(free_.from_spin.data(), free_.from_spin.data());
+    constexpr int spin = kCagePhi - kCageY;
+    free_.rigid_schur(spin, spin) -= free_.to_spin.dot(free_.from_spin);
+  }
+  return free_.rigid.invert(free_.rigid_schur) && sound;
+}
+
+/// border_solution_ of border_rhs_.
+template <int vectors>
+void NewtonMatrix::solve_free_border() {
+  double ring[2 * vectors];
+  for (int i = 0; i < 2 * vectors; ++i) ring[i] = border_rhs_[ring_slot(i / 2) + i % 2];
+  free_.ring.solve(ring, ring);
+  for (int i = 0; i < 2 * vectors; ++i) border_solution_[ring_slot(i / 2) + i % 2] = ring[i];
+  const int modes = model_.layout.modes;
+  auto elastic = border_solution_.segment(kModes, modes);
+  if (modes > 0) {
+    free_.modes.solve(border_rhs_.data() + kModes, border_solution_.data() + kModes);
+    border_rhs_[kCagePhi] -= free_.to_spin.dot(elastic);
+  }
+  free_.rigid.solve(border_rhs_.data() + kCageY, border_solution_.data() + kCageY);
+  if (modes > 0) elastic -= free_.from_spin * border_solution_[kCagePhi];
+}
+
 template <bool planar, int vectors>
 bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
   linear_ = &linear;
   beta_ = beta;
+  if (!linear.cage_touched) {
+    bool sound = factor_free_border<vectors>();
+    if (!factor_rollers<planar, vectors>(beta)) sound = false;
+    for (int v = 0; v < vectors; ++v)
+      for (int w = 0; w < vectors; ++w)
+        free_.ring_schur.block<2, 2>(2 * v, 2 * w) =
+            schur_.block<2, 2>(ring_slot(v), ring_slot(w));
+    return free_.ring.invert(free_.ring_schur) && sound;
+  }
   const int cage_columns = model_.layout.cage();
   schur_ = -linear.border_velocity - beta * linear.border_position;
   schur_.diagonal() += border_mass_ / beta;
@@ -226,7 +294,17 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
     border_positions_[i] = beta_ * bq[i];
     border_rhs_[i] = border_mass_[i] * bv[i];
   }
-  border_rhs_.noalias() += linear_->border_position * border_positions_;
+  if (linear_->cage_touched) {
+    border_rhs_.noalias() += linear_->border_position * border_positions_;
+  } else {
+    const Eigen::MatrixXd& stiff = linear_->border_position;
+    for (int v = 0; v < vectors; ++v)
+      for (int w = 0; w < vectors; ++w)
+        border_rhs_.segment<2>(ring_slot(v)) += stiff.block<2, 2>(ring_slot(v), ring_slot(w)) *
+                                                border_positions_.segment<2>(ring_slot(w));
+    for (int k = kModes; k < kModes + layout.modes; ++k)
+      border_rhs_[k] += stiff(k, k) * border_positions_[k];
+  }
 
   for (int n = 0; n < layout.groups; ++n) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
@@ -287,7 +365,10 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
         border_rhs_.segment(kCageY, cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
     }
   }
-  schur_inverse_.solve(border_rhs_, border_solution_);
+  if (linear_->cage_touched)
+    schur_inverse_.solve(border_rhs_.data(), border_solution_.data());
+  else
+    solve_free_border<vectors>();
 
   for (int n = 0; n < layout.groups; ++n) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];

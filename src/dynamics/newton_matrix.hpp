@@ -57,6 +57,19 @@ class NewtonMatrix {
     Eigen::Matrix<double, Eigen::Dynamic, kLocalVelocities, Eigen::RowMajor> to;  ///< T, cage part
   };
 
+  /// The border where nothing touches the cage: ring and cage have nothing to do with each other,
+  /// and the cage's modes only with its spin.
+  struct FreeBorder {
+    explicit FreeBorder(const StateLayout& layout);
+    SmallInverse ring, rigid, modes;
+    Eigen::VectorXd to_spin, from_spin;  ///< of the modes; the latter solved for
+    Eigen::MatrixXd ring_schur, rigid_schur, mode_block;
+  };
+  template <int vectors>
+  bool factor_free_border();
+  template <int vectors>
+  void solve_free_border();
+
   const BearingModel& model_;
   const Linearisation* linear_ = nullptr;
   double beta_ = 0;
@@ -64,6 +77,7 @@ class NewtonMatrix {
   std::vector<Cage> cages_;
   Eigen::MatrixXd schur_;
   SmallInverse schur_inverse_;
+  FreeBorder free_;
   Eigen::VectorXd border_mass_, border_rhs_, border_positions_, border_solution_;
 };
 

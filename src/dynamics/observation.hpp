@@ -7,6 +7,8 @@
 
 namespace cagetol {
 
+inline constexpr double kTouchHorizon = 1e-3;  ///< touches farther ahead are not looked for [s]
+
 /// What is seen of the contacts at one state. Arrays have one element per roller (padded).
 struct Observation {
   explicit Observation(const BearingModel& model);
@@ -36,8 +38,8 @@ struct Observation {
   double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
   double elastic_energy = 0;  ///< stored in contacts [J]
   double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]
-  double time_to_touch =
-      0;  ///< smallest gap over closing speed of open bar, wall, flange and land contacts [s]
+  /// Smallest gap over closing speed of contacts that are open, at most kTouchHorizon [s].
+  double time_to_touch = 0;
 };
 
 }  // namespace cagetol

@@ -32,8 +32,8 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
       const double s = side == 0 ? 1.0 : -1.0;
       const int point = side == 0 ? stations + k : k;
       Pack p = s * u + gap, rate = s * u_rate;
-      if constexpr (!linear)
-        if (!any((p > -modal.farthest) & (roller.exists > 0.0))) continue;
+      const auto near = linear ? modal.may_touch(p, rate, touch) : p > -modal.farthest;
+      if (!any(near & (roller.exists > 0.0))) continue;
       if (modal.flexible()) p -= s * modal.along(group, point, 1, modal.q);
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if constexpr (!linear)

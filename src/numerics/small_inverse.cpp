@@ -36,49 +36,12 @@ bool invert_vectors(Pack* vectors, int n) {
   return sound;
 }
 
-template <int packs>
-void multiply(const Pack* columns, int n, const double* b, double* x) {
-  Pack even[packs] = {}, odd[packs] = {};
-  int k = 0;
-  for (; k + 1 < n; k += 2)
-    for (int p = 0; p < packs; ++p) {
-      even[p] += b[k] * columns[k * packs + p];
-      odd[p] += b[k + 1] * columns[(k + 1) * packs + p];
-    }
-  if (k < n)
-    for (int p = 0; p < packs; ++p) even[p] += b[k] * columns[k * packs + p];
-  for (int p = 0; p < packs; ++p) {
-    const Pack value = even[p] + odd[p];
-    std::memcpy(x + p * kLanes, &value,
-                sizeof(double) * static_cast<std::size_t>(std::min(kLanes, n - p * kLanes)));
-  }
-}
-
-/// Calls `run` with the number of packs as a constant.
-template <class Run>
-auto with_packs(int packs, const Run& run) {
-  switch (packs) {
-    case 1:
-      return run.template operator()<1>();
-    case 2:
-      return run.template operator()<2>();
-    case 3:
-      return run.template operator()<3>();
-    case 4:
-      return run.template operator()<4>();
-    case 5:
-      return run.template operator()<5>();
-    default:
-      return run.template operator()<SmallInverse::kMost / kLanes>();
-  }
-}
-
 }  // namespace
 
 SmallInverse::SmallInverse(int n)
-    : n_(n), packs_((n + kLanes - 1) / kLanes), columns_(static_cast<std::size_t>(n * packs_)) {}
+    : n_(n), packs_(packs_for(n)), columns_(static_cast<std::size_t>(n * packs_)) {}
 
-bool SmallInverse::invert(const Eigen::MatrixXd& A) {
+bool SmallInverse::invert(const Eigen::Ref<const Eigen::MatrixXd>& A) {
   for (int j = 0; j < n_; ++j)
     std::copy(A.col(j).data(), A.col(j).data() + n_,
               reinterpret_cast<double*>(columns_.data() + j * packs_));
@@ -86,9 +49,8 @@ bool SmallInverse::invert(const Eigen::MatrixXd& A) {
                     [&]<int packs>() { return invert_vectors<packs>(columns_.data(), n_); });
 }
 
-void SmallInverse::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  with_packs(packs_,
-             [&]<int packs>() { multiply<packs>(columns_.data(), n_, b.data(), x.data()); });
+void SmallInverse::solve(const double* b, double* x) const {
+  with_packs(packs_, [&]<int packs>() { multiply<packs>(columns_.data(), n_, n_, b, x); });
 }
 
 }  // namespace cagetol

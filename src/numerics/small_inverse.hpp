@@ -7,19 +7,19 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "src/numerics/pack.hpp"
+#include "src/numerics/pack_matrix.hpp"
 
 namespace cagetol {
 
 class SmallInverse {
  public:
-  static constexpr int kMost = 48;  ///< largest n
+  static constexpr int kMost = kMostPacks * kLanes;  ///< largest n
   explicit SmallInverse(int n);
 
   /// Inverts A (n x n). False where a pivot vanishes or is not a number. No allocation.
-  bool invert(const Eigen::MatrixXd& A);
-  /// x = A^-1 b; x may be b. No allocation.
-  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+  bool invert(const Eigen::Ref<const Eigen::MatrixXd>& A);
+  /// x = A^-1 b, both of n numbers; x may be b. No allocation.
+  void solve(const double* b, double* x) const;
 
  private:
   int n_, packs_;

@@ -1,0 +1,82 @@
+// Products with a small matrix, whole packs of a column at a time.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "src/numerics/pack.hpp"
+
+namespace cagetol {
+
+inline constexpr int kMostPacks = 6;  ///< in a column
+
+inline int packs_for(int n) {
+  return (n + kLanes - 1) / kLanes;
+}
+
+/// Calls `run` with the number of packs as a constant.
+template <class Run>
+auto with_packs(int packs, const Run& run) {
+  switch (packs) {
+    case 1:
+      return run.template operator()<1>();
+    case 2:
+      return run.template operator()<2>();
+    case 3:
+      return run.template operator()<3>();
+    case 4:
+      return run.template operator()<4>();
+    case 5:
+      return run.template operator()<5>();
+    default:
+      return run.template operator()<kMostPacks>();
+  }
+}
+
+/// x = A b of `rows` and `columns` numbers, A padded to whole packs; x may be b.
+template <int packs>
+void multiply(const Pack* A, int rows, int columns, const double* b, double* x) {
+  Pack even[packs] = {}, odd[packs] = {};
+  int k = 0;
+  for (; k + 1 < columns; k += 2)
+    for (int p = 0; p < packs; ++p) {
+      even[p] += b[k] * A[k * packs + p];
+      odd[p] += b[k + 1] * A[(k + 1) * packs + p];
+    }
+  if (k < columns)
+    for (int p = 0; p < packs; ++p) even[p] += b[k] * A[k * packs + p];
+  for (int p = 0; p < packs; ++p) {
+    const Pack value = even[p] + odd[p];
+    std::memcpy(x + p * kLanes, &value,
+                sizeof(double) * static_cast<std::size_t>(std::min(kLanes, rows - p * kLanes)));
+  }
+}
+
+/// A constant matrix of at most kMostPacks packs of rows.
+class PackMatrix {
+ public:
+  PackMatrix() = default;
+  explicit PackMatrix(const Eigen::MatrixXd& from)
+      : rows_(static_cast<int>(from.rows())),
+        columns_(static_cast<int>(from.cols())),
+        packs_(packs_for(rows_)),
+        values_(static_cast<std::size_t>(packs_ * columns_)) {
+    for (int j = 0; j < columns_; ++j)
+      std::copy(from.col(j).data(), from.col(j).data() + rows_,
+                reinterpret_cast<double*>(values_.data() + j * packs_));
+  }
+  /// x = A b; x may be b.
+  void multiply(const double* b, double* x) const {
+    with_packs(packs_, [&]<int packs>() {
+      cagetol::multiply<packs>(values_.data(), rows_, columns_, b, x);
+    });
+  }
+
+ private:
+  int rows_ = 0, columns_ = 0, packs_ = 0;
+  std::vector<Pack> values_;
+};
+
+}  // namespace cagetol
