@@ -196,8 +196,7 @@ bool NewtonMatrix::factor_free_border() {
   if (modes > 0) {
     free_.mode_block = -l.border_velocity.block(kModes, kModes, modes, modes);
     for (int k = 0; k < modes; ++k)
-      free_.mode_block(k, k) +=
-          1 / beta_ - beta_ * l.border_position(kModes + k, kModes + k);
+      free_.mode_block(k, k) += 1 / beta_ - beta_ * l.border_position(kModes + k, kModes + k);
     sound = free_.modes.invert(free_.mode_block);
     free_.to_spin = -l.border_velocity.row(kCagePhi).segment(kModes, modes).transpose();
     free_.from_spin = -l.border_velocity.col(kCagePhi).segment(kModes, modes);
@@ -234,8 +233,7 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
     if (!factor_rollers<planar, vectors>(beta)) sound = false;
     for (int v = 0; v < vectors; ++v)
       for (int w = 0; w < vectors; ++w)
-        free_.ring_schur.block<2, 2>(2 * v, 2 * w) =
-            schur_.block<2, 2>(ring_slot(v), ring_slot(w));
+        free_.ring_schur.block<2, 2>(2 * v, 2 * w) = schur_.block<2, 2>(ring_slot(v), ring_slot(w));
     return free_.ring.invert(free_.ring_schur) && sound;
   }
   const int cage_columns = model_.layout.cage();

@@ -17,41 +17,39 @@ class FixedPower {
   explicit FixedPower(double exponent) : exponent_(exponent) {
     for (int i = 0; i < kCells; ++i) {
       inverse_[i] = 1 / (1 + (i + 0.5) / kCells);
-      middle_[i] = static_cast<double>(
-          std::pow(1 / static_cast<long double>(inverse_[i]), static_cast<long double>(exponent)));
+      middle_[i] = std::pow(inverse_[i], -exponent);
     }
-    for (int k = 0; k < kOctaves; ++k)
-      octave_[k] = static_cast<double>(
-          std::pow(2.0L, (k - kLowest) * static_cast<long double>(exponent)));
+    for (int k = 0; k < kOctaves; ++k) octave_[k] = std::exp2((k - kLowest) * exponent);
     series_[0] = 1;
     for (int n = 1; n < kTerms; ++n) series_[n] = series_[n - 1] * (exponent - (n - 1)) / n;
   }
 
-  /// x^e for x > 0. Relative error below 1e-15 for 2^-16 <= x < 2^16 and |e| <= 2, elsewhere as
-  /// power(x, e).
+  /// x^e for x > 0; anything for other x (mask it). Relative error below 1e-15 for 2^-16 <= x <
+  /// 2^16 and 0 <= e <= 2, elsewhere as power(x, e).
   template <class T>
   T operator()(T x) const {
     const auto bits = bits_of(x);
     const auto octave = (bits >> 52) - (1023 - kLowest);
     const auto outside = (octave < 0) | (octave >= kOctaves);
-    if (any(outside)) return power(x, exponent_);
     const auto cell = (bits >> 48) & (kCells - 1);
     const T mantissa = number_of<T>((bits & 0x000FFFFFFFFFFFFFLL) | 0x3FF0000000000000LL);
     const T r = mantissa * look_up(inverse_, cell) - 1.0, r2 = r * r;
     const double(&c)[kTerms] = series_;
     const T low = (c[0] + c[1] * r) + (c[2] + c[3] * r) * r2,
             high = (c[4] + c[5] * r) + (c[6] + c[7] * r) * r2 + (c[8] + c[9] * r) * (r2 * r2);
-    return look_up(octave_, octave) * look_up(middle_, cell) * (low + high * (r2 * r2));
+    const T value = look_up(octave_, octave & (kOctaves - 1)) * look_up(middle_, cell) *
+                    (low + high * (r2 * r2));
+    return any(outside) ? select(outside, power(x, exponent_), value) : value;
   }
 
  private:
   static constexpr int kCells = 16, kOctaves = 32, kLowest = 16, kTerms = 10;
 
   double exponent_;
-  double inverse_[kCells];    ///< 1/c
-  double middle_[kCells];     ///< c^e
-  double octave_[kOctaves];   ///< 2^(k e)
-  double series_[kTerms];     ///< binomial coefficients of e
+  double inverse_[kCells];   ///< 1/c
+  double middle_[kCells];    ///< c^e
+  double octave_[kOctaves];  ///< 2^(k e)
+  double series_[kTerms];    ///< binomial coefficients of e
 };
 
 }  // namespace cagetol

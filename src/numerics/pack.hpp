@@ -103,8 +103,7 @@ inline Pack sqrt(Pack x, Pack& inverse) {
   const __m512d v = reinterpret_cast<__m512d>(x), half = _mm512_mul_pd(_mm512_set1_pd(0.5), v);
   __m512d r = _mm512_rsqrt14_pd(v);
   for (int step = 0; step < 2; ++step)
-    r = _mm512_mul_pd(
-        r, _mm512_fnmadd_pd(_mm512_mul_pd(half, r), r, _mm512_set1_pd(1.5)));
+    r = _mm512_mul_pd(r, _mm512_fnmadd_pd(_mm512_mul_pd(half, r), r, _mm512_set1_pd(1.5)));
   const __m512d root = _mm512_mul_pd(v, r);
   inverse = reinterpret_cast<Pack>(r);
   return reinterpret_cast<Pack>(_mm512_fmadd_pd(_mm512_mul_pd(_mm512_set1_pd(0.5), r),

@@ -53,6 +53,8 @@ CageStress::CageStress(const CageModel& model)
                     .cwiseMax(far_norm.reshaped(per_pocket_, sectors_).rowwise().maxCoeff());
   acting_.reserve(static_cast<std::size_t>(per_pocket_ * sectors_));
   q_.resize(modal_.cols());
+  last_q_.setZero(modal_.cols() - 1);
+  last_force_.setZero(per_pocket_ * sectors_);
 }
 
 CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& bar_force,
@@ -90,15 +92,29 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
   von_mises_squared(components_.segment(largest.sector * rows, rows)).maxCoeff(&at);
   largest.station = at;
   largest.stress = std::sqrt(static_cast<double>(most));
-  return largest;
+  last_q_ = Eigen::Map<const Eigen::VectorXd>(q, modes);
+  last_force_ = bar_force;
+  last_spin_ = spin;
+  return last_ = largest;
 }
 
 double CageStress::bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const {
-  const Eigen::Index modes = mode_norm_.size() - 1;
+  const Eigen::Index modes = last_q_.size();
   double sum = mode_norm_[modes] * spin * spin;
   for (Eigen::Index k = 0; k < modes; ++k) sum += mode_norm_[k] * std::abs(q[k]);
   for (Eigen::Index f = 0; f < bar_force.size(); ++f)
     if (bar_force[f] != 0) sum += force_norm_[f % per_pocket_] * std::abs(bar_force[f]);
+  return sum;
+}
+
+double CageStress::change_bound(const double* q, const Eigen::VectorXd& bar_force,
+                                double spin) const {
+  const Eigen::Index modes = last_q_.size();
+  double sum = mode_norm_[modes] * std::abs(spin * spin - last_spin_ * last_spin_);
+  for (Eigen::Index k = 0; k < modes; ++k) sum += mode_norm_[k] * std::abs(q[k] - last_q_[k]);
+  for (Eigen::Index f = 0; f < bar_force.size(); ++f)
+    if (const double change = bar_force[f] - last_force_[f]; change != 0)
+      sum += force_norm_[f % per_pocket_] * std::abs(change);
   return sum;
 }
 

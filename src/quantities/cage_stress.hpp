@@ -1,7 +1,7 @@
 // Von Mises stress of a flexible cage at its stress stations, fast enough for every accepted step:
 // elastic modes plus the static rest of bar forces and turning (station_stress in
-// src/cage/cage_model.hpp, in single precision), and a bound that tells without looking when no
-// station can exceed a known value.
+// src/cage/cage_model.hpp, in single precision), and bounds that tell without looking when no
+// station can exceed a known value, or has changed since one looked.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,6 +26,10 @@ class CageStress {
   /// No station's stress exceeds this: von Mises stress is a norm, so parts add up at most [Pa].
   double bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const;
 
+  /// What largest() said last, and the most by which any station's stress can be off it now [Pa].
+  const Largest& last() const { return last_; }
+  double change_bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const;
+
  private:
   /// A force that acts: its pocket, its place in the pocket.
   struct ActingForce {
@@ -40,6 +44,9 @@ class CageStress {
   Eigen::VectorXd
       force_norm_;  ///< largest residual stress of a unit force, by its place in a pocket
   Eigen::VectorXf q_, components_;
+  Largest last_;
+  Eigen::VectorXd last_q_, last_force_;  ///< of which largest() was asked, zero at first
+  double last_spin_ = 0;
   std::vector<ActingForce> acting_;
 };
 

@@ -17,6 +17,7 @@ constexpr int kStaticsInstants = 64;
 constexpr double kStaticsAccuracy = 1e-6;    // of the balance, in shares of the load
 constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
 constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, which costs more
+constexpr double kStressAccuracy = 1e-4;     // of it, in shares of the largest so far
 constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that hardly dissipate
 constexpr double kLoadedShare = 0.01;        // of the applied load
 constexpr double kDisplacementFloor = 1e-6;  // of the consistency error [m]
@@ -109,8 +110,15 @@ void Observer::record_stress(double t, const double* y, const Observation& seen)
   if (keep) next_stress_ = std::max(next_stress_ + kStressInterval, t);
   const double* q = y + model_.layout.border_position(kModes);
   const double spin = seen.centrifugal_spin;
-  if (!keep && stress_->bound(q, seen.bar_force, spin) <= cage_stress_.peak()) return;
-  const CageStress::Largest largest = stress_->largest(q, seen.bar_force, spin);
+  const double peak = cage_stress_.peak();
+  const double change = stress_->change_bound(q, seen.bar_force, spin);
+  const bool changed = !(change <= kStressAccuracy * peak);
+  if (!keep) {
+    if (!changed || stress_->last().stress + change <= peak) return;
+    if (stress_->bound(q, seen.bar_force, spin) <= peak) return;
+  }
+  const CageStress::Largest largest =
+      changed ? stress_->largest(q, seen.bar_force, spin) : stress_->last();
   if (largest.stress > cage_stress_.peak() || cage_peak_.modes.empty()) {
     cage_peak_.time = t;
     cage_peak_.pocket = static_cast<int>(largest.sector);

@@ -217,7 +217,11 @@ TEST(CageStress, IsTheLargestStationStressAndNeverAboveItsBound) {
     const Eigen::VectorXd all = station_stress(model, q, force, spin);
     Eigen::Index at = 0;
     const double most = all.maxCoeff(&at);
+    // However far it is from the one before, the bound of the change holds.
+    const double before = stress.last().stress, change = stress.change_bound(q.data(), force, spin);
+    EXPECT_LE(std::abs(most - before), change * (1 + 1e-6) + 1e-5 * before);
     const auto largest = stress.largest(q.data(), force, spin);
+    EXPECT_EQ(stress.change_bound(q.data(), force, spin), 0);
     EXPECT_NEAR(largest.stress, most, 1e-5 * most);
     EXPECT_EQ(largest.sector * model.stress_stations + largest.station, at);
     const double bound = stress.bound(q.data(), force, spin);

@@ -1,4 +1,4 @@
-#include "src/numerics/pack.hpp"
+#include "src/numerics/fixed_power.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -64,6 +64,40 @@ TEST_F(PackMath, PowerWithinItsBound) {
   EXPECT_LT(far, 6e-15);
 }
 
+TEST_F(PackMath, FixedPowerWithinItsBound) {
+  double table = 0, beyond = 0, alone = 0;
+  for (int n = 0; n < 400; ++n) {
+    const double e = n % 3 ? between(0, 2) : 1.0 / 9;
+    const FixedPower to_the_e(e);
+    for (int k = 0; k < 500; ++k) {
+      const double x = std::exp2(k % 2 ? between(-16, 16) : between(-30, 30));
+      const long double exact = std::pow(static_cast<long double>(x), static_cast<long double>(e));
+      const double found = to_the_e(splat(x))[k % kLanes];
+      const double error = static_cast<double>(std::abs(found - exact) / exact);
+      (k % 2 ? table : beyond) = std::max(k % 2 ? table : beyond, error);
+      alone = std::max(alone, static_cast<double>(std::abs(to_the_e(x) - exact) / exact));
+    }
+    EXPECT_EQ(to_the_e(splat(1))[0], to_the_e(1.0));
+  }
+  EXPECT_LT(table, 1e-15);
+  EXPECT_LT(beyond, 6e-15);
+  EXPECT_LT(alone, 6e-15);
+}
+
+TEST_F(PackMath, RootAndItsReciprocalWithinTheirBound) {
+  double root = 0, reciprocal = 0;
+  for (int n = 0; n < kTrials; ++n) {
+    const double x = magnitude(1e-30, 1e30);
+    Pack inverse;
+    const double found = sqrt(splat(x), inverse)[n % kLanes];
+    const long double exact = std::sqrt(static_cast<long double>(x));
+    root = std::max(root, static_cast<double>(std::abs(found - exact) / exact));
+    reciprocal = std::max(reciprocal, static_cast<double>(std::abs(inverse[0] * exact - 1)));
+  }
+  EXPECT_LT(root, 1.2e-16);
+  EXPECT_LT(reciprocal, 5e-16);
+}
+
 TEST_F(PackMath, SineAndCosineWithinTheirBound) {
   double worst = 0;
   for (int n = 0; n < kTrials; ++n) {
@@ -83,8 +117,9 @@ TEST_F(PackMath, SineAndCosineWithinTheirBound) {
 }
 
 TEST_F(PackMath, ALaneDoesNotMatter) {
+  const FixedPower ninth_root(1.0 / 9);
   for (int n = 0; n < 1000; ++n) {
-    const double x = magnitude(1e-6, 1e3), angle = between(-100, 100);
+    const double x = n % 3 ? magnitude(1e-6, 1e3) : 1e-7, angle = between(-100, 100);
     Pack mixed = splat(3.7), turned = splat(-2.1);
     for (int lane = 0; lane < kLanes; ++lane) {
       mixed[lane] = x;
@@ -93,6 +128,7 @@ TEST_F(PackMath, ALaneDoesNotMatter) {
       sine_cosine(turned, s, c);
       sine_cosine(splat(angle), s0, c0);
       ASSERT_EQ(power(mixed, 10.0 / 9)[lane], power(splat(x), 10.0 / 9)[0]);
+      ASSERT_EQ(ninth_root(mixed)[lane], ninth_root(splat(x))[0]);
       ASSERT_EQ(sqrt(mixed)[lane], std::sqrt(x));
       ASSERT_EQ(s[lane], s0[0]);
       ASSERT_EQ(c[lane], c0[0]);
