@@ -19,7 +19,9 @@ class FixedPower {
       inverse_[i] = 1 / (1 + (i + 0.5) / kCells);
       middle_[i] = std::pow(inverse_[i], -exponent);
     }
-    for (int k = 0; k < kOctaves; ++k) octave_[k] = std::exp2((k - kLowest) * exponent);
+    for (int k = 0; k < kOctaves; ++k)
+      octave_[k] =
+          static_cast<double>(std::exp2((k - kLowest) * static_cast<long double>(exponent)));
     series_[0] = 1;
     for (int n = 1; n < kTerms; ++n) series_[n] = series_[n - 1] * (exponent - (n - 1)) / n;
   }
