@@ -27,7 +27,7 @@ double settled_within(double radius, double accuracy) {
 }  // namespace
 
 StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
-    : model_(model), damped_(model.race), accuracy_(accuracy) {
+    : model_(model), damped_(model.race), accuracy_(accuracy), unused_(model) {
   model_.friction.static_coefficient = model_.friction.dynamic_coefficient = 0;
   const auto n = static_cast<std::size_t>(model.layout.padded());
   state_.radius.assign(n, model.outer_radius - model.nominal_diameter / 2);
@@ -42,7 +42,6 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                                                                double orbit_rate,
                                                                RollerMotion motion) {
   RingForce ring{};
-  Observation unused(model_);
   for (int group = 0; group < model_.layout.groups; ++group) {
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(group)];
     const int j = group * kLanes;
@@ -76,13 +75,14 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       TiltLinear by_tilt;
       if constexpr (tilting) by_tilt = {};
       RingTilt tilt{.rate_r = {}, .rate_t = {}, .linear = &by_tilt};
-      race_contacts<true, tilting>(model_, roller, q, inner, loads, &g, &unused, total, a, er, et,
+      race_contacts<true, tilting>(model_, roller, q, inner, loads, &g, &unused_, total, a, er, et,
                                    drive, &tilt);
       const RollerLoads on_inner = loads;
-      const GroupLinear from_inner = g;
+      Pack P[kLocalVelocities][kLocalPositions];  // of the inner race alone
+      std::copy(&g.position[0][0], &g.position[0][0] + sizeof P / sizeof(Pack), &P[0][0]);
       const Pack elastic_r = er, elastic_t = et;
       store(state_.inner_force.data() + j, total);
-      race_contacts<true>(model_, roller, q, outer, loads, &g, &unused, total, a, er, et, drive);
+      race_contacts<true>(model_, roller, q, outer, loads, &g, &unused_, total, a, er, et, drive);
       const Pack F =
           loads.f[kLr] + roller.mass * (q.r * (orbit_rate * orbit_rate) - model_.gravity * q.sine);
       const Pack T = loads.f[kLar];
@@ -110,7 +110,6 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
         // Condense: a move of the ring changes the inner force directly, and through the roller
         // that follows it. Rows: forces on the ring in r, t, then moments; columns likewise.
         constexpr int n = tilting ? 4 : 2;
-        const auto& P = from_inner.position;
         const RingCoupling& with_tilt = by_tilt.coupling;
         Pack K[n][n];
         for (int c = 0; c < n; ++c) {

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "src/dynamics/bearing_model.hpp"
+#include "src/dynamics/observation.hpp"
 
 namespace cagetol {
 
@@ -53,6 +53,7 @@ class StaticEquilibrium {
   BearingModel model_;  ///< a copy without friction, and without damping where rollers are at rest
   NormalLaw damped_;
   double accuracy_;
+  Observation unused_;  ///< of contacts, which report to one
   StaticState state_;
 };
 
