@@ -29,7 +29,7 @@ struct Friction {
 
 /// `speed_squared` = |v|^2 [m^2/s^2].
 template <class T>
-Friction<T> friction(const FrictionLaw& law, T speed_squared) {
+[[gnu::always_inline]] inline Friction<T> friction(const FrictionLaw& law, T speed_squared) {
   const double vs = law.static_speed, mu_s = law.static_coefficient;
   const T s2 = speed_squared * (1.0 / (vs * vs));
   Friction<T> f{(mu_s / (2 * vs)) * (3.0 - s2), T{} + (-mu_s / (vs * vs * vs))};

@@ -48,8 +48,9 @@ struct NormalForce {
   T elastic_stiffness;  ///< d(K p^e)/dp [N/m]
 };
 
+/// Inlined, so that what the caller does not look at is not computed.
 template <class T>
-NormalForce<T> normal_force(const NormalLaw& law, T p, T rate) {
+[[gnu::always_inline]] inline NormalForce<T> normal_force(const NormalLaw& law, T p, T rate) {
   const auto touching = p > 0.0;
   const T scaled = select(touching, p * 1e6, T{} + 1.0);
   const T w = law.stiffness * law.softening(scaled);

@@ -97,14 +97,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
   double h = std::min(next_step_, keys_.max_step);
   if (keys_.touch_aware) h = std::min(h, system.seen.time_to_touch + kTouchMargin);
   const bool driven = system.driven_by_time(t);
-  if (driven) {
-    const double dt = 1e-7;
-    system.rates(t + dt, y, time_rates_.data());
-    for (int i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      time_rates_[k] = (time_rates_[k] - system.rate[k]) / dt;
-    }
-  }
+  if (driven) system.rates_by_time(t, y, time_rates_.data());
   bool rejected = false;
   for (;;) {
     if (system.counts.steps + system.counts.rejected >= keys_.step_budget)

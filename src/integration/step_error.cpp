@@ -57,13 +57,17 @@ double StepError::operator()(const System& s, const double* y, const double* err
   }
   const double coarse = std::sqrt(
       std::max(0.0, strict * strict - sum(spared) / (tolerance * tolerance * s.components)));
-  const double moved = sum(energy) / (kMovedEnergy * dissipation_ * h);
+  const double allowed = kMovedEnergy * dissipation_ * h;
+  if (!(allowed > 0)) return strict;
+  const double moved = sum(energy) * watched_ / allowed;
   return std::min(strict, std::max(coarse, moved));
 }
 
 void StepError::advance(const System& s, double h) {
   const double power = s.seen.friction_power + s.seen.damping_power;
-  dissipation_ += (power - dissipation_) * -std::expm1(-h / kDissipationTime);
+  const double share = -std::expm1(-h / kDissipationTime);
+  dissipation_ += (power - dissipation_) * share;
+  watched_ += (1 - watched_) * share;
 }
 
 }  // namespace cagetol

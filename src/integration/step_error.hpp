@@ -23,7 +23,9 @@ class StepError {
   void advance(const System& system, double h);
 
  private:
-  double dissipation_ = 0;  ///< power, mean over the last millisecond [W]
+  // Means over the last millisecond, exponentially weighted, as from a start at zero.
+  double dissipation_ = 0;  ///< power [W]
+  double watched_ = 0;      ///< one, since the start
 };
 
 }  // namespace cagetol

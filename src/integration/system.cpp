@@ -50,6 +50,24 @@ bool System::driven_by_time(double t) const {
   return t < std::max(model.load_ramp, model.speed_ramp);
 }
 
+void System::rates_by_time(double t, const double* y, double* out) {
+  constexpr double dt = 1e-7;
+  if (t < model.speed_ramp) {
+    rates(t + dt, y, out);
+    for (int i = 0; i < size; ++i) out[i] = (out[i] - rate[static_cast<std::size_t>(i)]) / dt;
+    return;
+  }
+  // The load acts on the ring and nowhere else.
+  std::fill(out, out + size, 0.0);
+  const RingLoad now = load_at(model, t), soon = load_at(model, t + dt);
+  double* ring = out + model.layout.border_velocity(0);
+  ring[kRingZ] = -(soon.radial - now.radial) / dt / model.ring_mass;
+  if (model.layout.ring_tilt == 0) return;
+  double* tilt = ring + model.layout.ring_tilt_slot();
+  tilt[0] = (soon.moment_y - now.moment_y) / dt / model.ring_transverse;
+  tilt[1] = (soon.moment_z - now.moment_z) / dt / model.ring_transverse;
+}
+
 std::vector<double> error_scales(const BearingModel& m) {
   const StateLayout& l = m.layout;
   std::vector<double> scale(static_cast<std::size_t>(l.size()), kNever);

@@ -26,6 +26,8 @@ struct System {
   bool linearise_at(double t, const double* y);
   /// True while load or speed depend on time explicitly.
   bool driven_by_time(double t) const;
+  /// How the rates change with time alone; expects linearise_at(t, y) to have been called.
+  void rates_by_time(double t, const double* y, double* out);
 
   const BearingModel& model;
   int size;

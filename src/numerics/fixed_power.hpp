@@ -29,7 +29,7 @@ class FixedPower {
   /// x^e for x > 0; anything for other x (mask it). Relative error below 1e-15 for 2^-16 <= x <
   /// 2^16 and 0 <= e <= 2, elsewhere as power(x, e).
   template <class T>
-  T operator()(T x) const {
+  [[gnu::always_inline]] T operator()(T x) const {
     const auto bits = bits_of(x);
     const auto octave = (bits >> 52) - (1023 - kLowest);
     const auto outside = (octave < 0) | (octave >= kOctaves);
