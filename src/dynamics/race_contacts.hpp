@@ -67,6 +67,18 @@ LinearRow linear_row(int i, GroupLinear& of_roller, [[maybe_unused]] RingTilt* t
   return {of_roller.position[i], of_roller.velocity[i], nullptr, nullptr};
 }
 
+// Whether a race's normal and its two sliding channels have an entry for a local direction: the
+// normal none for the spin, v1 none for the axial motion, v2 none in the radial plane.
+constexpr bool in_normal(int i) {
+  return i != kLs;
+}
+constexpr bool in_v1(int i) {
+  return i != kLx;
+}
+constexpr bool in_v2(int i) {
+  return i != kLr && i != kLt;
+}
+
 /// `tilt`: where `tilting`.
 template <bool linear, bool tilting = false>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
@@ -81,6 +93,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     film = film_at_speed(race.film, oil.speed);
     thickest = thickest_film(race.film, film);
   }
+  const FrictionLaw rubbing = model.friction;  // a copy, so that its constants are made once
+  [[maybe_unused]] Pack friction_power{}, damping_power{}, energy{};
   for (const Slice& slice : model.race_slices) {
     const double xi = slice.position;
     const Pack place = q.x + xi;
@@ -131,7 +145,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     }
     const NormalForce<Pack>& normal = contact.normal;
     const Pack speed2 = v1 * v1 + v2 * v2;
-    const auto fr = friction(model.friction, speed2);
+    const auto fr = friction(rubbing, speed2);
     const Pack g = fr.ratio * normal.force;
     const Pack f1 = -g * v1, f2 = -g * v2;
     const Pack f_r = normal.force * n_r - f1 * n_t, f_t = normal.force * n_t + f1 * n_r;
@@ -153,14 +167,14 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       elastic_r += normal.elastic * n_r;
       elastic_t += normal.elastic * n_t;
       drive += f1 * surface + f2 * swash;
-      seen->friction_power += sum(g * speed2);
-      seen->damping_power += sum((normal.force - normal.elastic) * rate);
+      friction_power += g * speed2;
+      damping_power += (normal.force - normal.elastic) * rate;
       if (race.film.on) {
-        seen->elastic_energy += sum(film_energy(model.race, race.film, film, contact));
+        energy += film_energy(model.race, race.film, film, contact);
         seen->thinnest_film = std::min(
             seen->thinnest_film, smallest(select(touching, contact.thickness, splat(kNoFilm))));
       } else {
-        seen->elastic_energy += sum(normal.elastic * contact.depth) / (model.race.exponent + 1);
+        energy += normal.elastic * contact.depth * (1 / (model.race.exponent + 1));
       }
 
       const Pack zero{}, one = splat(1.0);
@@ -198,9 +212,15 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       const Pack v2_turn = -inverse * radius * (n_r * w_r + n_t * w_t) - swash_turn;
       const Pack by_turn =
           by_rate * inverse * along - by_v1 * v1_turn - by_v2 * v2_turn + f2 * swash_turn;
+#pragma GCC unroll 6
       for (int i = 0; i < kLocalVelocities; ++i) {
-        jac->power_velocity[i] += by_rate * gn[i] - by_v1 * g1[i] - by_v2 * g2[i];
-        if (i < kLocalPositions) jac->power_position[i] += by_p * gn[i] + by_turn * g1[i];
+        Pack& to = jac->power_velocity[i];
+        if (in_normal(i)) to += by_rate * gn[i];
+        if (in_v1(i)) to -= by_v1 * g1[i];
+        if (in_v2(i)) to -= by_v2 * g2[i];
+        if (i == kLocalPositions) break;
+        jac->power_position[i] += by_p * gn[i];
+        if (in_v1(i)) jac->power_position[i] += by_turn * g1[i];
       }
       if (race.film.on) {
         const Pack by_speed = contact.by_speed * (fr.ratio * speed2 + rate + driven) -
@@ -222,7 +242,12 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         }
       // What forces do, held fast, as n turns with t and with it the lever of F2.
       Pack turned[rows];
-      for (int i = 0; i < rows; ++i) turned[i] = spread * (g1[i] + m1 * gn[i]);
+#pragma GCC unroll 8
+      for (int i = 0; i < rows; ++i) {
+        turned[i] = in_normal(i) ? m1 * gn[i] : Pack{};
+        if (in_v1(i)) turned[i] += g1[i];
+        turned[i] *= spread;
+      }
       const Pack lever = inverse * f2;
       turned[kLx] = spread * askew;
       turned[kLar] -= radius * n_t * lever;
@@ -232,15 +257,24 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         turned[kLocalVelocities] -= arm * n_t * lever;
         turned[kLocalVelocities + 1] += arm * n_r * lever;
       }
+#pragma GCC unroll 8
       for (int i = 0; i < rows; ++i) {
         const LinearRow row = linear_row<tilting>(i, *jac, tilt);
-        const Pack e = gn[i] - m1 * g1[i] - m2 * g2[i];
-        const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
+        Pack e{}, w1{}, w2{};
+        if (in_normal(i)) e = gn[i];
+        if (in_v1(i)) e -= m1 * g1[i], w1 = d11 * g1[i], w2 = d12 * g1[i];
+        if (in_v2(i)) e -= m2 * g2[i], w1 += d12 * g2[i], w2 += d22 * g2[i];
         const Pack ec = e * normal.damping, ek = e * normal.stiffness;
         const Pack et = turned[i] - e * turn - w1 * v1_turn - w2 * v2_turn;
-        for (int j = 0; j < kLocalVelocities; ++j)
-          row.velocity[j] -= ec * gn[j] + w1 * g1[j] + w2 * g2[j];
-        for (int j = 0; j < kLocalPositions; ++j) row.position[j] += et * g1[j] - ek * gn[j];
+#pragma GCC unroll 6
+        for (int j = 0; j < kLocalVelocities; ++j) {
+          if (in_normal(j)) row.velocity[j] -= ec * gn[j];
+          if (in_v1(j)) row.velocity[j] -= w1 * g1[j];
+          if (in_v2(j)) row.velocity[j] -= w2 * g2[j];
+          if (j == kLocalPositions) break;
+          row.position[j] -= ek * gn[j];
+          if (in_v1(j)) row.position[j] += et * g1[j];
+        }
         if (race.film.on) {
           row.velocity[kLt] += e * contact.by_speed * oil.by_vt;
           row.velocity[kLs] += e * contact.by_speed * oil.by_spin;
@@ -266,6 +300,11 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         coupling.to_position[1][kLx] -= f_t;
       }
     }
+  }
+  if constexpr (linear) {
+    seen->friction_power += sum(friction_power);
+    seen->damping_power += sum(damping_power);
+    seen->elastic_energy += sum(energy);
   }
 }
 
