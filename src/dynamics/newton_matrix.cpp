@@ -85,8 +85,7 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
     : model_(model),
       groups_(static_cast<std::size_t>(model.layout.groups)),
       cages_(static_cast<std::size_t>(model.layout.rollers)),
-      schur_(model.layout.border(), model.layout.border()),
-      schur_inverse_(model.layout.border()),
+      schur_(model.layout.border()),
       free_(model.layout),
       border_mass_(border_mass(model)),
       border_rhs_(model.layout.border()),
@@ -154,10 +153,11 @@ bool NewtonMatrix::factor_rollers(double beta) {
         to[1][1] += sum(si * (rr * l.sine + rt * l.cosine) + co * (tr * l.sine + tt * l.cosine));
       }
   }
+  auto schur = schur_.matrix();
   for (int v = 0; v < vectors; ++v)
     for (int w = 0; w < vectors; ++w)
       for (int a = 0; a < 2; ++a)
-        for (int c = 0; c < 2; ++c) schur_(ring_slot(v) + a, ring_slot(w) + c) -= ring[v][w][a][c];
+        for (int c = 0; c < 2; ++c) schur(ring_slot(v) + a, ring_slot(w) + c) -= ring[v][w][a][c];
   return sound;
 }
 
@@ -172,10 +172,7 @@ NewtonMatrix::FreeBorder::FreeBorder(const StateLayout& layout)
       rigid(kCageRigid),
       modes(layout.modes),
       to_spin(layout.modes),
-      from_spin(layout.modes),
-      ring_schur(2 + layout.ring_tilt, 2 + layout.ring_tilt),
-      rigid_schur(kCageRigid, kCageRigid),
-      mode_block(layout.modes, layout.modes) {}
+      from_spin(layout.modes) {}
 
 /// The ring's own block into schur_, and the cage's factors.
 template <int vectors>
@@ -184,27 +181,29 @@ bool NewtonMatrix::factor_free_border() {
   for (int v = 0; v < vectors; ++v)
     for (int w = 0; w < vectors; ++w) {
       const int row = ring_slot(v), column = ring_slot(w);
-      auto block = schur_.block<2, 2>(row, column);
+      auto block = schur_.matrix().block<2, 2>(row, column);
       block = -l.border_velocity.block<2, 2>(row, column) -
               beta_ * l.border_position.block<2, 2>(row, column);
       if (v == w) block.diagonal() += border_mass_.segment<2>(row) / beta_;
     }
-  free_.rigid_schur = -l.border_velocity.block<kCageRigid, kCageRigid>(kCageY, kCageY);
-  free_.rigid_schur.diagonal() += border_mass_.segment<kCageRigid>(kCageY) / beta_;
+  auto rigid = free_.rigid.matrix();
+  rigid = -l.border_velocity.block<kCageRigid, kCageRigid>(kCageY, kCageY);
+  rigid.diagonal() += border_mass_.segment<kCageRigid>(kCageY) / beta_;
   const int modes = model_.layout.modes;
   bool sound = true;
   if (modes > 0) {
-    free_.mode_block = -l.border_velocity.block(kModes, kModes, modes, modes);
+    auto among = free_.modes.matrix();
+    among = -l.border_velocity.block(kModes, kModes, modes, modes);
     for (int k = 0; k < modes; ++k)
-      free_.mode_block(k, k) += 1 / beta_ - beta_ * l.border_position(kModes + k, kModes + k);
-    sound = free_.modes.invert(free_.mode_block);
+      among(k, k) += 1 / beta_ - beta_ * l.border_position(kModes + k, kModes + k);
+    sound = free_.modes.invert();
     free_.to_spin = -l.border_velocity.row(kCagePhi).segment(kModes, modes).transpose();
     free_.from_spin = -l.border_velocity.col(kCagePhi).segment(kModes, modes);
     free_.modes.solve(free_.from_spin.data(), free_.from_spin.data());
     constexpr int spin = kCagePhi - kCageY;
-    free_.rigid_schur(spin, spin) -= free_.to_spin.dot(free_.from_spin);
+    rigid(spin, spin) -= free_.to_spin.dot(free_.from_spin);
   }
-  return free_.rigid.invert(free_.rigid_schur) && sound;
+  return free_.rigid.invert() && sound;
 }
 
 /// border_solution_ of border_rhs_.
@@ -233,12 +232,14 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
     if (!factor_rollers<planar, vectors>(beta)) sound = false;
     for (int v = 0; v < vectors; ++v)
       for (int w = 0; w < vectors; ++w)
-        free_.ring_schur.block<2, 2>(2 * v, 2 * w) = schur_.block<2, 2>(ring_slot(v), ring_slot(w));
-    return free_.ring.invert(free_.ring_schur) && sound;
+        free_.ring.matrix().block<2, 2>(2 * v, 2 * w) =
+            schur_.matrix().block<2, 2>(ring_slot(v), ring_slot(w));
+    return free_.ring.invert() && sound;
   }
   const int cage_columns = model_.layout.cage();
-  schur_ = -linear.border_velocity - beta * linear.border_position;
-  schur_.diagonal() += border_mass_ / beta;
+  auto schur = schur_.matrix();
+  schur = -linear.border_velocity - beta * linear.border_position;
+  schur.diagonal() += border_mass_ / beta;
   bool sound = factor_rollers<planar, vectors>(beta);
   for (int n = 0; n < linear.coupled; ++n) {
     const CageCoupling& c = linear.couplings[static_cast<std::size_t>(n)];
@@ -264,16 +265,16 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
       }
     }
     cage.from.noalias() = inverse * cage.into;
-    schur_.block(kCageY, kCageY, cage_columns, cage_columns).noalias() -= cage.to * cage.from;
+    schur.block(kCageY, kCageY, cage_columns, cage_columns).noalias() -= cage.to * cage.from;
     for (int i = 0; i < kLocalVelocities; ++i)
       for (int v = 0; v < vectors; ++v)
         for (int a = 0; a < 2; ++a) {
           const int ring = ring_slot(v) + a;
-          schur_.row(ring).segment(kCageY, cage_columns) -= ring_to[v][a][i] * cage.from.row(i);
-          schur_.col(ring).segment(kCageY, cage_columns) -= ring_from[v][i][a] * cage.to.col(i);
+          schur.row(ring).segment(kCageY, cage_columns) -= ring_to[v][a][i] * cage.from.row(i);
+          schur.col(ring).segment(kCageY, cage_columns) -= ring_from[v][i][a] * cage.to.col(i);
         }
   }
-  if (!schur_inverse_.invert(schur_)) sound = false;
+  if (!schur_.invert()) sound = false;
   return sound;
 }
 
@@ -364,7 +365,7 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
     }
   }
   if (linear_->cage_touched)
-    schur_inverse_.solve(border_rhs_.data(), border_solution_.data());
+    schur_.solve(border_rhs_.data(), border_solution_.data());
   else
     solve_free_border<vectors>();
 

@@ -63,7 +63,6 @@ class NewtonMatrix {
     explicit FreeBorder(const StateLayout& layout);
     SmallInverse ring, rigid, modes;
     Eigen::VectorXd to_spin, from_spin;  ///< of the modes; the latter solved for
-    Eigen::MatrixXd ring_schur, rigid_schur, mode_block;
   };
   template <int vectors>
   bool factor_free_border();
@@ -75,8 +74,7 @@ class NewtonMatrix {
   double beta_ = 0;
   std::vector<Group> groups_;
   std::vector<Cage> cages_;
-  Eigen::MatrixXd schur_;
-  SmallInverse schur_inverse_;
+  SmallInverse schur_;  ///< Schur complement on the border, then its inverse
   FreeBorder free_;
   Eigen::VectorXd border_mass_, border_rhs_, border_positions_, border_solution_;
 };

@@ -12,25 +12,27 @@ template <int packs>
 bool invert_vectors(Pack* vectors, int n) {
   const Pack lane = {0, 1, 2, 3, 4, 5, 6, 7};
   bool sound = true;
+  Pack* const end = vectors + n * packs;
   for (int k = 0; k < n; ++k) {
     Pack* const pivot_vector = vectors + k * packs;
-    const int at = k / kLanes;
-    const Mask here = lane == static_cast<double>(k % kLanes);
     const double pivot = reinterpret_cast<const double*>(pivot_vector)[k];
     if (!(std::abs(pivot) > 0) || !std::isfinite(pivot)) sound = false;
     const double inverse = 1 / pivot;
+    Mask other[packs];  // all rows but the pivot's
     Pack scaled[packs];
-    for (int p = 0; p < packs; ++p) scaled[p] = pivot_vector[p] * inverse;
-    scaled[at] = select(here, splat(inverse), scaled[at]);
-    for (int i = 0; i < n; ++i) {
-      if (i == k) continue;
-      Pack* const vector = vectors + i * packs;
-      const double factor = reinterpret_cast<const double*>(vector)[k];
-      for (int p = 0; p < packs; ++p) {
-        const Pack kept = p == at ? select(here, Pack{}, vector[p]) : vector[p];
-        vector[p] = kept - factor * scaled[p];
-      }
+    for (int p = 0; p < packs; ++p) {
+      other[p] = lane != static_cast<double>(k - p * kLanes);
+      scaled[p] = select(other[p], pivot_vector[p] * inverse, splat(inverse));
     }
+    const auto eliminate = [&](Pack* from, const Pack* to) {
+      for (Pack* vector = from; vector != to; vector += packs) {
+        const double factor = reinterpret_cast<const double*>(vector)[k];
+        for (int p = 0; p < packs; ++p)
+          vector[p] = select(other[p], vector[p], Pack{}) - factor * scaled[p];
+      }
+    };
+    eliminate(vectors, pivot_vector);
+    eliminate(pivot_vector + packs, end);
     for (int p = 0; p < packs; ++p) pivot_vector[p] = scaled[p];
   }
   return sound;
@@ -41,10 +43,7 @@ bool invert_vectors(Pack* vectors, int n) {
 SmallInverse::SmallInverse(int n)
     : n_(n), packs_(packs_for(n)), columns_(static_cast<std::size_t>(n * packs_)) {}
 
-bool SmallInverse::invert(const Eigen::Ref<const Eigen::MatrixXd>& A) {
-  for (int j = 0; j < n_; ++j)
-    std::copy(A.col(j).data(), A.col(j).data() + n_,
-              reinterpret_cast<double*>(columns_.data() + j * packs_));
+bool SmallInverse::invert() {
   return with_packs(packs_,
                     [&]<int packs>() { return invert_vectors<packs>(columns_.data(), n_); });
 }

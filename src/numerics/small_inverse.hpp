@@ -16,14 +16,19 @@ class SmallInverse {
   static constexpr int kMost = kMostPacks * kLanes;  ///< largest n
   explicit SmallInverse(int n);
 
-  /// Inverts A (n x n). False where a pivot vanishes or is not a number. No allocation.
-  bool invert(const Eigen::Ref<const Eigen::MatrixXd>& A);
+  /// The matrix, to be filled before invert(): afterwards it holds the inverse.
+  auto matrix() {
+    return Eigen::Map<Eigen::MatrixXd, Eigen::AlignedMax, Eigen::OuterStride<>>(
+        reinterpret_cast<double*>(columns_.data()), n_, n_, Eigen::OuterStride<>(packs_ * kLanes));
+  }
+  /// Inverts in place. False where a pivot vanishes or is not a number. No allocation.
+  bool invert();
   /// x = A^-1 b, both of n numbers; x may be b. No allocation.
   void solve(const double* b, double* x) const;
 
  private:
   int n_, packs_;
-  std::vector<Pack> columns_;  ///< of the inverse, `packs_` to a column
+  std::vector<Pack> columns_;  ///< `packs_` to a column
 };
 
 }  // namespace cagetol
