@@ -27,6 +27,7 @@ struct RollerGroup {
 };
 
 /// A slice of a roller: position along its axis and the drop of its profile [m].
+inline constexpr int kMostSlices = 101;  ///< of a race, on the stack of its contacts
 struct Slice {
   double position;
   double drop;

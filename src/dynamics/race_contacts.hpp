@@ -50,6 +50,11 @@ struct RingTilt {
   TiltLinear* linear = nullptr;
 };
 
+/// A slice's penetration, its normal, and s over the distance of the axes.
+struct SliceGap {
+  Pack p, n_r, n_t, inverse;
+};
+
 /// Row of the derivatives: of a local direction of the roller, or, beyond these, of the tilt's.
 struct LinearRow {
   Pack *position, *velocity;            ///< over the roller's directions
@@ -95,21 +100,33 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
   }
   const FrictionLaw rubbing = model.friction;  // a copy, so that its constants are made once
   [[maybe_unused]] Pack friction_power{}, damping_power{}, energy{};
-  for (const Slice& slice : model.race_slices) {
+  // Where the slices are, before what they do: a slice's force waits for its root, and a processor
+  // that sees several roots side by side does not wait.
+  SliceGap gaps[kMostSlices];
+  const int slices = static_cast<int>(model.race_slices.size());
+  for (int n = 0; n < slices; ++n) {
+    const Slice& slice = model.race_slices[static_cast<std::size_t>(n)];
+    const Pack place = q.x + slice.position;
+    const Pack d_r = q.r + slice.position * q.a_r - race.u_r - race.B_r * place;
+    const Pack d_t = slice.position * q.a_t - race.u_t - race.B_t * place;
+    SliceGap& gap = gaps[n];
+    const Pack distance = sqrt(d_r * d_r + d_t * d_t, gap.inverse);
+    gap.inverse *= race.sign;
+    gap.n_r = d_r * gap.inverse;
+    gap.n_t = d_t * gap.inverse;
+    gap.p = race.sign * (race.radius - distance) + roller.radius +
+            (slice.position * roller.taper_slope - slice.drop);
+  }
+  for (int n = 0; n < slices; ++n) {
+    const Slice& slice = model.race_slices[static_cast<std::size_t>(n)];
     const double xi = slice.position;
-    const Pack place = q.x + xi;
-    const Pack d_r = q.r + xi * q.a_r - race.u_r - race.B_r * place;
-    const Pack d_t = xi * q.a_t - race.u_t - race.B_t * place;
-    Pack inverse;
-    const Pack distance = sqrt(d_r * d_r + d_t * d_t, inverse);
-    const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
-    const Pack p = race.sign * (race.radius - distance) + radius;
+    const auto& [p, n_r, n_t, inverse] = gaps[n];
     const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
     if constexpr (!linear)
       if (!any(touching)) continue;
 
-    inverse *= race.sign;
-    const Pack n_r = d_r * inverse, n_t = d_t * inverse;
+    const Pack place = q.x + xi;
+    const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
     const Pack n_x = -(n_r * race.B_r + n_t * race.B_t);
     Pack v_r = q.vr + xi * q.b_r - race.du_r, v_t = q.vt + xi * q.b_t - race.du_t;
     if constexpr (tilting) {
