@@ -24,9 +24,9 @@ struct NormalLaw {
   double stiffness = 0;  ///< K (1 um)^e [N]
   double exponent = 10.0 / 9.0;
   FixedPower softening{1.0 / 9.0};  ///< to the exponent less one
-  double damping = 0;        ///< c_max [N s/m], impact only
-  double inverse_depth = 0;  ///< 1/d [1/m], impact only
-  double chi = 0;            ///< [s/m], hertz only
+  double damping = 0;               ///< c_max [N s/m], impact only
+  double inverse_depth = 0;         ///< 1/d [1/m], impact only
+  double chi = 0;                   ///< [s/m], hertz only
 };
 
 /// Makes a law of `shares` equal parts (slices, stations, points, lands) of one contact. `length`

@@ -23,6 +23,7 @@ FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> model,
   f.centrifugal = geometry.centrifugal;
   f.coriolis = geometry.coriolis;
   f.gyroscopic = PackMatrix(model->gyroscopic);
+  f.centrifugal_force = PackMatrix(model->centrifugal);
   const long pockets = model->contact.rows() / (3 * model->points);
   f.corners = static_cast<int>(2 * pockets);
   f.rows.assign(static_cast<std::size_t>(groups * f.points * 3 * f.modes), Pack{});
@@ -55,28 +56,53 @@ double farthest_displacement(const FlexibleCage& cage, const double* q) {
   return (1 + 1e-12) * sum;  // rounding must not make it less
 }
 
-void couple_spin(const FlexibleCage& cage, double polar, double spin, const double* q,
-                 const double* rate, double* acceleration, double& spin_acceleration) {
-  const Coordinates at(q, cage.modes), velocity(rate, cage.modes);
-  Eigen::Map<Eigen::VectorXd> a(acceleration, cage.modes);
+namespace {
+
+template <int packs>
+void couple_spin_in(const FlexibleCage& cage, double polar, double spin, const double* q,
+                    const double* rate, double* acceleration, double& spin_acceleration) {
+  const auto product = [](const Pack(&x)[packs], const Pack(&y)[packs]) {
+    Pack total{};
+    for (int p = 0; p < packs; ++p) total += x[p] * y[p];
+    return sum(total);
+  };
+  Pack a[packs];
+  load_padded(acceleration, cage.modes, a);
   double inertia = polar, torque = polar * spin_acceleration;
   if (cage.centrifugal) {
-    const Eigen::VectorXd& c = cage.model->centrifugal;
-    a += spin * spin * c;
-    inertia += 2 * c.dot(at);
-    torque -= 2 * spin * c.dot(velocity);
+    Pack at[packs], velocity[packs], c[packs];
+    load_padded(q, cage.modes, at);
+    load_padded(rate, cage.modes, velocity);
+    std::copy(cage.centrifugal_force.column(0), cage.centrifugal_force.column(1), c);
+    for (int p = 0; p < packs; ++p) a[p] += spin * spin * c[p];
+    inertia += 2 * product(c, at);
+    torque -= 2 * spin * product(c, velocity);
   }
-  if (!cage.coriolis) {
+  if (cage.coriolis) {
+    Pack Gq[packs] = {}, Gv[packs] = {};
+    for (int k = 0; k < cage.modes; ++k) {
+      const Pack* column = cage.gyroscopic.column(k);
+      for (int p = 0; p < packs; ++p) {
+        Gq[p] += q[k] * column[p];
+        Gv[p] += rate[k] * column[p];
+      }
+    }
+    for (int p = 0; p < packs; ++p) a[p] -= 2 * spin * Gv[p];
+    spin_acceleration = (torque - product(Gq, a)) / (inertia - product(Gq, Gq));
+    for (int p = 0; p < packs; ++p) a[p] -= spin_acceleration * Gq[p];
+  } else {
     spin_acceleration = torque / inertia;
-    return;
   }
-  double turned[kMostModes];
-  const Eigen::Map<const Eigen::VectorXd> Gq(turned, cage.modes);
-  cage.gyroscopic.multiply(rate, turned);
-  a -= 2 * spin * Gq;
-  cage.gyroscopic.multiply(q, turned);
-  spin_acceleration = (torque - Gq.dot(a)) / (inertia - Gq.squaredNorm());
-  a -= spin_acceleration * Gq;
+  std::memcpy(acceleration, a, static_cast<std::size_t>(cage.modes) * sizeof(double));
+}
+
+}  // namespace
+
+void couple_spin(const FlexibleCage& cage, double polar, double spin, const double* q,
+                 const double* rate, double* acceleration, double& spin_acceleration) {
+  with_packs(cage.gyroscopic.packs(), [&]<int packs>() {
+    couple_spin_in<packs>(cage, polar, spin, q, rate, acceleration, spin_acceleration);
+  });
 }
 
 double modal_energy(const FlexibleCage& cage, double spin, const double* q, const double* rate) {

@@ -31,7 +31,7 @@ struct FlexibleCage {
   std::vector<double> stiffness, damping;  ///< omega^2 [1/s^2], 2 zeta omega [1/s] of each mode
   std::vector<double> scale;               ///< largest contact displacement per modal coordinate
   bool centrifugal = false, coriolis = false;
-  PackMatrix gyroscopic;  ///< of the model
+  PackMatrix gyroscopic, centrifugal_force;  ///< of the model; the latter one column
 
   const Pack* row(int group, int point, int direction) const {
     return rows.data() +
@@ -51,9 +51,11 @@ FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> cage, const Cag
 struct ModalState {
   const FlexibleCage* cage;
   const double *q, *rate;
-  Pack* force;          ///< modes packs, to be summed over lanes
+  Pack* force;          ///< modes packs, to be summed over lanes where `pushed`
   double farthest = 0;  ///< no contact point has moved farther along one of its directions [m]
   double fastest = 0;   ///< nor moves faster [m/s]; known with derivatives only
+
+  mutable bool pushed = false;
 
   bool flexible() const { return cage->modes > 0; }
   /// Whether a point may touch within a time, however the cage has bent and moves: of penetration
@@ -71,6 +73,8 @@ struct ModalState {
   }
   /// A force on the cage at that point along e_R, e_T, e_x.
   void push(int group, int point, Pack f_R, Pack f_T, Pack f_x) const {
+    for (int k = 0; !pushed && k < cage->modes; ++k) force[k] = Pack{};
+    pushed = true;
     const Pack *R = cage->row(group, point, 0), *T = cage->row(group, point, 1),
                *x = cage->row(group, point, 2);
     for (int k = 0; k < cage->modes; ++k) force[k] += R[k] * f_R + T[k] * f_T + x[k] * f_x;

@@ -160,7 +160,6 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
                          modal_force,
                          farthest_displacement(m.flexible, modes),
                          linear ? farthest_displacement(m.flexible, mode_rates) : 0};
-  for (int k = 0; k < m.layout.modes; ++k) modal_force[k] = Pack{};
   [[maybe_unused]] Pack touch = splat(kTouchHorizon);
   ContactRows* rows = nullptr;
   if constexpr (linear) {
@@ -250,7 +249,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     store_rates<planar>(m, roller, q, loads, y, rate, group);
   }
   double soonest = kTouchHorizon, on_modes[kMostModes];
-  for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = sum(modal_force[k]);
+  for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = modal.pushed ? sum(modal_force[k]) : 0;
   land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, soonest);
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {

@@ -1,11 +1,11 @@
 // How a step's error counts in the control of its length.
 //
-// Unloaded rollers bounce between the races at 20 to 40 kHz, with centimetres a second and an energy
-// that no quantity asks for; followed like everything else this alone would set the step. It counts
-// in larger units of error as long as the energy which an error moves stays small beside what the
-// bearing dissipates: where bouncing is all that happens it counts in full. A shift of phase, which
-// is most of what a long step does to an oscillation, moves no energy. Rocking about the tilt, with
-// which rollers lean on flanges, skew and axial motion always count in full.
+// Unloaded rollers bounce between the races at 20 to 40 kHz, with centimetres a second and an
+// energy that no quantity asks for; followed like everything else this alone would set the step. It
+// counts in larger units of error as long as the energy which an error moves stays small beside
+// what the bearing dissipates: where bouncing is all that happens it counts in full. A shift of
+// phase, which is most of what a long step does to an oscillation, moves no energy. Rocking about
+// the tilt, with which rollers lean on flanges, skew and axial motion always count in full.
 #pragma once
 
 #include "src/integration/system.hpp"

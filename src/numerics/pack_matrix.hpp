@@ -54,6 +54,13 @@ void multiply(const Pack* A, int rows, int columns, const double* b, double* x) 
   }
 }
 
+/// A vector of n numbers in whole packs, zero behind them.
+template <int packs>
+void load_padded(const double* from, int n, Pack (&to)[packs]) {
+  to[packs - 1] = Pack{};
+  std::memcpy(to, from, static_cast<std::size_t>(n) * sizeof(double));
+}
+
 /// A constant matrix of at most kMostPacks packs of rows.
 class PackMatrix {
  public:
@@ -67,6 +74,8 @@ class PackMatrix {
       std::copy(from.col(j).data(), from.col(j).data() + rows_,
                 reinterpret_cast<double*>(values_.data() + j * packs_));
   }
+  int packs() const { return packs_; }
+  const Pack* column(int j) const { return values_.data() + j * packs_; }
   /// x = A b; x may be b.
   void multiply(const double* b, double* x) const {
     with_packs(packs_, [&]<int packs>() {
