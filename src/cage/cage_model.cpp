@@ -57,13 +57,13 @@ std::optional<CageFault> model_fault(const CageTable& table,
 /// Values of a strip of polynomials for `count` sectors from the k-th on: as many sums in flight as
 /// hide the latency of multiplying, all of them in registers.
 template <int count, Index strip, typename Matrix>
-void strip_values(const Matrix& coefficients, const Matrix& terms, Index row, Index k,
-                  Matrix& values) {
+void strip_values(const Matrix& coefficients, const Matrix& terms, const std::vector<Index>& acting,
+                  Index row, Index k, Matrix& values) {
   using Scalar = typename Matrix::Scalar;
   Eigen::Array<Scalar, strip, 1> sum[count];
 #pragma GCC unroll 8
   for (int i = 0; i < count; ++i) sum[i].setZero();
-  for (Index t = 0; t < terms.rows(); ++t) {
+  for (const Index t : acting) {
     const Eigen::Array<Scalar, strip, 1> coefficient =
         coefficients.template block<strip, 1>(row, t).array();
 #pragma GCC unroll 8
@@ -74,19 +74,33 @@ void strip_values(const Matrix& coefficients, const Matrix& terms, Index row, In
 }
 
 /// Values of polynomials at the deviations of every sector: coefficients x terms. A general matrix
-/// product would spend more on packing than on multiplying.
+/// product would spend more on packing than on multiplying, and most of the time goes into reading
+/// coefficients: those of deviations that no pocket has stay unread.
 template <typename Matrix>
 Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
   constexpr Index strip = 64 / sizeof(typename Matrix::Scalar);
-  constexpr int together = 7;
+  constexpr Index together = 8;
+  using Values = void (*)(const Matrix&, const Matrix&, const std::vector<Index>&, Index, Index,
+                          Matrix&);
+  constexpr Values of[together + 1] = {
+      nullptr,
+      strip_values<1, strip, Matrix>,
+      strip_values<2, strip, Matrix>,
+      strip_values<3, strip, Matrix>,
+      strip_values<4, strip, Matrix>,
+      strip_values<5, strip, Matrix>,
+      strip_values<6, strip, Matrix>,
+      strip_values<7, strip, Matrix>,
+      strip_values<8, strip, Matrix>,
+  };
+  std::vector<Index> acting;
+  for (Index t = 0; t < terms.rows(); ++t)
+    if ((terms.row(t).array() != 0).any()) acting.push_back(t);
   Matrix values(coefficients.rows(), terms.cols());
   Index row = 0;
-  for (; row + strip <= values.rows(); row += strip) {
-    Index k = 0;
-    for (; k + together <= terms.cols(); k += together)
-      strip_values<together, strip>(coefficients, terms, row, k, values);
-    for (; k < terms.cols(); ++k) strip_values<1, strip>(coefficients, terms, row, k, values);
-  }
+  for (; row + strip <= values.rows(); row += strip)
+    for (Index k = 0; k < terms.cols(); k += together)
+      of[std::min(together, terms.cols() - k)](coefficients, terms, acting, row, k, values);
   const Index rest = values.rows() - row;
   values.bottomRows(rest) = coefficients.bottomRows(rest).lazyProduct(terms);
   return values;

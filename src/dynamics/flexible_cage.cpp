@@ -93,7 +93,8 @@ void couple_spin_in(const FlexibleCage& cage, double polar, double spin, const d
   } else {
     spin_acceleration = torque / inertia;
   }
-  std::memcpy(acceleration, a, static_cast<std::size_t>(cage.modes) * sizeof(double));
+  for (int p = 0; p < packs; ++p)
+    store_first(acceleration + p * kLanes, a[p], cage.modes - p * kLanes);
 }
 
 }  // namespace

@@ -28,6 +28,25 @@ inline Pack load(const double* p) {
 inline void store(double* p, Pack x) {
   std::memcpy(p, &x, sizeof x);
 }
+/// The first n of them, n up to kLanes or beyond; zero behind these.
+inline Pack load_first(const double* p, int n) {
+#ifdef __AVX512F__
+  const auto mask = static_cast<__mmask8>(n < kLanes ? (1 << n) - 1 : 0xFF);
+  return reinterpret_cast<Pack>(_mm512_maskz_loadu_pd(mask, p));
+#else
+  Pack x{};
+  for (int i = 0; i < kLanes && i < n; ++i) x[i] = p[i];
+  return x;
+#endif
+}
+inline void store_first(double* p, Pack x, int n) {
+#ifdef __AVX512F__
+  const auto mask = static_cast<__mmask8>(n < kLanes ? (1 << n) - 1 : 0xFF);
+  _mm512_mask_storeu_pd(p, mask, reinterpret_cast<__m512d>(x));
+#else
+  for (int i = 0; i < kLanes && i < n; ++i) p[i] = x[i];
+#endif
+}
 inline Pack select(Mask m, Pack a, Pack b) {
   return m ? a : b;
 }

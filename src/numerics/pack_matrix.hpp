@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 #include "src/numerics/pack.hpp"
@@ -47,18 +46,14 @@ void multiply(const Pack* A, int rows, int columns, const double* b, double* x) 
     }
   if (k < columns)
     for (int p = 0; p < packs; ++p) even[p] += b[k] * A[k * packs + p];
-  for (int p = 0; p < packs; ++p) {
-    const Pack value = even[p] + odd[p];
-    std::memcpy(x + p * kLanes, &value,
-                sizeof(double) * static_cast<std::size_t>(std::min(kLanes, rows - p * kLanes)));
-  }
+  for (int p = 0; p < packs; ++p)
+    store_first(x + p * kLanes, even[p] + odd[p], rows - p * kLanes);
 }
 
 /// A vector of n numbers in whole packs, zero behind them.
 template <int packs>
 void load_padded(const double* from, int n, Pack (&to)[packs]) {
-  to[packs - 1] = Pack{};
-  std::memcpy(to, from, static_cast<std::size_t>(n) * sizeof(double));
+  for (int p = 0; p < packs; ++p) to[p] = load_first(from + p * kLanes, n - p * kLanes);
 }
 
 /// A constant matrix of at most kMostPacks packs of rows.

@@ -141,8 +141,9 @@ void Observer::record_rollers(const double* y, const System& system, double weig
   const double threshold = kLoadedShare * model_.load.radial;
   for (int j = 0; j < l.rollers; ++j) {
     const auto k = static_cast<std::size_t>(j);
-    const double angle = y[l.position(kAngle, j)], spin = y[l.velocity(kSpin, j)];
-    const double c = std::cos(angle), s = std::sin(angle);
+    const GroupLinear& group = system.linear.groups[k / kLanes];
+    const double c = group.cosine[j % kLanes], s = group.sine[j % kLanes];
+    const double spin = y[l.velocity(kSpin, j)];
     const double ay = y[l.position(kAxisY, j)], az = y[l.position(kAxisZ, j)];
     largest_lean_squared_ = std::max(largest_lean_squared_, ay * ay + az * az);
     skew_.add(std::abs(c * az - s * ay), weight, keep);
