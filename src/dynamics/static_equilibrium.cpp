@@ -40,7 +40,7 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
 template <bool tilting>
 StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* angle,
                                                                double orbit_rate,
-                                                               RollerMotion motion) {
+                                                               RollerMotion motion, bool near) {
   RingForce ring{};
   for (int group = 0; group < model_.layout.groups; ++group) {
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(group)];
@@ -62,8 +62,9 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                          r(state_.tilt_y, state_.tilt_z),
                          t(state_.tilt_y, state_.tilt_z)};
     const RaceSide outer{-1, model_.outer_radius, 0, model_.outer_film, {}, {}, {}, {}, {}, {}};
-    // Rolling, without slip, drags the film in. At rest first, where no speed damps; then orbiting:
-    // a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
+    // Rolling, without slip, drags the film in. At rest first, where no speed damps (a single step
+    // from nearby); then orbiting: a roller follows the races, r' = orbit_rate dr/dtheta, and the
+    // law's damping has its say.
     q.vt = splat(model_.pitch_radius * orbit_rate);
     q.spin = -q.vt / roller.radius;
     model_.race.damping = model_.race.chi = 0;
@@ -97,8 +98,9 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                           splat(kLongestMove / half));
       const Pack size = roller.exists * (max(dr, -dr) + half * max(da, -da));
       const bool settled = largest(size) < settled_within(model_.pitch_radius, accuracy_);
-      if (settled && pass + 1 < passes) {
+      if ((settled || near) && pass + 1 < passes) {
         ++pass;
+        if (!settled) q.r += dr, q.a_r += da;
         model_.race = damped_;
         q.vt = q.r * orbit_rate;
         q.spin = -q.vt / roller.radius;
@@ -164,6 +166,17 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
 
 const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_rate,
                                             const RingLoad& load, RollerMotion motion) {
+  if (motion == RollerMotion::orbiting && state_.converged) {
+    const StaticState before = state_;
+    if (balance(angle, orbit_rate, load, motion, true).converged) return state_;
+    state_ = before;
+  }
+  return balance(angle, orbit_rate, load, motion, false);
+}
+
+const StaticState& StaticEquilibrium::balance(const double* angle, double orbit_rate,
+                                              const RingLoad& load, RollerMotion motion,
+                                              bool near) {
   const bool tilting = model_.layout.ring_tilt > 0;
   const double weight = load.radial + model_.ring_mass * model_.gravity;
   const double lever = model_.roller_half_length;  // makes forces of moments, and moves of tilts
@@ -171,8 +184,8 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
   int unsettled = 0;
   // What is left over of the forces and moments on the ring, and their derivatives.
   const auto settle = [&] {
-    RingForce ring = tilting ? settle_rollers<true>(angle, orbit_rate, motion)
-                             : settle_rollers<false>(angle, orbit_rate, motion);
+    RingForce ring = tilting ? settle_rollers<true>(angle, orbit_rate, motion, near)
+                             : settle_rollers<false>(angle, orbit_rate, motion, near);
     if (!ring.settled) ++unsettled;
     ring.force[1] -= weight;
     if (tilting) {

@@ -47,8 +47,11 @@ class StaticEquilibrium {
     double elastic_z = 0;  ///< elastic part of the force along z
     bool settled = true;   ///< every roller found its place
   };
+  /// solve(), `near`: from a solution nearby.
+  const StaticState& balance(const double* angle, double orbit_rate, const RingLoad& load,
+                             RollerMotion motion, bool near);
   template <bool tilting>
-  RingForce settle_rollers(const double* angle, double orbit_rate, RollerMotion motion);
+  RingForce settle_rollers(const double* angle, double orbit_rate, RollerMotion motion, bool near);
 
   BearingModel model_;  ///< a copy without friction, and without damping where rollers are at rest
   NormalLaw damped_;

@@ -14,7 +14,6 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
-constexpr double kStaticsInterval = 400e-6;  // at least [s]
 constexpr double kStaticsAccuracy = 1e-6;    // of the balance, in shares of the load
 constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
 constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, which costs more
@@ -38,7 +37,7 @@ Observer::Observer(const BearingModel& model, double begin, double end)
       statics_(model, kStaticsAccuracy),
       angles_(static_cast<std::size_t>(model.layout.padded())),
       next_statics_(begin),
-      statics_interval_(std::max((end - begin) / kStaticsInstants, kStaticsInterval)) {
+      statics_interval_((end - begin) / kStaticsInstants) {
   if (model.flexible.model) stress_.emplace(*model.flexible.model);
 }
 
