@@ -9,6 +9,7 @@ namespace {
 // Chosen by measurement (tests/ACCURACY.md): the stability suite, and steps saved.
 constexpr double kBounceSpeed = 0.1;       ///< unit of error of bouncing, at most [m/s]
 constexpr double kBounceLength = 3e-6;     ///< unit of error of a bouncing roller's place [m]
+constexpr double kFlangeUnits = 0.1;       ///< skew rate and axial speed on a flange, in usual ones
 constexpr double kMovedEnergy = 0.01;      ///< that an error may move, in shares of the dissipated
 constexpr double kDissipationTime = 1e-3;  ///< over which the dissipation is averaged [s]
 
@@ -28,9 +29,9 @@ double StepError::operator()(const System& s, const double* y, const double* err
   const double strict = error_norm(s, error) / tolerance;
   // Bouncing rollers slide on bars, too: no unit coarser than friction's own speed.
   const double unit = std::min(kBounceSpeed, s.model.friction.static_speed) / kSpeedScale;
-  if (unit <= 1 || !std::isfinite(strict)) return strict;
+  if (!std::isfinite(strict)) return strict;
   const StateLayout& l = s.model.layout;
-  Pack spared{}, energy{};
+  Pack spared{}, added{}, energy{};
   for (int group = 0; group < l.groups; ++group) {
     const RollerGroup& roller = s.model.groups[static_cast<std::size_t>(group)];
     const int j = group * kLanes;
@@ -44,6 +45,12 @@ double StepError::operator()(const System& s, const double* y, const double* err
       const Pack counted = wrong * per_scale;
       spared += spared_in(larger) * counted * counted;
     };
+    const GroupLinear& turned = s.linear.groups[static_cast<std::size_t>(group)];
+    const Pack on_flange = load(s.seen.flange_force.data() + j);
+    const auto add = [&](Pack wrong, Pack per_scale) {
+      const Pack counted = wrong * per_scale;
+      added += select(on_flange > 0.0, -spared_in(kFlangeUnits) * counted * counted, Pack{});
+    };
     const double* rate = s.rate.data();
     const double* per_scale = s.per_scale.data();
     const Pack wrong_radius = position(error, kRadius);
@@ -51,16 +58,22 @@ double StepError::operator()(const System& s, const double* y, const double* err
     spare(velocity(error, kRadialSpeed), velocity(per_scale, kRadialSpeed), unit);
     spare(select(pressed > 0.0, Pack{}, wrong_radius), position(per_scale, kRadius),
           kBounceLength / kLengthScale);
+    add(turned.cosine * velocity(error, kAxisRateZ) - turned.sine * velocity(error, kAxisRateY),
+        velocity(per_scale, kAxisRateZ));
+    add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed));
     energy += roller.exists * roller.mass *
               magnitude(velocity(y, kRadialSpeed) * velocity(error, kRadialSpeed) -
                         velocity(rate, kRadialSpeed) * wrong_radius);
   }
-  const double coarse = std::sqrt(
-      std::max(0.0, strict * strict - sum(spared) / (tolerance * tolerance * s.components)));
+  const auto with = [&](Pack more) {
+    return std::sqrt(
+        std::max(0.0, strict * strict + sum(more) / (tolerance * tolerance * s.components)));
+  };
+  const double full = with(added);
   const double allowed = kMovedEnergy * dissipation_ * h;
-  if (!(allowed > 0)) return strict;
+  if (unit <= 1 || !(allowed > 0)) return full;
   const double moved = sum(energy) * watched_ / allowed;
-  return std::min(strict, std::max(coarse, moved));
+  return std::min(full, std::max(with(added - spared), moved));
 }
 
 void StepError::advance(const System& s, double h) {

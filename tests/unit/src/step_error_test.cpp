@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "src/dynamics/start_state.hpp"
@@ -142,6 +143,27 @@ TEST_F(StepErrorOf, NoUnitIsCoarserThanFrictionsOwnSpeed) {
   prepare();
   error_[at(kRadialSpeed, 3)] = 1e-3;
   EXPECT_NEAR(counted(kLong), strict() / 2, 1e-12 * strict());
+}
+
+TEST_F(StepErrorOf, SkewRateAndAxialSpeedCountTenfoldOnAFlange) {
+  const double angle = y_[static_cast<std::size_t>(model_.layout.position(kAngle, 3))];
+  const auto lean = [&](double tilt, double skew) {
+    error_[at(kAxisRateY, 3)] = std::cos(angle) * tilt - std::sin(angle) * skew;
+    error_[at(kAxisRateZ, 3)] = std::sin(angle) * tilt + std::cos(angle) * skew;
+  };
+  lean(0, 1e-3);
+  EXPECT_NEAR(counted(kLong), strict(), 1e-12 * strict());
+  system_->seen.flange_force[3] = 1;
+  EXPECT_NEAR(counted(kLong), 10 * strict(), 1e-10 * strict());
+  EXPECT_NEAR(counted(0), 10 * strict(), 1e-10 * strict());
+  lean(1e-3, 0);
+  EXPECT_NEAR(counted(kLong), strict(), 1e-10 * strict());
+  lean(0, 0);
+  error_[at(kAxialSpeed, 3)] = 1e-5;
+  EXPECT_NEAR(counted(kLong), 10 * strict(), 1e-10 * strict());
+  error_[at(kAxialSpeed, 3)] = 0;
+  error_[at(kAxialSpeed, 4)] = 1e-5;
+  EXPECT_NEAR(counted(kLong), strict(), 1e-10 * strict());
 }
 
 TEST_F(StepErrorOf, WhatIsNotANumberStaysNone) {
