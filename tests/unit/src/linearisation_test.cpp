@@ -56,6 +56,17 @@ RandomBearing bearing(unsigned seed, Freedom freedom) {
   return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5, .freedom = freedom});
 }
 
+/// The same with a cage that nothing touches.
+RandomBearing free_cage(unsigned seed, Freedom freedom) {
+  RandomBearing b = bearing(seed, freedom);
+  b.model.land_clearance = 1;
+  for (RollerGroup& group : b.model.groups) {
+    group.half_width += 1e-2;
+    group.half_length += 1e-2;
+  }
+  return b;
+}
+
 class Linearisation : public testing::TestWithParam<Freedom> {};
 class NewtonMatrixOfRollers : public testing::TestWithParam<Freedom> {};
 const auto kFreedoms = testing::Values(Freedom::spatial, Freedom::planar, Freedom::tilting);
@@ -67,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Rollers, NewtonMatrixOfRollers, kFreedoms,
 
 TEST_P(Linearisation, RatesAreThoseOfTheRightHandSide) {
   for (unsigned seed = 0; seed < 60; ++seed) {
-    const Linearised x(bearing(seed, GetParam()));
+    const Linearised x(seed % 4 == 3 ? free_cage(seed, GetParam()) : bearing(seed, GetParam()));
     const int n = x.system.size;
     std::vector<double> rates(x.bearing.y.size());
     evaluate_rates(x.bearing.model, x.bearing.t, x.bearing.y.data(), rates.data());
@@ -79,6 +90,22 @@ TEST_P(Linearisation, RatesAreThoseOfTheRightHandSide) {
       size = std::max(size, std::abs(rates[k]) / x.system.scale[k]);
     }
     EXPECT_LT(apart, 1e-12 * size) << seed;
+  }
+}
+
+TEST_P(Linearisation, ForgetsWhatTouchedTheCage) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    Linearised x(bearing(seed, GetParam()));
+    const Eigen::MatrixXd touched = x.assembled;
+    const BearingModel model = x.bearing.model;
+    const auto linearised_anew = [&](const BearingModel& as) {
+      x.bearing.model = as;
+      x.system.linearise_at(x.bearing.t, x.bearing.y.data());
+      return assembled_jacobian(x.bearing.model, x.bearing.y, x.system.linear);
+    };
+    const Linearised free(free_cage(seed, GetParam()));
+    EXPECT_EQ(linearised_anew(free.bearing.model), free.assembled) << seed;
+    EXPECT_EQ(linearised_anew(model), touched) << seed;
   }
 }
 
@@ -198,9 +225,10 @@ TEST(LinearisationAlongTheMotion, IsExactInARun) {
 TEST_P(NewtonMatrixOfRollers, SolvesLikeDenseFactorsOfTheAssembledMatrix) {
   std::mt19937_64 engine(3);
   double worst = 0;
-  for (unsigned seed = 0; seed < 48; ++seed) {
-    const Linearised x(bearing(seed, GetParam()));
+  for (unsigned seed = 0; seed < 96; ++seed) {
+    const Linearised x(seed < 48 ? bearing(seed, GetParam()) : free_cage(seed, GetParam()));
     const int n = x.system.size;
+    ASSERT_EQ(x.system.linear.cage_touched, seed < 48);
     for (double beta : {1e-8, 1e-6, 2e-5}) {
       NewtonMatrix newton(x.bearing.model);
       ASSERT_TRUE(newton.factor(x.system.linear, beta));
