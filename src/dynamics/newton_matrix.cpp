@@ -193,7 +193,10 @@ bool NewtonMatrix::factor_free_border() {
   bool sound = true;
   if (modes > 0) {
     auto among = free_.modes.matrix();
-    among = -l.border_velocity.block(kModes, kModes, modes, modes);
+    for (int k = 0; k < modes; ++k)
+      for (int i = 0; i < modes; i += kLanes)
+        store_first(&among(i, k),
+                    -load_first(&l.border_velocity(kModes + i, kModes + k), modes - i), modes - i);
     for (int k = 0; k < modes; ++k)
       among(k, k) += 1 / beta_ - beta_ * l.border_position(kModes + k, kModes + k);
     sound = free_.modes.invert();

@@ -92,6 +92,16 @@ void Rosenbrock::combine(const double* from, const double* weights, double facto
   kOf[terms](from, term, weight, to.data(), static_cast<int>(to.size()));
 }
 
+void Rosenbrock::advance_argument(const double* y, const double* weights, int stages) {
+  const int last = stages - 1;
+  const bool goes_on =
+      last > 0 && table_.new_rates[last] && std::equal(weights, weights + last, table_.a[last]);
+  if (!goes_on) return combine(y, weights, 1, stages, argument_);
+  double added[RosenbrockTable::kMaxStages] = {};
+  added[last] = weights[last];
+  combine(argument_.data(), added, 1, stages, argument_);
+}
+
 StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) {
   const int n = system.size;
   double h = std::min(next_step_, keys_.max_step);
@@ -111,7 +121,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       const auto& a = table_.a[s];
       const auto& c = table_.c[s];
       if (table_.new_rates[s]) {
-        combine(y, a, 1, s, argument_);
+        advance_argument(y, a, s);
         sound = system.rates(t + table_.alpha[s] * h, argument_.data(), rates_.data());
         rates = rates_.data();
       }
@@ -135,7 +145,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       // Gustafsson's predictive part; no growth right after a rejection.
       factor = std::min(factor, factor * std::pow(last_error_ / bounded, 0.08));
       factor = std::clamp(factor, 0.2, rejected ? 1.0 : 4.0);
-      combine(y, table_.m, 1, table_.stages, argument_);
+      advance_argument(y, table_.m, table_.stages);
       std::copy(argument_.begin(), argument_.end(), y);
       t = last ? t_end : t + h;
       step_error_.advance(system, h);

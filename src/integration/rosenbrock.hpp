@@ -43,6 +43,10 @@ class Rosenbrock : public Integrator {
   void combine(const double* from, const double* weights, double factor, int stages,
                std::vector<double>& to) const;
 
+  /// argument_ = y + the weighted sum of the first `stages` stages; from the last argument where
+  /// that is all of the sum but its last term, as in stiffly accurate methods.
+  void advance_argument(const double* y, const double* weights, int stages);
+
   const RosenbrockTable& table_;
   Integration keys_;
   NewtonMatrix newton_;
