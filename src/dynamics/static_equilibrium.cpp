@@ -32,6 +32,8 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
   const auto n = static_cast<std::size_t>(model.layout.padded());
   state_.radius.assign(n, model.outer_radius - model.nominal_diameter / 2);
   state_.tilt.assign(n, 0.0);
+  resting_radius_ = state_.radius;
+  resting_tilt_ = state_.tilt;
   state_.inner_force.assign(n, 0.0);
   state_.tilt_y = model.misalignment_y;
   state_.tilt_z = model.misalignment_z;
@@ -47,8 +49,11 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
     const int j = group * kLanes;
     RollerPack q{};
     sine_cosine(load(angle + j), q.sine, q.cosine);
-    q.r = load(state_.radius.data() + j);
-    q.a_r = load(state_.tilt.data() + j);
+    const auto start = [&](const std::vector<double>& radius, const std::vector<double>& tilt) {
+      q.r = load(radius.data() + j);
+      q.a_r = load(tilt.data() + j);
+    };
+    near ? start(resting_radius_, resting_tilt_) : start(state_.radius, state_.tilt);
     const auto r = [&](double y, double z) { return along_r(q, splat(y), splat(z)); };
     const auto t = [&](double y, double z) { return along_t(q, splat(y), splat(z)); };
     const RaceSide inner{1,
@@ -62,9 +67,9 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                          r(state_.tilt_y, state_.tilt_z),
                          t(state_.tilt_y, state_.tilt_z)};
     const RaceSide outer{-1, model_.outer_radius, 0, model_.outer_film, {}, {}, {}, {}, {}, {}};
-    // Rolling, without slip, drags the film in. At rest first, where no speed damps (a single step
-    // from nearby); then orbiting: a roller follows the races, r' = orbit_rate dr/dtheta, and the
-    // law's damping has its say.
+    // Rolling, without slip, drags the film in. At rest first, where no speed damps; then orbiting:
+    // a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
+    // Each from where it was, nearby.
     q.vt = splat(model_.pitch_radius * orbit_rate);
     q.spin = -q.vt / roller.radius;
     model_.race.damping = model_.race.chi = 0;
@@ -98,13 +103,15 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
                           splat(kLongestMove / half));
       const Pack size = roller.exists * (max(dr, -dr) + half * max(da, -da));
       const bool settled = largest(size) < settled_within(model_.pitch_radius, accuracy_);
-      if ((settled || near) && pass + 1 < passes) {
+      if (settled && pass + 1 < passes) {
         ++pass;
-        if (!settled) q.r += dr, q.a_r += da;
         model_.race = damped_;
         q.vt = q.r * orbit_rate;
         q.spin = -q.vt / roller.radius;
         q.vr = q.vt * g.position[kLr][kLt] / k_rr;
+        store(resting_radius_.data() + j, q.r);
+        store(resting_tilt_.data() + j, q.a_r);
+        if (near) start(state_.radius, state_.tilt);
         continue;
       }
       if (settled || iteration + 1 == kMostIterations) {

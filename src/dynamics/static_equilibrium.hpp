@@ -58,6 +58,7 @@ class StaticEquilibrium {
   double accuracy_;
   Observation unused_;  ///< of contacts, which report to one
   StaticState state_;
+  std::vector<double> resting_radius_, resting_tilt_;  ///< of orbiting rollers, before they orbit
 };
 
 }  // namespace cagetol
