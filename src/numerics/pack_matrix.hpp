@@ -46,8 +46,7 @@ void multiply(const Pack* A, int rows, int columns, const double* b, double* x) 
     }
   if (k < columns)
     for (int p = 0; p < packs; ++p) even[p] += b[k] * A[k * packs + p];
-  for (int p = 0; p < packs; ++p)
-    store_first(x + p * kLanes, even[p] + odd[p], rows - p * kLanes);
+  for (int p = 0; p < packs; ++p) store_first(x + p * kLanes, even[p] + odd[p], rows - p * kLanes);
 }
 
 /// A vector of n numbers in whole packs, zero behind them.
