@@ -87,6 +87,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   const bool alike = m.planar && scene.roller.profile == "none";
   const long slices = alike ? 1 : scene.discretisation.race_slices,
              stations = scene.discretisation.bar_stations;
+  if (slices > kMostSlices) throw std::domain_error("bearing model: too many race slices");
   for (long k = 0; k < slices; ++k) {
     const double x = ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
     m.race_slices.push_back({x, profile_drop(scene.roller.profile, x, m.nominal_diameter, length)});

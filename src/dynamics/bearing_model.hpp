@@ -26,8 +26,9 @@ struct RollerGroup {
   Pack squareness;               ///< angle of the bar faces to the bearing axis [rad]
 };
 
+inline constexpr int kMostSlices = 100;  ///< of a race: bounds scratch that lives on the stack
+
 /// A slice of a roller: position along its axis and the drop of its profile [m].
-inline constexpr int kMostSlices = 101;  ///< of a race, on the stack of its contacts
 struct Slice {
   double position;
   double drop;

@@ -86,7 +86,8 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
       groups_(static_cast<std::size_t>(model.layout.groups)),
       cages_(static_cast<std::size_t>(model.layout.rollers)),
       schur_(model.layout.border()),
-      free_(model.layout),
+      free_ring_(2 + model.layout.ring_tilt),
+      free_cage_(model.layout),
       border_mass_(border_mass(model)),
       border_rhs_(model.layout.border()),
       border_positions_(model.layout.border()),
@@ -167,46 +168,27 @@ bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
                                        : factor_as<false, 1>(linear, beta);
 }
 
-NewtonMatrix::FreeBorder::FreeBorder(const StateLayout& layout)
-    : ring(2 + layout.ring_tilt),
-      rigid(kCageRigid),
-      modes(layout.modes),
-      to_spin(layout.modes),
-      from_spin(layout.modes) {}
-
-/// The ring's own block into schur_, and the cage's factors.
+/// The ring's own block into schur_, for the rollers to add what reaches it.
 template <int vectors>
-bool NewtonMatrix::factor_free_border() {
-  const Linearisation& l = *linear_;
+void NewtonMatrix::start_free_ring() {
+  auto schur = schur_.matrix();
   for (int v = 0; v < vectors; ++v)
     for (int w = 0; w < vectors; ++w) {
       const int row = ring_slot(v), column = ring_slot(w);
-      auto block = schur_.matrix().block<2, 2>(row, column);
-      block = -l.border_velocity.block<2, 2>(row, column) -
-              beta_ * l.border_position.block<2, 2>(row, column);
+      auto block = schur.block<2, 2>(row, column);
+      block = -linear_->border_velocity.block<2, 2>(row, column) -
+              beta_ * linear_->border_position.block<2, 2>(row, column);
       if (v == w) block.diagonal() += border_mass_.segment<2>(row) / beta_;
     }
-  auto rigid = free_.rigid.matrix();
-  rigid = -l.border_velocity.block<kCageRigid, kCageRigid>(kCageY, kCageY);
-  rigid.diagonal() += border_mass_.segment<kCageRigid>(kCageY) / beta_;
-  const int modes = model_.layout.modes;
-  bool sound = true;
-  if (modes > 0) {
-    auto among = free_.modes.matrix();
-    for (int k = 0; k < modes; ++k)
-      for (int i = 0; i < modes; i += kLanes)
-        store_first(&among(i, k),
-                    -load_first(&l.border_velocity(kModes + i, kModes + k), modes - i), modes - i);
-    for (int k = 0; k < modes; ++k)
-      among(k, k) += 1 / beta_ - beta_ * l.border_position(kModes + k, kModes + k);
-    sound = free_.modes.invert();
-    free_.to_spin = -l.border_velocity.row(kCagePhi).segment(kModes, modes).transpose();
-    free_.from_spin = -l.border_velocity.col(kCagePhi).segment(kModes, modes);
-    free_.modes.solve(free_.from_spin.data(), free_.from_spin.data());
-    constexpr int spin = kCagePhi - kCageY;
-    rigid(spin, spin) -= free_.to_spin.dot(free_.from_spin);
-  }
-  return free_.rigid.invert() && sound;
+}
+
+template <int vectors>
+bool NewtonMatrix::finish_free_ring() {
+  for (int v = 0; v < vectors; ++v)
+    for (int w = 0; w < vectors; ++w)
+      free_ring_.matrix().block<2, 2>(2 * v, 2 * w) =
+          schur_.matrix().block<2, 2>(ring_slot(v), ring_slot(w));
+  return free_ring_.invert();
 }
 
 /// border_solution_ of border_rhs_.
@@ -214,16 +196,9 @@ template <int vectors>
 void NewtonMatrix::solve_free_border() {
   double ring[2 * vectors];
   for (int i = 0; i < 2 * vectors; ++i) ring[i] = border_rhs_[ring_slot(i / 2) + i % 2];
-  free_.ring.solve(ring, ring);
+  free_ring_.solve(ring, ring);
   for (int i = 0; i < 2 * vectors; ++i) border_solution_[ring_slot(i / 2) + i % 2] = ring[i];
-  const int modes = model_.layout.modes;
-  auto elastic = border_solution_.segment(kModes, modes);
-  if (modes > 0) {
-    free_.modes.solve(border_rhs_.data() + kModes, border_solution_.data() + kModes);
-    border_rhs_[kCagePhi] -= free_.to_spin.dot(elastic);
-  }
-  free_.rigid.solve(border_rhs_.data() + kCageY, border_solution_.data() + kCageY);
-  if (modes > 0) elastic -= free_.from_spin * border_solution_[kCagePhi];
+  free_cage_.solve(border_rhs_, border_solution_);
 }
 
 template <bool planar, int vectors>
@@ -231,13 +206,10 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
   linear_ = &linear;
   beta_ = beta;
   if (!linear.cage_touched) {
-    bool sound = factor_free_border<vectors>();
-    if (!factor_rollers<planar, vectors>(beta)) sound = false;
-    for (int v = 0; v < vectors; ++v)
-      for (int w = 0; w < vectors; ++w)
-        free_.ring.matrix().block<2, 2>(2 * v, 2 * w) =
-            schur_.matrix().block<2, 2>(ring_slot(v), ring_slot(w));
-    return free_.ring.invert() && sound;
+    start_free_ring<vectors>();
+    bool sound = factor_rollers<planar, vectors>(beta);
+    if (!finish_free_ring<vectors>()) sound = false;
+    return free_cage_.factor(linear, border_mass_, beta) && sound;
   }
   const int cage_columns = model_.layout.cage();
   auto schur = schur_.matrix();

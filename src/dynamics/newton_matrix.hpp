@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/dynamics/bearing_model.hpp"
+#include "src/dynamics/free_cage.hpp"
 #include "src/dynamics/linearisation.hpp"
 #include "src/numerics/small_inverse.hpp"
 
@@ -57,15 +58,11 @@ class NewtonMatrix {
     Eigen::Matrix<double, Eigen::Dynamic, kLocalVelocities, Eigen::RowMajor> to;  ///< T, cage part
   };
 
-  /// The border where nothing touches the cage: ring and cage have nothing to do with each other,
-  /// and the cage's modes only with its spin.
-  struct FreeBorder {
-    explicit FreeBorder(const StateLayout& layout);
-    SmallInverse ring, rigid, modes;
-    Eigen::VectorXd to_spin, from_spin;  ///< of the modes; the latter solved for
-  };
+  // Where nothing touches the cage: the ring's part of the border, the cage's is FreeCage's.
   template <int vectors>
-  bool factor_free_border();
+  void start_free_ring();
+  template <int vectors>
+  bool finish_free_ring();
   template <int vectors>
   void solve_free_border();
 
@@ -75,7 +72,8 @@ class NewtonMatrix {
   std::vector<Group> groups_;
   std::vector<Cage> cages_;
   SmallInverse schur_;  ///< Schur complement on the border, then its inverse
-  FreeBorder free_;
+  SmallInverse free_ring_;
+  FreeCage free_cage_;
   Eigen::VectorXd border_mass_, border_rhs_, border_positions_, border_solution_;
 };
 

@@ -1,8 +1,8 @@
-// x^e for one exponent e, as a contact law needs it for every slice of every roller: three times as
-// fast as power(x, e), by tables made beforehand.
+// x^e for one exponent e, as a contact law needs it for every slice of every roller: by tables made
+// beforehand, without power(x, e)'s logarithm.
 //
 //   x = 2^k m, 1 <= m < 2:   x^e = 2^(k e) c^e (1 + r)^e,   r = m/c - 1
-// with c the middle of the sixteenth of [1, 2) that m is in, so |r| < 1/32: nine terms of the
+// with c the middle of the sixteenth of [1, 2) that m is in, so |r| < 1/32: ten terms of the
 // binomial series.
 #pragma once
 

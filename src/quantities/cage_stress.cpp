@@ -98,24 +98,24 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
   return last_ = largest;
 }
 
-double CageStress::bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const {
+template <class Modes, class Forces>
+double CageStress::bound_of(const Modes& q, const Forces& force, double spin_squared) const {
   const Eigen::Index modes = last_q_.size();
-  double sum = mode_norm_[modes] * spin * spin;
+  double sum = mode_norm_[modes] * std::abs(spin_squared);
   for (Eigen::Index k = 0; k < modes; ++k) sum += mode_norm_[k] * std::abs(q[k]);
-  for (Eigen::Index f = 0; f < bar_force.size(); ++f)
-    if (bar_force[f] != 0) sum += force_norm_[f % per_pocket_] * std::abs(bar_force[f]);
+  for (Eigen::Index f = 0; f < force.size(); ++f)
+    if (const double x = force[f]; x != 0) sum += force_norm_[f % per_pocket_] * std::abs(x);
   return sum;
+}
+
+double CageStress::bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const {
+  return bound_of(q, bar_force, spin * spin);
 }
 
 double CageStress::change_bound(const double* q, const Eigen::VectorXd& bar_force,
                                 double spin) const {
-  const Eigen::Index modes = last_q_.size();
-  double sum = mode_norm_[modes] * std::abs(spin * spin - last_spin_ * last_spin_);
-  for (Eigen::Index k = 0; k < modes; ++k) sum += mode_norm_[k] * std::abs(q[k] - last_q_[k]);
-  for (Eigen::Index f = 0; f < bar_force.size(); ++f)
-    if (const double change = bar_force[f] - last_force_[f]; change != 0)
-      sum += force_norm_[f % per_pocket_] * std::abs(change);
-  return sum;
+  return bound_of(Eigen::Map<const Eigen::VectorXd>(q, last_q_.size()) - last_q_,
+                  bar_force - last_force_, spin * spin - last_spin_ * last_spin_);
 }
 
 }  // namespace cagetol

@@ -31,6 +31,10 @@ class CageStress {
   double change_bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const;
 
  private:
+  /// Bound of modal coordinates, bar forces and the square of a spin.
+  template <class Modes, class Forces>
+  double bound_of(const Modes& q, const Forces& force, double spin_squared) const;
+
   /// A force that acts: its pocket, its place in the pocket.
   struct ActingForce {
     long pocket, place;
