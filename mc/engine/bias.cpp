@@ -43,23 +43,26 @@ double replicas_to_resolve() {
   return std::ceil(2 * reach * reach * kStudySamples);
 }
 
-Bias compare_means(const std::vector<double>& values, const std::vector<double>& reference) {
+Bias compare_pairs(const std::vector<double>& values, const std::vector<double>& reference) {
+  std::vector<double> known, differences;
+  for (std::size_t k = 0; k < std::min(values.size(), reference.size()); ++k) {
+    if (!std::isfinite(values[k]) || !std::isfinite(reference[k])) continue;
+    known.push_back(reference[k]);
+    differences.push_back(values[k] - reference[k]);
+  }
   Bias b;
-  if (values.size() < 2 || reference.size() < 2) {
+  if (known.size() < 2) {
     b.bias = b.standard_error = b.upper_limit = b.deviation = b.allowed =
         std::numeric_limits<double>::quiet_NaN();
     return b;
   }
-  const Moments m = moments(values), r = moments(reference);
-  const auto n = static_cast<double>(values.size()), k = static_cast<double>(reference.size());
-  const double a = m.variance / n, c = r.variance / k;
-  b.bias = m.mean - r.mean;
-  b.standard_error = std::sqrt(a + c);
+  const Moments r = moments(known), d = moments(differences);
+  const auto n = static_cast<double>(known.size());
+  b.bias = d.mean;
+  b.standard_error = std::sqrt(d.variance / n);
   b.deviation = std::sqrt(r.variance);
   b.allowed = b.deviation / std::sqrt(kStudySamples);
-  const double freedom =
-      a + c > 0 ? (a + c) * (a + c) / (a * a / (n - 1) + c * c / (k - 1)) : n + k - 2;
-  const double reach = gsl_cdf_tdist_Pinv(0.975, freedom) * b.standard_error;
+  const double reach = gsl_cdf_tdist_Pinv(0.975, n - 1) * b.standard_error;
   b.lower_limit = std::max(0.0, std::abs(b.bias) - reach);
   b.upper_limit = std::abs(b.bias) + reach;
   if (b.deviation <= kSteady * std::abs(r.mean))

@@ -24,12 +24,13 @@ struct Bias {
   BiasVerdict verdict = BiasVerdict::unresolved;
 };
 
-/// Replicas in each group that call a setting without any bias unbiased.
+/// Pairs that call a setting without any bias unbiased where the two of a pair have nothing in
+/// common; fewer do where they have.
 double replicas_to_resolve();
 
-/// Welch's comparison of two independent groups of replicas. Unbiased only if the whole interval of
-/// |bias| lies below what is allowed, biased only if it lies above; else, and with fewer than two
-/// replicas in a group, unresolved.
-Bias compare_means(const std::vector<double>& values, const std::vector<double>& reference);
+/// The same replicas in two ways, replica k's value at k of both; pairs with a value missing (NaN)
+/// are left out. Unbiased only if the whole interval of |bias| lies below what is allowed, biased
+/// only if it lies above; else, and with fewer than two pairs, unresolved.
+Bias compare_pairs(const std::vector<double>& values, const std::vector<double>& reference);
 
 }  // namespace cagetol

@@ -105,12 +105,11 @@ void measure_trajectories(const Scene& scene, const SimulateOptions& options, Ch
       [](const ChartPoint& p) { return p.trajectory_error[1]; });
 }
 
-/// Values of quantity q in the replicas that are ok and have it.
+/// Values of quantity q in all replicas; NaN where one is not ok or has none.
 std::vector<double> values_of(const std::vector<Outcome>& outcomes, std::size_t q) {
   std::vector<double> values;
   for (const Outcome& outcome : outcomes)
-    if (outcome.status == Status::ok && std::isfinite(outcome.quantities[q]))
-      values.push_back(outcome.quantities[q]);
+    values.push_back(outcome.status == Status::ok ? outcome.quantities[q] : kUnknown);
   return values;
 }
 
@@ -134,7 +133,7 @@ int compare_runs(const std::vector<Outcome>& outcomes, const std::vector<Outcome
                  const std::string& name, WindowErrors& p) {
   p.window = cost_of(outcomes);
   for (std::size_t q = 0; q < quantity_table().size(); ++q)
-    p.biases.push_back(compare_means(values_of(outcomes, q), values_of(reference, q)));
+    p.biases.push_back(compare_pairs(values_of(outcomes, q), values_of(reference, q)));
   if (const ChartCost cost = cost_of(reference); p.window.problem.empty() && !cost.problem.empty())
     p.window.problem = "reference " + name + ": " + cost.problem;
   return summarise_biases(p);
@@ -149,17 +148,15 @@ std::vector<Outcome> run_replicas(const std::vector<Scene>& scenes, const Settin
 
 void measure_biases(const Study& study, const SimulateOptions& options, Chart& chart,
                     const std::function<void(const std::string&)>& say) {
-  // The references see other replicas than the settings: groups are independent.
-  const int n = chart.options.replicas;
-  const std::vector<Scene> all = replica_scenes(study, 2 * n);
-  const std::vector<Scene> scenes(all.begin(), all.begin() + n), others(all.begin() + n, all.end());
+  // Settings and references see the same replicas: what their deviations do to a quantity cancels.
+  const std::vector<Scene> scenes = replica_scenes(study, chart.options.replicas);
   std::map<std::string, std::vector<Outcome>> references;
   for (ChartPoint& p : chart.points) {
     const Setting reference = reference_setting(p.setting.method);
     auto& known = references[reference.method];
     if (known.empty()) {
       say("reference " + setting_label(reference));
-      known = run_replicas(others, reference, chart.options.threads, options);
+      known = run_replicas(scenes, reference, chart.options.threads, options);
     }
     say(setting_label(p.setting));
     const auto outcomes = run_replicas(scenes, p.setting, chart.options.threads, options);
@@ -188,12 +185,11 @@ Rung tight(Rung rung) {
 
 void measure_rungs(const Study& study, Chart& chart,
                    const std::function<void(const std::string&)>& say) {
-  const int n = chart.options.replicas, threads = chart.options.threads;
-  const std::vector<Scene> all = replica_scenes(study, 2 * n);
-  const std::vector<Scene> scenes(all.begin(), all.begin() + n), others(all.begin() + n, all.end());
+  const int threads = chart.options.threads;
+  const std::vector<Scene> scenes = replica_scenes(study, chart.options.replicas);
   const Rung& highest = climbing_rungs().back();
   say("reference of the rungs");
-  const auto reference = run_rung(others, tight(highest), threads);
+  const auto reference = run_rung(scenes, tight(highest), threads);
   for (const Rung& rung : climbing_rungs()) {
     say("rung " + rung.name);
     RungPoint& p = chart.rungs.emplace_back();

@@ -168,8 +168,8 @@ std::string chart_text(const Chart& chart) {
   }
   if (!named)
     text += fmt::format(
-        "No cheaper setting is shown to be unbiased: {} replicas leave the rest unresolved; about "
-        "{:.0f} would resolve a bias of one standard error of a {:g}-sample study.\n",
+        "No cheaper setting is shown to be unbiased: {} replicas leave the rest unresolved; {:.0f} "
+        "at most would resolve a bias of one standard error of a {:g}-sample study.\n",
         chart.options.replicas, replicas_to_resolve(), kStudySamples);
   if (!chart.rungs.empty()) text += rungs_text(chart);
   return text;
