@@ -65,11 +65,11 @@ Outcome quasi_static_outcome(const Scene& scene) {
                        std::to_string(positions.angle(k) * 180 / pi) + " degrees";
       return outcome;
     }
-    ring_y.add(rest.ring_y, 1, true);
-    ring_z.add(rest.ring_z, 1, true);
+    ring_y.add(rest.ring_y, 1, 1);
+    ring_z.add(rest.ring_z, 1, 1);
     ring_tilt.add(std::hypot(rest.tilt_y, rest.tilt_z), 1);
     for (int j = 0; j < model.layout.rollers; ++j)
-      tilt.add(std::abs(rest.tilt[static_cast<std::size_t>(j)]), 1, true);
+      tilt.add(std::abs(rest.tilt[static_cast<std::size_t>(j)]), 1, 1);
   }
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const double values[] = {-1e6 * ring_z.mean(), -1e6 * equilibrium.state().ring_z,

@@ -1,6 +1,7 @@
 #include "src/dynamics/bearing_model.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -11,6 +12,8 @@ namespace cagetol {
 namespace {
 
 using std::numbers::pi;
+
+constexpr double kRockingPhase = 1.4;  ///< of bouncing that a step near a flange may span [rad]
 
 double given_or(double value, double computed) {
   return std::isnan(value) ? computed : value;
@@ -57,6 +60,18 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.squareness[lane] = planar ? 0 : each(scene.cage.pocket_squareness, k);
   }
   return g;
+}
+
+/// Step that resolves how a roller bounces and rocks on the outer race, pressed there by its
+/// centrifugal force alone [s].
+double rocking_step(const BearingModel& m) {
+  const double mass = m.groups.front().mass[0], turn = kinematic_cage_speed(m, m.inner_speed);
+  const double force = mass * m.pitch_radius * turn * turn;
+  const auto slices = static_cast<double>(m.race_slices.size());
+  const double depth = elastic_penetration(m.race, force / slices);
+  // Its angular frequency squared: exponent times force over depth is the stiffness.
+  const double squared = depth > 0 ? m.race.exponent * force / (depth * mass) : 0;
+  return squared > 0 ? kRockingPhase / std::sqrt(squared) : std::numeric_limits<double>::infinity();
 }
 
 /// Two points of the roller's end face at +-0.8 R tangentially, kept inside the face at radial
@@ -170,6 +185,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.inner_speed = o.inner_speed;
   m.speed_from = given_or(o.speed_ramp_from, o.inner_speed);
   m.speed_ramp = o.speed_ramp;
+  m.rocking_step = rocking_step(m);
   return m;
 }
 

@@ -64,6 +64,8 @@ struct BearingModel {
   FrictionLaw friction;
   FilmLaw inner_film, outer_film;  ///< of one slice
 
+  double rocking_step = 0;  ///< that resolves how a roller rocks on the outer race, pressed there
+                            ///< by its centrifugal force alone [s]
   double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]
   double misalignment_y = 0,
          misalignment_z = 0;  ///< tilt of the ring, or what its shaft would give it

@@ -3,6 +3,7 @@
 
 #include "src/dynamics/flexible_cage.hpp"
 #include "src/dynamics/forces.hpp"
+#include "src/dynamics/step_limit.hpp"
 
 namespace cagetol {
 
@@ -54,13 +55,6 @@ inline void fill_cage_row(const double at_centre[kCageRigid], const BorderState&
   for (int i = 0; i < kCageRigid; ++i) row[static_cast<std::size_t>(kCageY + i)] = at_centre[i];
   // V_C = V_G - phi' e_x x e with e = G - C and e_x x e = (-e_z, e_y).
   row[kCagePhi] += at_centre[0] * b.unbalance[1] - at_centre[1] * b.unbalance[0];
-}
-
-/// Keeps in `touch` the closest predicted touch of open contacts [s], for the step control.
-inline void see_touch(Pack penetration, Pack rate, Pack exists, Pack& touch) {
-  const Mask closing =
-      (penetration < 0.0) & (rate > 0.0) & (exists > 0.0) & (-penetration < touch * rate);
-  if (any(closing)) touch = select(closing, -penetration / rate, touch);
 }
 
 }  // namespace cagetol

@@ -19,7 +19,7 @@ template <bool linear>
 void wall_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
                    RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
-                   Observation* seen, Pack& touch) {
+                   Observation* seen, StepLimit<Pack>& limit) {
   const double half = model.roller_half_length, phi = b.phi_rate;
   if constexpr (!linear) {
     // Every point of an end lies below this: skip the points when even the whole face clears the
@@ -44,12 +44,12 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
       Pack rate = e * (f.v_x - h * f.b_R - tau * f.b_T + f.A_R * V_R + f.A_T * V_T + f.dA_R * D_R +
                        f.dA_T * D_T + turn * phi);
       if constexpr (linear)
-        if (!any(modal.may_touch(p, rate, touch) & (roller.exists > 0.0))) continue;
+        if (!any(modal.may_touch(p, rate, limit.longest()) & (roller.exists > 0.0))) continue;
       if (modal.flexible()) {
         p -= e * modal.along(group, point, 2, modal.q);
         rate -= e * modal.along(group, point, 2, modal.rate);
       }
-      if constexpr (linear) see_touch(p, rate, roller.exists, touch);
+      if constexpr (linear) limit.touch(p, rate, roller.exists > 0.0);
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;
       touched = true;
@@ -109,10 +109,14 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
   add_pocket_loads(f, on, loads, border);
 }
 
+/// Where a roller that steers comes by within half a millisecond [m]: touched again and again, at a
+/// phase of its rocking that a longer step gets wrong.
+inline constexpr double kNearFlange = 4e-6;
+
 template <bool linear>
 void flange_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                      int group, RollerLoads& loads, Linearisation* jac, Observation* seen,
-                     Pack& touch) {
+                     StepLimit<Pack>& limit) {
   const double half = model.roller_half_length;
   const Pack reach = roller.radius * (max(q.a_r, -q.a_r) + max(q.a_t, -q.a_t));
   if constexpr (!linear)
@@ -125,8 +129,11 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
       const Pack turn = tau * q.a_r - h * q.a_t;
       const Pack rate = e * (q.vx - h * q.b_r - tau * q.b_t + turn * q.omega);
       if constexpr (linear) {
-        see_touch(p, rate, roller.exists, touch);
-        see_touch(-p, -rate, roller.exists, touch);  // partings, too: they decide on the skew left
+        const Mask here = roller.exists > 0.0;
+        limit.touch(p, rate, here);
+        limit.grow(p, rate, here);
+        limit.pass(-p, -rate, here);  // partings, too: they decide on the skew left
+        limit.at_most(model.rocking_step, here & (p > -kNearFlange));
       }
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;

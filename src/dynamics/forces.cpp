@@ -160,7 +160,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
                          modal_force,
                          farthest_displacement(m.flexible, modes),
                          linear ? farthest_displacement(m.flexible, mode_rates) : 0};
-  [[maybe_unused]] Pack touch = splat(kTouchHorizon);
+  [[maybe_unused]] StepLimit<Pack> limit;
   ContactRows* rows = nullptr;
   if constexpr (linear) {
     jac->clear();
@@ -193,7 +193,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     RollerLoads loads;
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
     race_contacts<linear, tilting>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r,
-                                   elastic_t, drive, tilting ? &tilt : nullptr, &touch);
+                                   elastic_t, drive, tilting ? &tilt : nullptr, &limit);
     border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
     if constexpr (tilting) {
@@ -229,18 +229,18 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       total = Pack{};
     }
     race_contacts<linear>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r, elastic_t,
-                          drive, nullptr, &touch);
+                          drive, nullptr, &limit);
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
       for (int i = 0; i < kLocalVelocities; ++i) turn_frame(q, g->position[i], g->velocity[i]);
     }
     if constexpr (!planar)  // who stands still in the middle touches no flange
-      flange_contacts<linear>(m, roller, q, group, loads, jac, seen, touch);
+      flange_contacts<linear>(m, roller, q, group, loads, jac, seen, limit);
     const PocketFrame pocket = pocket_frame(roller, q, b);
     pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
-                            touch);
+                            limit);
     wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
-                          touch);
+                          limit);
     if constexpr (linear) {
       add_inertial(m, roller, q, loads, *g);
       if constexpr (planar) jac->hold(group);
@@ -248,9 +248,10 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     store_rates<planar>(m, roller, q, loads, y, rate, group);
   }
-  double soonest = kTouchHorizon, on_modes[kMostModes];
+  [[maybe_unused]] StepLimit<double> land_limit;
+  double on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = modal.pushed ? sum(modal_force[k]) : 0;
-  land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, soonest);
+  land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, land_limit);
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {
     const RingLoad load = load_at(m, t);
@@ -267,7 +268,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     for (int i = 0; i < m.layout.border(); ++i)
       seen->net_power_rate +=
           jac->power_position[i] * border_v[i] + jac->power_velocity[i] * border_a[i];
-    seen->time_to_touch = std::min(soonest, smallest(touch));
+    seen->longest_step = std::min(land_limit.longest(), smallest(limit.longest()));
   }
 }
 

@@ -41,7 +41,7 @@ inline void bend_land(const ModalState& modal, int land, double angle, BentLand&
 template <bool linear>
 void land_contacts(const BearingModel& model, const BorderState& b, const ModalState& modal,
                    BorderLoads& border, double* modal_force, ContactRows* rows, Linearisation* jac,
-                   Observation* seen, double& touch) {
+                   Observation* seen, StepLimit<double>& limit) {
   if (model.guidance == Guidance::roller) return;
   const bool inner = model.guidance == Guidance::inner;
   // The cage's outside surface meets the outer ring where delta points; its bore meets the inner
@@ -72,15 +72,15 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
     // The surface's slope lets a bent land close a little faster.
     const double sloping = 2 * modal.farthest * modal.cage->corners / (2 * std::numbers::pi) *
                            std::abs(along * inverse - b.phi_rate);
-    if (linear ? !modal.may_touch(p, rate + sloping, touch) : !(p > -modal.farthest)) continue;
+    if (linear ? !modal.may_touch(p, rate + sloping, limit.longest()) : !(p > -modal.farthest))
+      continue;
     BentLand bent;
     if (modal.flexible()) {
       bend_land(modal, land, std::atan2(side * nz, side * ny) - b.phi, bent);
       p += side * bent.moved;
       rate += side * (bent.rate[0] + bent.slope * (along * inverse - b.phi_rate));
     }
-    if constexpr (linear)
-      if (p < 0 && rate > 0) touch = min(touch, -p / rate);
+    if constexpr (linear) limit.touch(p, rate, true);
     if (!(p > 0)) continue;
     const double ring_surface = inner ? b.inner_speed * side * model.guide_ring_radius : 0;
     const double swash = ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny);

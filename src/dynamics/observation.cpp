@@ -22,7 +22,7 @@ void Observation::clear() {
   land_touching[0] = land_touching[1] = false;
   ring_elastic_y = ring_elastic_z = 0;
   drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy =
-      time_to_touch = 0;
+      longest_step = 0;
   thinnest_film = kNoFilm;
 }
 

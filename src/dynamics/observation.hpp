@@ -7,8 +7,6 @@
 
 namespace cagetol {
 
-inline constexpr double kTouchHorizon = 1e-3;  ///< touches farther ahead are not looked for [s]
-
 /// What is seen of the contacts at one state. Arrays have one element per roller (padded).
 struct Observation {
   explicit Observation(const BearingModel& model);
@@ -38,8 +36,7 @@ struct Observation {
   double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
   double elastic_energy = 0;  ///< stored in contacts [J]
   double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]
-  /// Smallest gap over closing speed of contacts that are open, at most kTouchHorizon [s].
-  double time_to_touch = 0;
+  double longest_step = 0;    ///< as the contacts see it (step_limit.hpp) [s]
 };
 
 }  // namespace cagetol

@@ -15,7 +15,7 @@ template <bool linear>
 void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                      const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
                      RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
-                     Observation* seen, Pack& touch) {
+                     Observation* seen, StepLimit<Pack>& limit) {
   const Pack kappa = f.A_T + roller.squareness;
   const Pack gap = roller.radius - roller.half_width, R = roller.radius;
   const int stations = static_cast<int>(model.bar_stations.size());
@@ -32,7 +32,7 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
       const double s = side == 0 ? 1.0 : -1.0;
       const int point = side == 0 ? stations + k : k;
       Pack p = s * u + gap, rate = s * u_rate;
-      const auto near = linear ? modal.may_touch(p, rate, touch) : p > -modal.farthest;
+      const auto near = linear ? modal.may_touch(p, rate, limit.longest()) : p > -modal.farthest;
       if (!any(near & (roller.exists > 0.0))) continue;
       if (modal.flexible()) p -= s * modal.along(group, point, 1, modal.q);
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
@@ -40,7 +40,9 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
         if (!any(touching)) continue;
       if (modal.flexible()) rate -= s * modal.along(group, point, 1, modal.rate);
       if constexpr (linear) {
-        see_touch(p, rate, roller.exists, touch);
+        limit.touch(p, rate, roller.exists > 0.0);
+        limit.grow(p, rate, roller.exists > 0.0);
+        limit.touch(-p, -rate, roller.exists > 0.0);  // partings, too
         if (!any(touching)) continue;
       }
       touched = true;

@@ -15,9 +15,9 @@
 
 namespace cagetol {
 
-/// How much farther than elsewhere steps go on behind the touch of a race [s]: just behind it the
-/// power changes at a rate that says nothing of the step before, and would mislead its integral.
-inline constexpr double kBehindTouch = 2e-6;
+/// How long steps go on behind the touch of a race [s]: just behind it the power changes at a rate
+/// that says nothing of the step before, and would mislead its integral.
+inline constexpr double kBehindRaceTouch = 2.5e-6;
 
 struct RaceSide {
   double sign;    ///< s
@@ -89,7 +89,7 @@ template <bool linear, bool tilting = false>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
                    Pack& total, Pack& sliding, Pack& elastic_r, Pack& elastic_t, Pack& drive,
-                   RingTilt* tilt = nullptr, [[maybe_unused]] Pack* touch = nullptr) {
+                   RingTilt* tilt = nullptr, [[maybe_unused]] StepLimit<Pack>* limit = nullptr) {
   Entrainment oil;
   FilmAtSpeed<Pack> film;
   Pack thickest{};
@@ -135,10 +135,10 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     }
     const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
     if constexpr (linear) {
-      if (touch) {
-        see_touch(p + thickest - kBehindTouch * rate, rate, roller.exists, *touch);
+      if (limit) {
+        limit->pass(p + thickest, rate, roller.exists > 0.0, kBehindRaceTouch);
         // Leaving the load zone is foreseen, too; on the outer race rollers bounce all the time.
-        if (race.sign > 0) see_touch(-p - thickest, -rate, roller.exists, *touch);
+        if (race.sign > 0) limit->pass(-p - thickest, -rate, roller.exists > 0.0);
       }
       if (!any(touching)) continue;
     }

@@ -46,8 +46,6 @@ const RosenbrockTable kRodasP = {
 namespace {
 
 constexpr double kFirstStep = 1e-7, kSmallestStep = 1e-12;
-constexpr double kTouchMargin =
-    0.5e-6;  ///< steps end this long after a predicted touch, inside the contact [s]
 
 /// to = from + sum of weights times terms, in one pass.
 template <int terms>
@@ -105,7 +103,7 @@ void Rosenbrock::advance_argument(const double* y, const double* weights, int st
 StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) {
   const int n = system.size;
   double h = std::min(next_step_, keys_.max_step);
-  if (keys_.touch_aware) h = std::min(h, system.seen.time_to_touch + kTouchMargin);
+  if (keys_.touch_aware) h = std::min(h, system.seen.longest_step);
   const bool driven = system.driven_by_time(t);
   if (driven) system.rates_by_time(t, y, time_rates_.data());
   bool rejected = false;

@@ -7,10 +7,10 @@ namespace cagetol {
 namespace {
 
 // Chosen by measurement (tests/ACCURACY.md): the stability suite, and steps saved.
-constexpr double kBounceSpeed = 0.1;       ///< unit of error of bouncing, at most [m/s]
-constexpr double kBounceLength = 3e-6;     ///< unit of error of a bouncing roller's place [m]
-constexpr double kFlangeUnits = 0.1;       ///< skew rate and axial speed on a flange, in usual ones
-constexpr double kMovedEnergy = 0.01;      ///< that an error may move, in shares of the dissipated
+constexpr double kBounceSpeed = 0.1;    ///< unit of error of bouncing, at most [m/s]
+constexpr double kBounceLength = 3e-6;  ///< unit of error of a bouncing roller's place [m]
+constexpr double kTouchUnits = 0.1;     ///< of skew rate and axial speed in touches, in usual ones
+constexpr double kMovedEnergy = 0.01;   ///< that an error may move, in shares of the dissipated
 constexpr double kDissipationTime = 1e-3;  ///< over which the dissipation is averaged [s]
 
 /// What of an error's square counts no longer in a unit so many times as large.
@@ -46,21 +46,26 @@ double StepError::operator()(const System& s, const double* y, const double* err
       spared += spared_in(larger) * counted * counted;
     };
     const GroupLinear& turned = s.linear.groups[static_cast<std::size_t>(group)];
-    const Pack on_flange = load(s.seen.flange_force.data() + j);
-    const auto add = [&](Pack wrong, Pack per_scale) {
+    const auto touching = [&](const std::vector<double>& force) {
+      return load(force.data() + j) > 0.0;
+    };
+    const Mask pressed = touching(s.seen.inner_force);  // between the races
+    const Mask on_flange = touching(s.seen.flange_force) & ~pressed;
+    const Mask on_bar =
+        (touching(s.seen.leading_force) | touching(s.seen.trailing_force)) & ~pressed;
+    const auto add = [&](Pack wrong, Pack per_scale, Mask where) {
       const Pack counted = wrong * per_scale;
-      added += select(on_flange > 0.0, -spared_in(kFlangeUnits) * counted * counted, Pack{});
+      added += select(where, -spared_in(kTouchUnits) * counted * counted, Pack{});
     };
     const double* rate = s.rate.data();
     const double* per_scale = s.per_scale.data();
     const Pack wrong_radius = position(error, kRadius);
-    const Pack pressed = load(s.seen.inner_force.data() + j);  // between the races
     spare(velocity(error, kRadialSpeed), velocity(per_scale, kRadialSpeed), unit);
-    spare(select(pressed > 0.0, Pack{}, wrong_radius), position(per_scale, kRadius),
+    spare(select(pressed, Pack{}, wrong_radius), position(per_scale, kRadius),
           kBounceLength / kLengthScale);
     add(turned.cosine * velocity(error, kAxisRateZ) - turned.sine * velocity(error, kAxisRateY),
-        velocity(per_scale, kAxisRateZ));
-    add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed));
+        velocity(per_scale, kAxisRateZ), on_flange | on_bar);
+    add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed), on_flange);
     energy += roller.exists * roller.mass *
               magnitude(velocity(y, kRadialSpeed) * velocity(error, kRadialSpeed) -
                         velocity(rate, kRadialSpeed) * wrong_radius);

@@ -6,8 +6,8 @@
 // what the bearing dissipates: where bouncing is all that happens it counts in full. A shift of
 // phase, which is most of what a long step does to an oscillation, moves no energy. Rocking about
 // the tilt, with which rollers lean on flanges, skew and axial motion always count in full, and
-// tenfold the rates of the latter two while a roller is on a flange: what light touches leave
-// behind adds up to the skew.
+// tenfold the rates of the latter two while a roller that the races do not press is on a flange, of
+// the skew also while it is on a bar: what light touches leave behind adds up to the skew.
 #pragma once
 
 #include "src/integration/system.hpp"
@@ -17,8 +17,8 @@ namespace cagetol {
 class StepError {
  public:
   /// Error of a step of length h [s] from y in units of `tolerance`: a step may be taken up to 1.
-  /// Off flanges never more than error_norm / tolerance. Expects system.linearise_at to have been
-  /// called at y.
+  /// Off flanges and bars never more than error_norm / tolerance. Expects system.linearise_at to
+  /// have been called at y.
   double operator()(const System& system, const double* y, const double* error, double h,
                     double tolerance) const;
 

@@ -24,10 +24,12 @@ constexpr double kDisplacementFloor = 1e-6;  // of the consistency error [m]
 
 }  // namespace
 
-void Observer::Impacts::see(std::size_t contact, bool touching) {
-  if (closed.size() <= contact) closed.resize(contact + 1, 2);  // 2: not seen yet
-  if (touching && closed[contact] == 0) ++count;
-  closed[contact] = touching;
+void Observer::Impacts::see(std::size_t pack, Mask touching) {
+  if (open.size() <= pack) open.resize(pack + 1);
+  const Mask begun = open[pack] & touching;
+  if (any(begun))
+    for (int i = 0; i < kLanes; ++i) count -= begun[i];  // set lanes are -1
+  open[pack] = ~touching;
 }
 
 Observer::Observer(const BearingModel& model, double begin, double end)
@@ -37,7 +39,8 @@ Observer::Observer(const BearingModel& model, double begin, double end)
       statics_(model, kStaticsAccuracy),
       angles_(static_cast<std::size_t>(model.layout.padded())),
       next_statics_(begin),
-      statics_interval_((end - begin) / kStaticsInstants) {
+      statics_interval_((end - begin) / kStaticsInstants),
+      clock_(begin, kRecordInterval) {
   if (model.flexible.model) stress_.emplace(*model.flexible.model);
 }
 
@@ -47,13 +50,9 @@ void Observer::record(double t, const double* y, const System& system) {
   const double* dv = system.rate.data() + l.border_velocity(0);
   const Observation& seen = system.seen;
   const bool first = last_time_ < 0;
-  // Each state stands for the time since the one before it (the trapezoid's second half is a
-  // difference of one step in thousands).
-  const double weight = first ? 0 : t - last_time_;
+  const SeenStep step = clock_.advance(t);
 
   thinnest_film_ = std::min(thinnest_film_, seen.thinnest_film);
-  const bool keep = t >= next_record_;
-  if (keep) next_record_ = std::max(next_record_ + kRecordInterval, t);
 
   const double c = std::cos(q[kCagePhi]), s = std::sin(q[kCagePhi]);
   const double e_y = c * model_.unbalance_y - s * model_.unbalance_z;
@@ -71,35 +70,35 @@ void Observer::record(double t, const double* y, const System& system) {
   last_energy_ = energy;
   net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
                 seen.net_power_rate);
-  drive_.add(t, seen.drive_power);
-  dissipation_.add(t, seen.friction_power + seen.damping_power);
+  drive_.add(seen.drive_power, step);
+  dissipation_.add(seen.friction_power + seen.damping_power, step);
 
   const double angle = std::atan2(cage_z, cage_y);
   orbit_turned_ += std::remainder(angle - orbit_angle_, 2 * std::numbers::pi);
   orbit_angle_ = angle;
   revolutions_ = std::abs(q[kCagePhi] - start_phase_) / (2 * std::numbers::pi);
 
-  cage_speed_.add(v[kCagePhi], weight);
-  inner_speed_.add(inner_speed_at(model_, t), weight);
-  whirl_radius_.add(std::hypot(cage_y, cage_z), weight, keep);
-  whirl_speed_.add(std::hypot(cage_vy, cage_vz), weight);
-  cage_axial_.add(q[kCageX], weight);
-  cage_lean_y_.add(q[kCageAxisY], weight);
-  cage_lean_z_.add(q[kCageAxisZ], weight);
-  ring_y_.add(q[kRingY], weight, keep);
-  ring_z_.add(q[kRingZ], weight, keep);
-  ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), weight);
-  ring_elastic_z_.add(seen.ring_elastic_z, weight);
+  cage_speed_.add(v[kCagePhi], step);
+  inner_speed_.add(inner_speed_at(model_, t), step);
+  whirl_radius_.add(std::hypot(cage_y, cage_z), step);
+  whirl_speed_.add(std::hypot(cage_vy, cage_vz), step);
+  cage_axial_.add(q[kCageX], step);
+  cage_lean_y_.add(q[kCageAxisY], step);
+  cage_lean_z_.add(q[kCageAxisZ], step);
+  ring_y_.add(q[kRingY], step);
+  ring_z_.add(q[kRingZ], step);
+  ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), step);
+  ring_elastic_z_.add(seen.ring_elastic_z, step);
   if (l.ring_tilt > 0) {
     const double tilt_y = q[l.ring_tilt_slot()], tilt_z = q[l.ring_tilt_slot() + 1];
-    ring_tilt_.add(std::hypot(tilt_y, tilt_z), weight);
-    tilt_y_.add(tilt_y, weight);
-    tilt_z_.add(tilt_z, weight);
+    ring_tilt_.add(std::hypot(tilt_y, tilt_z), step);
+    tilt_y_.add(tilt_y, step);
+    tilt_z_.add(tilt_z, step);
   }
-  guide_force_.add(seen.land_force[0] + seen.land_force[1], weight, keep);
-  for (std::size_t k = 0; k < 2; ++k) guide_impacts_.see(k, seen.land_touching[k]);
+  guide_force_.add(seen.land_force[0] + seen.land_force[1], step);
+  guide_impacts_.see(0, Mask{-seen.land_touching[0], -seen.land_touching[1]});
   end_displacement_ = -q[kRingZ];
-  record_rollers(y, system, weight, keep);
+  record_rollers(y, system, step);
   record_statics(t, y);
   if (stress_) record_stress(t, y, seen);
   last_time_ = t;
@@ -131,35 +130,39 @@ void Observer::record_stress(double t, const double* y, const Observation& seen)
   if (keep) last_stress_ = t;
 }
 
-void Observer::record_rollers(const double* y, const System& system, double weight, bool keep) {
+void Observer::record_rollers(const double* y, const System& system, const SeenStep& step) {
   const StateLayout& l = model_.layout;
   const Observation& seen = system.seen;
   const double ratio = model_.nominal_diameter / (2 * model_.pitch_radius);
   const double inner_speed = inner_speed_at(model_, last_time_ < 0 ? begin_ : last_time_);
   const double rolling = inner_speed / (2 * ratio) * (1 - ratio * ratio);
   const double threshold = kLoadedShare * model_.load.radial;
-  for (int j = 0; j < l.rollers; ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    const GroupLinear& group = system.linear.groups[k / kLanes];
-    const double c = group.cosine[j % kLanes], s = group.sine[j % kLanes];
-    const double spin = y[l.velocity(kSpin, j)];
-    const double ay = y[l.position(kAxisY, j)], az = y[l.position(kAxisZ, j)];
-    largest_lean_squared_ = std::max(largest_lean_squared_, ay * ay + az * az);
-    skew_.add(std::abs(c * az - s * ay), weight, keep);
-    tilt_.add(std::abs(c * ay + s * az), weight, keep);
-    roller_speed_.add(spin, weight);
-    const double slip =
-        rolling != 0 ? 1 - std::abs(spin - y[l.velocity(kOrbitRate, j)]) / std::abs(rolling) : 0;
-    slip_all_.add(slip, weight);
-    if (seen.inner_force[k] > threshold) {
-      slip_loaded_.add(slip, weight);
-      sliding_.add(seen.inner_sliding[k], weight);
-    }
-    pocket_force_.add(seen.leading_force[k] + seen.trailing_force[k], weight, keep);
-    pocket_impacts_.see(2 * k, seen.leading_force[k] > 0);
-    pocket_impacts_.see(2 * k + 1, seen.trailing_force[k] > 0);
-    wall_force_.add(seen.wall_force[k], weight, keep);
-    wall_impacts_.see(k, seen.wall_force[k] > 0);
+  const double rolls = rolling != 0 ? 1 / std::abs(rolling) : 0;
+  for (int group = 0; group < l.groups; ++group) {
+    const int j = group * kLanes;
+    const auto k = static_cast<std::size_t>(group);
+    const Mask here = model_.groups[k].exists > 0.0;
+    const GroupLinear& turned = system.linear.groups[k];
+    const auto force = [&](const std::vector<double>& of) { return load(of.data() + j); };
+    const Pack spin = load(y + l.velocity(kSpin, j)), orbit = load(y + l.velocity(kOrbitRate, j));
+    const Pack ay = load(y + l.position(kAxisY, j)), az = load(y + l.position(kAxisZ, j));
+    largest_lean_squared_ =
+        std::max(largest_lean_squared_, largest(select(here, ay * ay + az * az, Pack{})));
+    skew_.add(k, abs(turned.cosine * az - turned.sine * ay), here, step);
+    tilt_.add(k, abs(turned.cosine * ay + turned.sine * az), here, step);
+    roller_speed_.add(k, spin, here, step);
+    const Pack slip = rolls > 0 ? 1.0 - abs(spin - orbit) * rolls : Pack{};
+    slip_all_.add(k, slip, here, step);
+    const Mask loaded = here & (force(seen.inner_force) > threshold);
+    slip_loaded_.add(k, slip, loaded, step);
+    sliding_.add(k, force(seen.inner_sliding), loaded, step);
+    const Pack leading = force(seen.leading_force), trailing = force(seen.trailing_force),
+               wall = force(seen.wall_force);
+    pocket_force_.add(k, leading + trailing, here, step);
+    pocket_impacts_.see(2 * k, leading > 0.0);
+    pocket_impacts_.see(2 * k + 1, trailing > 0.0);
+    wall_force_.add(k, wall, here, step);
+    wall_impacts_.see(k, wall > 0.0);
   }
 }
 
@@ -181,7 +184,7 @@ void Observer::record_statics(double t, const double* y) {
 }
 
 double Observer::energy_residual() const {
-  const double lost = dissipation_.integral();
+  const double lost = dissipation_.mean() * (last_time_ - begin_);
   return std::abs(net_work_.integral() - (last_energy_ - first_energy_)) /
          std::max(std::abs(lost), kEnergyFloor * std::abs(first_energy_));
 }
@@ -218,10 +221,11 @@ std::vector<double> Observer::quantities() const {
   const double clearance = model_.guide_clearance, duration = end_ - begin_;
   const double revolutions = std::max(revolutions_, 1e-12);
   q["cage_slip_ratio"] = 1 - cage_speed / kinematic_cage_speed(model_, inner_speed);
-  q["roller_slip_ratio_loaded"] = slip_loaded_.mean();
-  q["roller_slip_ratio_all"] = slip_all_.mean();
-  q["race_sliding_speed_rms"] = sliding_.rms();
-  q["race_sliding_speed_peak"] = sliding_.peak();
+  q["roller_slip_ratio_loaded"] = slip_loaded_.all().mean();
+  q["roller_slip_ratio_all"] = slip_all_.all().mean();
+  const Series sliding = sliding_.all(), skew = skew_.all(), speeds = roller_speed_.all();
+  q["race_sliding_speed_rms"] = sliding.rms();
+  q["race_sliding_speed_peak"] = sliding.peak();
   q["whirl_radius_ratio_mean"] = whirl_radius_.mean() / clearance;
   q["whirl_radius_ratio_p95"] = whirl_radius_.quantile(0.95) / clearance;
   q["whirl_radius_ratio_peak"] = whirl_radius_.peak() / clearance;
@@ -238,9 +242,9 @@ std::vector<double> Observer::quantities() const {
     q[name + "_force_peak_N"] = series.peak();
     q[name + "_impacts_per_revolution"] = static_cast<double>(impacts.count) / revolutions;
   };
-  force("pocket", pocket_force_, pocket_impacts_);
+  force("pocket", pocket_force_.all(), pocket_impacts_);
   force("guide", guide_force_, guide_impacts_);
-  force("end", wall_force_, wall_impacts_);
+  force("end", wall_force_.all(), wall_impacts_);
   q["cage_speed_std_ratio"] = cage_speed_.standard_deviation() / std::abs(cage_speed);
   q["cage_axial_std_um"] = 1e6 * cage_axial_.standard_deviation();
   q["cage_tilt_std_mrad"] =
@@ -255,13 +259,12 @@ std::vector<double> Observer::quantities() const {
   q["ring_tilt_mean_mrad"] = lean ? 1e3 * (tilts ? ring_tilt_.mean() : held) : none;
   q["ring_tilt_std_mrad"] =
       tilts ? 1e3 * std::hypot(tilt_y_.standard_deviation(), tilt_z_.standard_deviation()) : none;
-  q["roller_speed_std_ratio"] = roller_speed_.standard_deviation() / std::abs(roller_speed_.mean());
-  q["roller_skew_rms_mrad"] = lean ? 1e3 * skew_.rms() : none;
-  q["roller_skew_p95_mrad"] = lean ? 1e3 * skew_.quantile(0.95) : none;
-  q["roller_tilt_p95_mrad"] = lean ? 1e3 * tilt_.quantile(0.95) : none;
-  q["power_loss_W"] = dissipation_.integral() / duration;
-  q["friction_torque_Nmm"] =
-      inner_speed != 0 ? 1e3 * drive_.integral() / duration / inner_speed : 0;
+  q["roller_speed_std_ratio"] = speeds.standard_deviation() / std::abs(speeds.mean());
+  q["roller_skew_rms_mrad"] = lean ? 1e3 * skew.rms() : none;
+  q["roller_skew_p95_mrad"] = lean ? 1e3 * skew.quantile(0.95) : none;
+  q["roller_tilt_p95_mrad"] = lean ? 1e3 * tilt_.all().quantile(0.95) : none;
+  q["power_loss_W"] = dissipation_.mean();
+  q["friction_torque_Nmm"] = inner_speed != 0 ? 1e3 * drive_.mean() / inner_speed : 0;
   q["cage_stress_peak_MPa"] = stress_ ? 1e-6 * cage_stress_.peak() : none;
   q["cage_stress_p99_MPa"] = stress_ ? 1e-6 * cage_stress_.quantile(0.99) : none;
   q["cage_stress_rms_MPa"] = stress_ ? 1e-6 * cage_stress_.rms() : none;

@@ -41,12 +41,13 @@ class Observer {
   const CagePeak& cage_peak() const { return cage_peak_; }
 
  private:
+  /// Touches that begin, of packs of contacts: one seen closed at first is not one.
   struct Impacts {
-    std::vector<char> closed;
+    std::vector<Mask> open;
     long count = 0;
-    void see(std::size_t contact, bool touching);
+    void see(std::size_t pack, Mask touching);
   };
-  void record_rollers(const double* y, const System& system, double weight, bool keep);
+  void record_rollers(const double* y, const System& system, const SeenStep& step);
   void record_statics(double t, const double* y);
   /// What the shaft leaves of the moment to the rollers, as a couple at their ends [N].
   double rollers_couple(const RingLoad& load) const;
@@ -61,13 +62,15 @@ class Observer {
   long static_positions_ = 0, static_positions_missed_ = 0;
   Series dynamic_displacement_, static_displacement_, static_elastic_z_;
 
-  double last_time_ = -1, next_record_ = 0;
+  StepClock clock_;
+  double last_time_ = -1;
 
-  Series cage_speed_, inner_speed_, whirl_radius_, whirl_speed_, cage_axial_, cage_lean_y_,
+  StepSeries cage_speed_, inner_speed_, whirl_radius_, whirl_speed_, cage_axial_, cage_lean_y_,
       cage_lean_z_;
-  Series slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_, guide_force_,
+  RollerSeries slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_,
       roller_speed_;
-  Series ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_, ring_tilt_, tilt_y_, tilt_z_;
+  StepSeries guide_force_;
+  StepSeries ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_, ring_tilt_, tilt_y_, tilt_z_;
   std::optional<CageStress> stress_;
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;
@@ -79,7 +82,7 @@ class Observer {
   double end_displacement_ = 0;
   Impacts pocket_impacts_, wall_impacts_, guide_impacts_;
   HermiteQuadrature net_work_;
-  StepQuadrature dissipation_, drive_;
+  StepSeries dissipation_, drive_;  ///< powers [W]
   double first_energy_ = 0, last_energy_ = 0;
 };
 

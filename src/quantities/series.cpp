@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cagetol {
 namespace {
@@ -10,6 +11,15 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
+
+Series::Series(const Sums& sums, std::vector<double> record)
+    : count_(sums.count),
+      shift_(sums.shift),
+      weight_(sums.weight),
+      sum_(sums.values),
+      squares_(sums.squares),
+      peak_(sums.peak),
+      record_(std::move(record)) {}
 
 double Series::mean() const {
   return weight_ > 0 ? shift_ + sum_ / weight_ : kNone;
@@ -43,34 +53,77 @@ double distance_quantile(const Series& x, const Series& y, double p) {
   Series distance;
   const double mean_x = x.mean(), mean_y = y.mean();
   for (std::size_t i = 0; i < x.record_.size(); ++i)
-    distance.add(std::hypot(x.record_[i] - mean_x, y.record_[i] - mean_y), 1, true);
+    distance.add(std::hypot(x.record_[i] - mean_x, y.record_[i] - mean_y), 1, 1);
   return distance.quantile(p);
 }
 
-void StepQuadrature::add(double t, double f) {
-  if (points_ >= 1) {
-    const double h = t - t_[2];
-    if (points_ >= 2) {
-      // Second divided difference over the last two intervals; the earlier interval gets the mean
-      // of its two parabolas.
-      const double before = t_[2] - t_[1];
-      const double bend = ((f - f_[2]) / h - (f_[2] - f_[1]) / before) / (t - t_[1]);
-      const double used = points_ >= 3 ? 0.5 * (bend_ + bend) : bend;
-      done_ += before / 2 * (f_[1] + f_[2]) - before * before * before / 6 * used;
-      bend_ = bend;
-    }
-  }
-  t_[0] = t_[1], f_[0] = f_[1];
-  t_[1] = t_[2], f_[1] = f_[2];
-  t_[2] = t, f_[2] = f;
-  ++points_;
+SeenStep StepClock::advance(double t) {
+  SeenStep step;
+  step.length = started_ ? t - last_ : 0;
+  step.length_before = length_;
+  const double middle = t - step.length / 2;
+  for (; next_ <= t; next_ += interval_)
+    ++(next_ < middle ? step.recorded_at_start : step.recorded_at_end);
+  started_ = true;
+  last_ = t;
+  length_ = step.length;
+  return step;
 }
 
-double StepQuadrature::integral() const {
-  if (points_ < 2) return 0;
-  const double h = t_[2] - t_[1];
-  const double bend = points_ >= 3 ? bend_ : 0;
-  return done_ + h / 2 * (f_[1] + f_[2]) - h * h * h / 6 * bend;
+void StepSeries::add(double value, const SeenStep& step) {
+  if (step.length > 0) Series::add(last_, step.length / 2, step.recorded_at_start);
+  Series::add(value, step.length / 2, step.recorded_at_end);
+  if (step.length_before > 0 && step.length > 0) {
+    const double first = before_ - shift_, middle = last_ - shift_, last = value - shift_;
+    sum_ += Bow<double>::missing(step, first, middle, last);
+    squares_ += Bow<double>::missing(step, first * first, middle * middle, last * last);
+    peak_ = std::max(peak_, Bow(step, std::abs(before_), std::abs(last_), std::abs(value)).top());
+  }
+  before_ = last_;
+  last_ = value;
+}
+
+void RollerSeries::add(std::size_t group, Pack value, Mask counts, const SeenStep& step) {
+  if (!shifted_ && any(counts)) {
+    for (int i = kLanes - 1; i >= 0; --i)
+      if (counts[i]) shift_ = value[i];
+    shifted_ = true;
+  }
+  if (group >= seen_.size()) seen_.resize(group + 1);
+  auto& [before, last] = seen_[group];
+  const State now{value, counts};
+  const Pack first = before.value - shift_, middle = last.value - shift_, x = value - shift_;
+  const Pack half = splat(step.length / 2);
+  for (const auto& [counted, at] : {std::pair{last.counts, middle}, std::pair{counts, x}}) {
+    const Pack weight = select(counted, half, Pack{});
+    weight_ += weight;
+    sum_ += weight * at;
+    squares_ += weight * at * at;
+  }
+  Pack top = select(counts, abs(value), Pack{});
+  if (const Mask all = before.counts & last.counts & counts; step.length_before > 0 && any(all)) {
+    sum_ += select(all, Bow<Pack>::missing(step, first, middle, x), Pack{});
+    squares_ +=
+        select(all, Bow<Pack>::missing(step, first * first, middle * middle, x * x), Pack{});
+    const Bow bow(step, abs(before.value), abs(last.value), abs(value));
+    top = max(top, select(all, bow.top(), Pack{}));
+  }
+  peak_ = max(peak_, top);
+  record(last, step.recorded_at_start);
+  record(now, step.recorded_at_end);
+  before = last;
+  last = now;
+}
+
+void RollerSeries::record(const State& state, int times) {
+  for (; times > 0; --times)
+    for (int i = 0; i < kLanes; ++i)
+      if (state.counts[i]) record_.push_back(state.value[i]);
+}
+
+Series RollerSeries::all() const {
+  return {{shifted_ ? 1 : 0, shift_, sum(weight_), sum(sum_), sum(squares_), largest(peak_)},
+          record_};
 }
 
 }  // namespace cagetol

@@ -1,16 +1,27 @@
-// A quantity seen at the accepted steps of a window, each value weighted with the time it stands
-// for. Means and peaks use every step; quantiles use a thinner record, one value per `thin`
-// seconds, which is what a quantile over time needs.
+// What a quantity amounts to over a window, seen at instants or at the accepted steps of a run, and
+// integrals over such steps.
 #pragma once
 
+#include <cstddef>
 #include <vector>
+
+#include "src/numerics/pack.hpp"
 
 namespace cagetol {
 
+/// Values with weights. Means and peaks use them all, quantiles those that were recorded.
 class Series {
  public:
-  /// `keep`: the value also enters the record for quantiles.
-  void add(double value, double weight, bool keep = false) {
+  Series() = default;
+  /// Of sums over other values: their weights, weighted values and squares less `shift`.
+  struct Sums {
+    long count;
+    double shift, weight, values, squares, peak;
+  };
+  Series(const Sums& sums, std::vector<double> record);
+
+  /// The value enters the record for quantiles so many times.
+  void add(double value, double weight, int recorded = 0) {
     if (count_++ == 0) shift_ = value;
     const double x = value - shift_;
     weight_ += weight;
@@ -18,8 +29,9 @@ class Series {
     squares_ += weight * x * x;
     const double size = value < 0 ? -value : value;
     if (size > peak_) peak_ = size;
-    if (keep) record_.push_back(value);
+    record_.insert(record_.end(), static_cast<std::size_t>(recorded), value);
   }
+
   bool empty() const { return count_ == 0; }
   double mean() const;
   double rms() const;
@@ -28,7 +40,7 @@ class Series {
   /// Smallest recorded value with at least the share `p` of the record at or below it.
   double quantile(double p) const;
 
- private:
+ protected:
   friend double distance_quantile(const Series& x, const Series& y, double p);
   long count_ = 0;
   double shift_ = 0;  ///< the first value: keeps the variance of nearly constant series
@@ -38,6 +50,88 @@ class Series {
 
 /// Quantile of the distance of the recorded points (x, y) from their mean.
 double distance_quantile(const Series& x, const Series& y, double p);
+
+/// A step between two accepted states, as the series that follow a run see it.
+struct SeenStep {
+  double length = 0;          ///< [s], 0: there is no state before this one
+  double length_before = 0;   ///< of the step before it [s], likewise
+  int recorded_at_start = 0;  ///< instants of the record to which the state before is nearest
+  int recorded_at_end = 0;    ///< likewise this state
+};
+
+/// Divides time into steps and the instants of a record, one every `interval` seconds. Each instant
+/// is left to the accepted state nearest to it: were it the first one after it, ends of long steps,
+/// where something has just been touched, would be seen too often.
+class StepClock {
+ public:
+  StepClock(double begin, double interval) : next_(begin), interval_(interval) {}
+  SeenStep advance(double t);
+
+ private:
+  bool started_ = false;
+  double last_ = 0, length_ = 0, next_, interval_;
+};
+
+/// The parabola through three states on end, the last step's and the one's before it.
+template <class T>
+class Bow {
+ public:
+  Bow(const SeenStep& step, T first, T middle, T last)
+      : middle_(middle),
+        before_((middle - first) / step.length_before),
+        after_((last - middle) / step.length),
+        bend_((after_ - before_) / (step.length_before + step.length)),
+        slope_((before_ * step.length + after_ * step.length_before) /
+               (step.length_before + step.length)) {}
+  /// What trapeziums lack: half of each step's is due to the bow at either end.
+  static T missing(const SeenStep& step, T first, T middle, T last) {
+    const double h1 = step.length_before, h2 = step.length;
+    return -(h1 * h1 * h1 + h2 * h2 * h2) / 12 * Bow(step, first, middle, last).bend_;
+  }
+  /// Its top where the middle is the largest of the three, else the middle.
+  T top() const {
+    const auto inside = (before_ > 0.0) & (after_ < 0.0);
+    return middle_ - select(inside, slope_ * slope_ / (4 * select(inside, bend_, T{} - 1.0)), T{});
+  }
+
+ private:
+  T middle_, before_, after_, bend_, slope_;
+};
+
+/// A quantity seen at the accepted steps of a run: means are integrals over parabolas through
+/// neighbouring states (order 4 where smooth), of squares for the rms; a peak may lie between
+/// states.
+class StepSeries : public Series {
+ public:
+  void add(double value, const SeenStep& step);
+
+ private:
+  double before_ = 0, last_ = 0;  ///< values at the two states before
+};
+
+/// Likewise one of every roller, a pack of them at a time: all rollers' values are one series.
+class RollerSeries {
+ public:
+  /// `counts`: lanes where the quantity exists just now, not padding, nor, say, the slip of an
+  /// unloaded roller.
+  void add(std::size_t group, Pack value, Mask counts, const SeenStep& step);
+  Series all() const;
+
+ private:
+  struct State {
+    Pack value{};
+    Mask counts{};
+  };
+  struct Pair {
+    State before, last;
+  };
+  void record(const State& state, int times);
+  std::vector<Pair> seen_;  ///< of each pack, at the two states before
+  double shift_ = 0;        ///< a first value, as in Series
+  bool shifted_ = false;
+  Pack weight_{}, sum_{}, squares_{}, peak_{};
+  std::vector<double> record_;
+};
 
 /// Integral of a function known with its derivative at the accepted steps: Hermite's corrected
 /// trapezium, order 4 within each step.
@@ -55,21 +149,6 @@ class HermiteQuadrature {
  private:
   long points_ = 0;
   double t_ = 0, f_ = 0, slope_ = 0, sum_ = 0;
-};
-
-/// Integral of a function known at the accepted steps: parabolas through neighbouring points,
-/// averaged; order 4 where smooth.
-class StepQuadrature {
- public:
-  void add(double t, double f);
-  /// Integral from the first to the last point added.
-  double integral() const;
-
- private:
-  int points_ = 0;
-  double t_[3] = {}, f_[3] = {};
-  double done_ = 0;  ///< all intervals but the last, corrected
-  double bend_ = 0;  ///< second divided difference of the last three points
 };
 
 }  // namespace cagetol

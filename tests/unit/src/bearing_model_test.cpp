@@ -8,6 +8,7 @@
 
 #include "src/dynamics/start_state.hpp"
 #include "src/integration/system.hpp"
+#include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
 namespace {
@@ -91,6 +92,32 @@ TEST(BearingModel, RampsFollowStep) {
   EXPECT_EQ(inner_speed_at(m, 0), 100);
   EXPECT_DOUBLE_EQ(inner_speed_at(m, 1e-3), (100 + scene.operation.inner_speed) / 2);
   EXPECT_DOUBLE_EQ(inner_speed_at(m, 1), scene.operation.inner_speed);
+}
+
+TEST(BearingModel, StepsNearAFlangeResolveHowRollersBounce) {
+  const Scene scene = shipped_scene("speed-z16-skew");
+  const BearingModel m = make_bearing_model(scene);
+  // Pressed outwards by its centrifugal force Q alone: stiffness e K^(1/e) Q^(1 - 1/e).
+  const double mass = 7800 * std::numbers::pi * 4.5e-3 * 4.5e-3 * 10e-3;
+  const double turn = 6000 * std::numbers::pi / 30 * 56.49 / (56.49 + 74.51);
+  const double e = 10.0 / 9, force = mass * 32.75e-3 * turn * turn;
+  const double stiffness = 150e3 * std::pow(1e3, e);  // [N/m^e]
+  const double frequency =
+      std::sqrt(e * std::pow(stiffness, 1 / e) * std::pow(force, 1 - 1 / e) / mass);
+  EXPECT_NEAR(m.rocking_step * frequency, 1.4, 1e-6);
+
+  std::vector<double> y = start_state(m, scene.start);
+  System system(m);
+  const auto longest_step_at = [&](double gap) {
+    y[static_cast<std::size_t>(m.layout.position(kAxial, 3))] = m.flange_half_clearance - gap;
+    EXPECT_TRUE(system.linearise_at(0, y.data()));
+    return system.seen.longest_step;
+  };
+  EXPECT_GT(longest_step_at(5e-6), 2 * m.rocking_step);
+  EXPECT_DOUBLE_EQ(longest_step_at(3e-6), m.rocking_step);
+  Scene still = scene;
+  still.operation.inner_speed = 0;  // nothing presses rollers outwards
+  EXPECT_TRUE(std::isinf(make_bearing_model(still).rocking_step));
 }
 
 TEST(FindJam, NamesTheWorstPocketAndItsInterference) {

@@ -145,7 +145,8 @@ TEST_F(StepErrorOf, NoUnitIsCoarserThanFrictionsOwnSpeed) {
   EXPECT_NEAR(counted(kLong), strict() / 2, 1e-12 * strict());
 }
 
-TEST_F(StepErrorOf, SkewRateAndAxialSpeedCountTenfoldOnAFlange) {
+TEST_F(StepErrorOf, SkewRateAndAxialSpeedCountTenfoldOnAFlangeAndTheFormerOnABar) {
+  system_->seen.inner_force[3] = 0;
   const double angle = y_[static_cast<std::size_t>(model_.layout.position(kAngle, 3))];
   const auto lean = [&](double tilt, double skew) {
     error_[at(kAxisRateY, 3)] = std::cos(angle) * tilt - std::sin(angle) * skew;
@@ -156,6 +157,9 @@ TEST_F(StepErrorOf, SkewRateAndAxialSpeedCountTenfoldOnAFlange) {
   system_->seen.flange_force[3] = 1;
   EXPECT_NEAR(counted(kLong), 10 * strict(), 1e-10 * strict());
   EXPECT_NEAR(counted(0), 10 * strict(), 1e-10 * strict());
+  system_->seen.inner_force[3] = 1;  // pressed between the races
+  EXPECT_NEAR(counted(kLong), strict(), 1e-10 * strict());
+  system_->seen.inner_force[3] = 0;
   lean(1e-3, 0);
   EXPECT_NEAR(counted(kLong), strict(), 1e-10 * strict());
   lean(0, 0);
@@ -164,6 +168,21 @@ TEST_F(StepErrorOf, SkewRateAndAxialSpeedCountTenfoldOnAFlange) {
   error_[at(kAxialSpeed, 3)] = 0;
   error_[at(kAxialSpeed, 4)] = 1e-5;
   EXPECT_NEAR(counted(kLong), strict(), 1e-10 * strict());
+  for (auto* bar : {&system_->seen.leading_force, &system_->seen.trailing_force}) {
+    (*bar)[4] = 1;
+    system_->seen.inner_force[4] = 0;
+    EXPECT_NEAR(counted(kLong), strict(), 1e-10 * strict());
+    error_[at(kAxialSpeed, 4)] = 0;
+    const double turned = y_[static_cast<std::size_t>(model_.layout.position(kAngle, 4))];
+    error_[at(kAxisRateY, 4)] = -1e-3 * std::sin(turned);
+    error_[at(kAxisRateZ, 4)] = 1e-3 * std::cos(turned);
+    EXPECT_NEAR(counted(kLong), 10 * strict(), 1e-10 * strict());
+    system_->seen.inner_force[4] = 1;
+    EXPECT_NEAR(counted(kLong), strict(), 1e-10 * strict());
+    error_[at(kAxisRateY, 4)] = error_[at(kAxisRateZ, 4)] = 0;
+    error_[at(kAxialSpeed, 4)] = 1e-5;
+    (*bar)[4] = 0;
+  }
 }
 
 TEST_F(StepErrorOf, WhatIsNotANumberStaysNone) {

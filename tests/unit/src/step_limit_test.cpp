@@ -1,0 +1,93 @@
+// Where steps end: touches, partings, young contacts, of one contact and of a pack of them.
+#include "src/dynamics/step_limit.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cagetol {
+namespace {
+
+constexpr double kSpeed = 2e-3;  // [m/s]
+
+double after_touch_in(double time, double speed = kSpeed) {
+  StepLimit<double> limit;
+  limit.touch(-time * speed, speed, true);
+  return limit.longest();
+}
+
+TEST(StepLimit, IsTheHorizonWhereNothingChanges) {
+  EXPECT_EQ(StepLimit<double>().longest(), kStepHorizon);
+  EXPECT_EQ(after_touch_in(1.1 * kStepHorizon), kStepHorizon);
+  EXPECT_EQ(after_touch_in(1e-6, -kSpeed), kStepHorizon);  // closed, parting
+  StepLimit<double> limit;
+  limit.touch(-1e-9, -kSpeed, true);  // open, going away
+  limit.touch(1e-9, kSpeed, true);    // closed already
+  EXPECT_EQ(limit.longest(), kStepHorizon);
+}
+
+TEST(StepLimit, StepsEndJustBeforeATouchAndFromThereJustInside) {
+  EXPECT_NEAR(after_touch_in(10e-6), 9.9e-6, 1e-12);
+  EXPECT_NEAR(after_touch_in(0.61e-6), 0.51e-6, 1e-12);
+  EXPECT_NEAR(after_touch_in(0.1e-6), 0.6e-6, 1e-12);
+  EXPECT_NEAR(after_touch_in(0), kStepHorizon, 0);  // at the touch itself: not ahead
+  EXPECT_NEAR(after_touch_in(1e-12), 0.5e-6, 1e-11);
+}
+
+TEST(StepLimit, TheNearestChangeCounts) {
+  StepLimit<double> limit;
+  limit.touch(-20e-6 * kSpeed, kSpeed, true);
+  limit.touch(-8e-6 * kSpeed, kSpeed, true);
+  limit.touch(-30e-6 * kSpeed, kSpeed, true);
+  EXPECT_NEAR(limit.longest(), 7.9e-6, 1e-12);
+  limit.pass(-6e-6 * kSpeed, kSpeed, true);  // over it, and half a microsecond on
+  EXPECT_NEAR(limit.longest(), 6.5e-6, 1e-12);
+  limit.pass(-6.4e-6 * kSpeed, kSpeed, true, 2e-6);
+  EXPECT_NEAR(limit.longest(), 6.5e-6, 1e-12);
+  limit.pass(-3e-6 * kSpeed, kSpeed, true, 2e-6);
+  EXPECT_NEAR(limit.longest(), 5e-6, 1e-12);
+  limit.at_most(4e-6, false);
+  EXPECT_NEAR(limit.longest(), 5e-6, 1e-12);
+  limit.at_most(4e-6, true);
+  EXPECT_NEAR(limit.longest(), 4e-6, 1e-12);
+}
+
+TEST(StepLimit, AYoungContactGrowsBySteps) {
+  const auto at_age = [](double age) {
+    StepLimit<double> limit;
+    limit.grow(age * kSpeed, kSpeed, true);
+    return limit.longest();
+  };
+  EXPECT_NEAR(at_age(0.5e-6), 2e-6, 1e-12);
+  EXPECT_NEAR(at_age(3e-6), 12e-6, 1e-12);
+  EXPECT_NEAR(at_age(0.01e-6), 0.5e-6, 1e-12);
+  EXPECT_EQ(at_age(1), kStepHorizon);
+  StepLimit<double> parting;
+  parting.grow(1e-9, -kSpeed, true);
+  EXPECT_EQ(parting.longest(), kStepHorizon);
+}
+
+TEST(StepLimit, PacksSeeWhatEachOfTheirContactsSees) {
+  StepLimit<Pack> pack;
+  Pack p, rate;
+  Mask here;
+  for (int lane = 0; lane < kLanes; ++lane) {
+    p[lane] = (lane - 4) * 3e-9;
+    rate[lane] = lane % 3 == 2 ? -kSpeed : kSpeed;
+    here[lane] = lane == 3 ? 0 : -1;
+  }
+  pack.touch(p, rate, here);
+  pack.pass(-p, -rate, here);
+  pack.grow(p, rate, here);
+  pack.at_most(2e-6, here & (p > 7e-9));
+  for (int lane = 0; lane < kLanes; ++lane) {
+    StepLimit<double> one;
+    const bool exists = here[lane] != 0;
+    one.touch(p[lane], rate[lane], exists);
+    one.pass(-p[lane], -rate[lane], exists);
+    one.grow(p[lane], rate[lane], exists);
+    one.at_most(2e-6, exists && p[lane] > 7e-9);
+    EXPECT_EQ(pack.longest()[lane], one.longest()) << lane;
+  }
+}
+
+}  // namespace
+}  // namespace cagetol
