@@ -80,8 +80,8 @@ template <typename Matrix>
 Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
   constexpr Index strip = 64 / sizeof(typename Matrix::Scalar);
   constexpr Index together = 8;
-  using Values = void (*)(const Matrix&, const Matrix&, const std::vector<Index>&, Index, Index,
-                          Matrix&);
+  using Values =
+      void (*)(const Matrix&, const Matrix&, const std::vector<Index>&, Index, Index, Matrix&);
   constexpr Values of[together + 1] = {
       nullptr,
       strip_values<1, strip, Matrix>,
