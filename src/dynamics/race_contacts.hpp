@@ -54,6 +54,20 @@ struct RingTilt {
 struct SliceGap {
   Pack p, n_r, n_t, inverse;
 };
+inline SliceGap slice_gap(const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
+                          const Slice& slice) {
+  const Pack place = q.x + slice.position;
+  const Pack d_r = q.r + slice.position * q.a_r - race.u_r - race.B_r * place;
+  const Pack d_t = slice.position * q.a_t - race.u_t - race.B_t * place;
+  SliceGap gap;
+  const Pack distance = sqrt(d_r * d_r + d_t * d_t, gap.inverse);
+  gap.inverse *= race.sign;
+  gap.n_r = d_r * gap.inverse;
+  gap.n_t = d_t * gap.inverse;
+  gap.p = race.sign * (race.radius - distance) + roller.radius +
+          (slice.position * roller.taper_slope - slice.drop);
+  return gap;
+}
 
 /// Row of the derivatives: of a local direction of the roller, or, beyond these, of the tilt's.
 struct LinearRow {
@@ -105,17 +119,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
   SliceGap gaps[kMostSlices];
   const int slices = static_cast<int>(model.race_slices.size());
   for (int n = 0; n < slices; ++n) {
-    const Slice& slice = model.race_slices[static_cast<std::size_t>(n)];
-    const Pack place = q.x + slice.position;
-    const Pack d_r = q.r + slice.position * q.a_r - race.u_r - race.B_r * place;
-    const Pack d_t = slice.position * q.a_t - race.u_t - race.B_t * place;
-    SliceGap& gap = gaps[n];
-    const Pack distance = sqrt(d_r * d_r + d_t * d_t, gap.inverse);
-    gap.inverse *= race.sign;
-    gap.n_r = d_r * gap.inverse;
-    gap.n_t = d_t * gap.inverse;
-    gap.p = race.sign * (race.radius - distance) + roller.radius +
-            (slice.position * roller.taper_slope - slice.drop);
+    gaps[n] = slice_gap(roller, q, race, model.race_slices[static_cast<std::size_t>(n)]);
   }
   for (int n = 0; n < slices; ++n) {
     const Slice& slice = model.race_slices[static_cast<std::size_t>(n)];

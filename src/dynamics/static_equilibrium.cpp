@@ -3,8 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
-#include "src/dynamics/race_contacts.hpp"
+#include "src/dynamics/race_normals.hpp"
 
 namespace cagetol {
 namespace {
@@ -17,6 +18,10 @@ constexpr int kMostIterations = 60;
 constexpr int kMostUnsettled = 200;  // tries at which rollers found no place: then there is none
 constexpr double kNoPlace =
     1e-11;  // a roller that still moves farther at the last try has none [m]
+// From a solution nearby ring and rollers need 3 or 4 iterations; their places are then known to
+// this length for each share of the load left over.
+constexpr int kMostFollowing = 12;
+constexpr double kFollowedWithin = 1e-4;  // [m]
 // Of a roller's place [m], for a balance of the ring to a share `accuracy` of the load: were it
 // more, the ring's iteration would see noise (1e-14 m are a millionth of a newton of a loaded
 // contact). Never below what the place itself can be told to.
@@ -24,11 +29,165 @@ double settled_within(double radius, double accuracy) {
   return std::max({1e-16, 2e-15 * radius, 1e-6 * accuracy});
 }
 
+/// Of a pack of rollers between the races.
+struct RollerBalance {
+  RaceNormals inner, outer;
+  Pack k_rr, k_ra, k_aa, inverse;  ///< minus the slopes of force and moment by place and tilt
+  Pack dr, da;                     ///< move of place and tilt that balances both
+  double size;                     ///< of the longest move, at a roller's end [m]
+
+  struct Move {
+    Pack r, a;
+  };
+  /// How place and tilt follow the ring: its displacement (of = 0) or tilt (1), along r or t.
+  Move follow(int of, int along) const {
+    const Pack b_r = -inner.slope[of][0][along], b_a = -inner.slope[of + 1][0][along];
+    return {(k_aa * b_r - k_ra * b_a) * inverse, (k_rr * b_a - k_ra * b_r) * inverse};
+  }
+
+  /// Newton's move of place and tilt while the ring moves by `d` (y, z, tilts about them).
+  void advance(const RollerPack& q, const Eigen::Vector4d& d, double* radius, double* tilt) const {
+    Pack r = load(radius) + dr, a = load(tilt) + da;
+    for (int of = 0; of < 2; ++of) {
+      const Pack y = splat(d[2 * of]), z = splat(d[2 * of + 1]);
+      const Pack ring[2] = {along_r(q, y, z), along_t(q, y, z)};
+      for (int along = 0; along < 2; ++along) {
+        const Move with = follow(of, along);
+        r += with.r * ring[along];
+        a += with.a * ring[along];
+      }
+    }
+    store(radius, r);
+    store(tilt, a);
+  }
+};
+
+/// A pack of rollers, and the races as it sees them.
+struct RollersBetweenRaces {
+  const BearingModel& model;
+  const RollerGroup& roller;
+  int first;  ///< roller of the pack
+  double orbit_rate;
+  RollerPack q{};
+  RaceSide inner, outer;
+
+  RollersBetweenRaces(const BearingModel& bearing, int group, const double* angle, double rate,
+                      const StaticState& ring)
+      : model(bearing),
+        roller(bearing.groups[static_cast<std::size_t>(group)]),
+        first(group * kLanes),
+        orbit_rate(rate),
+        inner{1,
+              bearing.inner_radius,
+              2 * bearing.pitch_radius * rate / bearing.inner_radius,
+              bearing.inner_film,
+              {},
+              {},
+              {},
+              {},
+              {},
+              {}},
+        outer{-1, bearing.outer_radius, 0, bearing.outer_film, {}, {}, {}, {}, {}, {}} {
+    sine_cosine(load(angle + first), q.sine, q.cosine);
+    inner.u_r = along_r(q, splat(ring.ring_y), splat(ring.ring_z));
+    inner.u_t = along_t(q, splat(ring.ring_y), splat(ring.ring_z));
+    inner.B_r = along_r(q, splat(ring.tilt_y), splat(ring.tilt_z));
+    inner.B_t = along_t(q, splat(ring.tilt_y), splat(ring.tilt_z));
+    travel(splat(model.pitch_radius * rate));
+  }
+
+  /// To places and tilts of all rollers, of which it takes its own.
+  RollersBetweenRaces& put(const std::vector<double>& radius, const std::vector<double>& tilt) {
+    q.r = load(radius.data() + first);
+    q.a_r = load(tilt.data() + first);
+    return *this;
+  }
+
+  /// They orbit from their places at rest: follow the races, r' = orbit_rate dr/dtheta.
+  RollersBetweenRaces& orbit(const RollerBalance& rest) {
+    travel(q.r * orbit_rate);
+    q.vr = q.vt * (rest.inner.slope[0][0][1] + rest.outer.slope[0][0][1]) / rest.k_rr;
+    return *this;
+  }
+
+  RollerBalance balance(const NormalLaw& law) const {
+    RollerBalance b;
+    b.inner = race_normals(model, law, roller, q, inner);
+    b.outer = race_normals(model, law, roller, q, outer);
+    const double half = model.roller_half_length;
+    const Pack F = b.inner.force[0][0] + b.outer.force[0][0] +
+                   roller.mass * (q.r * (orbit_rate * orbit_rate) - model.gravity * q.sine);
+    const Pack T = b.inner.force[1][0] + b.outer.force[1][0];
+    b.k_rr = kSoftSpring - b.inner.slope[0][0][0] - b.outer.slope[0][0][0];
+    b.k_ra = -b.inner.slope[1][0][0] - b.outer.slope[1][0][0];
+    b.k_aa = kSoftSpring * half * half - b.inner.slope[2][0][0] - b.outer.slope[2][0][0];
+    b.inverse = 1.0 / (b.k_rr * b.k_aa - b.k_ra * b.k_ra);
+    const auto within = [](Pack move, double most) {
+      return min(max(move, splat(-most)), splat(most));
+    };
+    b.dr = within((b.k_aa * F - b.k_ra * T) * b.inverse, kLongestMove);
+    b.da = within((b.k_rr * T - b.k_ra * F) * b.inverse, kLongestMove / half);
+    b.size = largest(roller.exists * (abs(b.dr) + half * abs(b.da)));
+    return b;
+  }
+
+ private:
+  /// Rolling, without slip, drags the film in.
+  void travel(Pack speed) {
+    q.vt = speed;
+    q.spin = -q.vt / roller.radius;
+  }
+};
+
 }  // namespace
 
+/// On the ring from the rollers: force in y, z and moments about them; derivatives with respect to
+/// displacement and tilt.
+struct StaticEquilibrium::RingForce {
+  Eigen::Vector4d force = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d slope = Eigen::Matrix4d::Zero();
+  double elastic_z = 0;  ///< elastic part of the force along z
+  bool settled = true;   ///< every roller found its place
+
+  /// A pack of rollers, where they balance: force, and moment where the ring `tilts`. A move of the
+  /// ring changes them directly, and through the roller that follows it.
+  void add(const RollersBetweenRaces& at, const RollerBalance& b, bool tilts) {
+    const Pack cosine = at.q.cosine, sine = at.q.sine;
+    const Pack co = cosine * at.roller.exists, si = sine * at.roller.exists;
+    const RaceNormals& on = b.inner;
+    elastic_z -= sum(si * on.elastic[0] + co * on.elastic[1]);
+    const int blocks = tilts ? 2 : 1;
+    for (int m = 0; m < blocks; ++m) {
+      Pack f[2];
+      for (int i = 0; i < 2; ++i)
+        f[i] = on.force[m][i] + on.slope[m][i][0] * b.dr + on.slope[m + 1][i][0] * b.da;
+      force[2 * m] -= sum(co * f[0] - si * f[1]);
+      force[2 * m + 1] -= sum(si * f[0] + co * f[1]);
+      for (int n = 0; n < blocks; ++n) {
+        Pack K[2][2];  // rows and columns in r, t
+        for (int c = 0; c < 2; ++c) {
+          const auto [r, a] = b.follow(n, c);
+          for (int i = 0; i < 2; ++i)
+            K[i][c] = on.slope[m + n][i][c] - on.slope[m][i][0] * r - on.slope[m + 1][i][0] * a;
+        }
+        const auto [rr, rt, tr, tt] = std::tie(K[0][0], K[0][1], K[1][0], K[1][1]);
+        auto to = slope.block<2, 2>(2 * m, 2 * n);
+        to(0, 0) += sum(co * (rr * cosine - rt * sine) - si * (tr * cosine - tt * sine));
+        to(0, 1) += sum(co * (rr * sine + rt * cosine) - si * (tr * sine + tt * cosine));
+        to(1, 0) += sum(si * (rr * cosine - rt * sine) + co * (tr * cosine - tt * sine));
+        to(1, 1) += sum(si * (rr * sine + rt * cosine) + co * (tr * sine + tt * cosine));
+      }
+    }
+  }
+};
+
 StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
-    : model_(model), damped_(model.race), accuracy_(accuracy), unused_(model) {
-  model_.friction.static_coefficient = model_.friction.dynamic_coefficient = 0;
+    : model_(model),
+      undamped_(model.race),
+      accuracy_(accuracy),
+      lever_(model.roller_half_length),
+      tilts_(model.layout.ring_tilt > 0) {
+  undamped_.damping = undamped_.chi = 0;
   const auto n = static_cast<std::size_t>(model.layout.padded());
   state_.radius.assign(n, model.outer_radius - model.nominal_diameter / 2);
   state_.tilt.assign(n, 0.0);
@@ -39,221 +198,176 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
   state_.tilt_z = model.misalignment_z;
 }
 
-template <bool tilting>
 StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* angle,
                                                                double orbit_rate,
-                                                               RollerMotion motion, bool near) {
-  RingForce ring{};
+                                                               const RingLoad& load,
+                                                               RollerMotion motion) {
+  RingForce ring;
   for (int group = 0; group < model_.layout.groups; ++group) {
-    const RollerGroup& roller = model_.groups[static_cast<std::size_t>(group)];
     const int j = group * kLanes;
-    RollerPack q{};
-    sine_cosine(load(angle + j), q.sine, q.cosine);
-    const auto start = [&](const std::vector<double>& radius, const std::vector<double>& tilt) {
-      q.r = load(radius.data() + j);
-      q.a_r = load(tilt.data() + j);
-    };
-    near ? start(resting_radius_, resting_tilt_) : start(state_.radius, state_.tilt);
-    const auto r = [&](double y, double z) { return along_r(q, splat(y), splat(z)); };
-    const auto t = [&](double y, double z) { return along_t(q, splat(y), splat(z)); };
-    const RaceSide inner{1,
-                         model_.inner_radius,
-                         2 * model_.pitch_radius * orbit_rate / model_.inner_radius,
-                         model_.inner_film,
-                         r(state_.ring_y, state_.ring_z),
-                         t(state_.ring_y, state_.ring_z),
-                         {},
-                         {},
-                         r(state_.tilt_y, state_.tilt_z),
-                         t(state_.tilt_y, state_.tilt_z)};
-    const RaceSide outer{-1, model_.outer_radius, 0, model_.outer_film, {}, {}, {}, {}, {}, {}};
-    // Rolling, without slip, drags the film in. At rest first, where no speed damps; then orbiting:
-    // a roller follows the races, r' = orbit_rate dr/dtheta, and the law's damping has its say.
-    // Each from where it was, nearby.
-    q.vt = splat(model_.pitch_radius * orbit_rate);
-    q.spin = -q.vt / roller.radius;
-    model_.race.damping = model_.race.chi = 0;
-    const int passes = motion == RollerMotion::at_rest ? 1 : 2;
-    for (int pass = 0, iteration = 0; iteration < kMostIterations; ++iteration) {
-      GroupLinear g{};
-      RollerLoads loads;
-      Pack total{}, a{}, er{}, et{}, drive{};
-      TiltLinear by_tilt;
-      if constexpr (tilting) by_tilt = {};
-      RingTilt tilt{.rate_r = {}, .rate_t = {}, .linear = &by_tilt};
-      race_contacts<true, tilting>(model_, roller, q, inner, loads, &g, &unused_, total, a, er, et,
-                                   drive, &tilt);
-      const RollerLoads on_inner = loads;
-      Pack P[kLocalVelocities][kLocalPositions];  // of the inner race alone
-      std::copy(&g.position[0][0], &g.position[0][0] + sizeof P / sizeof(Pack), &P[0][0]);
-      const Pack elastic_r = er, elastic_t = et;
-      store(state_.inner_force.data() + j, total);
-      race_contacts<true>(model_, roller, q, outer, loads, &g, &unused_, total, a, er, et, drive);
-      const Pack F =
-          loads.f[kLr] + roller.mass * (q.r * (orbit_rate * orbit_rate) - model_.gravity * q.sine);
-      const Pack T = loads.f[kLar];
-      const double half = model_.roller_half_length;
-      const Pack k_rr = kSoftSpring - g.position[kLr][kLr], k_ra = -g.position[kLr][kLar];
-      const Pack k_ar = -g.position[kLar][kLr],
-                 k_aa = kSoftSpring * half * half - g.position[kLar][kLar];
-      const Pack inverse = 1.0 / (k_rr * k_aa - k_ra * k_ar);
-      const Pack dr =
-          min(max((k_aa * F - k_ra * T) * inverse, splat(-kLongestMove)), splat(kLongestMove));
-      const Pack da = min(max((k_rr * T - k_ar * F) * inverse, splat(-kLongestMove / half)),
-                          splat(kLongestMove / half));
-      const Pack size = roller.exists * (max(dr, -dr) + half * max(da, -da));
-      const bool settled = largest(size) < settled_within(model_.pitch_radius, accuracy_);
-      if (settled && pass + 1 < passes) {
-        ++pass;
-        model_.race = damped_;
-        q.vt = q.r * orbit_rate;
-        q.spin = -q.vt / roller.radius;
-        q.vr = q.vt * g.position[kLr][kLt] / k_rr;
-        store(resting_radius_.data() + j, q.r);
-        store(resting_tilt_.data() + j, q.a_r);
-        if (near) start(state_.radius, state_.tilt);
+    RollersBetweenRaces at(model_, group, angle, orbit_rate, state_);
+    Pack &r = at.q.r, &a = at.q.a_r;
+    at.put(state_.radius, state_.tilt);
+    // At rest first, where no speed damps; then orbiting, and the law's damping has its say.
+    bool moves = false;
+    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+      const RollerBalance b = at.balance(moves ? model_.race : undamped_);
+      const bool settled = b.size < settled_within(model_.pitch_radius, accuracy_);
+      if (settled && !moves && motion == RollerMotion::orbiting) {
+        moves = true;
+        store(resting_radius_.data() + j, r);
+        store(resting_tilt_.data() + j, a);
+        at.orbit(b);
         continue;
       }
       if (settled || iteration + 1 == kMostIterations) {
-        ring.settled = ring.settled && largest(size) < kNoPlace;
-        // Condense: a move of the ring changes the inner force directly, and through the roller
-        // that follows it. Rows: forces on the ring in r, t, then moments; columns likewise.
-        constexpr int n = tilting ? 4 : 2;
-        const RingCoupling& with_tilt = by_tilt.coupling;
-        Pack K[n][n];
-        for (int c = 0; c < n; ++c) {
-          const int of_tilt = c - 2, col = of_tilt < 0 ? kLr + c : kLr + of_tilt;
-          Pack b_r = -P[kLr][col], b_a = -P[kLar][col];  // dF, dT per move of the ring
-          if constexpr (tilting)
-            if (of_tilt >= 0)
-              b_r = with_tilt.position[kLr][of_tilt], b_a = with_tilt.position[kLar][of_tilt];
-          const Pack dr_du = (k_aa * b_r - k_ra * b_a) * inverse,
-                     da_du = (k_rr * b_a - k_ar * b_r) * inverse;
-          for (int i = 0; i < 2; ++i) {
-            Pack direct = P[kLr + i][col];
-            if constexpr (tilting)
-              if (of_tilt >= 0) direct = -with_tilt.position[kLr + i][of_tilt];
-            K[i][c] = direct - P[kLr + i][kLr] * dr_du - P[kLr + i][kLar] * da_du;
-            if constexpr (tilting) {
-              const Pack(&moment)[kLocalPositions] = with_tilt.to_position[i];
-              K[2 + i][c] = (of_tilt < 0 ? -moment[col] : by_tilt.position[i][of_tilt]) +
-                            moment[kLr] * dr_du + moment[kLar] * da_du;
-            }
-          }
-        }
-        const Pack co = q.cosine * roller.exists, si = q.sine * roller.exists;
-        const auto add = [&](int row, int column) {
-          const Pack rr = K[row][column], rt = K[row][column + 1], tr = K[row + 1][column],
-                     tt = K[row + 1][column + 1];
-          auto to = ring.slope.block<2, 2>(row, column);
-          to(0, 0) += sum(co * (rr * q.cosine - rt * q.sine) - si * (tr * q.cosine - tt * q.sine));
-          to(0, 1) += sum(co * (rr * q.sine + rt * q.cosine) - si * (tr * q.sine + tt * q.cosine));
-          to(1, 0) += sum(si * (rr * q.cosine - rt * q.sine) + co * (tr * q.cosine - tt * q.sine));
-          to(1, 1) += sum(si * (rr * q.sine + rt * q.cosine) + co * (tr * q.sine + tt * q.cosine));
-        };
-        for (int row = 0; row < n; row += 2)
-          for (int column = 0; column < n; column += 2) add(row, column);
-        ring.force[0] -= sum(co * on_inner.f[kLr] - si * on_inner.f[kLt]);
-        ring.force[1] -= sum(si * on_inner.f[kLr] + co * on_inner.f[kLt]);
-        ring.elastic_z -= sum(si * elastic_r + co * elastic_t);
-        if constexpr (tilting) {
-          ring.force[2] += sum(co * tilt.moment[0] - si * tilt.moment[1]);
-          ring.force[3] += sum(si * tilt.moment[0] + co * tilt.moment[1]);
-        }
+        ring.settled = ring.settled && b.size < kNoPlace;
+        store(state_.inner_force.data() + j, b.inner.total);
+        ring.add(at, b, tilts_);
         break;
       }
-      q.r += dr;
-      q.a_r += da;
+      r += b.dr;
+      a += b.da;
     }
-    store(state_.radius.data() + j, q.r);
-    store(state_.tilt.data() + j, q.a_r);
+    store(state_.radius.data() + j, r);
+    store(state_.tilt.data() + j, a);
   }
+  add_outside(load, ring);
   return ring;
+}
+
+void StaticEquilibrium::add_outside(const RingLoad& load, RingForce& ring) const {
+  ring.force[1] -= weight(load);
+  if (!tilts_) return;
+  ring.force[2] += load.moment_y - model_.tilt_stiffness * (state_.tilt_y - model_.misalignment_y);
+  ring.force[3] += load.moment_z - model_.tilt_stiffness * (state_.tilt_z - model_.misalignment_z);
+  ring.slope.diagonal().tail<2>().array() -= model_.tilt_stiffness;
+}
+
+double StaticEquilibrium::weight(const RingLoad& load) const {
+  return load.radial + model_.ring_mass * model_.gravity;
+}
+
+double StaticEquilibrium::size(const RingLoad& load) const {
+  const double radial = weight(load);
+  return tilts_ ? std::max(radial, std::hypot(load.moment_y, load.moment_z) / lever_) : radial;
+}
+
+double StaticEquilibrium::tolerance(const RingLoad& load) const {
+  return std::max(accuracy_ * size(load), 1e-8);
+}
+
+double StaticEquilibrium::imbalance(const RingForce& ring) const {
+  return std::hypot(ring.force.head<2>().norm(), ring.force.tail<2>().norm() / lever_);
+}
+
+double StaticEquilibrium::length(const Eigen::Vector4d& move) const {
+  return std::hypot(move.head<2>().norm(), lever_ * move.tail<2>().norm());
+}
+
+Eigen::Vector4d StaticEquilibrium::newton_move(const RingForce& ring, const RingLoad& load) const {
+  // A light ring on one roller turns over it with a stiffness of weight over radius only: the
+  // spring must not outweigh that many times, or the ring creeps to the next roller.
+  const double soft =
+      std::min(kSoftSpring, std::max(4 * std::abs(weight(load)), 1e-3) / model_.inner_radius);
+  Eigen::Matrix4d K = -ring.slope;
+  K.diagonal() += Eigen::Vector4d(soft, soft, soft * lever_ * lever_, soft * lever_ * lever_);
+  Eigen::Vector4d d = K.partialPivLu().solve(ring.force);
+  if (const double far = length(d); far > kLongestMove) d *= kLongestMove / far;
+  return d;
+}
+
+void StaticEquilibrium::move_ring(const Eigen::Vector4d& d) {
+  state_.ring_y += d[0];
+  state_.ring_z += d[1];
+  state_.tilt_y += d[2];
+  state_.tilt_z += d[3];
 }
 
 const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_rate,
                                             const RingLoad& load, RollerMotion motion) {
   if (motion == RollerMotion::orbiting && state_.converged) {
     const StaticState before = state_;
-    if (balance(angle, orbit_rate, load, motion, true).converged) return state_;
+    if (follow(angle, orbit_rate, load)) return state_;
     state_ = before;
   }
-  return balance(angle, orbit_rate, load, motion, false);
+  balance(angle, orbit_rate, load, motion);
+  return state_;
 }
 
-const StaticState& StaticEquilibrium::balance(const double* angle, double orbit_rate,
-                                              const RingLoad& load, RollerMotion motion,
-                                              bool near) {
-  const bool tilting = model_.layout.ring_tilt > 0;
-  const double weight = load.radial + model_.ring_mass * model_.gravity;
-  const double lever = model_.roller_half_length;  // makes forces of moments, and moves of tilts
+bool StaticEquilibrium::follow(const double* angle, double orbit_rate, const RingLoad& load) {
+  // A pack of rollers at rest, then orbiting from there.
+  struct Step {
+    RollersBetweenRaces at;
+    RollerBalance resting, orbiting;
+    Step(const StaticEquilibrium& of, int group, const double* angle, double orbit_rate)
+        : at(of.model_, group, angle, orbit_rate, of.state_),
+          resting(at.put(of.resting_radius_, of.resting_tilt_).balance(of.undamped_)),
+          orbiting(
+              at.orbit(resting).put(of.state_.radius, of.state_.tilt).balance(of.model_.race)) {}
+  };
+  std::vector<Step> steps;
+  steps.reserve(static_cast<std::size_t>(model_.layout.groups));
+  for (state_.iterations = 0; state_.iterations < kMostFollowing; ++state_.iterations) {
+    RingForce ring;
+    double farthest = 0;
+    steps.clear();
+    for (int group = 0; group < model_.layout.groups; ++group) {
+      const Step& step = steps.emplace_back(*this, group, angle, orbit_rate);
+      ring.add(step.at, step.orbiting, tilts_);
+      store(state_.inner_force.data() + group * kLanes, step.orbiting.inner.total);
+      farthest = std::max({farthest, step.resting.size, step.orbiting.size});
+    }
+    add_outside(load, ring);
+    state_.ring_elastic_z = ring.elastic_z;
+    if (imbalance(ring) < tolerance(load) && farthest < kFollowedWithin * accuracy_) return true;
+    const Eigen::Vector4d d = newton_move(ring, load);
+    move_ring(d);
+    for (int group = 0; group < model_.layout.groups; ++group) {
+      const int j = group * kLanes;
+      const Step& step = steps[static_cast<std::size_t>(group)];
+      step.resting.advance(step.at.q, d, resting_radius_.data() + j, resting_tilt_.data() + j);
+      step.orbiting.advance(step.at.q, d, state_.radius.data() + j, state_.tilt.data() + j);
+    }
+  }
+  return false;
+}
+
+void StaticEquilibrium::balance(const double* angle, double orbit_rate, const RingLoad& load,
+                                RollerMotion motion) {
   state_.converged = false;
   int unsettled = 0;
-  // What is left over of the forces and moments on the ring, and their derivatives.
   const auto settle = [&] {
-    RingForce ring = tilting ? settle_rollers<true>(angle, orbit_rate, motion, near)
-                             : settle_rollers<false>(angle, orbit_rate, motion, near);
+    RingForce ring = settle_rollers(angle, orbit_rate, load, motion);
     if (!ring.settled) ++unsettled;
-    ring.force[1] -= weight;
-    if (tilting) {
-      ring.force[2] +=
-          load.moment_y - model_.tilt_stiffness * (state_.tilt_y - model_.misalignment_y);
-      ring.force[3] +=
-          load.moment_z - model_.tilt_stiffness * (state_.tilt_z - model_.misalignment_z);
-      ring.slope.diagonal().tail<2>().array() -= model_.tilt_stiffness;
-    }
     return ring;
   };
-  const auto move = [&](const Eigen::Vector4d& d) {
-    state_.ring_y += d[0];
-    state_.ring_z += d[1];
-    state_.tilt_y += d[2];
-    state_.tilt_z += d[3];
-  };
-  const auto length = [&](const Eigen::Vector4d& d) {
-    return std::hypot(std::hypot(d[0], d[1]), lever * std::hypot(d[2], d[3]));
-  };
   RingForce f = settle();
-  const auto imbalance = [&] {
-    return std::hypot(std::hypot(f.force[0], f.force[1]),
-                      std::hypot(f.force[2], f.force[3]) / lever);
-  };
-  const double size =
-      tilting ? std::max(weight, std::hypot(load.moment_y, load.moment_z) / lever) : weight;
-  const double tolerance = std::max(accuracy_ * size, 1e-8);  // [N]
-  // A light ring on one roller turns over it with a stiffness of weight over radius only: the
-  // spring must not outweigh that many times, or the ring creeps to the next roller.
-  const double soft =
-      std::min(kSoftSpring, std::max(4 * std::abs(weight), 1e-3) / model_.inner_radius);
   for (state_.iterations = 0; state_.iterations < kMostIterations && unsettled < kMostUnsettled;
        ++state_.iterations) {
-    const double now = imbalance();
-    if (now < tolerance) {
+    const double now = imbalance(f);
+    if (now < tolerance(load)) {
       state_.converged = true;
       break;
     }
-    Eigen::Matrix4d K = -f.slope;
-    K.diagonal() += Eigen::Vector4d(soft, soft, soft * lever * lever, soft * lever * lever);
-    Eigen::Vector4d d = K.partialPivLu().solve(f.force);
-    if (const double far = length(d); far > kLongestMove) d *= kLongestMove / far;
+    Eigen::Vector4d d = newton_move(f, load);
     for (int halving = 0; halving < 30 && unsettled < kMostUnsettled; ++halving) {
-      move(d);
+      move_ring(d);
       f = settle();
       // Energy is convex, so a step that still leads downhill at its end is sound even where the
       // imbalance did not fall: crossing a clearance it stays the load itself until the rollers
       // touch, and may be more just behind.
       const bool downhill = f.force.dot(d) > 0;
-      if (imbalance() < now || downhill || length(d) < 1e-16) break;
-      move(-d);
+      if (imbalance(f) < now || downhill || length(d) < 1e-16) break;
+      move_ring(-d);
       d /= 2;
     }
     if (length(d) < 1e-16) {
-      state_.converged = imbalance() < 1e-6 * std::max(size, 1.0);
+      state_.converged = imbalance(f) < 1e-6 * std::max(size(load), 1.0);
       break;
     }
   }
   state_.ring_elastic_z = f.elastic_z;
-  return state_;
 }
 
 }  // namespace cagetol

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "src/dynamics/observation.hpp"
+#include "src/dynamics/bearing_model.hpp"
 
 namespace cagetol {
 
@@ -39,24 +39,30 @@ class StaticEquilibrium {
   const StaticState& state() const { return state_; }
 
  private:
-  /// On the ring from the rollers in equilibrium: force in y, z and, where its tilt is free,
-  /// moment; derivatives with respect to displacement and tilt.
-  struct RingForce {
-    Eigen::Vector4d force = Eigen::Vector4d::Zero();
-    Eigen::Matrix4d slope = Eigen::Matrix4d::Zero();
-    double elastic_z = 0;  ///< elastic part of the force along z
-    bool settled = true;   ///< every roller found its place
-  };
-  /// solve(), `near`: from a solution nearby.
-  const StaticState& balance(const double* angle, double orbit_rate, const RingLoad& load,
-                             RollerMotion motion, bool near);
-  template <bool tilting>
-  RingForce settle_rollers(const double* angle, double orbit_rate, RollerMotion motion, bool near);
+  struct RingForce;
+  /// From a solution nearby: ring and rollers, at rest and orbiting, in one iteration. False where
+  /// that does not lead to a solution.
+  bool follow(const double* angle, double orbit_rate, const RingLoad& load);
+  /// From anywhere: the ring, on rollers that have settled around each of its places.
+  void balance(const double* angle, double orbit_rate, const RingLoad& load, RollerMotion motion);
+  RingForce settle_rollers(const double* angle, double orbit_rate, const RingLoad& load,
+                           RollerMotion motion);
+  /// Load, weight and shaft on the ring.
+  void add_outside(const RingLoad& load, RingForce& ring) const;
+  Eigen::Vector4d newton_move(const RingForce& ring, const RingLoad& load) const;
+  void move_ring(const Eigen::Vector4d& d);
 
-  BearingModel model_;  ///< a copy without friction, and without damping where rollers are at rest
-  NormalLaw damped_;
+  double weight(const RingLoad& load) const;
+  double size(const RingLoad& load) const;           ///< of what the rollers carry [N]
+  double tolerance(const RingLoad& load) const;      ///< of the imbalance [N]
+  double imbalance(const RingForce& ring) const;     ///< [N]
+  double length(const Eigen::Vector4d& move) const;  ///< [m]
+
+  BearingModel model_;  ///< a copy
+  NormalLaw undamped_;  ///< of its races: where rollers are at rest
   double accuracy_;
-  Observation unused_;  ///< of contacts, which report to one
+  double lever_;  ///< makes forces of moments, and moves of tilts [m]
+  bool tilts_;    ///< the ring, freely
   StaticState state_;
   std::vector<double> resting_radius_, resting_tilt_;  ///< of orbiting rollers, before they orbit
 };

@@ -78,6 +78,43 @@ TEST(StaticEquilibrium, IsFoundAtEveryPositionOfTheReferenceBearing) {
         }
 }
 
+// Going round, ring and rollers are found in one iteration from where they were; from nowhere, the
+// rollers settle for each place of the ring. Both are the same balance.
+TEST(StaticEquilibrium, FollowsTheRollersAsTheyGoRound) {
+  for (const char* film : {"none", "series"})
+    for (const double stiffness : {0.0, 50.0})
+      for (const double load : {1000.0, 10000.0}) {
+        Scene scene = shipped_scene("nu205");
+        scene.film.model = film;
+        if (stiffness > 0) {
+          scene.model.ring_tilt = "free";
+          scene.bearing.tilt_stiffness = stiffness;
+        }
+        const BearingModel model = make_bearing_model(scene);
+        const double speed = kinematic_cage_speed(model, model.inner_speed);
+        const RingLoad on_ring{load, 0.5 * stiffness, 0};
+        StaticEquilibrium following(model);
+        for (int k = 0; k < 40; ++k) {
+          const auto angle = roller_angles(model, 2 * std::numbers::pi * k / 520);
+          StaticEquilibrium anew(model);
+          const StaticState& a =
+              following.solve(angle.data(), speed, on_ring, RollerMotion::orbiting);
+          const StaticState& b = anew.solve(angle.data(), speed, on_ring, RollerMotion::orbiting);
+          EXPECT_TRUE(a.converged && b.converged);
+          EXPECT_NEAR(a.ring_y, b.ring_y, 1e-13);
+          EXPECT_NEAR(a.ring_z, b.ring_z, 1e-13);
+          EXPECT_NEAR(a.tilt_y, b.tilt_y, 1e-11);
+          EXPECT_NEAR(a.tilt_z, b.tilt_z, 1e-11);
+          EXPECT_NEAR(a.ring_elastic_z, b.ring_elastic_z, 1e-5);
+          for (std::size_t j = 0; j < model.groups.size() * kLanes; ++j)
+            if (b.inner_force[j] > 1) {
+              EXPECT_NEAR(a.radius[j], b.radius[j], 1e-13);
+              EXPECT_NEAR(a.inner_force[j], b.inner_force[j], 1e-5);
+            }
+        }
+      }
+}
+
 // The film of a roller's two races is all that lies between this ring and the dry one.
 TEST(StaticEquilibrium, RestsOnTheFilmsOfTheLoadedRoller) {
   Scene scene;

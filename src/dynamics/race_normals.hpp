@@ -1,0 +1,61 @@
+// Normal forces of a raceway on rollers, without friction: what a balance at rest needs of
+// race_contacts.hpp, in a fraction of its time. Rollers stand at x = 0 and do not turn; where they
+// travel, the law damps.
+//
+// A slice at X sees F = Q n, a function of d = (roller's axis) - (race's axis) in the radial plane:
+//   dF/dd = -k n n^T - c (t.d')/h n t^T + (Q/h) t t^T,  h = s |d|, t = e_x x n
+// and d = r e_r + X alpha_r e_r - u - X B: everything follows from moments over X.
+#pragma once
+
+#include "src/dynamics/race_contacts.hpp"
+
+namespace cagetol {
+
+struct RaceNormals {
+  Pack force[2][2]{};     ///< sums of X^m F; r, t [N], [N m]
+  Pack slope[3][2][2]{};  ///< sums of X^m dF/dd [N/m], [N], [N m]
+  Pack total{};           ///< of Q [N]
+  Pack elastic[2]{};      ///< sums of the elastic part of F; r, t [N]
+};
+
+/// `law`: of one slice.
+inline RaceNormals race_normals(const BearingModel& model, const NormalLaw& law,
+                                const RollerGroup& roller, const RollerPack& q,
+                                const RaceSide& race) {
+  RaceNormals sums;
+  FilmAtSpeed<Pack> film;
+  Pack thickest{};
+  if (race.film.on) {
+    film = film_at_speed(race.film, entrainment(race, roller, q).speed);
+    thickest = thickest_film(race.film, film);
+  }
+  for (const Slice& slice : model.race_slices) {
+    const auto [p, n_r, n_t, inverse] = slice_gap(roller, q, race, slice);
+    const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
+    if (!any(touching)) continue;
+    const Pack reached = select(touching, p, splat(-1.0));
+    const Pack rate = -(n_r * q.vr + n_t * q.vt), along = n_r * q.vt - n_t * q.vr;
+    const NormalForce<Pack> normal = race.film.on
+                                         ? film_contact(law, race.film, film, reached, rate).normal
+                                         : normal_force(law, reached, rate);
+    const Pack n[2] = {n_r, n_t}, t[2] = {-n_t, n_r};
+    const Pack turn = inverse * along * normal.damping, spread = inverse * normal.force;
+    Pack force[2], slope[2][2];
+    for (int i = 0; i < 2; ++i) {
+      force[i] = normal.force * n[i];
+      for (int j = 0; j < 2; ++j)
+        slope[i][j] = spread * t[i] * t[j] - n[i] * (normal.stiffness * n[j] + turn * t[j]);
+      sums.elastic[i] += normal.elastic * n[i];
+    }
+    sums.total += normal.force;
+    double lever = 1;
+    for (int m = 0; m < 3; ++m, lever *= slice.position)
+      for (int i = 0; i < 2; ++i) {
+        if (m < 2) sums.force[m][i] += lever * force[i];
+        for (int j = 0; j < 2; ++j) sums.slope[m][i][j] += lever * slope[i][j];
+      }
+  }
+  return sums;
+}
+
+}  // namespace cagetol
