@@ -75,8 +75,9 @@ void StepSeries::add(double value, const SeenStep& step) {
   Series::add(value, step.length / 2, step.recorded_at_end);
   if (step.length_before > 0 && step.length > 0) {
     const double first = before_ - shift_, middle = last_ - shift_, last = value - shift_;
-    sum_ += Bow<double>::missing(step, first, middle, last);
-    squares_ += Bow<double>::missing(step, first * first, middle * middle, last * last);
+    const auto lack = bowed_.missing(step, first, middle, last, true);
+    sum_ += lack.value;
+    squares_ += lack.square;
     peak_ = std::max(peak_, Bow(step, std::abs(before_), std::abs(last_), std::abs(value)).top());
   }
   before_ = last_;
@@ -90,7 +91,7 @@ void RollerSeries::add(std::size_t group, Pack value, Mask counts, const SeenSte
     shifted_ = true;
   }
   if (group >= seen_.size()) seen_.resize(group + 1);
-  auto& [before, last] = seen_[group];
+  auto& [before, last, bowed] = seen_[group];
   const State now{value, counts};
   const Pack first = before.value - shift_, middle = last.value - shift_, x = value - shift_;
   const Pack half = splat(step.length / 2);
@@ -101,10 +102,11 @@ void RollerSeries::add(std::size_t group, Pack value, Mask counts, const SeenSte
     squares_ += weight * at * at;
   }
   Pack top = select(counts, abs(value), Pack{});
-  if (const Mask all = before.counts & last.counts & counts; step.length_before > 0 && any(all)) {
-    sum_ += select(all, Bow<Pack>::missing(step, first, middle, x), Pack{});
-    squares_ +=
-        select(all, Bow<Pack>::missing(step, first * first, middle * middle, x * x), Pack{});
+  if (step.length_before > 0) {
+    const Mask all = before.counts & last.counts & counts;
+    const auto lack = bowed.missing(step, first, middle, x, all);
+    sum_ += lack.value;
+    squares_ += lack.square;
     const Bow bow(step, abs(before.value), abs(last.value), abs(value));
     top = max(top, select(all, bow.top(), Pack{}));
   }

@@ -83,11 +83,8 @@ class Bow {
         bend_((after_ - before_) / (step.length_before + step.length)),
         slope_((before_ * step.length + after_ * step.length_before) /
                (step.length_before + step.length)) {}
-  /// What trapeziums lack: half of each step's is due to the bow at either end.
-  static T missing(const SeenStep& step, T first, T middle, T last) {
-    const double h1 = step.length_before, h2 = step.length;
-    return -(h1 * h1 * h1 + h2 * h2 * h2) / 12 * Bow(step, first, middle, last).bend_;
-  }
+  /// Half its second derivative.
+  T bend() const { return bend_; }
   /// Its top where the middle is the largest of the three, else the middle.
   T top() const {
     const auto inside = (before_ > 0.0) & (after_ < 0.0);
@@ -98,15 +95,49 @@ class Bow {
   T middle_, before_, after_, bend_, slope_;
 };
 
-/// A quantity seen at the accepted steps of a run: means are integrals over parabolas through
-/// neighbouring states (order 4 where smooth), of squares for the rms; a peak may lie between
-/// states.
+/// What trapeziums lack of the integrals of a value and of its square: half of each step's is due
+/// to the bow at either end, which makes them of order 4 where the value is smooth. Where a step is
+/// kShorter times shorter than the one before it, it may begin a contact (step_limit.hpp): if the
+/// bow between them is sharper than the one before by kCorner times, it is a corner and says
+/// nothing of the longer step.
+template <class T>
+class BowedSteps {
+ public:
+  struct Lack {
+    T value, square;
+  };
+  /// Due to the bow through `first`, `middle`, `last`; none where not all three `count`.
+  template <class M>
+  Lack missing(const SeenStep& step, T first, T middle, T last, M count) {
+    const Lack bow = {
+        select(count, Bow(step, first, middle, last).bend(), T{}),
+        select(count, Bow(step, first * first, middle * middle, last * last).bend(), T{})};
+    const bool shorter = bows_++ > 0 && kShorter * step.length < step.length_before;
+    const auto corner = abs(bow.value) > (shorter ? kCorner * abs(before_.value) : T{} + kNever);
+    const auto cube = [](double h) { return h * h * h / 12; };
+    const double h1 = cube(step.length_before), h2 = cube(step.length);
+    const auto due = [&](T before, T at) { return -h1 * select(corner, before, at) - h2 * at; };
+    const Lack lack = {due(before_.value, bow.value), due(before_.square, bow.square)};
+    before_ = bow;
+    return lack;
+  }
+
+ private:
+  // By measurement: tests/ACCURACY.md.
+  static constexpr double kShorter = 4, kCorner = 10, kNever = 1e300;
+  Lack before_{};  ///< halves of second derivatives
+  long bows_ = 0;
+};
+
+/// A quantity seen at the accepted steps of a run: means are integrals over bowed steps, of squares
+/// for the rms; a peak may lie between states.
 class StepSeries : public Series {
  public:
   void add(double value, const SeenStep& step);
 
  private:
   double before_ = 0, last_ = 0;  ///< values at the two states before
+  BowedSteps<double> bowed_;
 };
 
 /// Likewise one of every roller, a pack of them at a time: all rollers' values are one series.
@@ -122,11 +153,12 @@ class RollerSeries {
     Pack value{};
     Mask counts{};
   };
-  struct Pair {
-    State before, last;
+  struct Seen {
+    State before, last;  ///< the two states before
+    BowedSteps<Pack> bowed;
   };
   void record(const State& state, int times);
-  std::vector<Pair> seen_;  ///< of each pack, at the two states before
+  std::vector<Seen> seen_;  ///< of each pack
   double shift_ = 0;        ///< a first value, as in Series
   bool shifted_ = false;
   Pack weight_{}, sum_{}, squares_{}, peak_{};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -65,6 +66,24 @@ TEST(StepSeries, SquaresOfAWaveAreRightToTheFourthOrder) {
   };
   EXPECT_LT(error(6e-6), 2e-5);
   EXPECT_LT(error(3e-6), error(6e-6) / 4);
+}
+
+// A contact begins behind a long step, and steps grow with its age: the parabola across its start
+// says nothing of the long step.
+TEST(StepSeries, AContactThatBeginsIsNoBowOfTheStepBeforeIt) {
+  constexpr double kTouch = 100e-6, kRise = 20e-6, kAge = 64e-6;
+  const auto force = [](double t) { return t > kTouch ? -std::expm1((kTouch - t) / kRise) : 0.0; };
+  StepClock clock(0, kInterval);
+  StepSeries series;
+  const auto see = [&](double t) { series.add(force(t), clock.advance(t)); };
+  for (int k = 0; k < 8; ++k) see(k * 12e-6);
+  for (const double age : {-0.1, 0.5, 2.5, 8.0, 16.0, 24.0, 32.0, 40.0, 48.0, 56.0, 64.0})
+    see(kTouch + 1e-6 * age);
+  const double gone = -std::expm1(-kAge / kRise), rest = gone * (2 - gone) / 2;
+  const double mean = (kAge - kRise * gone) / (kTouch + kAge);
+  const double square = (kAge - 2 * kRise * gone + kRise * rest) / (kTouch + kAge);
+  EXPECT_NEAR(series.mean(), mean, 0.001 * mean);
+  EXPECT_NEAR(series.rms() * series.rms(), square, 0.001 * square);
 }
 
 TEST(StepClock, LeavesEachInstantOfTheRecordToTheStateNearestToIt) {
