@@ -7,12 +7,10 @@ namespace cagetol {
 namespace {
 
 // Chosen by measurement (tests/ACCURACY.md): the stability suite, and steps saved.
-constexpr double kBounceSpeed = 0.1;       ///< unit of error of bouncing, at most [m/s]
-constexpr double kBounceLength = 3e-6;     ///< unit of error of a bouncing roller's place [m]
-constexpr double kTiltRate = 3;            ///< of tilt rate, at most, in usual ones
-constexpr double kTouchSkew = 0.1;         ///< of skew rate on flanges and bars, in usual ones
-constexpr double kTouchAxial = 0.045;      ///< of axial speed on flanges, in usual ones
-constexpr double kMovedEnergy = 0.01;      ///< that an error may move, in shares of the dissipated
+constexpr double kBounceSpeed = 0.1;    ///< unit of error of bouncing, at most [m/s]
+constexpr double kBounceLength = 3e-6;  ///< unit of error of a bouncing roller's place [m]
+constexpr double kTouchUnits = 0.1;     ///< of skew rate and axial speed in touches, in usual ones
+constexpr double kMovedEnergy = 0.01;   ///< that an error may move, in shares of the dissipated
 constexpr double kDissipationTime = 1e-3;  ///< over which the dissipation is averaged [s]
 
 /// What of an error's square counts no longer in a unit so many times as large.
@@ -33,7 +31,7 @@ double StepError::operator()(const System& s, const double* y, const double* err
   const double unit = std::min(kBounceSpeed, s.model.friction.static_speed) / kSpeedScale;
   if (!std::isfinite(strict)) return strict;
   const StateLayout& l = s.model.layout;
-  Pack spared{}, recounted{}, energy{};
+  Pack spared{}, added{}, energy{};
   for (int group = 0; group < l.groups; ++group) {
     const RollerGroup& roller = s.model.groups[static_cast<std::size_t>(group)];
     const int j = group * kLanes;
@@ -51,14 +49,13 @@ double StepError::operator()(const System& s, const double* y, const double* err
     const auto touching = [&](const std::vector<double>& force) {
       return load(force.data() + j) > 0.0;
     };
-    const Mask here = roller.exists > 0.0;
     const Mask pressed = touching(s.seen.inner_force);  // between the races
     const Mask on_flange = touching(s.seen.flange_force) & ~pressed;
     const Mask on_bar =
         (touching(s.seen.leading_force) | touching(s.seen.trailing_force)) & ~pressed;
-    const auto recount = [&](Pack wrong, Pack per_scale, double larger, Mask where) {
+    const auto add = [&](Pack wrong, Pack per_scale, Mask where) {
       const Pack counted = wrong * per_scale;
-      recounted -= select(where, spared_in(larger) * counted * counted, Pack{});
+      added += select(where, -spared_in(kTouchUnits) * counted * counted, Pack{});
     };
     const double* rate = s.rate.data();
     const double* per_scale = s.per_scale.data();
@@ -66,13 +63,9 @@ double StepError::operator()(const System& s, const double* y, const double* err
     spare(velocity(error, kRadialSpeed), velocity(per_scale, kRadialSpeed), unit);
     spare(select(pressed, Pack{}, wrong_radius), position(per_scale, kRadius),
           kBounceLength / kLengthScale);
-    const Pack rate_y = velocity(error, kAxisRateY), rate_z = velocity(error, kAxisRateZ);
-    const Pack lean_scale = velocity(per_scale, kAxisRateZ);
-    recount(turned.cosine * rate_y + turned.sine * rate_z, lean_scale,
-            std::clamp(unit, 1.0, kTiltRate), here);
-    recount(turned.cosine * rate_z - turned.sine * rate_y, lean_scale, kTouchSkew,
-            on_flange | on_bar);
-    recount(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed), kTouchAxial, on_flange);
+    add(turned.cosine * velocity(error, kAxisRateZ) - turned.sine * velocity(error, kAxisRateY),
+        velocity(per_scale, kAxisRateZ), on_flange | on_bar);
+    add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed), on_flange);
     energy += roller.exists * roller.mass *
               magnitude(velocity(y, kRadialSpeed) * velocity(error, kRadialSpeed) -
                         velocity(rate, kRadialSpeed) * wrong_radius);
@@ -81,11 +74,11 @@ double StepError::operator()(const System& s, const double* y, const double* err
     return std::sqrt(
         std::max(0.0, strict * strict + sum(more) / (tolerance * tolerance * s.components)));
   };
-  const double full = with(recounted);
+  const double full = with(added);
   const double allowed = kMovedEnergy * dissipation_ * h;
   if (unit <= 1 || !(allowed > 0)) return full;
   const double moved = sum(energy) * watched_ / allowed;
-  return std::min(full, std::max(with(recounted - spared), moved));
+  return std::min(full, std::max(with(added - spared), moved));
 }
 
 void StepError::advance(const System& s, double h) {

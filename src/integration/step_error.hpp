@@ -4,10 +4,10 @@
 // energy that no quantity asks for; followed like everything else this alone would set the step. It
 // counts in larger units of error as long as the energy which an error moves stays small beside
 // what the bearing dissipates: where bouncing is all that happens it counts in full. A shift of
-// phase, which is most of what a long step does to an oscillation, moves no energy. Rates of tilt
-// count in a unit three times as large everywhere: it settles by itself and hands nothing on. Skew
-// and axial motion count in full, and more while a roller that the races do not press is on a
-// flange, the skew's rate also on a bar: what light touches leave behind adds up.
+// phase, which is most of what a long step does to an oscillation, moves no energy. Rocking about
+// the tilt, with which rollers lean on flanges, skew and axial motion always count in full, and
+// tenfold the rates of the latter two while a roller that the races do not press is on a flange, of
+// the skew also while it is on a bar: what light touches leave behind adds up to the skew.
 #pragma once
 
 #include "src/integration/system.hpp"
