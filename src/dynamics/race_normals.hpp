@@ -1,6 +1,6 @@
 // Normal forces of a raceway on rollers, without friction: what a balance at rest needs of
-// race_contacts.hpp, in a fraction of its time. Rollers stand at x = 0 and do not turn; where they
-// travel, the law damps.
+// race_contacts.hpp, in a fraction of its time. Axes of rollers keep their direction, and x = 0;
+// where rollers travel, the law damps.
 //
 // A slice at X sees F = Q n, a function of d = (roller's axis) - (race's axis) in the radial plane:
 //   dF/dd = -k n n^T - c (t.d')/h n t^T + (Q/h) t t^T,  h = s |d|, t = e_x x n

@@ -18,8 +18,8 @@ constexpr int kMostIterations = 60;
 constexpr int kMostUnsettled = 200;  // tries at which rollers found no place: then there is none
 constexpr double kNoPlace =
     1e-11;  // a roller that still moves farther at the last try has none [m]
-// From a solution nearby ring and rollers need 3 or 4 iterations; their places are then known to
-// this length for each share of the load left over.
+// From a solution nearby ring and rollers need some 4 to 8 iterations; moves of rollers then left
+// are below this length for each share of the load left over.
 constexpr int kMostFollowing = 12;
 constexpr double kFollowedWithin = 1e-4;  // [m]
 // Of a roller's place [m], for a balance of the ring to a share `accuracy` of the load: were it

@@ -23,9 +23,9 @@ struct StaticState {
   int iterations = 0;
 };
 
-/// Solves from a guess and keeps it warm for the next call.
 enum class RollerMotion { at_rest, orbiting };
 
+/// Solves from a guess and keeps it warm for the next call.
 class StaticEquilibrium {
  public:
   /// Solves the balance of the ring to a share `accuracy` of the load.
