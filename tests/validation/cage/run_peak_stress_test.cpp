@@ -78,8 +78,8 @@ TEST(RunPeakStress, IsThatOfTheWholeField) {
   EXPECT_LT(errors.back(), 0.03);
 }
 
-/// Which instants a run visits hangs on its last bits: single ones, of small peaks, are up to 3.4 %
-/// off (1194 instants of 300 ms, two beyond 3 %). What a run reports of them is better.
+/// Which instants a run visits hangs on its last bits; one in 600 is more than 3 %, at most 3.4 %,
+/// off (tests/ACCURACY.md). What a run reports of them is better.
 TEST(RunPeakStress, OfScatteredPocketsToo) {
   Scene scene;
   scene.cage.pocket_width.resize(13, scene.cage.pocket_width[0]);
