@@ -95,15 +95,25 @@ TEST(RunPeakStress, OfScatteredPocketsToo) {
   EXPECT_LT(part(errors, 0.5), 0.01);
   EXPECT_LT(part(errors, 0.99), 0.03);
   EXPECT_LT(errors.back(), 0.04);
-  PeakStress square, largest;
-  for (const PeakStress& peak : found) {
+  // The largest of a run is one instant's luck, 0.9 % of scatter; the mean of those of its tenths
+  // has a third of that.
+  constexpr std::size_t kParts = 10;
+  PeakStress square, largest[kParts];
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const PeakStress& peak = found[i];
     square.stations += peak.stations * peak.stations;
     square.full += peak.full * peak.full;
-    largest.stations = std::max(largest.stations, peak.stations);
-    largest.full = std::max(largest.full, peak.full);
+    PeakStress& of_part = largest[i * kParts / found.size()];
+    of_part.stations = std::max(of_part.stations, peak.stations);
+    of_part.full = std::max(of_part.full, peak.full);
   }
   EXPECT_NEAR(std::sqrt(square.stations / square.full), 1, 0.003);
-  EXPECT_NEAR(largest.stations / largest.full, 1, 0.015);
+  double mean = 0;
+  for (const PeakStress& tenth : largest) {
+    mean += tenth.stations / tenth.full / kParts;
+    EXPECT_NEAR(tenth.stations / tenth.full, 1, 0.04);
+  }
+  EXPECT_NEAR(mean, 1, 0.015);
 }
 
 /// Of cages of the scene whose pockets are all wider and longer [m].
