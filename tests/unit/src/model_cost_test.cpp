@@ -1,13 +1,14 @@
 // What a scene switches off costs nothing: a simpler model is never dearer than the fuller one.
-// Processor time, least of many repetitions taken by turns, so that a busy machine tells the same.
+// Instructions, not time: a busy machine counts the same.
 #include <gtest/gtest.h>
-#include <algorithm>
-#include <ctime>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "src/dynamics/newton_matrix.hpp"
 #include "src/dynamics/start_state.hpp"
 #include "src/integration/system.hpp"
+#include "tests/support/instruction_count.hpp"
 #include "tests/support/random_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"
 
@@ -39,14 +40,11 @@ class Kernels {
       : y_(bearing.y), system_(bearing.model), newton_(bearing.model), rates_(y_.size()) {}
 
   void right_hand_side() { system_.rates(0, y_.data(), rates_.data()); }
-  /// The work of a step of the default method: derivatives, factors, six stages.
-  void step() {
+  /// What a step of the default method does besides right-hand sides.
+  void newton() {
     system_.linearise_at(0, y_.data());
     newton_.factor(system_.linear, 2e-6);
-    for (int stage = 0; stage < 6; ++stage) {
-      right_hand_side();
-      newton_.solve(rates_.data(), rates_.data());
-    }
+    newton_.solve(rates_.data(), rates_.data());
   }
 
  private:
@@ -56,34 +54,27 @@ class Kernels {
   std::vector<double> rates_;
 };
 
-double cpu_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Time of `simpler` over that of `fuller`.
+/// Instructions of `simpler` over those of `fuller`; nothing where they cannot be counted.
 template <class Work>
-double cost_ratio(Kernels& simpler, Kernels& fuller, int calls, Work work) {
-  double least[2] = {1e30, 1e30};
-  for (int repetition = 0; repetition < 200; ++repetition)
-    for (int which = 0; which < 2; ++which) {
-      Kernels& kernels = which == 0 ? simpler : fuller;
-      const double began = cpu_seconds();
-      for (int k = 0; k < calls; ++k) work(kernels);
-      least[which] = std::min(least[which], cpu_seconds() - began);
-    }
-  return least[0] / least[1];
+std::optional<double> cost_ratio(const Bearing& simpler, const Bearing& fuller, Work work) {
+  const auto count = [&](const Bearing& bearing) {
+    Kernels kernels(bearing);
+    work(kernels);  // what is only done once
+    return instructions_of([&] { work(kernels); });
+  };
+  const auto less = count(simpler), more = count(fuller);
+  if (!less || !more) return {};
+  return static_cast<double>(*less) / static_cast<double>(*more);
 }
 
 void expect_not_dearer(const Bearing& simpler, const Bearing& fuller) {
-  Kernels a(simpler), b(fuller);
-  const double rates = cost_ratio(a, b, 100, [](Kernels& k) { k.right_hand_side(); });
-  const double step = cost_ratio(a, b, 10, [](Kernels& k) { k.step(); });
-  testing::Test::RecordProperty("rates", std::to_string(rates));
-  testing::Test::RecordProperty("step", std::to_string(step));
-  EXPECT_LT(rates, 1.1);
-  EXPECT_LT(step, 1.1);
+  const auto rates = cost_ratio(simpler, fuller, [](Kernels& k) { k.right_hand_side(); });
+  const auto newton = cost_ratio(simpler, fuller, [](Kernels& k) { k.newton(); });
+  if (!rates || !newton) GTEST_SKIP() << "no process may be traced here";
+  testing::Test::RecordProperty("rates", std::to_string(*rates));
+  testing::Test::RecordProperty("newton", std::to_string(*newton));
+  EXPECT_LE(*rates, 1.0);
+  EXPECT_LE(*newton, 1.0);
 }
 
 TEST(ModelCost, PlanarRollersAreNotDearerThanSpatialOnes) {
@@ -118,7 +109,7 @@ TEST(ModelCost, APrescribedTiltOfTheRingIsNotDearerThanAFreeOne) {
 }
 
 TEST(ModelCost, ARigidCageIsNotDearerThanAFlexibleOne) {
-  const RandomBearing rigid = random_bearing(3), flexible = random_bearing(3, {.modes = 20});
+  const RandomBearing rigid = random_bearing(3), flexible = random_bearing(3, {.modes = 4});
   expect_not_dearer({rigid.model, rigid.y}, {flexible.model, flexible.y});
 }
 
