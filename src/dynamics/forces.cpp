@@ -269,6 +269,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       seen->net_power_rate +=
           jac->power_position[i] * border_v[i] + jac->power_velocity[i] * border_a[i];
     seen->longest_step = std::min(land_limit.longest(), smallest(limit.longest()));
+    seen->touch_ahead = smallest(limit.touch_ahead());
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/dynamics/bearing_model.hpp"
+#include "src/dynamics/step_limit.hpp"
 
 namespace cagetol {
 
@@ -37,6 +38,7 @@ struct Observation {
   double elastic_energy = 0;  ///< stored in contacts [J]
   double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]
   double longest_step = 0;    ///< as the contacts see it (step_limit.hpp) [s]
+  double touch_ahead = 0;     ///< until the touch that a step is to be laid around [s]
 };
 
 }  // namespace cagetol

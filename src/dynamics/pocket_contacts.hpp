@@ -55,6 +55,9 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
         v2 -= modal.along(group, point, 2, modal.rate);
       }
       const auto normal = normal_force(model.bar, select(touching, p, splat(-1.0)), rate);
+      // The few heavy impacts make the mean square of the force: it is taken from these states.
+      if constexpr (linear)
+        limit.at_most(model.heavy_step, touching & (normal.force > model.heavy_force));
       const Pack speed2 = v1 * v1 + v2 * v2;
       const auto fr = friction(model.friction, speed2);
       const Pack g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2, push = s * normal.force;

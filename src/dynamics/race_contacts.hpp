@@ -15,10 +15,6 @@
 
 namespace cagetol {
 
-/// How long steps go on behind the touch of a race [s]: just behind it the power changes at a rate
-/// that says nothing of the step before, and would mislead its integral.
-inline constexpr double kBehindRaceTouch = 2.5e-6;
-
 struct RaceSide {
   double sign;    ///< s
   double radius;  ///< R_race [m]
@@ -140,7 +136,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
     if constexpr (linear) {
       if (limit) {
-        limit->pass(p + thickest, rate, roller.exists > 0.0, kBehindRaceTouch);
+        limit->lay_around(p + thickest, rate, roller.exists > 0.0);
         // Leaving the load zone is foreseen, too; on the outer race rollers bounce all the time.
         if (race.sign > 0) limit->pass(-p - thickest, -rate, roller.exists > 0.0);
       }

@@ -16,6 +16,7 @@ const RosenbrockTable kRodas3 = {
     .gamma_sum = {0.5, 1.5, 0, 0},
     .m = {2, 0, 1, 1},
     .e = {0, 0, 0, 1},
+    .touch_place = 0,
     .new_rates = {false, false, true, true},
 };
 
@@ -40,6 +41,7 @@ const RosenbrockTable kRodasP = {
     .gamma_sum = {0.25, -0.5, -0.023504, -0.0362, 0, 0},
     .m = {-7.170454962423024, -4.741636671481785, -16.31002631330971, -1.062004044111401, 1, 1},
     .e = {0, 0, 0, 0, 0, 1},
+    .touch_place = 0.446,
     .new_rates = {false, true, true, true, true, true},
 };
 
@@ -64,6 +66,7 @@ const RosenbrockTable kRodas4F = {
     .gamma_sum = {0.185, -0.046340638915121024, -0.43850810533519163, 0.2060552256536004, 0, 0},
     .m = {11.73614886943561, -1.1089092777270979, 2.8318309368127892, 0.093206631358509082, 1, 1},
     .e = {0, 0, 0, 0, 0, 1},
+    .touch_place = 0.51,
     .new_rates = {false, true, true, true, true, true},
 };
 
@@ -127,7 +130,10 @@ void Rosenbrock::advance_argument(const double* y, const double* weights, int st
 StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) {
   const int n = system.size;
   double h = std::min(next_step_, keys_.max_step);
-  if (keys_.touch_aware) h = std::min(h, system.seen.longest_step);
+  if (keys_.touch_aware) {
+    h = std::min(h, system.seen.longest_step);
+    h = laid_around(system.seen.touch_ahead, table_.touch_place, system.model.touch_span, h);
+  }
   const bool driven = system.driven_by_time(t);
   if (driven) system.rates_by_time(t, y, time_rates_.data());
   bool rejected = false;

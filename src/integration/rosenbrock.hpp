@@ -19,6 +19,9 @@ struct RosenbrockTable {
   double error_order;  ///< the error estimate behaves like h^error_order
   double a[kMaxStages][kMaxStages], c[kMaxStages][kMaxStages];
   double alpha[kMaxStages], gamma_sum[kMaxStages], m[kMaxStages], e[kMaxStages];
+  /// Where in a step a contact may begin, in shares of it, its impulse right nevertheless; 0: steps
+  /// are not laid around touches, which a method of short steps does not repay.
+  double touch_place;
   bool new_rates[kMaxStages];  ///< stage evaluates the rates anew (else it uses those of the stage
                                ///< before)
 };

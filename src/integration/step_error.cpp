@@ -7,15 +7,16 @@ namespace cagetol {
 namespace {
 
 // Chosen by measurement (tests/ACCURACY.md): the stability suite, and steps saved.
-constexpr double kBounceSpeed = 0.1;    ///< unit of error of bouncing, at most [m/s]
-constexpr double kBounceLength = 3e-6;  ///< unit of error of a bouncing roller's place [m]
-constexpr double kTouchUnits = 0.1;     ///< of skew rate and axial speed in touches, in usual ones
-constexpr double kMovedEnergy = 0.01;   ///< that an error may move, in shares of the dissipated
+constexpr double kBounceSpeed = 0.1;       ///< unit of error of bouncing, at most [m/s]
+constexpr double kBounceLength = 3e-6;     ///< unit of error of a bouncing roller's place [m]
+constexpr double kTiltUnits = 0.7;         ///< of error of tilt and skew rates, in usual ones
+constexpr double kTouchUnits = 0.07;       ///< of skew rate and axial speed in touches
+constexpr double kMovedEnergy = 0.02;      ///< that an error may move, in shares of the dissipated
 constexpr double kDissipationTime = 1e-3;  ///< over which the dissipation is averaged [s]
 
 /// What of an error's square counts no longer in a unit so many times as large.
-double spared_in(double unit) {
-  return 1 - 1 / (unit * unit);
+Pack spared_in(Pack unit) {
+  return 1.0 - 1.0 / (unit * unit);
 }
 
 Pack magnitude(Pack x) {
@@ -43,7 +44,7 @@ double StepError::operator()(const System& s, const double* y, const double* err
     };
     const auto spare = [&](Pack wrong, Pack per_scale, double larger) {
       const Pack counted = wrong * per_scale;
-      spared += spared_in(larger) * counted * counted;
+      spared += spared_in(splat(larger)) * counted * counted;
     };
     const GroupLinear& turned = s.linear.groups[static_cast<std::size_t>(group)];
     const auto touching = [&](const std::vector<double>& force) {
@@ -53,9 +54,9 @@ double StepError::operator()(const System& s, const double* y, const double* err
     const Mask on_flange = touching(s.seen.flange_force) & ~pressed;
     const Mask on_bar =
         (touching(s.seen.leading_force) | touching(s.seen.trailing_force)) & ~pressed;
-    const auto add = [&](Pack wrong, Pack per_scale, Mask where) {
+    const auto add = [&](Pack wrong, Pack per_scale, Pack smaller) {
       const Pack counted = wrong * per_scale;
-      added += select(where, -spared_in(kTouchUnits) * counted * counted, Pack{});
+      added -= spared_in(smaller) * counted * counted;
     };
     const double* rate = s.rate.data();
     const double* per_scale = s.per_scale.data();
@@ -63,9 +64,13 @@ double StepError::operator()(const System& s, const double* y, const double* err
     spare(velocity(error, kRadialSpeed), velocity(per_scale, kRadialSpeed), unit);
     spare(select(pressed, Pack{}, wrong_radius), position(per_scale, kRadius),
           kBounceLength / kLengthScale);
-    add(turned.cosine * velocity(error, kAxisRateZ) - turned.sine * velocity(error, kAxisRateY),
-        velocity(per_scale, kAxisRateZ), on_flange | on_bar);
-    add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed), on_flange);
+    const Pack wrong_y = velocity(error, kAxisRateY), wrong_z = velocity(error, kAxisRateZ);
+    const Pack touch = splat(kTouchUnits), tilt = splat(kTiltUnits), usual = splat(1.0);
+    add(turned.cosine * wrong_y + turned.sine * wrong_z, velocity(per_scale, kAxisRateY), tilt);
+    add(turned.cosine * wrong_z - turned.sine * wrong_y, velocity(per_scale, kAxisRateZ),
+        select(on_flange | on_bar, touch, tilt));
+    add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed),
+        select(on_flange, touch, usual));
     energy += roller.exists * roller.mass *
               magnitude(velocity(y, kRadialSpeed) * velocity(error, kRadialSpeed) -
                         velocity(rate, kRadialSpeed) * wrong_radius);

@@ -7,21 +7,28 @@
 namespace cagetol {
 namespace {
 
-TEST(EnergyResidual, FallsWithTheTolerance) {
+/// Mean over starts: in so short a window the residual of one is a matter of luck.
+double mean_residual(double tolerance) {
   Scene scene = shipped_scene("nu205");
+  scene.integration.tolerance = tolerance;
   scene.window.settle_time = 1e-3;
   scene.window.measure_time = 3e-3;
   scene.watch.energy_residual_max = 10;
-  double first = 0, last = 1e9;
-  for (double tolerance : {1e-1, 1e-2, 1e-3, 1e-4}) {
-    scene.integration.tolerance = tolerance;
+  constexpr int kStarts = 4;
+  double sum = 0;
+  for (int start = 0; start < kStarts; ++start) {
+    scene.start.cage_phase = start * 0.05;
     const Outcome outcome = simulate(scene);
-    ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
-    if (first == 0) first = outcome.run.energy_residual;
-    last = outcome.run.energy_residual;
+    EXPECT_EQ(outcome.status, Status::ok) << outcome.reason;
+    sum += outcome.run.energy_residual / kStarts;
   }
-  EXPECT_LT(last, 0.02 * first);
-  EXPECT_LT(last, 1e-3);
+  return sum;
+}
+
+TEST(EnergyResidual, FallsWithTheTolerance) {
+  const double loose = mean_residual(1e-1), tight = mean_residual(1e-4);
+  EXPECT_LT(tight, 0.02 * loose);
+  EXPECT_LT(tight, 1e-3);
 }
 
 }  // namespace

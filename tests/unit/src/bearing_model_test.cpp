@@ -94,7 +94,7 @@ TEST(BearingModel, RampsFollowStep) {
   EXPECT_DOUBLE_EQ(inner_speed_at(m, 1), scene.operation.inner_speed);
 }
 
-TEST(BearingModel, StepsNearAFlangeResolveHowRollersBounce) {
+TEST(BearingModel, StepsResolveHowRollersBounceNearFlangesInTouchesAndInHeavyImpacts) {
   const Scene scene = shipped_scene("speed-z16-skew");
   const BearingModel m = make_bearing_model(scene);
   // Pressed outwards by its centrifugal force Q alone: stiffness e K^(1/e) Q^(1 - 1/e).
@@ -104,7 +104,10 @@ TEST(BearingModel, StepsNearAFlangeResolveHowRollersBounce) {
   const double stiffness = 150e3 * std::pow(1e3, e);  // [N/m^e]
   const double frequency =
       std::sqrt(e * std::pow(stiffness, 1 / e) * std::pow(force, 1 - 1 / e) / mass);
-  EXPECT_NEAR(m.rocking_step * frequency, 1.4, 1e-6);
+  EXPECT_NEAR(m.rocking_step * frequency, 1.5, 1e-6);
+  EXPECT_NEAR(m.touch_span * frequency, 0.94, 1e-6);
+  EXPECT_NEAR(m.heavy_step * frequency, 0.69, 1e-6);
+  EXPECT_NEAR(m.heavy_force, 0.1 * force, 1e-9);
 
   std::vector<double> y = start_state(m, scene.start);
   System system(m);
@@ -118,6 +121,22 @@ TEST(BearingModel, StepsNearAFlangeResolveHowRollersBounce) {
   Scene still = scene;
   still.operation.inner_speed = 0;  // nothing presses rollers outwards
   EXPECT_TRUE(std::isinf(make_bearing_model(still).rocking_step));
+}
+
+TEST(BearingModel, StepsResolveHeavyImpactsOnBars) {
+  const Scene scene = shipped_scene("speed-z16-skew");
+  const BearingModel m = make_bearing_model(scene);
+  const auto longest_step_at = [&](double depth) {  // of roller 3 in its leading bar
+    std::vector<double> y = start_state(m, scene.start);
+    const double gap = m.groups[0].half_width[3] - m.groups[0].radius[3];
+    y[static_cast<std::size_t>(m.layout.position(kAngle, 3))] += (gap + depth) / m.pitch_radius;
+    System system(m);
+    EXPECT_TRUE(system.linearise_at(0, y.data()));
+    EXPECT_EQ(system.seen.leading_force[3] > m.heavy_force, depth > 100e-9);
+    return system.seen.longest_step;
+  };
+  EXPECT_DOUBLE_EQ(longest_step_at(200e-9), m.heavy_step);
+  EXPECT_GT(longest_step_at(0.5e-9), m.heavy_step);
 }
 
 TEST(FindJam, NamesTheWorstPocketAndItsInterference) {

@@ -160,9 +160,16 @@ TEST(FlexibleCage, EnergyAccountCloses) {
   scene.window.measure_time = 5e-3;
   scene.watch.static_consistency_max = 1;
   scene.integration.tolerance = 5e-5;
-  const Outcome outcome = run(scene);
-  ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
-  EXPECT_LT(outcome.run.energy_residual, 2e-3);
+  constexpr int kStarts = 8;
+  double sum = 0;
+  for (int start = 0; start < kStarts; ++start) {
+    scene.start.cage_phase = start * 0.05;
+    const Outcome outcome = run(scene);
+    ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
+    EXPECT_LT(outcome.run.energy_residual, 1e-2);
+    sum += outcome.run.energy_residual;
+  }
+  EXPECT_LT(sum / kStarts, 2e-3);
 }
 
 TEST(FlexibleCage, ImpossiblePocketsAreAnOutcome) {

@@ -40,9 +40,7 @@ TEST(StepLimit, TheNearestChangeCounts) {
   EXPECT_NEAR(limit.longest(), 7.9e-6, 1e-12);
   limit.pass(-6e-6 * kSpeed, kSpeed, true);  // over it, and half a microsecond on
   EXPECT_NEAR(limit.longest(), 6.5e-6, 1e-12);
-  limit.pass(-6.4e-6 * kSpeed, kSpeed, true, 2e-6);
-  EXPECT_NEAR(limit.longest(), 6.5e-6, 1e-12);
-  limit.pass(-3e-6 * kSpeed, kSpeed, true, 2e-6);
+  limit.pass(-4.5e-6 * kSpeed, kSpeed, true);
   EXPECT_NEAR(limit.longest(), 5e-6, 1e-12);
   limit.at_most(4e-6, false);
   EXPECT_NEAR(limit.longest(), 5e-6, 1e-12);
@@ -65,6 +63,30 @@ TEST(StepLimit, AYoungContactGrowsBySteps) {
   EXPECT_EQ(parting.longest(), kStepHorizon);
 }
 
+TEST(StepLimit, StepsAreLaidAroundTheNearestTouch) {
+  StepLimit<double> limit;
+  limit.lay_around(8e-6 * kSpeed, kSpeed, true);     // closed already
+  limit.lay_around(-8e-6 * kSpeed, -kSpeed, true);   // going away
+  limit.lay_around(-1.1e-3 * kSpeed, kSpeed, true);  // beyond the horizon
+  limit.lay_around(-2e-6 * kSpeed, kSpeed, false);
+  EXPECT_EQ(limit.touch_ahead(), kNoTouch);
+  for (const double ahead : {20e-6, 8e-6, 30e-6}) limit.lay_around(-ahead * kSpeed, kSpeed, true);
+  EXPECT_NEAR(limit.touch_ahead(), 8e-6, 1e-15);
+  EXPECT_EQ(limit.longest(), kStepHorizon);
+
+  const auto length = [](double in, double h) { return laid_around(in, 0.4, 4e-6, h); };
+  EXPECT_EQ(length(8e-6, 7e-6), 7e-6);  // not reached
+  EXPECT_EQ(length(kNoTouch, 20e-6), 20e-6);
+  EXPECT_NEAR(length(8e-6, 12e-6), 7.2e-6, 1e-15);  // ends half its reach before it, ...
+  EXPECT_NEAR(length(0.8e-6, 12e-6), 2e-6, 1e-15);  // ... and has it at its place then
+  EXPECT_NEAR(length(1.5e-6, 20e-6), 3.75e-6, 1e-15);
+  EXPECT_NEAR(length(1.5e-6, 2e-6), 1.1e-6, 1e-15);  // a short step stays short
+  EXPECT_NEAR(length(0.6e-6, 2e-6), 1.5e-6, 1e-15);
+  EXPECT_NEAR(length(1e-9, 20e-6), kNearestTouch / 0.4, 1e-15);
+  EXPECT_NEAR(laid_around(5e-6, 0, 4e-6, 20e-6), 7.5e-6, 1e-15);  // runs over it
+  EXPECT_EQ(laid_around(5e-6, 0, 4e-6, 6e-6), 6e-6);
+}
+
 TEST(StepLimit, PacksSeeWhatEachOfTheirContactsSees) {
   StepLimit<Pack> pack;
   Pack p, rate;
@@ -78,6 +100,7 @@ TEST(StepLimit, PacksSeeWhatEachOfTheirContactsSees) {
   pack.pass(-p, -rate, here);
   pack.grow(p, rate, here);
   pack.at_most(2e-6, here & (p > 7e-9));
+  pack.lay_around(p, rate, here);
   for (int lane = 0; lane < kLanes; ++lane) {
     StepLimit<double> one;
     const bool exists = here[lane] != 0;
@@ -85,7 +108,9 @@ TEST(StepLimit, PacksSeeWhatEachOfTheirContactsSees) {
     one.pass(-p[lane], -rate[lane], exists);
     one.grow(p[lane], rate[lane], exists);
     one.at_most(2e-6, exists && p[lane] > 7e-9);
+    one.lay_around(p[lane], rate[lane], exists);
     EXPECT_EQ(pack.longest()[lane], one.longest()) << lane;
+    EXPECT_EQ(pack.touch_ahead()[lane], one.touch_ahead()) << lane;
   }
 }
 
