@@ -16,7 +16,7 @@ using std::numbers::pi;
 constexpr double kTouchPhase = 0.94;     ///< that a step around a touch may span [rad] ...
 constexpr double kLongestTouch = 10e-6;  ///< ... and its length, at most [s]
 constexpr double kHeavyPhase = 0.69;     ///< that a step in a heavy impact on a bar may span [rad]
-constexpr double kHeavyShare = 0.1;     ///< of a roller's centrifugal force: a heavy impact
+constexpr double kHeavyShare = 0.1;      ///< of a roller's centrifugal force: a heavy impact
 constexpr double kRockingPhase = 1.5;    ///< of bouncing that a step near a flange may span [rad]
 
 double given_or(double value, double computed) {
