@@ -87,7 +87,7 @@ void Observer::record(double t, const double* y, const System& system) {
   cage_lean_z_.add(q[kCageAxisZ], step);
   ring_y_.add(q[kRingY], step);
   ring_z_.add(q[kRingZ], step);
-  ring_acceleration_.add(std::hypot(dv[kRingY], dv[kRingZ]), step);
+  ring_acceleration_.add({dv[kRingY], dv[kRingZ]}, {v[kRingY], v[kRingZ]}, step);
   ring_elastic_z_.add(seen.ring_elastic_z, step);
   if (l.ring_tilt > 0) {
     const double tilt_y = q[l.ring_tilt_slot()], tilt_z = q[l.ring_tilt_slot() + 1];

@@ -65,12 +65,14 @@ class Observer {
   StepClock clock_;
   double last_time_ = -1;
 
-  StepSeries cage_speed_, inner_speed_, whirl_radius_, whirl_speed_, cage_axial_, cage_lean_y_,
-      cage_lean_z_;
-  RollerSeries slip_loaded_, slip_all_, sliding_, skew_, tilt_, pocket_force_, wall_force_,
-      roller_speed_;
-  StepSeries guide_force_;
-  StepSeries ring_y_, ring_z_, ring_acceleration_, ring_elastic_z_, ring_tilt_, tilt_y_, tilt_z_;
+  StepSeries cage_speed_, inner_speed_, whirl_speed_, cage_axial_, cage_lean_y_, cage_lean_z_,
+      ring_elastic_z_, tilt_y_, tilt_z_;
+  StepSeries whirl_radius_{kPeak | kQuantiles}, guide_force_{kPeak | kQuantiles},
+      ring_y_{kQuantiles}, ring_z_{kQuantiles}, ring_tilt_{kPeak};
+  RollerSeries slip_loaded_, slip_all_, sliding_{kPeak}, roller_speed_;
+  RollerSeries skew_{kQuantiles}, tilt_{kQuantiles}, pocket_force_{kPeak | kQuantiles},
+      wall_force_{kPeak | kQuantiles};
+  IntegratedVector ring_acceleration_;
   std::optional<CageStress> stress_;
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;

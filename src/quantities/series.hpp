@@ -2,6 +2,7 @@
 // integrals over such steps.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -53,15 +54,18 @@ double distance_quantile(const Series& x, const Series& y, double p);
 
 /// A step between two accepted states, as the series that follow a run see it.
 struct SeenStep {
-  double length = 0;          ///< [s], 0: there is no state before this one
-  double length_before = 0;   ///< of the step before it [s], likewise
-  int recorded_at_start = 0;  ///< instants of the record to which the state before is nearest
-  int recorded_at_end = 0;    ///< likewise this state
+  double length = 0;         ///< [s], 0: there is no state before this one
+  double length_before = 0;  ///< of the step before it [s], likewise
+  /// 1 over each of these and over their sum, 0 where there is none.
+  double per_length = 0, per_length_before = 0, per_both = 0;
+  int instants = 0;         ///< of the record that lie in (start, end]
+  double last_instant = 0;  ///< how far before the end the last of them lies [s]
+  double interval = 0;      ///< between two of them [s]
 };
 
-/// Divides time into steps and the instants of a record, one every `interval` seconds. Each instant
-/// is left to the accepted state nearest to it: were it the first one after it, ends of long steps,
-/// where something has just been touched, would be seen too often.
+/// Divides time into steps and the instants of a record, one every `interval` seconds. Values at an
+/// instant are read between states: were they those of the nearest state, forces that grow while
+/// steps do would be read too low (tests/ACCURACY.md).
 class StepClock {
  public:
   StepClock(double begin, double interval) : next_(begin), interval_(interval) {}
@@ -78,21 +82,24 @@ class Bow {
  public:
   Bow(const SeenStep& step, T first, T middle, T last)
       : middle_(middle),
-        before_((middle - first) / step.length_before),
-        after_((last - middle) / step.length),
-        bend_((after_ - before_) / (step.length_before + step.length)),
-        slope_((before_ * step.length + after_ * step.length_before) /
-               (step.length_before + step.length)) {}
+        before_((middle - first) * step.per_length_before),
+        after_((last - middle) * step.per_length),
+        bend_((after_ - before_) * step.per_both) {}
   /// Half its second derivative.
   T bend() const { return bend_; }
+  /// Its value a time before the last state [s].
+  T before_last(const SeenStep& step, T last, double time) const {
+    return last - time * (after_ + (step.length - time) * bend_);
+  }
   /// Its top where the middle is the largest of the three, else the middle.
-  T top() const {
+  T top(const SeenStep& step) const {
     const auto inside = (before_ > 0.0) & (after_ < 0.0);
-    return middle_ - select(inside, slope_ * slope_ / (4 * select(inside, bend_, T{} - 1.0)), T{});
+    const T slope = (before_ * step.length + after_ * step.length_before) * step.per_both;
+    return middle_ - select(inside, slope * slope / (4 * select(inside, bend_, T{} - 1.0)), T{});
   }
 
  private:
-  T middle_, before_, after_, bend_, slope_;
+  T middle_, before_, after_, bend_;
 };
 
 /// What trapeziums lack of the integrals of a value and of its square: half of each step's is due
@@ -129,13 +136,19 @@ class BowedSteps {
   long bows_ = 0;
 };
 
+/// What is asked of a series beside its means: the rest is not worked out, and is no number.
+enum Asked : unsigned { kMeans = 0, kPeak = 1, kQuantiles = 2 };
+
 /// A quantity seen at the accepted steps of a run: means are integrals over bowed steps, of squares
-/// for the rms; a peak may lie between states.
+/// for the rms; a peak may lie between states, and so do the instants of the record, on the
+/// parabola through the last three states.
 class StepSeries : public Series {
  public:
+  explicit StepSeries(unsigned asked = kMeans);
   void add(double value, const SeenStep& step);
 
  private:
+  unsigned asked_;
   double before_ = 0, last_ = 0;  ///< values at the two states before
   BowedSteps<double> bowed_;
 };
@@ -143,6 +156,7 @@ class StepSeries : public Series {
 /// Likewise one of every roller, a pack of them at a time: all rollers' values are one series.
 class RollerSeries {
  public:
+  explicit RollerSeries(unsigned asked = kMeans) : asked_(asked) {}
   /// `counts`: lanes where the quantity exists just now, not padding, nor, say, the slip of an
   /// unloaded roller.
   void add(std::size_t group, Pack value, Mask counts, const SeenStep& step);
@@ -157,12 +171,29 @@ class RollerSeries {
     State before, last;  ///< the two states before
     BowedSteps<Pack> bowed;
   };
-  void record(const State& state, int times);
+  unsigned asked_;
   std::vector<Seen> seen_;  ///< of each pack
   double shift_ = 0;        ///< a first value, as in Series
   bool shifted_ = false;
   Pack weight_{}, sum_{}, squares_{}, peak_{};
   std::vector<double> record_;
+};
+
+/// Mean square and peak of a vector in the plane seen at the accepted steps with its own integral,
+/// an acceleration with the velocity: over a step each component is the parabola between both ends
+/// that has that integral, however sharply the step before it ended.
+class IntegratedVector {
+ public:
+  struct Plane {
+    double y = 0, z = 0;
+  };
+  void add(Plane vector, Plane integral, const SeenStep& step);
+  double rms() const;
+  double peak() const { return std::sqrt(largest_square_); }
+
+ private:
+  Plane last_, last_integral_;
+  double duration_ = 0, squares_ = 0, largest_square_ = 0;
 };
 
 /// Integral of a function known with its derivative at the accepted steps: Hermite's corrected

@@ -34,7 +34,7 @@ TEST(StepSeries, MeanOfALineIsExactHoweverUnevenTheSteps) {
 TEST(StepSeries, FollowsParabolasThroughNeighbouringStates) {
   const auto hill = [](double t) { return 7 - std::pow((t - 51e-6) / 10e-6, 2); };
   StepClock clock(0, kInterval);
-  StepSeries series;
+  StepSeries series(kPeak);
   double integral = 0, last = 0;
   for (const double t : {0.0, 4e-6, 20e-6, 41e-6, 58e-6, 95e-6, 96e-6}) {
     series.add(hill(t), clock.advance(t));
@@ -46,7 +46,7 @@ TEST(StepSeries, FollowsParabolasThroughNeighbouringStates) {
   EXPECT_NEAR(series.mean(), integral / 96e-6, 1e-12);
   EXPECT_NEAR(series.peak(), 19.01, 1e-12);  // |-19.01| at the start, no top
   StepClock again(41e-6, kInterval);
-  StepSeries near;
+  StepSeries near(kPeak);
   for (const double t : {41e-6, 48e-6, 58e-6}) near.add(hill(t), again.advance(t));
   EXPECT_NEAR(near.peak(), 7, 1e-12);
 }
@@ -86,25 +86,68 @@ TEST(StepSeries, AContactThatBeginsIsNoBowOfTheStepBeforeIt) {
   EXPECT_NEAR(series.rms() * series.rms(), square, 0.001 * square);
 }
 
-TEST(StepClock, LeavesEachInstantOfTheRecordToTheStateNearestToIt) {
+// Instants between states are read off the parabola through three of them: exact for a parabola
+// but in the first step, of which only the chord is known.
+TEST(StepSeries, RecordsWhatItAmountsToAtEachInstant) {
+  const auto hill = [](double t) { return 7 - std::pow((t - 3.05e-3) / 1e-3, 2); };
   for (unsigned seed = 0; seed < 20; ++seed) {
     const std::vector<double> times = uneven_times(seed);
     StepClock clock(times.front(), kInterval);
-    std::vector<int> recorded(times.size(), 0), nearest(times.size(), 0);
+    StepSeries series(kQuantiles);
+    for (const double t : times) series.add(hill(t), clock.advance(t));
+    Series exact;
+    for (int k = 0; times.front() + k * kInterval <= times.back(); ++k) {
+      const double at = times.front() + k * kInterval,
+                   share = (at - times[0]) / (times[1] - times[0]);
+      exact.add(
+          at < times[1] ? hill(times[0]) + share * (hill(times[1]) - hill(times[0])) : hill(at), 1,
+          1);
+    }
+    for (const double p : {0.0, 0.1, 0.5, 0.99, 1.0})
+      EXPECT_NEAR(series.quantile(p), exact.quantile(p), 1e-9) << seed << ", " << p;
+  }
+}
+
+TEST(StepClock, FindsEveryInstantOfTheRecord) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const std::vector<double> times = uneven_times(seed);
+    StepClock clock(times.front(), kInterval);
+    int instants = 0;
     for (std::size_t i = 0; i < times.size(); ++i) {
       const SeenStep step = clock.advance(times[i]);
       EXPECT_NEAR(step.length, i > 0 ? times[i] - times[i - 1] : 0, 1e-15);
-      if (i > 0) recorded[i - 1] += step.recorded_at_start;
-      recorded[i] += step.recorded_at_end;
+      for (int k = step.instants - 1; k >= 0; --k)
+        EXPECT_NEAR(times[i] - step.last_instant - k * step.interval,
+                    times.front() + instants++ * kInterval, 1e-12);
     }
-    for (double at = times.front(); at <= times.back(); at += kInterval) {
-      std::size_t best = 0;
-      for (std::size_t i = 1; i < times.size(); ++i)
-        if (std::abs(times[i] - at) < std::abs(times[best] - at)) best = i;
-      ++nearest[best];
-    }
-    EXPECT_EQ(recorded, nearest) << seed;
+    EXPECT_EQ(instants, 1 + static_cast<int>((times.back() - times.front()) / kInterval));
   }
+}
+
+// An acceleration that rings at one radian a step, with its velocity: trapeziums miss 8 % of the
+// square (the parabolas 0.27 %), the highest state may miss 6 % of the peak.
+TEST(IntegratedVector, FollowsAWaveThatStatesSample) {
+  constexpr double rate = 1e5, h = 1e-5;
+  StepClock clock(0, kInterval);
+  IntegratedVector turning, swinging;
+  for (int k = 0; k <= 628; ++k) {
+    const double phase = rate * h * k, c = std::cos(phase), s = std::sin(phase);
+    const SeenStep step = clock.advance(h * k);
+    turning.add({2 * c, 2 * s}, {2 * s / rate, -2 * c / rate}, step);
+    swinging.add({0, c}, {0, s / rate}, step);
+  }
+  EXPECT_NEAR(turning.rms() * turning.rms(), 4, 0.003 * 4);
+  EXPECT_NEAR(turning.peak(), 2, 1e-2);
+  EXPECT_NEAR(swinging.rms() * swinging.rms(), 0.5, 0.004 * 0.5);
+  EXPECT_NEAR(swinging.peak(), 1, 1e-2);
+}
+
+TEST(IntegratedVector, IsExactForParabolas) {
+  StepClock clock(0, kInterval);
+  IntegratedVector parabola;
+  for (const double t : {0.0, 0.3, 1.0})
+    parabola.add({0, t * (1 - t)}, {0, t * t / 2 - t * t * t / 3}, clock.advance(t));
+  EXPECT_NEAR(parabola.rms(), std::sqrt(1.0 / 30), 1e-15);
 }
 
 TEST(RollerSeries, IsOneStepSeriesOfEveryRoller) {
@@ -113,10 +156,8 @@ TEST(RollerSeries, IsOneStepSeriesOfEveryRoller) {
   constexpr int kRollers = 11;  // of two packs
   const std::vector<double> times = uneven_times(7);
   StepClock clock(times.front(), kInterval);
-  RollerSeries packs;
-  std::vector<StepSeries> rollers(kRollers);
-  Series recorded;
-  std::vector<double> last(kRollers);
+  RollerSeries packs(kPeak | kQuantiles);
+  std::vector<StepSeries> rollers(kRollers, StepSeries(kPeak | kQuantiles));
   for (const double t : times) {
     const SeenStep step = clock.advance(t);
     for (std::size_t pack = 0; pack < 2; ++pack) {
@@ -128,9 +169,6 @@ TEST(RollerSeries, IsOneStepSeriesOfEveryRoller) {
         if (roller >= kRollers) continue;
         counts[lane] = -1;
         rollers[roller].add(values[lane], step);
-        recorded.add(last[roller], 0, step.recorded_at_start);
-        recorded.add(values[lane], 0, step.recorded_at_end);
-        last[roller] = values[lane];
       }
       packs.add(pack, values, counts, step);
     }
@@ -146,14 +184,16 @@ TEST(RollerSeries, IsOneStepSeriesOfEveryRoller) {
   EXPECT_NEAR(all.rms(), std::sqrt(square), 1e-12);
   EXPECT_NEAR(all.standard_deviation(), std::sqrt(square - mean * mean), 1e-12);
   EXPECT_NEAR(all.peak(), peak, 1e-12);
-  for (const double p : {0.1, 0.5, 0.95}) EXPECT_EQ(all.quantile(p), recorded.quantile(p));
+  double most = 0;
+  for (const StepSeries& roller : rollers) most = std::max(most, roller.quantile(1));
+  EXPECT_NEAR(all.quantile(1), most, 1e-12);
 }
 
 // A roller's quantity that exists in stretches only: what it is elsewhere does not matter.
 TEST(RollerSeries, LeavesOutWhatDoesNotCount) {
   const std::vector<double> times = uneven_times(5);
   StepClock clock(times.front(), kInterval);
-  RollerSeries slip;
+  RollerSeries slip(kPeak | kQuantiles);
   for (std::size_t i = 0; i < times.size(); ++i) {
     Pack values = splat(2.0);
     Mask counts{};
@@ -167,8 +207,25 @@ TEST(RollerSeries, LeavesOutWhatDoesNotCount) {
   EXPECT_EQ(slip.all().quantile(1), 2);
 }
 
+TEST(StepSeries, WhatIsNotAskedIsNoNumber) {
+  StepClock clock(0, kInterval), again(0, kInterval);
+  StepSeries step;
+  RollerSeries rollers;
+  Mask counts{};
+  counts[0] = -1;
+  for (const double t : {0.0, 4e-6, 50e-6}) {
+    step.add(t, clock.advance(t));
+    rollers.add(0, splat(t), counts, again.advance(t));
+  }
+  EXPECT_NEAR(rollers.all().mean(), step.mean(), 1e-20);
+  for (const Series& series : {static_cast<const Series&>(step), rollers.all()}) {
+    EXPECT_TRUE(std::isnan(series.peak()));
+    EXPECT_TRUE(std::isnan(series.quantile(0.5)));
+  }
+}
+
 TEST(RollerSeries, NothingThatCountsIsNoNumber) {
-  RollerSeries slip;
+  RollerSeries slip(kPeak | kQuantiles);
   StepClock clock(0, kInterval);
   for (const double t : {0.0, 1e-5}) slip.add(0, splat(1.0), Mask{}, clock.advance(t));
   EXPECT_TRUE(std::isnan(slip.all().mean()));
