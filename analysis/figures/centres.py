@@ -29,7 +29,7 @@ def centre_curves(report):
         axis.set_xticklabels([f"{shift:+.0f}\n({point['effective_runs']:.0f})" for shift, point in zip(shifts, points)],
                              fontsize=7)
     axes[0][0].set_ylabel("yield [%]")
-    axes[0][0].legend(loc="lower center")
+    axes[0][0].legend(loc="best")
     return figure
 
 
@@ -42,17 +42,17 @@ def centre_map(report):
     columns = sorted({point["shifts_mm"][1] for point in centres["map"]})
     value = np.full((len(rows), len(columns)), np.nan)
     figure, axis = plt.subplots(figsize=(WIDTH, 0.9 + 0.5 * len(rows)))
+    target = 100 * report["verdict"]["target_yield"]
+    reach = max(100 - target, 1.0)  # the colours end at 100 % and as far below the target
     for point in centres["map"]:
         place = rows.index(point["shifts_mm"][0]), columns.index(point["shifts_mm"][1])
         words = f"({point['effective_runs']:.0f})"
         if point["shown"]:
             value[place] = 100 * point["yield"]["if_unknown_fail"]
             words = f"{value[place]:.1f} %\n{words}"
-        axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8)
-    target = 100 * report["verdict"]["target_yield"]
-    reach = max(100 - target, 1.0)
-    image = axis.imshow(value, cmap="PuOr", vmin=target - 2 * reach, vmax=target + 2 * reach, aspect="auto",
-                        origin="lower")
+        strong = abs(np.nan_to_num(value[place], nan=target) - target) > 0.5 * reach
+        axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8, color="white" if strong else "black")
+    image = axis.imshow(value, cmap="PuOr", vmin=target - reach, vmax=target + reach, aspect="auto", origin="lower")
     first, second = centres["dimensions"][:2]
     axis.set_xticks(range(len(columns)), [f"{1e3 * shift:+.0f} µm" for shift in columns])
     axis.set_yticks(range(len(rows)), [f"{1e3 * shift:+.0f} µm" for shift in rows])
