@@ -25,7 +25,7 @@ Linearisation::Linearisation(const StateLayout& layout)
 }
 
 void Linearisation::clear() {
-  for (auto& g : groups) g = GroupLinear{};
+  for (auto& g : groups) g.clear();
   for (auto& t : tilts) t = TiltLinear{};
   if (cage_touched) {
     border_position.setZero();

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "src/dynamics/state.hpp"
@@ -33,11 +35,19 @@ struct RingCoupling {
 struct GroupLinear {
   Pack position[kLocalVelocities][kLocalPositions];   ///< dF/dP
   Pack velocity[kLocalVelocities][kLocalVelocities];  ///< dF/dV
-  RingCoupling ring;                                  ///< with the inner ring's displacement
   Pack power_position[kLocalPositions],
       power_velocity[kLocalVelocities];  ///< gradient of the net power, see below
+  RingCoupling ring;                     ///< with the inner ring's displacement
   Pack cosine, sine;                     ///< of the roller's angle
   Pack radius, inverse_radius;           ///< r [m]
+
+  /// What contacts add to; the rest is written anew at each state.
+  void clear() {
+    for (auto& row : position) std::fill(std::begin(row), std::end(row), Pack{});
+    for (auto& row : velocity) std::fill(std::begin(row), std::end(row), Pack{});
+    std::fill(std::begin(power_position), std::end(power_position), Pack{});
+    std::fill(std::begin(power_velocity), std::end(power_velocity), Pack{});
+  }
 };
 
 /// What a pack of rollers has to do with the free tilt of the inner ring.

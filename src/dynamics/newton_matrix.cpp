@@ -40,6 +40,16 @@ bool invert(Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack (&mass)[kL
   return !any(bad & (exists > 0.0));
 }
 
+/// By two sums: neither waits for the other.
+Pack product(const Pack (&a)[kLocalVelocities], const Pack (&b)[kLocalVelocities]) {
+  Pack even = a[0] * b[0], odd = a[1] * b[1];
+  for (int k = 2; k < kLocalVelocities; k += 2) {
+    even += a[k] * b[k];
+    odd += a[k + 1] * b[k + 1];
+  }
+  return even + odd;
+}
+
 template <bool planar>
 void multiply(const Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack* b, Pack* x) {
   for (int i = 0; i < kLocalVelocities; ++i) {
@@ -47,9 +57,26 @@ void multiply(const Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack* b
       x[i] = a[i][i] * b[i];
       continue;
     }
+    // Two sums: neither waits for the other.
+    Pack odd = a[i][1] * b[1];
     x[i] = a[i][0] * b[0];
+    for (int k = 2; k < kLocalVelocities; ++k)
+      if (!held<planar>(k)) (k % 2 == 0 ? x[i] : odd) += a[i][k] * b[k];
+    x[i] += odd;
+  }
+}
+
+/// x = b A, b a row.
+template <bool planar>
+void multiply_left(const Pack* b, const Pack (&a)[kLocalVelocities][kLocalVelocities], Pack* x) {
+  for (int j = 0; j < kLocalVelocities; ++j) {
+    if (held<planar>(j)) {
+      x[j] = b[j] * a[j][j];
+      continue;
+    }
+    x[j] = b[0] * a[0][j];
     for (int k = 1; k < kLocalVelocities; ++k)
-      if (!held<planar>(k)) x[i] += a[i][k] * b[k];
+      if (!held<planar>(k)) x[j] += b[k] * a[k][j];
   }
 }
 
@@ -125,17 +152,20 @@ bool NewtonMatrix::factor_rollers(double beta) {
       f.inverse[i][i] += mass[i] / beta;
     }
     if (!invert<planar>(f.inverse, mass, beta, roller.exists)) sound = false;
+    Pack coupled[vectors][2][kLocalVelocities];  // N, ring part
     for (int v = 0; v < vectors; ++v) {
       const RingCoupling& with = coupling(g, v);
       for (int c = 0; c < 2; ++c) {
-        Pack from_ring[kLocalVelocities], solved[kLocalVelocities];
+        Pack from_ring[kLocalVelocities], to_ring[kLocalVelocities], solved[kLocalVelocities];
         for (int i = 0; i < kLocalVelocities; ++i) {
           from_ring[i] = -(with.velocity[i][c] + beta * with.position[i][c]);
-          f.to_ring[v][c][i] = -with.to_velocity[c][i] -
-                               (i < kLocalPositions ? beta * with.to_position[c][i] : Pack{});
+          to_ring[i] = -with.to_velocity[c][i] -
+                       (i < kLocalPositions ? beta * with.to_position[c][i] : Pack{});
+          coupled[v][c][i] = from_ring[i];
         }
         multiply<planar>(f.inverse, from_ring, solved);
         for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[v][i][c] = solved[i];
+        multiply_left<planar>(to_ring, f.inverse, f.to_ring[v][c]);
       }
     }
     const Pack co = roller.exists * l.cosine, si = roller.exists * l.sine;
@@ -145,7 +175,7 @@ bool NewtonMatrix::factor_rollers(double beta) {
         for (int a = 0; a < 2; ++a)
           for (int c = 0; c < 2; ++c)
             for (int i = 0; i < kLocalVelocities; ++i)
-              local[a][c] += f.to_ring[v][a][i] * f.from_ring[w][i][c];
+              local[a][c] += f.to_ring[v][a][i] * coupled[w][c][i];
         const Pack rr = local[0][0], rt = local[0][1], tr = local[1][0], tt = local[1][1];
         auto& to = ring[v][w];
         to[0][0] += sum(co * (rr * l.cosine - rt * l.sine) - si * (tr * l.cosine - tt * l.sine));
@@ -245,7 +275,7 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
       for (int v = 0; v < vectors; ++v)
         for (int a = 0; a < 2; ++a) {
           const int ring = ring_slot(v) + a;
-          schur.row(ring).segment(kCageY, cage_columns) -= ring_to[v][a][i] * cage.from.row(i);
+          schur.row(ring).segment(kCageY, cage_columns) -= ring_to[v][a][i] * cage.into.row(i);
           schur.col(ring).segment(kCageY, cage_columns) -= ring_from[v][i][a] * cage.to.col(i);
         }
   }
@@ -280,6 +310,7 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
       border_rhs_[k] += stiff(k, k) * border_positions_[k];
   }
 
+  Pack on_ring[vectors][2] = {};  // in y, z
   for (int n = 0; n < layout.groups; ++n) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
@@ -323,14 +354,13 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
       for (int k = 0; k < kLocalPositions; ++k)
         border_rhs_.segment(kCageY, cage_columns) += c.to_position.col(k) * P[k][lane];
     }
-    multiply<planar>(f.inverse, force, f.rhs);
     for (int v = 0; v < vectors; ++v) {
       Pack(&to)[2] = to_ring[v];
-      for (int a = 0; a < 2; ++a)
-        for (int i = 0; i < kLocalVelocities; ++i) to[a] -= f.to_ring[v][a][i] * f.rhs[i];
-      border_rhs_[ring_slot(v)] += sum(roller.exists * (l.cosine * to[0] - l.sine * to[1]));
-      border_rhs_[ring_slot(v) + 1] += sum(roller.exists * (l.sine * to[0] + l.cosine * to[1]));
+      for (int a = 0; a < 2; ++a) to[a] -= product(f.to_ring[v][a], force);
+      on_ring[v][0] += roller.exists * (l.cosine * to[0] - l.sine * to[1]);
+      on_ring[v][1] += roller.exists * (l.sine * to[0] + l.cosine * to[1]);
     }
+    multiply<planar>(f.inverse, force, f.rhs);
     for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
       const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
       if (slot < 0) continue;
@@ -339,6 +369,8 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
         border_rhs_.segment(kCageY, cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
     }
   }
+  for (int v = 0; v < vectors; ++v)
+    for (int a = 0; a < 2; ++a) border_rhs_[ring_slot(v) + a] += sum(on_ring[v][a]);
   if (linear_->cage_touched)
     schur_.solve(border_rhs_.data(), border_solution_.data());
   else

@@ -47,8 +47,8 @@ class NewtonMatrix {
 
   static constexpr int kMostVectors = 2;
   struct Group {
-    Pack inverse[kLocalVelocities][kLocalVelocities];  ///< A^-1
-    Pack to_ring[kMostVectors][2][kLocalVelocities];   ///< T, ring part, in the rollers' directions
+    Pack inverse[kLocalVelocities][kLocalVelocities];   ///< A^-1
+    Pack to_ring[kMostVectors][2][kLocalVelocities];    ///< T A^-1, ring part, in their directions
     Pack from_ring[kMostVectors][kLocalVelocities][2];  ///< A^-1 N, ring part
     Pack rhs[kLocalVelocities];  ///< A^-1 of the right-hand side being solved for
   };

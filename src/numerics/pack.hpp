@@ -136,12 +136,18 @@ inline Pack sqrt(Pack x, Pack& inverse) {
 
 /// Sum of the lanes, always in the same order.
 inline double sum(Pack x) {
+#ifdef __AVX512F__
+  const __m512d all = reinterpret_cast<__m512d>(x);
+  const __m256d four = _mm512_castpd512_pd256(all) + _mm512_extractf64x4_pd(all, 1);
+  const __m128d two = _mm256_castpd256_pd128(four) + _mm256_extractf128_pd(four, 1);
+  return two[0] + two[1];
+#else
   return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+#endif
 }
 inline double largest(Pack x) {
-  double y = x[0];
-  for (int i = 1; i < kLanes; ++i) y = x[i] > y ? x[i] : y;
-  return y;
+  const auto of = [](double a, double b) { return b > a ? b : a; };
+  return of(of(of(x[0], x[4]), of(x[2], x[6])), of(of(x[1], x[5]), of(x[3], x[7])));
 }
 inline double smallest(Pack x) {
   return -largest(-x);

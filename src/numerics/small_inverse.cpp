@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cagetol {
 namespace {
@@ -13,28 +14,34 @@ bool invert_vectors(Pack* vectors, int n) {
   const Pack lane = {0, 1, 2, 3, 4, 5, 6, 7};
   bool sound = true;
   Pack* const end = vectors + n * packs;
-  for (int k = 0; k < n; ++k) {
-    Pack* const pivot_vector = vectors + k * packs;
-    const double pivot = reinterpret_cast<const double*>(pivot_vector)[k];
-    if (!(std::abs(pivot) > 0) || !std::isfinite(pivot)) sound = false;
-    const double inverse = 1 / pivot;
-    Mask other[packs];  // all rows but the pivot's
-    Pack scaled[packs];
-    for (int p = 0; p < packs; ++p) {
-      other[p] = lane != static_cast<double>(k - p * kLanes);
-      scaled[p] = select(other[p], pivot_vector[p] * inverse, splat(inverse));
+  // `in`: the pack that holds the pivot's row, the only one in which a row is not like the others.
+  const auto eliminate_pack = [&]<int in>() {
+    for (int k = in * kLanes; k < std::min(n, (in + 1) * kLanes); ++k) {
+      Pack* const pivot_vector = vectors + k * packs;
+      const double pivot = reinterpret_cast<const double*>(pivot_vector)[k];
+      if (!(std::abs(pivot) > 0) || !std::isfinite(pivot)) sound = false;
+      const double inverse = 1 / pivot;
+      const Mask other = lane != static_cast<double>(k - in * kLanes);  // rows but the pivot's
+      Pack scaled[packs];
+      for (int p = 0; p < packs; ++p) scaled[p] = pivot_vector[p] * inverse;
+      scaled[in] = select(other, scaled[in], splat(inverse));
+      const auto eliminate = [&](Pack* from, const Pack* to) {
+        for (Pack* vector = from; vector != to; vector += packs) {
+          const double factor = reinterpret_cast<const double*>(vector)[k];
+          for (int p = 0; p < packs; ++p)
+            vector[p] =
+                (p == in ? select(other, vector[p], Pack{}) : vector[p]) - factor * scaled[p];
+        }
+      };
+      eliminate(vectors, pivot_vector);
+      eliminate(pivot_vector + packs, end);
+      for (int p = 0; p < packs; ++p) pivot_vector[p] = scaled[p];
     }
-    const auto eliminate = [&](Pack* from, const Pack* to) {
-      for (Pack* vector = from; vector != to; vector += packs) {
-        const double factor = reinterpret_cast<const double*>(vector)[k];
-        for (int p = 0; p < packs; ++p)
-          vector[p] = select(other[p], vector[p], Pack{}) - factor * scaled[p];
-      }
-    };
-    eliminate(vectors, pivot_vector);
-    eliminate(pivot_vector + packs, end);
-    for (int p = 0; p < packs; ++p) pivot_vector[p] = scaled[p];
+  };
+  [&]<int... in>(std::integer_sequence<int, in...>) {
+    (eliminate_pack.template operator()<in>(), ...);
   }
+  (std::make_integer_sequence<int, packs>());
   return sound;
 }
 
