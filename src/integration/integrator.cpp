@@ -11,8 +11,8 @@ namespace cagetol {
 const std::vector<MethodName>& integration_methods() {
   static const std::vector<MethodName> methods = {
       {"rodasp", "linearly implicit, order 4(3), L-stable, touch-aware error-controlled step"},
-      {"rodas4f",
-       "the same, of order 1 on stiff equations, with more of an oscillation's frequency"},
+      {"rodas4s", "the same by five stages instead of six, of order 1 on stiff equations, not 3"},
+      {"rodas4f", "as rodas4s by six stages, with more of an oscillation's frequency"},
       {"rodas3", "the same of order 3(2)"},
       {"cvode-bdf", "CVODE, BDF with its order capped by integration.max_order"},
       {"arkode-esdirk", "ARKODE, diagonally implicit, order 3, L-stable"},
@@ -24,9 +24,10 @@ const std::vector<MethodName>& integration_methods() {
 
 std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system,
                                             double t0, const double* y0) {
-  if (keys.method == "rodas3") return std::make_unique<Rosenbrock>(kRodas3, keys, system);
   if (keys.method == "rodasp") return std::make_unique<Rosenbrock>(kRodasP, keys, system);
+  if (keys.method == "rodas4s") return std::make_unique<Rosenbrock>(kRodas4S, keys, system);
   if (keys.method == "rodas4f") return std::make_unique<Rosenbrock>(kRodas4F, keys, system);
+  if (keys.method == "rodas3") return std::make_unique<Rosenbrock>(kRodas3, keys, system);
   if (keys.method == "cvode-bdf") return make_cvode_bdf(keys, system, t0, y0);
   if (keys.method == "arkode-esdirk") return make_arkode(true, keys, system, t0, y0);
   if (keys.method == "arkode-erk") return make_arkode(false, keys, system, t0, y0);

@@ -15,7 +15,6 @@ const RosenbrockTable kRodas3 = {
     .alpha = {0, 0, 1, 1},
     .gamma_sum = {0.5, 1.5, 0, 0},
     .m = {2, 0, 1, 1},
-    .e = {0, 0, 0, 1},
     .touch_place = 0,
     .new_rates = {false, false, true, true},
 };
@@ -40,7 +39,6 @@ const RosenbrockTable kRodasP = {
     .alpha = {0, 0.75, 0.21, 0.63, 1, 1},
     .gamma_sum = {0.25, -0.5, -0.023504, -0.0362, 0, 0},
     .m = {-7.170454962423024, -4.741636671481785, -16.31002631330971, -1.062004044111401, 1, 1},
-    .e = {0, 0, 0, 0, 0, 1},
     .touch_place = 0.446,
     .new_rates = {false, true, true, true, true, true},
 };
@@ -65,9 +63,29 @@ const RosenbrockTable kRodas4F = {
     .alpha = {0, 0.94554507981791325, 0.69336150456775136, 1.008652515981213, 1, 1},
     .gamma_sum = {0.185, -0.046340638915121024, -0.43850810533519163, 0.2060552256536004, 0, 0},
     .m = {11.73614886943561, -1.1089092777270979, 2.8318309368127892, 0.093206631358509082, 1, 1},
-    .e = {0, 0, 0, 0, 0, 1},
     .touch_place = 0.51,
     .new_rates = {false, true, true, true, true, true},
+};
+
+const RosenbrockTable kRodas4S = {
+    .stages = 5,
+    .gamma = 0.2625,
+    .error_order = 4,
+    .a = {{},
+          {1.120736554688317},
+          {1.8384706810219305, -0.12033056671106833},
+          {-0.30145388982770732, -2.4811610124967873, 2.2400612656471366},
+          {-1.4840302352189205, -0.46466010786170237, -0.029867717053074987, 0.92806255092955092}},
+    .c = {{},
+          {-11.101480285709192},
+          {-0.17519246163683566, 2.4490494222518828},
+          {33.364192741668028, 9.6910932054644672, 2.0951406310725367},
+          {15.586572675178045, -4.7180100810385017, 11.849664532878936, -5.3097268115730314}},
+    .alpha = {0, 0.29419334560568328, 0.54306001588519703, 1.0049455137781622, 1},
+    .gamma_sum = {0.2625, -0.50246137593714901, -0.07259195045088801, 1.2433601836573482, 0},
+    .m = {-1.4840302352189205, -0.46466010786170237, -0.029867717053074987, 0.92806255092955092, 1},
+    .touch_place = 0.413,
+    .new_rates = {false, true, true, true, true},
 };
 
 namespace {
@@ -97,11 +115,10 @@ Rosenbrock::Rosenbrock(const RosenbrockTable& table, const Integration& keys, co
              std::vector<double>(static_cast<std::size_t>(system.size))),
       rates_(static_cast<std::size_t>(system.size)),
       argument_(static_cast<std::size_t>(system.size)),
-      time_rates_(static_cast<std::size_t>(system.size)),
-      error_(static_cast<std::size_t>(system.size)) {}
+      time_rates_(static_cast<std::size_t>(system.size)) {}
 
 void Rosenbrock::combine(const double* from, const double* weights, double factor, int stages,
-                         std::vector<double>& to) const {
+                         double* to) const {
   const double* term[RosenbrockTable::kMaxStages];
   double weight[RosenbrockTable::kMaxStages];
   int terms = 0;
@@ -114,17 +131,17 @@ void Rosenbrock::combine(const double* from, const double* weights, double facto
   static constexpr AddUp kOf[] = {add_up<0>, add_up<1>, add_up<2>, add_up<3>,
                                   add_up<4>, add_up<5>, add_up<6>};
   static_assert(std::size(kOf) == RosenbrockTable::kMaxStages + 1);
-  kOf[terms](from, term, weight, to.data(), static_cast<int>(to.size()));
+  kOf[terms](from, term, weight, to, static_cast<int>(rates_.size()));
 }
 
-void Rosenbrock::advance_argument(const double* y, const double* weights, int stages) {
+void Rosenbrock::advance(const double* y, const double* weights, int stages, double* to) {
   const int last = stages - 1;
   const bool goes_on =
       last > 0 && table_.new_rates[last] && std::equal(weights, weights + last, table_.a[last]);
-  if (!goes_on) return combine(y, weights, 1, stages, argument_);
+  if (!goes_on) return combine(y, weights, 1, stages, to);
   double added[RosenbrockTable::kMaxStages] = {};
   added[last] = weights[last];
-  combine(argument_.data(), added, 1, stages, argument_);
+  combine(argument_.data(), added, 1, stages, to);
 }
 
 StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) {
@@ -149,12 +166,12 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       const auto& a = table_.a[s];
       const auto& c = table_.c[s];
       if (table_.new_rates[s]) {
-        advance_argument(y, a, s);
+        advance(y, a, s, argument_.data());
         sound = system.rates(t + table_.alpha[s] * h, argument_.data(), rates_.data());
         rates = rates_.data();
       }
       double* u = stage_[static_cast<std::size_t>(s)].data();
-      combine(rates, c, 1 / h, s, stage_[static_cast<std::size_t>(s)]);
+      combine(rates, c, 1 / h, s, u);
       if (driven && table_.gamma_sum[s] != 0)
         for (int i = 0; i < n; ++i)
           u[i] += table_.gamma_sum[s] * h * time_rates_[static_cast<std::size_t>(i)];
@@ -162,9 +179,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
     }
     double error = 1e6;
     if (sound) {
-      std::fill(error_.begin(), error_.end(), 0.0);
-      combine(error_.data(), table_.e, 1, table_.stages, error_);
-      error = step_error_(system, y, error_.data(), h, keys_.tolerance);
+      error = step_error_(system, y, stage_.back().data(), h, keys_.tolerance);
       if (!std::isfinite(error)) error = 1e6;
     }
     const double bounded = std::clamp(error, 1e-6, 1e6);
@@ -173,8 +188,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       // Gustafsson's predictive part; no growth right after a rejection.
       factor = std::min(factor, factor * std::pow(last_error_ / bounded, 0.08));
       factor = std::clamp(factor, 0.2, rejected ? 1.0 : 4.0);
-      advance_argument(y, table_.m, table_.stages);
-      std::copy(argument_.begin(), argument_.end(), y);
+      advance(y, table_.m, table_.stages, y);
       t = last ? t_end : t + h;
       step_error_.advance(system, h);
       ++system.counts.steps;

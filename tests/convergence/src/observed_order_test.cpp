@@ -106,7 +106,7 @@ TEST_P(ObservedOrder, IsTheMethodsOwn) {
 
 INSTANTIATE_TEST_SUITE_P(Rosenbrock, ObservedOrder,
                          testing::Values(Order{"rodas3", 3, 2e-6}, Order{"rodasp", 4, 8e-6},
-                                         Order{"rodas4f", 4, 8e-6}),
+                                         Order{"rodas4f", 4, 8e-6}, Order{"rodas4s", 4, 8e-6}),
                          [](const auto& test) { return test.param.method; });
 
 }  // namespace
