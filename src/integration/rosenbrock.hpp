@@ -47,7 +47,7 @@ extern const RosenbrockTable kRodas4F;
 /// RODAS4S: 5 stages, order 4(3), L-stable, stiffly accurate: a stage and its right-hand side less
 /// than RODASP. The solution its error is told by keeps -0.30 of what is infinitely stiff; that
 /// RODASP's keeps nothing of it is what its sixth stage is for. Of order 1 on Prothero and
-/// Robinson's equation. Found by tests/convergence/rosenbrock_search.py.
+/// Robinson's equation. Found as tests/convergence/rosenbrock_search.py finds its like.
 extern const RosenbrockTable kRodas4S;
 
 class Rosenbrock : public Integrator {
