@@ -152,18 +152,17 @@ bool NewtonMatrix::factor_rollers(double beta) {
       f.inverse[i][i] += mass[i] / beta;
     }
     if (!invert<planar>(f.inverse, mass, beta, roller.exists)) sound = false;
-    Pack coupled[vectors][2][kLocalVelocities];  // N, ring part
+    Pack from_ring[vectors][2][kLocalVelocities];  // N, ring part
     for (int v = 0; v < vectors; ++v) {
       const RingCoupling& with = coupling(g, v);
       for (int c = 0; c < 2; ++c) {
-        Pack from_ring[kLocalVelocities], to_ring[kLocalVelocities], solved[kLocalVelocities];
+        Pack to_ring[kLocalVelocities], solved[kLocalVelocities];
         for (int i = 0; i < kLocalVelocities; ++i) {
-          from_ring[i] = -(with.velocity[i][c] + beta * with.position[i][c]);
+          from_ring[v][c][i] = -(with.velocity[i][c] + beta * with.position[i][c]);
           to_ring[i] = -with.to_velocity[c][i] -
                        (i < kLocalPositions ? beta * with.to_position[c][i] : Pack{});
-          coupled[v][c][i] = from_ring[i];
         }
-        multiply<planar>(f.inverse, from_ring, solved);
+        multiply<planar>(f.inverse, from_ring[v][c], solved);
         for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[v][i][c] = solved[i];
         multiply_left<planar>(to_ring, f.inverse, f.to_ring[v][c]);
       }
@@ -175,7 +174,7 @@ bool NewtonMatrix::factor_rollers(double beta) {
         for (int a = 0; a < 2; ++a)
           for (int c = 0; c < 2; ++c)
             for (int i = 0; i < kLocalVelocities; ++i)
-              local[a][c] += f.to_ring[v][a][i] * coupled[w][c][i];
+              local[a][c] += f.to_ring[v][a][i] * from_ring[w][c][i];
         const Pack rr = local[0][0], rt = local[0][1], tr = local[1][0], tt = local[1][1];
         auto& to = ring[v][w];
         to[0][0] += sum(co * (rr * l.cosine - rt * l.sine) - si * (tr * l.cosine - tt * l.sine));
