@@ -55,14 +55,6 @@ void mark_front(std::vector<ChartPoint>& points, const Cost& cost, const Error& 
   }
 }
 
-std::vector<Scene> starts_of(const Scene& scene, int count) {
-  std::vector<Scene> starts(static_cast<std::size_t>(count), scene);
-  const double pitch = 2 * std::numbers::pi / static_cast<double>(scene.bearing.roller_count);
-  for (int k = 0; k < count; ++k)
-    starts[static_cast<std::size_t>(k)].start.cage_phase += pitch * k / count;
-  return starts;
-}
-
 std::vector<Trajectory> follow_all(const std::vector<Scene>& starts, const Setting& setting,
                                    double horizon, const SimulateOptions& options) {
   std::vector<Trajectory> runs;

@@ -23,29 +23,32 @@ struct SuiteScene {
 /// Reads a suite file (inputs/stability.toml says how it is written). Throws InputError.
 std::vector<SuiteScene> read_suite(const std::string& path);
 
-/// right:      every watch within its bound and the trajectory within 0.1 error scales (0.1 um,
-///             1 mm/s and kin, root mean square; median of three instants) of a tight run of a
-///             method of another kind; or the jam that is due
+/// Of five starts, the cage a fifth of a pitch further on in each:
+/// right:      every watch within its bound from every start, and the trajectory within 0.1 error
+///             scales (0.1 um, 1 mm/s and kin, root mean square; median of three instants, then of
+///             the starts) of a tight run of a method of another kind; or the jam that is due
 /// degraded:   the same, within 1 error scale
 /// wrong:      further away though no watch speaks: a silently wrong result
 /// unresolved: every watch within its bound, but two tight references part by more than 0.1 error
 ///             scales (or are missing): the trajectory decides nothing
-/// failed:     the run says itself that it failed
+/// failed:     a run from one of the starts says itself that it failed
 enum class Soundness { right, degraded, wrong, unresolved, failed };
 const char* soundness_name(Soundness soundness);
 
 inline constexpr double kRightError = 0.1, kDegradedError = 1;  ///< [error scales]
 inline constexpr double kSuiteHorizon = 0.5e-3;                 ///< of trajectories [s]
+inline constexpr int kSuiteStarts = 5;
 
 struct SuiteCell {
   Soundness soundness = Soundness::failed;
-  double trajectory_error = 0;  ///< [error scales]; NaN where there is none
-  Outcome outcome;              ///< of the whole window
+  double trajectory_error = 0;        ///< median of the starts [error scales]; NaN: none
+  double worst_trajectory_error = 0;  ///< largest of the starts [error scales]; NaN: none
+  Outcome outcome;  ///< of the whole window, of the first start that failed or else of the first
 };
 
 struct SuiteRow {
   std::string scene;
-  double reference_gap = 0;  ///< trajectories of the two references apart; NaN where one is missing
+  double reference_gap = 0;  ///< of the two references' trajectories, median; NaN: one is missing
   std::map<std::string, SuiteCell> cells;  ///< by method
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "src/integration/system.hpp"
 
@@ -25,6 +26,14 @@ double apart(const std::vector<double>& a, const std::vector<double>& b,
 }
 
 }  // namespace
+
+std::vector<Scene> starts_of(const Scene& scene, int count) {
+  std::vector<Scene> starts(static_cast<std::size_t>(count), scene);
+  const double pitch = 2 * std::numbers::pi / static_cast<double>(scene.bearing.roller_count);
+  for (int k = 0; k < count; ++k)
+    starts[static_cast<std::size_t>(k)].start.cage_phase += pitch * k / count;
+  return starts;
+}
 
 Trajectory follow(const Scene& scene, double horizon, SimulateOptions options) {
   Scene brief = scene;

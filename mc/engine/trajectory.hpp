@@ -16,6 +16,10 @@ struct Trajectory {
   Outcome outcome;
 };
 
+/// The scene, its cage and rollers turned on by k / count of a pitch at the start, for k = 0, 1,
+/// ...
+std::vector<Scene> starts_of(const Scene& scene, int count);
+
 /// Follows the scene, as it is set to be integrated, from its start to `horizon` [s].
 Trajectory follow(const Scene& scene, double horizon, SimulateOptions options = {});
 
