@@ -10,8 +10,8 @@ namespace cagetol {
 
 const std::vector<MethodName>& integration_methods() {
   static const std::vector<MethodName> methods = {
-      {"rodasp", "linearly implicit, order 4(3), L-stable, touch-aware error-controlled step"},
-      {"rodas4s", "the same by five stages instead of six, of order 1 on stiff equations, not 3"},
+      {"rodas4s", "linearly implicit, order 4(3), L-stable, touch-aware error-controlled step"},
+      {"rodasp", "the same by six stages instead of five, of order 3 on stiff equations, not 1"},
       {"rodas4f", "as rodas4s by six stages, with more of an oscillation's frequency"},
       {"rodas3", "the same of order 3(2)"},
       {"cvode-bdf", "CVODE, BDF with its order capped by integration.max_order"},
@@ -24,8 +24,8 @@ const std::vector<MethodName>& integration_methods() {
 
 std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system,
                                             double t0, const double* y0) {
-  if (keys.method == "rodasp") return std::make_unique<Rosenbrock>(kRodasP, keys, system);
   if (keys.method == "rodas4s") return std::make_unique<Rosenbrock>(kRodas4S, keys, system);
+  if (keys.method == "rodasp") return std::make_unique<Rosenbrock>(kRodasP, keys, system);
   if (keys.method == "rodas4f") return std::make_unique<Rosenbrock>(kRodas4F, keys, system);
   if (keys.method == "rodas3") return std::make_unique<Rosenbrock>(kRodas3, keys, system);
   if (keys.method == "cvode-bdf") return make_cvode_bdf(keys, system, t0, y0);

@@ -9,8 +9,7 @@ namespace {
 // Chosen by measurement (tests/ACCURACY.md): the stability suite, and steps saved.
 constexpr double kBounceSpeed = 0.1;       ///< unit of error of bouncing, at most [m/s]
 constexpr double kBounceLength = 3e-6;     ///< unit of error of a bouncing roller's place [m]
-constexpr double kTiltUnits = 0.7;         ///< of error of tilt and skew rates, in usual ones
-constexpr double kTouchUnits = 0.07;       ///< of skew rate and axial speed in touches
+constexpr double kTouchUnits = 0.065;      ///< of skew rate and axial speed in touches
 constexpr double kMovedEnergy = 0.02;      ///< that an error may move, in shares of the dissipated
 constexpr double kDissipationTime = 1e-3;  ///< over which the dissipation is averaged [s]
 
@@ -65,10 +64,9 @@ double StepError::operator()(const System& s, const double* y, const double* err
     spare(select(pressed, Pack{}, wrong_radius), position(per_scale, kRadius),
           kBounceLength / kLengthScale);
     const Pack wrong_y = velocity(error, kAxisRateY), wrong_z = velocity(error, kAxisRateZ);
-    const Pack touch = splat(kTouchUnits), tilt = splat(kTiltUnits), usual = splat(1.0);
-    add(turned.cosine * wrong_y + turned.sine * wrong_z, velocity(per_scale, kAxisRateY), tilt);
+    const Pack touch = splat(kTouchUnits), usual = splat(1.0);
     add(turned.cosine * wrong_z - turned.sine * wrong_y, velocity(per_scale, kAxisRateZ),
-        select(on_flange | on_bar, touch, tilt));
+        select(on_flange | on_bar, touch, usual));
     add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed),
         select(on_flange, touch, usual));
     energy += roller.exists * roller.mass *

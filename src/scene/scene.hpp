@@ -154,8 +154,8 @@ struct Discretisation {
 };
 
 struct Integration {
-  std::string method = "rodasp";
-  double tolerance = 0.0007;  ///< multiple of the error scales (1 um, 1 cm/s and kin)
+  std::string method = "rodas4s";
+  double tolerance = 0.001;  ///< multiple of the error scales (1 um, 1 cm/s and kin)
   double max_step = 50e-6;    ///< [s]
   double fixed_step = 1e-6;   ///< of fixed-step methods [s]
   long max_order = 2;         ///< cap of cvode-bdf

@@ -94,7 +94,7 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
       study, {.methods = {"rodas3"}, .horizon = 0.4e-3, .replicas = 1, .starts = 2, .threads = 1},
       [](const std::string&) {});
   ASSERT_EQ(chart.points.size(), 6u);  // the scene's own tolerance and five
-  EXPECT_EQ(chart.points[0].setting.accuracy, 0.0007);
+  EXPECT_EQ(chart.points[0].setting.accuracy, 0.001);
   EXPECT_LT(chart.reference_gap[1], 1e-2);
   for (const ChartPoint& p : chart.points)
     for (const ChartPoint& q : chart.points)
