@@ -8,7 +8,7 @@
 
 namespace cagetol {
 
-// Chosen by measurement (tests/ACCURACY.md, What light touches do).
+// Chosen by measurement (tests/STEP_CONTROL.md, What light touches do).
 inline constexpr double kStepHorizon = 1e-3;     ///< changes farther ahead are not looked for [s]
 inline constexpr double kBeforeTouch = 0.1e-6;   ///< steps end so long before a touch [s], ...
 inline constexpr double kBehindChange = 0.5e-6;  ///< or this long behind it

@@ -6,7 +6,7 @@
 namespace cagetol {
 namespace {
 
-// Chosen by measurement (tests/ACCURACY.md): the stability suite, and steps saved.
+// Chosen by measurement (tests/STEP_CONTROL.md): the stability suite, and steps saved.
 constexpr double kBounceSpeed = 0.1;       ///< unit of error of bouncing, at most [m/s]
 constexpr double kBounceLength = 3e-6;     ///< unit of error of a bouncing roller's place [m]
 constexpr double kTouchUnits = 0.065;      ///< of skew rate and axial speed in touches

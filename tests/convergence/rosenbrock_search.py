@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Linearly implicit methods of order 4(3), stiffly accurate: coefficients from the conditions they
-meet. Six stages that carry an oscillation on with the right frequency (tests/ACCURACY.md, What light
-touches do), or five (tests/ACCURACY.md, A stage less).
+meet. Six stages that carry an oscillation on with the right frequency (tests/STEP_CONTROL.md, What
+light touches do), or five (tests/STEP_CONTROL.md, A stage less).
 
     rosenbrock_search.py 6 [GAMMA [REST]]     0.185 and -0.0001 unless told
     rosenbrock_search.py 5 [GAMMA]            0.2625 unless told
