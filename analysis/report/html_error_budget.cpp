@@ -53,7 +53,9 @@ std::string largest_list(const Json& budget) {
                              : "<b>" + escaped(quantity["largest"].get<std::string>()) + "</b>",
                          open.empty() ? "" : "; not resolved, so perhaps larger: " + open);
   }
-  return items.empty() ? "" : "<p>The largest of the errors that were measured:</p>\n<ul>" + items + "</ul>\n";
+  return items.empty()
+             ? ""
+             : "<p>The largest of the errors that were measured:</p>\n<ul>" + items + "</ul>\n";
 }
 
 std::string budget_table(const Json& budget, bool limited) {

@@ -194,8 +194,7 @@ std::string stability_text(const StabilityMap& map) {
   }
   text += fmt::format(
       "\nNumbers: trajectory error after {:g} ms in error scales, median of {} starts, or the "
-      "watch "
-      "that spoke.\n",
+      "watch that spoke.\n",
       1e3 * kSuiteHorizon, kSuiteStarts);
   for (const SuiteRow& row : map.rows)
     for (const std::string& method : map.methods) {
