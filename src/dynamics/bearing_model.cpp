@@ -195,9 +195,13 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.speed_from = given_or(o.speed_ramp_from, o.inner_speed);
   m.speed_ramp = o.speed_ramp;
   const double rocking = rocking_time(m);
-  m.rocking_step = kRockingPhase * rocking;
+  // What a phase leaves of an oscillation's frequency goes with its fourth power: a tolerance
+  // tighter than the default's shortens them, so that means close in on their limits with it.
+  const double finer =
+      std::min(1.0, std::pow(scene.integration.tolerance / Integration{}.tolerance, 0.25));
+  m.rocking_step = kRockingPhase * finer * rocking;
   m.touch_span = std::min(kTouchPhase * rocking, kLongestTouch);
-  m.heavy_step = kHeavyPhase * rocking;
+  m.heavy_step = kHeavyPhase * finer * rocking;
   m.heavy_force = kHeavyShare * centrifugal_force(m);
   return m;
 }

@@ -108,6 +108,12 @@ TEST(BearingModel, StepsResolveHowRollersBounceNearFlangesInTouchesAndInHeavyImp
   EXPECT_NEAR(m.touch_span * frequency, 0.94, 1e-6);
   EXPECT_NEAR(m.heavy_step * frequency, 0.69, 1e-6);
   EXPECT_NEAR(m.heavy_force, 0.1 * force, 1e-9);
+  Scene other = scene;
+  other.integration.tolerance /= 16;
+  EXPECT_NEAR(make_bearing_model(other).rocking_step, m.rocking_step / 2, 1e-9 * m.rocking_step);
+  EXPECT_NEAR(make_bearing_model(other).heavy_step, m.heavy_step / 2, 1e-9 * m.heavy_step);
+  other.integration.tolerance = 16 * scene.integration.tolerance;
+  EXPECT_DOUBLE_EQ(make_bearing_model(other).rocking_step, m.rocking_step);
 
   std::vector<double> y = start_state(m, scene.start);
   System system(m);
