@@ -17,7 +17,7 @@ constexpr double kTouchPhase = 0.94;     ///< that a step around a touch may spa
 constexpr double kLongestTouch = 10e-6;  ///< ... and its length, at most [s]
 constexpr double kHeavyPhase = 0.69;     ///< that a step in a heavy impact on a bar may span [rad]
 constexpr double kHeavyShare = 0.1;      ///< of a roller's centrifugal force: a heavy impact
-constexpr double kRockingPhase = 1.45;   ///< of bouncing that a step near a flange may span [rad]
+constexpr double kRockingPhase = 1.38;   ///< of bouncing that a step near a flange may span [rad]
 
 double given_or(double value, double computed) {
   return std::isnan(value) ? computed : value;

@@ -6,7 +6,7 @@
 // what the bearing dissipates: where bouncing is all that happens it counts in full. A shift of
 // phase, which is most of what a long step does to an oscillation, moves no energy. Rocking about
 // the tilt, with which rollers lean on flanges, skew and axial motion always count in full; and
-// 15-fold the rates of skew and axial motion while a roller that the races do not press is on a
+// 16-fold the rates of skew and axial motion while a roller that the races do not press is on a
 // flange, of the skew also while it is on a bar: what light touches leave behind adds up to the
 // skew.
 #pragma once
