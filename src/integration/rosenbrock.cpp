@@ -16,6 +16,7 @@ const RosenbrockTable kRodas3 = {
     .gamma_sum = {0.5, 1.5, 0, 0},
     .m = {2, 0, 1, 1},
     .touch_place = 0,
+    .bounce_share = 1,
     .new_rates = {false, false, true, true},
 };
 
@@ -40,6 +41,7 @@ const RosenbrockTable kRodasP = {
     .gamma_sum = {0.25, -0.5, -0.023504, -0.0362, 0, 0},
     .m = {-7.170454962423024, -4.741636671481785, -16.31002631330971, -1.062004044111401, 1, 1},
     .touch_place = 0.446,
+    .bounce_share = 1,
     .new_rates = {false, true, true, true, true, true},
 };
 
@@ -64,6 +66,7 @@ const RosenbrockTable kRodas4F = {
     .gamma_sum = {0.185, -0.046340638915121024, -0.43850810533519163, 0.2060552256536004, 0, 0},
     .m = {11.73614886943561, -1.1089092777270979, 2.8318309368127892, 0.093206631358509082, 1, 1},
     .touch_place = 0.51,
+    .bounce_share = 1,
     .new_rates = {false, true, true, true, true, true},
 };
 
@@ -85,6 +88,7 @@ const RosenbrockTable kRodas4S = {
     .gamma_sum = {0.2625, -0.50246137593714901, -0.07259195045088801, 1.2433601836573482, 0},
     .m = {-1.4840302352189205, -0.46466010786170237, -0.029867717053074987, 0.92806255092955092, 1},
     .touch_place = 0.413,
+    .bounce_share = 0.5,
     .new_rates = {false, true, true, true, true},
 };
 
@@ -110,6 +114,7 @@ Rosenbrock::Rosenbrock(const RosenbrockTable& table, const Integration& keys, co
     : table_(table),
       keys_(keys),
       newton_(system.model),
+      step_error_(table.bounce_share),
       next_step_(kFirstStep),
       stage_(static_cast<std::size_t>(table.stages),
              std::vector<double>(static_cast<std::size_t>(system.size))),

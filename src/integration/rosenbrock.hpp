@@ -24,6 +24,9 @@ struct RosenbrockTable {
   /// Where in a step a contact may begin, in shares of it, its impulse right nevertheless; 0: steps
   /// are not laid around touches, which a method of short steps does not repay.
   double touch_place;
+  /// Of the error's estimate, that counts of bouncing rollers (StepError): the estimate is the
+  /// embedded solution's error, of lower order than the one that is kept.
+  double bounce_share;
   bool new_rates[kMaxStages];  ///< stage evaluates the rates anew (else it uses those of the stage
                                ///< before)
 };

@@ -31,7 +31,7 @@ double StepError::operator()(const System& s, const double* y, const double* err
   const double unit = std::min(kBounceSpeed, s.model.friction.static_speed) / kSpeedScale;
   if (!std::isfinite(strict)) return strict;
   const StateLayout& l = s.model.layout;
-  Pack spared{}, added{}, energy{};
+  Pack spared{}, added{}, moved{};
   for (int group = 0; group < l.groups; ++group) {
     const RollerGroup& roller = s.model.groups[static_cast<std::size_t>(group)];
     const int j = group * kLanes;
@@ -43,7 +43,7 @@ double StepError::operator()(const System& s, const double* y, const double* err
     };
     const auto spare = [&](Pack wrong, Pack per_scale, double larger) {
       const Pack counted = wrong * per_scale;
-      spared += spared_in(splat(larger)) * counted * counted;
+      spared += spared_in(splat(larger / bounce_share_)) * counted * counted;
     };
     const GroupLinear& turned = s.linear.groups[static_cast<std::size_t>(group)];
     const auto touching = [&](const std::vector<double>& force) {
@@ -69,9 +69,16 @@ double StepError::operator()(const System& s, const double* y, const double* err
         select(on_flange | on_bar, touch, usual));
     add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed),
         select(on_flange, touch, usual));
-    energy += roller.exists * roller.mass *
-              magnitude(velocity(y, kRadialSpeed) * velocity(error, kRadialSpeed) -
-                        velocity(rate, kRadialSpeed) * wrong_radius);
+    const Pack wrong_speed = velocity(error, kRadialSpeed);
+    moved += roller.exists * roller.mass *
+             magnitude(velocity(y, kRadialSpeed) * wrong_speed -
+                       velocity(rate, kRadialSpeed) * wrong_radius);
+    // A dashpot that stops a roller within a step lets errors move little and dissipate much.
+    const Pack stops = turned.velocity[kLr][kLr] * roller.inverse_mass * h;
+    const Pack squared = stops * stops;
+    moved += roller.exists * h * squared / (1.0 + squared) *
+             magnitude(turned.power_velocity[kLr] * wrong_speed +
+                       turned.power_position[kLr] * wrong_radius);
   }
   const auto with = [&](Pack more) {
     return std::sqrt(
@@ -80,8 +87,8 @@ double StepError::operator()(const System& s, const double* y, const double* err
   const double full = with(added);
   const double allowed = kMovedEnergy * dissipation_ * h;
   if (unit <= 1 || !(allowed > 0)) return full;
-  const double moved = sum(energy) * watched_ / allowed;
-  return std::min(full, std::max(with(added - spared), moved));
+  const double energy = bounce_share_ * sum(moved) * watched_ / allowed;
+  return std::min(full, std::max(with(added - spared), energy));
 }
 
 void StepError::advance(const System& s, double h) {

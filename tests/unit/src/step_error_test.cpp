@@ -2,6 +2,7 @@
 #include "src/integration/step_error.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -28,6 +29,7 @@ class StepErrorOf : public testing::Test {
       y_[at(kRadialSpeed, j)] = 0;
       system_->rate[at(kRadialSpeed, j)] = 0;
     }
+    for (GroupLinear& rollers : system_->linear.groups) rollers.velocity[kLr][kLr] = Pack{};
     system_->seen.damping_power = 0;
     system_->seen.friction_power = kPower;
     error_.assign(y_.size(), 0.0);
@@ -36,8 +38,8 @@ class StepErrorOf : public testing::Test {
     return static_cast<std::size_t>(model_.layout.velocity(slot, roller));
   }
   /// After `still` without dissipation and `time` of it.
-  double counted(double time, double still = 0) const {
-    StepError judged;
+  double counted(double time, double still = 0, double bounce_share = 1) const {
+    StepError judged(bounce_share);
     if (still > 0) {
       const double power = std::exchange(system_->seen.friction_power, 0);
       judged.advance(*system_, still);
@@ -130,6 +132,40 @@ TEST_F(StepErrorOf, DissipationIsAveragedOverAMillisecond) {
   EXPECT_NEAR(counted(1e-4), 0.3 * strict(), 1e-9 * strict());
   const double power = (1 - std::exp(-1.0)) / (1 - std::exp(-2.0));
   EXPECT_NEAR(counted(1e-3, 1e-3), 0.3 * strict() / power, 1e-9 * strict());
+}
+
+TEST_F(StepErrorOf, OfBouncingAMethodsShareOfTheEstimateCounts) {
+  const double e = 1e-3;
+  error_[at(kRadialSpeed, 3)] = e;
+  EXPECT_NEAR(counted(kLong, 0, 0.5), strict() / 20, 1e-12 * strict());
+  y_[at(kRadialSpeed, 3)] = 0.4 * strict() * 0.02 * kPower * kStep / (model_.groups[0].mass[3] * e);
+  EXPECT_NEAR(counted(kLong, 0, 1), 0.4 * strict(), 1e-9 * strict());
+  EXPECT_NEAR(counted(kLong, 0, 0.5), 0.2 * strict(), 1e-9 * strict());
+  error_[at(kSpin, 3)] = 100;  // what is not spared counts in full
+  const double spin = 100 * system_->per_scale[at(kSpin, 3)] / kTolerance;
+  EXPECT_NEAR(counted(kLong, 0, 0.5), spin / std::sqrt(system_->components), 1e-2 * strict());
+}
+
+// What the dashpot takes of a speed in error, where it stops the roller within the step.
+TEST_F(StepErrorOf, PowerInErrorIsMovedEnergyWhereADashpotStopsARollerWithinTheStep) {
+  const double e = 1e-3, slope = 200, mass = model_.groups[0].mass[3];
+  error_[at(kRadialSpeed, 3)] = e;
+  GroupLinear& roller = system_->linear.groups[0];
+  roller.power_velocity[kLr][3] = slope;
+  const double all = slope * e * kStep / (0.02 * kPower * kStep);
+  ASSERT_GT(all, 2 * strict() / 10);
+  for (const double stops : {0.0, 0.5, 3.0, 100.0}) {
+    roller.velocity[kLr][kLr][3] = -stops * mass / kStep;
+    const double counts = stops * stops / (1 + stops * stops) * all;
+    EXPECT_NEAR(counted(kLong), std::clamp(counts, strict() / 10, strict()), 1e-9 * strict())
+        << stops;
+  }
+  error_[at(kRadialSpeed, 3)] = 0;
+  error_[static_cast<std::size_t>(model_.layout.position(kRadius, 3))] = 1e-9;
+  system_->seen.inner_force[3] = 0;
+  ASSERT_LT(counted(kLong), 0.03);
+  roller.power_position[kLr][3] = 2e6;
+  EXPECT_NEAR(counted(kLong), 0.05, 1e-5);
 }
 
 TEST_F(StepErrorOf, NoUnitIsCoarserThanFrictionsOwnSpeed) {
