@@ -180,15 +180,21 @@ Json stability_json(const StabilityMap& map) {
 }
 
 std::string stability_text(const StabilityMap& map) {
-  std::string text = fmt::format("{:<26}", "scene");
-  for (const std::string& method : map.methods) text += fmt::format("{:<21}", method);
-  text += "\n";
-  for (const SuiteRow& row : map.rows) {
-    text += fmt::format("{:<26}", row.scene);
-    for (const std::string& method : map.methods) {
+  std::vector<std::vector<std::string>> columns = {{"scene"}};  // heading first
+  for (const SuiteRow& row : map.rows) columns.front().push_back(row.scene);
+  for (const std::string& method : map.methods) {
+    columns.push_back({method});
+    for (const SuiteRow& row : map.rows) {
       const SuiteCell& cell = row.cells.at(method);
-      text +=
-          fmt::format("{:<21}", std::string(soundness_name(cell.soundness)) + " " + brief(cell));
+      columns.back().push_back(std::string(soundness_name(cell.soundness)) + " " + brief(cell));
+    }
+  }
+  std::string text;
+  for (std::size_t line = 0; line <= map.rows.size(); ++line) {
+    for (const auto& column : columns) {
+      std::size_t width = 0;
+      for (const std::string& entry : column) width = std::max(width, entry.size());
+      text += fmt::format("{:<{}}", column[line], width + 2);
     }
     text += "\n";
   }

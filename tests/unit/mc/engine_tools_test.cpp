@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "mc/engine/bias.hpp"
 #include "mc/engine/chart.hpp"
@@ -166,6 +167,27 @@ TEST(Stability, ABadSuiteSaysWhatIsWrong) {
   EXPECT_THAT(problem("[[scene]]\nfile = 'a.toml'\n"), HasSubstr("no such file"));
   EXPECT_THAT(problem("[[scene]]\nname = 'a'\n"), HasSubstr("scene.file: missing"));
   EXPECT_THAT(problem("[[scene]]\nset = 'a'\n"), HasSubstr("expected an array of texts"));
+}
+
+TEST(StabilityText, ColumnsAreAsWideAsTheirText) {
+  StabilityMap map{"rodas3", {"rodas3", "semi-implicit-euler"}, {}};
+  const std::string longest = "a scene whose name is longer than that of any other scene";
+  for (const std::string& scene : {std::string("short"), longest}) {
+    SuiteRow row{scene, 0, {}};
+    for (const std::string& method : map.methods) row.cells[method].soundness = Soundness::right;
+    map.rows.push_back(row);
+  }
+  std::istringstream text(stability_text(map));
+  std::string heading, line;
+  std::getline(text, heading);
+  const std::size_t first = heading.find("rodas3"), second = heading.find("semi-implicit-euler");
+  EXPECT_EQ(first, longest.size() + 2);
+  for (const std::string& scene : {std::string("short"), longest}) {
+    std::getline(text, line);
+    EXPECT_EQ(line.find(scene), 0u);
+    EXPECT_EQ(line.find("right"), first);
+    EXPECT_EQ(line.find("right", first + 1), second);
+  }
 }
 
 }  // namespace
