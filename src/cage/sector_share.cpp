@@ -64,6 +64,7 @@ void add_shares(const SectorTurn& turn, const MatrixXd& changes, CageProjection&
   MatrixXd stiffness = share_stiffness;
   MatrixXd mass = share_stiffness;
   for (Index k = 0; k < turn.sectors; ++k) {
+    if (changes.col(k).isZero(0)) continue;
     const double* from = changes.col(k).data();
     unpack_lower(from, share_stiffness.bottomRightCorner(elastic, elastic));
     from += layout.modal_stiffness;
