@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <thread>
@@ -16,6 +18,16 @@ namespace {
 constexpr double kLastWordsSeconds = 0.5;
 
 constexpr std::int64_t kNothing = -1;
+
+// What a look at the messages takes from the thread that computes on the same core: two changes of
+// context and what they leave in its caches. Measured; sweeps of 0.1 s a sample took 13 % longer
+// when rank 0 looked every 0.3 ms.
+constexpr double kLookSeconds = 40e-6;
+constexpr double kShortestRest = 0.3e-3, kLongestRest = 5e-3;
+
+void rest_for(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
 
 std::string encoded(const Report& report) {
   ByteWriter out;
@@ -65,6 +77,7 @@ WorkList::WorkList(std::vector<std::uint64_t> pending, const Tally& before)
 std::optional<std::uint64_t> WorkList::exchange(const Report& report) {
   const std::lock_guard lock(mutex_);
   state_.busy_s += report.wall_s;
+  if (report.ending != Ending::none) ++state_.reports;
   if (report.ending == Ending::finished) state_.tally.count(report.status);
   if (report.ending == Ending::no_outcome) ++state_.without_outcome;
   if (report.ending == Ending::cannot_write) state_.cannot_write = true;
@@ -84,6 +97,11 @@ void WorkList::stop() {
 WorkList::State WorkList::state() const {
   const std::lock_guard lock(mutex_);
   return state_;
+}
+
+double lookout_rest(double sample_s, int others) {
+  if (others == 0) return kLongestRest;
+  return std::clamp(std::sqrt(2 * kLookSeconds * sample_s / others), kShortestRest, kLongestRest);
 }
 
 bool lead_team(const Team& team, WorkList& list, const RunSample& run,
@@ -113,7 +131,9 @@ bool lead_team(const Team& team, WorkList& list, const RunSample& run,
       continue;
     }
     idle();
-    short_rest();
+    const WorkList::State state = list.state();
+    const double sample_s = state.busy_s / std::max<double>(1, static_cast<double>(state.reports));
+    rest_for(lookout_rest(sample_s, others));
   }
   computing.join();
   if (own->problem) std::rethrow_exception(own->problem);

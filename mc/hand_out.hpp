@@ -45,7 +45,8 @@ class WorkList {
     Tally tally;
     std::uint64_t without_outcome = 0;
     bool cannot_write = false;
-    double busy_s = 0;  ///< time spent in samples, all ranks together
+    double busy_s = 0;          ///< time spent in samples, all ranks together
+    std::uint64_t reports = 0;  ///< of samples run
   };
   State state() const;
 
@@ -58,6 +59,11 @@ class WorkList {
 
 /// Runs one sample and says what became of it.
 using RunSample = std::function<Report(std::uint64_t id)>;
+
+/// How long rank 0 sleeps between two looks at its messages [s]. A look takes time from its
+/// computing thread, a sleep lets the `others` wait for an answer, half of it in the mean, once in
+/// `sample_s`: the sum of both losses is least at sqrt(2 look sample_s / others), within bounds.
+double lookout_rest(double sample_s, int others);
 
 /// Rank 0: computes, answers the others and calls `idle` between messages until every rank has
 /// stopped. False when ranks had to be left behind because a signal gives no more time; then this

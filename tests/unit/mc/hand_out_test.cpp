@@ -58,5 +58,23 @@ TEST(ProgressTest, SaysHowFarHowFastAndHowLong) {
   EXPECT_EQ(progress_text({}, 0, 10, 0), "0/10 done");
 }
 
+TEST(LookoutRest, LosesLeastBetweenLooksAndWaiting) {
+  const double look = 40e-6;
+  for (const int others : {1, 3, 63})
+    for (const double sample : {0.02, 0.1, 0.2}) {
+      const double rest = lookout_rest(sample, others);
+      if (rest <= 0.3e-3 || rest >= 5e-3) continue;
+      const auto lost = [&](double r) { return look / r + others * r / (2 * sample); };
+      EXPECT_LT(lost(rest), lost(1.1 * rest)) << sample << " s, " << others;
+      EXPECT_LT(lost(rest), lost(0.9 * rest)) << sample << " s, " << others;
+    }
+}
+
+TEST(LookoutRest, IsLongAloneAndNeverLongerThanAKillAllows) {
+  EXPECT_EQ(lookout_rest(0.1, 0), lookout_rest(1e4, 1));
+  EXPECT_LE(lookout_rest(1e4, 1), 0.05);
+  EXPECT_GE(lookout_rest(0, 5), 0.1e-3);
+}
+
 }  // namespace
 }  // namespace cagetol
