@@ -80,7 +80,7 @@ double tilt(const Instant& at, int j) {
          std::sin(angle) * roller_position(at, kAxisZ, j);
 }
 
-double of_roller(const std::vector<double>& values, int roller) {
+double of_roller(const PackVector& values, int roller) {
   return values[static_cast<std::size_t>(roller)];
 }
 

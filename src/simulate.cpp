@@ -129,7 +129,8 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
   }
   const BearingModel model = make_bearing_model(scene, cage);
   const WindowTimes times = window_times(scene, model);
-  std::vector<double> y = start_state(model, scene.start);
+  const std::vector<double> start = start_state(model, scene.start);
+  PackVector y(start.begin(), start.end());
   System system(model);
   double t = 0;
   const auto integrator = make_integrator(scene.integration, system, t, y.data());

@@ -38,7 +38,7 @@ double call_time_us(const Call& call) {
 KernelTimes kernel_times(double t, const double* y, const System& system, double step) {
   const BearingModel& model = system.model;
   System own(model);
-  std::vector<double> rate(static_cast<std::size_t>(system.size)), solution(rate.size());
+  PackVector rate(static_cast<std::size_t>(system.size)), solution(rate.size());
   NewtonMatrix newton(model);
   KernelTimes times;
   times.rhs_us = call_time_us([&] { own.rates(t, y, rate.data()); });

@@ -45,7 +45,7 @@ Trajectory follow(const Scene& scene, double horizon, SimulateOptions options) {
     for (std::size_t k = 0; k < 2; ++k)
       if (t >= (k == 0 ? horizon / 2 : horizon) && trajectory.states[k].empty())
         trajectory.states[k].assign(y, y + system.size);
-    if (trajectory.scale.empty()) trajectory.scale = system.scale;
+    if (trajectory.scale.empty()) trajectory.scale.assign(system.scale.begin(), system.scale.end());
   };
   trajectory.outcome = simulate(brief, options);
   return trajectory;

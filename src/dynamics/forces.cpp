@@ -113,6 +113,7 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
   const double* v = y + m.layout.border_velocity(0);
   double *dq = rate + m.layout.border_position(0), *dv = rate + m.layout.border_velocity(0);
   for (int i = 0; i < m.layout.border(); ++i) dq[i] = v[i];
+  for (int i = m.layout.border(); i < m.layout.padded_border(); ++i) dq[i] = dv[i] = 0;
   const RingLoad load = load_at(m, t);
   dv[kRingY] = loads.ring[0] / m.ring_mass;
   dv[kRingZ] = (loads.ring[1] - load.radial) / m.ring_mass - m.gravity;

@@ -15,12 +15,13 @@ Linearisation::Linearisation(const StateLayout& layout)
       slot(static_cast<std::size_t>(layout.rollers), -1) {
   for (auto& row : scratch.border)
     row.assign(static_cast<std::size_t>(kCageY + layout.cage()), 0.0);
-  const int columns = layout.cage();
+  const auto columns = static_cast<std::size_t>(layout.cage());
+  const auto packs = static_cast<std::size_t>(packs_for(layout.cage()));
   for (auto& c : couplings) {
-    c.position.setZero(kLocalVelocities, columns);
-    c.velocity.setZero(kLocalVelocities, columns);
-    c.to_position.setZero(columns, kLocalPositions);
-    c.to_velocity.setZero(columns, kLocalVelocities);
+    c.position.resize(columns);
+    c.velocity.resize(columns);
+    c.to_position.resize(kLocalPositions * packs);
+    c.to_velocity.resize(kLocalVelocities * packs);
   }
 }
 
@@ -53,10 +54,8 @@ CageCoupling& Linearisation::coupling(int roller) {
     index = coupled++;
     auto& c = couplings[static_cast<std::size_t>(index)];
     c.roller = roller;
-    c.position.setZero();
-    c.velocity.setZero();
-    c.to_position.setZero();
-    c.to_velocity.setZero();
+    for (auto* part : {&c.position, &c.velocity, &c.to_position, &c.to_velocity})
+      std::fill(part->begin(), part->end(), Pack{});
   }
   return couplings[static_cast<std::size_t>(index)];
 }
@@ -78,82 +77,109 @@ void Linearisation::hold(int group) {
   for (int n = 0; n < coupled; ++n) {
     CageCoupling& c = couplings[static_cast<std::size_t>(n)];
     if (c.roller / kLanes != group) continue;
-    constexpr int count = kLat - kLx + 1;
-    c.position.middleRows<count>(kLx).setZero();
-    c.velocity.middleRows<count>(kLx).setZero();
-    c.to_position.middleCols<count>(kLx).setZero();
-    c.to_velocity.middleCols<count>(kLx).setZero();
+    for (auto* part : {&c.position, &c.velocity})
+      for (Pack& column : *part) column[kLx] = column[kLar] = column[kLat] = 0;
+    const std::size_t packs = c.to_velocity.size() / kLocalVelocities;
+    for (auto* part : {&c.to_position, &c.to_velocity})
+      std::fill_n(part->begin() + static_cast<std::ptrdiff_t>(kLx * packs),
+                  (kLat - kLx + 1) * packs, Pack{});
   }
 }
 
-void add_contact(const ContactRows& rows, const ContactSlopes& s, int roller,
-                 Linearisation& linear) {
+namespace {
+
+/// A contact's channels over some directions: e = g_n - ratio (v1 g_1 + v2 g_2), and what F1 and F2
+/// lose to the sliding speeds.
+struct Mixed {
+  Pack e, by1, by2;
+};
+
+template <int packs>
+void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
+                    Linearisation& linear) {
   linear.cage_touched = true;
   // F1 = -ratio Q v1, F2 likewise; dQ = k dp + c dp', dp = -g_n P, dp' = -g_n V.
   const double d11 = s.force * (s.ratio + s.bend * s.v1 * s.v1),
                d12 = s.force * s.bend * s.v1 * s.v2;
   const double d22 = s.force * (s.ratio + s.bend * s.v2 * s.v2);
   const double along1 = s.ratio * s.v1, along2 = s.ratio * s.v2;
-  const auto mixed = [&](double gn, double g1, double g2, double& e, double& w1, double& w2) {
-    e = gn - along1 * g1 - along2 * g2;
-    w1 = d11 * g1 + d12 * g2;
-    w2 = d12 * g1 + d22 * g2;
+  const auto mixed = [&](Pack gn, Pack g1, Pack g2) {
+    return Mixed{gn - along1 * g1 - along2 * g2, d11 * g1 + d12 * g2, d12 * g1 + d22 * g2};
   };
-  const int border = static_cast<int>(rows.border[0].size());
-  const double *bn = rows.border[0].data(), *b1 = rows.border[1].data(),
-               *b2 = rows.border[2].data();
   const int first = roller < 0 ? 0 : kCageY;  // rollers never couple to the ring through the cage
-  const int lane = roller % kLanes;
-  GroupLinear* group =
-      roller < 0 ? nullptr : &linear.groups[static_cast<std::size_t>(roller / kLanes)];
-  CageCoupling* coupling = roller < 0 ? nullptr : &linear.coupling(roller);
+  const int count = static_cast<int>(rows.border[0].size()) - first;
+  const double *bn = rows.border[0].data() + first, *b1 = rows.border[1].data() + first,
+               *b2 = rows.border[2].data() + first;
   const auto lost = dissipation_slopes(s.force, s.stiffness, s.damping, s.ratio, s.bend, s.v1, s.v2,
                                        s.elastic, s.elastic_stiffness, s.rate);
-  double e, w1, w2;
-  if (roller >= 0) {
-    for (int i = 0; i < kLocalVelocities; ++i) {
-      mixed(rows.roller[0][i], rows.roller[1][i], rows.roller[2][i], e, w1, w2);
-      for (int j = 0; j < kLocalVelocities; ++j)
-        group->velocity[i][j][lane] -=
-            e * s.damping * rows.roller[0][j] + w1 * rows.roller[1][j] + w2 * rows.roller[2][j];
-      for (int j = 0; j < kLocalPositions; ++j)
-        group->position[i][j][lane] -= e * s.stiffness * rows.roller[0][j] + w2 * rows.lean[j];
-      group->power_velocity[i][lane] +=
-          lost.rate * rows.roller[0][i] - lost.v1 * rows.roller[1][i] - lost.v2 * rows.roller[2][i];
-      if (i < kLocalPositions)
-        group->power_position[i][lane] += lost.p * rows.roller[0][i] - lost.v2 * rows.lean[i];
-      for (int j = first; j < border; ++j) {
-        coupling->velocity(i, j - first) -= e * s.damping * bn[j] + w1 * b1[j] + w2 * b2[j];
-        coupling->position(i, j - first) -= e * s.stiffness * bn[j];
-      }
-    }
-  }
-  constexpr int kMostBorder = kRigidBorder + kMostModes;
-  double damped[kMostBorder], stiff[kMostBorder], by1[kMostBorder], by2[kMostBorder];
-  for (int i = first; i < border; ++i) {
-    mixed(bn[i], b1[i], b2[i], e, by1[i], by2[i]);
-    damped[i] = e * s.damping;
-    stiff[i] = e * s.stiffness;
-    linear.power_velocity[i] += lost.rate * bn[i] - lost.v1 * b1[i] - lost.v2 * b2[i];
-    linear.power_position[i] += lost.p * bn[i];
-  }
-  for (int i = first; roller >= 0 && i < border; ++i) {
-    for (int j = 0; j < kLocalVelocities; ++j)
-      coupling->to_velocity(i - first, j) -=
-          damped[i] * rows.roller[0][j] + by1[i] * rows.roller[1][j] + by2[i] * rows.roller[2][j];
-    for (int j = 0; j < kLocalPositions; ++j)
-      coupling->to_position(i - first, j) -= stiff[i] * rows.roller[0][j] + by2[i] * rows.lean[j];
+  Mixed on_border[packs];
+  for (int p = 0; p < packs; ++p) {
+    const int at = p * kLanes, left = count - at;
+    const Pack gn = load_first(bn + at, left), g1 = load_first(b1 + at, left),
+               g2 = load_first(b2 + at, left);
+    on_border[p] = mixed(gn, g1, g2);
+    double *by_velocity = linear.power_velocity.data() + first + at,
+           *by_position = linear.power_position.data() + first + at;
+    store_first(by_velocity,
+                load_first(by_velocity, left) + (lost.rate * gn - lost.v1 * g1 - lost.v2 * g2),
+                left);
+    store_first(by_position, load_first(by_position, left) + lost.p * gn, left);
   }
   // Column by column, as these matrices lie in memory.
-  for (int j = first; j < border; ++j) {
-    double *velocity = linear.border_velocity.col(j).data(),
-           *position = linear.border_position.col(j).data();
-    const double n = bn[j], t1 = b1[j], t2 = b2[j];
-    for (int i = first; i < border; ++i) {
-      velocity[i] -= damped[i] * n + by1[i] * t1 + by2[i] * t2;
-      position[i] -= stiff[i] * n;
+  for (int j = 0; j < count; ++j) {
+    double *velocity = &linear.border_velocity(first, first + j),
+           *position = &linear.border_position(first, first + j);
+    for (int p = 0; p < packs; ++p) {
+      const int at = p * kLanes, left = count - at;
+      const auto& [e, by1, by2] = on_border[p];
+      store_first(
+          velocity + at,
+          load_first(velocity + at, left) - (e * (s.damping * bn[j]) + by1 * b1[j] + by2 * b2[j]),
+          left);
+      store_first(position + at, load_first(position + at, left) - e * (s.stiffness * bn[j]), left);
     }
   }
+  if (roller < 0) return;
+  const int lane = roller % kLanes;
+  GroupLinear& group = linear.groups[static_cast<std::size_t>(roller / kLanes)];
+  CageCoupling& coupling = linear.coupling(roller);
+  const double(&rn)[kLocalVelocities] = rows.roller[0], (&r1)[kLocalVelocities] = rows.roller[1],
+        (&r2)[kLocalVelocities] = rows.roller[2];
+  const Mixed on_roller = mixed(load_first(rn, kLocalVelocities), load_first(r1, kLocalVelocities),
+                                load_first(r2, kLocalVelocities));
+  for (int i = 0; i < kLocalVelocities; ++i) {
+    const double e = on_roller.e[i], w1 = on_roller.by1[i], w2 = on_roller.by2[i];
+    for (int j = 0; j < kLocalVelocities; ++j)
+      group.velocity[i][j][lane] -= e * s.damping * rn[j] + w1 * r1[j] + w2 * r2[j];
+    for (int j = 0; j < kLocalPositions; ++j)
+      group.position[i][j][lane] -= e * s.stiffness * rn[j] + w2 * rows.lean[j];
+    group.power_velocity[i][lane] += lost.rate * rn[i] - lost.v1 * r1[i] - lost.v2 * r2[i];
+    if (i < kLocalPositions)
+      group.power_position[i][lane] += lost.p * rn[i] - lost.v2 * rows.lean[i];
+  }
+  for (int j = 0; j < count; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    coupling.velocity[at] -=
+        on_roller.e * (s.damping * bn[j]) + on_roller.by1 * b1[j] + on_roller.by2 * b2[j];
+    coupling.position[at] -= on_roller.e * (s.stiffness * bn[j]);
+  }
+  for (int j = 0; j < kLocalVelocities; ++j)
+    for (int p = 0; p < packs; ++p) {
+      const auto at = static_cast<std::size_t>(j * packs + p);
+      const auto& [e, by1, by2] = on_border[p];
+      coupling.to_velocity[at] -= e * (s.damping * rn[j]) + by1 * r1[j] + by2 * r2[j];
+      if (j < kLocalPositions)
+        coupling.to_position[at] -= e * (s.stiffness * rn[j]) + by2 * rows.lean[j];
+    }
+}
+
+}  // namespace
+
+void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
+                 Linearisation& linear) {
+  const int first = roller < 0 ? 0 : kCageY;
+  with_packs(packs_for(static_cast<int>(rows.border[0].size()) - first),
+             [&]<int packs>() { add_contact_as<packs>(rows, slopes, roller, linear); });
 }
 
 }  // namespace cagetol

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/dynamics/state.hpp"
+#include "src/numerics/pack_matrix.hpp"
 
 namespace cagetol {
 
@@ -57,14 +58,14 @@ struct TiltLinear {
   Pack power_position[2], power_velocity[2];  ///< as in GroupLinear
 };
 
-/// Coupling of one roller with the cage's degrees of freedom (rigid, then modes).
+/// Coupling of one roller with the cage's degrees of freedom (rigid, then modes), in packs: over
+/// the roller's local directions, or over the cage's.
 struct CageCoupling {
   int roller = -1;
-  Eigen::Matrix<double, kLocalVelocities, Eigen::Dynamic, Eigen::RowMajor> position,
-      velocity;  ///< on the roller
-  Eigen::Matrix<double, Eigen::Dynamic, kLocalPositions, Eigen::RowMajor>
-      to_position;  ///< on the cage
-  Eigen::Matrix<double, Eigen::Dynamic, kLocalVelocities, Eigen::RowMajor> to_velocity;
+  /// dF/d(cage), dF/d(its rate) on the roller: a pack for each of the cage's directions.
+  std::vector<Pack> position, velocity;
+  /// d(force on the cage)/dP, dV: packs_for(cage) packs for each local direction.
+  std::vector<Pack> to_position, to_velocity;
 };
 
 /// One contact of a roller with the cage, or of the cage with a ring, as three channels: normal,

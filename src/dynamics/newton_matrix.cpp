@@ -1,5 +1,6 @@
 #include "src/dynamics/newton_matrix.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/dynamics/roller_block.hpp"
@@ -20,6 +21,29 @@ struct RingVectors {
     }
   }
 };
+
+/// Of packs the sum, each times its weight.
+Pack weighted_sum(const std::vector<Pack>& packs, const double* weight) {
+  Pack even{}, odd{};
+  const std::size_t n = packs.size();
+  for (std::size_t k = 0; k + 1 < n; k += 2) {
+    even += weight[k] * packs[k];
+    odd += weight[k + 1] * packs[k + 1];
+  }
+  if (n % 2 == 1) even += weight[n - 1] * packs[n - 1];
+  return even + odd;
+}
+
+/// y += A x of a square matrix whose columns fill `packs` packs.
+template <int packs>
+void add_product(const Eigen::MatrixXd& A, const double* x, double* y) {
+  const int n = static_cast<int>(A.rows());
+  Pack sums[packs];
+  load_padded(y, n, sums);
+  for (int j = 0; j < n; ++j)
+    for (int p = 0; p < packs; ++p) sums[p] += x[j] * load_first(&A(p * kLanes, j), n - p * kLanes);
+  for (int p = 0; p < packs; ++p) store_first(y + p * kLanes, sums[p], n - p * kLanes);
+}
 
 }  // namespace
 
@@ -48,9 +72,18 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
       border_solution_(model.layout.border()) {
   const int columns = model.layout.cage();
   for (auto& c : cages_) {
-    c.into.setZero(kLocalVelocities, columns);
-    c.from.setZero(kLocalVelocities, columns);
-    c.to.setZero(columns, kLocalVelocities);
+    c.from.resize(static_cast<std::size_t>(columns));
+    c.to.resize(static_cast<std::size_t>(kLocalVelocities * packs_for(columns)));
+  }
+}
+
+template <class Then>
+void NewtonMatrix::for_coupled(int group, const Then& then) const {
+  if (linear_->coupled == 0) return;
+  const int first = group * kLanes, count = std::min(kLanes, model_.layout.rollers - first);
+  for (int lane = 0; lane < count; ++lane) {
+    const int slot = linear_->slot[static_cast<std::size_t>(first + lane)];
+    if (slot >= 0) then(lane, static_cast<std::size_t>(slot));
   }
 }
 
@@ -118,6 +151,21 @@ bool NewtonMatrix::factor_rollers(double beta) {
   return sound;
 }
 
+/// Adds to each lane of `to` that touches the cage what `of_lane` gives over local directions.
+template <class OfLane>
+void NewtonMatrix::add_to_lanes(int group, Pack (&to)[kLocalVelocities],
+                                const OfLane& of_lane) const {
+  Pack added[kLanes] = {};
+  bool some = false;
+  for_coupled(group, [&](int lane, std::size_t slot) {
+    added[lane] = of_lane(lane, slot);
+    some = true;
+  });
+  if (!some) return;
+  transpose(added);
+  for (int i = 0; i < kLocalVelocities; ++i) to[i] += added[i];
+}
+
 bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
   return model_.planar                 ? factor_as<true, 1>(linear, beta)
          : model_.layout.ring_tilt > 0 ? factor_as<false, 2>(linear, beta)
@@ -167,46 +215,80 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
     if (!finish_free_ring<vectors>()) sound = false;
     return free_cage_.factor(linear, border_mass_, beta) && sound;
   }
-  const int cage_columns = model_.layout.cage();
   auto schur = schur_.matrix();
   schur = -linear.border_velocity - beta * linear.border_position;
   schur.diagonal() += border_mass_ / beta;
   bool sound = factor_rollers<planar, vectors>(beta);
-  for (int n = 0; n < linear.coupled; ++n) {
-    const CageCoupling& c = linear.couplings[static_cast<std::size_t>(n)];
-    Cage& cage = cages_[static_cast<std::size_t>(n)];
-    Group& f = groups_[static_cast<std::size_t>(c.roller / kLanes)];
-    const GroupLinear& l = linear.groups[static_cast<std::size_t>(c.roller / kLanes)];
-    const int lane = c.roller % kLanes;
-    cage.into = -c.velocity - beta * c.position;
-    cage.to = -c.to_velocity;
-    cage.to.leftCols<kLocalPositions>() -= beta * c.to_position;
-    Eigen::Matrix<double, kLocalVelocities, kLocalVelocities> inverse;
-    double ring_from[vectors][kLocalVelocities][2], ring_to[vectors][2][kLocalVelocities];
-    const double co = l.cosine[lane], si = l.sine[lane];
-    for (int i = 0; i < kLocalVelocities; ++i) {
-      for (int j = 0; j < kLocalVelocities; ++j) inverse(i, j) = f.inverse[i][j][lane];
-      for (int v = 0; v < vectors; ++v) {
-        const double fr = f.from_ring[v][i][0][lane], ft = f.from_ring[v][i][1][lane];
-        ring_from[v][i][0] = fr * co - ft * si;
-        ring_from[v][i][1] = fr * si + ft * co;
-        const double tr = f.to_ring[v][0][i][lane], tt = f.to_ring[v][1][i][lane];
-        ring_to[v][0][i] = tr * co - tt * si;
-        ring_to[v][1][i] = tr * si + tt * co;
-      }
-    }
-    cage.from.noalias() = inverse * cage.into;
-    schur.block(kCageY, kCageY, cage_columns, cage_columns).noalias() -= cage.to * cage.from;
-    for (int i = 0; i < kLocalVelocities; ++i)
-      for (int v = 0; v < vectors; ++v)
-        for (int a = 0; a < 2; ++a) {
-          const int ring = ring_slot(v) + a;
-          schur.row(ring).segment(kCageY, cage_columns) -= ring_to[v][a][i] * cage.into.row(i);
-          schur.col(ring).segment(kCageY, cage_columns) -= ring_from[v][i][a] * cage.to.col(i);
-        }
-  }
+  with_packs(packs_for(model_.layout.cage()), [&]<int packs>() { factor_cage<vectors, packs>(); });
   if (!schur_.invert()) sound = false;
   return sound;
+}
+
+template <int vectors, int packs>
+void NewtonMatrix::factor_cage() {
+  const int columns = model_.layout.cage();
+  auto schur = schur_.matrix();
+  // What reaches the cage from the ring by way of rollers, and the ring from the cage.
+  Pack ring_columns[vectors][2][packs] = {}, ring_rows[vectors][2][packs] = {};
+  for (int group = 0; group < model_.layout.groups; ++group) {
+    const Group& f = groups_[static_cast<std::size_t>(group)];
+    const GroupLinear& l = linear_->groups[static_cast<std::size_t>(group)];
+    for_coupled(group, [&](int lane, std::size_t slot) {
+      const CageCoupling& c = linear_->couplings[slot];
+      Cage& cage = cages_[slot];
+      for (int i = 0; i < kLocalVelocities; ++i)
+        for (int p = 0; p < packs; ++p) {
+          const auto at = static_cast<std::size_t>(i * packs + p);
+          cage.to[at] = -c.to_velocity[at];
+          if (i < kLocalPositions) cage.to[at] -= beta_ * c.to_position[at];
+        }
+      alignas(Pack) double inverse[kLocalVelocities][kLanes] = {};  // column by column
+      for (int j = 0; j < kLocalVelocities; ++j)
+        for (int i = 0; i < kLocalVelocities; ++i) inverse[j][i] = f.inverse[i][j][lane];
+      const double co = l.cosine[lane], si = l.sine[lane];
+      const auto turned = [&](Pack r, Pack t, int axis) {
+        return axis == 0 ? r[lane] * co - t[lane] * si : r[lane] * si + t[lane] * co;
+      };
+      for (int first = 0; first < packs * kLanes; first += kLanes) {
+        Pack into[kLanes] = {};  // N, column by column
+        for (int k = 0; k < kLanes && first + k < columns; ++k) {
+          const auto column = static_cast<std::size_t>(first + k);
+          into[k] = -c.velocity[column] - beta_ * c.position[column];
+          Pack from{};
+          for (int j = 0; j < kLocalVelocities; ++j) from += load(inverse[j]) * into[k][j];
+          cage.from[column] = from;
+          for (int p = 0; p < packs; ++p) {
+            const int row = p * kLanes;
+            Pack reached{};
+            for (int i = 0; i < kLocalVelocities; ++i)
+              reached += cage.to[static_cast<std::size_t>(i * packs + p)] * from[i];
+            double* to = &schur(kCageY + row, kCageY + first + k);
+            store_first(to, load_first(to, columns - row) - reached, columns - row);
+          }
+        }
+        transpose(into);
+        for (int v = 0; v < vectors; ++v)
+          for (int axis = 0; axis < 2; ++axis)
+            for (int i = 0; i < kLocalVelocities; ++i)
+              ring_rows[v][axis][first / kLanes] +=
+                  turned(f.to_ring[v][0][i], f.to_ring[v][1][i], axis) * into[i];
+      }
+      for (int v = 0; v < vectors; ++v)
+        for (int axis = 0; axis < 2; ++axis)
+          for (int i = 0; i < kLocalVelocities; ++i) {
+            const double by = turned(f.from_ring[v][i][0], f.from_ring[v][i][1], axis);
+            for (int p = 0; p < packs; ++p)
+              ring_columns[v][axis][p] += by * cage.to[static_cast<std::size_t>(i * packs + p)];
+          }
+    });
+  }
+  for (int v = 0; v < vectors; ++v)
+    for (int axis = 0; axis < 2; ++axis)
+      for (int c = 0; c < columns; ++c) {
+        const int ring = ring_slot(v) + axis, lane = c % kLanes;
+        schur(ring, kCageY + c) -= ring_rows[v][axis][c / kLanes][lane];
+        schur(kCageY + c, ring) -= ring_columns[v][axis][c / kLanes][lane];
+      }
 }
 
 void NewtonMatrix::solve(const double* rhs, double* x) {
@@ -217,15 +299,25 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
 
 template <bool planar, int vectors>
 void NewtonMatrix::solve_as(const double* rhs, double* x) {
+  if (linear_->coupled == 0) return solve_with<planar, vectors, 0>(rhs, x);
+  with_packs(packs_for(model_.layout.cage()),
+             [&]<int packs>() { solve_with<planar, vectors, packs>(rhs, x); });
+}
+
+/// `packs` of a vector over the cage's directions; 0 where no roller touches the cage.
+template <bool planar, int vectors, int packs>
+void NewtonMatrix::solve_with(const double* rhs, double* x) {
   const StateLayout& layout = model_.layout;
-  const int border = layout.border(), cage_columns = layout.cage();
+  const int border = layout.border();
   const double *bq = rhs + layout.border_position(0), *bv = rhs + layout.border_velocity(0);
   for (int i = 0; i < border; ++i) {
     border_positions_[i] = beta_ * bq[i];
     border_rhs_[i] = border_mass_[i] * bv[i];
   }
   if (linear_->cage_touched) {
-    border_rhs_.noalias() += linear_->border_position * border_positions_;
+    with_packs(packs_for(border), [&]<int rows>() {
+      add_product<rows>(linear_->border_position, border_positions_.data(), border_rhs_.data());
+    });
   } else {
     const Eigen::MatrixXd& stiff = linear_->border_position;
     for (int v = 0; v < vectors; ++v)
@@ -237,6 +329,8 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
   }
 
   Pack on_ring[vectors][2] = {};  // in y, z
+  [[maybe_unused]] Pack on_cage[std::max(packs, 1)] = {};
+  const double* const cage_positions = border_positions_.data() + kCageY;
   for (int n = 0; n < layout.groups; ++n) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
@@ -271,15 +365,14 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
       for (int a = 0; a < 2; ++a)
         for (int k = 0; k < kLocalPositions; ++k)
           to_ring[v][a] += coupling(n, v).to_position[a][k] * P[k];
-    for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
-      const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
-      if (slot < 0) continue;
-      const CageCoupling& c = linear_->couplings[static_cast<std::size_t>(slot)];
-      for (int i = 0; i < kLocalVelocities; ++i)
-        force[i][lane] += c.position.row(i).dot(border_positions_.segment(kCageY, cage_columns));
-      for (int k = 0; k < kLocalPositions; ++k)
-        border_rhs_.segment(kCageY, cage_columns) += c.to_position.col(k) * P[k][lane];
-    }
+    if constexpr (packs > 0)
+      add_to_lanes(n, force, [&](int lane, std::size_t slot) {
+        const CageCoupling& c = linear_->couplings[slot];
+        for (int k = 0; k < kLocalPositions; ++k)
+          for (int p = 0; p < packs; ++p)
+            on_cage[p] += c.to_position[static_cast<std::size_t>(k * packs + p)] * P[k][lane];
+        return weighted_sum(c.position, cage_positions);
+      });
     for (int v = 0; v < vectors; ++v) {
       Pack(&to)[2] = to_ring[v];
       for (int a = 0; a < 2; ++a) to[a] -= product(f.to_ring[v][a], force);
@@ -287,13 +380,17 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
       on_ring[v][1] += roller.exists * (l.sine * to[0] + l.cosine * to[1]);
     }
     multiply<planar>(f.inverse, force, f.rhs);
-    for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
-      const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
-      if (slot < 0) continue;
-      const Cage& cage = cages_[static_cast<std::size_t>(slot)];
-      for (int i = 0; i < kLocalVelocities; ++i)
-        border_rhs_.segment(kCageY, cage_columns) -= cage.to.col(i) * f.rhs[i][lane];
-    }
+    if constexpr (packs > 0)
+      for_coupled(n, [&](int lane, std::size_t slot) {
+        for (int i = 0; i < kLocalVelocities; ++i)
+          for (int p = 0; p < packs; ++p)
+            on_cage[p] -= cages_[slot].to[static_cast<std::size_t>(i * packs + p)] * f.rhs[i][lane];
+      });
+  }
+  for (int p = 0; p < packs; ++p) {
+    const int left = layout.cage() - p * kLanes;
+    double* to = border_rhs_.data() + kCageY + p * kLanes;
+    store_first(to, load_first(to, left) + on_cage[p], left);
   }
   for (int v = 0; v < vectors; ++v)
     for (int a = 0; a < 2; ++a) border_rhs_[ring_slot(v) + a] += sum(on_ring[v][a]);
@@ -314,13 +411,10 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
       for (int v = 0; v < vectors; ++v)
         u[i] = u[i] - f.from_ring[v][i][0] * ring.r[v] - f.from_ring[v][i][1] * ring.t[v];
     }
-    for (int lane = 0; lane < kLanes && linear_->coupled > 0 && j + lane < layout.rollers; ++lane) {
-      const int slot = linear_->slot[static_cast<std::size_t>(j + lane)];
-      if (slot < 0) continue;
-      const Cage& cage = cages_[static_cast<std::size_t>(slot)];
-      for (int i = 0; i < kLocalVelocities; ++i)
-        u[i][lane] -= cage.from.row(i).dot(border_solution_.segment(kCageY, cage_columns));
-    }
+    if constexpr (packs > 0)
+      add_to_lanes(n, u, [&](int, std::size_t slot) {
+        return -weighted_sum(cages_[slot].from, border_solution_.data() + kCageY);
+      });
     const Pack speed[kRollerVelocities] = {u[kLr],
                                            u[kLt] * l.inverse_radius,
                                            u[kLx],
@@ -338,6 +432,8 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
     x[layout.border_position(i)] = border_positions_[i] + beta_ * border_solution_[i];
     x[layout.border_velocity(i)] = border_solution_[i];
   }
+  for (int i = border; i < layout.padded_border(); ++i)
+    x[layout.border_position(i)] = x[layout.border_velocity(i)] = 0;
 }
 
 }  // namespace cagetol

@@ -40,6 +40,8 @@ class NewtonMatrix {
   bool factor_rollers(double beta);
   template <bool planar, int vectors>
   void solve_as(const double* rhs, double* x);
+  template <bool planar, int vectors, int packs>
+  void solve_with(const double* rhs, double* x);
   /// Coupling of a pack of rollers with a vector of the ring, and where the vector stands in the
   /// border.
   const RingCoupling& coupling(int group, int vector) const;
@@ -52,11 +54,19 @@ class NewtonMatrix {
     Pack from_ring[kMostVectors][kLocalVelocities][2];  ///< A^-1 N, ring part
     Pack rhs[kLocalVelocities];  ///< A^-1 of the right-hand side being solved for
   };
-  using Columns = Eigen::Matrix<double, kLocalVelocities, Eigen::Dynamic, Eigen::RowMajor>;
   struct Cage {
-    Columns into, from;  ///< N and A^-1 N, cage part
-    Eigen::Matrix<double, Eigen::Dynamic, kLocalVelocities, Eigen::RowMajor> to;  ///< T, cage part
+    std::vector<Pack> from;  ///< A^-1 N, cage part: over local directions, for each of the cage's
+    std::vector<Pack> to;    ///< T, cage part: packs over the cage's, for each local direction
   };
+  /// Calls `then` with lane and index into `couplings` of the rollers of a pack that touch the
+  /// cage.
+  template <class Then>
+  void for_coupled(int group, const Then& then) const;
+  template <class OfLane>
+  void add_to_lanes(int group, Pack (&to)[kLocalVelocities], const OfLane& of_lane) const;
+  /// Couplings with the cage, `packs` of them to a vector over the cage's directions.
+  template <int vectors, int packs>
+  void factor_cage();
 
   // Where nothing touches the cage: the ring's part of the border, the cage's is FreeCage's.
   template <int vectors>

@@ -1,10 +1,9 @@
 // What a run sees of its contacts at one state, beside forces and derivatives (forces.hpp).
 #pragma once
 
-#include <vector>
-
 #include "src/dynamics/bearing_model.hpp"
 #include "src/dynamics/step_limit.hpp"
+#include "src/numerics/pack_vector.hpp"
 
 namespace cagetol {
 
@@ -13,13 +12,13 @@ struct Observation {
   explicit Observation(const BearingModel& model);
   void clear();
 
-  std::vector<double> inner_force;    ///< normal force on the inner race, all slices [N]
-  std::vector<double> outer_force;    ///< on the outer race [N]
-  std::vector<double> inner_sliding;  ///< force-weighted mean sliding speed at the inner race [m/s]
-  std::vector<double> leading_force,
-      trailing_force;                ///< on the pocket's bars ahead of and behind the roller [N]
-  std::vector<double> wall_force;    ///< on both end walls of the pocket [N]
-  std::vector<double> flange_force;  ///< on the ring's flanges [N]
+  PackVector inner_force;    ///< normal force on the inner race, all slices [N]
+  PackVector outer_force;    ///< on the outer race [N]
+  PackVector inner_sliding;  ///< force-weighted mean sliding speed at the inner race [m/s]
+  PackVector leading_force,
+      trailing_force;       ///< on the pocket's bars ahead of and behind the roller [N]
+  PackVector wall_force;    ///< on both end walls of the pocket [N]
+  PackVector flange_force;  ///< on the ring's flanges [N]
   /// Force on the cage at its bar stations towards larger theta, flexible cages only [N]: per
   /// pocket the stations of the trailing face, then of the leading face (station_stress,
   /// src/cage/cage_model.hpp).

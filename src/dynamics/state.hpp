@@ -1,6 +1,7 @@
 // The state vector: named slots, never numbers. Rollers are stored component by component
-// (structure of arrays), each component padded to whole packs; then the border: inner ring, cage,
-// cage modes, and the inner ring's tilt where it is free. Positions first, then velocities.
+// (structure of arrays), then the border: inner ring, cage, cage modes, and the inner ring's tilt
+// where it is free. Positions first, then velocities. Each component of the rollers and the border
+// are padded to whole packs, so that no pack lies across two cache lines.
 #pragma once
 
 #include <array>
@@ -41,9 +42,10 @@ struct StateLayout {
   int cage() const { return kCageRigid + modes; }              ///< from kCageY on
   int ring_tilt_slot() const { return kRigidBorder + modes; }  ///< of the border, then the next one
   int border() const { return kRigidBorder + modes + ring_tilt; }
-  int positions() const { return kRollerPositions * padded() + border(); }
-  int velocities() const { return kRollerVelocities * padded() + border(); }
-  int size() const { return positions() + velocities(); }
+  int padded_border() const { return (border() + kLanes - 1) / kLanes * kLanes; }
+  int positions() const { return kRollerPositions * padded() + padded_border(); }
+  int velocities() const { return kRollerVelocities * padded() + padded_border(); }
+  int size() const { return positions() + velocities(); }  ///< a multiple of kLanes
 
   int position(RollerPosition slot, int roller) const { return slot * padded() + roller; }
   int velocity(RollerVelocity slot, int roller) const {

@@ -96,15 +96,14 @@ namespace {
 
 constexpr double kFirstStep = 1e-7, kSmallestStep = 1e-12;
 
-/// to = from + sum of weights times terms, in one pass.
+/// to = from + sum of weights times terms, in one pass over n numbers in whole packs.
 template <int terms>
 void add_up(const double* from, const double* const* term, const double* weight, double* to,
             int n) {
-#pragma GCC ivdep
-  for (int i = 0; i < n; ++i) {
-    double sum = from[i];
-    for (int k = 0; k < terms; ++k) sum += weight[k] * term[k][i];
-    to[i] = sum;
+  for (int i = 0; i < n; i += kLanes) {
+    Pack sum = load(from + i);
+    for (int k = 0; k < terms; ++k) sum += weight[k] * load(term[k] + i);
+    store(to + i, sum);
   }
 }
 
@@ -117,7 +116,7 @@ Rosenbrock::Rosenbrock(const RosenbrockTable& table, const Integration& keys, co
       step_error_(table.bounce_share),
       next_step_(kFirstStep),
       stage_(static_cast<std::size_t>(table.stages),
-             std::vector<double>(static_cast<std::size_t>(system.size))),
+             PackVector(static_cast<std::size_t>(system.size))),
       rates_(static_cast<std::size_t>(system.size)),
       argument_(static_cast<std::size_t>(system.size)),
       time_rates_(static_cast<std::size_t>(system.size)) {}
@@ -187,24 +186,24 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       error = step_error_(system, y, stage_.back().data(), h, keys_.tolerance);
       if (!std::isfinite(error)) error = 1e6;
     }
-    const double bounded = std::clamp(error, 1e-6, 1e6);
-    double factor = 0.9 * std::pow(bounded, -1 / table_.error_order);
+    const double log_error = std::log(std::clamp(error, 1e-6, 1e6));
+    const double log_factor = std::log(0.9) - log_error / table_.error_order;
     if (error <= 1) {
       // Gustafsson's predictive part; no growth right after a rejection.
-      factor = std::min(factor, factor * std::pow(last_error_ / bounded, 0.08));
-      factor = std::clamp(factor, 0.2, rejected ? 1.0 : 4.0);
+      const double predicted = log_factor + std::min(0.0, 0.08 * (last_log_error_ - log_error));
+      const double factor = std::clamp(std::exp(predicted), 0.2, rejected ? 1.0 : 4.0);
       advance(y, table_.m, table_.stages, y);
       t = last ? t_end : t + h;
       step_error_.advance(system, h);
       ++system.counts.steps;
       if (!last) system.counts.smallest_step = std::min(system.counts.smallest_step, h);
-      last_error_ = std::max(bounded, 1e-2);
+      last_log_error_ = std::max(log_error, std::log(1e-2));
       next_step_ = last ? std::max(next_step_, h * factor) : h * factor;
       return StepStatus::accepted;
     }
     ++system.counts.rejected;
     rejected = true;
-    h *= std::clamp(factor, 0.1, 0.7);
+    h *= std::clamp(std::exp(log_factor), 0.1, 0.7);
     if (h < kSmallestStep) {
       failure_ = "the step fell below 1e-12 s at t = " + std::to_string(t) + " s";
       return StepStatus::failed;

@@ -72,9 +72,9 @@ class Rosenbrock : public Integrator {
   NewtonMatrix newton_;
   StepError step_error_;
   double next_step_;
-  double last_error_ = 1;
-  std::vector<std::vector<double>> stage_;
-  std::vector<double> rates_, argument_, time_rates_;
+  double last_log_error_ = 0;
+  std::vector<PackVector> stage_;
+  PackVector rates_, argument_, time_rates_;
 };
 
 }  // namespace cagetol

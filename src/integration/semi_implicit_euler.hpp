@@ -17,7 +17,7 @@ class SemiImplicitEuler : public Integrator {
   void watch_error(System& system, double h);
 
   Integration keys_;
-  std::vector<double> past_rate_, error_;
+  PackVector past_rate_, error_;
 };
 
 }  // namespace cagetol

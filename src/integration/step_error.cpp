@@ -46,9 +46,7 @@ double StepError::operator()(const System& s, const double* y, const double* err
       spared += spared_in(splat(larger / bounce_share_)) * counted * counted;
     };
     const GroupLinear& turned = s.linear.groups[static_cast<std::size_t>(group)];
-    const auto touching = [&](const std::vector<double>& force) {
-      return load(force.data() + j) > 0.0;
-    };
+    const auto touching = [&](const PackVector& force) { return load(force.data() + j) > 0.0; };
     const Mask pressed = touching(s.seen.inner_force);  // between the races
     const Mask on_flange = touching(s.seen.flange_force) & ~pressed;
     const Mask on_bar =

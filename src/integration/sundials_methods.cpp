@@ -33,7 +33,7 @@ struct Problem {
   Linearisation linear;
   Observation seen;
   NewtonMatrix newton;
-  std::vector<double> scaled, rate;
+  PackVector scaled, rate;
   double gamma = 0;
 };
 

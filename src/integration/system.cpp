@@ -9,13 +9,15 @@ namespace {
 constexpr double kNever = 1e30;
 
 bool all_finite(const double* x, int n) {
-  // A sum of zero times each is not a number exactly if one of them is not finite.
-  Pack sums{};
-  int i = 0;
-  for (; i + kLanes <= n; i += kLanes) sums += 0.0 * load(x + i);
-  double rest = sum(sums);
-  for (; i < n; ++i) rest += 0.0 * x[i];
-  return rest == 0;
+  // A sum of zero times each is not a number exactly if one of them is not finite. By two sums:
+  // neither waits for the other.
+  Pack even{}, odd{};
+  for (int i = 0; i + kLanes < n; i += 2 * kLanes) {
+    even += 0.0 * load(x + i);
+    odd += 0.0 * load(x + i + kLanes);
+  }
+  if (n / kLanes % 2 == 1) even += 0.0 * load(x + n - kLanes);
+  return sum(even + odd) == 0;
 }
 
 }  // namespace
@@ -68,9 +70,9 @@ void System::rates_by_time(double t, const double* y, double* out) {
   tilt[1] = (soon.moment_z - now.moment_z) / dt / model.ring_transverse;
 }
 
-std::vector<double> error_scales(const BearingModel& m) {
+PackVector error_scales(const BearingModel& m) {
   const StateLayout& l = m.layout;
-  std::vector<double> scale(static_cast<std::size_t>(l.size()), kNever);
+  PackVector scale(static_cast<std::size_t>(l.size()), kNever);
   const auto set = [&](int slot, double value) { scale[static_cast<std::size_t>(slot)] = value; };
   const double half = m.roller_half_length;
   for (int j = 0; j < l.rollers; ++j) {
@@ -101,14 +103,11 @@ std::vector<double> error_scales(const BearingModel& m) {
 double error_norm(const System& s, const double* error) {
   const double* per_scale = s.per_scale.data();
   Pack sums{};
-  int i = 0;
-  for (; i + kLanes <= s.size; i += kLanes) {
+  for (int i = 0; i < s.size; i += kLanes) {
     const Pack e = load(error + i) * load(per_scale + i);
     sums += e * e;
   }
-  double total = sum(sums);
-  for (; i < s.size; ++i) total += error[i] * per_scale[i] * (error[i] * per_scale[i]);
-  return std::sqrt(total / s.components);
+  return std::sqrt(sum(sums) / s.components);
 }
 
 }  // namespace cagetol

@@ -2,9 +2,8 @@
 // state and the counts of what was evaluated. Scratch of one run: not shared between runs.
 #pragma once
 
-#include <vector>
-
 #include "src/dynamics/forces.hpp"
+#include "src/numerics/pack_vector.hpp"
 
 namespace cagetol {
 
@@ -31,11 +30,11 @@ struct System {
 
   const BearingModel& model;
   int size;
-  int components;             ///< of the state that exist, padding left out
-  std::vector<double> scale;  ///< size of one unit of error of each component: 1 um, 1 cm/s, and
-                              ///< these over lever arms
-  std::vector<double> per_scale;  ///< 1/scale
-  std::vector<double> rate;       ///< at the last linearise_at
+  int components;        ///< of the state that exist, padding left out
+  PackVector scale;      ///< size of one unit of error of each component: 1 um, 1 cm/s, and
+                         ///< these over lever arms
+  PackVector per_scale;  ///< 1/scale
+  PackVector rate;       ///< at the last linearise_at
   Linearisation linear;
   Observation seen;
   Counts counts;
@@ -43,7 +42,7 @@ struct System {
 
 /// Error scale of each state component: lengths 1 um, speeds 1 cm/s, angles and rates the same
 /// divided by their lever arm; padding gets 1e30.
-std::vector<double> error_scales(const BearingModel& model);
+PackVector error_scales(const BearingModel& model);
 
 /// Root mean square of error/scale over the components that exist.
 double error_norm(const System& system, const double* error);

@@ -153,6 +153,21 @@ inline double smallest(Pack x) {
   return -largest(-x);
 }
 
+/// Rows to columns.
+inline void transpose(Pack (&a)[kLanes]) {
+  const auto swap = [&](int distance, const Mask& low, const Mask& high) {
+    for (int i = 0; i < kLanes; ++i) {
+      if (i & distance) continue;
+      const Pack x = a[i], y = a[i + distance];
+      a[i] = __builtin_shuffle(x, y, low);
+      a[i + distance] = __builtin_shuffle(x, y, high);
+    }
+  };
+  swap(1, Mask{0, 8, 2, 10, 4, 12, 6, 14}, Mask{1, 9, 3, 11, 5, 13, 7, 15});
+  swap(2, Mask{0, 1, 8, 9, 4, 5, 12, 13}, Mask{2, 3, 10, 11, 6, 7, 14, 15});
+  swap(4, Mask{0, 1, 2, 3, 8, 9, 10, 11}, Mask{4, 5, 6, 7, 12, 13, 14, 15});
+}
+
 /// c[0] + c[1] x + ... by pairs (Estrin): the chain of dependent operations is four long where
 /// Horner's is n.
 template <int n>

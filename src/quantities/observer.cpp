@@ -143,7 +143,7 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
     const auto k = static_cast<std::size_t>(group);
     const Mask here = model_.groups[k].exists > 0.0;
     const GroupLinear& turned = system.linear.groups[k];
-    const auto force = [&](const std::vector<double>& of) { return load(of.data() + j); };
+    const auto force = [&](const PackVector& of) { return load(of.data() + j); };
     const Pack spin = load(y + l.velocity(kSpin, j)), orbit = load(y + l.velocity(kOrbitRate, j));
     const Pack ay = load(y + l.position(kAxisY, j)), az = load(y + l.position(kAxisZ, j));
     largest_lean_squared_ =

@@ -70,11 +70,18 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
     const int slot = linear.slot[static_cast<std::size_t>(j)];
     if (slot < 0) continue;
     const CageCoupling& cage = linear.couplings[static_cast<std::size_t>(slot)];
-    const int columns = static_cast<int>(cage.position.cols());
-    by_position.block(at, locals + kCageY, kLocalVelocities, columns) += cage.position;
-    by_velocity.block(at, locals + kCageY, kLocalVelocities, columns) += cage.velocity;
-    by_position.block(locals + kCageY, at, columns, kLocalPositions) += cage.to_position;
-    by_velocity.block(locals + kCageY, at, columns, kLocalVelocities) += cage.to_velocity;
+    const int packs = packs_for(l.cage());
+    for (int k = 0; k < l.cage(); ++k) {
+      const int row = locals + kCageY + k;
+      const auto column = static_cast<std::size_t>(k);
+      for (int i = 0; i < kLocalVelocities; ++i) {
+        const auto pack = static_cast<std::size_t>(i * packs + k / kLanes);
+        by_position(at + i, row) += cage.position[column][i];
+        by_velocity(at + i, row) += cage.velocity[column][i];
+        if (i < kLocalPositions) by_position(row, at + i) += cage.to_position[pack][k % kLanes];
+        by_velocity(row, at + i) += cage.to_velocity[pack][k % kLanes];
+      }
+    }
   }
   by_position.bottomRightCorner(border, border) += linear.border_position;
   by_velocity.bottomRightCorner(border, border) += linear.border_velocity;
@@ -100,7 +107,7 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
 }
 
 Eigen::MatrixXd differenced_jacobian(const BearingModel& m, double t, const std::vector<double>& y,
-                                     const std::vector<double>& scale, double step) {
+                                     const PackVector& scale, double step) {
   const int n = m.layout.size();
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, n);
   std::vector<double> moved = y;

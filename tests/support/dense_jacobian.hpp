@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/dynamics/forces.hpp"
+#include "src/numerics/pack_vector.hpp"
 
 namespace cagetol {
 
@@ -15,7 +16,7 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& model, const std::vector<
 
 /// Central differences, `step` times `scale` wide in each component.
 Eigen::MatrixXd differenced_jacobian(const BearingModel& model, double t,
-                                     const std::vector<double>& y, const std::vector<double>& scale,
+                                     const std::vector<double>& y, const PackVector& scale,
                                      double step);
 
 }  // namespace cagetol

@@ -13,7 +13,7 @@ namespace {
 
 /// Value of f at the state moved by `step` along its own rates; time stands still.
 template <class F>
-double along_motion(const RandomBearing& b, const std::vector<double>& rates, double step, F f) {
+double along_motion(const RandomBearing& b, const PackVector& rates, double step, F f) {
   std::vector<double> moved = b.y;
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += step * rates[i];
   return f(moved);
@@ -21,8 +21,7 @@ double along_motion(const RandomBearing& b, const std::vector<double>& rates, do
 
 /// Derivative along the motion, central and of fourth order.
 template <class F>
-double rate_along_motion(const RandomBearing& b, const std::vector<double>& rates, double step,
-                         F f) {
+double rate_along_motion(const RandomBearing& b, const PackVector& rates, double step, F f) {
   const auto at = [&](double s) { return along_motion(b, rates, s * step, f); };
   return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step);
 }
@@ -43,7 +42,7 @@ double net_power(System& system, double t, const std::vector<double>& y) {
 double differenced_net_power(const RandomBearing& b) {
   System system(b.model);
   system.linearise_at(b.t, b.y.data());
-  const std::vector<double> rates = system.rate;
+  const PackVector rates = system.rate;
   return rate_along_motion(b, rates, 2e-9,
                            [&](const std::vector<double>& y) { return net_power(system, b.t, y); });
 }
@@ -59,7 +58,7 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredInEveryState) {
     const RandomBearing b = bearing(seed, GetParam());
     System system(b.model);
     system.linearise_at(b.t, b.y.data());
-    const std::vector<double> rates = system.rate;
+    const PackVector rates = system.rate;
     const Observation& seen = system.seen;
     const double bodies = rate_along_motion(b, rates, 1e-7, [&](const std::vector<double>& y) {
       return body_energy(b.model, y.data());

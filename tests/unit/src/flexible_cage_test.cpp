@@ -71,8 +71,7 @@ struct FreeCage {
       ASSERT_EQ(integrator->step(system, t, y.data(), end), StepStatus::accepted);
       system.linearise_at(t, y.data());
     }
-    EXPECT_EQ(system.seen.leading_force,
-              std::vector<double>(system.seen.leading_force.size(), 0.0));
+    EXPECT_EQ(system.seen.leading_force, PackVector(system.seen.leading_force.size(), 0.0));
   }
   const double* position() const { return y.data() + model.layout.border_position(0); }
   const double* velocity() const { return y.data() + model.layout.border_velocity(0); }

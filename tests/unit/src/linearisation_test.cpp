@@ -29,7 +29,7 @@ struct Linearised {
 };
 
 /// Largest entry of a matrix in error scales, so that every component counts alike.
-double size_in_scales(const Eigen::MatrixXd& J, const std::vector<double>& scale, int first_row,
+double size_in_scales(const Eigen::MatrixXd& J, const PackVector& scale, int first_row,
                       int last_row) {
   double size = 0;
   for (int i = first_row; i < last_row; ++i)

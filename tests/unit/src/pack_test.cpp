@@ -136,6 +136,15 @@ TEST_F(PackMath, ALaneDoesNotMatter) {
   }
 }
 
+TEST_F(PackMath, TransposeMakesRowsColumns) {
+  Pack a[kLanes];
+  for (int i = 0; i < kLanes; ++i)
+    for (int j = 0; j < kLanes; ++j) a[i][j] = 10 * i + j;
+  transpose(a);
+  for (int i = 0; i < kLanes; ++i)
+    for (int j = 0; j < kLanes; ++j) EXPECT_EQ(a[i][j], 10 * j + i);
+}
+
 TEST_F(PackMath, SelectMinMaxAnySum) {
   const Pack x = {1, -2, 3, -4, 5, -6, 7, -8};
   EXPECT_EQ(sum(x), -4);

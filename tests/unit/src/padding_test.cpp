@@ -1,5 +1,7 @@
 // Thirteen rollers fill two packs but for three lanes. What stands in those lanes must not matter.
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "src/integration/system.hpp"
@@ -37,6 +39,23 @@ TEST(Padding, ItsStateDoesNotMatter) {
       EXPECT_EQ(body_energy(b.model, b.y.data()), body_energy(b.model, y.data()));
     }
   }
+}
+
+// A pack across two cache lines costs; every component of every state begins where a pack may.
+TEST(Padding, NoPackLiesAcrossTwoCacheLines) {
+  for (const int modes : {0, 5, 20})
+    for (const int tilt : {0, 2}) {
+      const StateLayout l{.rollers = 13, .groups = 2, .modes = modes, .ring_tilt = tilt};
+      for (int slot = 0; slot < kRollerPositions; ++slot)
+        EXPECT_EQ(l.position(static_cast<RollerPosition>(slot), 0) % kLanes, 0);
+      for (int slot = 0; slot < kRollerVelocities; ++slot)
+        EXPECT_EQ(l.velocity(static_cast<RollerVelocity>(slot), 0) % kLanes, 0) << modes;
+      EXPECT_EQ(l.size() % kLanes, 0) << modes;
+      EXPECT_GE(l.border_velocity(0) - l.border_position(0), l.border());
+    }
+  constexpr std::uintptr_t wanted = std::min<std::uintptr_t>(sizeof(Pack), EIGEN_MAX_ALIGN_BYTES);
+  for (std::size_t n = 8; n < 3000; n += 8)
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(PackVector(n).data()) % wanted, 0u) << n;
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ Scene planar(Scene scene) {
 
 struct Motion {
   Outcome outcome;
-  std::vector<double> end, scale;
+  std::vector<double> end;
+  PackVector scale;
 };
 
 Motion motion_of(const Scene& scene) {

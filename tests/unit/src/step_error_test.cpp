@@ -88,7 +88,8 @@ TEST_F(StepErrorOf, AShiftOfPhaseMovesNoEnergy) {
 TEST_F(StepErrorOf, TiltAndSkewAreNotBouncing) {
   const double angle = y_[static_cast<std::size_t>(model_.layout.position(kAngle, 3))];
   const auto lean = [&](double y, double z) {
-    for (auto* of : {&y_, &system_->rate}) (*of)[at(kAxisRateY, 3)] = (*of)[at(kAxisRateZ, 3)] = 0;
+    for (double* of : {y_.data(), system_->rate.data()})
+      of[at(kAxisRateY, 3)] = of[at(kAxisRateZ, 3)] = 0;
     error_[at(kAxisRateY, 3)] = 0.1 * y;
     error_[at(kAxisRateZ, 3)] = 0.1 * z;
   };
