@@ -15,20 +15,22 @@
 
 namespace cagetol {
 
+/// False where no point of an end can touch its wall: all lie below what the whole face reaches.
+inline bool walls_in_reach(const BearingModel& model, const RollerGroup& roller,
+                           const PocketFrame& f, const ModalState& modal) {
+  const double half = model.roller_half_length;
+  const Pack reach = roller.radius * (abs(f.a_R - f.A_R) + abs(f.a_T - f.A_T)) +
+                     half * abs(f.A_R * f.a_R + f.A_T * f.a_T);
+  const Pack offset = abs(f.X + f.A_R * f.D_R + f.A_T * f.D_T);
+  return any(offset + reach > roller.half_length - half - modal.farthest);
+}
+
 template <bool linear>
 void wall_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
                    RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
                    Observation* seen, StepLimit<Pack>& limit) {
   const double half = model.roller_half_length, phi = b.phi_rate;
-  if constexpr (!linear) {
-    // Every point of an end lies below this: skip the points when even the whole face clears the
-    // wall.
-    const Pack reach = roller.radius * (abs(f.a_R - f.A_R) + abs(f.a_T - f.A_T)) +
-                       half * abs(f.A_R * f.a_R + f.A_T * f.a_T);
-    const Pack offset = abs(f.X + f.A_R * f.D_R + f.A_T * f.D_T);
-    if (!any(offset + reach > roller.half_length - half - modal.farthest)) return;
-  }
   PocketLoads on;
   bool touched = false;
   for (int end = 0; end < 2; ++end) {

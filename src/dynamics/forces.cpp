@@ -195,8 +195,9 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     RollerLoads loads;
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
-    race_contacts<linear, tilting>(m, roller, q, inner, loads, g, seen, total, sliding, elastic_r,
-                                   elastic_t, drive, tilting ? &tilt : nullptr, &limit);
+    race_contacts<linear, true, tilting>(m, roller, q, inner, loads, g, seen, total, sliding,
+                                         elastic_r, elastic_t, drive, tilting ? &tilt : nullptr,
+                                         &limit);
     border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
     if constexpr (tilting) {
@@ -231,19 +232,25 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       seen->drive_power += sum(drive);
       total = Pack{};
     }
-    race_contacts<linear>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r, elastic_t,
-                          drive, nullptr, &limit);
+    race_contacts<linear, false>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r,
+                                 elastic_t, drive, nullptr, &limit);
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
       for (int i = 0; i < kLocalVelocities; ++i) turn_frame(q, g->position[i], g->velocity[i]);
     }
     if constexpr (!planar)  // who stands still in the middle touches no flange
       flange_contacts<linear>(m, roller, q, group, loads, jac, seen, limit);
-    const PocketFrame pocket = pocket_frame(roller, q, b);
-    pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
+    // Derivatives come with a look ahead, at what is not in reach yet.
+    PocketFrame pocket = pocket_places(roller, q, b);
+    const bool bars = linear || bars_in_reach(m, roller, pocket, modal),
+               walls = linear || walls_in_reach(m, roller, pocket, modal);
+    if (bars || walls) add_rates(q, b, pocket);
+    if (bars)
+      pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
+                              limit);
+    if (walls)
+      wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
                             limit);
-    wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
-                          limit);
     if constexpr (linear) {
       add_inertial(m, roller, q, loads, *g);
       if constexpr (planar) jac->hold(group);

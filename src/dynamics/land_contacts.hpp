@@ -57,7 +57,12 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
       vy -= b.ring_rate[0];
       vz -= b.ring_rate[1];
     }
-    const double distance = __builtin_sqrt(y * y + z * z);
+    const double squared = y * y + z * z;
+    if constexpr (!linear) {  // nothing to look ahead for: a root and a division less
+      const double reach = model.land_clearance - modal.farthest;
+      if (!model.guide_film.on && reach > 0 && squared < reach * reach) continue;
+    }
+    const double distance = __builtin_sqrt(squared);
     double p = distance - model.land_clearance;
     const double inverse = distance > 0 ? 1 / distance : 0;
     const double ny = y * inverse, nz = z * inverse;

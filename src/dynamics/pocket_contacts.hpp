@@ -11,6 +11,15 @@
 
 namespace cagetol {
 
+/// False where no station of a bar can touch: along the roller u goes in proportion to the place.
+inline bool bars_in_reach(const BearingModel& model, const RollerGroup& roller,
+                          const PocketFrame& f, const ModalState& modal) {
+  const double farthest = std::max(-model.bar_stations.front(), model.bar_stations.back());
+  const Pack kappa = f.A_T + roller.squareness;
+  const Pack u = abs(f.D_T - kappa * f.X) + farthest * abs(f.a_T - kappa);
+  return any((u + roller.radius - roller.half_width > -modal.farthest) & (roller.exists > 0.0));
+}
+
 template <bool linear>
 void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                      const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,

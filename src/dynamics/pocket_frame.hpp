@@ -15,8 +15,9 @@ struct PocketFrame {
   Pack A_R, A_T, dA_R, dA_T;  ///< lean of the cage's axis and its rate
 };
 
-inline PocketFrame pocket_frame(const RollerGroup& roller, const RollerPack& q,
-                                const BorderState& b) {
+/// Places and directions; the rates are left for add_rates.
+inline PocketFrame pocket_places(const RollerGroup& roller, const RollerPack& q,
+                                 const BorderState& b) {
   PocketFrame f;
   f.cos_p = b.phi_cos * roller.pocket_cos - b.phi_sin * roller.pocket_sin;
   f.sin_p = b.phi_sin * roller.pocket_cos + b.phi_cos * roller.pocket_sin;
@@ -28,18 +29,23 @@ inline PocketFrame pocket_frame(const RollerGroup& roller, const RollerPack& q,
   f.D_R = along_R(D_y, D_z);
   f.D_T = along_T(D_y, D_z);
   f.X = q.x - b.cage[2];
+  f.a_R = f.cos_b * q.a_r - f.sin_b * q.a_t;
+  f.a_T = f.sin_b * q.a_r + f.cos_b * q.a_t;
+  f.A_R = along_R(b.axis[0], b.axis[1]);
+  f.A_T = along_T(b.axis[0], b.axis[1]);
+  return f;
+}
+
+inline void add_rates(const RollerPack& q, const BorderState& b, PocketFrame& f) {
+  const auto along_R = [&](double y, double z) { return f.cos_p * y + f.sin_p * z; };
+  const auto along_T = [&](double y, double z) { return f.cos_p * z - f.sin_p * y; };
   f.v_R = f.cos_b * q.vr - f.sin_b * q.vt - along_R(b.cage_rate[0], b.cage_rate[1]);
   f.v_T = f.sin_b * q.vr + f.cos_b * q.vt - along_T(b.cage_rate[0], b.cage_rate[1]);
   f.v_x = q.vx - b.cage_rate[2];
-  f.a_R = f.cos_b * q.a_r - f.sin_b * q.a_t;
-  f.a_T = f.sin_b * q.a_r + f.cos_b * q.a_t;
   f.b_R = f.cos_b * q.b_r - f.sin_b * q.b_t;
   f.b_T = f.sin_b * q.b_r + f.cos_b * q.b_t;
-  f.A_R = along_R(b.axis[0], b.axis[1]);
-  f.A_T = along_T(b.axis[0], b.axis[1]);
   f.dA_R = along_R(b.axis_rate[0], b.axis_rate[1]);
   f.dA_T = along_T(b.axis_rate[0], b.axis_rate[1]);
-  return f;
 }
 
 /// Forces and moments of a pocket's contacts in the pocket's directions.

@@ -50,11 +50,15 @@ struct RingTilt {
 struct SliceGap {
   Pack p, n_r, n_t, inverse;
 };
-inline SliceGap slice_gap(const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
-                          const Slice& slice) {
-  const Pack place = q.x + slice.position;
-  const Pack d_r = q.r + slice.position * q.a_r - race.u_r - race.B_r * place;
-  const Pack d_t = slice.position * q.a_t - race.u_t - race.B_t * place;
+template <bool moving = true>
+SliceGap slice_gap(const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
+                   const Slice& slice) {
+  Pack d_r = q.r + slice.position * q.a_r, d_t = slice.position * q.a_t;
+  if constexpr (moving) {
+    const Pack place = q.x + slice.position;
+    d_r = d_r - race.u_r - race.B_r * place;
+    d_t = d_t - race.u_t - race.B_t * place;
+  }
   SliceGap gap;
   const Pack distance = sqrt(d_r * d_r + d_t * d_t, gap.inverse);
   gap.inverse *= race.sign;
@@ -83,9 +87,11 @@ LinearRow linear_row(int i, GroupLinear& of_roller, [[maybe_unused]] RingTilt* t
 }
 
 // Whether a race's normal and its two sliding channels have an entry for a local direction: the
-// normal none for the spin, v1 none for the axial motion, v2 none in the radial plane.
+// normal none for the spin, and of a race that does not move none for the axial motion, v1 none for
+// that, v2 none in the radial plane.
+template <bool moving>
 constexpr bool in_normal(int i) {
-  return i != kLs;
+  return i != kLs && (moving || i != kLx);
 }
 constexpr bool in_v1(int i) {
   return i != kLx;
@@ -94,8 +100,9 @@ constexpr bool in_v2(int i) {
   return i != kLr && i != kLt;
 }
 
-/// `tilt`: where `tilting`.
-template <bool linear, bool tilting = false>
+/// `moving`: the race may turn, move and be tilted; else `race` stands still, straight and centred,
+/// and nothing of what that would do is computed. `tilt`: where `tilting`.
+template <bool linear, bool moving, bool tilting = false>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
                    Pack& total, Pack& sliding, Pack& elastic_r, Pack& elastic_t, Pack& drive,
@@ -115,7 +122,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
   SliceGap gaps[kMostSlices];
   const int slices = static_cast<int>(model.race_slices.size());
   for (int n = 0; n < slices; ++n) {
-    gaps[n] = slice_gap(roller, q, race, model.race_slices[static_cast<std::size_t>(n)]);
+    gaps[n] = slice_gap<moving>(roller, q, race, model.race_slices[static_cast<std::size_t>(n)]);
   }
   for (int n = 0; n < slices; ++n) {
     const Slice& slice = model.race_slices[static_cast<std::size_t>(n)];
@@ -125,15 +132,22 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     if constexpr (!linear)
       if (!any(touching)) continue;
 
-    const Pack place = q.x + xi;
+    [[maybe_unused]] const Pack place = q.x + xi;
     const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
-    const Pack n_x = -(n_r * race.B_r + n_t * race.B_t);
-    Pack v_r = q.vr + xi * q.b_r - race.du_r, v_t = q.vt + xi * q.b_t - race.du_t;
+    Pack v_r = q.vr + xi * q.b_r, v_t = q.vt + xi * q.b_t;
+    [[maybe_unused]] Pack n_x{};
+    if constexpr (moving) {
+      n_x = -(n_r * race.B_r + n_t * race.B_t);
+      v_r -= race.du_r;
+      v_t -= race.du_t;
+    }
     if constexpr (tilting) {
       v_r -= place * tilt->rate_r;
       v_t -= place * tilt->rate_t;
     }
-    const Pack rate = -(n_r * v_r + n_t * v_t + n_x * q.vx);
+    Pack closing = n_r * v_r + n_t * v_t;
+    if constexpr (moving) closing += n_x * q.vx;
+    const Pack rate = -closing;
     if constexpr (linear) {
       if (limit) {
         limit->lay_around(p + thickest, rate, roller.exists > 0.0);
@@ -144,11 +158,16 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     }
     const Pack along = n_r * v_t - n_t * v_r;  // velocity of the axes along t
     const Pack w_r = q.spin * q.a_r - q.b_t, w_t = q.spin * q.a_t + q.b_r;
-    const Pack surface =
-        race.sign * race.speed * race.radius + Pack{};  // speed of the race along t
-    const Pack swash = race.sign * race.speed * race.radius * (race.B_r * n_t - race.B_t * n_r);
-    const Pack v1 = along - radius * q.spin - surface;
-    Pack v2 = q.vx + radius * (n_r * w_t - n_t * w_r) - swash;
+    Pack v1 = along - radius * q.spin, v2 = q.vx + radius * (n_r * w_t - n_t * w_r);
+    [[maybe_unused]] const double surface = race.sign * race.speed * race.radius;  // along t
+    [[maybe_unused]] Pack askew{},
+        swash{};  // the race's axis along t, and what it does as it turns
+    if constexpr (moving) {
+      askew = race.B_r * n_t - race.B_t * n_r;
+      swash = surface * askew;
+      v1 -= surface;
+      v2 -= swash;
+    }
     [[maybe_unused]] const double arm = race.sign * race.radius;  // of the race's surface along n
     if constexpr (tilting) v2 += arm * (n_r * tilt->rate_r + n_t * tilt->rate_t);
 
@@ -169,7 +188,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack lean = n_r * q.a_t - n_t * q.a_r;
     loads.f[kLr] += f_r;
     loads.f[kLt] += f_t;
-    loads.f[kLx] += normal.force * n_x + f2;
+    if constexpr (moving) loads.f[kLx] += normal.force * n_x;
+    loads.f[kLx] += f2;
     loads.f[kLar] += xi * f_r + radius * n_r * f2;
     loads.f[kLat] += xi * f_t + radius * n_t * f2;
     loads.f[kLs] += radius * (f2 * lean - f1);
@@ -183,7 +203,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       sliding += normal.force * sqrt(speed2);
       elastic_r += normal.elastic * n_r;
       elastic_t += normal.elastic * n_t;
-      drive += f1 * surface + f2 * swash;
+      if constexpr (moving) drive += f1 * surface + f2 * swash;
       friction_power += g * speed2;
       damping_power += (normal.force - normal.elastic) * rate;
       if (race.film.on) {
@@ -195,7 +215,6 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       }
 
       const Pack zero{}, one = splat(1.0);
-      const Pack askew = race.B_r * n_t - race.B_t * n_r;  // of the race's axis, along t
       // Rows over the roller's velocities, then the ring's tilt.
       constexpr int rows = kLocalVelocities + (tilting ? 2 : 0);
       Pack gn[rows] = {n_r, n_t, n_x, xi * n_r, xi * n_t, zero};
@@ -217,26 +236,29 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       const auto lost = dissipation_slopes(q0, normal.stiffness, normal.damping, fr.ratio, fr.bend,
                                            v1, v2, normal.elastic, normal.elastic_stiffness, rate);
       // Net power = drive - dissipation; the drive's F1 and F2 follow Q and the sliding speeds.
-      const Pack driven = m1 * surface + m2 * swash;
-      const Pack by_p = lost.p + driven * normal.stiffness,
-                 by_rate = lost.rate + driven * normal.damping;
-      const Pack by_v1 = lost.v1 + d11 * surface + d12 * swash,
-                 by_v2 = lost.v2 + d12 * surface + d22 * swash;
+      Pack driven{}, by_p = lost.p, by_rate = lost.rate, by_v1 = lost.v1, by_v2 = lost.v2;
       // As the axis moves along t, n turns, and with it p', v1, v2 and the swash.
-      const Pack swash_turn =
-          inverse * (race.sign * race.speed * race.radius) * (race.B_r * n_r + race.B_t * n_t);
       const Pack v1_turn = inverse * rate;
-      const Pack v2_turn = -inverse * radius * (n_r * w_r + n_t * w_t) - swash_turn;
-      const Pack by_turn =
-          by_rate * inverse * along - by_v1 * v1_turn - by_v2 * v2_turn + f2 * swash_turn;
+      Pack v2_turn = -inverse * radius * (n_r * w_r + n_t * w_t), by_turn{};
+      if constexpr (moving) {
+        driven = m1 * surface + m2 * swash;
+        by_p += driven * normal.stiffness;
+        by_rate += driven * normal.damping;
+        by_v1 += d11 * surface + d12 * swash;
+        by_v2 += d12 * surface + d22 * swash;
+        const Pack swash_turn = inverse * surface * (race.B_r * n_r + race.B_t * n_t);
+        v2_turn -= swash_turn;
+        by_turn = f2 * swash_turn;
+      }
+      by_turn += by_rate * inverse * along - by_v1 * v1_turn - by_v2 * v2_turn;
 #pragma GCC unroll 6
       for (int i = 0; i < kLocalVelocities; ++i) {
         Pack& to = jac->power_velocity[i];
-        if (in_normal(i)) to += by_rate * gn[i];
+        if (in_normal<moving>(i)) to += by_rate * gn[i];
         if (in_v1(i)) to -= by_v1 * g1[i];
         if (in_v2(i)) to -= by_v2 * g2[i];
         if (i == kLocalPositions) break;
-        jac->power_position[i] += by_p * gn[i];
+        if (in_normal<moving>(i)) jac->power_position[i] += by_p * gn[i];
         if (in_v1(i)) jac->power_position[i] += by_turn * g1[i];
       }
       if (race.film.on) {
@@ -245,7 +267,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
         jac->power_velocity[kLt] -= by_speed * oil.by_vt;
         jac->power_velocity[kLs] -= by_speed * oil.by_spin;
       }
-      jac->power_position[kLx] += by_turn * askew;
+      if constexpr (moving) jac->power_position[kLx] += by_turn * askew;
       jac->power_position[kLar] -= by_v2 * lean_r;
       jac->power_position[kLat] -= by_v2 * lean_t;
       // What v2 loses to the swash as the ring tilts.
@@ -261,12 +283,12 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       Pack turned[rows];
 #pragma GCC unroll 8
       for (int i = 0; i < rows; ++i) {
-        turned[i] = in_normal(i) ? m1 * gn[i] : Pack{};
+        turned[i] = in_normal<moving>(i) ? m1 * gn[i] : Pack{};
         if (in_v1(i)) turned[i] += g1[i];
         turned[i] *= spread;
       }
       const Pack lever = inverse * f2;
-      turned[kLx] = spread * askew;
+      if constexpr (moving) turned[kLx] = spread * askew;
       turned[kLar] -= radius * n_t * lever;
       turned[kLat] += radius * n_r * lever;
       turned[kLs] = -radius * (n_r * q.a_r + n_t * q.a_t) * lever;
@@ -278,25 +300,25 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       for (int i = 0; i < rows; ++i) {
         const LinearRow row = linear_row<tilting>(i, *jac, tilt);
         Pack e{}, w1{}, w2{};
-        if (in_normal(i)) e = gn[i];
+        if (in_normal<moving>(i)) e = gn[i];
         if (in_v1(i)) e -= m1 * g1[i], w1 = d11 * g1[i], w2 = d12 * g1[i];
         if (in_v2(i)) e -= m2 * g2[i], w1 += d12 * g2[i], w2 += d22 * g2[i];
         const Pack ec = e * normal.damping, ek = e * normal.stiffness;
         const Pack et = turned[i] - e * turn - w1 * v1_turn - w2 * v2_turn;
 #pragma GCC unroll 6
         for (int j = 0; j < kLocalVelocities; ++j) {
-          if (in_normal(j)) row.velocity[j] -= ec * gn[j];
+          if (in_normal<moving>(j)) row.velocity[j] -= ec * gn[j];
           if (in_v1(j)) row.velocity[j] -= w1 * g1[j];
           if (in_v2(j)) row.velocity[j] -= w2 * g2[j];
           if (j == kLocalPositions) break;
-          row.position[j] -= ek * gn[j];
+          if (in_normal<moving>(j)) row.position[j] -= ek * gn[j];
           if (in_v1(j)) row.position[j] += et * g1[j];
         }
         if (race.film.on) {
           row.velocity[kLt] += e * contact.by_speed * oil.by_vt;
           row.velocity[kLs] += e * contact.by_speed * oil.by_spin;
         }
-        row.position[kLx] += et * askew;
+        if constexpr (moving) row.position[kLx] += et * askew;
         row.position[kLar] -= w2 * lean_r;
         row.position[kLat] -= w2 * lean_t;
         if constexpr (tilting)

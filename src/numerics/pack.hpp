@@ -296,16 +296,18 @@ inline void sine_cosine(Pack x, Pack& s, Pack& c) {
   const Pack r =
       ((x - n * 1.5707963267341256142) - n * 6.0771005063039659e-11) - n * 2.0222662487959505e-21;
   const Pack z = r * r;
-  Pack ps = splat(1.0 / 355687428096000.0);
-  for (double k : {-1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0, 1.0 / 362880.0,
-                   -1.0 / 5040.0, 1.0 / 120.0, -1.0 / 6.0})
-    ps = ps * z + k;
-  const Pack sine = r + r * z * ps;
-  Pack pc = splat(-1.0 / 6402373705728000.0);
-  for (double k : {1.0 / 20922789888000.0, -1.0 / 87178291200.0, 1.0 / 479001600.0,
-                   -1.0 / 3628800.0, 1.0 / 40320.0, -1.0 / 720.0, 1.0 / 24.0, -0.5})
-    pc = pc * z + k;
-  const Pack cosine = 1.0 + z * pc;
+  // On |r| <= pi/4 (the coefficients of fdlibm), by pairs.
+  const Pack z2 = z * z, z4 = z2 * z2;
+  const auto six = [&](double c0, double c1, double c2, double c3, double c4, double c5) {
+    return ((c0 + c1 * z) + (c2 + c3 * z) * z2) + (c4 + c5 * z) * z4;
+  };
+  const Pack ps =
+      six(-1.66666666666666324348e-01, 8.33333333332248946124e-03, -1.98412698298579493134e-04,
+          2.75573137070700676789e-06, -2.50507602534068634195e-08, 1.58969099521155010221e-10);
+  const Pack pc =
+      six(4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05,
+          -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11);
+  const Pack sine = r + r * z * ps, cosine = (1.0 - 0.5 * z) + z2 * pc;
   const Mask swap = -(quadrant & 1);
   const Mask flip_s = (quadrant & 2) << 62, flip_c = ((quadrant + 1) & 2) << 62;
   s = reinterpret_cast<Pack>(reinterpret_cast<Mask>(select(swap, cosine, sine)) ^ flip_s);

@@ -51,8 +51,8 @@ TEST_P(NormalsOfARace, AreThoseOfItsContactsWithoutFriction) {
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
     GroupLinear linear{};
     Observation seen(model_);
-    race_contacts<true>(model_, model_.groups[0], q_, side, loads, &linear, &seen, total, sliding,
-                        elastic_r, elastic_t, drive);
+    race_contacts<true, true>(model_, model_.groups[0], q_, side, loads, &linear, &seen, total,
+                              sliding, elastic_r, elastic_t, drive);
     const RaceNormals on = normals(side);
     ASSERT_GT(on.total[0], 10);
     const auto same = [](Pack a, Pack b) { EXPECT_NEAR(a[0], b[0], 1e-12 * std::abs(b[0])); };
