@@ -50,30 +50,6 @@ void collect_differences(const nlohmann::ordered_json& a, const nlohmann::ordere
   differences.push_back(fmt::format("{}: {} and {}", path, shown(a), shown(b)));
 }
 
-void require_comparable(const StudyData& before, const StudyData& after, bool despite_keys,
-                        std::vector<std::string>& notes) {
-  std::vector<std::string> differences;
-  collect_differences(before.plan.whole, after.plan.whole, "", differences, notes);
-  if (despite_keys) {
-    notes.insert(notes.end(), differences.begin(), differences.end());
-  } else if (!differences.empty()) {
-    std::string text = "these are not runs of one study:";
-    for (std::size_t i = 0; i < std::min<std::size_t>(differences.size(), 8); ++i)
-      text += "\n  " + differences[i];
-    if (differences.size() > 8) text += fmt::format("\n  and {} more", differences.size() - 8);
-    throw Refused(text + "\n  remedy: --despite-keys compares them all the same");
-  }
-  const std::string& design = before.design.kind;
-  if (design != "random" && design != "lhs" && design != "sobol")
-    throw Refused("the rows of a `" + design +
-                  "` design have no random scatter to compare a change with");
-  for (const Column& column : before.quantities)
-    if (const Column* other = find_quantity(after, column.name);
-        other != nullptr && other->unit != column.unit)
-      throw Refused(fmt::format("{} is in {} in one and in {} in the other", column.name,
-                                column.unit, other->unit));
-}
-
 /// The runs of one study that are compared, and the clusters they come in.
 struct Runs {
   StudyData data;
@@ -243,14 +219,37 @@ void Comparer::compare_outcomes() {
             with_status(after_.data, false));
 }
 
-/// Same seed and design: the same rows are the same cages.
+}  // namespace
+
+void require_comparable(const StudyData& before, const StudyData& after, bool despite_keys,
+                        std::vector<std::string>& notes) {
+  std::vector<std::string> differences;
+  collect_differences(before.plan.whole, after.plan.whole, "", differences, notes);
+  if (despite_keys) {
+    notes.insert(notes.end(), differences.begin(), differences.end());
+  } else if (!differences.empty()) {
+    std::string text = "these are not runs of one study:";
+    for (std::size_t i = 0; i < std::min<std::size_t>(differences.size(), 8); ++i)
+      text += "\n  " + differences[i];
+    if (differences.size() > 8) text += fmt::format("\n  and {} more", differences.size() - 8);
+    throw Refused(text + "\n  remedy: --despite-keys compares them all the same");
+  }
+  const std::string& design = before.design.kind;
+  if (design != "random" && design != "lhs" && design != "sobol")
+    throw Refused("the rows of a `" + design +
+                  "` design have no random scatter to compare a change with");
+  for (const Column& column : before.quantities)
+    if (const Column* other = find_quantity(after, column.name);
+        other != nullptr && other->unit != column.unit)
+      throw Refused(fmt::format("{} is in {} in one and in {} in the other", column.name,
+                                column.unit, other->unit));
+}
+
 bool same_cages(const StudyData& before, const StudyData& after) {
   return before.provenance.seed == after.provenance.seed &&
          before.design.rows_planned == after.design.rows_planned &&
          before.design.scrambles == after.design.scrambles;
 }
-
-}  // namespace
 
 bool Comparison::same() const {
   return std::none_of(statistics.begin(), statistics.end(),

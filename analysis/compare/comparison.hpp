@@ -28,6 +28,14 @@ struct Comparison {
   bool same() const;
 };
 
+/// Notes what the two have apart; throws Refused with the reason where they are not runs of one
+/// study, `despite_keys` notes keys that differ instead.
+void require_comparable(const StudyData& before, const StudyData& after, bool despite_keys,
+                        std::vector<std::string>& notes);
+
+/// Same seed and design: the same rows are the same cages.
+bool same_cages(const StudyData& before, const StudyData& after);
+
 /// Throws Refused with the reason where the two are not runs of one study: another scene, other
 /// laws, limits, candidates, design or units. `despite_keys` notes keys that differ instead: what
 /// did a change of the scene change?

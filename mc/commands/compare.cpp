@@ -1,11 +1,13 @@
 // cagetol compare OLD NEW: has any statistic of a study changed between two sweeps?
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "analysis/compare/comparison.hpp"
+#include "analysis/compare/mean_bias.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/study/study_file_error.hpp"
 #include "mc/commands/command.hpp"
@@ -20,6 +22,7 @@ struct CompareArguments {
   std::string before, after;
   double error_rate = 0.01;
   bool json = false, all = false, despite_keys = false;
+  long bias = 0;  ///< samples of the study whose standard error biases are held against; 0: none
 };
 
 /// Unchanged statistics that the table shows without --all: those nearest to a change.
@@ -74,11 +77,68 @@ int not_comparable(const CompareArguments& options, const std::string& reason) {
   return kBadInput;
 }
 
+Json to_json(const std::vector<MeanBias>& biases, const std::vector<std::string>& notes) {
+  Json quantities = Json::array();
+  for (const MeanBias& b : biases)
+    quantities.push_back({{"quantity", b.quantity},
+                          {"unit", b.unit},
+                          {"pairs", b.pairs.pairs},
+                          {"old_mean", json_number(b.pairs.first_mean)},
+                          {"new_mean", json_number(b.pairs.second_mean)},
+                          {"study_error", json_number(b.study_error)},
+                          {"bias", json_number(b.bias)},
+                          {"bias_error", json_number(b.error)},
+                          {"upper_limit", json_number(b.upper_limit)}});
+  return {{"comparable", true}, {"notes", notes}, {"biases", quantities}};
+}
+
+std::string bias_text(const std::vector<MeanBias>& biases, const std::vector<std::string>& notes,
+                      long samples) {
+  std::string text = fmt::format(
+      "Mean of NEW less that of OLD, pair by pair: in per cent of the mean, and in standard errors "
+      "of a study of {} samples.\n\n{:<36}{:>13}{:>20}{:>16}{:>9}  {}\n",
+      samples, "quantity", "mean", "difference, %", "study errors", "limit", "95 %");
+  std::size_t small = 0, large = 0;
+  for (const MeanBias& b : biases) {
+    const double percent = 100 * b.study_error / std::abs(b.pairs.first_mean);
+    small += b.small();
+    large += b.large();
+    text += fmt::format("{:<36}{:>13.6g}{:>20}{:>16}{:>9.2f}  {}\n", b.quantity, b.pairs.first_mean,
+                        fmt::format("{:+.3f} +- {:.3f}", percent * b.bias, percent * b.error),
+                        fmt::format("{:+.2f} +- {:.2f}", b.bias, b.error), b.upper_limit,
+                        b.small()   ? "below one"
+                        : b.large() ? "ABOVE ONE"
+                                    : "unresolved");
+  }
+  for (const std::string& note : notes) text += "note: " + note + "\n";
+  const std::size_t pairs = biases.empty() ? 0 : biases.front().pairs.pairs;
+  return text + fmt::format(
+                    "{} pairs: of {} quantities that scatter {} are below one standard "
+                    "error, {} above, {} unresolved\n",
+                    pairs, biases.size(), small, large, biases.size() - small - large);
+}
+
+int run_bias(const CompareArguments& options, const StudyData& before, const StudyData& after) {
+  std::vector<std::string> notes;
+  require_comparable(before, after, options.despite_keys, notes);
+  if (!same_cages(before, after))
+    throw Refused("--bias compares pair by pair: give both sweeps the same seed and samples");
+  if (share_lots(before))
+    throw Refused("--bias takes runs for independent of each other, cages of one lot are not");
+  const auto biases = mean_biases(before, after, static_cast<double>(options.bias));
+  print(options.json ? to_json(biases, notes).dump(2) + "\n"
+                     : bias_text(biases, notes, options.bias));
+  const auto small = [](const MeanBias& b) { return b.small(); };
+  return std::all_of(biases.begin(), biases.end(), small) ? kDone : kLimitsNotMet;
+}
+
 int run_compare(const CompareArguments& options) {
   try {
-    const Comparison comparison = compare_studies(read_study_data(study_file_in(options.before)),
-                                                  read_study_data(study_file_in(options.after)),
-                                                  options.error_rate, options.despite_keys);
+    const StudyData before = read_study_data(study_file_in(options.before)),
+                    after = read_study_data(study_file_in(options.after));
+    if (options.bias > 0) return run_bias(options, before, after);
+    const Comparison comparison =
+        compare_studies(before, after, options.error_rate, options.despite_keys);
     print(options.json ? to_json(comparison).dump(2) + "\n" : table_text(comparison, options.all));
     return comparison.same() ? kDone : kLimitsNotMet;
   } catch (const Refused& refusal) {
@@ -94,8 +154,10 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
       "compare", "Say whether any statistic of a study has changed between two sweeps");
   command->footer(
-      "Exit code 0: nothing changed, 1: something did, 2: not comparable, with the reason.\n\n"
-      "Example:\n  cagetol compare out/yesterday out/today");
+      "Exit code 0: nothing changed, 1: something did, 2: not comparable, with the reason.\n"
+      "With --bias 0: every limit is below one standard error, 1: some are not.\n\n"
+      "Examples:\n  cagetol compare out/yesterday out/today\n"
+      "  cagetol compare out/tight out/default --despite-keys --bias 1000");
   auto options = std::make_shared<CompareArguments>();
   command->add_option("OLD", options->before, "Directory of the earlier sweep")->required();
   command->add_option("NEW", options->after, "Directory of the later sweep")->required();
@@ -107,6 +169,12 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
   command->add_flag("--all", options->all, "Show every statistic");
   command->add_flag("--despite-keys", options->despite_keys,
                     "Compare sweeps whose keys differ; the differences are noted");
+  command
+      ->add_option("--bias", options->bias,
+                   "Show the difference of each mean instead, pair by pair, in standard errors of "
+                   "a study of N samples")
+      ->check(CLI::Range(2L, 1000000000L))
+      ->type_name("N");
   command->add_flag("--json", options->json, "Print every statistic as JSON");
   command->callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
 }

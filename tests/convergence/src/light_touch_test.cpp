@@ -57,7 +57,7 @@ TEST(LightTouch, BeginsWithoutEnergyLostOrWon) {
   while (t < end) {
     before = y;
     const double from = t;
-    const std::vector<double> force = system.seen.flange_force;
+    const PackVector force = system.seen.flange_force;
     ASSERT_EQ(integrator->step(system, t, y.data(), end), StepStatus::accepted);
     ASSERT_TRUE(system.linearise_at(t, y.data()));
     if (t < begin) continue;
