@@ -96,8 +96,9 @@ std::string bias_text(const std::vector<MeanBias>& biases, const std::vector<std
                       long samples) {
   std::string text = fmt::format(
       "Mean of NEW less that of OLD, pair by pair: in per cent of the mean, and in standard errors "
-      "of a study of {} samples.\n\n{:<36}{:>13}{:>20}{:>16}{:>9}  {}\n",
-      samples, "quantity", "mean", "difference, %", "study errors", "limit", "95 %");
+      "of a study of {} samples; limits hold at 95 %, each by "
+      "itself.\n\n{:<36}{:>13}{:>20}{:>16}{:>9}  {}\n",
+      samples, "quantity", "mean", "difference, %", "study errors", "limit", "verdict");
   std::size_t small = 0, large = 0;
   for (const MeanBias& b : biases) {
     const double percent = 100 * b.study_error / std::abs(b.pairs.first_mean);

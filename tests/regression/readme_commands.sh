@@ -17,6 +17,8 @@ while read -r line; do
   [[ $line == *" ladder inputs/"* ]] && command="$command --set cage.mesh_density=2 ${short/--set samples=20/}"
   # So few and so short runs confirm nothing, which ends with 1.
   [[ $line == *" recommend "* ]] && command="$command ${short/samples=20/samples=100} || [ \$? -eq 1 ]"
+  # So few pairs resolve no bias, which ends with 1.
+  [[ $line == *" compare "* ]] && command="$command || [ \$? -eq 1 ]"
   echo "+ $line"
   bash -c "$command" </dev/null >"$out/log" 2>&1 || { cat "$out/log"; echo "failed: $line" >&2; exit 1; }
   ran=$((${ran:-0} + 1))
