@@ -199,6 +199,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   // tighter than the default's shortens them, so that means close in on their limits with it.
   const double finer =
       std::min(1.0, std::pow(scene.integration.tolerance / Integration{}.tolerance, 0.25));
+  m.longest_step = scene.integration.max_step;
   m.rocking_step = kRockingPhase * finer * rocking;
   m.touch_span = std::min(kTouchPhase * rocking, kLongestTouch);
   m.heavy_step = kHeavyPhase * finer * rocking;

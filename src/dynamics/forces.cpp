@@ -163,7 +163,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
                          modal_force,
                          farthest_displacement(m.flexible, modes),
                          linear ? farthest_displacement(m.flexible, mode_rates) : 0};
-  [[maybe_unused]] StepLimit<Pack> limit;
+  [[maybe_unused]] StepLimit<Pack> limit(m.longest_step);
   ContactRows* rows = nullptr;
   if constexpr (linear) {
     jac->clear();
@@ -258,7 +258,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     store_rates<planar>(m, roller, q, loads, y, rate, group);
   }
-  [[maybe_unused]] StepLimit<double> land_limit;
+  [[maybe_unused]] StepLimit<double> land_limit(m.longest_step);
   double on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = modal.pushed ? sum(modal_force[k]) : 0;
   land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, land_limit);

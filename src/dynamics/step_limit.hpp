@@ -9,7 +9,7 @@
 namespace cagetol {
 
 // Chosen by measurement (tests/STEP_CONTROL.md, What light touches do).
-inline constexpr double kStepHorizon = 1e-3;     ///< changes farther ahead are not looked for [s]
+inline constexpr double kStepHorizon = 1e-3;     ///< [s]
 inline constexpr double kBeforeTouch = 0.1e-6;   ///< steps end so long before a touch [s], ...
 inline constexpr double kBehindChange = 0.5e-6;  ///< or this long behind it
 inline constexpr double kContactGrowth = 4;      ///< times the age of a contact that just closed
@@ -33,6 +33,9 @@ inline double laid_around(double in, double place, double span, double h) {
 template <class T>
 class StepLimit {
  public:
+  /// Changes farther ahead than `horizon` [s], the longest step there may be, are not looked for.
+  explicit StepLimit(double horizon = kStepHorizon) : longest_(T{} + horizon) {}
+
   T longest() const { return longest_; }
   /// Until the next touch that a step is to be laid around [s]; very large: there is none.
   T touch_ahead() const { return touch_ahead_; }
@@ -77,7 +80,7 @@ class StepLimit {
     longest_ = select(here, min(longest_, limit), longest_);
   }
 
-  T longest_ = T{} + kStepHorizon, touch_ahead_ = T{} + kNoTouch;
+  T longest_, touch_ahead_ = T{} + kNoTouch;
 };
 
 }  // namespace cagetol

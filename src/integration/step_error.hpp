@@ -8,7 +8,7 @@
 // does to the power that a dashpot takes is moved energy, too, where the dashpot stops the roller
 // within the step: x^2/(1 + x^2) of it, x = c h/m. Rocking about
 // the tilt, with which rollers lean on flanges, skew and axial motion always count in full; and
-// 14-fold the rates of skew and axial motion while a roller that the races do not press is on a
+// 15-fold the rates of skew and axial motion while a roller that the races do not press is on a
 // flange, of the skew also while it is on a bar: what light touches leave behind adds up to the
 // skew.
 #pragma once

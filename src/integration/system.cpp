@@ -70,32 +70,36 @@ void System::rates_by_time(double t, const double* y, double* out) {
   tilt[1] = (soon.moment_z - now.moment_z) / dt / model.ring_transverse;
 }
 
+double speed_scale(const BearingModel& m) {
+  return std::min(kSpeedScale, m.friction.static_speed);
+}
+
 PackVector error_scales(const BearingModel& m) {
   const StateLayout& l = m.layout;
   PackVector scale(static_cast<std::size_t>(l.size()), kNever);
   const auto set = [&](int slot, double value) { scale[static_cast<std::size_t>(slot)] = value; };
-  const double half = m.roller_half_length;
+  const double half = m.roller_half_length, speed = speed_scale(m);
   for (int j = 0; j < l.rollers; ++j) {
     const double lever[kRollerPositions] = {1, m.pitch_radius, 1, half, half};
     for (int slot = 0; slot < kRollerPositions; ++slot) {
       set(l.position(static_cast<RollerPosition>(slot), j), kLengthScale / lever[slot]);
-      set(l.velocity(static_cast<RollerVelocity>(slot), j), kSpeedScale / lever[slot]);
+      set(l.velocity(static_cast<RollerVelocity>(slot), j), speed / lever[slot]);
     }
-    set(l.velocity(kSpin, j), kSpeedScale / (m.nominal_diameter / 2));
+    set(l.velocity(kSpin, j), speed / (m.nominal_diameter / 2));
   }
   const double lever[kRigidBorder] = {1, 1, 1, 1, 1, m.pitch_radius, m.land_offset, m.land_offset};
   for (int i = 0; i < kRigidBorder; ++i) {
     set(l.border_position(i), kLengthScale / lever[i]);
-    set(l.border_velocity(i), kSpeedScale / lever[i]);
+    set(l.border_velocity(i), speed / lever[i]);
   }
   for (int k = 0; k < l.ring_tilt; ++k) {
     set(l.border_position(l.ring_tilt_slot() + k), kLengthScale / half);
-    set(l.border_velocity(l.ring_tilt_slot() + k), kSpeedScale / half);
+    set(l.border_velocity(l.ring_tilt_slot() + k), speed / half);
   }
   for (int k = 0; k < l.modes; ++k) {
     const double moved = m.flexible.scale[static_cast<std::size_t>(k)];
     set(l.border_position(kModes + k), kLengthScale / moved);
-    set(l.border_velocity(kModes + k), kSpeedScale / moved);
+    set(l.border_velocity(kModes + k), speed / moved);
   }
   return scale;
 }

@@ -8,7 +8,10 @@
 namespace cagetol {
 
 inline constexpr double kLengthScale = 1e-6;  ///< one unit of error of a length [m]
-inline constexpr double kSpeedScale = 1e-2;   ///< of a speed [m/s]
+inline constexpr double kSpeedScale = 1e-2;   ///< of a speed, at most [m/s]
+/// One unit of error of a speed [m/s]: none coarser than the speed at which friction sets in, or
+/// the power that it dissipates is not known.
+double speed_scale(const BearingModel& model);
 
 struct Counts {
   long steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorisations = 0;
@@ -40,7 +43,7 @@ struct System {
   Counts counts;
 };
 
-/// Error scale of each state component: lengths 1 um, speeds 1 cm/s, angles and rates the same
+/// Error scale of each state component: lengths 1 um, speeds speed_scale, angles and rates the same
 /// divided by their lever arm; padding gets 1e30.
 PackVector error_scales(const BearingModel& model);
 
