@@ -15,70 +15,30 @@ void local_mass(const RollerGroup& roller, Pack (&mass)[kLocalVelocities]) {
   mass[kLs] = roller.polar;
 }
 
-using RollerBlock = Pack[kLocalVelocities][kLocalVelocities];
-
-/// A step of Gauss-Jordan in place with the pivots k and, where `pivots` is two, k + 1. Returns the
-/// lanes in which a pivot is not well above zero against its `floor`, or is not a number.
-template <bool planar, int k, int pivots>
-Mask eliminate(RollerBlock& a, const Pack* floor) {
-  const auto is_pivot = [&](int i) { return i >= k && i < k + pivots; };
-  Mask bad = ~(abs(a[k][k]) > floor[k]);  // also true for NaN
-  Pack inverse[pivots][pivots];
-  if constexpr (pivots == 1) {
-    inverse[0][0] = 1.0 / a[k][k];
-  } else {
-    const Pack determinant = a[k][k] * a[k + 1][k + 1] - a[k][k + 1] * a[k + 1][k];
-    bad |= ~(abs(determinant) > abs(a[k][k]) * floor[k + 1]);
-    const Pack per = 1.0 / determinant;
-    inverse[0][0] = a[k + 1][k + 1] * per;
-    inverse[1][1] = a[k][k] * per;
-    inverse[0][1] = -a[k][k + 1] * per;
-    inverse[1][0] = -a[k + 1][k] * per;
-  }
-#pragma GCC unroll 6
-  for (int j = 0; j < kLocalVelocities; ++j) {
-    if (held<planar>(j) || is_pivot(j)) continue;
-    Pack row[pivots];
-    for (int p = 0; p < pivots; ++p) row[p] = a[k + p][j];
-    for (int p = 0; p < pivots; ++p) {
-      a[k + p][j] = inverse[p][0] * row[0];
-      for (int q = 1; q < pivots; ++q) a[k + p][j] += inverse[p][q] * row[q];
-    }
-  }
-#pragma GCC unroll 6
-  for (int i = 0; i < kLocalVelocities; ++i) {
-    if (held<planar>(i) || is_pivot(i)) continue;
-    Pack factor[pivots];
-    for (int p = 0; p < pivots; ++p) factor[p] = a[i][k + p];
-#pragma GCC unroll 6
-    for (int j = 0; j < kLocalVelocities; ++j) {
-      if (held<planar>(j)) continue;
-      Pack left = is_pivot(j) ? Pack{} : a[i][j];
-      for (int p = 0; p < pivots; ++p)
-        left -= factor[p] * (is_pivot(j) ? inverse[p][j - k] : a[k + p][j]);
-      a[i][j] = left;
-    }
-  }
-  for (int p = 0; p < pivots; ++p)
-    for (int q = 0; q < pivots; ++q) a[k + p][k + q] = inverse[p][q];
-  return bad;
-}
-
-/// Gauss-Jordan in place, without pivoting, two pivots at a time: entries are read and written half
-/// as often. False where a pivot of an existing roller is not well above zero (or not a number)
-/// against its mass. Directions in which rollers are held have only their mass: a diagonal entry
-/// each.
+/// Gauss-Jordan in place, without pivoting. False where a pivot of an existing roller is not well
+/// above zero (or not a number) against its mass. Directions in which rollers are held have only
+/// their mass: a diagonal entry each.
 template <bool planar>
-bool invert(RollerBlock& a, const Pack (&mass)[kLocalVelocities], double beta, Pack exists) {
-  Pack floor[kLocalVelocities];
-  for (int i = 0; i < kLocalVelocities; ++i) floor[i] = (1e-9 / beta) * mass[i];
-  Mask bad = eliminate<planar, kLr, 2>(a, floor);
-  if constexpr (planar) {
-    for (int i = kLx; i <= kLat; ++i) a[i][i] = beta / mass[i];
-    bad |= eliminate<planar, kLs, 1>(a, floor);
-  } else {
-    bad |= eliminate<planar, kLx, 2>(a, floor);
-    bad |= eliminate<planar, kLat, 2>(a, floor);
+bool invert(Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack (&mass)[kLocalVelocities],
+            double beta, Pack exists) {
+  Mask bad{};
+  for (int k = 0; k < kLocalVelocities; ++k) {
+    if (held<planar>(k)) {
+      a[k][k] = beta / mass[k];
+      continue;
+    }
+    bad |= ~(abs(a[k][k]) > 1e-9 * mass[k] / beta);  // also true for NaN
+    const Pack inverse = 1.0 / a[k][k];
+    for (int j = 0; j < kLocalVelocities; ++j)
+      if (!held<planar>(j)) a[k][j] *= inverse;
+    a[k][k] = inverse;
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      if (i == k || held<planar>(i)) continue;
+      const Pack factor = a[i][k];
+      a[i][k] = Pack{};
+      for (int j = 0; j < kLocalVelocities; ++j)
+        if (!held<planar>(j)) a[i][j] -= factor * a[k][j];
+    }
   }
   return !any(bad & (exists > 0.0));
 }
@@ -94,7 +54,7 @@ Pack product(const Pack (&a)[kLocalVelocities], const Pack (&b)[kLocalVelocities
 }
 
 template <bool planar>
-void multiply(const RollerBlock& a, const Pack* b, Pack* x) {
+void multiply(const Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack* b, Pack* x) {
   for (int i = 0; i < kLocalVelocities; ++i) {
     if (held<planar>(i)) {
       x[i] = a[i][i] * b[i];
@@ -111,7 +71,7 @@ void multiply(const RollerBlock& a, const Pack* b, Pack* x) {
 
 /// x = b A, b a row.
 template <bool planar>
-void multiply_left(const Pack* b, const RollerBlock& a, Pack* x) {
+void multiply_left(const Pack* b, const Pack (&a)[kLocalVelocities][kLocalVelocities], Pack* x) {
   for (int j = 0; j < kLocalVelocities; ++j) {
     if (held<planar>(j)) {
       x[j] = b[j] * a[j][j];
