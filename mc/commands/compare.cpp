@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "analysis/compare/comparison.hpp"
-#include "analysis/compare/mean_bias.hpp"
+#include "analysis/compare/matched_runs.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/study/study_file_error.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/engine/bias.hpp"
 #include "mc/json_number.hpp"
 
 namespace cagetol {
@@ -77,46 +79,51 @@ int not_comparable(const CompareArguments& options, const std::string& reason) {
   return kBadInput;
 }
 
-Json to_json(const std::vector<MeanBias>& biases, const std::vector<std::string>& notes) {
+struct NamedBias {
+  std::string quantity, unit;
+  Bias bias;
+};
+
+Json to_json(const std::vector<NamedBias>& biases, const std::vector<std::string>& notes) {
   Json quantities = Json::array();
-  for (const MeanBias& b : biases)
-    quantities.push_back({{"quantity", b.quantity},
-                          {"unit", b.unit},
-                          {"pairs", b.pairs.pairs},
-                          {"old_mean", json_number(b.pairs.first_mean)},
-                          {"new_mean", json_number(b.pairs.second_mean)},
-                          {"study_error", json_number(b.study_error)},
+  for (const auto& [quantity, unit, b] : biases)
+    quantities.push_back({{"quantity", quantity},
+                          {"unit", unit},
+                          {"pairs", b.pairs},
+                          {"mean", json_number(b.mean)},
                           {"bias", json_number(b.bias)},
-                          {"bias_error", json_number(b.error)},
-                          {"upper_limit", json_number(b.upper_limit)}});
+                          {"standard_error", json_number(b.standard_error)},
+                          {"upper_limit", json_number(b.upper_limit)},
+                          {"allowed", json_number(b.allowed)},
+                          {"verdict", verdict_name(b.verdict)}});
   return {{"comparable", true}, {"notes", notes}, {"biases", quantities}};
 }
 
-std::string bias_text(const std::vector<MeanBias>& biases, const std::vector<std::string>& notes,
+std::string bias_text(const std::vector<NamedBias>& biases, const std::vector<std::string>& notes,
                       long samples) {
   std::string text = fmt::format(
       "Mean of NEW less that of OLD, pair by pair: in per cent of the mean, and in standard errors "
-      "of a study of {} samples; limits hold at 95 %, each by "
-      "itself.\n\n{:<36}{:>13}{:>20}{:>16}{:>9}  {}\n",
+      "of a study of {} samples; limits hold at 95 %, each by itself.\n\n"
+      "{:<36}{:>13}{:>20}{:>16}{:>9}  {}\n",
       samples, "quantity", "mean", "difference, %", "study errors", "limit", "verdict");
-  std::size_t small = 0, large = 0;
-  for (const MeanBias& b : biases) {
-    const double percent = 100 * b.study_error / std::abs(b.pairs.first_mean);
-    small += b.small();
-    large += b.large();
-    text += fmt::format("{:<36}{:>13.6g}{:>20}{:>16}{:>9.2f}  {}\n", b.quantity, b.pairs.first_mean,
-                        fmt::format("{:+.3f} +- {:.3f}", percent * b.bias, percent * b.error),
-                        fmt::format("{:+.2f} +- {:.2f}", b.bias, b.error), b.upper_limit,
-                        b.small()   ? "below one"
-                        : b.large() ? "ABOVE ONE"
-                                    : "unresolved");
+  std::map<BiasVerdict, int> count;
+  std::size_t pairs = 0;
+  for (const auto& [quantity, unit, b] : biases) {
+    ++count[b.verdict];
+    pairs = std::max(pairs, b.pairs);
+    const double percent = 100 / std::abs(b.mean);
+    text += fmt::format(
+        "{:<36}{:>13.6g}{:>20}{:>16}{:>9.2f}  {}\n", quantity, b.mean,
+        fmt::format("{:+.3f} +- {:.3f}", percent * b.bias, percent * b.standard_error),
+        fmt::format("{:+.2f} +- {:.2f}", b.bias / b.allowed, b.standard_error / b.allowed),
+        b.upper_limit / b.allowed, verdict_name(b.verdict));
   }
   for (const std::string& note : notes) text += "note: " + note + "\n";
-  const std::size_t pairs = biases.empty() ? 0 : biases.front().pairs.pairs;
   return text + fmt::format(
-                    "{} pairs: of {} quantities that scatter {} are below one standard "
-                    "error, {} above, {} unresolved\n",
-                    pairs, biases.size(), small, large, biases.size() - small - large);
+                    "{} pairs: of {} quantities that scatter {} are unbiased (limit below "
+                    "one standard error), {} biased, {} unresolved\n",
+                    pairs, biases.size(), count[BiasVerdict::unbiased], count[BiasVerdict::biased],
+                    count[BiasVerdict::unresolved]);
 }
 
 int run_bias(const CompareArguments& options, const StudyData& before, const StudyData& after) {
@@ -126,11 +133,16 @@ int run_bias(const CompareArguments& options, const StudyData& before, const Stu
     throw Refused("--bias compares pair by pair: give both sweeps the same seed and samples");
   if (share_lots(before))
     throw Refused("--bias takes runs for independent of each other, cages of one lot are not");
-  const auto biases = mean_biases(before, after, static_cast<double>(options.bias));
+  std::vector<NamedBias> biases;
+  for (const MatchedRuns& runs : matched_runs(before, after)) {
+    const Bias bias = compare_pairs(runs.values, runs.reference, static_cast<double>(options.bias));
+    if (bias.pairs >= 2 && bias.verdict != BiasVerdict::steady)
+      biases.push_back({runs.quantity, runs.unit, bias});
+  }
   print(options.json ? to_json(biases, notes).dump(2) + "\n"
                      : bias_text(biases, notes, options.bias));
-  const auto small = [](const MeanBias& b) { return b.small(); };
-  return std::all_of(biases.begin(), biases.end(), small) ? kDone : kLimitsNotMet;
+  const auto unbiased = [](const NamedBias& b) { return b.bias.verdict == BiasVerdict::unbiased; };
+  return std::all_of(biases.begin(), biases.end(), unbiased) ? kDone : kLimitsNotMet;
 }
 
 int run_compare(const CompareArguments& options) {

@@ -43,7 +43,8 @@ double replicas_to_resolve() {
   return std::ceil(2 * reach * reach * kStudySamples);
 }
 
-Bias compare_pairs(const std::vector<double>& values, const std::vector<double>& reference) {
+Bias compare_pairs(const std::vector<double>& values, const std::vector<double>& reference,
+                   double study_samples) {
   std::vector<double> known, differences;
   for (std::size_t k = 0; k < std::min(values.size(), reference.size()); ++k) {
     if (!std::isfinite(values[k]) || !std::isfinite(reference[k])) continue;
@@ -51,17 +52,19 @@ Bias compare_pairs(const std::vector<double>& values, const std::vector<double>&
     differences.push_back(values[k] - reference[k]);
   }
   Bias b;
+  b.pairs = known.size();
   if (known.size() < 2) {
-    b.bias = b.standard_error = b.upper_limit = b.deviation = b.allowed =
+    b.mean = b.bias = b.standard_error = b.upper_limit = b.deviation = b.allowed =
         std::numeric_limits<double>::quiet_NaN();
     return b;
   }
   const Moments r = moments(known), d = moments(differences);
   const auto n = static_cast<double>(known.size());
+  b.mean = r.mean;
   b.bias = d.mean;
   b.standard_error = std::sqrt(d.variance / n);
   b.deviation = std::sqrt(r.variance);
-  b.allowed = b.deviation / std::sqrt(kStudySamples);
+  b.allowed = b.deviation / std::sqrt(study_samples);
   const double reach = gsl_cdf_tdist_Pinv(0.975, n - 1) * b.standard_error;
   b.lower_limit = std::max(0.0, std::abs(b.bias) - reach);
   b.upper_limit = std::abs(b.bias) + reach;

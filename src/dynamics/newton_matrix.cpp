@@ -1,3 +1,4 @@
+// Above 400 lines: factors and solutions read the same blocks, which nothing else does.
 #include "src/dynamics/newton_matrix.hpp"
 
 #include <algorithm>
@@ -21,29 +22,6 @@ struct RingVectors {
     }
   }
 };
-
-/// Of packs the sum, each times its weight.
-Pack weighted_sum(const std::vector<Pack>& packs, const double* weight) {
-  Pack even{}, odd{};
-  const std::size_t n = packs.size();
-  for (std::size_t k = 0; k + 1 < n; k += 2) {
-    even += weight[k] * packs[k];
-    odd += weight[k + 1] * packs[k + 1];
-  }
-  if (n % 2 == 1) even += weight[n - 1] * packs[n - 1];
-  return even + odd;
-}
-
-/// y += A x of a square matrix whose columns fill `packs` packs.
-template <int packs>
-void add_product(const Eigen::MatrixXd& A, const double* x, double* y) {
-  const int n = static_cast<int>(A.rows());
-  Pack sums[packs];
-  load_padded(y, n, sums);
-  for (int j = 0; j < n; ++j)
-    for (int p = 0; p < packs; ++p) sums[p] += x[j] * load_first(&A(p * kLanes, j), n - p * kLanes);
-  for (int p = 0; p < packs; ++p) store_first(y + p * kLanes, sums[p], n - p * kLanes);
-}
 
 }  // namespace
 

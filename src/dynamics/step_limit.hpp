@@ -9,7 +9,6 @@
 namespace cagetol {
 
 // Chosen by measurement (tests/STEP_CONTROL.md, What light touches do).
-inline constexpr double kStepHorizon = 1e-3;     ///< [s]
 inline constexpr double kBeforeTouch = 0.1e-6;   ///< steps end so long before a touch [s], ...
 inline constexpr double kBehindChange = 0.5e-6;  ///< or this long behind it
 inline constexpr double kContactGrowth = 4;      ///< times the age of a contact that just closed
@@ -34,7 +33,7 @@ template <class T>
 class StepLimit {
  public:
   /// Changes farther ahead than `horizon` [s], the longest step there may be, are not looked for.
-  explicit StepLimit(double horizon = kStepHorizon) : longest_(T{} + horizon) {}
+  explicit StepLimit(double horizon) : longest_(T{} + horizon) {}
 
   T longest() const { return longest_; }
   /// Until the next touch that a step is to be laid around [s]; very large: there is none.

@@ -11,7 +11,7 @@
 
 #include "analysis/compare/change_tests.hpp"
 #include "analysis/compare/holm.hpp"
-#include "analysis/compare/mean_bias.hpp"
+#include "analysis/compare/matched_runs.hpp"
 #include "analysis/study/study_file_error.hpp"
 #include "distributions/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
@@ -198,59 +198,31 @@ TEST(Comparison, NotesWhatOnlyOneHas) {
                           "q9 is a quantity of only one of the two"));
 }
 
-const MeanBias& bias_of(const std::vector<MeanBias>& biases, const std::string& quantity) {
-  for (const MeanBias& b : biases)
-    if (b.quantity == quantity) return b;
+const MatchedRuns& pairs_of(const std::vector<MatchedRuns>& all, const std::string& quantity) {
+  for (const MatchedRuns& pairs : all)
+    if (pairs.quantity == quantity) return pairs;
   throw std::out_of_range(quantity);
 }
 
-// Differences 1, 2, 3 of a reference 0, 2, 4: mean 2, its error 1/sqrt(3), scatter 2.
-TEST(MeanBiasTest, IsTheMeanDifferenceInErrorsOfAStudy) {
-  StudyData reference = night(1, 3), runs = night(1, 3);
-  reference.quantities[0].values = {0, 2, 4};
-  runs.quantities[0].values = {1, 4, 7};
-  const auto biases = mean_biases(reference, runs, 100);
-  const MeanBias& b = bias_of(biases, "q0");
-  EXPECT_EQ(b.pairs.pairs, 3u);
-  EXPECT_NEAR(b.study_error, 0.2, 1e-12);
-  EXPECT_NEAR(b.bias, 10, 1e-9);
-  EXPECT_NEAR(b.error, 5 / std::sqrt(3), 1e-9);
-  EXPECT_NEAR(b.upper_limit, 10 + gsl_cdf_tdist_Pinv(0.975, 2) * 5 / std::sqrt(3), 1e-9);
-  EXPECT_FALSE(b.small() || b.large());
+TEST(MatchedRunsTest, StandBesideTheirRowWhateverTheirOrder) {
+  StudyData reference = night(1, 4), runs = night(1, 4);
+  reference.quantities[0].values = {10, 11, 12, 13};
+  runs.quantities[0].values = {20, 21, 22, 23};
+  std::swap(runs.row[0], runs.row[3]);
+  runs.row[2] = 99;  // a row that the reference has not; its own then has no partner
+  const auto all = matched_runs(reference, runs);
+  ASSERT_EQ(all.size(), reference.quantities.size());
+  const MatchedRuns& pairs = pairs_of(all, "q0");
+  EXPECT_THAT(pairs.reference, ElementsAre(10, 11, 12, 13));
+  EXPECT_EQ(pairs.values[0], 23);
+  EXPECT_EQ(pairs.values[1], 21);
+  EXPECT_TRUE(std::isnan(pairs.values[2]));
+  EXPECT_EQ(pairs.values[3], 20);
+  runs.quantities.erase(runs.quantities.begin());
+  EXPECT_THROW(pairs_of(matched_runs(reference, runs), "q0"), std::out_of_range);
 }
 
-TEST(MeanBiasTest, PairsRowsAndLeavesOutRunsWithoutAValue) {
-  StudyData reference = night(1),
-            runs = night(1, 300, [](std::size_t q, double y) { return q == 4 ? y + 0.25 : y; });
-  reference.quantities[4].values[7] = kUndefined;
-  runs.quantities[4].values[9] = kUndefined;
-  const auto biases = mean_biases(reference, runs, 1000);
-  const MeanBias& shifted = bias_of(biases, "q4");
-  EXPECT_EQ(shifted.pairs.pairs, 298u);
-  EXPECT_NEAR(shifted.bias * shifted.study_error, 0.25, 1e-12);
-  EXPECT_NEAR(shifted.error, 0, 1e-9);
-  EXPECT_TRUE(shifted.large());
-  EXPECT_EQ(bias_of(biases, "q3").bias, 0);
-  EXPECT_TRUE(bias_of(biases, "q3").small());
-}
-
-// What never scatters has no error to be held against; what two unrelated nights have apart is
-// within its limit in 95 of 100.
-TEST(MeanBiasTest, LimitsHoldAsOftenAsTheySay) {
-  StudyData flat = night(1);
-  for (double& y : flat.quantities[2].values) y = 5;
-  EXPECT_THROW(bias_of(mean_biases(flat, night(1), 1000), "q2"), std::out_of_range);
-  int outside = 0, all = 0;
-  for (int repeat = 0; repeat < 200; ++repeat)
-    for (const MeanBias& b : mean_biases(night(5, 300, {}, 2 * repeat + 1000),
-                                         night(5, 300, {}, 2 * repeat + 1001), 1000)) {
-      ++all;
-      outside += std::abs(b.bias) > b.upper_limit - std::abs(b.bias);
-    }
-  EXPECT_NEAR(static_cast<double>(outside) / all, 0.05, 0.015);
-}
-
-TEST(MeanBiasTest, CagesOfOneLotAreNotIndependent) {
+TEST(MatchedRunsTest, CagesOfOneLotAreNotIndependent) {
   EXPECT_FALSE(share_lots(night(1)));
   EXPECT_TRUE(share_lots(night(1, 300, {}, -1, 3)));
 }

@@ -60,6 +60,16 @@ TEST(Bias, IsResolvedOnlyByEnoughReplicas) {
   EXPECT_NEAR(replicas_to_resolve(), 7683, 1);
 }
 
+TEST(Bias, IsHeldAgainstTheStudyThatIsAsked) {
+  const std::vector<double> reference{0, 2, 4}, values{1, 4, 7};
+  const Bias b = compare_pairs(values, reference, 100);
+  EXPECT_EQ(b.pairs, 3u);
+  EXPECT_DOUBLE_EQ(b.mean, 2);
+  EXPECT_DOUBLE_EQ(b.bias, 2);
+  EXPECT_DOUBLE_EQ(b.allowed, 0.2);
+  EXPECT_DOUBLE_EQ(compare_pairs(values, reference, 400).allowed, 0.1);
+}
+
 TEST(Replicas, AreAddressedAndDoNotDependOnThreads) {
   const Study study =
       read_study(scene_file(), {"window.settle_time_s = 0.0002", "window.measure_time_s = 0.0002"});

@@ -169,6 +169,18 @@ TEST_F(StepErrorOf, PowerInErrorIsMovedEnergyWhereADashpotStopsARollerWithinTheS
   EXPECT_NEAR(counted(kLong), 0.05, 1e-5);
 }
 
+TEST_F(StepErrorOf, ASpeedsScaleIsNoCoarserThanFrictionsOwnSpeed) {
+  const auto scale = [&](double static_speed) {
+    scene_.contact.static_speed = static_speed;
+    scene_.contact.dynamic_speed = 10 * static_speed;
+    prepare();
+    return system_->scale[at(kRadialSpeed, 3)];
+  };
+  EXPECT_DOUBLE_EQ(scale(0.1), 0.01);
+  EXPECT_DOUBLE_EQ(scale(0.02), 0.01);
+  EXPECT_DOUBLE_EQ(scale(0.001), 0.001);
+}
+
 TEST_F(StepErrorOf, NoUnitIsCoarserThanFrictionsOwnSpeed) {
   scene_.contact.static_speed = 0.001;
   scene_.contact.dynamic_speed = 0.01;

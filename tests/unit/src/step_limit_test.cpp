@@ -6,19 +6,21 @@
 namespace cagetol {
 namespace {
 
+constexpr double kStepHorizon = 1e-3;  // [s]
+
 constexpr double kSpeed = 2e-3;  // [m/s]
 
 double after_touch_in(double time, double speed = kSpeed) {
-  StepLimit<double> limit;
+  StepLimit<double> limit(kStepHorizon);
   limit.touch(-time * speed, speed, true);
   return limit.longest();
 }
 
 TEST(StepLimit, IsTheHorizonWhereNothingChanges) {
-  EXPECT_EQ(StepLimit<double>().longest(), kStepHorizon);
+  EXPECT_EQ(StepLimit<double>(kStepHorizon).longest(), kStepHorizon);
   EXPECT_EQ(after_touch_in(1.1 * kStepHorizon), kStepHorizon);
   EXPECT_EQ(after_touch_in(1e-6, -kSpeed), kStepHorizon);  // closed, parting
-  StepLimit<double> limit;
+  StepLimit<double> limit(kStepHorizon);
   limit.touch(-1e-9, -kSpeed, true);  // open, going away
   limit.touch(1e-9, kSpeed, true);    // closed already
   EXPECT_EQ(limit.longest(), kStepHorizon);
@@ -33,7 +35,7 @@ TEST(StepLimit, StepsEndJustBeforeATouchAndFromThereJustInside) {
 }
 
 TEST(StepLimit, TheNearestChangeCounts) {
-  StepLimit<double> limit;
+  StepLimit<double> limit(kStepHorizon);
   limit.touch(-20e-6 * kSpeed, kSpeed, true);
   limit.touch(-8e-6 * kSpeed, kSpeed, true);
   limit.touch(-30e-6 * kSpeed, kSpeed, true);
@@ -50,7 +52,7 @@ TEST(StepLimit, TheNearestChangeCounts) {
 
 TEST(StepLimit, AYoungContactGrowsBySteps) {
   const auto at_age = [](double age) {
-    StepLimit<double> limit;
+    StepLimit<double> limit(kStepHorizon);
     limit.grow(age * kSpeed, kSpeed, true);
     return limit.longest();
   };
@@ -58,13 +60,13 @@ TEST(StepLimit, AYoungContactGrowsBySteps) {
   EXPECT_NEAR(at_age(3e-6), 12e-6, 1e-12);
   EXPECT_NEAR(at_age(0.01e-6), 0.5e-6, 1e-12);
   EXPECT_EQ(at_age(1), kStepHorizon);
-  StepLimit<double> parting;
+  StepLimit<double> parting(kStepHorizon);
   parting.grow(1e-9, -kSpeed, true);
   EXPECT_EQ(parting.longest(), kStepHorizon);
 }
 
 TEST(StepLimit, StepsAreLaidAroundTheNearestTouch) {
-  StepLimit<double> limit;
+  StepLimit<double> limit(kStepHorizon);
   limit.lay_around(8e-6 * kSpeed, kSpeed, true);     // closed already
   limit.lay_around(-8e-6 * kSpeed, -kSpeed, true);   // going away
   limit.lay_around(-1.1e-3 * kSpeed, kSpeed, true);  // beyond the horizon
@@ -88,7 +90,7 @@ TEST(StepLimit, StepsAreLaidAroundTheNearestTouch) {
 }
 
 TEST(StepLimit, PacksSeeWhatEachOfTheirContactsSees) {
-  StepLimit<Pack> pack;
+  StepLimit<Pack> pack(kStepHorizon);
   Pack p, rate;
   Mask here;
   for (int lane = 0; lane < kLanes; ++lane) {
@@ -102,7 +104,7 @@ TEST(StepLimit, PacksSeeWhatEachOfTheirContactsSees) {
   pack.at_most(2e-6, here & (p > 7e-9));
   pack.lay_around(p, rate, here);
   for (int lane = 0; lane < kLanes; ++lane) {
-    StepLimit<double> one;
+    StepLimit<double> one(kStepHorizon);
     const bool exists = here[lane] != 0;
     one.touch(p[lane], rate[lane], exists);
     one.pass(-p[lane], -rate[lane], exists);
