@@ -58,30 +58,41 @@ std::optional<CageFault> model_fault(const CageTable& table,
 /// hide the latency of multiplying, all of them in registers.
 template <int count, Index strip, typename Matrix>
 void strip_values(const Matrix& coefficients, const Matrix& terms, const std::vector<Index>& acting,
-                  Index row, Index k, Matrix& values) {
+                  Index from, Index k, Index to, Matrix& values) {
   using Scalar = typename Matrix::Scalar;
   Eigen::Array<Scalar, strip, 1> sum[count];
 #pragma GCC unroll 8
   for (int i = 0; i < count; ++i) sum[i].setZero();
   for (const Index t : acting) {
     const Eigen::Array<Scalar, strip, 1> coefficient =
-        coefficients.template block<strip, 1>(row, t).array();
+        coefficients.template block<strip, 1>(from, t).array();
 #pragma GCC unroll 8
     for (int i = 0; i < count; ++i) sum[i] += coefficient * terms(t, k + i);
   }
 #pragma GCC unroll 8
-  for (int i = 0; i < count; ++i) values.template block<strip, 1>(row, k + i) = sum[i];
+  for (int i = 0; i < count; ++i) values.template block<strip, 1>(to, k + i) = sum[i];
 }
 
-/// Values of polynomials at the deviations of every sector: coefficients x terms. A general matrix
-/// product would spend more on packing than on multiplying, and most of the time goes into reading
-/// coefficients: those of deviations that no pocket has stay unread.
+/// Terms that some sector has.
 template <typename Matrix>
-Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
+std::vector<Index> acting_terms(const Matrix& terms) {
+  std::vector<Index> acting;
+  for (Index t = 0; t < terms.rows(); ++t)
+    if ((terms.row(t).array() != 0).any()) acting.push_back(t);
+  return acting;
+}
+
+/// Values of polynomials at the deviations of every sector, coefficients x terms: those of `rows`
+/// polynomials from the `from`-th on, to row `to` of the values. A general matrix product would
+/// spend more on packing than on multiplying, and most of the time goes into reading coefficients:
+/// those of deviations that no pocket has (terms not `acting`) stay unread.
+template <typename Matrix>
+void put_values(const Matrix& coefficients, const Matrix& terms, const std::vector<Index>& acting,
+                Index from, Index rows, Index to, Matrix& values) {
   constexpr Index strip = 64 / sizeof(typename Matrix::Scalar);
   constexpr Index together = 8;
-  using Values =
-      void (*)(const Matrix&, const Matrix&, const std::vector<Index>&, Index, Index, Matrix&);
+  using Values = void (*)(const Matrix&, const Matrix&, const std::vector<Index>&, Index, Index,
+                          Index, Matrix&);
   constexpr Values of[together + 1] = {
       nullptr,
       strip_values<1, strip, Matrix>,
@@ -93,16 +104,22 @@ Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
       strip_values<7, strip, Matrix>,
       strip_values<8, strip, Matrix>,
   };
-  std::vector<Index> acting;
-  for (Index t = 0; t < terms.rows(); ++t)
-    if ((terms.row(t).array() != 0).any()) acting.push_back(t);
-  Matrix values(coefficients.rows(), terms.cols());
-  Index row = 0;
-  for (; row + strip <= values.rows(); row += strip)
+  if (rows < strip) {
+    values.middleRows(to, rows) = coefficients.middleRows(from, rows).lazyProduct(terms);
+    return;
+  }
+  for (Index begin = 0; begin < rows; begin += strip) {
+    const Index row = std::min(begin, rows - strip);  // the last two strips may overlap
     for (Index k = 0; k < terms.cols(); k += together)
-      of[std::min(together, terms.cols() - k)](coefficients, terms, acting, row, k, values);
-  const Index rest = values.rows() - row;
-  values.bottomRows(rest) = coefficients.bottomRows(rest).lazyProduct(terms);
+      of[std::min(together, terms.cols() - k)](coefficients, terms, acting, from + row, k, to + row,
+                                               values);
+  }
+}
+
+template <typename Matrix>
+Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
+  Matrix values(coefficients.rows(), terms.cols());
+  put_values(coefficients, terms, acting_terms(terms), 0, values.rows(), 0, values);
   return values;
 }
 
@@ -248,38 +265,52 @@ Eigen::MatrixXf far_residual(const CageTable& table, Index kept, Index span) {
   return far;
 }
 
+/// Stress rows of a sector that are formed together: what that takes, of all sectors, stays in the
+/// second cache.
+constexpr Index kStressRows = 96;
+
 void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficients& coefficients,
                  CageModel& model) {
-  const Eigen::MatrixXf flat =
-      polynomial_values<Eigen::MatrixXf>(table.stress, terms.cast<float>());
   const Index sectors = terms.cols();
   const Index strained = table.turn.seen() - 6;
-  const Index per_sector = flat.rows() / strained;
+  const Index per_sector = 6 * model.stress_stations;
   const Index per_pocket = 2 * model.bar_stations;
   const Index kept = model.frequency.size();
   const Index near = 2 * model.span + 1;
-  model.stress.resize(sectors * per_sector, kept + 1);
-  model.stress_residual.resize(sectors * per_sector, near * per_pocket);
-  MatrixXd modal(kept + 1, table.turn.all());
-  modal << coefficients.kept.transpose(), coefficients.turning.transpose();
-  const MatrixXd residual = coefficients.residual.transpose();
-  MatrixXd near_residual(near * per_pocket, table.turn.all());
+  // What strains a sector: modes, turning, forces near by, a column each.
+  MatrixXd combination(kept + 1 + near * per_pocket, table.turn.all());
+  combination.topRows(kept) = coefficients.kept.transpose();
+  combination.row(kept) = coefficients.turning.transpose();
+  std::vector<Eigen::MatrixXf> strain;
   for (Index k = 0; k < sectors; ++k) {
-    const auto rows = sector_rows(flat, strained, k);
-    const auto strain = [&](const MatrixXd& combinations) -> Eigen::MatrixXf {
-      return seen_coefficients(table.turn, combinations, k)
-          .rightCols(strained)
-          .transpose()
-          .cast<float>();
-    };
     for (Index o = 0; o < near; ++o) {
       const Index pocket = (k + o - model.span + sectors) % sectors;
-      near_residual.middleRows(o * per_pocket, per_pocket) =
-          residual.middleRows(pocket * per_pocket, per_pocket);
+      combination.middleRows(kept + 1 + o * per_pocket, per_pocket) =
+          coefficients.residual.middleCols(pocket * per_pocket, per_pocket).transpose();
     }
-    model.stress.middleRows(k * per_sector, per_sector).noalias() = rows * strain(modal);
-    model.stress_residual.middleRows(k * per_sector, per_sector).noalias() =
-        rows * strain(near_residual);
+    strain.emplace_back(seen_coefficients(table.turn, combination, k)
+                            .rightCols(strained)
+                            .transpose()
+                            .cast<float>());
+  }
+  model.stress.resize(per_sector * sectors, kept + 1);
+  model.stress_residual.resize(per_sector * sectors, near * per_pocket);
+  const Eigen::MatrixXf term = terms.cast<float>();
+  const std::vector<Index> acting = acting_terms(term);
+  const Index parts = (per_sector + kStressRows - 1) / kStressRows;
+  Eigen::MatrixXf values, product;
+  for (Index part = 0; part < parts; ++part) {
+    const Index first = part * per_sector / parts;
+    const Index rows = (part + 1) * per_sector / parts - first;
+    values.resize(rows * strained, sectors);
+    for (Index c = 0; c < strained; ++c)
+      put_values(table.stress, term, acting, per_sector * c + first, rows, c * rows, values);
+    for (Index k = 0; k < sectors; ++k) {
+      product.noalias() = sector_rows(values, strained, k) * strain[static_cast<std::size_t>(k)];
+      const Index row = per_sector * k + first;
+      model.stress.middleRows(row, rows) = product.leftCols(kept + 1);
+      model.stress_residual.middleRows(row, rows) = product.rightCols(near * per_pocket);
+    }
   }
   model.far_residual = far_residual(table, kept, model.span);
 }
@@ -357,7 +388,13 @@ Eigen::VectorXd station_stress(const CageModel& model, const Eigen::VectorXd& q,
     }
   }
   Eigen::VectorXd stress(components.size() / 6);
-  for (Index i = 0; i < stress.size(); ++i) stress[i] = von_mises(components.segment<6>(6 * i));
+  for (Index k = 0; k < sectors; ++k)
+    for (Index i = 0; i < model.stress_stations; ++i)
+      stress[k * model.stress_stations + i] =
+          von_mises(components.segment(k * per_sector, per_sector)
+                        .reshaped(model.stress_stations, 6)
+                        .row(i)
+                        .transpose());
   return stress;
 }
 

@@ -37,14 +37,15 @@ struct CageModel {
   /// there, beyond what the kept modes give [m/N]: columns (2n) j + (leading stations of pocket j,
   /// trailing of pocket j+1).
   Eigen::MatrixXd residual_compliance;
-  /// Stress per modal coordinate, and in the last column per square of the spin: row 6 (stations j
-  /// + station) + component, axes of sector j's frame [Pa].
+  /// Stress per modal coordinate, and in the last column per square of the spin: row stations (6 j
+  /// + component) + station, axes of sector j's frame [Pa].
   Eigen::MatrixXf stress;
   /// Stress per tangential force on bar stations near by: same rows; column 2n (o + span) + station
   /// for pocket j + o, o = -span ... span; trailing stations first, then leading [Pa/N].
   Eigen::MatrixXf stress_residual;
-  /// The same for all sectors, of forces farther away, as on the undeviated cage: rows 6 station +
-  /// component; column 2n o + station for pocket j + o, o = span + 1 ... Z - span - 1, others zero.
+  /// The same for all sectors, of forces farther away, as on the undeviated cage: row stations
+  /// component + station; column 2n o + station for pocket j + o, o = span + 1 ... Z - span - 1,
+  /// others zero.
   Eigen::MatrixXf far_residual;
   long stress_stations = 0;  ///< per sector
   long span = 0;             ///< how many sectors away a force is near by
@@ -54,9 +55,6 @@ struct CageModel {
 
   Eigen::Index contact_row(long pocket, long point, long direction) const {
     return 3 * (points * pocket + point) + direction;
-  }
-  Eigen::Index stress_row(long sector, long station) const {
-    return 6 * (stress_stations * sector + station);
   }
 };
 

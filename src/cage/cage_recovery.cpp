@@ -126,7 +126,8 @@ std::variant<std::vector<PeakStress>, CageFault> compare_peak_stress(
     const Index field = i % kFieldsAtOnce;
     if (field == 0) {
       const Index fields = std::min(kFieldsAtOnce, states.q.cols() - i);
-      stress = nodal_stress(mesh, table.material, recovery.displacement.middleCols(i, fields), nodes);
+      stress =
+          nodal_stress(mesh, table.material, recovery.displacement.middleCols(i, fields), nodes);
     }
     PeakStress& peak = peaks[static_cast<std::size_t>(i)];
     peak.stations =

@@ -18,6 +18,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Rows of stress with the component running first to rows with the station running first.
+Eigen::MatrixXd by_component(const Eigen::MatrixXd& stress) {
+  const Eigen::Index stations = stress.rows() / 6;
+  Eigen::MatrixXd to(stress.rows(), stress.cols());
+  for (Eigen::Index i = 0; i < stations; ++i)
+    for (Eigen::Index c = 0; c < 6; ++c) to.row(stations * c + i) = stress.row(6 * i + c);
+  return to;
+}
+
 /// Computes sector 0 at every sample of the deviations and fits the polynomials.
 void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
               const std::function<void(double)>& progress) {
@@ -45,7 +54,8 @@ void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
     pack_share(turn, project(body.stiffness), project(body.mass), projection.col(s));
     contact.col(s) = contact_rows(table.cage, table.stations, grid, deviation, carried).reshaped();
     stress.col(s) =
-        nodal_stress(sector, table.material, carried.rightCols(strained), watched).reshaped();
+        by_component(nodal_stress(sector, table.material, carried.rightCols(strained), watched))
+            .reshaped();
     progress(static_cast<double>(s + 1) / static_cast<double>(count));
   }
   table.projection = fit_polynomial(projection, table.range);
@@ -54,7 +64,8 @@ void tabulate(CageTable& table, const SectorGrid& grid, const CageBasis& basis,
   table.stress = fit_polynomial(stress, table.range).cast<float>();
   const HexMesh undeviated{sector_nodes(table.cage, {}, grid), grid.elements};
   table.attachment_stress =
-      nodal_stress(undeviated, table.material, basis.attachments, watched).cast<float>();
+      by_component(nodal_stress(undeviated, table.material, basis.attachments, watched))
+          .cast<float>();
 }
 
 /// Integrals that couple modes with a spin about x, on the undeviated cage.

@@ -30,9 +30,11 @@ struct CageTable {
   CageProjection undeviated;   ///< projections of the undeviated cage
   Eigen::MatrixXd projection;  ///< change of a packed share (sector_share.hpp) x terms
   Eigen::MatrixXd contact;     ///< (3 contact points, seen columns) x terms
-  Eigen::MatrixXf stress;      ///< (6 stress stations, seen columns but the rigid ones) x terms
-  /// Undeviated, of attachments of all sectors: (6 stress stations) x (sectors 0 ... Z-1, bar
-  /// stations of each), seen from sector 0.
+  /// (component, stress station, seen columns but the rigid ones) x terms, the station running
+  /// first.
+  Eigen::MatrixXf stress;
+  /// Undeviated, of attachments of all sectors: (component, stress station) x (sectors 0 ... Z-1,
+  /// bar stations of each), seen from sector 0.
   Eigen::MatrixXf attachment_stress;
   std::vector<SectorPoint> stress_points;
 

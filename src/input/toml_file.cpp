@@ -1,6 +1,7 @@
 #include "src/input/toml_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -96,10 +97,10 @@ std::string read_text_file(const std::string& path) {
   errno = 0;
   std::ifstream in(path, std::ios::binary);
   std::string text;
-  if (in) {
-    text.resize(kLargestFile + 1);
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(in.gcount()));
+  std::array<char, 65536> part;
+  while (in && text.size() <= kLargestFile) {
+    in.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
   }
   if (!in.is_open() || in.bad())
     throw InputError({path, 0}, "", "", std::string("cannot be read: ") + std::strerror(errno),

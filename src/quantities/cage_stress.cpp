@@ -16,44 +16,36 @@ auto von_mises_squared(const Sector& sector) {
          3.0F * (part(3).square() + part(4).square() + part(5).square());
 }
 
-/// Rows (sector, station, component) to (sector, component, station), and the largest von Mises
-/// stress of each column.
-void regroup(const Eigen::MatrixXf& from, long stations, Eigen::MatrixXf& to,
-             Eigen::VectorXd& norm) {
-  to.resize(from.rows(), from.cols());
-  norm.resize(from.cols());
+/// Largest von Mises stress of each column, its rows those of whole sectors.
+Eigen::VectorXd norms(const Eigen::MatrixXf& stress, long stations) {
+  Eigen::VectorXd norm(stress.cols());
   const Eigen::Index rows = 6 * stations;
-  for (Eigen::Index column = 0; column < from.cols(); ++column) {
+  for (Eigen::Index column = 0; column < stress.cols(); ++column) {
     float most = 0;
-    for (Eigen::Index first = 0; first < from.rows(); first += rows) {
-      auto sector = to.col(column).segment(first, rows);
-      sector.reshaped(stations, 6) =
-          from.col(column).segment(first, rows).reshaped(6, stations).transpose();
-      most = std::max(most, von_mises_squared(sector).maxCoeff());
-    }
+    for (Eigen::Index first = 0; first < stress.rows(); first += rows)
+      most = std::max(most, von_mises_squared(stress.col(column).segment(first, rows)).maxCoeff());
     norm[column] = std::sqrt(static_cast<double>(most));
   }
+  return norm;
 }
 
 }  // namespace
 
 CageStress::CageStress(const CageModel& model)
-    : stations_(model.stress_stations),
+    : model_(model),
+      stations_(model.stress_stations),
       sectors_(model.stress.rows() / (6 * stations_)),
       per_pocket_(2 * model.bar_stations),
-      span_(model.span) {
-  regroup(model.stress, stations_, modal_, mode_norm_);
-  Eigen::VectorXd near_norm;
-  regroup(model.stress_residual, stations_, residual_, near_norm);
-  Eigen::VectorXd far_norm;
-  regroup(model.far_residual, stations_, far_, far_norm);
-  force_norm_ = near_norm.reshaped(per_pocket_, 2 * span_ + 1)
+      mode_norm_(norms(model.stress, stations_)) {
+  const Eigen::VectorXd near_norm = norms(model.stress_residual, stations_),
+                        far_norm = norms(model.far_residual, stations_);
+  force_norm_ = near_norm.reshaped(per_pocket_, 2 * model.span + 1)
                     .rowwise()
                     .maxCoeff()
                     .cwiseMax(far_norm.reshaped(per_pocket_, sectors_).rowwise().maxCoeff());
   acting_.reserve(static_cast<std::size_t>(per_pocket_ * sectors_));
-  q_.resize(modal_.cols());
-  last_q_.setZero(modal_.cols() - 1);
+  q_.resize(model.stress.cols());
+  last_q_.setZero(model.stress.cols() - 1);
   last_force_.setZero(per_pocket_ * sectors_);
 }
 
@@ -67,7 +59,7 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
     for (long i = 0; i < per_pocket_; ++i)
       if (const double force = bar_force[j * per_pocket_ + i]; force != 0)
         acting_.push_back({j, i, static_cast<float>(force)});
-  components_.noalias() = modal_ * q_;
+  components_.noalias() = model_.stress * q_;
   const long rows = 6 * stations_;
   Largest largest;
   float most = -1;
@@ -75,12 +67,13 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
     auto here = components_.segment(k * rows, rows);
     for (const ActingForce& force : acting_) {
       const long offset = (force.pocket - k + sectors_) % sectors_;
-      const long near = near_place(offset, sectors_, span_);
+      const long near = near_place(offset, sectors_, model_.span);
       if (near >= 0)
         here +=
-            force.value * residual_.col(near * per_pocket_ + force.place).segment(k * rows, rows);
+            force.value *
+            model_.stress_residual.col(near * per_pocket_ + force.place).segment(k * rows, rows);
       else
-        here += force.value * far_.col(offset * per_pocket_ + force.place);
+        here += force.value * model_.far_residual.col(offset * per_pocket_ + force.place);
     }
     const float here_most = von_mises_squared(here).maxCoeff();
     if (here_most > most) {

@@ -13,7 +13,7 @@ namespace cagetol {
 
 class CageStress {
  public:
-  explicit CageStress(const CageModel& model);
+  explicit CageStress(const CageModel& model);  ///< which must live as long
 
   struct Largest {
     double stress = 0;  ///< [Pa]
@@ -41,10 +41,9 @@ class CageStress {
     float value;
   };
 
-  long stations_, sectors_, per_pocket_, span_;
-  Eigen::MatrixXf modal_, residual_;  ///< rows: (sector, component, station)
-  Eigen::MatrixXf far_;               ///< rows: (component, station)
-  Eigen::VectorXd mode_norm_;         ///< largest stress of a unit of each mode, of a unit spin
+  const CageModel& model_;
+  long stations_, sectors_, per_pocket_;
+  Eigen::VectorXd mode_norm_;  ///< largest stress of a unit of each mode, of a unit spin
   Eigen::VectorXd
       force_norm_;  ///< largest residual stress of a unit force, by its place in a pocket
   Eigen::VectorXf q_, components_;
