@@ -39,9 +39,9 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 
-/// Takes the first megabytes that a run needs at once, in large pages where they fit: 2 ms. One by
-/// one, as they are touched, pages cost a fault each, 10 us on a virtual machine, and a run with a
-/// flexible cage has a thousand.
+/// Takes the first megabytes that a run needs at once, in large pages where they fit: one by one,
+/// as they are touched, pages cost a fault each, which a short run would notice
+/// (tests/ACCURACY.md).
 void take_memory() {
   constexpr std::size_t size = 16 << 20, page = 4096;
   void* const memory = std::malloc(size);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "src/cage/field_recovery.hpp"
+#include "src/cage/polynomial_values.hpp"
 #include "src/cage/sector_polynomial.hpp"
 #include "src/cage/sector_share.hpp"
 
@@ -52,75 +53,6 @@ std::optional<CageFault> model_fault(const CageTable& table,
     }
   }
   return std::nullopt;
-}
-
-/// Values of a strip of polynomials for `count` sectors from the k-th on: as many sums in flight as
-/// hide the latency of multiplying, all of them in registers.
-template <int count, Index strip, typename Matrix>
-void strip_values(const Matrix& coefficients, const Matrix& terms, const std::vector<Index>& acting,
-                  Index from, Index k, Index to, Matrix& values) {
-  using Scalar = typename Matrix::Scalar;
-  Eigen::Array<Scalar, strip, 1> sum[count];
-#pragma GCC unroll 8
-  for (int i = 0; i < count; ++i) sum[i].setZero();
-  for (const Index t : acting) {
-    const Eigen::Array<Scalar, strip, 1> coefficient =
-        coefficients.template block<strip, 1>(from, t).array();
-#pragma GCC unroll 8
-    for (int i = 0; i < count; ++i) sum[i] += coefficient * terms(t, k + i);
-  }
-#pragma GCC unroll 8
-  for (int i = 0; i < count; ++i) values.template block<strip, 1>(to, k + i) = sum[i];
-}
-
-/// Terms that some sector has.
-template <typename Matrix>
-std::vector<Index> acting_terms(const Matrix& terms) {
-  std::vector<Index> acting;
-  for (Index t = 0; t < terms.rows(); ++t)
-    if ((terms.row(t).array() != 0).any()) acting.push_back(t);
-  return acting;
-}
-
-/// Values of polynomials at the deviations of every sector, coefficients x terms: those of `rows`
-/// polynomials from the `from`-th on, to row `to` of the values. A general matrix product would
-/// spend more on packing than on multiplying, and most of the time goes into reading coefficients:
-/// those of deviations that no pocket has (terms not `acting`) stay unread.
-template <typename Matrix>
-void put_values(const Matrix& coefficients, const Matrix& terms, const std::vector<Index>& acting,
-                Index from, Index rows, Index to, Matrix& values) {
-  constexpr Index strip = 64 / sizeof(typename Matrix::Scalar);
-  constexpr Index together = 8;
-  using Values = void (*)(const Matrix&, const Matrix&, const std::vector<Index>&, Index, Index,
-                          Index, Matrix&);
-  constexpr Values of[together + 1] = {
-      nullptr,
-      strip_values<1, strip, Matrix>,
-      strip_values<2, strip, Matrix>,
-      strip_values<3, strip, Matrix>,
-      strip_values<4, strip, Matrix>,
-      strip_values<5, strip, Matrix>,
-      strip_values<6, strip, Matrix>,
-      strip_values<7, strip, Matrix>,
-      strip_values<8, strip, Matrix>,
-  };
-  if (rows < strip) {
-    values.middleRows(to, rows) = coefficients.middleRows(from, rows).lazyProduct(terms);
-    return;
-  }
-  for (Index begin = 0; begin < rows; begin += strip) {
-    const Index row = std::min(begin, rows - strip);  // the last two strips may overlap
-    for (Index k = 0; k < terms.cols(); k += together)
-      of[std::min(together, terms.cols() - k)](coefficients, terms, acting, from + row, k, to + row,
-                                               values);
-  }
-}
-
-template <typename Matrix>
-Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
-  Matrix values(coefficients.rows(), terms.cols());
-  put_values(coefficients, terms, acting_terms(terms), 0, values.rows(), 0, values);
-  return values;
 }
 
 /// Coefficients of all columns: of the elastic modes, kept and not, and of the static rest per

@@ -48,7 +48,7 @@ std::vector<int> every_node(const HexMesh& mesh) {
   return nodes;
 }
 
-/// States whose stress is recovered together: an element's matrices cost as much as ten fields.
+/// States whose stress is recovered together, by the same matrices of each element.
 constexpr Index kFieldsAtOnce = 16;
 
 }  // namespace
