@@ -17,12 +17,15 @@ Eigen::Matrix3d directions(double theta) {
   return rows;
 }
 
-/// The line of nodes nearest to `wanted` along a coordinate of the grid, the corner's aside.
+/// The line of nodes nearest to `wanted` along a coordinate of the grid, on the same side of the
+/// corner, the corner's aside.
 double nearest_line(const SectorGrid& grid, double SectorPoint::*coordinate, double wanted) {
-  double best = 0;
+  double best = wanted < 1 ? 0 : 2;
   for (const SectorPoint& point : grid.points) {
     const double value = point.*coordinate;
-    if (value < 1 && std::abs(value - wanted) < std::abs(best - wanted)) best = value;
+    if (value != 1 && (value < 1) == (wanted < 1) &&
+        std::abs(value - wanted) < std::abs(best - wanted))
+      best = value;
   }
   return best;
 }
@@ -170,7 +173,13 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
   const double off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
   const double in_bore = 1 / static_cast<double>(grid.counts.radial);  // the first line inside
   // Rollers push on the bars nearer to one surface.
-  const double loaded = std::round(bar_station(cage, stations, 1, 0).radial);
+  const double pitch = bar_station(cage, stations, 1, 0).radial;
+  const double loaded = std::round(pitch);
+  // Where two rollers pinch the end of a bar, most of the stress is inside it.
+  const double depths = static_cast<double>(grid.counts.radial);
+  const double pinched_depth = std::round(depths * pitch) / depths;
+  const double pinched_end = nearest_line(grid, &SectorPoint::axial, 0.87);
+  const double in_bar = nearest_line(grid, &SectorPoint::around, 1.35);
   // Lines on both sides of the middle differ by rounding.
   const auto on = [](double value, double line) { return std::abs(value - line) < 1e-9; };
   std::vector<int> watched;
@@ -182,6 +191,8 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
     const bool corner = around == 1 && axial == 1 && surface;
     const bool bar_middle = around == 1 && surface && (axial == 0 || on(axial, between));
     const bool under_load = around == 1 && point.radial == loaded && axial > 0.55 && axial < 0.82;
+    const bool pinched =
+        on(around, in_bar) && on(point.radial, pinched_depth) && on(axial, pinched_end);
     const bool bar_root = around == 1 && on(axial, next_to_root);
     const bool side_ring = (surface && around == 0 && (axial == 1 || axial == 2)) ||
                            (point.radial == 0 && on(around, half_way) && axial == 2);
@@ -190,7 +201,8 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
                           (around == 1 || point.around == 2 || on(around, off_bar));
     const bool side_root =
         on(around, off_bar) && axial == 1 && (surface || point.radial == in_bore);
-    if (corner || bar_middle || under_load || bar_root || side_ring || over_bar || side_root)
+    if (corner || bar_middle || under_load || pinched || bar_root || side_ring || over_bar ||
+        side_root)
       watched.push_back(static_cast<int>(p));
   }
   return watched;
@@ -205,6 +217,8 @@ std::string station_name(const SectorPoint& point) {
   if (std::abs(point.around) == 1 && std::abs(point.axial) == 1) {
     return "bar root, " + face + ", " + half + ", " + surface;
   }
+  if (std::abs(point.around) > 1 && std::abs(point.axial) < 1)
+    return "inside the bar, " + face + ", " + half + ", " + surface;
   if (std::abs(point.around) == 1)
     return (point.axial == 0 ? "bar middle, " + face : "bar, " + face + ", " + half) + ", " +
            surface;

@@ -65,7 +65,8 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
 
 /// Grid points at which the stress can be largest: the pocket's four corners, the bar faces at and
 /// beside the middle, under the outermost bar stations and, at every depth, beside the root, the
-/// side rings' edges at the pocket's middle and beside the bars.
+/// inside of the bars near their ends, where rollers pinch them, the side rings' edges at the
+/// pocket's middle and beside the bars.
 std::vector<int> stress_stations(const CageDimensions& cage, const CageStations& stations,
                                  const SectorGrid& grid);
 

@@ -13,7 +13,7 @@
 namespace cagetol {
 namespace {
 
-constexpr const char* kMagic = "cagetol cage table 9\n";
+constexpr const char* kMagic = "cagetol cage table 10\n";
 
 /// FNV-1a over the bit patterns of numbers.
 class Hash {
