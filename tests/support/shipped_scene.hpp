@@ -10,11 +10,12 @@
 #include "src/outcome.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/scene/scene_keys.hpp"
+#include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 
 inline Scene shipped_scene(const std::string& name) {
-  const std::string path = std::string(CAGETOL_SOURCE_DIR) + "/inputs/scenes/" + name + ".toml";
+  const std::string path = shipped("scenes/" + name + ".toml");
   return read_scene(read_toml(path), path);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "distributions/random_stream.hpp"
+#include "tests/support/not_a_number.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {
@@ -13,7 +14,6 @@ namespace {
 constexpr std::int64_t kLengths = 5, kRows = 2 * kLengths;
 constexpr const char* kLength = "cage.pocket_length_mm";
 constexpr const char* kTilt = "bearing.misalignment_z_mrad";
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 nlohmann::ordered_json claim(const char* quantity, double from, double to, const char* expected,
                              double by_share) {

@@ -8,12 +8,13 @@
 #include "mc/study.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/scene/scene_keys.hpp"
+#include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
 
-std::string shipped(const std::string& path) {
-  return read_text_file(std::string(CAGETOL_SOURCE_DIR) + "/inputs/" + path);
+std::string shipped_text(const std::string& path) {
+  return read_text_file(shipped(path));
 }
 
 class Mutator {
@@ -88,7 +89,7 @@ TEST(Fuzz, ScenesAreReadOrRefused) {
   Mutator mutated(205);
   int read = 0, refused = 0;
   for (const char* path : {"scenes/nu205.toml", "scenes/speed-z16-skew.toml"}) {
-    const std::string text = shipped(path);
+    const std::string text = shipped_text(path);
     for (int i = 0; i < 2000; ++i) {
       try {
         read_scene(parse_toml(mutated(text), "fuzz.toml"), "fuzz.toml");
@@ -127,7 +128,7 @@ TEST(Fuzz, StudiesAreReadOrRefused) {
 
 TEST(Fuzz, MeasurementsAreReadOrRefused) {
   Mutator mutated(3);
-  const std::string text = shipped("measurements/pockets-synthetic.csv");
+  const std::string text = shipped_text("measurements/pockets-synthetic.csv");
   for (int i = 0; i < 2000; ++i) {
     try {
       csv_column(mutated(text), "fuzz.csv", "width_deviation_mm");

@@ -10,6 +10,7 @@
 #include "src/input/toml_file.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
@@ -26,10 +27,6 @@ Ended run(std::vector<std::string> arguments, const std::function<void()>& prepa
   Process process(arguments, prepare);
   const int code = process.wait();
   return {code, process.output()};
-}
-
-std::string shipped(const std::string& path) {
-  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/" + path;
 }
 
 TEST(Program, HelpHasAnExampleForEachCommand) {

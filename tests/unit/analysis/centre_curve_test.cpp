@@ -17,13 +17,13 @@ CentreCurves curves_of(const StudyData& study, const std::vector<double>& bands_
 
 // Fails beyond lot + pocket = 0.03 mm: yield Phi((0.03 - c) / (0.01 s sqrt 2)) with the lot moved
 // by c. The band of 0.1 s has a sigma of 0.01 s, so a step of 1/32 is 0.3 sigma.
-const StandinDimension kWidth{"cage.pocket_width_mm", 0.01, 0.01, {0.9, 1.5, 2.2}},
-    kLength{"cage.pocket_length_mm", 0.01, 0.01, {0.9, 1.5}};
+const StandinDimension kCurvedWidth{"cage.pocket_width_mm", 0.01, 0.01, {0.9, 1.5, 2.2}},
+    kCurvedLength{"cage.pocket_length_mm", 0.01, 0.01, {0.9, 1.5}};
 
 StudyData study_of_sum(std::int64_t rows) {
-  return tolerance_standin(rows, 8, {kWidth, kLength}, 0.95, [](const StandinCage& cage) {
-    return cage.lot[0] + cage.pocket[0][2] - 0.03;
-  });
+  return tolerance_standin(
+      rows, 8, {kCurvedWidth, kCurvedLength}, 0.95,
+      [](const StandinCage& cage) { return cage.lot[0] + cage.pocket[0][2] - 0.03; });
 }
 
 TEST(CentreCurves, FollowTheExactYield) {

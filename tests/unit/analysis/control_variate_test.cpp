@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "distributions/random_stream.hpp"
+#include "tests/support/not_a_number.hpp"
 
 namespace cagetol {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMean = 3, kDeviation = 2;
 const std::vector<LimitPlan> kLimits = {
     {.quantity = "q", .minimum = {}, .maximum = kMean + kDeviation, .source = "test"}};

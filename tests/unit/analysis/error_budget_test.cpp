@@ -19,7 +19,7 @@ RefinedShift shift_of(const std::string& setting, double shift, double half) {
   return {.setting = setting, .shift = {shift, shift - half, shift + half}, .pairs = 24};
 }
 
-const ReportedMean kMean{
+const ReportedMean kReportedMean{
     .standard_error = 0.1, .runs = 100, .noise_deviation = 0.5, .noise_share = {0.25, 0.16, 0.36}};
 
 TEST(ErrorBudget, ByHand) {
@@ -29,7 +29,7 @@ TEST(ErrorBudget, ByHand) {
   const std::vector<RefinedShift> shifts = {shift_of("window", 0.25, 0.15), lossy,
                                             shift_of("integrator", -0.4, 0.1),
                                             shift_of("modes", 0.1, 0.3)};
-  const ErrorBudget budget = error_budget(kMean, shifts, 0.95);
+  const ErrorBudget budget = error_budget(kReportedMean, shifts, 0.95);
   ASSERT_EQ(budget.sources.size(), 7u);
   const ErrorSource &statistical = budget.sources[0], &noise = budget.sources[1],
                     &integrator = budget.sources[2], &modes = budget.sources[3],
@@ -66,15 +66,16 @@ TEST(ErrorBudget, ByHand) {
 TEST(ErrorBudget, AnUnresolvedSourceIsNeverTheLargest) {
   const std::vector<RefinedShift> shifts = {shift_of("integrator", -0.4, 0.1),
                                             shift_of("modes", 0.9, 1.0)};
-  const ErrorBudget budget = error_budget(kMean, shifts, 0.95);
+  const ErrorBudget budget = error_budget(kReportedMean, shifts, 0.95);
   EXPECT_EQ(budget.largest, "integrator");
   EXPECT_THAT(budget.open, ElementsAre("modes"));
   // Against a shift that is certain but small the statistical error wins.
-  const ErrorBudget small = error_budget(kMean, std::vector{shift_of("modes", 0.05, 0.01)}, 0.95);
+  const ErrorBudget small =
+      error_budget(kReportedMean, std::vector{shift_of("modes", 0.05, 0.01)}, 0.95);
   EXPECT_EQ(small.sources[3].state, ErrorState::resolved);
   EXPECT_EQ(small.largest, "statistical");
   // Noise is part of the statistical error, and no rival of it.
-  ReportedMean noisy = kMean;
+  ReportedMean noisy = kReportedMean;
   noisy.noise_deviation = 2;
   EXPECT_EQ(error_budget(noisy, {}, 0.95).largest, "statistical");
 }
@@ -99,10 +100,10 @@ TEST(ErrorBudget, WhatWasNotMeasuredIsNotZero) {
 TEST(ErrorBudget, FiveIntervalsThatJustMissZeroResolveNothing) {
   std::vector<RefinedShift> shifts;
   for (const auto name : kRefinedSettings) shifts.push_back(shift_of(std::string(name), 1.01, 1));
-  const ErrorBudget five = error_budget(kMean, shifts, 0.95);
+  const ErrorBudget five = error_budget(kReportedMean, shifts, 0.95);
   EXPECT_EQ(five.largest, "statistical");
   EXPECT_EQ(five.open.size(), 5u);
-  EXPECT_EQ(error_budget(kMean, std::vector{shifts[2]}, 0.95).largest, "slices");
+  EXPECT_EQ(error_budget(kReportedMean, std::vector{shifts[2]}, 0.95).largest, "slices");
 }
 
 /// 24 samples as run and refined in each setting, unit noise of their own on each, `bias` on modes.

@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "distributions/random_stream.hpp"
+#include "tests/support/not_a_number.hpp"
 
 namespace cagetol {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// A constructed hierarchy: rung r has the mean of the reference plus bias[r] and noise of its own.
 struct Hierarchy {

@@ -10,8 +10,8 @@
 namespace cagetol {
 namespace {
 
-const StandinDimension kWidth{"cage.pocket_width_mm", 0.009, 0.009, {0.36, 0.58, 0.9, 1.5}};
-const StandinDimension kLength{"cage.pocket_length_mm", 0.009, 0.009, {0.36, 0.9}};
+const StandinDimension kMixedWidth{"cage.pocket_width_mm", 0.009, 0.009, {0.36, 0.58, 0.9, 1.5}};
+const StandinDimension kMixedLength{"cage.pocket_length_mm", 0.009, 0.009, {0.36, 0.9}};
 
 double no_badness(const StandinCage&) {
   return -1;
@@ -40,7 +40,7 @@ TEST(MixtureWeights, SurviveDensitiesInManyDimensions) {
 }
 
 TEST(MixtureWeights, MeanOneAndBoundedByTheNumberOfCandidates) {
-  const StudyData study = tolerance_standin(8000, 3, {kWidth, kLength}, 0.95, no_badness);
+  const StudyData study = tolerance_standin(8000, 3, {kMixedWidth, kMixedLength}, 0.95, no_badness);
   const MixtureWeights mixture = mixture_weights(study);
   ASSERT_EQ(mixture.candidate.size(), 8u);
   for (const auto& weights : mixture.candidate) {
@@ -61,7 +61,7 @@ TEST(MixtureWeights, MeanOneAndBoundedByTheNumberOfCandidates) {
 }
 
 TEST(MixtureWeights, ScalesOfACandidateGiveItsWeights) {
-  const StudyData study = tolerance_standin(200, 3, {kWidth, kLength}, 0.95, no_badness);
+  const StudyData study = tolerance_standin(200, 3, {kMixedWidth, kMixedLength}, 0.95, no_badness);
   const MixtureWeights mixture = mixture_weights(study);
   const auto weights = weights_of_scales(study, mixture, study.plan.candidates[5].scales);
   for (std::size_t i = 0; i < weights.size(); ++i)
@@ -70,7 +70,7 @@ TEST(MixtureWeights, ScalesOfACandidateGiveItsWeights) {
 
 TEST(MixtureWeights, CorrelatedLotsCarryTheCopula) {
   // Two lots with correlation rho: the density is the bivariate normal one.
-  StandinDimension width = kWidth, length = kLength;
+  StandinDimension width = kMixedWidth, length = kMixedLength;
   width.pocket_sigma = length.pocket_sigma = 0;
   StudyData study = tolerance_standin(160, 4, {width, length}, 0.95, no_badness);
   const double rho = 0.6;
@@ -90,7 +90,7 @@ TEST(MixtureWeights, CorrelatedLotsCarryTheCopula) {
 }
 
 TEST(MixtureWeights, MeasuredValuesHaveNoDensity) {
-  StudyData study = tolerance_standin(80, 3, {kWidth, kLength}, 0.95, no_badness);
+  StudyData study = tolerance_standin(80, 3, {kMixedWidth, kMixedLength}, 0.95, no_badness);
   study.plan.inputs[0].lot = {{"law", "empirical"}, {"values", {-0.01, 0.0, 0.01}}};
   const MixtureWeights mixture = mixture_weights(study);
   EXPECT_NE(mixture.note.find("measured"), std::string::npos);

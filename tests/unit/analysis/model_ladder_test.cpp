@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/study/study_file_error.hpp"
+#include "tests/support/not_a_number.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {
@@ -11,8 +12,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Four runs of a rung whose slip is 1, 2, 3, 4 plus `shift`; each takes `seconds`.
 StudyData rung_runs(double shift, double seconds, double stress) {

@@ -7,16 +7,15 @@
 #include <cmath>
 
 #include "distributions/random_stream.hpp"
+#include "tests/support/not_a_number.hpp"
 
 namespace cagetol {
 namespace {
 
 using testing::ElementsAre;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 /// Normal models with these correlations to the first; f_i has mean i and standard deviation i + 1.
-struct Hierarchy {
+struct Levels {
   std::vector<double> correlation, cost;
 
   double value(std::size_t model, std::uint64_t repeat, std::size_t sample) const {
@@ -44,10 +43,10 @@ struct Hierarchy {
 
 /// Variance of plain Monte Carlo at the same cost over the scatter of the estimator in repeats, and
 /// the mean square of the standard errors that it states over that scatter.
-struct Achieved {
+struct Scatter {
   double gain = 0, bias_in_errors = 0, stated = 0;
 };
-Achieved achieved(const Hierarchy& models, const MultifidelityPlan& plan, double cost) {
+Scatter achieved(const Levels& models, const MultifidelityPlan& plan, double cost) {
   constexpr int kRepeats = 1000;
   const auto counts = multifidelity_counts(plan, models.cost, cost);
   double spent = 0, sum = 0, squares = 0, stated = 0;
@@ -68,7 +67,7 @@ Achieved achieved(const Hierarchy& models, const MultifidelityPlan& plan, double
 TEST(Multifidelity, GainByHand) {
   // r^2 = 0.9025, cost 1 %: gain = 1 / (sqrt(0.0975) + 0.1 * 0.95)^2 = 6.03;
   // m_2 / m_1 = sqrt(0.9025 / (0.01 * 0.0975)) = 30.4.
-  const Hierarchy models{{1, 0.95}, {1, 0.01}};
+  const Levels models{{1, 0.95}, {1, 0.01}};
   const MultifidelityPlan plan = models.plan(200000);
   EXPECT_NEAR(plan.gain, 6.03, 0.05);
   EXPECT_NEAR(plan.ratios[1], 30.4, 0.3);
@@ -79,12 +78,12 @@ TEST(Multifidelity, GainByHand) {
 }
 
 TEST(Multifidelity, PredictedAndAchievedGainAgree) {
-  for (const Hierarchy& models :
-       {Hierarchy{{1, 0.95}, {1, 0.05}}, Hierarchy{{1, -0.9}, {1, 0.02}},
-        Hierarchy{{1, 0.97, 0.9}, {1, 0.1, 0.005}}, Hierarchy{{1, 0.8, 0.95}, {1, 0.01, 0.1}}}) {
+  for (const Levels& models :
+       {Levels{{1, 0.95}, {1, 0.05}}, Levels{{1, -0.9}, {1, 0.02}},
+        Levels{{1, 0.97, 0.9}, {1, 0.1, 0.005}}, Levels{{1, 0.8, 0.95}, {1, 0.01, 0.1}}}) {
     const MultifidelityPlan plan = models.plan(400);  // as large as a real pilot
     ASSERT_GT(plan.models.size(), 1u);
-    const Achieved seen = achieved(models, plan, 40);
+    const Scatter seen = achieved(models, plan, 40);
     EXPECT_NEAR(seen.gain / plan.gain, 1, 0.25) << plan.gain;
     EXPECT_LT(std::abs(seen.bias_in_errors), 4);
     EXPECT_NEAR(seen.stated, 1, 0.15);
@@ -92,13 +91,13 @@ TEST(Multifidelity, PredictedAndAchievedGainAgree) {
 }
 
 TEST(Multifidelity, IsLeftAloneWhereItGainsLittle) {
-  EXPECT_THAT((Hierarchy{{1, 0.3}, {1, 0.2}}.plan(1000).models), ElementsAre(0));
-  EXPECT_THAT((Hierarchy{{1, 0.99}, {1, 0.9}}.plan(1000).models), ElementsAre(0));
+  EXPECT_THAT((Levels{{1, 0.3}, {1, 0.2}}.plan(1000).models), ElementsAre(0));
+  EXPECT_THAT((Levels{{1, 0.99}, {1, 0.9}}.plan(1000).models), ElementsAre(0));
   // 1 / (sqrt(0.51) + sqrt(0.1 * 0.49))^2 = 1.14 is not worth it.
-  EXPECT_THAT((Hierarchy{{1, 0.7}, {1, 0.1}}.plan(4000).models), ElementsAre(0));
+  EXPECT_THAT((Levels{{1, 0.7}, {1, 0.1}}.plan(4000).models), ElementsAre(0));
   // A model that is dearer and knows less than another takes no part.
-  EXPECT_THAT((Hierarchy{{1, 0.95, 0.5}, {1, 0.01, 0.05}}.plan(2000).models), ElementsAre(0, 1));
-  EXPECT_EQ((Hierarchy{{1, 0.3}, {1, 0.2}}.plan(1000).gain), 1);
+  EXPECT_THAT((Levels{{1, 0.95, 0.5}, {1, 0.01, 0.05}}.plan(2000).models), ElementsAre(0, 1));
+  EXPECT_EQ((Levels{{1, 0.3}, {1, 0.2}}.plan(1000).gain), 1);
 }
 
 TEST(Multifidelity, SamplesWithoutAValueLeaveTheTermsThatNeedThem) {

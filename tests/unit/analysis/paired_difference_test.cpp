@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "distributions/random_stream.hpp"
+#include "tests/support/not_a_number.hpp"
 
 namespace cagetol {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(PairedDifference, IsTheMeanWithStudentsInterval) {
   // Differences 1, 2, 3: mean 2, s = 1, t(2; 97.5 %) = 4.302653.

@@ -34,12 +34,12 @@ Judged judge_study(const StudyData& study, std::size_t resamples = 300, double c
   return judged;
 }
 
-const StandinDimension kWidth{"cage.pocket_width_mm", 0, 0.01, {0.36, 0.58, 0.9, 1.5}};
-const StandinDimension kLength{"cage.pocket_length_mm", 0.01, 0.01, {0.36, 0.9}};
+const StandinDimension kPrintedWidth{"cage.pocket_width_mm", 0, 0.01, {0.36, 0.58, 0.9, 1.5}};
+const StandinDimension kPrintedLength{"cage.pocket_length_mm", 0.01, 0.01, {0.36, 0.9}};
 
 /// Fails when the largest of 13 pockets exceeds 0.026 mm: yield Phi(0.026 / (0.01 s))^13; length
 /// does nothing.
-double largest_width(const StandinCage& cage) {
+double widest_pocket(const StandinCage& cage) {
   return *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end()) - 0.026;
 }
 double yield_of_largest(double scale) {
@@ -47,7 +47,8 @@ double yield_of_largest(double scale) {
 }
 
 TEST(YieldCurves, MaximumOfNormals) {
-  const StudyData study = tolerance_standin(8000, 21, {kWidth, kLength}, 0.95, largest_width);
+  const StudyData study =
+      tolerance_standin(8000, 21, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   const Judged judged = judge_study(study, 2000, 0.999);
   for (const LevelYield& level : judged.curves.dimensions[0].levels) {
     const double exact = yield_of_largest(level.band_mm / 0.1);
@@ -60,14 +61,15 @@ TEST(YieldCurves, MaximumOfNormals) {
 TEST(YieldCurves, HierarchicalLinear) {
   // Badness sum_p c_p (L + W_p) - limit is normal: yield Phi(limit / (s sqrt((sum c)^2 s_L^2 + sum
   // c^2 s_W^2))).
-  StandinDimension width = kWidth;
+  StandinDimension width = kPrintedWidth;
   width.lot_sigma = 0.006;
   const auto badness = [](const StandinCage& cage) {
     return 2 * (cage.lot[0] + cage.pocket[0][1]) + (cage.lot[0] + cage.pocket[0][4]) - 0.03;
   };
   const double sigma = std::sqrt(9 * 0.006 * 0.006 + 5 * 0.01 * 0.01);
   for (const std::int64_t cages : {1, 5}) {
-    const StudyData study = tolerance_standin(8000, 22, {width, kLength}, 0.95, badness, cages);
+    const StudyData study =
+        tolerance_standin(8000, 22, {width, kPrintedLength}, 0.95, badness, cages);
     const Judged judged = judge_study(study, 2000, 0.999);
     for (const LevelYield& level : judged.curves.dimensions[0].levels) {
       const double exact = phi(0.03 / (sigma * level.band_mm / 0.1));
@@ -82,7 +84,7 @@ double bound_coverage(int repeats) {
   int held = 0;
   for (int repeat = 0; repeat < repeats; ++repeat) {
     const StudyData study =
-        tolerance_standin(1000, 500 + repeat, {kWidth, kLength}, 0.95, largest_width);
+        tolerance_standin(1000, 500 + repeat, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
     held += judge_study(study, 200).curves.candidates[4].lower_bound <= yield_of_largest(0.9);
   }
   return static_cast<double>(held) / repeats;
@@ -100,7 +102,8 @@ TEST(NightlyYieldCurves, LowerBoundHoldsInAThousandRepeats) {
 TEST(Recommendation, WidestBandThatMeetsTheTargetSnappedDown) {
   // Yields at 0.036, 0.058, 0.09, 0.15 mm: 1.0000, 0.99995, 0.9751, 0.5731. Bands in mm snap to
   // IT11 = 0.09 mm for 9 mm.
-  const StudyData study = tolerance_standin(4000, 23, {kWidth, kLength}, 0.95, largest_width);
+  const StudyData study =
+      tolerance_standin(4000, 23, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   const Judged judged = judge_study(study);
   const Recommendation& result = judged.recommendation;
   ASSERT_TRUE(result.meets_target);
@@ -111,9 +114,9 @@ TEST(Recommendation, WidestBandThatMeetsTheTargetSnappedDown) {
 }
 
 TEST(Recommendation, BandBetweenGradesIsJudgedAtTheGradeBelow) {
-  StandinDimension width = kWidth;
+  StandinDimension width = kPrintedWidth;
   width.scales = {0.36, 0.75, 1.5};
-  const StudyData study = tolerance_standin(4000, 24, {width, kLength}, 0.95, largest_width);
+  const StudyData study = tolerance_standin(4000, 24, {width, kPrintedLength}, 0.95, widest_pocket);
   const Recommendation result = judge_study(study).recommendation;
   ASSERT_TRUE(result.meets_target);
   EXPECT_NEAR(result.bands[0].band_mm, 0.058, 1e-12);
@@ -126,7 +129,8 @@ TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
   const int repeats = 40;
   for (int repeat = 0; repeat < repeats; ++repeat) {
     const Judged judged = judge_study(
-        tolerance_standin(2000, 900 + repeat, {kWidth, kLength}, 0.95, largest_width), 50);
+        tolerance_standin(2000, 900 + repeat, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket),
+        50);
     EXPECT_EQ(judged.tests[0].answer, Binding::binding);
     not_binding += judged.tests[1].answer == Binding::not_binding;
     recommended += !judged.recommendation.bands[1].not_binding;
@@ -136,8 +140,8 @@ TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
 }
 
 TEST(Recommendation, TooFewRunsLeaveADimensionUndecided) {
-  const Judged judged =
-      judge_study(tolerance_standin(120, 31, {kWidth, kLength}, 0.99, largest_width), 50);
+  const Judged judged = judge_study(
+      tolerance_standin(120, 31, {kPrintedWidth, kPrintedLength}, 0.99, widest_pocket), 50);
   EXPECT_EQ(judged.tests[1].answer, Binding::undecided);
   EXPECT_FALSE(judged.recommendation.possible);  // fewer than 100 effective runs everywhere
 }
@@ -146,14 +150,15 @@ TEST(Recommendation, NothingMeetsTheTarget) {
   const auto always_bad = [](const StandinCage& cage) {
     return cage.pocket[0][0] + 0.5 * std::abs(cage.pocket[0][1]);
   };
-  const Judged judged =
-      judge_study(tolerance_standin(2000, 32, {kWidth, kLength}, 0.95, always_bad), 50);
+  const Judged judged = judge_study(
+      tolerance_standin(2000, 32, {kPrintedWidth, kPrintedLength}, 0.95, always_bad), 50);
   EXPECT_TRUE(judged.recommendation.possible);
   EXPECT_FALSE(judged.recommendation.meets_target);
 }
 
 TEST(Recommendation, LostRunsNeverRaiseIt) {
-  StudyData study = tolerance_standin(2000, 33, {kWidth, kLength}, 0.95, largest_width);
+  StudyData study =
+      tolerance_standin(2000, 33, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   const Recommendation before = judge_study(study).recommendation;
   for (std::size_t i = 0; i < study.size(); i += 9)
     if (study.quantities[0].values[i] > 0) study.status[i] = RunStatus::failed;
@@ -164,7 +169,8 @@ TEST(Recommendation, LostRunsNeverRaiseIt) {
 }
 
 TEST(Recommendation, NarrowingTheDimensionThatMattersPays) {
-  const StudyData study = tolerance_standin(4000, 23, {kWidth, kLength}, 0.95, largest_width);
+  const StudyData study =
+      tolerance_standin(4000, 23, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   const Judged judged = judge_study(study);
   for (const StepEffect& step : judged.recommendation.steps) {
     if (step.key != "cage.pocket_width_mm") continue;

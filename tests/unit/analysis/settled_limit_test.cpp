@@ -9,25 +9,25 @@
 
 #include "analysis/fidelity/least_rung.hpp"
 #include "distributions/random_stream.hpp"
+#include "tests/support/not_a_number.hpp"
 
 namespace cagetol {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSamples = 24;  // of a usual pilot
 
 LimitPlan at_most(double maximum) {
   return {.quantity = "q", .minimum = {}, .maximum = maximum, .source = "test"};
 }
 
-double normal(double u) {
+double normal_score(double u) {
   return gsl_cdf_ugaussian_Pinv(u);
 }
 
 /// A rung of a constructed hierarchy: a law by its quantiles, times `scale`, plus `shift`, in
 /// standard deviations of the reference; half of the variance of its normal score is shared.
 struct PlantedRung {
-  std::function<double(double)> law = normal;
+  std::function<double(double)> law = normal_score;
   double scale = 1, shift = 0;
 };
 
@@ -36,9 +36,9 @@ std::vector<std::vector<double>> runs_of(const std::vector<PlantedRung>& rungs,
   std::vector<std::vector<double>> values(rungs.size());
   for (std::uint32_t k = 0; k < kSamples; ++k) {
     RandomStream draws(11, Purpose::noise, repeat, k);
-    const double shared = normal(draws.next());
+    const double shared = normal_score(draws.next());
     for (std::size_t r = 0; r < rungs.size(); ++r) {
-      const double score = std::sqrt(0.5) * (shared + normal(draws.next()));
+      const double score = std::sqrt(0.5) * (shared + normal_score(draws.next()));
       values[r].push_back(rungs[r].shift +
                           rungs[r].scale * rungs[r].law(gsl_cdf_ugaussian_P(score)));
     }
@@ -146,7 +146,7 @@ double wrongly_settled(const std::function<double(double)>& law, double times) {
 TEST(SettledLimit, IsSeldomWrong) {
   const auto exponential = [](double u) { return -std::log1p(-u); };
   const auto lognormal = [](double sigma) {
-    return [sigma](double u) { return std::exp(sigma * normal(u)); };
+    return [sigma](double u) { return std::exp(sigma * normal_score(u)); };
   };
   const auto student = [](double freedom) {
     return [freedom](double u) { return gsl_cdf_tdist_Pinv(u, freedom); };
@@ -158,7 +158,7 @@ TEST(SettledLimit, IsSeldomWrong) {
   };
   // The error of a model is 2.5 %, and 1000 repeats scatter. The last two have heavier tails than
   // is assumed (tests/ACCURACY.md).
-  for (const Case& c : {Case{"normal", normal, 0.005, 0},
+  for (const Case& c : {Case{"normal", normal_score, 0.005, 0},
                         {"exponential", exponential, 0.035, 0.015},
                         {"lognormal_0.25", lognormal(0.25), 0.02, 0.01},
                         {"lognormal_0.5", lognormal(0.5), 0.05, 0.015},

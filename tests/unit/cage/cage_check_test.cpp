@@ -7,13 +7,13 @@
 namespace cagetol {
 namespace {
 
-CageModel model_of(const std::vector<PocketDeviation>& deviations) {
+CageModel coarse_model(const std::vector<PocketDeviation>& deviations) {
   return std::get<CageModel>(make_cage_model(test::coarse_table(), deviations));
 }
 
 TEST(CageCheck, RepeatsToTheLastBitAndNamesTheMesh) {
   const auto deviations = test::scattered_pockets(11);
-  const CageModel model = model_of(deviations);
+  const CageModel model = coarse_model(deviations);
   const CageCheck a = check_cage_model(test::coarse_table(), deviations, model);
   const CageCheck b = check_cage_model(test::coarse_table(), deviations, model);
   EXPECT_TRUE(a.frequency == b.frequency);
@@ -27,7 +27,7 @@ TEST(CageCheck, RepeatsToTheLastBitAndNamesTheMesh) {
 /// The check sees a model that is not of these pockets, and looks at no mode above 20 kHz.
 TEST(CageCheck, SeesAWrongModel) {
   const auto deviations = test::scattered_pockets(12);
-  CageModel model = model_of(deviations);
+  CageModel model = coarse_model(deviations);
   const double right = check_cage_model(test::coarse_table(), deviations, model).largest_error;
   ASSERT_GT(model.frequency[19], kCheckedFrequency);
   model.frequency[19] *= 2;

@@ -12,7 +12,7 @@
 namespace cagetol {
 namespace {
 
-const Material kSteel{206e9, 0.30, 7850};
+const Material kCubeSteel{206e9, 0.30, 7850};
 
 /// A cube of 2 x 2 x 2 elements whose inner and surface nodes are thrown off the grid.
 HexMesh distorted_cube() {
@@ -30,7 +30,7 @@ HexMesh distorted_cube() {
 TEST(Hex8Incompatible, PatchTestOnDistortedMesh) {
   const HexMesh mesh = distorted_cube();
   const SparseMatrix stiffness =
-      assemble_body(mesh, kSteel).stiffness.selfadjointView<Eigen::Lower>();
+      assemble_body(mesh, kCubeSteel).stiffness.selfadjointView<Eigen::Lower>();
   const int inner = 13;
   std::vector<int> all(27);
   for (int n = 0; n < 27; ++n) all[static_cast<std::size_t>(n)] = n;
@@ -41,14 +41,14 @@ TEST(Hex8Incompatible, PatchTestOnDistortedMesh) {
     for (Eigen::Index n = 0; n < mesh.nodes.cols(); ++n)
       u.segment<3>(3 * n) = slope * mesh.nodes.col(n);
     const Eigen::VectorXd force = stiffness * u;
-    EXPECT_LT(force.segment<3>(3 * inner).norm(), 1e-11 * kSteel.young * 1e-3 * 1e-6);
+    EXPECT_LT(force.segment<3>(3 * inner).norm(), 1e-11 * kCubeSteel.young * 1e-3 * 1e-6);
     Eigen::Matrix<double, 6, 1> strain;
     strain << slope(0, 0), slope(1, 1), slope(2, 2), slope(0, 1) + slope(1, 0),
         slope(1, 2) + slope(2, 1), slope(2, 0) + slope(0, 2);
-    const Eigen::Matrix<double, 6, 1> exact = elasticity(kSteel) * strain;
-    const Eigen::MatrixXd stress = nodal_stress(mesh, kSteel, u, all);
+    const Eigen::Matrix<double, 6, 1> exact = elasticity(kCubeSteel) * strain;
+    const Eigen::MatrixXd stress = nodal_stress(mesh, kCubeSteel, u, all);
     for (int n = 0; n < 27; ++n) {
-      EXPECT_LT((stress.middleRows<6>(6 * n) - exact).norm(), 1e-9 * kSteel.young * 1e-3);
+      EXPECT_LT((stress.middleRows<6>(6 * n) - exact).norm(), 1e-9 * kCubeSteel.young * 1e-3);
     }
   }
 }
@@ -56,7 +56,7 @@ TEST(Hex8Incompatible, PatchTestOnDistortedMesh) {
 TEST(Hex8Incompatible, SingleElementHasSixRigidModesAndNoMore) {
   HexMesh mesh = test::box_mesh({1e-3, 2e-3, 1.5e-3}, 1, 1, 1);
   mesh.nodes.col(7) += Eigen::Vector3d(2e-4, -1e-4, 3e-4);
-  const Hex8 hex = hex8_stiffness(element_nodes(mesh, mesh.elements[0]), kSteel);
+  const Hex8 hex = hex8_stiffness(element_nodes(mesh, mesh.elements[0]), kCubeSteel);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(hex.stiffness)};
   const double largest = solver.eigenvalues()[23];
   EXPECT_LT(std::abs(solver.eigenvalues()[5]), 1e-13 * largest);
@@ -77,7 +77,7 @@ TEST(Hex8Incompatible, ThinBarBends) {
   const double length = 50e-3;
   const double side = 1e-3;
   const HexMesh mesh = test::box_mesh({length, side, side}, 40, 1, 1);
-  Material material = kSteel;
+  Material material = kCubeSteel;
   material.poisson = 0;  // beam theory
   const SparseMatrix full = assemble_body(mesh, material).stiffness.selfadjointView<Eigen::Lower>();
   std::vector<Eigen::Triplet<double>> entries;

@@ -8,15 +8,12 @@
 #include "mc/study.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
 
 using testing::HasSubstr;
-
-std::string shipped() {
-  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/studies/nu205.toml";
-}
 
 /// A study with two dimensions; the lines given stand in each of them.
 std::string study_text(const std::string& first, const std::string& second) {
@@ -46,14 +43,15 @@ std::string problem_of(const std::string& first, const std::string& second) {
 }
 
 TEST(RecommendKeys, ReadAndResolved) {
-  const Study study = read_study(shipped(), {"recommend.attempts=3", "recommend.budget_h=0.5"});
+  const Study study =
+      read_study(shipped("studies/nu205.toml"), {"recommend.attempts=3", "recommend.budget_h=0.5"});
   EXPECT_EQ(study.recommend.attempts, 3);
   EXPECT_DOUBLE_EQ(study.recommend.budget_time, 1800);
   const auto json = nlohmann::json::parse(study.resolved_json);
   EXPECT_EQ(json["recommend"]["attempts"], 3);
   EXPECT_DOUBLE_EQ(json["recommend"]["budget_h"], 0.5);
-  EXPECT_THROW(read_study(shipped(), {"recommend.attempts=0"}), InputError);
-  EXPECT_THROW(read_study(shipped(), {"recommend.budget_h=-1"}), InputError);
+  EXPECT_THROW(read_study(shipped("studies/nu205.toml"), {"recommend.attempts=0"}), InputError);
+  EXPECT_THROW(read_study(shipped("studies/nu205.toml"), {"recommend.budget_h=-1"}), InputError);
 }
 
 TEST(RecommendKeys, CostsAreReadAndResolved) {
@@ -85,7 +83,7 @@ TEST(RecommendKeys, BadCostsAreRefused) {
 }
 
 TEST(ChangedStudy, IsResolvedAnew) {
-  const Study study = read_study(shipped());
+  const Study study = read_study(shipped("studies/nu205.toml"));
   EXPECT_EQ(changed_study(study, [](Study&) {}).hash, study.hash);
   const Study changed = changed_study(study, [](Study& other) {
     other.samples = 33;

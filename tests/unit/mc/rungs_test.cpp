@@ -12,6 +12,7 @@
 #include "src/quasi_static.hpp"
 #include "src/scene/scene_keys.hpp"
 #include "src/simulate.hpp"
+#include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
@@ -19,10 +20,6 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string shipped(const std::string& path) {
-  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/" + path;
-}
 
 TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   const auto& rungs = climbing_rungs();

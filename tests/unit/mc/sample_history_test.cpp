@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kPoints = 40;
 
-Scene short_scene() {
+Scene scene_of_a_fifth_turn() {
   Scene scene = shipped_scene("nu205");
   scene.window.settle_revolutions = 0.05;
   scene.window.measure_revolutions = 0.2;
@@ -65,7 +65,7 @@ class SampleHistoryTest : public testing::Test {
       spin_.value.push_back(30 / M_PI * at.y[at.system.model.layout.velocity(kSpin, 4)]);
     });
   }
-  Scene scene_ = short_scene();
+  Scene scene_ = scene_of_a_fifth_turn();
   std::vector<std::pair<const char*, Curve>> curves_ = {
       {"ring_z", {}}, {"cage_y", {}}, {"cage_speed", {}}, {"cage_velocity", {}}};
   Curve spin_;

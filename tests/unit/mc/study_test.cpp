@@ -9,6 +9,7 @@
 
 #include "mc/sample.hpp"
 #include "src/input/input_error.hpp"
+#include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
@@ -16,10 +17,6 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string shipped(const std::string& path) {
-  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/" + path;
-}
 
 // A folder for the files of one test.
 class StudyFile : public testing::Test {

@@ -38,11 +38,11 @@ double quantity(const Outcome& outcome, const char* key) {
 }
 
 /// A cage that nothing touches, spinning, leaning, bent.
-struct FreeCage {
+struct LooseCage {
   Scene scene = coarse_scene();
   BearingModel model;
   std::vector<double> y;
-  explicit FreeCage(double phase, bool spin_terms = true) {
+  explicit LooseCage(double phase, bool spin_terms = true) {
     scene.cage.guidance = "roller";
     scene.cage.mode_damping = 0;
     scene.cage.centrifugal = scene.cage.coriolis = spin_terms;
@@ -93,7 +93,7 @@ struct FreeCage {
 
 TEST(FlexibleCage, SpinningFreeKeepsEnergyAndMomentum) {
   for (bool spin_terms : {true, false}) {
-    FreeCage cage(0.3, spin_terms);
+    LooseCage cage(0.3, spin_terms);
     const double energy = cage.energy(), momentum = cage.angular_momentum();
     const double spin_energy = cage.model.cage_polar * std::pow(cage.velocity()[kCagePhi], 2) / 2;
     cage.integrate(2e-3);
@@ -105,7 +105,7 @@ TEST(FlexibleCage, SpinningFreeKeepsEnergyAndMomentum) {
 }
 
 TEST(FlexibleCage, SpinningFreeDoesNotKnowTheOriginOfAngles) {
-  FreeCage one(0), other(2.1);
+  LooseCage one(0), other(2.1);
   one.integrate(2e-3);
   other.integrate(2e-3);
   for (int k = 0; k < one.model.layout.modes; ++k) {

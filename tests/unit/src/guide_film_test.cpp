@@ -18,11 +18,11 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kViscosity = 0.02, kRadius = 21.8e-3, kWidth = 2.4e-3, kClearance = 0.2e-3;
+constexpr double kViscosity = 0.02, kGuideRadius = 21.8e-3, kWidth = 2.4e-3, kClearance = 0.2e-3;
 const ShortBearing kBearing{true,
-                            kViscosity* kRadius* kWidth* kWidth* kWidth,
-                            2 * pi* kViscosity* kRadius* kRadius* kRadius* kWidth,
-                            2 * pi* kViscosity* kRadius* kWidth,
+                            kViscosity* kGuideRadius* kWidth* kWidth* kWidth,
+                            2 * pi* kViscosity* kGuideRadius* kGuideRadius* kGuideRadius* kWidth,
+                            2 * pi* kViscosity* kGuideRadius* kWidth,
                             kClearance,
                             1e-6};
 
@@ -35,7 +35,7 @@ void integrated(const double D[2], const double V[2], double force[2]) {
     const double h = kClearance - D[0] * y - D[1] * z, closing = V[0] * y + V[1] * z;
     if (closing <= 0) continue;
     const double at_middle = 12 * kViscosity * closing / (h * h * h) * kWidth * kWidth / 8;
-    const double strip = 2.0 / 3 * at_middle * kWidth * kRadius * 2 * pi / points;
+    const double strip = 2.0 / 3 * at_middle * kWidth * kGuideRadius * 2 * pi / points;
     force[0] -= strip * y;
     force[1] -= strip * z;
   }
@@ -64,7 +64,7 @@ TEST(GuideFilm, LoadAndAttitudeAreOcvirks) {
     const double D[2] = {eps * kClearance, 0}, V[2] = {0, -spin / 2 * D[0]};
     const auto film = short_bearing_film(kBearing, D, V);
     const double rest = 1 - eps * eps;
-    const double load = kViscosity * spin * kRadius * std::pow(kWidth, 3) /
+    const double load = kViscosity * spin * kGuideRadius * std::pow(kWidth, 3) /
                         (4 * kClearance * kClearance) * eps / (rest * rest) *
                         std::sqrt(pi * pi * rest + 16 * eps * eps);
     EXPECT_NEAR(std::hypot(film.force[0], film.force[1]) / load, 1, 1e-12) << eps;
@@ -77,9 +77,9 @@ TEST(GuideFilm, TorqueIsPetroffsWhereCentred) {
   const double still[2] = {0, 0};
   const auto film = short_bearing_film(kBearing, still, still);
   const double shear = kViscosity / kClearance;  // [Pa s/m]
-  EXPECT_NEAR(film.torque, shear * kRadius * 2 * pi * kRadius * kWidth * kRadius,
+  EXPECT_NEAR(film.torque, shear * kGuideRadius * 2 * pi * kGuideRadius * kWidth * kGuideRadius,
               1e-12 * film.torque);
-  EXPECT_NEAR(film.axial, shear * 2 * pi * kRadius * kWidth, 1e-12 * film.axial);
+  EXPECT_NEAR(film.axial, shear * 2 * pi * kGuideRadius * kWidth, 1e-12 * film.axial);
   EXPECT_EQ(film.force[0], 0);
   EXPECT_EQ(film.force[1], 0);
 }

@@ -11,43 +11,46 @@
 namespace cagetol {
 namespace {
 
-constexpr double kLength = 9e-3, kRoller = 3.75e-3, kSpeed = 5.8995;
-const Material kSteel{206e9, 0.3, 7810};
+constexpr double kRollerLength = 9e-3, kRoller = 3.75e-3, kRollingSpeed = 5.8995;
+const Material kRollerSteel{206e9, 0.3, 7810};
 
 double radius(double race_radius) {
   return 1 / (1 / kRoller + 1 / race_radius);
 }
 NormalLaw contact(double exponent = 0) {
-  if (exponent > 0) return make_normal_law({.law = "impact", .exponent = exponent}, kLength, 1);
-  return make_normal_law({.law = "hertz"}, kLength, 1);
+  if (exponent > 0)
+    return make_normal_law({.law = "impact", .exponent = exponent}, kRollerLength, 1);
+  return make_normal_law({.law = "hertz"}, kRollerLength, 1);
 }
 FilmLaw film(double race_radius, OilFilm keys = {.model = "series"},
              const NormalLaw& normal = contact()) {
-  return make_film_law(keys, effective_modulus(kSteel, kSteel), radius(race_radius), kLength, 1,
-                       normal);
+  return make_film_law(keys, effective_modulus(kRollerSteel, kRollerSteel), radius(race_radius),
+                       kRollerLength, 1, normal);
 }
 const OilFilm kSeries{.model = "series"}, kBounded{.model = "series-bounded"};
 
 /// h_R of the inner race.
 double martin(double Q, double u) {
-  return kMartin * 0.02 * u * radius(15.75e-3) * kLength / Q;
+  return kMartin * 0.02 * u * radius(15.75e-3) * kRollerLength / Q;
 }
 
 // d_m 39 mm, alpha 1.8e-8 1/Pa, eta0 0.02 Pa s, 6000 rpm.
 TEST(OilFilm, ThicknessOfTheReferenceBearing) {
   for (const OilFilm& keys : {kSeries, kBounded}) {
     const FilmLaw inner = film(15.75e-3, keys), outer = film(-23.25e-3, keys);
-    EXPECT_NEAR(film_thickness(inner, film_at_speed(inner, kSpeed), 314.2), 0.3777e-6, 2e-10);
-    EXPECT_NEAR(film_thickness(outer, film_at_speed(outer, kSpeed), 314.2), 0.4464e-6, 2e-10);
+    EXPECT_NEAR(film_thickness(inner, film_at_speed(inner, kRollingSpeed), 314.2), 0.3777e-6,
+                2e-10);
+    EXPECT_NEAR(film_thickness(outer, film_at_speed(outer, kRollingSpeed), 314.2), 0.4464e-6,
+                2e-10);
   }
 }
 
 TEST(OilFilm, StiffnessIsTheLongFormula) {
-  const double Q = 314.2, modulus = effective_modulus(kSteel, kSteel);
+  const double Q = 314.2, modulus = effective_modulus(kRollerSteel, kRollerSteel);
   const FilmLaw law = film(15.75e-3);
-  const auto at = film_at_speed(law, kSpeed);
+  const auto at = film_at_speed(law, kRollingSpeed);
   const double h = film_thickness(law, at, Q), k = film_slopes(law, at, Q, h).compliance;
-  const double K_o = kLength * 13860.98647 * std::pow(0.02 * kSpeed, 5.3846) *
+  const double K_o = kRollerLength * 13860.98647 * std::pow(0.02 * kRollingSpeed, 5.3846) *
                      std::pow(1.8e-8, 4.1538) * std::pow(modulus, -0.2308) *
                      std::pow(radius(15.75e-3), 3.3077) * std::pow(h, -8.6923);
   EXPECT_NEAR(K_o * k, 1, 3e-3);  // its exponents are rounded to four decimals
@@ -145,7 +148,7 @@ TEST(OilFilm, SlopesAreThoseOfTheThickness) {
 TEST(OilFilm, PartsMeetWithTheirSlopes) {
   for (const OilFilm& keys : {kSeries, kBounded}) {
     const FilmLaw law = film(15.75e-3, keys);
-    const auto at = film_at_speed(law, kSpeed);
+    const auto at = film_at_speed(law, kRollingSpeed);
     for (const double Q : {law.least_force, at.corner / 1.5, at.corner * 1.5}) {
       if (Q == 0) continue;
       const double below = film_thickness(law, at, Q * (1 - 1e-9)),
@@ -257,7 +260,7 @@ TEST(OilFilm, SlopesOfTheForceAreThoseOfDifferences) {
 TEST(OilFilm, ForceIsTheSlopeOfItsEnergy) {
   for (const OilFilm& keys : {kSeries, kBounded}) {
     const FilmLaw law = film(15.75e-3, keys);
-    const auto speed = film_at_speed(law, kSpeed);
+    const auto speed = film_at_speed(law, kRollingSpeed);
     const double thickest = thickest_film(law, speed);
     const auto energy = [&](double at) {
       return film_energy(contact(), law, speed, film_contact(contact(), law, speed, at, 0.0));

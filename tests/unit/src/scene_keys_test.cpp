@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/dynamics/bearing_model.hpp"
+#include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
@@ -24,8 +25,8 @@ std::string problem_of(const std::string& text) {
   return "no error";
 }
 
-std::string shipped(const std::string& name) {
-  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/scenes/" + name + ".toml";
+std::string scene_path(const std::string& name) {
+  return shipped("scenes/" + name + ".toml");
 }
 
 void expect_equal(const Scene& a, const Scene& b) {
@@ -77,11 +78,11 @@ TEST(SceneKeys, OneNumberPerPocket) {
 TEST(SceneKeys, ShippedScenesAreValid) {
   for (const char* name :
        {"nu205", "nu205-paper", "nu205-paper-tight", "speed-z16", "speed-z16-skew"})
-    EXPECT_EQ(read_scene(read_toml(shipped(name)), shipped(name)).name, name);
+    EXPECT_EQ(read_scene(read_toml(scene_path(name)), scene_path(name)).name, name);
 }
 
 TEST(SceneKeys, SpeedSceneIsTheOneThatSpeedsAreMeasuredOn) {
-  const Scene scene = read_scene(read_toml(shipped("speed-z16")), "speed-z16");
+  const Scene scene = read_scene(read_toml(scene_path("speed-z16")), "speed-z16");
   EXPECT_EQ(scene.bearing.roller_count, 16);
   EXPECT_DOUBLE_EQ(scene.bearing.inner_raceway_diameter, 56.49e-3);
   EXPECT_DOUBLE_EQ(scene.bearing.outer_raceway_diameter, 74.51e-3);

@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kStepHorizon = 1e-3;  // [s]
 
-constexpr double kSpeed = 2e-3;  // [m/s]
+constexpr double kClosingSpeed = 2e-3;  // [m/s]
 
-double after_touch_in(double time, double speed = kSpeed) {
+double after_touch_in(double time, double speed = kClosingSpeed) {
   StepLimit<double> limit(kStepHorizon);
   limit.touch(-time * speed, speed, true);
   return limit.longest();
@@ -19,10 +19,10 @@ double after_touch_in(double time, double speed = kSpeed) {
 TEST(StepLimit, IsTheHorizonWhereNothingChanges) {
   EXPECT_EQ(StepLimit<double>(kStepHorizon).longest(), kStepHorizon);
   EXPECT_EQ(after_touch_in(1.1 * kStepHorizon), kStepHorizon);
-  EXPECT_EQ(after_touch_in(1e-6, -kSpeed), kStepHorizon);  // closed, parting
+  EXPECT_EQ(after_touch_in(1e-6, -kClosingSpeed), kStepHorizon);  // closed, parting
   StepLimit<double> limit(kStepHorizon);
-  limit.touch(-1e-9, -kSpeed, true);  // open, going away
-  limit.touch(1e-9, kSpeed, true);    // closed already
+  limit.touch(-1e-9, -kClosingSpeed, true);  // open, going away
+  limit.touch(1e-9, kClosingSpeed, true);    // closed already
   EXPECT_EQ(limit.longest(), kStepHorizon);
 }
 
@@ -36,13 +36,13 @@ TEST(StepLimit, StepsEndJustBeforeATouchAndFromThereJustInside) {
 
 TEST(StepLimit, TheNearestChangeCounts) {
   StepLimit<double> limit(kStepHorizon);
-  limit.touch(-20e-6 * kSpeed, kSpeed, true);
-  limit.touch(-8e-6 * kSpeed, kSpeed, true);
-  limit.touch(-30e-6 * kSpeed, kSpeed, true);
+  limit.touch(-20e-6 * kClosingSpeed, kClosingSpeed, true);
+  limit.touch(-8e-6 * kClosingSpeed, kClosingSpeed, true);
+  limit.touch(-30e-6 * kClosingSpeed, kClosingSpeed, true);
   EXPECT_NEAR(limit.longest(), 7.9e-6, 1e-12);
-  limit.pass(-6e-6 * kSpeed, kSpeed, true);  // over it, and half a microsecond on
+  limit.pass(-6e-6 * kClosingSpeed, kClosingSpeed, true);  // over it, and half a microsecond on
   EXPECT_NEAR(limit.longest(), 6.5e-6, 1e-12);
-  limit.pass(-4.5e-6 * kSpeed, kSpeed, true);
+  limit.pass(-4.5e-6 * kClosingSpeed, kClosingSpeed, true);
   EXPECT_NEAR(limit.longest(), 5e-6, 1e-12);
   limit.at_most(4e-6, false);
   EXPECT_NEAR(limit.longest(), 5e-6, 1e-12);
@@ -53,7 +53,7 @@ TEST(StepLimit, TheNearestChangeCounts) {
 TEST(StepLimit, AYoungContactGrowsBySteps) {
   const auto at_age = [](double age) {
     StepLimit<double> limit(kStepHorizon);
-    limit.grow(age * kSpeed, kSpeed, true);
+    limit.grow(age * kClosingSpeed, kClosingSpeed, true);
     return limit.longest();
   };
   EXPECT_NEAR(at_age(0.5e-6), 2e-6, 1e-12);
@@ -61,18 +61,19 @@ TEST(StepLimit, AYoungContactGrowsBySteps) {
   EXPECT_NEAR(at_age(0.01e-6), 0.5e-6, 1e-12);
   EXPECT_EQ(at_age(1), kStepHorizon);
   StepLimit<double> parting(kStepHorizon);
-  parting.grow(1e-9, -kSpeed, true);
+  parting.grow(1e-9, -kClosingSpeed, true);
   EXPECT_EQ(parting.longest(), kStepHorizon);
 }
 
 TEST(StepLimit, StepsAreLaidAroundTheNearestTouch) {
   StepLimit<double> limit(kStepHorizon);
-  limit.lay_around(8e-6 * kSpeed, kSpeed, true);     // closed already
-  limit.lay_around(-8e-6 * kSpeed, -kSpeed, true);   // going away
-  limit.lay_around(-1.1e-3 * kSpeed, kSpeed, true);  // beyond the horizon
-  limit.lay_around(-2e-6 * kSpeed, kSpeed, false);
+  limit.lay_around(8e-6 * kClosingSpeed, kClosingSpeed, true);     // closed already
+  limit.lay_around(-8e-6 * kClosingSpeed, -kClosingSpeed, true);   // going away
+  limit.lay_around(-1.1e-3 * kClosingSpeed, kClosingSpeed, true);  // beyond the horizon
+  limit.lay_around(-2e-6 * kClosingSpeed, kClosingSpeed, false);
   EXPECT_EQ(limit.touch_ahead(), kNoTouch);
-  for (const double ahead : {20e-6, 8e-6, 30e-6}) limit.lay_around(-ahead * kSpeed, kSpeed, true);
+  for (const double ahead : {20e-6, 8e-6, 30e-6})
+    limit.lay_around(-ahead * kClosingSpeed, kClosingSpeed, true);
   EXPECT_NEAR(limit.touch_ahead(), 8e-6, 1e-15);
   EXPECT_EQ(limit.longest(), kStepHorizon);
 
@@ -95,7 +96,7 @@ TEST(StepLimit, PacksSeeWhatEachOfTheirContactsSees) {
   Mask here;
   for (int lane = 0; lane < kLanes; ++lane) {
     p[lane] = (lane - 4) * 3e-9;
-    rate[lane] = lane % 3 == 2 ? -kSpeed : kSpeed;
+    rate[lane] = lane % 3 == 2 ? -kClosingSpeed : kClosingSpeed;
     here[lane] = lane == 3 ? 0 : -1;
   }
   pack.touch(p, rate, here);
