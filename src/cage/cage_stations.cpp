@@ -171,12 +171,12 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
   const double half_way = nearest_line(grid, &SectorPoint::around, 0.5);
   const double next_to_root = nearest_line(grid, &SectorPoint::axial, 0.999);
   const double off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
-  const double in_bore = 1 / static_cast<double>(grid.counts.radial);  // the first line inside
+  const double depths = static_cast<double>(grid.counts.radial);
+  const double in_bore = 1 / depths;  // the first line inside
   // Rollers push on the bars nearer to one surface.
   const double pitch = bar_station(cage, stations, 1, 0).radial;
   const double loaded = std::round(pitch);
   // Where two rollers pinch the end of a bar, most of the stress is inside it.
-  const double depths = static_cast<double>(grid.counts.radial);
   const double pinched_depth = std::round(depths * pitch) / depths;
   const double pinched_end = nearest_line(grid, &SectorPoint::axial, 0.87);
   const double in_bar = nearest_line(grid, &SectorPoint::around, 1.35);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.hpp"
+#include "tests/support/shipped_input.hpp"
 #include "tests/support/study_compare.hpp"
 
 namespace cagetol {
@@ -32,8 +33,7 @@ class Fidelity : public testing::Test {
   Ended sweep(const std::string& directory, std::vector<std::string> more = {},
               const std::string& study = "nu205-slip") const {
     std::vector<std::string> arguments = {
-        "sweep", std::string(CAGETOL_SOURCE_DIR) + "/inputs/studies/" + study + ".toml", "-o",
-        scratch_ / directory};
+        "sweep", shipped(std::string("studies/") + study + ".toml"), "-o", scratch_ / directory};
     for (const char* setting :
          {"samples=12", "fidelity_samples=8", "scene.window.settle_revolutions=0.3",
           "scene.window.measure_revolutions=0.3", "scene.cage.mesh_density=2",

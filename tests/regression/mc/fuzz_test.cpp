@@ -106,11 +106,8 @@ TEST(Fuzz, ScenesAreReadOrRefused) {
 
 TEST(Fuzz, StudiesAreReadOrRefused) {
   Mutator mutated(16);
-  const std::string text =
-      read_study(std::string(CAGETOL_SOURCE_DIR) + "/inputs/studies/nu205.toml").resolved_toml;
-  const std::string measured =
-      read_study(std::string(CAGETOL_SOURCE_DIR) + "/inputs/studies/nu205-measured.toml")
-          .resolved_toml;
+  const std::string text = read_study(shipped("studies/nu205.toml")).resolved_toml;
+  const std::string measured = read_study(shipped("studies/nu205-measured.toml")).resolved_toml;
   int read = 0, refused = 0;
   for (int i = 0; i < 1500; ++i) {
     try {

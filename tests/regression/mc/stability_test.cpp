@@ -3,12 +3,13 @@
 #include <string>
 
 #include "mc/engine/stability.hpp"
+#include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
 
 std::vector<SuiteScene> fast_suite() {
-  auto suite = read_suite(std::string(CAGETOL_SOURCE_DIR) + "/inputs/stability.toml");
+  auto suite = read_suite(shipped("stability.toml"));
   std::erase_if(suite, [](const SuiteScene& scene) { return !scene.fast; });
   return suite;
 }

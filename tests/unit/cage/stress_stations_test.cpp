@@ -33,5 +33,18 @@ TEST(StressStations, AreTheSameOnBothFacesAndAtBothEndsOfAPocket) {
   }
 }
 
+TEST(StressStations, OfAPinchedBarAreInsideItAndSaySo) {
+  const CageDimensions cage;
+  const SectorGrid grid = make_sector_grid(mesh_counts(cage, 4));
+  int inside = 0;
+  for (const int p : stress_stations(cage, {}, grid)) {
+    const SectorPoint& s = grid.points[static_cast<std::size_t>(p)];
+    const bool in_bar = std::abs(s.around) > 1 && std::abs(s.axial) < 1;
+    inside += in_bar;
+    EXPECT_EQ(station_name(s).starts_with("inside the bar"), in_bar) << station_name(s);
+  }
+  EXPECT_EQ(inside, 4);  // both ends of both bars
+}
+
 }  // namespace
 }  // namespace cagetol

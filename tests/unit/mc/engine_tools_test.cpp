@@ -16,6 +16,7 @@
 #include "mc/engine/trajectory.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/shipped_input.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
@@ -24,7 +25,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string scene_file() {
-  return std::string(CAGETOL_SOURCE_DIR) + "/inputs/scenes/speed-z16.toml";
+  return shipped("scenes/speed-z16.toml");
 }
 
 TEST(Bias, OfPairsByHand) {
@@ -119,7 +120,7 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
 
 TEST(Chart, RungsStandBesideTheSettings) {
   const Study study = read_study(
-      std::string(CAGETOL_SOURCE_DIR) + "/inputs/scenes/nu205.toml",
+      shipped("scenes/nu205.toml"),
       {"window.settle_revolutions=0.3", "window.measure_revolutions=0.3", "cage.mesh_density=2",
        "watch.energy_residual_max=1000", "watch.static_consistency_max=1000"});
   const Chart chart = make_chart(study,

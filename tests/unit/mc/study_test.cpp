@@ -441,8 +441,7 @@ TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
 
 TEST(ShippedStudies, OfThePaperHaveItsLevelsAndOneSwitch) {
   for (const char* name : {"paper-length", "paper-length-tight", "paper-width"}) {
-    const Study study =
-        read_study(std::string(CAGETOL_SOURCE_DIR) + "/inputs/studies/" + name + ".toml");
+    const Study study = read_study(shipped(std::string("studies/") + name + ".toml"));
     EXPECT_EQ(study.samples, 10);
     EXPECT_EQ(sample_count(study), 160u);
     EXPECT_GT(study.trends.size(), 8u);

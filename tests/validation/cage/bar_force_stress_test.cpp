@@ -53,25 +53,40 @@ TEST(BarForceStress, IsThatOfTheWholeCageAtEveryStation) {
 }
 
 /// Where rollers push a bar from both sides, along its length or, skewed, at an end, the largest
-/// stress is inside it, 10 % above that at other stations: one is there. (At the
-/// middle alone, where no roller touches alone, stations find 9 % less than there is.)
+/// stress is inside it: a station is there. At the middle alone, where no roller pushes alone,
+/// stations miss some of a peak half as large.
 TEST(BarForceStress, OfABarThatIsPinchedHasItsPeakAtAStation) {
   Scene scene;
   scene.cage.model = "flexible";
   const auto table = make_scene_cage_table(scene);
   const auto deviations = scattered_pockets();
-  CageStates states{Eigen::MatrixXd::Zero(20, 26), Eigen::MatrixXd::Zero(13 * 6, 26),
-                    Eigen::VectorXd::Zero(26)};
+  CageStates states{Eigen::MatrixXd::Zero(20, 39), Eigen::MatrixXd::Zero(13 * 6, 39),
+                    Eigen::VectorXd::Zero(39)};
   for (Eigen::Index j = 0; j < 13; ++j) {
     const Eigen::Index leading = 6 * j + 3, trailing = 6 * ((j + 1) % 13);
     states.bar_force(leading, j) = 1;
     states.bar_force(trailing, j) = -1;
     states.bar_force.col(13 + j).segment<3>(leading).setConstant(1);
     states.bar_force.col(13 + j).segment<3>(trailing).setConstant(-1);
+    states.bar_force(leading + 1, 26 + j) = 1;
+    states.bar_force(trailing + 1, 26 + j) = -1;
   }
   const auto compared = compare_peak_stress(*table, deviations, states);
-  for (const PeakStress& peak : std::get<std::vector<PeakStress>>(compared))
-    EXPECT_NEAR(peak.stations / peak.full, 1, 0.025);
+  const auto& peaks = std::get<std::vector<PeakStress>>(compared);
+  double end = 0, along = 0, middle = 0;
+  for (std::size_t j = 0; j < 13; ++j) {
+    const auto error = [&](std::size_t i) {
+      return std::abs(peaks[i].stations / peaks[i].full - 1);
+    };
+    end = std::max(end, error(j));
+    along = std::max(along, error(13 + j));
+    middle = std::max(middle, error(26 + j));
+  }
+  std::printf("pinched at an end %.1f %%, along its length %.1f %%, at the middle %.1f %% off\n",
+              100 * end, 100 * along, 100 * middle);
+  EXPECT_LT(end, 0.02);
+  EXPECT_LT(along, 0.02);
+  EXPECT_LT(middle, 0.1);
 }
 
 }  // namespace
