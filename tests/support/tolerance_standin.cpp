@@ -2,6 +2,9 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "distributions/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 
@@ -72,6 +75,17 @@ StudyData tolerance_standin(std::int64_t rows, std::int64_t seed,
     study.quantities[0].values.push_back(badness(cage));
   }
   return study;
+}
+
+const StandinDimension kPrintedWidth{"cage.pocket_width_mm", 0, 0.01, {0.36, 0.58, 0.9, 1.5}};
+const StandinDimension kPrintedLength{"cage.pocket_length_mm", 0.01, 0.01, {0.36, 0.9}};
+
+double widest_pocket(const StandinCage& cage) {
+  return *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end()) - 0.026;
+}
+
+double widest_pocket_yield(double band_mm) {
+  return std::pow(gsl_cdf_ugaussian_P(0.26 / band_mm), kPockets);
 }
 
 }  // namespace cagetol

@@ -29,4 +29,15 @@ StudyData tolerance_standin(std::int64_t rows, std::int64_t seed,
                             const std::function<double(const StandinCage&)>& badness,
                             std::int64_t cages_per_lot = 1);
 
+/// A drawing of two dimensions: widths whose yields are widest_pocket_yield(), lengths that do
+/// nothing.
+extern const StandinDimension kPrintedWidth, kPrintedLength;
+
+/// "badness" of a cage that fails when the widest of its 13 pockets exceeds 0.026 mm.
+double widest_pocket(const StandinCage& cage);
+
+/// Its yield, Phi(0.26 mm / band)^13: at 0.036, 0.058, 0.09, 0.15 mm 1.0000, 0.99995, 0.9751,
+/// 0.5731.
+double widest_pocket_yield(double band_mm);
+
 }  // namespace cagetol

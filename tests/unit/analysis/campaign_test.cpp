@@ -1,11 +1,8 @@
 #include "analysis/tolerance/campaign.hpp"
 
 #include <gmock/gmock.h>
-#include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 #include "analysis/study/study_file_error.hpp"
@@ -16,31 +13,19 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Fails when the largest of 13 pockets exceeds 0.026 mm: yield Phi(0.026 / (0.01 s))^13, at the
-/// bands 0.036, 0.058, 0.09, 0.15 mm: 1.0000, 0.99995, 0.9751, 0.5731. Length does nothing.
-const StandinDimension kWidth{"cage.pocket_width_mm", 0, 0.01, {0.36, 0.58, 0.9, 1.5}};
-const StandinDimension kLength{"cage.pocket_length_mm", 0.01, 0.01, {0.36, 0.9}};
-
-double largest_width(const StandinCage& cage) {
-  return *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end()) - 0.026;
-}
-double yield_of_band(double band_mm) {
-  return std::pow(gsl_cdf_ugaussian_P(0.26 / band_mm), 13);
-}
-
 /// Runs stages on the stand-in, with random numbers of their own as stages of a study have.
 struct Bench {
   double target = 0.95;
   std::int64_t seed = 1;
   std::size_t attempts = 2, mixture_rows = 1200;
-  std::function<double(const StandinCage&)> badness = largest_width;
+  std::function<double(const StandinCage&)> badness = widest_pocket;
   std::vector<Stage> asked = {};
   std::string interrupted_at = {};
 
   std::optional<StudyData> run(const Stage& stage) {
     asked.push_back(stage);
     if (stage.name == interrupted_at) return std::nullopt;
-    auto width = kWidth, length = kLength;
+    auto width = kPrintedWidth, length = kPrintedLength;
     if (!stage.bands.empty()) {
       width.scales = {stage.bands[0].band_mm / 0.1};
       length.scales = {stage.bands[1].band_mm / 0.1};
@@ -89,7 +74,7 @@ Rates rates(int repeats, double target) {
     const bool confirmed = campaign.end == CampaignEnd::confirmed;
     const bool wrong =
         confirmed &&
-        yield_of_band(campaign.attempts.back().recommendation.bands[0].band_mm) < target;
+        widest_pocket_yield(campaign.attempts.back().recommendation.bands[0].band_mm) < target;
     rates.confirmed += confirmed ? 1.0 / repeats : 0;
     rates.covered += wrong ? 0 : 1.0 / repeats;
   }
@@ -118,7 +103,7 @@ TEST(Campaign, TriesTheNextNarrowerBandWithFreshRuns) {
   int calls = 0;
   bench.badness = [&](const StandinCage& cage) {
     const bool confirming = bench.asked.size() > 2;
-    return confirming && ++calls % 10 == 0 ? 1.0 : largest_width(cage);
+    return confirming && ++calls % 10 == 0 ? 1.0 : widest_pocket(cage);
   };
   const Campaign campaign = bench.campaign();
   EXPECT_EQ(campaign.end, CampaignEnd::not_confirmed);
@@ -149,7 +134,7 @@ TEST(Campaign, AsksForTheSameStagesAgain) {
 }
 
 StudyData pilot_of(const CampaignSettings& settings, double seconds = 2) {
-  StudyData pilot = tolerance_standin(100, 3, {kWidth, kLength}, 0.95, largest_width);
+  StudyData pilot = tolerance_standin(100, 3, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   pilot.plan.campaign = settings;
   pilot.timing = {{"wall_s", "s", "", std::vector<double>(100, seconds)}};
   return pilot;

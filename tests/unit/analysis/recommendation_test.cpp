@@ -3,7 +3,6 @@
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -11,10 +10,6 @@
 
 namespace cagetol {
 namespace {
-
-double phi(double z) {
-  return gsl_cdf_ugaussian_P(z);
-}
 
 struct Judged {
   YieldCurves curves;
@@ -34,24 +29,12 @@ Judged judge_study(const StudyData& study, std::size_t resamples = 300, double c
   return judged;
 }
 
-const StandinDimension kPrintedWidth{"cage.pocket_width_mm", 0, 0.01, {0.36, 0.58, 0.9, 1.5}};
-const StandinDimension kPrintedLength{"cage.pocket_length_mm", 0.01, 0.01, {0.36, 0.9}};
-
-/// Fails when the largest of 13 pockets exceeds 0.026 mm: yield Phi(0.026 / (0.01 s))^13; length
-/// does nothing.
-double widest_pocket(const StandinCage& cage) {
-  return *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end()) - 0.026;
-}
-double yield_of_largest(double scale) {
-  return std::pow(phi(2.6 / scale), 13);
-}
-
 TEST(YieldCurves, MaximumOfNormals) {
   const StudyData study =
       tolerance_standin(8000, 21, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   const Judged judged = judge_study(study, 2000, 0.999);
   for (const LevelYield& level : judged.curves.dimensions[0].levels) {
-    const double exact = yield_of_largest(level.band_mm / 0.1);
+    const double exact = widest_pocket_yield(level.band_mm);
     EXPECT_LE(level.yield.lower_bound, exact) << level.band_mm;
     EXPECT_GE(level.yield.upper_bound, exact) << level.band_mm;
     EXPECT_NEAR(level.yield.if_unknown_fail, exact, 0.03) << level.band_mm;
@@ -72,7 +55,7 @@ TEST(YieldCurves, HierarchicalLinear) {
         tolerance_standin(8000, 22, {width, kPrintedLength}, 0.95, badness, cages);
     const Judged judged = judge_study(study, 2000, 0.999);
     for (const LevelYield& level : judged.curves.dimensions[0].levels) {
-      const double exact = phi(0.03 / (sigma * level.band_mm / 0.1));
+      const double exact = gsl_cdf_ugaussian_P(0.03 / (sigma * level.band_mm / 0.1));
       EXPECT_LE(level.yield.lower_bound, exact) << level.band_mm;
       EXPECT_GE(level.yield.upper_bound, exact) << level.band_mm;
     }
@@ -85,7 +68,7 @@ double bound_coverage(int repeats) {
   for (int repeat = 0; repeat < repeats; ++repeat) {
     const StudyData study =
         tolerance_standin(1000, 500 + repeat, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
-    held += judge_study(study, 200).curves.candidates[4].lower_bound <= yield_of_largest(0.9);
+    held += judge_study(study, 200).curves.candidates[4].lower_bound <= widest_pocket_yield(0.09);
   }
   return static_cast<double>(held) / repeats;
 }
@@ -110,7 +93,7 @@ TEST(Recommendation, WidestBandThatMeetsTheTargetSnappedDown) {
   EXPECT_NEAR(result.bands[0].band_mm, 0.09, 1e-12);
   EXPECT_EQ(result.bands[0].grade, "IT11");
   EXPECT_GE(result.yield.lower_bound, 0.95);
-  EXPECT_LE(result.yield.lower_bound, yield_of_largest(0.9));
+  EXPECT_LE(result.yield.lower_bound, widest_pocket_yield(0.09));
 }
 
 TEST(Recommendation, BandBetweenGradesIsJudgedAtTheGradeBelow) {
@@ -175,7 +158,7 @@ TEST(Recommendation, NarrowingTheDimensionThatMattersPays) {
   for (const StepEffect& step : judged.recommendation.steps) {
     if (step.key != "cage.pocket_width_mm") continue;
     const bool wider = step.to == "0.15 mm";
-    const double exact = yield_of_largest(wider ? 1.5 : 0.58) - yield_of_largest(0.9);
+    const double exact = widest_pocket_yield(wider ? 0.15 : 0.058) - widest_pocket_yield(0.09);
     EXPECT_NEAR(step.change, exact, 0.8 * (step.upper - step.lower))
         << step.to;  // three standard errors
   }
