@@ -3,6 +3,7 @@
 #include <malloc.h>
 #include <sys/mman.h>
 #include <CLI/CLI.hpp>
+#include <Eigen/Core>
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,6 +13,8 @@
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
 #include "src/input/input_error.hpp"
+
+extern char __executable_start, etext;  // the linker's: where the program's code begins and ends
 
 namespace {
 
@@ -39,20 +42,29 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 
-/// Takes the first megabytes that a run needs at once, in large pages where they fit: one by one,
-/// as they are touched, pages cost a fault each, which a short run would notice
-/// (tests/ACCURACY.md).
+/// Maps whole pages within [from, from + size) at once, with `advice` of madvise.
+void map_pages(void* from, std::size_t size, int advice) {
+  constexpr std::size_t page = 4096;
+  if (std::align(page, page, from, size)) madvise(from, size - size % page, advice);
+}
+
+/// Takes the first megabytes that a run needs at once, in large pages where they fit, and the
+/// program's code: one by one, as they are touched, pages cost a fault each, which a short run
+/// would notice (tests/ACCURACY.md).
 void take_memory() {
-  constexpr std::size_t size = 16 << 20, page = 4096;
+  constexpr std::size_t size = 16 << 20;
   void* const memory = std::malloc(size);
-  void* from = memory;
-  std::size_t left = size;
-  if (std::align(page, page, from, left)) {
-    left -= left % page;
-    madvise(from, left, MADV_HUGEPAGE);
-    madvise(from, left, MADV_POPULATE_WRITE);
-  }
+  map_pages(memory, size, MADV_HUGEPAGE);
+  map_pages(memory, size, MADV_POPULATE_WRITE);
   std::free(memory);
+  map_pages(&__executable_start, static_cast<std::size_t>(&etext - &__executable_start),
+            MADV_POPULATE_READ);
+}
+
+/// Likewise of the stack.
+[[gnu::noinline]] void take_stack() {
+  volatile char room[128 << 10];
+  for (std::size_t k = 0; k < sizeof room; k += 1024) room[k] = 0;
 }
 
 }  // namespace
@@ -61,6 +73,8 @@ int main(int argc, char** argv) {
   using namespace cagetol;
   keep_freed_memory();
   take_memory();
+  take_stack();
+  Eigen::initParallel();  // asks for the caches' sizes, which takes a virtual machine 60 us
   CLI::App app{
       "Monte Carlo tolerance sensitivity of cylindrical roller bearings with flexible cages",
       "cagetol"};

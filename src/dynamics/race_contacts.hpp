@@ -51,8 +51,8 @@ struct SliceGap {
   Pack p, n_r, n_t, inverse;
 };
 template <bool moving = true>
-SliceGap slice_gap(const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
-                   const Slice& slice) {
+[[gnu::always_inline]] inline SliceGap slice_gap(const RollerGroup& roller, const RollerPack& q,
+                                                 const RaceSide& race, const Slice& slice) {
   Pack d_r = q.r + slice.position * q.a_r, d_t = slice.position * q.a_t;
   if constexpr (moving) {
     const Pack place = q.x + slice.position;
