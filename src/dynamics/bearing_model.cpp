@@ -18,6 +18,7 @@ constexpr double kLongestTouch = 10e-6;  ///< ... and its length, at most [s]
 constexpr double kHeavyPhase = 0.69;     ///< that a step in a heavy impact on a bar may span [rad]
 constexpr double kHeavyShare = 0.1;      ///< of a roller's centrifugal force: a heavy impact
 constexpr double kRockingPhase = 1.38;   ///< of bouncing that a step near a flange may span [rad]
+constexpr double kPhaseTolerance = 1.75e-3;  ///< below which steps span less of these two
 
 double given_or(double value, double computed) {
   return std::isnan(value) ? computed : value;
@@ -195,10 +196,9 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.speed_from = given_or(o.speed_ramp_from, o.inner_speed);
   m.speed_ramp = o.speed_ramp;
   const double rocking = rocking_time(m);
-  // What a phase leaves of an oscillation's frequency goes with its fourth power: a tolerance
-  // tighter than the default's shortens them, so that means close in on their limits with it.
-  const double finer =
-      std::min(1.0, std::pow(scene.integration.tolerance / Integration{}.tolerance, 0.25));
+  // What a phase leaves of an oscillation's frequency goes with its fourth power: tighter
+  // tolerances shorten them, so that means close in on their limits with it.
+  const double finer = std::min(1.0, std::pow(scene.integration.tolerance / kPhaseTolerance, 0.25));
   m.longest_step = scene.integration.max_step;
   m.rocking_step = kRockingPhase * finer * rocking;
   m.touch_span = std::min(kTouchPhase * rocking, kLongestTouch);

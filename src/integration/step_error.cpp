@@ -9,7 +9,7 @@ namespace {
 // Chosen by measurement (tests/STEP_CONTROL.md): the stability suite, and steps saved.
 constexpr double kBounceSpeed = 0.1;       ///< unit of error of bouncing, at most [m/s]
 constexpr double kBounceLength = 3e-6;     ///< unit of error of a bouncing roller's place [m]
-constexpr double kTouchUnits = 0.0655;     ///< of skew rate and axial speed in touches
+constexpr double kTouchUnits = 0.065;      ///< of skew rate and axial speed in touches
 constexpr double kMovedEnergy = 0.02;      ///< that an error may move, in shares of the dissipated
 constexpr double kDissipationTime = 1e-3;  ///< over which the dissipation is averaged [s]
 

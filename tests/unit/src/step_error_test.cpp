@@ -195,7 +195,7 @@ TEST_F(StepErrorOf, NoUnitIsCoarserThanFrictionsOwnSpeed) {
 }
 
 TEST_F(StepErrorOf, RatesOfSkewAndAxialSpeedCountMoreInTouches) {
-  const double most = 1 / 0.0655;
+  const double most = 1 / 0.065;
   system_->seen.inner_force[3] = 0;
   const double angle = y_[static_cast<std::size_t>(model_.layout.position(kAngle, 3))];
   const auto lean = [&](double tilt, double skew) {
