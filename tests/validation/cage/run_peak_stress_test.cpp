@@ -79,8 +79,8 @@ TEST(RunPeakStress, IsThatOfTheWholeField) {
   EXPECT_LT(errors.back(), 0.03);
 }
 
-/// Which instants a run visits hangs on its last bits; one in 600 is more than 3 %, at most 3.4 %,
-/// off (tests/ACCURACY.md). What a run reports of them is better.
+/// Which instants a run visits hangs on its last bits; one in a thousand is more than 3 % off
+/// (tests/ACCURACY.md). What a run reports of them is better.
 TEST(RunPeakStress, OfScatteredPocketsToo) {
   Scene scene;
   scene.cage.pocket_width.resize(13, scene.cage.pocket_width[0]);
