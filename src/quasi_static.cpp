@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 // The ring's displacement repeats with the pitch of the rollers and is smooth but where a roller
 // enters or leaves the load zone: 8 positions a pitch give its mean to 4e-5 (16: 2e-5), the 95 %
-// quantile of its orbit to some per cent, and cost a hundredth of the motion.
+// quantile of its orbit to some per cent, and cost a fiftieth of the motion.
 constexpr double kPositionsPerPitch = 8;
 
 constexpr const char* kDefined[] = {"ring_displacement_mean_um", "ring_displacement_end_um",
