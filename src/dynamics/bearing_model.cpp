@@ -18,8 +18,7 @@ constexpr double kLongestTouch = 10e-6;  ///< ... and its length, at most [s]
 constexpr double kHeavyPhase = 0.69;     ///< that a step in a heavy impact on a bar may span [rad]
 constexpr double kHeavyShare = 0.1;      ///< of a roller's centrifugal force: a heavy impact
 constexpr double kRockingPhase = 1.38;   ///< of bouncing that a step near a flange may span [rad]
-constexpr double kPhaseTolerance =
-    1.35e-3;  ///< below which heavy impacts and rocking get shorter steps
+constexpr double kPhaseTolerance = 1.2e-3;  ///< below which heavy and rocking phases shorten
 
 double given_or(double value, double computed) {
   return std::isnan(value) ? computed : value;
