@@ -54,7 +54,8 @@ CageCoupling& Linearisation::coupling(int roller) {
     index = coupled++;
     auto& c = couplings[static_cast<std::size_t>(index)];
     c.roller = roller;
-    for (auto* part : {&c.position, &c.velocity, &c.to_position, &c.to_velocity})
+    for (auto* part : {&c.position, &c.velocity}) std::fill(part->begin(), part->end(), Eight{});
+    for (auto* part : {&c.to_position, &c.to_velocity})
       std::fill(part->begin(), part->end(), Pack{});
   }
   return couplings[static_cast<std::size_t>(index)];
@@ -78,7 +79,7 @@ void Linearisation::hold(int group) {
     CageCoupling& c = couplings[static_cast<std::size_t>(n)];
     if (c.roller / kLanes != group) continue;
     for (auto* part : {&c.position, &c.velocity})
-      for (Pack& column : *part) column[kLx] = column[kLar] = column[kLat] = 0;
+      for (Eight& column : *part) column[kLx] = column[kLar] = column[kLat] = 0;
     const std::size_t packs = c.to_velocity.size() / kLocalVelocities;
     for (auto* part : {&c.to_position, &c.to_velocity})
       std::fill_n(part->begin() + static_cast<std::ptrdiff_t>(kLx * packs),
@@ -90,8 +91,9 @@ namespace {
 
 /// A contact's channels over some directions: e = g_n - ratio (v1 g_1 + v2 g_2), and what F1 and F2
 /// lose to the sliding speeds.
+template <class T>
 struct Mixed {
-  Pack e, by1, by2;
+  T e, by1, by2;
 };
 
 template <int packs>
@@ -103,8 +105,8 @@ void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
                d12 = s.force * s.bend * s.v1 * s.v2;
   const double d22 = s.force * (s.ratio + s.bend * s.v2 * s.v2);
   const double along1 = s.ratio * s.v1, along2 = s.ratio * s.v2;
-  const auto mixed = [&](Pack gn, Pack g1, Pack g2) {
-    return Mixed{gn - along1 * g1 - along2 * g2, d11 * g1 + d12 * g2, d12 * g1 + d22 * g2};
+  const auto mixed = [&]<class T>(T gn, T g1, T g2) {
+    return Mixed<T>{gn - along1 * g1 - along2 * g2, d11 * g1 + d12 * g2, d12 * g1 + d22 * g2};
   };
   const int first = roller < 0 ? 0 : kCageY;  // rollers never couple to the ring through the cage
   const int count = static_cast<int>(rows.border[0].size()) - first;
@@ -112,7 +114,7 @@ void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
                *b2 = rows.border[2].data() + first;
   const auto lost = dissipation_slopes(s.force, s.stiffness, s.damping, s.ratio, s.bend, s.v1, s.v2,
                                        s.elastic, s.elastic_stiffness, s.rate);
-  Mixed on_border[packs];
+  Mixed<Pack> on_border[packs];
   for (int p = 0; p < packs; ++p) {
     const int at = p * kLanes, left = count - at;
     const Pack gn = load_first(bn + at, left), g1 = load_first(b1 + at, left),
@@ -143,10 +145,8 @@ void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
   const int lane = roller % kLanes;
   GroupLinear& group = linear.groups[static_cast<std::size_t>(roller / kLanes)];
   CageCoupling& coupling = linear.coupling(roller);
-  const double(&rn)[kLocalVelocities] = rows.roller[0], (&r1)[kLocalVelocities] = rows.roller[1],
-        (&r2)[kLocalVelocities] = rows.roller[2];
-  const Mixed on_roller = mixed(load_first(rn, kLocalVelocities), load_first(r1, kLocalVelocities),
-                                load_first(r2, kLocalVelocities));
+  const double *rn = rows.roller[0], *r1 = rows.roller[1], *r2 = rows.roller[2];
+  const Mixed<Eight> on_roller = mixed(load_eight(rn), load_eight(r1), load_eight(r2));
   for (int i = 0; i < kLocalVelocities; ++i) {
     const double e = on_roller.e[i], w1 = on_roller.by1[i], w2 = on_roller.by2[i];
     for (int j = 0; j < kLocalVelocities; ++j)

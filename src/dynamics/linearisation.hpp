@@ -58,12 +58,12 @@ struct TiltLinear {
   Pack power_position[2], power_velocity[2];  ///< as in GroupLinear
 };
 
-/// Coupling of one roller with the cage's degrees of freedom (rigid, then modes), in packs: over
-/// the roller's local directions, or over the cage's.
+/// Coupling of one roller with the cage's degrees of freedom (rigid, then modes): over the roller's
+/// local directions, or in packs over the cage's.
 struct CageCoupling {
   int roller = -1;
-  /// dF/d(cage), dF/d(its rate) on the roller: a pack for each of the cage's directions.
-  std::vector<Pack> position, velocity;
+  /// dF/d(cage), dF/d(its rate) on the roller, for each of the cage's directions.
+  std::vector<Eight> position, velocity;
   /// d(force on the cage)/dP, dV: packs_for(cage) packs for each local direction.
   std::vector<Pack> to_position, to_velocity;
 };
@@ -72,7 +72,7 @@ struct CageCoupling {
 /// and two tangential directions. Channel g is the row dv/d(generalised velocity) of its sliding
 /// speed (for the normal channel: of the separation speed -p').
 struct ContactRows {
-  double roller[3][kLocalVelocities] = {};
+  double roller[3][kEight] = {};
   std::vector<double> border[3];  ///< over ring, cage and modes
   double lean[kLocalPositions] =
       {};  ///< dependence of the second tangential speed on the roller's positions

@@ -133,15 +133,16 @@ bool NewtonMatrix::factor_rollers(double beta) {
 template <class OfLane>
 void NewtonMatrix::add_to_lanes(int group, Pack (&to)[kLocalVelocities],
                                 const OfLane& of_lane) const {
-  Pack added[kLanes] = {};
+  Eight added[kLanes] = {};
   bool some = false;
   for_coupled(group, [&](int lane, std::size_t slot) {
     added[lane] = of_lane(lane, slot);
     some = true;
   });
   if (!some) return;
-  transpose(added);
-  for (int i = 0; i < kLocalVelocities; ++i) to[i] += added[i];
+  Pack columns[kEight];
+  transpose(added, columns);
+  for (int i = 0; i < kLocalVelocities; ++i) to[i] += columns[i];
 }
 
 bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
@@ -220,7 +221,7 @@ void NewtonMatrix::factor_cage() {
           cage.to[at] = -c.to_velocity[at];
           if (i < kLocalPositions) cage.to[at] -= beta_ * c.to_position[at];
         }
-      alignas(Pack) double inverse[kLocalVelocities][kLanes] = {};  // column by column
+      Eight inverse[kLocalVelocities] = {};  // column by column
       for (int j = 0; j < kLocalVelocities; ++j)
         for (int i = 0; i < kLocalVelocities; ++i) inverse[j][i] = f.inverse[i][j][lane];
       const double co = l.cosine[lane], si = l.sine[lane];
@@ -228,12 +229,12 @@ void NewtonMatrix::factor_cage() {
         return axis == 0 ? r[lane] * co - t[lane] * si : r[lane] * si + t[lane] * co;
       };
       for (int first = 0; first < packs * kLanes; first += kLanes) {
-        Pack into[kLanes] = {};  // N, column by column
+        Eight into[kLanes] = {};  // N, column by column
         for (int k = 0; k < kLanes && first + k < columns; ++k) {
           const auto column = static_cast<std::size_t>(first + k);
           into[k] = -c.velocity[column] - beta_ * c.position[column];
-          Pack from{};
-          for (int j = 0; j < kLocalVelocities; ++j) from += load(inverse[j]) * into[k][j];
+          Eight from{};
+          for (int j = 0; j < kLocalVelocities; ++j) from += inverse[j] * into[k][j];
           cage.from[column] = from;
           for (int p = 0; p < packs; ++p) {
             const int row = p * kLanes;
@@ -244,12 +245,13 @@ void NewtonMatrix::factor_cage() {
             store_first(to, load_first(to, columns - row) - reached, columns - row);
           }
         }
-        transpose(into);
+        Pack by_direction[kEight];
+        transpose(into, by_direction);
         for (int v = 0; v < vectors; ++v)
           for (int axis = 0; axis < 2; ++axis)
             for (int i = 0; i < kLocalVelocities; ++i)
               ring_rows[v][axis][first / kLanes] +=
-                  turned(f.to_ring[v][0][i], f.to_ring[v][1][i], axis) * into[i];
+                  turned(f.to_ring[v][0][i], f.to_ring[v][1][i], axis) * by_direction[i];
       }
       for (int v = 0; v < vectors; ++v)
         for (int axis = 0; axis < 2; ++axis)

@@ -55,8 +55,8 @@ class NewtonMatrix {
     Pack rhs[kLocalVelocities];  ///< A^-1 of the right-hand side being solved for
   };
   struct Cage {
-    std::vector<Pack> from;  ///< A^-1 N, cage part: over local directions, for each of the cage's
-    std::vector<Pack> to;    ///< T, cage part: packs over the cage's, for each local direction
+    std::vector<Eight> from;  ///< A^-1 N, cage part: over local directions, for each of the cage's
+    std::vector<Pack> to;     ///< T, cage part: packs over the cage's, for each local direction
   };
   /// Calls `then` with lane and index into `couplings` of the rollers of a pack that touch the
   /// cage.

@@ -31,9 +31,9 @@ class FixedPower {
   template <class T>
   [[gnu::always_inline]] T operator()(T x) const {
     const auto bits = bits_of(x);
-    const auto octave = (bits >> 52) - (1023 - kLowest);
+    const auto octave = shifted_down(bits, 52) - (1023 - kLowest);
     const auto outside = (octave < 0) | (octave >= kOctaves);
-    const auto cell = (bits >> 48) & (kCells - 1);
+    const auto cell = shifted_down(bits, 48) & (kCells - 1);
     const T mantissa = number_of<T>((bits & 0x000FFFFFFFFFFFFFLL) | 0x3FF0000000000000LL);
     const T r = mantissa * look_up(inverse_, cell) - 1.0, r2 = r * r;
     const double(&c)[kTerms] = series_;

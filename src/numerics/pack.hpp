@@ -1,27 +1,41 @@
-// Eight doubles side by side: the lanes over which rollers are computed. GCC vector types, so +, -,
-// *, / and comparisons are the language's own; a machine without AVX-512 gets two or four narrower
-// registers from the compiler. Always whole packs, so that a result does not depend on the lane it
-// is computed in.
+// As many doubles side by side as a register holds: the lanes over which rollers are computed. GCC
+// vector types, so +, -, *, / and comparisons are the language's own (of wider ones than a register
+// it compares and selects lane by lane). Always whole packs, so that a result does not depend on
+// the lane it is computed in.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
-#ifdef __AVX512F__
+#ifdef __AVX2__
 #include <immintrin.h>
 #endif
 
 namespace cagetol {
 
+#ifdef __AVX512F__
 inline constexpr int kLanes = 8;
-typedef double Pack __attribute__((vector_size(64)));
-typedef std::int64_t Mask __attribute__((vector_size(64)));  ///< all bits set where true
+#else
+inline constexpr int kLanes = 4;
+#endif
+typedef double Pack __attribute__((vector_size(kLanes * sizeof(double))));
+/// Over the directions of one roller, zeros behind them; where a register holds fewer, in two.
+/// Adds and multiplies only.
+inline constexpr int kEight = 8;
+typedef double Eight __attribute__((vector_size(kEight * sizeof(double))));
+/// All bits set where true.
+typedef std::int64_t Mask __attribute__((vector_size(kLanes * sizeof(double))));
 
 inline Pack splat(double x) {
   return Pack{} + x;
 }
 inline Pack load(const double* p) {
   Pack x;
+  std::memcpy(&x, p, sizeof x);
+  return x;
+}
+inline Eight load_eight(const double* p) {
+  Eight x;
   std::memcpy(&x, p, sizeof x);
   return x;
 }
@@ -33,6 +47,9 @@ inline Pack load_first(const double* p, int n) {
 #ifdef __AVX512F__
   const auto mask = static_cast<__mmask8>(n < kLanes ? (1 << n) - 1 : 0xFF);
   return reinterpret_cast<Pack>(_mm512_maskz_loadu_pd(mask, p));
+#elif defined __AVX2__
+  const Mask wanted = Mask{0, 1, 2, 3} < n;
+  return reinterpret_cast<Pack>(_mm256_maskload_pd(p, reinterpret_cast<__m256i>(wanted)));
 #else
   Pack x{};
   for (int i = 0; i < kLanes && i < n; ++i) x[i] = p[i];
@@ -43,6 +60,9 @@ inline void store_first(double* p, Pack x, int n) {
 #ifdef __AVX512F__
   const auto mask = static_cast<__mmask8>(n < kLanes ? (1 << n) - 1 : 0xFF);
   _mm512_mask_storeu_pd(p, mask, reinterpret_cast<__m512d>(x));
+#elif defined __AVX2__
+  const Mask wanted = Mask{0, 1, 2, 3} < n;
+  _mm256_maskstore_pd(p, reinterpret_cast<__m256i>(wanted), reinterpret_cast<__m256d>(x));
 #else
   for (int i = 0; i < kLanes && i < n; ++i) p[i] = x[i];
 #endif
@@ -98,6 +118,8 @@ inline double gather(const double* table, std::int64_t at) {
 inline bool any(Mask m) {
 #ifdef __AVX512F__
   return _mm512_test_epi64_mask(reinterpret_cast<__m512i>(m), reinterpret_cast<__m512i>(m)) != 0;
+#elif defined __AVX2__
+  return !_mm256_testz_si256(reinterpret_cast<__m256i>(m), reinterpret_cast<__m256i>(m));
 #else
   std::int64_t all = 0;
   for (int i = 0; i < kLanes; ++i) all |= m[i];
@@ -108,6 +130,8 @@ inline bool any(Mask m) {
 inline Pack sqrt(Pack x) {
 #ifdef __AVX512F__
   return reinterpret_cast<Pack>(_mm512_maskz_sqrt_pd(0xFF, reinterpret_cast<__m512d>(x)));
+#elif defined __AVX2__
+  return reinterpret_cast<Pack>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(x)));
 #else
   Pack y;
   for (int i = 0; i < kLanes; ++i) y[i] = __builtin_sqrt(x[i]);
@@ -139,33 +163,46 @@ inline double sum(Pack x) {
 #ifdef __AVX512F__
   const __m512d all = reinterpret_cast<__m512d>(x);
   const __m256d four = _mm512_castpd512_pd256(all) + _mm512_extractf64x4_pd(all, 1);
+#elif defined __AVX2__
+  const __m256d four = reinterpret_cast<__m256d>(x);
+#else
+  return (x[0] + x[2]) + (x[1] + x[3]);
+#endif
+#ifdef __AVX2__
   const __m128d two = _mm256_castpd256_pd128(four) + _mm256_extractf128_pd(four, 1);
   return two[0] + two[1];
-#else
-  return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
 #endif
 }
 inline double largest(Pack x) {
-  const auto of = [](double a, double b) { return b > a ? b : a; };
-  return of(of(of(x[0], x[4]), of(x[2], x[6])), of(of(x[1], x[5]), of(x[3], x[7])));
+  double most[kLanes];
+  store(most, x);
+  for (int half = kLanes / 2; half > 0; half /= 2)
+    for (int i = 0; i < half; ++i) most[i] = most[i + half] > most[i] ? most[i + half] : most[i];
+  return most[0];
 }
 inline double smallest(Pack x) {
   return -largest(-x);
 }
 
 /// Rows to columns.
-inline void transpose(Pack (&a)[kLanes]) {
+inline void transpose(const Eight (&rows)[kLanes], Pack (&columns)[kEight]) {
+#ifdef __AVX512F__
+  for (int i = 0; i < kLanes; ++i) columns[i] = rows[i];
   const auto swap = [&](int distance, const Mask& low, const Mask& high) {
     for (int i = 0; i < kLanes; ++i) {
       if (i & distance) continue;
-      const Pack x = a[i], y = a[i + distance];
-      a[i] = __builtin_shuffle(x, y, low);
-      a[i + distance] = __builtin_shuffle(x, y, high);
+      const Pack x = columns[i], y = columns[i + distance];
+      columns[i] = __builtin_shuffle(x, y, low);
+      columns[i + distance] = __builtin_shuffle(x, y, high);
     }
   };
   swap(1, Mask{0, 8, 2, 10, 4, 12, 6, 14}, Mask{1, 9, 3, 11, 5, 13, 7, 15});
   swap(2, Mask{0, 1, 8, 9, 4, 5, 12, 13}, Mask{2, 3, 10, 11, 6, 7, 14, 15});
   swap(4, Mask{0, 1, 2, 3, 8, 9, 10, 11}, Mask{4, 5, 6, 7, 12, 13, 14, 15});
+#else
+  for (int i = 0; i < kEight; ++i)
+    for (int lane = 0; lane < kLanes; ++lane) columns[i][lane] = rows[lane][i];
+#endif
 }
 
 /// c[0] + c[1] x + ... by pairs (Estrin): the chain of dependent operations is four long where
@@ -180,6 +217,23 @@ inline Pack polynomial(const double (&c)[n], Pack x) {
   return low + (n > 12 ? four(8) + four(12 < n ? 12 : 8) * x4 : four(8)) * x8;
 }
 
+/// Bits moved down, zeros behind them. (AVX2 moves no signs down.)
+inline Mask shifted_down(Mask bits, int by) {
+  typedef std::uint64_t Unsigned __attribute__((vector_size(sizeof(Mask))));
+  return reinterpret_cast<Mask>(reinterpret_cast<Unsigned>(bits) >> by);
+}
+inline std::int64_t shifted_down(std::int64_t bits, int by) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(bits) >> by);
+}
+/// Whole numbers below 2^52, not negative, as doubles.
+inline Pack real(Mask whole) {
+#ifdef __AVX512DQ__
+  return __builtin_convertvector(whole, Pack);
+#else
+  return reinterpret_cast<Pack>(whole | 0x4330000000000000LL) - 0x1p52;
+#endif
+}
+
 /// log2(x) for finite x > 0, within 2 units in the last place of max(1, |log2 x|).
 inline Pack log2(Pack x) {
   const Mask bits = reinterpret_cast<Mask>(x);
@@ -187,13 +241,14 @@ inline Pack log2(Pack x) {
   // rest back.
   const std::int64_t half_root = 0x3FE6A09E667F3BCDLL;
   const Mask shifted = bits - half_root;
-  const Mask exponent = shifted >> 52;
+  constexpr std::int64_t bias = 1024;  // makes every exponent positive
+  const Pack exponent = real(shifted_down(shifted + (bias << 52), 52)) - double{bias};
   const Pack m = reinterpret_cast<Pack>((shifted & 0x000FFFFFFFFFFFFFLL) + half_root);
   const Pack s = (m - 1.0) / (m + 1.0), z = s * s;
   constexpr double c[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
                           1.0 / 13, 1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21};
   const Pack ln = 2.0 * (s + s * z * polynomial(c, z));
-  return ln * 1.4426950408889634074 + __builtin_convertvector(exponent, Pack);
+  return ln * 1.4426950408889634074 + exponent;
 }
 
 /// 2^y for |y| < 1000, within 2 units in the last place.
@@ -232,15 +287,24 @@ inline Pack abs(Pack x) {
 }
 
 inline Mask cell(Pack x, Pack& share) {
+#ifdef __AVX512DQ__
   const Mask whole = __builtin_convertvector(x, Mask);
   share = x - __builtin_convertvector(whole, Pack);
   return whole;
+#else
+  const Pack near = (x + 0x1p52) - 0x1p52, whole = near - select(near > x, splat(1.0), Pack{});
+  share = x - whole;
+  return reinterpret_cast<Mask>(whole + 0x1p52) & 0x000FFFFFFFFFFFFFLL;
+#endif
 }
 /// table[at] of every lane.
 inline Pack gather(const double* table, Mask at) {
 #ifdef __AVX512F__
   return reinterpret_cast<Pack>(
       _mm512_i64gather_pd(reinterpret_cast<__m512i>(at), table, sizeof(double)));
+#elif defined __AVX2__
+  return reinterpret_cast<Pack>(
+      _mm256_i64gather_pd(table, reinterpret_cast<__m256i>(at), sizeof(double)));
 #else
   Pack y;
   for (int i = 0; i < kLanes; ++i) y[i] = table[at[i]];

@@ -9,29 +9,18 @@
 
 namespace cagetol {
 
-inline constexpr int kMostPacks = 6;  ///< in a column
+inline constexpr int kMostPacks = 48 / kLanes;  ///< in a column
 
 inline int packs_for(int n) {
   return (n + kLanes - 1) / kLanes;
 }
 
-/// Calls `run` with the number of packs as a constant.
-template <class Run>
-auto with_packs(int packs, const Run& run) {
-  switch (packs) {
-    case 1:
-      return run.template operator()<1>();
-    case 2:
-      return run.template operator()<2>();
-    case 3:
-      return run.template operator()<3>();
-    case 4:
-      return run.template operator()<4>();
-    case 5:
-      return run.template operator()<5>();
-    default:
-      return run.template operator()<kMostPacks>();
-  }
+/// Calls `run` with the number of packs, up to kMostPacks, as a constant.
+template <int packs = 1, class Run>
+auto with_packs(int count, const Run& run) {
+  if constexpr (packs < kMostPacks)
+    if (count != packs) return with_packs<packs + 1>(count, run);
+  return run.template operator()<packs>();
 }
 
 /// x = A b of `rows` and `columns` numbers, A padded to whole packs; x may be b.
@@ -56,8 +45,9 @@ void load_padded(const double* from, int n, Pack (&to)[packs]) {
 }
 
 /// Of packs the sum, each times its weight.
-inline Pack weighted_sum(const std::vector<Pack>& packs, const double* weight) {
-  Pack even{}, odd{};
+template <class T>
+T weighted_sum(const std::vector<T>& packs, const double* weight) {
+  T even{}, odd{};
   const std::size_t n = packs.size();
   for (std::size_t k = 0; k + 1 < n; k += 2) {
     even += weight[k] * packs[k];

@@ -28,7 +28,8 @@ bool invert_pivots(double (&m)[2][2]) {
 /// written half as often.
 template <int packs>
 bool invert_vectors(Pack* vectors, int n) {
-  const Pack lane = {0, 1, 2, 3, 4, 5, 6, 7};
+  Pack lane;
+  for (int i = 0; i < kLanes; ++i) lane[i] = i;
   bool sound = true;
   Pack* const end = vectors + n * packs;
   const auto entry = [](const Pack* vector, int row) {

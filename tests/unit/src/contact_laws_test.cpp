@@ -216,11 +216,12 @@ TEST(ContactLaws, LanesFollowTheScalarLaw) {
   const std::vector<double> speeds = {0, 1e-3, 0.05, 0.1, 0.2, 0.9, 1.0, 5};
   for (const auto& parameters : {impact(), hertz()}) {
     const NormalLaw law = make_normal_law(parameters, 9e-3, 5);
-    const auto lanes = normal_force(law, load(depths.data()), splat(0.02));
-    const Pack v = load(speeds.data());
-    const auto rubbing = friction(FrictionLaw{}, v * v);
-    for (int i = 0; i < kLanes; ++i) {
-      const auto k = static_cast<std::size_t>(i);
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+      const std::size_t first = k / kLanes * kLanes;
+      const int i = static_cast<int>(k - first);
+      const auto lanes = normal_force(law, load(&depths[first]), splat(0.02));
+      const Pack v = load(&speeds[first]);
+      const auto rubbing = friction(FrictionLaw{}, v * v);
       const auto one = normal_force(law, depths[k], 0.02);
       EXPECT_NEAR(lanes.force[i], one.force, 2e-15 * one.force) << i;
       EXPECT_NEAR(lanes.stiffness[i], one.stiffness, 2e-15 * one.stiffness) << i;

@@ -137,23 +137,26 @@ TEST_F(PackMath, ALaneDoesNotMatter) {
 }
 
 TEST_F(PackMath, TransposeMakesRowsColumns) {
-  Pack a[kLanes];
+  Eight rows[kLanes];
   for (int i = 0; i < kLanes; ++i)
-    for (int j = 0; j < kLanes; ++j) a[i][j] = 10 * i + j;
-  transpose(a);
-  for (int i = 0; i < kLanes; ++i)
-    for (int j = 0; j < kLanes; ++j) EXPECT_EQ(a[i][j], 10 * j + i);
+    for (int j = 0; j < kEight; ++j) rows[i][j] = 10 * i + j;
+  Pack columns[kEight];
+  transpose(rows, columns);
+  for (int i = 0; i < kEight; ++i)
+    for (int j = 0; j < kLanes; ++j) EXPECT_EQ(columns[i][j], 10 * j + i);
 }
 
 TEST_F(PackMath, SelectMinMaxAnySum) {
-  const Pack x = {1, -2, 3, -4, 5, -6, 7, -8};
-  EXPECT_EQ(sum(x), -4);
-  EXPECT_EQ(largest(x), 7);
-  EXPECT_EQ(smallest(x), -8);
-  EXPECT_TRUE(any(x > 6.0));
-  EXPECT_FALSE(any(x > 7.0));
-  EXPECT_EQ(sum(max(x, Pack{})), 16);
-  EXPECT_EQ(sum(select(x < 0.0, x, Pack{})), -20);
+  Pack x;  // 1, -2, 3, -4, ...
+  for (int lane = 0; lane < kLanes; ++lane) x[lane] = lane % 2 ? -lane - 1 : lane + 1;
+  constexpr int half = kLanes / 2;
+  EXPECT_EQ(sum(x), -half);
+  EXPECT_EQ(largest(x), kLanes - 1);
+  EXPECT_EQ(smallest(x), -kLanes);
+  EXPECT_TRUE(any(x > kLanes - 2.0));
+  EXPECT_FALSE(any(x > kLanes - 1.0));
+  EXPECT_EQ(sum(max(x, Pack{})), half * half);
+  EXPECT_EQ(sum(select(x < 0.0, x, Pack{})), -half * (half + 1));
   Pack lone{};
   for (int lane = 0; lane < kLanes; ++lane) {
     lone = Pack{};
