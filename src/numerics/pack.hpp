@@ -19,12 +19,12 @@ inline constexpr int kLanes = 8;
 inline constexpr int kLanes = 4;
 #endif
 typedef double Pack __attribute__((vector_size(kLanes * sizeof(double))));
-/// Over the directions of one roller, zeros behind them; where a register holds fewer, in two.
-/// Adds and multiplies only.
-inline constexpr int kEight = 8;
-typedef double Eight __attribute__((vector_size(kEight * sizeof(double))));
 /// All bits set where true.
 typedef std::int64_t Mask __attribute__((vector_size(kLanes * sizeof(double))));
+inline constexpr int kEight = 8;
+/// Over the directions of one roller, zeros behind them; where a register holds fewer, in two.
+/// Adds and multiplies only.
+typedef double Eight __attribute__((vector_size(kEight * sizeof(double))));
 
 inline Pack splat(double x) {
   return Pack{} + x;
