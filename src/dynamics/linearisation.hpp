@@ -19,6 +19,8 @@ namespace cagetol {
 /// Local directions of a roller.
 enum Local { kLr, kLt, kLx, kLar, kLat, kLs, kLocalVelocities, kLocalPositions = kLs };
 
+static_assert(int{kLocalVelocities} <= kEight);
+
 /// Whether planar rollers are held in a local direction.
 template <bool planar>
 constexpr bool held(int local) {
@@ -72,7 +74,7 @@ struct CageCoupling {
 /// and two tangential directions. Channel g is the row dv/d(generalised velocity) of its sliding
 /// speed (for the normal channel: of the separation speed -p').
 struct ContactRows {
-  double roller[3][kEight] = {};
+  double roller[3][kEight] = {};  ///< zeros behind the directions
   std::vector<double> border[3];  ///< over ring, cage and modes
   double lean[kLocalPositions] =
       {};  ///< dependence of the second tangential speed on the roller's positions

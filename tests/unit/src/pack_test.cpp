@@ -1,6 +1,7 @@
 #include "src/numerics/fixed_power.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -144,6 +145,35 @@ TEST_F(PackMath, TransposeMakesRowsColumns) {
   transpose(rows, columns);
   for (int i = 0; i < kEight; ++i)
     for (int j = 0; j < kLanes; ++j) EXPECT_EQ(columns[i][j], 10 * j + i);
+}
+
+TEST_F(PackMath, ReadsAndWritesTheFirstLanesAlone) {
+  double from[kLanes];
+  for (int i = 0; i < kLanes; ++i) from[i] = i + 1;
+  for (int n = 0; n <= kLanes + 2; ++n) {
+    double to[kLanes];
+    std::fill(to, to + kLanes, -5.0);
+    store_first(to, load(from), n);
+    for (int i = 0; i < kLanes; ++i) {
+      EXPECT_EQ(load_first(from, n)[i], i < n ? i + 1 : 0) << n;
+      EXPECT_EQ(to[i], i < n ? i + 1 : -5) << n;
+    }
+  }
+}
+
+TEST_F(PackMath, CellIsTheWholePartAndGatherItsEntry) {
+  double table[1000];
+  for (int i = 0; i < 1000; ++i) table[i] = 3 * i;
+  for (int n = 0; n < 1000; ++n) {
+    const double x = n % 2 ? between(0, 999) : n + 0.0;
+    Pack many = splat(1.5), share;
+    many[n % kLanes] = x;
+    const Mask at = cell(many, share);
+    EXPECT_EQ(at[n % kLanes], static_cast<std::int64_t>(x));
+    EXPECT_EQ(share[n % kLanes], x - std::floor(x));
+    EXPECT_EQ(real(at)[n % kLanes], std::floor(x));
+    EXPECT_EQ(gather(table, at)[n % kLanes], 3 * std::floor(x));
+  }
 }
 
 TEST_F(PackMath, SelectMinMaxAnySum) {
