@@ -50,10 +50,15 @@ FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> model,
 }
 
 double farthest_displacement(const FlexibleCage& cage, const double* q) {
-  double sum = 0;
-  for (int k = 0; k < cage.modes; ++k)
-    sum += cage.scale[static_cast<std::size_t>(k)] * std::abs(q[k]);
-  return (1 + 1e-12) * sum;  // rounding must not make it less
+  if (cage.modes == 0) return 0;
+  const double moved = with_packs(packs_for(cage.modes), [&]<int packs>() {
+    Pack scale[packs], at[packs], total{};
+    load_padded(cage.scale.data(), cage.modes, scale);
+    load_padded(q, cage.modes, at);
+    for (int p = 0; p < packs; ++p) total += scale[p] * abs(at[p]);
+    return sum(total);
+  });
+  return (1 + 1e-12) * moved;  // rounding must not make it less
 }
 
 namespace {

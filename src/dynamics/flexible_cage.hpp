@@ -67,9 +67,14 @@ struct ModalState {
   /// Displacement or speed of a contact point of a pack of pockets.
   Pack along(int group, int point, int direction, const double* coordinate) const {
     const Pack* row = cage->row(group, point, direction);
-    Pack sum{};
-    for (int k = 0; k < cage->modes; ++k) sum += row[k] * coordinate[k];
-    return sum;
+    Pack even{}, odd{};  // neither sum waits for the other
+    int k = 0;
+    for (; k + 1 < cage->modes; k += 2) {
+      even += row[k] * coordinate[k];
+      odd += row[k + 1] * coordinate[k + 1];
+    }
+    if (k < cage->modes) even += row[k] * coordinate[k];
+    return even + odd;
   }
   /// A force on the cage at that point along e_R, e_T, e_x.
   void push(int group, int point, Pack f_R, Pack f_T, Pack f_x) const {

@@ -26,16 +26,29 @@ inline void bend_land(const ModalState& modal, int land, double angle, BentLand&
   const double place = angle * per_radian, below = __builtin_floor(place), share = place - below;
   const int from = ((static_cast<int>(below) % cage.corners) + cage.corners) % cage.corners;
   const int to = (from + 1) % cage.corners;
-  for (int d = 0; d < 3; ++d) {
-    const double *a = cage.land_row(land, from, d), *c = cage.land_row(land, to, d);
-    for (int k = 0; k < cage.modes; ++k) {
-      bent.row[d][k] = a[k] + share * (c[k] - a[k]);
-      bent.rate[d] += bent.row[d][k] * modal.rate[k];
+  with_packs(packs_for(cage.modes), [&]<int packs>() {
+    Pack q[packs], rate[packs];
+    load_padded(modal.q, cage.modes, q);
+    load_padded(modal.rate, cage.modes, rate);
+    for (int d = 0; d < 3; ++d) {
+      Pack first[packs], change[packs], moved{}, slope{}, speed{};
+      load_padded(cage.land_row(land, from, d), cage.modes, first);
+      load_padded(cage.land_row(land, to, d), cage.modes, change);
+      for (int p = 0; p < packs; ++p) {
+        change[p] -= first[p];
+        const Pack row = first[p] + share * change[p];
+        store_first(bent.row[d] + p * kLanes, row, cage.modes - p * kLanes);
+        speed += row * rate[p];
+        if (d > 0) continue;
+        moved += row * q[p];
+        slope += change[p] * q[p];
+      }
+      bent.rate[d] = sum(speed);
       if (d > 0) continue;
-      bent.moved += bent.row[d][k] * modal.q[k];
-      bent.slope += (c[k] - a[k]) * modal.q[k] * per_radian;
+      bent.moved = sum(moved);
+      bent.slope = per_radian * sum(slope);
     }
-  }
+  });
 }
 
 template <bool linear>

@@ -18,10 +18,6 @@ Pack spared_in(Pack unit) {
   return 1.0 - 1.0 / (unit * unit);
 }
 
-Pack magnitude(Pack x) {
-  return max(x, -x);
-}
-
 }  // namespace
 
 double StepError::operator()(const System& s, const double* y, const double* error, double h,
@@ -68,15 +64,15 @@ double StepError::operator()(const System& s, const double* y, const double* err
     add(velocity(error, kAxialSpeed), velocity(per_scale, kAxialSpeed),
         select(on_flange, touch, usual));
     const Pack wrong_speed = velocity(error, kRadialSpeed);
-    moved += roller.exists * roller.mass *
-             magnitude(velocity(y, kRadialSpeed) * wrong_speed -
-                       velocity(rate, kRadialSpeed) * wrong_radius);
+    moved +=
+        roller.exists * roller.mass *
+        abs(velocity(y, kRadialSpeed) * wrong_speed - velocity(rate, kRadialSpeed) * wrong_radius);
     // A dashpot that stops a roller within a step lets errors move little and dissipate much.
     const Pack stops = turned.velocity[kLr][kLr] * roller.inverse_mass * h;
     const Pack squared = stops * stops;
-    moved += roller.exists * h * squared / (1.0 + squared) *
-             magnitude(turned.power_velocity[kLr] * wrong_speed +
-                       turned.power_position[kLr] * wrong_radius);
+    moved +=
+        roller.exists * h * squared / (1.0 + squared) *
+        abs(turned.power_velocity[kLr] * wrong_speed + turned.power_position[kLr] * wrong_radius);
   }
   const auto with = [&](Pack more) {
     return std::sqrt(

@@ -9,15 +9,15 @@ namespace {
 constexpr double kNever = 1e30;
 
 bool all_finite(const double* x, int n) {
-  // A sum of zero times each is not a number exactly if one of them is not finite. By two sums:
-  // neither waits for the other.
-  Pack even{}, odd{};
-  for (int i = 0; i + kLanes < n; i += 2 * kLanes) {
-    even += 0.0 * load(x + i);
-    odd += 0.0 * load(x + i + kLanes);
-  }
-  if (n / kLanes % 2 == 1) even += 0.0 * load(x + n - kLanes);
-  return sum(even + odd) == 0;
+  // A sum of zero times each is not a number exactly if one of them is not finite. By four sums:
+  // none waits for the others.
+  constexpr int together = 4;
+  Pack sums[together] = {};
+  int i = 0;
+  for (; i + together * kLanes <= n; i += together * kLanes)
+    for (int k = 0; k < together; ++k) sums[k] += 0.0 * load(x + i + k * kLanes);
+  for (; i < n; i += kLanes) sums[0] += 0.0 * load(x + i);
+  return sum((sums[0] + sums[1]) + (sums[2] + sums[3])) == 0;
 }
 
 }  // namespace

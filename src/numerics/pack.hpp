@@ -283,7 +283,7 @@ inline Pack power(Pack x, double e) {
 }
 
 inline Pack abs(Pack x) {
-  return max(x, -x);
+  return reinterpret_cast<Pack>(reinterpret_cast<Mask>(x) & 0x7FFFFFFFFFFFFFFFLL);
 }
 
 inline Mask cell(Pack x, Pack& share) {

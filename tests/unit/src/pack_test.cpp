@@ -99,6 +99,16 @@ TEST_F(PackMath, RootAndItsReciprocalWithinTheirBound) {
   EXPECT_LT(reciprocal, 5e-16);
 }
 
+TEST_F(PackMath, MagnitudesHaveNoSign) {
+  for (const double x : {0.0, -0.0, 2.5, -2.5, -1e-310}) {
+    const Pack magnitude = abs(splat(x));
+    for (int i = 0; i < kLanes; ++i) {
+      EXPECT_EQ(magnitude[i], std::abs(x));
+      EXPECT_FALSE(std::signbit(magnitude[i])) << x;
+    }
+  }
+}
+
 TEST_F(PackMath, SineAndCosineWithinTheirBound) {
   double worst = 0;
   for (int n = 0; n < kTrials; ++n) {
