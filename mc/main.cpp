@@ -42,10 +42,19 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 
-/// Maps whole pages within [from, from + size) at once, with `advice` of madvise.
+constexpr std::size_t kPage = 4096;
+
+/// Gives `advice` of madvise for whole pages within [from, from + size).
+void advise(void* from, std::size_t size, int advice) {
+  if (std::align(kPage, kPage, from, size)) madvise(from, size - size % kPage, advice);
+}
+
+/// Maps pages at once, with `advice` of madvise, and touches each: a virtual machine may have page
+/// tables of its own behind the system's, which only a touch fills.
 void map_pages(void* from, std::size_t size, int advice) {
-  constexpr std::size_t page = 4096;
-  if (std::align(page, page, from, size)) madvise(from, size - size % page, advice);
+  advise(from, size, advice);
+  const volatile char* const bytes = static_cast<const char*>(from);
+  for (std::size_t k = 0; k < size; k += kPage) static_cast<void>(bytes[k]);
 }
 
 /// Takes the first megabytes that a run needs at once, in large pages where they fit, and the
@@ -54,7 +63,7 @@ void map_pages(void* from, std::size_t size, int advice) {
 void take_memory() {
   constexpr std::size_t size = 16 << 20;
   void* const memory = std::malloc(size);
-  map_pages(memory, size, MADV_HUGEPAGE);
+  advise(memory, size, MADV_HUGEPAGE);
   map_pages(memory, size, MADV_POPULATE_WRITE);
   std::free(memory);
   map_pages(&__executable_start, static_cast<std::size_t>(&etext - &__executable_start),
