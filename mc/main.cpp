@@ -62,10 +62,11 @@ void map_pages(void* from, std::size_t size, int advice) {
 /// would notice (tests/ACCURACY.md).
 void take_memory() {
   constexpr std::size_t size = 16 << 20;
-  void* const memory = std::malloc(size);
-  advise(memory, size, MADV_HUGEPAGE);
-  map_pages(memory, size, MADV_POPULATE_WRITE);
-  std::free(memory);
+  if (void* const memory = std::malloc(size)) {
+    advise(memory, size, MADV_HUGEPAGE);
+    map_pages(memory, size, MADV_POPULATE_WRITE);
+    std::free(memory);
+  }
   map_pages(&__executable_start, static_cast<std::size_t>(&etext - &__executable_start),
             MADV_POPULATE_READ);
 }

@@ -52,6 +52,16 @@ TEST(Program, VersionNamesWhatItWasBuiltFrom) {
     EXPECT_THAT(version.output, HasSubstr(part));
 }
 
+TEST(Program, NoLimitOfMemoryEndsItWithASignal) {
+  for (rlim_t bytes = 64 << 20; bytes <= rlim_t{192} << 20; bytes += 8 << 20) {
+    const auto version = run({"--version"}, [bytes] {
+      const rlimit limit{bytes, bytes};
+      setrlimit(RLIMIT_AS, &limit);
+    });
+    EXPECT_LT(version.code, 128) << bytes << ' ' << version.output;  // 127: libraries do not fit
+  }
+}
+
 TEST(Program, BadCommandLinesEndWithTwo) {
   EXPECT_EQ(run({}).code, 2);
   EXPECT_EQ(run({"simulate"}).code, 2);
