@@ -41,7 +41,7 @@ int run_stability(const StabilityArguments& options) {
   const std::filesystem::path directory = options.directory;
   replace_file(directory / "stability.json", stability_json(map).dump(1) + "\n");
   print(stability_text(map) + "map: " + draw_beside(directory / "stability.json") + "\n");
-  return kDone;
+  return is_sound(map) ? kDone : kLimitsNotMet;
 }
 
 }  // namespace
@@ -51,6 +51,7 @@ void add_stability_command(CLI::App& app, Chosen& chosen) {
       "stability",
       "Map where integration methods are right, degraded, wrong or say that they fail");
   command->footer(
+      "Ends with 1 where a method is silently wrong or the default method is not right.\n"
       "Example:\n  cagetol stability -o out/stability --fast --methods rodas3,semi-implicit-euler");
   auto options = std::make_shared<StabilityArguments>();
   command->add_option("-o,--output", options->directory, "Directory of stability.json and figures/")

@@ -149,6 +149,16 @@ StabilityMap run_stability(const std::vector<SuiteScene>& suite,
   return map;
 }
 
+bool is_sound(const StabilityMap& map) {
+  for (const SuiteRow& row : map.rows)
+    for (const auto& [method, cell] : row.cells) {
+      const bool right = cell.soundness == Soundness::right;
+      if (cell.soundness == Soundness::wrong || (method == map.default_method && !right))
+        return false;
+    }
+  return true;
+}
+
 Json stability_json(const StabilityMap& map) {
   Json json = {{"kind", "stability"},
                {"default_method", map.default_method},

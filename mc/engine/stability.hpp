@@ -65,6 +65,9 @@ StabilityMap run_stability(const std::vector<SuiteScene>& suite,
                            const std::vector<std::string>& methods, int threads,
                            const std::function<void(const SuiteRow&)>& on_row = {});
 
+/// No method is silently wrong on any scene, and the default, if it was run, is right on all.
+bool is_sound(const StabilityMap& map);
+
 nlohmann::ordered_json stability_json(const StabilityMap& map);
 std::string stability_text(const StabilityMap& map);
 

@@ -87,7 +87,8 @@ void Observer::record(double t, const double* y, const System& system) {
   cage_lean_z_.add(q[kCageAxisZ], step);
   ring_y_.add(q[kRingY], step);
   ring_z_.add(q[kRingZ], step);
-  ring_acceleration_.add({dv[kRingY], dv[kRingZ]}, {v[kRingY], v[kRingZ]}, step);
+  ring_acceleration_.add({dv[kRingY], dv[kRingZ]}, {v[kRingY], v[kRingZ]},
+                         {q[kRingY], q[kRingZ]}, step);
   ring_elastic_z_.add(seen.ring_elastic_z, step);
   if (l.ring_tilt > 0) {
     const double tilt_y = q[l.ring_tilt_slot()], tilt_z = q[l.ring_tilt_slot() + 1];
@@ -155,7 +156,7 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
     slip_all_.add(k, slip, here, step);
     const Mask loaded = here & (force(seen.inner_force) > threshold);
     slip_loaded_.add(k, slip, loaded, step);
-    sliding_.add(k, force(seen.inner_sliding), loaded, step);
+    sliding_.add_above(k, force(seen.inner_sliding), force(seen.inner_force), threshold, here, step);
     const Pack leading = force(seen.leading_force), trailing = force(seen.trailing_force),
                wall = force(seen.wall_force);
     pocket_force_.add(k, leading + trailing, here, step);

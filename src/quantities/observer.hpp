@@ -72,7 +72,7 @@ class Observer {
   RollerSeries slip_loaded_, slip_all_, sliding_{kPeak}, roller_speed_;
   RollerSeries skew_{kQuantiles}, tilt_{kQuantiles}, pocket_force_{kPeak | kQuantiles},
       wall_force_{kPeak | kQuantiles};
-  IntegratedVector ring_acceleration_;
+  PlaneAcceleration ring_acceleration_;
   std::optional<CageStress> stress_;
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;

@@ -25,6 +25,36 @@ T value_before(const SeenStep& step, T first, T middle, T last, double time) {
   return Bow(step, first, middle, last).before_last(step, last, time);
 }
 
+/// a(u) = first + (last - first) u + bow u (1 - u) + skew u (1 - u) (1 - 2u), u = 0 to 1 over a step
+/// of which the integral and the integral's integral are known.
+class Cubic {
+ public:
+  Cubic(const SeenStep& step, double first, double last, double gained, double moved)
+      : first_(first), last_(last) {
+    const double mean = gained * step.per_length;
+    const double twice = moved * step.per_length * step.per_length;
+    bow_ = 6 * (mean - (first + last) / 2);
+    skew_ = 60 * (twice - (2 * first + last) / 6 - bow_ / 12);
+  }
+  double at(double u) const {
+    return first_ + (last_ - first_) * u + u * (1 - u) * (bow_ + skew_ * (1 - 2 * u));
+  }
+  /// Without the skew, to which a step's error adds (tests/ACCURACY.md).
+  double mean_square() const {
+    return (first_ * first_ + first_ * last_ + last_ * last_) / 3 + bow_ * (first_ + last_) / 6 +
+           bow_ * bow_ / 30;
+  }
+  /// No smaller than its largest magnitude.
+  double most() const {
+    return std::max(std::abs(first_), std::abs(last_)) + std::abs(bow_) / 4 + std::abs(skew_) / 10;
+  }
+
+ private:
+  double first_, last_, bow_, skew_;
+};
+
+constexpr int kParts = 8;  ///< of a step at whose ends an acceleration is looked at for its peak
+
 }  // namespace
 
 Series::Series(const Sums& sums, std::vector<double> record)
@@ -122,7 +152,7 @@ void RollerSeries::add(std::size_t group, Pack value, Mask counts, const SeenSte
     shifted_ = true;
   }
   if (group >= seen_.size()) seen_.resize(group + 1);
-  auto& [before, last, bowed] = seen_[group];
+  auto& [before, last, gate, bowed] = seen_[group];
   const State now{value, counts};
   const Pack first = before.value - shift_, middle = last.value - shift_, x = value - shift_;
   const Pack half = splat(step.length / 2);
@@ -156,40 +186,48 @@ void RollerSeries::add(std::size_t group, Pack value, Mask counts, const SeenSte
   last = now;
 }
 
+void RollerSeries::add_above(std::size_t group, Pack value, Pack gate, double threshold, Mask here,
+                             const SeenStep& step) {
+  const Mask counts = here & (gate > threshold);
+  add(group, value, counts, step);
+  Seen& seen = seen_[group];
+  const Mask crosses = (counts != (seen.gate > threshold)) & (min(gate, seen.gate) > 0.0);
+  if (any(crosses)) {
+    const Pack share = (threshold - seen.gate) / select(crosses, gate - seen.gate, splat(1.0));
+    const Pack at = seen.before.value + share * (value - seen.before.value);
+    peak_ = max(peak_, select(crosses, abs(at), Pack{}));
+  }
+  seen.gate = select(here, gate, Pack{});
+}
+
 Series RollerSeries::all() const {
   const double peak = asked_ & kPeak ? largest(peak_) : kNone;
   return {{shifted_ ? 1 : 0, shift_, sum(weight_), sum(sum_), sum(squares_), peak}, record_};
 }
 
-void IntegratedVector::add(Plane vector, Plane integral, const SeenStep& step) {
+void PlaneAcceleration::add(Plane acceleration, Plane velocity, Plane position,
+                            const SeenStep& step) {
   const auto square = [](double y, double z) { return y * y + z * z; };
-  largest_square_ = std::max(largest_square_, square(vector.y, vector.z));
+  largest_square_ = std::max(largest_square_, square(acceleration.y, acceleration.z));
   if (step.length > 0) {
-    // a(u) = a0 + (a1 - a0) u + bow u (1 - u), u = 0 to 1; its mean is (a0 + a1)/2 + bow/6.
-    const auto bow = [&](double a0, double a1, double gained) {
-      return 6 * (gained / step.length - (a0 + a1) / 2);
-    };
-    const auto mean_square = [](double a0, double a1, double c) {
-      return (a0 * a0 + a0 * a1 + a1 * a1) / 3 + c * (a0 + a1) / 6 + c * c / 30;
-    };
-    const double bow_y = bow(last_.y, vector.y, integral.y - last_integral_.y),
-                 bow_z = bow(last_.z, vector.z, integral.z - last_integral_.z);
+    const Cubic y(step, last_.y, acceleration.y, velocity.y - last_velocity_.y,
+                  position.y - last_position_.y - last_velocity_.y * step.length);
+    const Cubic z(step, last_.z, acceleration.z, velocity.z - last_velocity_.z,
+                  position.z - last_position_.z - last_velocity_.z * step.length);
     duration_ += step.length;
-    squares_ += step.length *
-                (mean_square(last_.y, vector.y, bow_y) + mean_square(last_.z, vector.z, bow_z));
-    for (const double u : {0.25, 0.5, 0.75}) {
-      const auto between = [&](double a0, double a1, double c) {
-        return a0 + (a1 - a0) * u + c * u * (1 - u);
-      };
-      largest_square_ = std::max(largest_square_, square(between(last_.y, vector.y, bow_y),
-                                                         between(last_.z, vector.z, bow_z)));
-    }
+    squares_ += step.length * (y.mean_square() + z.mean_square());
+    if (square(y.most(), z.most()) > largest_square_)
+      for (int k = 1; k < kParts; ++k) {
+        const double u = static_cast<double>(k) / kParts;
+        largest_square_ = std::max(largest_square_, square(y.at(u), z.at(u)));
+      }
   }
-  last_ = vector;
-  last_integral_ = integral;
+  last_ = acceleration;
+  last_velocity_ = velocity;
+  last_position_ = position;
 }
 
-double IntegratedVector::rms() const {
+double PlaneAcceleration::rms() const {
   return duration_ > 0 ? std::sqrt(squares_ / duration_) : kNone;
 }
 

@@ -160,6 +160,10 @@ class RollerSeries {
   /// `counts`: lanes where the quantity exists just now, not padding, nor, say, the slip of an
   /// unloaded roller.
   void add(std::size_t group, Pack value, Mask counts, const SeenStep& step);
+  /// Likewise one that exists while `gate` exceeds `threshold`, >= 0. It may be largest where the gate
+  /// opens or closes: there it lies on the chord between states whose gates are both above zero.
+  void add_above(std::size_t group, Pack value, Pack gate, double threshold, Mask here,
+                 const SeenStep& step);
   Series all() const;
 
  private:
@@ -169,6 +173,7 @@ class RollerSeries {
   };
   struct Seen {
     State before, last;  ///< the two states before
+    Pack gate{};         ///< of the last state
     BowedSteps<Pack> bowed;
   };
   unsigned asked_;
@@ -179,20 +184,21 @@ class RollerSeries {
   std::vector<double> record_;
 };
 
-/// Mean square and peak of a vector in the plane seen at the accepted steps with its own integral,
-/// an acceleration with the velocity: over a step each component is the parabola between both ends
-/// that has that integral, however sharply the step before it ended.
-class IntegratedVector {
+/// Mean square and peak of an acceleration in the plane seen at the accepted steps with velocity and
+/// position: over a step each component is the parabola between both ends that makes the velocity's
+/// change, for the peak the cubic that makes the position's, too, however sharply the step before it
+/// ended.
+class PlaneAcceleration {
  public:
   struct Plane {
     double y = 0, z = 0;
   };
-  void add(Plane vector, Plane integral, const SeenStep& step);
+  void add(Plane acceleration, Plane velocity, Plane position, const SeenStep& step);
   double rms() const;
   double peak() const { return std::sqrt(largest_square_); }
 
  private:
-  Plane last_, last_integral_;
+  Plane last_, last_velocity_, last_position_;
   double duration_ = 0, squares_ = 0, largest_square_ = 0;
 };
 

@@ -160,6 +160,23 @@ TEST(Stability, Judgement) {
   EXPECT_EQ(judge_soundness(Status::jammed, none, none), Soundness::right);
 }
 
+TEST(Stability, IsSoundWithTheDefaultRightAndNothingSilentlyWrong) {
+  const auto map = [](Soundness default_method, Soundness other) {
+    SuiteRow row{"scene", 0, {}};
+    row.cells["rodas4s"].soundness = default_method;
+    row.cells["rodas3"].soundness = other;
+    return StabilityMap{"rodas4s", {"rodas4s", "rodas3"}, {row}};
+  };
+  EXPECT_TRUE(is_sound(map(Soundness::right, Soundness::failed)));
+  EXPECT_TRUE(is_sound(map(Soundness::right, Soundness::unresolved)));
+  EXPECT_FALSE(is_sound(map(Soundness::right, Soundness::wrong)));
+  EXPECT_FALSE(is_sound(map(Soundness::degraded, Soundness::right)));
+  EXPECT_FALSE(is_sound(map(Soundness::failed, Soundness::right)));
+  StabilityMap without_default = map(Soundness::right, Soundness::degraded);
+  without_default.rows[0].cells.erase("rodas4s");
+  EXPECT_TRUE(is_sound(without_default));
+}
+
 TEST(Stability, ABadSuiteSaysWhatIsWrong) {
   const ScratchDirectory scratch;
   const std::string file = scratch / "suite.toml";

@@ -124,30 +124,38 @@ TEST(StepClock, FindsEveryInstantOfTheRecord) {
   }
 }
 
-// An acceleration that rings at one radian a step, with its velocity: trapeziums miss 8 % of the
-// square (the parabolas 0.27 %), the highest state may miss 6 % of the peak.
-TEST(IntegratedVector, FollowsAWaveThatStatesSample) {
+// An acceleration that rings at one radian a step: trapeziums miss 8 % of the square (the parabolas
+// 0.27 %), the highest state may miss 6 % of the peak, the parabolas 0.5 %.
+TEST(PlaneAcceleration, FollowsAWaveThatStatesSample) {
   constexpr double rate = 1e5, h = 1e-5;
   StepClock clock(0, kInterval);
-  IntegratedVector turning, swinging;
+  PlaneAcceleration turning, swinging;
   for (int k = 0; k <= 628; ++k) {
     const double phase = rate * h * k, c = std::cos(phase), s = std::sin(phase);
+    const double v = 1 / rate, x = 1 / (rate * rate);
     const SeenStep step = clock.advance(h * k);
-    turning.add({2 * c, 2 * s}, {2 * s / rate, -2 * c / rate}, step);
-    swinging.add({0, c}, {0, s / rate}, step);
+    turning.add({2 * c, 2 * s}, {2 * s * v, -2 * c * v}, {-2 * c * x, -2 * s * x}, step);
+    swinging.add({0, c}, {0, s * v}, {0, -c * x}, step);
   }
   EXPECT_NEAR(turning.rms() * turning.rms(), 4, 0.003 * 4);
-  EXPECT_NEAR(turning.peak(), 2, 1e-2);
+  EXPECT_NEAR(turning.peak(), 2, 1e-3);
   EXPECT_NEAR(swinging.rms() * swinging.rms(), 0.5, 0.004 * 0.5);
-  EXPECT_NEAR(swinging.peak(), 1, 1e-2);
+  EXPECT_NEAR(swinging.peak(), 1, 1e-3);
 }
 
-TEST(IntegratedVector, IsExactForParabolas) {
-  StepClock clock(0, kInterval);
-  IntegratedVector parabola;
+TEST(PlaneAcceleration, IsExactForParabolasItsPeakForCubics) {
+  StepClock clock(0, kInterval), again(0, kInterval);
+  PlaneAcceleration parabola, cubic;
   for (const double t : {0.0, 0.3, 1.0})
-    parabola.add({0, t * (1 - t)}, {0, t * t / 2 - t * t * t / 3}, clock.advance(t));
+    parabola.add({0, t * (1 - t)}, {0, t * t / 2 - t * t * t / 3},
+                 {0, t * t * t / 6 - t * t * t * t / 12}, again.advance(t));
   EXPECT_NEAR(parabola.rms(), std::sqrt(1.0 / 30), 1e-15);
+  for (const double t : {0.0, 0.3, 1.0}) {
+    const double t2 = t * t, t3 = t2 * t, t4 = t3 * t, t5 = t4 * t;
+    cubic.add({0, t - 3 * t2 + 2 * t3}, {0, t2 / 2 - t3 + t4 / 2}, {0, t3 / 6 - t4 / 4 + t5 / 10},
+              clock.advance(t));
+  }
+  EXPECT_NEAR(cubic.peak(), 1 / (6 * std::sqrt(3.0)), 1e-3);
 }
 
 TEST(RollerSeries, IsOneStepSeriesOfEveryRoller) {
@@ -205,6 +213,25 @@ TEST(RollerSeries, LeavesOutWhatDoesNotCount) {
   EXPECT_NEAR(slip.all().standard_deviation(), 0, 1e-6);
   EXPECT_EQ(slip.all().peak(), 2);
   EXPECT_EQ(slip.all().quantile(1), 2);
+}
+
+// The gate crosses the threshold between states, where the value is on its way from one to another.
+TEST(RollerSeries, IsLargestWhereItsGateOpensOrCloses) {
+  const auto peak = [](std::pair<double, double> gates, std::pair<double, double> values) {
+    StepClock clock(0, kInterval);
+    RollerSeries sliding(kPeak);
+    Mask here{};
+    here[1] = -1;
+    sliding.add_above(0, splat(values.first), splat(gates.first), 1, here, clock.advance(0));
+    sliding.add_above(0, splat(values.second), splat(gates.second), 1, here, clock.advance(1e-5));
+    return sliding.all().peak();
+  };
+  EXPECT_NEAR(peak({0.5, 2.5}, {-9, -3}), 7.5, 1e-12);  // opens a quarter into the step,
+  EXPECT_NEAR(peak({2.5, 0.5}, {3, 9}), 7.5, 1e-12);    // closes as long before its end
+  EXPECT_EQ(peak({0.5, 2.5}, {3, 9}), 9);
+  EXPECT_EQ(peak({2, 2.5}, {3, 4}), 4);  // open all along
+  // Where there was no contact it had no value that a chord could start from.
+  EXPECT_EQ(peak({0, 2.5}, {9, 3}), 3);
 }
 
 TEST(StepSeries, WhatIsNotAskedIsNoNumber) {
