@@ -191,13 +191,13 @@ void RollerSeries::add_above(std::size_t group, Pack value, Pack gate, double th
   const Mask counts = here & (gate > threshold);
   add(group, value, counts, step);
   Seen& seen = seen_[group];
-  const Mask crosses = (counts != (seen.gate > threshold)) & (min(gate, seen.gate) > 0.0);
+  const Mask crosses = (counts != seen.before.counts) & (min(gate, seen.gate) > 0.0);
   if (any(crosses)) {
     const Pack share = (threshold - seen.gate) / select(crosses, gate - seen.gate, splat(1.0));
     const Pack at = seen.before.value + share * (value - seen.before.value);
     peak_ = max(peak_, select(crosses, abs(at), Pack{}));
   }
-  seen.gate = select(here, gate, Pack{});
+  seen.gate = gate;
 }
 
 Series RollerSeries::all() const {
