@@ -21,8 +21,12 @@ class FreeCage {
   void solve(Eigen::VectorXd& rhs, Eigen::VectorXd& x) const;
 
  private:
-  int count_;  ///< modes
-  SmallInverse rigid_, modes_;
+  int count_;            ///< modes
+  double spin_ = 0;      ///< what a moment about its axis gives the cage, ...
+  double to_axis_[2]{};  ///< ... and the moments of this spin on its axis A_y, A_z
+  double axis_[2]{};     ///< of their inverse, (a, -b; b, a): a and b
+  double place_ = 0;     ///< what a force gives
+  SmallInverse modes_;
   Eigen::VectorXd to_spin_, from_spin_;  ///< of the modes; the latter solved for
 };
 

@@ -44,10 +44,11 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
       schur_(model.layout.border()),
       free_ring_(2 + model.layout.ring_tilt),
       free_cage_(model.layout),
-      border_mass_(border_mass(model)),
-      border_rhs_(model.layout.border()),
-      border_positions_(model.layout.border()),
-      border_solution_(model.layout.border()) {
+      border_mass_(Eigen::VectorXd::Zero(model.layout.padded_border())),
+      border_rhs_(border_mass_),
+      border_positions_(border_mass_),
+      border_solution_(border_mass_) {
+  border_mass_.head(model.layout.border()) = border_mass(model);
   const int columns = model.layout.cage();
   for (auto& c : cages_) {
     c.from.resize(static_cast<std::size_t>(columns));
@@ -196,7 +197,7 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
   }
   auto schur = schur_.matrix();
   schur = -linear.border_velocity - beta * linear.border_position;
-  schur.diagonal() += border_mass_ / beta;
+  schur.diagonal() += border_mass_.head(model_.layout.border()) / beta;
   bool sound = factor_rollers<planar, vectors>(beta);
   with_packs(packs_for(model_.layout.cage()), [&]<int packs>() { factor_cage<vectors, packs>(); });
   if (!schur_.invert()) sound = false;
@@ -290,9 +291,9 @@ void NewtonMatrix::solve_with(const double* rhs, double* x) {
   const StateLayout& layout = model_.layout;
   const int border = layout.border();
   const double *bq = rhs + layout.border_position(0), *bv = rhs + layout.border_velocity(0);
-  for (int i = 0; i < border; ++i) {
-    border_positions_[i] = beta_ * bq[i];
-    border_rhs_[i] = border_mass_[i] * bv[i];
+  for (int i = 0; i < layout.padded_border(); i += kLanes) {
+    store(&border_positions_[i], beta_ * load(bq + i));
+    store(&border_rhs_[i], load(&border_mass_[i]) * load(bv + i));
   }
   if (linear_->cage_touched) {
     with_packs(packs_for(border), [&]<int rows>() {
@@ -408,12 +409,12 @@ void NewtonMatrix::solve_with(const double* rhs, double* x) {
     for (int slot = 0; slot < kRollerVelocities; ++slot)
       store(x + layout.positions() + slot * layout.padded() + j, speed[slot] * roller.exists);
   }
-  for (int i = 0; i < border; ++i) {
-    x[layout.border_position(i)] = border_positions_[i] + beta_ * border_solution_[i];
-    x[layout.border_velocity(i)] = border_solution_[i];
+  double *xq = x + layout.border_position(0), *xv = x + layout.border_velocity(0);
+  for (int i = 0; i < layout.padded_border(); i += kLanes) {
+    const Pack velocity = load(&border_solution_[i]);
+    store(xq + i, load(&border_positions_[i]) + beta_ * velocity);
+    store(xv + i, velocity);
   }
-  for (int i = border; i < layout.padded_border(); ++i)
-    x[layout.border_position(i)] = x[layout.border_velocity(i)] = 0;
 }
 
 }  // namespace cagetol

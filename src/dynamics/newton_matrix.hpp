@@ -84,6 +84,7 @@ class NewtonMatrix {
   SmallInverse schur_;  ///< Schur complement on the border, then its inverse
   SmallInverse free_ring_;
   FreeCage free_cage_;
+  // Over the border, zeros behind it up to whole packs.
   Eigen::VectorXd border_mass_, border_rhs_, border_positions_, border_solution_;
 };
 

@@ -29,10 +29,12 @@ typedef double Eight __attribute__((vector_size(kEight * sizeof(double))));
 inline Pack splat(double x) {
   return Pack{} + x;
 }
+/// A pack wherever doubles may stand. Not memcpy: that may change anything, by the compiler's
+/// reckoning, so that where slots of the state are would be worked out anew behind each store.
+typedef double LoosePack
+    __attribute__((vector_size(kLanes * sizeof(double)), aligned(alignof(double))));
 inline Pack load(const double* p) {
-  Pack x;
-  std::memcpy(&x, p, sizeof x);
-  return x;
+  return *reinterpret_cast<const LoosePack*>(p);
 }
 inline Eight load_eight(const double* p) {
   Eight x;
@@ -40,7 +42,7 @@ inline Eight load_eight(const double* p) {
   return x;
 }
 inline void store(double* p, Pack x) {
-  std::memcpy(p, &x, sizeof x);
+  *reinterpret_cast<LoosePack*>(p) = x;
 }
 /// The first n of them, n up to kLanes or beyond; zero behind these.
 inline Pack load_first(const double* p, int n) {
