@@ -15,14 +15,25 @@
 
 namespace cagetol {
 
-/// False where no point of an end can touch its wall: all lie below what the whole face reaches.
+/// False where no point of an end can touch its wall, were walls `margin` [m] nearer: all lie below
+/// what the whole face reaches.
 inline bool walls_in_reach(const BearingModel& model, const RollerGroup& roller,
-                           const PocketFrame& f, const ModalState& modal) {
+                           const PocketFrame& f, Pack margin) {
   const double half = model.roller_half_length;
   const Pack reach = roller.radius * (abs(f.a_R - f.A_R) + abs(f.a_T - f.A_T)) +
                      half * abs(f.A_R * f.a_R + f.A_T * f.a_T);
   const Pack offset = abs(f.X + f.A_R * f.D_R + f.A_T * f.D_T);
-  return any(offset + reach > roller.half_length - half - modal.farthest);
+  return any(offset + reach > roller.half_length - half - margin);
+}
+
+/// No point of an end comes nearer to its wall, or recedes, faster than this.
+inline Pack fastest_at_walls(const BearingModel& model, const RollerGroup& roller,
+                             const PocketFrame& f, const BorderState& b) {
+  const Pack middle = f.v_x + f.A_R * f.v_R + f.A_T * f.v_T + f.dA_R * f.D_R + f.dA_T * f.D_T;
+  const Pack along = f.A_R * f.b_R + f.A_T * f.b_T + f.dA_R * f.a_R + f.dA_T * f.a_T;
+  const Pack across = abs(f.b_R - f.dA_R) + abs(f.b_T - f.dA_T) +
+                      std::abs(b.phi_rate) * (abs(f.a_R - f.A_R) + abs(f.a_T - f.A_T));
+  return abs(middle) + model.roller_half_length * abs(along) + roller.radius * across;
 }
 
 template <bool linear>
@@ -120,9 +131,13 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
                      int group, RollerLoads& loads, Linearisation* jac, Observation* seen,
                      StepLimit<Pack>& limit) {
   const double half = model.roller_half_length;
-  const Pack reach = roller.radius * (max(q.a_r, -q.a_r) + max(q.a_t, -q.a_t));
-  if constexpr (!linear)
-    if (!any(max(q.x, -q.x) + reach > model.flange_half_clearance)) return;
+  const Pack lean = abs(q.a_r) + abs(q.a_t);
+  Pack reach = abs(q.x) + roller.radius * lean;
+  if constexpr (linear) {
+    const Pack rate = abs(q.vx) + roller.radius * (abs(q.b_r) + abs(q.b_t) + abs(q.omega) * lean);
+    reach += max(limit.longest() * rate, splat(kNearFlange));
+  }
+  if (!any(reach > model.flange_half_clearance)) return;
   for (int end = -1; end <= 1; end += 2) {
     const double e = end, xi = e * half;
     for (const EndPoint& point : model.flange_points) {

@@ -240,11 +240,17 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     if constexpr (!planar)  // who stands still in the middle touches no flange
       flange_contacts<linear>(m, roller, q, group, loads, jac, seen, limit);
-    // Derivatives come with a look ahead, at what is not in reach yet.
     PocketFrame pocket = pocket_places(roller, q, b);
-    const bool bars = linear || bars_in_reach(m, roller, pocket, modal),
-               walls = linear || walls_in_reach(m, roller, pocket, modal);
-    if (bars || walls) add_rates(q, b, pocket);
+    Pack bars_nearer = splat(modal.farthest), walls_nearer = bars_nearer;
+    if constexpr (linear) {  // derivatives come with a look ahead, at what is not in reach yet
+      add_rates(q, b, pocket);
+      const auto ahead = [&](Pack speed) { return limit.longest() * (speed + modal.fastest); };
+      bars_nearer += ahead(fastest_at_bars(m, roller, pocket, b));
+      walls_nearer += ahead(fastest_at_walls(m, roller, pocket, b));
+    }
+    const bool bars = bars_in_reach(m, roller, pocket, bars_nearer),
+               walls = walls_in_reach(m, roller, pocket, walls_nearer);
+    if (!linear && (bars || walls)) add_rates(q, b, pocket);
     if (bars)
       pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
                               limit);

@@ -11,13 +11,27 @@
 
 namespace cagetol {
 
-/// False where no station of a bar can touch: along the roller u goes in proportion to the place.
+/// Distance of the farthest station from the roller's middle [m].
+inline double farthest_station(const BearingModel& model) {
+  return std::max(-model.bar_stations.front(), model.bar_stations.back());
+}
+
+/// False where no station of a bar can touch, were bars `margin` [m] nearer: along the roller u
+/// goes in proportion to the place.
 inline bool bars_in_reach(const BearingModel& model, const RollerGroup& roller,
-                          const PocketFrame& f, const ModalState& modal) {
-  const double farthest = std::max(-model.bar_stations.front(), model.bar_stations.back());
+                          const PocketFrame& f, Pack margin) {
+  const double farthest = farthest_station(model);
   const Pack kappa = f.A_T + roller.squareness;
   const Pack u = abs(f.D_T - kappa * f.X) + farthest * abs(f.a_T - kappa);
-  return any((u + roller.radius - roller.half_width > -modal.farthest) & (roller.exists > 0.0));
+  return any((u + roller.radius - roller.half_width > -margin) & (roller.exists > 0.0));
+}
+
+/// The largest rate of u at any station, which goes in proportion to the place, too.
+inline Pack fastest_at_bars(const BearingModel& model, const RollerGroup& roller,
+                            const PocketFrame& f, const BorderState& b) {
+  const Pack kappa = f.A_T + roller.squareness;
+  return abs(f.v_T - kappa * f.v_x - b.phi_rate * (f.D_R - f.X * f.A_R) - f.X * f.dA_T) +
+         farthest_station(model) * abs(f.b_T - b.phi_rate * (f.a_R - f.A_R) - f.dA_T);
 }
 
 template <bool linear>
