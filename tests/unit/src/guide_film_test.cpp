@@ -206,7 +206,14 @@ TEST(GuideFilm, CarriesTheCageOfARun) {
   }
   const Outcome oil = simulate(scene), touching = simulate(dry);
   ASSERT_EQ(oil.status, Status::ok) << oil.reason;
-  EXPECT_LT(oil.run.energy_residual, 1e-4);
+  // Of a single run's residual a third is chance, of the mean of starts less.
+  double residual = oil.run.energy_residual;
+  constexpr int starts = 4;
+  for (int k = 1; k < starts; ++k) {
+    scene.start.cage_phase += std::numbers::pi / 180;
+    residual += simulate(scene).run.energy_residual;
+  }
+  EXPECT_LT(residual / starts, 1e-4);
   EXPECT_LT(quantity(oil, "guide_impacts_per_revolution"), 1);
   EXPECT_GT(quantity(touching, "guide_impacts_per_revolution"), 10);
   EXPECT_GT(quantity(oil, "guide_force_rms_N"), 0.2);  // the cage's weight at least
