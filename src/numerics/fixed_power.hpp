@@ -32,7 +32,7 @@ class FixedPower {
   [[gnu::always_inline]] T operator()(T x) const {
     const auto bits = bits_of(x);
     const auto octave = shifted_down(bits, 52) - (1023 - kLowest);
-    const auto outside = (octave < 0) | (octave >= kOctaves);
+    const auto beyond = outside(octave, kOctaves);
     const auto cell = shifted_down(bits, 48) & (kCells - 1);
     const T mantissa = number_of<T>((bits & 0x000FFFFFFFFFFFFFLL) | 0x3FF0000000000000LL);
     const T r = mantissa * look_up(inverse_, cell) - 1.0, r2 = r * r;
@@ -41,7 +41,7 @@ class FixedPower {
             high = (c[4] + c[5] * r) + (c[6] + c[7] * r) * r2 + (c[8] + c[9] * r) * (r2 * r2);
     const T value = look_up(octave_, octave & (kOctaves - 1)) * look_up(middle_, cell) *
                     (low + high * (r2 * r2));
-    return any(outside) ? select(outside, power(x, exponent_), value) : value;
+    return any(beyond) ? select(beyond, power(x, exponent_), value) : value;
   }
 
  private:

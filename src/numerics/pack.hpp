@@ -219,9 +219,16 @@ inline Pack polynomial(const double (&c)[n], Pack x) {
   return low + (n > 12 ? four(8) + four(12 < n ? 12 : 8) * x4 : four(8)) * x8;
 }
 
+typedef std::uint64_t Unsigned __attribute__((vector_size(sizeof(Mask))));
+/// Whether a whole number is negative or at least n.
+inline Mask outside(Mask x, std::int64_t n) {
+  return reinterpret_cast<Unsigned>(x) >= static_cast<std::uint64_t>(n);
+}
+inline bool outside(std::int64_t x, std::int64_t n) {
+  return static_cast<std::uint64_t>(x) >= static_cast<std::uint64_t>(n);
+}
 /// Bits moved down, zeros behind them. (AVX2 moves no signs down.)
 inline Mask shifted_down(Mask bits, int by) {
-  typedef std::uint64_t Unsigned __attribute__((vector_size(sizeof(Mask))));
   return reinterpret_cast<Mask>(reinterpret_cast<Unsigned>(bits) >> by);
 }
 inline std::int64_t shifted_down(std::int64_t bits, int by) {
