@@ -126,18 +126,28 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
 /// phase of its rocking that a longer step gets wrong.
 inline constexpr double kNearFlange = 4e-6;
 
+/// False where no point of an end can touch its flange, were flanges `margin` [m] nearer.
+inline bool flanges_in_reach(const BearingModel& model, const RollerGroup& roller,
+                             const RollerPack& q, Pack margin) {
+  const Pack reach = abs(q.x) + roller.radius * (abs(q.a_r) + abs(q.a_t));
+  return any(reach > model.flange_half_clearance - margin);
+}
+
+/// No point of an end comes nearer to its flange, or recedes, faster than this.
+inline Pack fastest_at_flanges(const RollerGroup& roller, const RollerPack& q) {
+  const Pack across = abs(q.b_r) + abs(q.b_t) + abs(q.omega) * (abs(q.a_r) + abs(q.a_t));
+  return abs(q.vx) + roller.radius * across;
+}
+
 template <bool linear>
 void flange_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                      int group, RollerLoads& loads, Linearisation* jac, Observation* seen,
                      StepLimit<Pack>& limit) {
   const double half = model.roller_half_length;
-  const Pack lean = abs(q.a_r) + abs(q.a_t);
-  Pack reach = abs(q.x) + roller.radius * lean;
-  if constexpr (linear) {
-    const Pack rate = abs(q.vx) + roller.radius * (abs(q.b_r) + abs(q.b_t) + abs(q.omega) * lean);
-    reach += max(limit.longest() * rate, splat(kNearFlange));
-  }
-  if (!any(reach > model.flange_half_clearance)) return;
+  Pack nearer{};
+  if constexpr (linear)
+    nearer = max(limit.longest() * fastest_at_flanges(roller, q), splat(kNearFlange));
+  if (!flanges_in_reach(model, roller, q, nearer)) return;
   for (int end = -1; end <= 1; end += 2) {
     const double e = end, xi = e * half;
     for (const EndPoint& point : model.flange_points) {
