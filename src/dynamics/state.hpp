@@ -42,7 +42,7 @@ struct StateLayout {
   int cage() const { return kCageRigid + modes; }              ///< from kCageY on
   int ring_tilt_slot() const { return kRigidBorder + modes; }  ///< of the border, then the next one
   int border() const { return kRigidBorder + modes + ring_tilt; }
-  int padded_border() const { return (border() + kLanes - 1) / kLanes * kLanes; }
+  int padded_border() const { return (border() + kLanes - 1) & -kLanes; }
   int positions() const { return kRollerPositions * padded() + padded_border(); }
   int velocities() const { return kRollerVelocities * padded() + padded_border(); }
   int size() const { return positions() + velocities(); }  ///< a multiple of kLanes
