@@ -29,8 +29,9 @@ typedef double Eight __attribute__((vector_size(kEight * sizeof(double))));
 inline Pack splat(double x) {
   return Pack{} + x;
 }
-/// A pack wherever doubles may stand. Not memcpy: that may change anything, by the compiler's
-/// reckoning, so that where slots of the state are would be worked out anew behind each store.
+/// A pack wherever doubles may stand (GCC lets vectors alias what they are made of). Not memcpy: by
+/// the compiler's reckoning that may change anything, so that where slots of the state are would be
+/// worked out anew behind each store.
 typedef double LoosePack
     __attribute__((vector_size(kLanes * sizeof(double)), aligned(alignof(double))));
 inline Pack load(const double* p) {
