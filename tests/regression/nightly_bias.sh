@@ -2,9 +2,9 @@
 # What the default tolerance does to means: the lively scene, its rollers started anywhere within half a pitch, the same
 # samples by the default and by a tenth of its tolerance, compared pair by pair. Ends with 1 where the limit of any
 # quantity's bias is not below one standard error of a 1000-sample study: nightly_bias.sh SOURCE_DIR PROGRAM OUTPUT_DIR
-# [SAMPLES [SEED]]. The table in ACCURACY.md is the one it prints.
+# [SAMPLES [SEED]]. The table in ACCURACY.md is of such runs.
 set -eu
-source=$1 program=$2 out=$3 samples=${4:-32000} seed=${5:-950}
+source=$1 program=$2 out=$3 samples=${4:-64000} seed=${5:-950}
 cd "$source"
 . .ci/setup.sh
 rm -rf "$out/default" "$out/tight"
