@@ -25,6 +25,8 @@ need_packages() {
   rm -f "$log"
 }
 
+# libblas-dev and liblapack-dev: else apt takes OpenBLAS's threaded build for SuiteSparse's sake, whose threads hinder
+# ranks and, where memory is short, end the program with a signal.
 program_packages=(g++ cmake ninja-build pkg-config git ca-certificates
   libeigen3-dev libsundials-dev libopenmpi-dev openmpi-bin libhdf5-dev libgsl-dev libspectra-dev libsuitesparse-dev
   libopenblas0-serial libblas-dev liblapack-dev libboost-dev librandom123-dev libtomlplusplus-dev libcli11-dev libfmt-dev libspdlog-dev
