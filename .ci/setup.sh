@@ -29,7 +29,8 @@ need_packages() {
 # ranks and, where memory is short, end the program with a signal.
 program_packages=(g++ cmake ninja-build pkg-config git ca-certificates
   libeigen3-dev libsundials-dev libopenmpi-dev openmpi-bin libhdf5-dev libgsl-dev libspectra-dev libsuitesparse-dev
-  libopenblas0-serial libblas-dev liblapack-dev libboost-dev librandom123-dev libtomlplusplus-dev libcli11-dev libfmt-dev libspdlog-dev
+  libopenblas0-serial libblas-dev liblapack-dev libboost-dev librandom123-dev libtomlplusplus-dev libcli11-dev
+  libfmt-dev libspdlog-dev
   nlohmann-json3-dev)
 figure_packages=(python3 python3-matplotlib python3-h5py fonts-dejavu-core)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev calculix-ccx)
