@@ -40,6 +40,7 @@ auto with_kind(const std::string& kind, const Action& action) {
 
 void check_numbers(const DesignSpec& spec) {
   require(spec.rows >= 1, "a design needs at least one row");
+  require(spec.rows <= most_rows, spec.rows, " rows are more than 2^40; ask for fewer");
   require(spec.cages_per_lot >= 1, "a lot holds at least one cage");
   require(spec.cages_per_lot == 1 || spec.kind == "random", "cages_per_lot = ", spec.cages_per_lot,
           " needs design random: ", spec.kind, " spreads each column over all rows");

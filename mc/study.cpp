@@ -69,9 +69,23 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
   }
 }
 
-// The number of rows with which the design is complete. Throws what Sampler throws.
-void complete_rows(Study& study) {
-  study.samples = static_cast<long>(design_spec(study).rows);
+// The number of rows with which the design is complete. Throws what Sampler throws, and InputError
+// beyond the range of `samples`: the resolved study could not be read again.
+void complete_rows(Study& study, const toml::table& root, const std::string& file) {
+  const std::uint64_t rows = design_spec(study).rows;
+  const auto most =
+      static_cast<std::uint64_t>(info_of(key_infos(study_keys()), "samples").range.maximum);
+  if (rows > most) {
+    const bool grid = study.design == "grid";
+    const char* name = grid ? "grid_levels" : "samples";
+    const auto* node = find_node(root, name);
+    throw InputError(
+        node ? place_of(*node, file) : SourcePlace{file, 0}, name, node ? shown(*node) : "",
+        "design \"" + study.design + "\" has " + std::to_string(rows) + " rows" +
+            (grid ? "" : " when it is complete") + "; a study has at most " + std::to_string(most),
+        grid ? "use fewer levels" : "ask for fewer rows");
+  }
+  study.samples = static_cast<long>(rows);
 }
 
 void check_history(const Study& study, const toml::table& root, const std::string& file) {
@@ -138,7 +152,7 @@ Study study_of(toml::table root, const std::string& file) {
   check_history(study, root, file);
   check_multifidelity(study, root, file);
   study.trends = read_trends(root, file, study);
-  complete_rows(study);
+  complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
   check_trend_levels(study, sampler, root, file);
   resolve(study);

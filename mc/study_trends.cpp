@@ -15,6 +15,8 @@ namespace {
 // Levels are given in files by people: the last digits of a grid's arithmetic do not count.
 constexpr double kSameLevel = 1e-9;
 
+constexpr std::uint64_t kMostLevels = 10000;
+
 const KeyInfo& info(const std::string& name) {
   return info_of(trend_keys(), "trend." + name);
 }
@@ -67,6 +69,55 @@ Trend read_trend(const toml::table& entry, const std::string& file, const Study&
   return trend;
 }
 
+/// The lot deviations that the grid's levels give to an input. Rows with one level and one
+/// candidate have equal deviations: so many rows are drawn as there are levels and candidates, not
+/// the whole grid.
+std::set<double> levels_of(const Study& study, const Sampler& sampler, std::size_t input,
+                           const toml::table& root, const std::string& file) {
+  const Design& design = sampler.design();
+  const std::string column = study.inputs[input].key + ":lot";
+  const auto names = design_columns(study).names;
+  const auto found = std::find(names.begin(), names.end(), column);
+  std::set<double> levels;
+  if (found == names.end()) {  // a law of zero width
+    levels.insert(sampler.draw(0).inputs[input].lot[0]);
+    return levels;
+  }
+  const auto group = design.spec().columns[static_cast<std::size_t>(found - names.begin())].group;
+  const auto& counts = design.spec().grid_levels;
+  std::uint64_t stride = 1;
+  for (std::size_t g = group + 1; g < counts.size(); ++g) stride *= counts[g];
+  const std::uint64_t period = stride * counts[group], periods = design.rows() / period;
+  const std::uint64_t candidates = std::max<std::size_t>(1, study.candidates.size());
+  if (counts[group] > kMostLevels)
+    throw InputError(place_of(*find_node(root, "grid_levels"), file), "grid_levels",
+                     std::to_string(counts[group]),
+                     "trends compare levels of " + study.inputs[input].key + ", and of these " +
+                         std::to_string(kMostLevels) + " are the most",
+                     "use fewer levels, or leave [[trend]] out");
+  for (std::uint64_t level = 0; level < counts[group]; ++level) {
+    std::set<std::uint64_t> drawn;  // candidates met with this level
+    for (std::uint64_t turn = 0; turn < std::min(periods, candidates); ++turn)
+      for (std::uint64_t step = 0; step < std::min(stride, candidates); ++step) {
+        const std::uint64_t row = turn * period + level * stride + step;
+        if (drawn.insert(row % candidates).second)
+          levels.insert(sampler.draw(row).inputs[input].lot[0]);
+      }
+  }
+  return levels;
+}
+
+std::string listed(const std::set<double>& levels) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  std::size_t count = 0;
+  for (const double level : levels) {
+    if (++count > most) return text + ", ... (" + std::to_string(levels.size()) + " in all)";
+    text += (text.empty() ? "" : ", ") + number_text(level);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<Trend> read_trends(const toml::table& root, const std::string& file,
@@ -87,19 +138,15 @@ void check_trend_levels(const Study& study, const Sampler& sampler, const toml::
   for (const Trend& trend : study.trends) {
     const auto input =
         static_cast<std::size_t>(find_input_scope(study.inputs, trend.key + ":lot").input);
-    std::set<double> levels;
-    for (std::uint64_t row = 0; row < static_cast<std::uint64_t>(study.samples); ++row)
-      levels.insert(sampler.draw(row).inputs[input].lot[0]);
+    const std::set<double> levels = levels_of(study, sampler, input, root, file);
     for (const double wanted : {trend.from, trend.to}) {
       const double span = *levels.rbegin() - *levels.begin();
       if (std::any_of(levels.begin(), levels.end(),
                       [&](double level) { return std::abs(level - wanted) <= kSameLevel * span; }))
         continue;
-      std::string known;
-      for (const double level : levels) known += (known.empty() ? "" : ", ") + number_text(level);
       throw InputError(place_of(*find_node(root, "trend"), file), "trend.between",
                        number_text(wanted), "the grid has no such level of " + trend.key,
-                       "its levels are " + known);
+                       "its levels are " + listed(levels));
     }
   }
 }

@@ -6,7 +6,15 @@ namespace cagetol {
 
 namespace {
 
-constexpr std::uint64_t most_rows = std::uint64_t{1} << 40;
+/// "2 x 1000 x 30", shortened beyond eight factors.
+std::string product_text(const std::vector<std::uint64_t>& levels) {
+  std::string text;
+  for (std::size_t g = 0; g < levels.size(); ++g) {
+    if (g == 8) return text + " x ...";
+    text += (g == 0 ? "" : " x ") + std::to_string(levels[g]);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -24,7 +32,8 @@ std::uint64_t Grid::complete_rows(const DesignSpec& spec) {
   for (const std::uint64_t levels : spec.grid_levels) {
     require(levels >= 1,
             "a grid needs at least one level in each group; give 1 to keep the median");
-    require(levels <= most_rows / rows, "the grid has more than 2^40 rows; use fewer levels");
+    require(levels <= most_rows / rows, "a grid of ", product_text(spec.grid_levels),
+            " rows has more than 2^40; use fewer levels");
     rows *= levels;
   }
   return rows;

@@ -1,8 +1,7 @@
 #include "distributions/designs/latin_hypercube.hpp"
 
-#include <algorithm>
-
 #include "distributions/designs/permutation.hpp"
+#include "distributions/require.hpp"
 
 namespace cagetol {
 
@@ -23,7 +22,10 @@ LatinHypercube::LatinHypercube(const DesignSpec& spec) : rows_(spec.rows) {
 }
 
 std::uint64_t LatinHypercube::complete_rows(const DesignSpec& spec) {
-  return std::min(spec.rows, most_strata);
+  require(spec.rows <= most_strata, "a latin hypercube of ", spec.rows,
+          " rows has too many: at most 2^28 = ", most_strata,
+          "; use random or sobol, or fewer rows");
+  return spec.rows;
 }
 
 void LatinHypercube::point(std::uint64_t row, std::span<double> u) const {

@@ -2,12 +2,22 @@
 
 #include <algorithm>
 
+#include "distributions/require.hpp"
+
 namespace cagetol {
 
 std::uint32_t group_count(const DesignSpec& spec) {
   std::uint32_t count = spec.groups;
   for (const DesignColumn& column : spec.columns) count = std::max(count, column.group + 1);
   return count;
+}
+
+std::uint64_t rows_of(std::uint64_t units, std::uint64_t unit) {
+  std::uint64_t rows = 0;
+  const bool overflows = __builtin_mul_overflow(units, unit, &rows);
+  require(!overflows && rows <= most_rows, "the design has ", units, " x ", unit,
+          " rows, more than 2^40; ask for fewer");
+  return rows;
 }
 
 double level_value(std::uint64_t level, std::uint64_t levels, double trim) {

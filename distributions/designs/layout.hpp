@@ -24,6 +24,10 @@ struct Layout {
   }
 };
 
+/// Most rows that any design may have. Products of two counts of rows and blocks below it fit into
+/// 64 bits.
+inline constexpr std::uint64_t most_rows = std::uint64_t{1} << 40;
+
 /// Groups of a specification, with and without columns.
 std::uint32_t group_count(const DesignSpec& spec);
 
@@ -32,8 +36,11 @@ std::uint32_t group_count(const DesignSpec& spec);
 double level_value(std::uint64_t level, std::uint64_t levels, double trim);
 
 inline std::uint64_t divided_up(std::uint64_t value, std::uint64_t unit) {
-  return (value + unit - 1) / unit;
+  return value / unit + (value % unit == 0 ? 0 : 1);
 }
+
+/// units * unit rows. Throws std::invalid_argument beyond most_rows.
+std::uint64_t rows_of(std::uint64_t units, std::uint64_t unit);
 
 /// Key of a column's own randomness (permutation, scramble, jitter, trajectories): depends on its
 /// address, not on its position.

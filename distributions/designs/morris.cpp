@@ -21,7 +21,7 @@ Morris::Morris(const DesignSpec& spec)
 
 std::uint64_t Morris::complete_rows(const DesignSpec& spec) {
   const std::uint64_t steps = std::uint64_t{1} + group_count(spec);
-  return divided_up(spec.rows, steps) * steps;
+  return rows_of(divided_up(spec.rows, steps), steps);
 }
 
 std::string Morris::row_rule(const DesignSpec& spec) {

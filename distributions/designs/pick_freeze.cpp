@@ -14,7 +14,7 @@ PickFreeze::PickFreeze(const DesignSpec& spec)
     : seed_(spec.seed), rows_(spec.rows), blocks_(block_count(spec)), columns_(spec.columns) {}
 
 std::uint64_t PickFreeze::complete_rows(const DesignSpec& spec) {
-  return divided_up(spec.rows, block_count(spec)) * block_count(spec);
+  return rows_of(divided_up(spec.rows, block_count(spec)), block_count(spec));
 }
 
 std::string PickFreeze::row_rule(const DesignSpec& spec) {

@@ -11,6 +11,7 @@ namespace cagetol {
 namespace {
 
 constexpr std::size_t most_dimensions = 3667;
+constexpr std::uint64_t most_points = std::uint64_t{1} << 32;
 
 // One Philox block holds the flips of a subtree of seven digits: node 1 is its first digit, and the
 // children of a node are 2 node + digit. What follows the 32 digits of the net depends on all of
@@ -58,8 +59,11 @@ ScrambledSobol::ScrambledSobol(const DesignSpec& spec)
 }
 
 std::uint64_t ScrambledSobol::complete_rows(const DesignSpec& spec) {
-  const std::uint64_t unit = spec.scrambles * spec.classes;
-  return unit * std::bit_ceil(divided_up(spec.rows, unit));
+  const std::uint64_t unit = rows_of(spec.scrambles, spec.classes);
+  const std::uint64_t length = std::bit_ceil(divided_up(spec.rows, unit));
+  require(length <= most_points / spec.classes, "a scramble of ", length, " x ", spec.classes,
+          " points is longer than the sequence, 2^32 points; ask for fewer rows");
+  return rows_of(length, unit);
 }
 
 std::string ScrambledSobol::row_rule(const DesignSpec& spec) {

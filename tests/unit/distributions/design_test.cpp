@@ -119,6 +119,39 @@ TEST(CompleteRows, RoundUpToTheNextWholeDesign) {
   EXPECT_EQ(complete_rows(spec), 60u);
 }
 
+TEST(CompleteRows, RefuseWhatTheyCannotCount) {
+  using testing::HasSubstr;
+  const auto problem = [](DesignSpec spec) -> std::string {
+    try {
+      return std::to_string(complete_rows(spec)) + " rows";
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+  constexpr std::uint64_t huge = ~std::uint64_t{0};
+  for (const char* kind : {"random", "lhs", "sobol", "pick-freeze", "morris"}) {
+    EXPECT_THAT(problem(spec_of(kind, huge, 2)), HasSubstr("more than 2^40; ")) << kind;
+    EXPECT_THAT(problem(spec_of(kind, (1ull << 40) + 1, 2)), HasSubstr("more than 2^40")) << kind;
+  }
+  EXPECT_EQ(problem(spec_of("random", 1ull << 40, 2)), "1099511627776 rows");
+  EXPECT_THAT(problem(spec_of("lhs", 1000000000, 2)),
+              HasSubstr("a latin hypercube of 1000000000 rows has too many: at most 2^28"));
+  EXPECT_EQ(problem(spec_of("lhs", 1u << 28, 2)), "268435456 rows");
+
+  DesignSpec sobol = spec_of("sobol", 1, 2);
+  sobol.scrambles = huge / 2;
+  sobol.classes = 3;
+  EXPECT_THAT(problem(sobol), HasSubstr("more than 2^40"));
+  sobol = spec_of("sobol", (1ull << 36) + 1, 2);  // 2^33 in each of 8 scrambles
+  EXPECT_THAT(problem(sobol), HasSubstr("longer than the sequence, 2^32 points"));
+
+  DesignSpec grid = spec_of("grid", 1, 2);
+  grid.grid_levels = {huge, huge};
+  EXPECT_THAT(problem(grid), HasSubstr("18446744073709551615 x 18446744073709551615 rows"));
+  grid.grid_levels = {1u << 20, 1u << 20};
+  EXPECT_EQ(problem(grid), "1099511627776 rows");
+}
+
 TEST(DesignRefusal, NamesTheReasonAndTheRemedy) {
   using testing::HasSubstr;
   EXPECT_THAT(refusal(spec_of("sobel", 8, 2)), HasSubstr("no design \"sobel\"; use random, lhs"));
@@ -151,7 +184,7 @@ TEST(DesignRefusal, NamesTheReasonAndTheRemedy) {
   spec.grid_levels = {3, 0};
   EXPECT_THAT(refusal(spec), HasSubstr("at least one level"));
   spec.grid_levels = {1u << 30, 1u << 30};
-  EXPECT_THAT(refusal(spec), HasSubstr("more than 2^40 rows"));
+  EXPECT_THAT(refusal(spec), HasSubstr("more than 2^40"));
 
   spec = spec_of("morris", 3, 2);
   spec.morris_levels = 5;

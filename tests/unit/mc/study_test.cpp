@@ -168,6 +168,46 @@ TEST_F(StudyFile, CandidatesAreTheProductOfTheDimensions) {
   EXPECT_EQ(draw_sample(study, 7).candidate, 1);
 }
 
+TEST_F(StudyFile, RowsBeyondTheRangeAreRefusedWithTheirCount) {
+  const std::string lot =
+      " = { nominal = 7.65, lot = { law = 'uniform', lower = -0.1, upper = 0.1 } }\n";
+  const std::string inputs = "[scene.cage]\npocket_width_mm" + lot;
+  EXPECT_THAT(problem_of("seed = 1\nsamples = 1000000000\ndesign = 'sobol'\n" + inputs),
+              AllOf(HasSubstr("study.toml:2: samples = 1000000000: design \"sobol\" has 1073741824 "
+                              "rows when it is complete; a study has at most 1000000000"),
+                    HasSubstr("remedy: ask for fewer rows")));
+  EXPECT_THAT(problem_of("samples = 1000000000\ndesign = 'lhs'\n" + inputs),
+              AllOf(HasSubstr("1000000000 rows"), HasSubstr("at most 2^28 = 268435456"),
+                    HasSubstr("remedy: use random or sobol, or fewer rows")));
+  EXPECT_THAT(
+      problem_of("design = 'grid'\ngrid_levels = [2000000000]\n" + inputs),
+      HasSubstr("study.toml:2: grid_levels = [ 2000000000 ]: design \"grid\" has 2000000000 "
+                "rows; a study has at most 1000000000"));
+  // In range, and resolved to a study that can be read again.
+  for (const char* design : {"random", "pick-freeze", "morris"}) {
+    const Study study =
+        study_of("samples = 999999990\ndesign = '" + std::string(design) + "'\n" + inputs);
+    EXPECT_EQ(read_resolved_study(study.resolved_toml, "again").samples, study.samples) << design;
+  }
+}
+
+TEST_F(StudyFile, TrendsOfALargeGridAreCheckedByItsLevels) {
+  // 40 million rows: drawing each of them would take minutes.
+  const std::string grid =
+      "design = 'grid'\ngrid_levels = [4000, 10000]\n[scene.cage]\n"
+      "pocket_width_mm = { nominal = 7.65, lot = { law = 'uniform', lower = -0.1, upper = 0.1 } }\n"
+      "pocket_length_mm = { nominal = 10.5, lot = { law = 'uniform', lower = 0, upper = 0.9999 } "
+      "}\n"
+      "[[trend]]\nclaim = 'c'\nkey = 'cage.pocket_length_mm'\nquantity = 'cage_slip_ratio'\n"
+      "expected = 'falls'\nsource = 's'\nbetween = [0.0007, ";
+  EXPECT_EQ(problem_of(grid + "0.9998]\n"), "no error");
+  EXPECT_THAT(problem_of(grid + "0.00075]\n"),
+              AllOf(HasSubstr("the grid has no such level of cage.pocket_length_mm"),
+                    HasSubstr("its levels are 0, "), HasSubstr("... (10000 in all)")));
+  EXPECT_THAT(problem_of(grid + "0.9998]\n", {"grid_levels=[4000, 10001]"}),
+              HasSubstr("grid_levels = 10001: trends compare levels"));
+}
+
 TEST_F(StudyFile, ReplicatesGoThroughTheRowsAgain) {
   const Study study = study_of(
       "samples = 10\nextra_replicates = 1.5\n[scene.start]\n"
