@@ -1,13 +1,15 @@
 #include "src/input/toml_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,6 +19,58 @@ namespace {
 constexpr const char* kSettings = "--set";
 constexpr std::uintmax_t kLargestFile = 16u << 20;
 constexpr std::size_t kLongestLine = 16384;
+
+constexpr std::size_t kLongestKey = 32;
+
+/// A file descriptor, closed once.
+struct OpenFile {
+  int descriptor = -1;
+  explicit OpenFile(int opened) : descriptor(opened) {}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+};
+
+/// Parts of the longest dotted name in a line, "a.b.'c d'": each part is a table inside the other.
+std::size_t longest_dotted_name(std::string_view line) {
+  std::size_t longest = 0, parts = 0;
+  bool in_part = false;  // the last character that counts belongs to a part
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"' || c == '\'') {
+      const auto end = line.find(c, i + 1);
+      i = std::min(end, line.size() - 1);
+      parts += in_part ? 0 : 1;
+      in_part = true;
+    } else if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-') {
+      parts += in_part ? 0 : 1;
+      in_part = true;
+    } else if (c == '.') {
+      in_part = false;
+    } else if (c != ' ' && c != '\t') {
+      parts = 0;
+      in_part = false;
+    }
+    longest = std::max(longest, parts);
+  }
+  return longest;
+}
+
+/// Tables a hundred thousand deep would take more stack than there is, wherever they are walked.
+void refuse_long_names(std::string_view line, const SourcePlace& place) {
+  const std::size_t parts = longest_dotted_name(line);
+  if (parts > kLongestKey)
+    throw InputError(place, "", "",
+                     "a key of " + std::to_string(parts) + " parts: keys have at most three",
+                     "write keys like cage.pocket_width_mm");
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 100;
+  return text.size() > longest ? text.substr(0, longest - 3) + "..." : text;
+}
 
 bool is_bare_word(std::string_view text) {
   if (text.empty() || !(std::isalpha(static_cast<unsigned char>(text[0])) || text[0] == '/' ||
@@ -42,7 +96,7 @@ toml::table setting_value(const std::string& setting, std::string_view value) {
     if (is_bare_word(value))
       return toml::parse("value = '" + std::string(value) + "'", std::string_view(kSettings));
   }
-  throw InputError({kSettings, 0}, "", "", "cannot read the value of '" + setting + "'",
+  throw InputError({kSettings, 0}, "", "", "cannot read the value of '" + shortened(setting) + "'",
                    "write the value as in a TOML file: a number, true, false, a word, 'a text', "
                    "[1, 2] or { lot = { law = 'normal', sigma = 0.01 } }");
 }
@@ -78,37 +132,45 @@ std::vector<std::string> parts_of(std::string_view name) {
 }  // namespace
 
 std::string read_text_file(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    throw InputError({path, 0}, "", "", "no such file",
-                     "check the path (relative paths start at "
-                     "the current folder, those inside a study at the study's folder)");
-  if (std::filesystem::is_directory(status))
-    throw InputError({path, 0}, "", "", "this is a folder, not a file", "name a file in it");
-  if (std::filesystem::is_regular_file(status)) {
-    const auto size = std::filesystem::file_size(path, error);
-    if (!error && size > kLargestFile)
-      throw InputError({path, 0}, "", "",
-                       "the file has " + std::to_string(size) +
-                           " bytes; input files are read up to " + std::to_string(kLargestFile),
-                       "check that this is the file you meant");
-  }
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
+  const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+    return InputError({path, 0}, "", "", problem, remedy);
+  };
+  if (path.find_first_not_of(" \t") == std::string::npos)
+    throw InputError({}, "FILE", "\"" + path + "\"", "the name of the file is empty",
+                     "give the path of a file");
+  // Opening waits for nobody at the other end of a pipe; what was opened is what is asked about.
+  const OpenFile file{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
+  if (file.descriptor < 0 && (errno == ENOENT || errno == ENOTDIR))
+    throw refuse("no such file",
+                 "check the path (relative paths start at the current folder, those inside a "
+                 "study at the study's folder)");
+  struct stat status {};
+  if (file.descriptor < 0 || ::fstat(file.descriptor, &status) != 0)
+    throw refuse(std::string("cannot be read: ") + std::strerror(errno),
+                 errno == EMFILE || errno == ENFILE ? "raise the limit on open files (ulimit -n)"
+                                                    : "check the path and the file's permissions");
+  if (S_ISDIR(status.st_mode)) throw refuse("this is a folder, not a file", "name a file in it");
+  if (!S_ISREG(status.st_mode))
+    throw refuse("this is a device or a pipe, which may never end",
+                 "write what it gives into an ordinary file and name that");
+  const auto size = static_cast<std::uintmax_t>(status.st_size);
+  if (size > kLargestFile)
+    throw refuse("the file has " + std::to_string(size) + " bytes; input files are read up to " +
+                     std::to_string(kLargestFile),
+                 "check that this is the file you meant");
   std::string text;
   std::array<char, 65536> part;
-  while (in && text.size() <= kLargestFile) {
-    in.read(part.data(), part.size());
-    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  ssize_t count = 0;
+  while (text.size() <= kLargestFile &&
+         (count = ::read(file.descriptor, part.data(), part.size())) != 0) {
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0)
+      throw refuse(std::string("cannot be read: ") + std::strerror(errno), "check the file");
+    text.append(part.data(), static_cast<std::size_t>(count));
   }
-  if (!in.is_open() || in.bad())
-    throw InputError({path, 0}, "", "", std::string("cannot be read: ") + std::strerror(errno),
-                     "check the file's permissions");
   if (text.size() > kLargestFile)
-    throw InputError({path, 0}, "", "",
-                     "this never ends: more than " + std::to_string(kLargestFile) + " bytes",
-                     "name an ordinary file");
+    throw refuse("it grows while it is read, beyond " + std::to_string(kLargestFile) + " bytes",
+                 "name a file that is complete");
   return text;
 }
 
@@ -156,6 +218,7 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
                        "a line of " + std::to_string(end - begin) +
                            " characters: this does not look like a TOML file",
                        "break lines before " + std::to_string(kLongestLine) + " characters");
+    refuse_long_names(text.substr(begin, end - begin), {name, line});
     begin = end + 1;
   }
   try {
@@ -174,12 +237,14 @@ std::string setting_key(const std::string& setting) {
   const auto parts = parts_of(key);
   if (equals == std::string::npos ||
       std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); }))
-    throw InputError({kSettings, 0}, "", "", "'" + setting + "' is not of the form key=value",
+    throw InputError({kSettings, 0}, "", "",
+                     "'" + shortened(setting) + "' is not of the form key=value",
                      "write for example --set load.radial_N=300");
   return key;
 }
 
 void apply_setting(toml::table& root, const std::string& setting) {
+  refuse_long_names(setting, {kSettings, 0});
   const std::string key = setting_key(setting);
   auto value =
       setting_value(setting, trimmed(std::string_view(setting).substr(setting.find('=') + 1)));

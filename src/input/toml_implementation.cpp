@@ -12,6 +12,8 @@ namespace {
 }
 }  // namespace
 
+// Values nested deeper make no input of this program, and each level takes stack.
+#define TOML_MAX_NESTED_VALUES 64
 #define TOML_IMPLEMENTATION
 #define TOML_FLOAT_CHARCONV 1
 #define TOML_ASSERT(expr) ((expr) ? void() : refuse(#expr))

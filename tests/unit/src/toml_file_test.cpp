@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <filesystem>
 #include <fstream>
@@ -43,7 +44,21 @@ TEST(TomlFile, MissingFolderAndUnreadable) {
     EXPECT_THAT(reading(path), HasSubstr("cannot be read: Permission denied"));
   }
   std::filesystem::remove(path);
-  EXPECT_THAT(reading("/dev/zero"), HasSubstr("more than 16777216 bytes"));
+}
+
+TEST(TomlFile, OnlyOrdinaryFilesAreRead) {
+  EXPECT_THAT(reading("/dev/zero"), HasSubstr("/dev/zero: this is a device or a pipe"));
+  const auto pipe = testing::TempDir() + "toml_file_pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(reading(pipe), HasSubstr("this is a device or a pipe"));  // nobody writes into it
+  std::filesystem::remove(pipe);
+  const auto sparse = written("sparse.toml", "a = 1\n");
+  std::filesystem::resize_file(sparse, 10ull << 30);
+  EXPECT_THAT(reading(sparse), HasSubstr("the file has 10737418240 bytes"));
+  std::filesystem::remove(sparse);
+  for (const char* blank : {"", "  "})
+    EXPECT_THAT(reading(blank), HasSubstr("the name of the file is empty"));
+  EXPECT_THAT(reading("/dev/null/x.toml"), HasSubstr("no such file"));
 }
 
 TEST(TomlFile, SyntaxErrorsNameTheLine) {
@@ -86,13 +101,35 @@ TEST(TomlFile, BinaryAndHugeNonsense) {
 }
 
 TEST(TomlFile, DeepNestingEndsInAMessage) {
-  std::string deep;
-  for (int i = 0; i < 8000; ++i) deep += "a.";
-  auto text =
-      problem_of([&] { toml_leaves(parse_toml("[" + deep + "a]\n" + deep + "b = 1\n", "t")); });
-  EXPECT_EQ(text, "no error");  // neither recursion nor its undoing overflows the stack
-  EXPECT_THAT(problem_of([] { parse_toml("a = " + std::string(5000, '['), "t"); }),
-              HasSubstr("t:1: not valid TOML"));
+  const auto parsing = [](const std::string& text) {
+    return problem_of([&] { toml_leaves(parse_toml(text, "t")); });
+  };
+  const auto repeated = [](const std::string& part, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += part;
+    return text;
+  };
+  EXPECT_THAT(parsing("a = 1\n[" + repeated("a.", 8000) + "a]\n"),
+              HasSubstr("t:2: a key of 8001 parts"));
+  EXPECT_THAT(parsing(repeated("'a.b' . \"c\" . ", 20) + "a = 1\n"),
+              HasSubstr("t:1: a key of 41 parts"));
+  EXPECT_THAT(parsing("x = { " + repeated("a.", 40) + "a = 1 }\n"), HasSubstr("t:1: a key of 41"));
+  EXPECT_EQ(parsing("[" + repeated("a.", 31) + "a]\n" + repeated("b.", 31) + "b = 1.5\n"),
+            "no error");
+  EXPECT_EQ(parsing("a = [" + repeated("1.5, ", 1000) + "]\nb = '" + repeated("a.", 100) + "'\n"),
+            "no error");
+  EXPECT_THAT(parsing("a = " + std::string(5000, '[')), HasSubstr("t:1: not valid TOML"));
+  EXPECT_THAT(parsing("a = " + repeated("[\n", 100000) + repeated("]\n", 100000)),
+              HasSubstr("not valid TOML"));
+  // The deepest that is read: tables in tables in arrays.
+  EXPECT_EQ(parsing("x = " + repeated("[{" + repeated("a.", 30) + "a = ", 15) + "1" +
+                    repeated("}]", 15) + "\n"),
+            "no error");
+  toml::table root;
+  EXPECT_THAT(problem_of([&] { apply_setting(root, repeated("a.", 60000) + "a=1"); }),
+              HasSubstr("a key of 60001 parts"));
+  EXPECT_THAT(problem_of([&] { apply_setting(root, "a={ " + repeated("a.", 60000) + "a=1 }"); }),
+              HasSubstr("a key of 60001 parts"));
 }
 
 TEST(TomlFile, SettingsAreTyped) {
