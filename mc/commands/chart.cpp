@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "mc/commands/command.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/file_write.hpp"
 #include "src/input/input_error.hpp"
 
@@ -57,10 +58,8 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
       "  cagetol chart inputs/scenes/nu205.toml -o out/models --methods rodasp --rungs");
   auto options = std::make_shared<ChartArguments>();
   command->add_option("SCENE", options->file, "Scene file (or study: its first row)")->required();
-  command
-      ->add_option("-o,--output", options->directory,
-                   "Directory of chart.json, chart.csv and figures/")
-      ->required();
+  add_output_directory(*command, options->directory,
+                       "Directory of chart.json, chart.csv and figures/");
   add_methods_option(*command, options->chart.methods);
   command
       ->add_option("--replicas", options->chart.replicas,

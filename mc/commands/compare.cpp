@@ -12,6 +12,7 @@
 #include "analysis/report/report.hpp"
 #include "analysis/study/study_file_error.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/engine/bias.hpp"
 #include "mc/json_number.hpp"
 
@@ -172,8 +173,8 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       "Examples:\n  cagetol compare out/yesterday out/today\n"
       "  cagetol compare out/tight out/default --despite-keys --bias 1000");
   auto options = std::make_shared<CompareArguments>();
-  command->add_option("OLD", options->before, "Directory of the earlier sweep")->required();
-  command->add_option("NEW", options->after, "Directory of the later sweep")->required();
+  add_result_directory(*command, "OLD", options->before, "Directory of the earlier sweep");
+  add_result_directory(*command, "NEW", options->after, "Directory of the later sweep");
   command
       ->add_option("--error-rate", options->error_rate,
                    "Probability of any false alarm when nothing has changed")

@@ -6,6 +6,7 @@
 
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/file_write.hpp"
 #include "mc/log.hpp"
 
@@ -70,10 +71,8 @@ void add_ladder_command(CLI::App& app, Chosen& chosen) {
       "  cagetol ladder out/nu205/study.toml --refine -o out/nu205/ladder-refine");
   auto options = std::make_shared<LadderArguments>();
   command->add_option("FILE", options->file, "Scene or study file")->required();
-  command
-      ->add_option("-o,--output", options->directory,
-                   "Directory of ladder.json, ladder.csv, figures/ and rungs/")
-      ->required();
+  add_output_directory(*command, options->directory,
+                       "Directory of ladder.json, ladder.csv, figures/ and rungs/");
   command->add_option("--samples", options->ladder.samples, "Runs on each rung")
       ->check(CLI::Range(2L, 1000000000L))
       ->capture_default_str();

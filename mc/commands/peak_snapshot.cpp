@@ -2,14 +2,15 @@
 
 #include <optional>
 
+#include "mc/commands/output_path.hpp"
 #include "src/cage/cage_snapshot.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {
 
 void add_snapshot_option(CLI::App& command, std::string& file) {
-  command.add_option("--snapshot", file,
-                     "Write the flexible cage at its largest stress to this VTU file (ParaView)");
+  add_output_file(command, "--snapshot", file,
+                  "Write the flexible cage at its largest stress to this VTU file (ParaView)");
 }
 
 CageStates state_of(const CagePeak& peak) {

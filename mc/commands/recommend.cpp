@@ -7,6 +7,7 @@
 #include "analysis/report/report.hpp"
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/commands/recommend_stages.hpp"
 #include "mc/log.hpp"
 #include "mc/study.hpp"
@@ -51,8 +52,7 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
       "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8");
   auto options = std::make_shared<RecommendArguments>();
   command->add_option("STUDY", options->file, "Study file")->required();
-  command->add_option("-o,--output", options->stages.directory, "Directory of the stages")
-      ->required();
+  add_output_directory(*command, options->stages.directory, "Directory of the stages");
   add_settings_option(*command, options->settings);
   add_progress_option(*command, options->stages.progress);
   command->callback([options, &chosen] { chosen = [options] { return run_recommend(*options); }; });

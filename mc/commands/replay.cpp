@@ -10,6 +10,7 @@
 #include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/outcome_text.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/commands/peak_snapshot.hpp"
 #include "mc/run_history.hpp"
 #include "mc/sample_run.hpp"
@@ -90,10 +91,11 @@ void add_replay_command(CLI::App& app, Chosen& chosen) {
       "Examples:\n  cagetol replay out/nu205 --sample 17\n"
       "  cagetol replay out/nu205 --sample 17 -o out/run17.h5");
   auto options = std::make_shared<ReplayArguments>();
-  command->add_option("DIR", options->directory, "Directory of a sweep")->required();
+  add_result_directory(*command, "DIR", options->directory, "Directory of a sweep");
   command->add_option("--sample", options->sample, "Id of the sample")->required();
   command->add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
-  command->add_option("-o,--output", options->history, "Write time histories to this HDF5 file");
+  add_output_file(*command, "-o,--output", options->history,
+                  "Write time histories to this HDF5 file");
   add_snapshot_option(*command, options->snapshot);
   command->callback([options, &chosen] { chosen = [options] { return run_replay(*options); }; });
 }

@@ -6,6 +6,7 @@
 #include "analysis/study/study_file_error.hpp"
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/log.hpp"
 
 namespace cagetol {
@@ -19,7 +20,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
     ReportOptions options;
   };
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("DIR", arguments->directory, "directory of the sweep")->required();
+  add_result_directory(*command, "DIR", arguments->directory, "directory of the sweep");
   command->add_flag("--json", arguments->options.json_to_stdout,
                     "print report.json on standard output");
   command->callback([arguments, &chosen] {

@@ -6,6 +6,7 @@
 #include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/outcome_text.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/commands/peak_snapshot.hpp"
 #include "mc/run_history.hpp"
 #include "mc/sample.hpp"
@@ -72,7 +73,8 @@ void add_simulate_command(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<SimulateArguments>();
   command->add_option("SCENE", options->file, "Scene or study file")->required();
   command->add_flag("--json", options->json, "Print status, quantities and run as JSON");
-  command->add_option("-o,--output", options->history, "Write time histories to this HDF5 file");
+  add_output_file(*command, "-o,--output", options->history,
+                  "Write time histories to this HDF5 file");
   add_snapshot_option(*command, options->snapshot);
   command->add_option("--sample", options->sample, "Sample of the study to run")
       ->capture_default_str();

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "mc/commands/command.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/file_write.hpp"
 
 namespace cagetol {
@@ -54,8 +55,7 @@ void add_stability_command(CLI::App& app, Chosen& chosen) {
       "Ends with 1 where a method is silently wrong or the default method is not right.\n"
       "Example:\n  cagetol stability -o out/stability --fast --methods rodas3,semi-implicit-euler");
   auto options = std::make_shared<StabilityArguments>();
-  command->add_option("-o,--output", options->directory, "Directory of stability.json and figures/")
-      ->required();
+  add_output_directory(*command, options->directory, "Directory of stability.json and figures/");
   add_methods_option(*command, options->methods);
   command->add_flag("--fast", options->fast, "Only the scenes marked fast");
   command->add_option("--suite", options->suite, "Suite file: the scenes")->capture_default_str();

@@ -9,6 +9,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/companion_stages.hpp"
 #include "mc/commands/ladder_stages.hpp"
+#include "mc/commands/output_path.hpp"
 #include "mc/log.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
@@ -81,10 +82,8 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
       "  cagetol sweep inputs/studies/nu205.toml -o out/small --set samples=16");
   auto options = std::make_shared<SweepArguments>();
   command->add_option("STUDY", options->file, "Study file")->required();
-  command
-      ->add_option("-o,--output", options->sweep.directory,
-                   "Directory of the results: study.h5 and the journals")
-      ->required();
+  add_output_directory(*command, options->sweep.directory,
+                       "Directory of the results: study.h5 and the journals");
   add_settings_option(*command, options->settings);
   add_progress_option(*command, options->sweep.progress);
   command->callback([options, &chosen] { chosen = [options] { return run_sweep(*options); }; });
