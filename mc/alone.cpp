@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "mc/failure.hpp"
 #include "mc/file_write.hpp"
 #include "mc/signals.hpp"
 
@@ -32,8 +33,13 @@ std::string name_of(int number) {
 
 [[noreturn]] void be_child(int pipe_end, const std::function<std::optional<StoredOutcome>()>& run) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const auto outcome = run();
-  const std::string bytes = outcome ? to_bytes(*outcome) : "";
+  std::string bytes;
+  try {
+    if (const auto outcome = run()) bytes = to_bytes(*outcome);
+  } catch (const std::exception& problem) {
+    if (!is_want_of_resources(problem)) throw;
+    bytes.clear();  // no fault of the sample's
+  }
   ::_exit(write_all(pipe_end, bytes) == 0 ? 0 : 1);
 }
 
@@ -84,7 +90,7 @@ AloneResult run_alone(std::uint64_t id, const std::function<std::optional<Stored
   }
   if (WEXITSTATUS(status) != 0)
     return {poisoned(id, fmt::format("ended itself with exit code {}", WEXITSTATUS(status))), ""};
-  if (bytes.empty()) return {{}, "it was interrupted"};
+  if (bytes.empty()) return {{}, "it was interrupted, or memory ran out"};
   ByteReader in(bytes);
   return {outcome_from_bytes(in), ""};
 }

@@ -23,6 +23,10 @@ std::string remedy(int error_number) {
     case EPERM:
     case EROFS:
       return "choose a directory that you may write to with -o, or change its permissions";
+    case EMFILE:
+    case ENFILE:
+      return "raise the limit on open files (ulimit -n)";
+    case ENAMETOOLONG:
     case ENOTDIR:
     case EEXIST:
     case EISDIR:

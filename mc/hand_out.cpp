@@ -1,5 +1,7 @@
 #include "mc/hand_out.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -9,6 +11,7 @@
 #include <thread>
 
 #include "mc/byte_stream.hpp"
+#include "mc/failure.hpp"
 #include "mc/signals.hpp"
 
 namespace cagetol {
@@ -118,23 +121,29 @@ bool lead_team(const Team& team, WorkList& list, const RunSample& run,
   });
 
   int others = team.size() - 1;
-  while (others > 0 || !own->done) {
-    if (SignalWatch::draining()) list.stop();
-    if (SignalWatch::stopping_for_s() > kLastWordsSeconds) {
+  while (others > 0 || !own->done) try {
+      if (SignalWatch::draining()) list.stop();
+      if (SignalWatch::stopping_for_s() > kLastWordsSeconds) {
+        computing.detach();
+        return false;
+      }
+      if (const auto message = team.receive()) {
+        const auto next = list.exchange(decoded_report(message->bytes));
+        team.send(message->rank, encoded(next));
+        if (!next) --others;
+        continue;
+      }
+      idle();
+      const WorkList::State state = list.state();
+      const double sample_s =
+          state.busy_s / std::max<double>(1, static_cast<double>(state.reports));
+      rest_for(lookout_rest(sample_s, others));
+    } catch (
+        const std::exception& problem) {  // want of memory: the computing thread has no end yet
+      spdlog::error("{}", failure_text(problem));
       computing.detach();
       return false;
     }
-    if (const auto message = team.receive()) {
-      const auto next = list.exchange(decoded_report(message->bytes));
-      team.send(message->rank, encoded(next));
-      if (!next) --others;
-      continue;
-    }
-    idle();
-    const WorkList::State state = list.state();
-    const double sample_s = state.busy_s / std::max<double>(1, static_cast<double>(state.reports));
-    rest_for(lookout_rest(sample_s, others));
-  }
   computing.join();
   if (own->problem) std::rethrow_exception(own->problem);
   return true;

@@ -66,8 +66,8 @@ using RunSample = std::function<Report(std::uint64_t id)>;
 double lookout_rest(double sample_s, int others);
 
 /// Rank 0: computes, answers the others and calls `idle` between messages until every rank has
-/// stopped. False when ranks had to be left behind because a signal gives no more time; then this
-/// process must end without waiting for them or its own thread.
+/// stopped. False when ranks had to be left behind because a signal gives no more time, or for want
+/// of memory; then this process must end without waiting for them or its own thread.
 bool lead_team(const Team& team, WorkList& list, const RunSample& run,
                const std::function<void()>& idle);
 

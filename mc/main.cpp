@@ -11,7 +11,9 @@
 #include <memory>
 
 #include "mc/commands/command.hpp"
+#include "mc/failure.hpp"
 #include "mc/file_write.hpp"
+#include "mc/process_limits.hpp"
 #include "src/input/input_error.hpp"
 
 extern char __executable_start, etext;  // the linker's: where the program's code begins and ends
@@ -77,10 +79,21 @@ void take_memory() {
   for (std::size_t k = 0; k < sizeof room; k += 1024) room[k] = 0;
 }
 
+/// The exit code for an exception that ends a command, after its message.
+int code_of(const std::exception& error) {
+  using namespace cagetol;
+  const bool known = dynamic_cast<const InputError*>(&error) != nullptr ||
+                     dynamic_cast<const WriteError*>(&error) != nullptr ||
+                     is_want_of_resources(error);
+  std::fprintf(stderr, "cagetol: %s%s\n", known ? "" : "unexpected: ", failure_text(error).c_str());
+  return known ? kBadInput : kSamplesFailed;
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace cagetol;
+  require_process_limits();
   keep_freed_memory();
   take_memory();
   take_stack();
@@ -112,14 +125,7 @@ int main(int argc, char** argv) {
     return kBadInput;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;
-  } catch (const InputError& error) {
-    std::fprintf(stderr, "cagetol: %s\n", error.what());
-    return kBadInput;
-  } catch (const WriteError& error) {
-    std::fprintf(stderr, "cagetol: %s\n", error.what());
-    return kBadInput;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "cagetol: unexpected: %s\n", error.what());
-    return kSamplesFailed;
   }
+} catch (const std::exception& error) {
+  return code_of(error);
 }

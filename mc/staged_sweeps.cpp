@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "mc/failure.hpp"
 #include "mc/h5.hpp"
 #include "mc/signals.hpp"
 #include "mc/study_file.hpp"
@@ -96,7 +97,8 @@ int run_staged(const MakePlan& make_plan, ProgressStyle progress,
     fmt::print(stderr, "cagetol: {}\n", problem.what());
     code = problem.can_go_on() ? kStartAgain : kBadInput;
   } catch (const std::exception& problem) {
-    fmt::print(stderr, "cagetol: {}\n", problem.what());
+    fmt::print(stderr, "cagetol: {}\n", failure_text(problem));
+    if (is_want_of_resources(problem)) code = kStartAgain;
   }
   stages.end();
   return code;

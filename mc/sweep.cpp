@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "mc/alone.hpp"
+#include "mc/failure.hpp"
 #include "mc/hand_out.hpp"
 #include "mc/signals.hpp"
 #include "mc/study_file.hpp"
@@ -40,11 +41,13 @@ StoredOutcome stored_run(const SweepPlan& plan, std::uint64_t id, int rank) {
   SampleRun run;
   try {
     run = plan.job(plan.draw(id), SignalWatch::stopping);
-  } catch (const std::bad_alloc&) {
-    spdlog::error("sample {}: out of memory; it is not run", id);
   } catch (const std::exception& problem) {
-    run.outcome.status = Status::failed;
-    run.outcome.reason = problem.what();
+    if (is_want_of_resources(problem)) {
+      spdlog::error("sample {} is not run: {}", id, failure_text(problem));
+    } else {
+      run.outcome.status = Status::failed;
+      run.outcome.reason = problem.what();
+    }
   }
   return make_stored_outcome(id, run, seconds_since(begin), rank);
 }
@@ -142,7 +145,7 @@ bool Leader::rebuild() {
     std::erase_if(stored.finished, [&](const auto& item) { return item.first >= plan_.samples; });
     write_study_file(study_file_path(options_.directory), plan_, stored.finished, build_);
   } catch (const std::exception& problem) {
-    spdlog::error("{}", problem.what());
+    spdlog::error("{}", failure_text(problem));
     written = false;
   }
   rebuild_s_ = seconds_since(begin);
@@ -215,7 +218,7 @@ Sweep::Problem Sweep::problem_of(Work work) {
   } catch (const WriteError& problem) {
     return {problem.what(), problem.can_go_on() ? kStartAgain : kBadInput};
   } catch (const std::exception& problem) {
-    return {problem.what(), kBadInput};
+    return {failure_text(problem), kBadInput};
   }
 }
 
@@ -261,9 +264,17 @@ int Sweep::run(const Team& team) {
     return run_with_journal(plan_, *journal_, id, launch_.rank);
   };
   int code = 0;
-  if (leads) {
-    code = Leader(plan_, options_, build_).lead(team, *journal_, run);
-  } else if (!work_in_team(team, run)) {
+  try {
+    if (leads) {
+      code = Leader(plan_, options_, build_).lead(team, *journal_, run);
+    } else if (!work_in_team(team, run)) {
+      ::_exit(kStartAgain);
+    }
+  } catch (const std::exception& problem) {
+    // The other ranks wait for answers that nobody gives: an orderly end of MPI would wait for
+    // them. Journals are complete.
+    spdlog::error("{}; rank {} ends: start the same command again to go on", failure_text(problem),
+                  launch_.rank);
     ::_exit(kStartAgain);
   }
   team.meet();

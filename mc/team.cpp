@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "mc/process_limits.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -34,6 +36,7 @@ Launch launch_from_environment() {
 
 Team::Team(const Launch& launch) : under_mpi_(launch.under_mpi) {
   if (!under_mpi_) return;
+  require_limits_of_mpi();
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
   if (provided < MPI_THREAD_FUNNELED)

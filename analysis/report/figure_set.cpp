@@ -6,9 +6,13 @@
 #include <sys/wait.h>
 
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <string_view>
+#include <thread>
 #include <vector>
 
 extern char** environ;
@@ -23,6 +27,40 @@ std::string file_text(const std::filesystem::path& path) {
   return text.str();
 }
 
+// Figures take some seconds. Under a tight limit on memory matplotlib's libraries may wait for
+// threads that they could not start.
+constexpr std::chrono::seconds kLongestDrawing{600};
+
+/// The exit code of the child; one that does not end is killed, -1 and `problem`.
+int wait_for(pid_t child, std::string& problem) {
+  const auto begin = std::chrono::steady_clock::now();
+  int status = 0;
+  while (true) {
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child) return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+    if (ended < 0 && errno != EINTR) return 128;
+    if (std::chrono::steady_clock::now() - begin > kLongestDrawing) {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      problem = fmt::format("drawing did not end within {} s", kLongestDrawing.count());
+      return -1;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+/// This program's environment, with one thread for matplotlib's linear algebra: it needs no more,
+/// and where memory is limited it waits forever for threads that it could not start.
+std::vector<char*> environment_of_one_thread() {
+  static char one_thread[] = "OPENBLAS_NUM_THREADS=1";
+  std::vector<char*> environment{one_thread};
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    if (!std::string_view(*entry).starts_with("OPENBLAS_NUM_THREADS="))
+      environment.push_back(*entry);
+  environment.push_back(nullptr);
+  return environment;
+}
+
 /// Runs the program with its output in `log`; the exit code, or -1 and `problem`.
 int run_logged(const std::vector<std::string>& command, const std::filesystem::path& log,
                std::string& problem) {
@@ -35,17 +73,14 @@ int run_logged(const std::vector<std::string>& command, const std::filesystem::p
                                    O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   pid_t child = -1;
-  const int error =
-      posix_spawn(&child, command[0].c_str(), &actions, nullptr, arguments.data(), environ);
+  const int error = posix_spawn(&child, command[0].c_str(), &actions, nullptr, arguments.data(),
+                                environment_of_one_thread().data());
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     problem = fmt::format("{} cannot be started ({})", command[0], std::strerror(error));
     return -1;
   }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  return wait_for(child, problem);
 }
 
 /// The last line that says something: Python prints the error itself there.
