@@ -10,6 +10,7 @@
 #include <exception>
 #include <memory>
 
+#include "analysis/format/study_file_error.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
 #include "src/input/input_error.hpp"
@@ -113,6 +114,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;
   } catch (const InputError& error) {
+    std::fprintf(stderr, "cagetol: %s\n", error.what());
+    return kBadInput;
+  } catch (const StudyFileError& error) {
     std::fprintf(stderr, "cagetol: %s\n", error.what());
     return kBadInput;
   } catch (const WriteError& error) {
