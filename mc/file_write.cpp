@@ -4,12 +4,15 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <utility>
 
 namespace cagetol {
 namespace {
+
+constexpr const char* kPart = ".part";
 
 std::string remedy(int error_number) {
   switch (error_number) {
@@ -39,6 +42,16 @@ std::string remedy(int error_number) {
 bool is_passing(int error_number) {
   return error_number == ENOSPC || error_number == EDQUOT || error_number == EFBIG ||
          error_number == EIO;
+}
+
+/// The process that writes NAME.partPID; 0 where `name` is no such name.
+pid_t writer_of(const std::string& name) {
+  const std::size_t mark = name.rfind(kPart);
+  if (mark == std::string::npos) return 0;
+  const std::string digits = name.substr(mark + std::strlen(kPart));
+  const bool is_number = !digits.empty() && digits.size() < 10 &&
+                         digits.find_first_not_of("0123456789") == std::string::npos;
+  return is_number ? static_cast<pid_t>(std::stol(digits)) : 0;
 }
 
 }  // namespace
@@ -85,7 +98,7 @@ void sync_directory(const std::string& directory) {
 }
 
 void replace_file(const std::string& path, std::string_view bytes) {
-  const std::string temporary = path + ".part" + std::to_string(::getpid());
+  const std::string temporary = path + kPart + std::to_string(::getpid());
   int error_number = 0;
   {
     const FileDescriptor file(
@@ -101,6 +114,20 @@ void replace_file(const std::string& path, std::string_view bytes) {
   }
   const auto parent = std::filesystem::path(path).parent_path();
   sync_directory(parent.empty() ? "." : parent.string());
+}
+
+void remove_stale_parts(const std::string& directory, std::chrono::seconds age) {
+  const auto limit = std::filesystem::file_time_type::clock::now() - age;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const pid_t writer = writer_of(entry->path().filename().string());
+    if (writer == 0) continue;
+    std::error_code gone;
+    const auto time = std::filesystem::last_write_time(entry->path(), gone);
+    if (!gone && time <= limit && ::kill(writer, 0) != 0 && errno == ESRCH)
+      ::unlink(entry->path().c_str());
+  }
 }
 
 }  // namespace cagetol

@@ -2,6 +2,7 @@
 // broken program.
 #pragma once
 
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -46,6 +47,12 @@ int write_all(int descriptor, std::string_view bytes);
 /// Replaces `path` by a file with these bytes: temporary name in the same directory, fsync, rename,
 /// fsync of the directory. Throws WriteError and leaves the old file as it was.
 void replace_file(const std::string& path, std::string_view bytes);
+
+/// Removes temporary files that replace_file() left in `directory` because its process died: `age`
+/// old or older, their process gone from this machine. Processes of another machine that shares the
+/// directory cannot be asked; they do not write for an hour. What cannot be removed stays.
+void remove_stale_parts(const std::string& directory,
+                        std::chrono::seconds age = std::chrono::hours(1));
 
 /// Makes a directory and those above it, where they are missing. Throws WriteError.
 void make_directory(const std::string& directory);

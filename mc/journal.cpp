@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <boost/crc.hpp>
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <random>
 #include <set>
-#include <sstream>
 
 #include "mc/byte_stream.hpp"
 
@@ -33,9 +33,10 @@ enum class Kind : std::uint8_t { header = 0, started = 1, finished = 2, dropped 
 
 using Crc32c = boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true>;
 
-std::uint32_t checksum(std::string_view bytes) {
+std::uint32_t checksum(std::string_view length, std::string_view payload) {
   Crc32c crc;
-  crc.process_bytes(bytes.data(), bytes.size());
+  crc.process_bytes(length.data(), length.size());
+  crc.process_bytes(payload.data(), payload.size());
   return crc.checksum();
 }
 
@@ -43,7 +44,7 @@ std::string framed(const std::string& payload) {
   ByteWriter length;
   length.put(static_cast<std::uint32_t>(payload.size()));
   ByteWriter crc;
-  crc.put(checksum(length.bytes() + payload));
+  crc.put(checksum(length.bytes(), payload));
   return std::string(kMarker) + length.bytes() + crc.bytes() + payload;
 }
 
@@ -55,8 +56,7 @@ std::optional<std::string_view> payload_at(std::string_view bytes) {
   const auto crc = frame.get<std::uint32_t>();
   if (length > bytes.size() - kFrame) return std::nullopt;
   const std::string_view payload = bytes.substr(kFrame, length);
-  if (checksum(std::string(bytes.substr(kMarker.size(), 4)) + std::string(payload)) != crc)
-    return std::nullopt;
+  if (checksum(bytes.substr(kMarker.size(), 4), payload) != crc) return std::nullopt;
   return payload;
 }
 
@@ -105,6 +105,26 @@ bool take_record(std::string_view payload, JournalContent& content,
   return true;
 } catch (const std::runtime_error&) {
   return false;
+}
+
+/// The whole file, or nothing with `why`.
+std::optional<std::string> bytes_of(const std::string& path, std::string& why) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file) {
+    why = error ? error.message() : std::strerror(errno);
+    return std::nullopt;
+  }
+  std::string bytes(size, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(size));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+bool same_owner(const JournalHeader& a, const JournalHeader& b) {
+  return a.study_hash == b.study_hash && a.build == b.build;
 }
 
 }  // namespace
@@ -160,14 +180,14 @@ void Journal::append(const std::string& payload) {
 
 JournalContent read_journal(const std::string& path) {
   JournalContent content;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream buffer;
-  buffer << file.rdbuf();
-  const std::string bytes = buffer.str();
-  if (!file) {
-    content.notes.push_back(path + ": cannot be read; its samples will be run again");
+  std::string why;
+  const std::optional<std::string> read = bytes_of(path, why);
+  if (!read) {
+    content.notes.push_back(
+        fmt::format("{}: cannot be read ({}); its samples will be run again", path, why));
     return content;
   }
+  const std::string& bytes = *read;
   if (!bytes.starts_with(kMagic)) content.notes.push_back(path + ": does not start like a journal");
 
   std::set<std::uint64_t> open;
@@ -196,7 +216,7 @@ JournalContent read_journal(const std::string& path) {
   return content;
 }
 
-JournalSet read_journals(const std::string& directory) {
+JournalSet read_journals(const std::string& directory, const JournalHeader* owner) {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator(directory))
     if (entry.path().extension() == ".journal") paths.push_back(entry.path().string());
@@ -207,10 +227,14 @@ JournalSet read_journals(const std::string& directory) {
     JournalContent content = read_journal(path);
     set.notes.insert(set.notes.end(), content.notes.begin(), content.notes.end());
     if (!content.readable) continue;
+    if (owner != nullptr && !same_owner(*owner, content.header)) {
+      set.refused.emplace_back(path, content.header);
+      continue;
+    }
     set.headers.emplace_back(path, content.header);
     for (const std::uint64_t id : content.lost) ++set.losses[id];
     for (StoredOutcome& stored : content.finished) {
-      const auto [place, is_new] = set.finished.try_emplace(stored.id, stored);
+      const auto [place, is_new] = set.finished.try_emplace(stored.id, std::move(stored));
       const auto differences =
           is_new ? std::vector<std::string>{} : outcome_differences(place->second, stored);
       if (!differences.empty())

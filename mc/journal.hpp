@@ -64,12 +64,14 @@ JournalContent read_journal(const std::string& path);
 
 /// All journals of a directory, in the order of their names.
 struct JournalSet {
-  std::vector<std::pair<std::string, JournalHeader>>
-      headers;  ///< file and header of every readable journal
+  using Headers = std::vector<std::pair<std::string, JournalHeader>>;  ///< file and header
+  Headers headers;  ///< of every journal that is read
+  Headers refused;  ///< of those that belong to another study or build: nothing of them is used
   std::map<std::uint64_t, StoredOutcome> finished;
   std::map<std::uint64_t, int> losses;  ///< how often a sample that is not finished was lost
   std::vector<std::string> notes;
 };
-JournalSet read_journals(const std::string& directory);
+/// `owner` says whose journals are read (its rank does not matter); nullptr: everybody's.
+JournalSet read_journals(const std::string& directory, const JournalHeader* owner = nullptr);
 
 }  // namespace cagetol

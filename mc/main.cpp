@@ -10,6 +10,7 @@
 #include <exception>
 #include <memory>
 
+#include "analysis/format/study_file_error.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/failure.hpp"
 #include "mc/file_write.hpp"
@@ -83,6 +84,7 @@ void take_memory() {
 int code_of(const std::exception& error) {
   using namespace cagetol;
   const bool known = dynamic_cast<const InputError*>(&error) != nullptr ||
+                     dynamic_cast<const StudyFileError*>(&error) != nullptr ||
                      dynamic_cast<const WriteError*>(&error) != nullptr ||
                      is_want_of_resources(error);
   std::fprintf(stderr, "cagetol: %s%s\n", known ? "" : "unexpected: ", failure_text(error).c_str());

@@ -2,34 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "mc/build_info.hpp"
-#include "mc/h5.hpp"
 #include "mc/study_file.hpp"
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {
-namespace {
-
-StudyFile read_or_explain(const std::string& directory) {
-  const std::string path = study_file_path(directory);
-  if (!std::filesystem::exists(path))
-    throw InputError({path, 0}, "", "", "there is no such file",
-                     "give the directory that `cagetol sweep STUDY -o DIR` has filled");
-  try {
-    return read_study_file(path);
-  } catch (const H5Error& problem) {
-    throw InputError({path, 0}, "", "", problem.what(),
-                     "start the sweep again: it builds the file anew from its journals");
-  }
-}
-
-}  // namespace
-
 StoredSample read_stored_sample(const std::string& directory, std::uint64_t id) {
-  const StudyFile file = read_or_explain(directory);
+  const StudyFile file = read_study_file(study_file_path(directory));
   const Study study = read_resolved_study(file.study_toml, study_file_path(directory));
   if (id >= sample_count(study))
     throw InputError({}, "--sample", std::to_string(id),

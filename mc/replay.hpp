@@ -21,7 +21,8 @@ struct StoredSample {
   std::vector<std::string> notes;       ///< another build, a study that reads differently now
 };
 
-/// Throws InputError when DIR has no readable study.h5 or the study has no such sample.
+/// Throws StudyFileError when DIR has no readable study.h5, InputError when the study has no such
+/// sample.
 StoredSample read_stored_sample(const std::string& directory, std::uint64_t id);
 
 }  // namespace cagetol

@@ -1,7 +1,7 @@
 #include "mc/run_history.hpp"
 
+#include "analysis/format/h5.hpp"
 #include "mc/file_write.hpp"
-#include "mc/h5.hpp"
 
 namespace cagetol {
 
@@ -24,7 +24,7 @@ void RunHistory::record(const Instant& at) {
 
 void RunHistory::write(const std::string& path) const {
   const H5Handle file = make_h5_memory_file();
-  write_h5_attribute(file, "schema_version", std::int64_t{1});
+  write_h5_attribute(file, "schema_version", std::int64_t{2});
   write_h5_attribute(file, "scene", scene_name_);
   write_h5(file, "time", time_, {"s", "time of each state"});
   for (std::size_t c = 0; c < of_bearing_.size(); ++c) {
@@ -36,7 +36,7 @@ void RunHistory::write(const std::string& path) const {
     write_h5(file, channel.name, of_rollers_[c], {channel.unit, channel.description},
              static_cast<std::size_t>(rollers_));
   }
-  replace_file(path, h5_image(file));
+  replace_file(path, sealed_h5_image(file));
 }
 
 }  // namespace cagetol

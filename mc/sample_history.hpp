@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mc/h5.hpp"
+#include "analysis/format/h5.hpp"
 #include "mc/history_channels.hpp"
 #include "mc/study.hpp"
 #include "src/window_times.hpp"

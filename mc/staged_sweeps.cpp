@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
+#include "analysis/format/study_file_error.hpp"
 #include "mc/failure.hpp"
-#include "mc/h5.hpp"
 #include "mc/signals.hpp"
 #include "mc/study_file.hpp"
 #include "mc/sweep.hpp"
@@ -33,7 +33,7 @@ bool complete(const Study& study, const std::string& directory) {
     for (const auto& [id, outcome] : file.outcomes) failures += is_failure(outcome.status);
     return static_cast<double>(failures) <=
            study.allowed_failure_share * static_cast<double>(samples);
-  } catch (const H5Error&) {
+  } catch (const StudyFileError&) {
     return false;
   }
 }

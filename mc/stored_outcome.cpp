@@ -40,6 +40,12 @@ void compare_histories(const StoredOutcome& a, const StoredOutcome& b,
 
 }  // namespace
 
+std::string first_bytes(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
 std::vector<RunField> stored_run_fields() {
   std::vector<RunField> fields;
   for (const RunField& field : run_fields())
@@ -51,7 +57,7 @@ StoredOutcome make_stored_outcome(std::uint64_t id, const SampleRun& run, double
   const Outcome& outcome = run.outcome;
   StoredOutcome stored{.id = id,
                        .status = outcome.status,
-                       .reason = outcome.reason,
+                       .reason = first_bytes(outcome.reason, kLongestReason),
                        .pocket = outcome.pocket,
                        .interference_um = outcome.interference_um,
                        .quantities = outcome.quantities,

@@ -15,7 +15,7 @@ namespace cagetol {
 struct StoredOutcome {
   std::uint64_t id = 0;
   Status status = Status::not_run;
-  std::string reason;
+  std::string reason;  ///< up to kLongestReason bytes
   int pocket = -1;
   double interference_um = 0;
   std::vector<double> quantities;  ///< in the order of quantity_table(); NaN where there is none
@@ -24,6 +24,12 @@ struct StoredOutcome {
   double wall_s = 0;               ///< wall-clock seconds of the run
   int rank = 0;                    ///< rank that ran it
 };
+
+/// Bytes of a reason: study.h5 gives each of them the room of the longest.
+inline constexpr std::size_t kLongestReason = 1000;
+
+/// `text`, or as much of its beginning as `most` bytes hold without splitting a UTF-8 character.
+std::string first_bytes(const std::string& text, std::size_t most);
 
 /// run_fields() without those that depend on the machine.
 std::vector<RunField> stored_run_fields();

@@ -1,12 +1,17 @@
 #include "mc/study_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "analysis/format/h5.hpp"
+#include "analysis/format/hdf5_reader.hpp"
+#include "analysis/format/study_bytes.hpp"
+#include "analysis/format/study_file_error.hpp"
 #include "mc/file_write.hpp"
-#include "mc/h5.hpp"
 #include "mc/sample_history.hpp"
 #include "src/quantities/quantity_table.hpp"
 
@@ -80,7 +85,7 @@ void write_root(hid_t root, const SweepPlan& plan, const BuildInfo& build) {
   write_h5_attribute(root, "tool_commit", build.commit);
   write_h5_attribute(root, "build", build_id(build));
   write_h5_attribute(root, "libraries", build.libraries);
-  write_h5_attribute(root, "study_name", study.name);
+  write_h5_attribute(root, "study_name", first_bytes(study.name, kLongestReason));
   write_h5_attribute(root, "study_hash", study.hash);
   write_h5_attribute(root, "seed", std::int64_t{study.seed});
   write_h5_attribute(root, "design", study.design);
@@ -154,7 +159,8 @@ void write_inputs(hid_t root, const Study& study, const DrawnColumns& drawn) {
     const H5Handle group = make_h5_group(all, input.key);
     write_h5_attribute(group, "unit", input.unit);
     write_h5_attribute(group, "nominal", input.nominal);
-    write_h5_attribute(group, "laws", laws_of(json, input.key));
+    write_h5(group, "laws", laws_of(json, input.key),
+             {"-", "the laws of the input's parts, as JSON"});
     if (input.lot)
       write_h5(group, "lot", drawn.inputs[k].lot, {input.unit, "deviation shared by the cage"});
     if (input.pocket)
@@ -206,19 +212,65 @@ void write_histories(hid_t root, const OutcomesById& outcomes, std::size_t point
   }
 }
 
+/// Reads columns with one value for each row, and checks that.
+class RowReader {
+ public:
+  RowReader(const std::string& path)
+      : file_(read_study_bytes(path), path), path_(path), ids_(file_.integers("/samples/id")) {}
+
+  const Hdf5Reader& file() const { return file_; }
+  const std::vector<std::int64_t>& ids() const { return ids_; }
+  std::vector<std::int64_t> integers(const std::string& dataset) const {
+    return checked(file_.integers(dataset), dataset);
+  }
+  std::vector<double> reals(const std::string& dataset) const {
+    return checked(file_.reals(dataset).values, dataset);
+  }
+  std::vector<std::string> texts(const std::string& dataset) const {
+    return checked(file_.strings(dataset), dataset);
+  }
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw StudyFileError(path_, problem, kRebuildRemedy);
+  }
+
+ private:
+  template <class T>
+  std::vector<T> checked(std::vector<T> values, const std::string& dataset) const {
+    if (values.size() != ids_.size())
+      fail(fmt::format("{} has {} values where {} belong", dataset, values.size(), ids_.size()));
+    return values;
+  }
+
+  Hdf5Reader file_;
+  std::string path_;
+  std::vector<std::int64_t> ids_;
+};
+
+Status status_from(std::int64_t number, const RowReader& file) {
+  if (number < 0 || number > static_cast<std::int64_t>(Status::poisoned))
+    file.fail(fmt::format("/samples/status holds {}, known are 0 to 5", number));
+  return static_cast<Status>(number);
+}
+
 /// The histories of the rows; empty where the study keeps none or a run reached no instant.
-void read_histories(const H5Handle& file, std::vector<StoredOutcome>& rows) {
-  if (rows.empty() || H5Lexists(file, "history", H5P_DEFAULT) <= 0) return;
+void read_histories(const RowReader& file, std::vector<StoredOutcome>& rows) {
+  if (rows.empty() || !file.file().has("/history")) return;
+  std::size_t whole = 0;
   for (const HistoryColumn& column : history_columns()) {
-    const auto values = read_h5_reals(file, "history/" + column.name);
-    const auto points = static_cast<std::ptrdiff_t>(values.size() / rows.size());
+    const RealArray array = file.file().reals("/history/" + column.name);
+    if (array.shape.size() != 2 || array.shape[0] != rows.size() || array.shape[1] == 0)
+      file.fail("/history/" + column.name + " has another shape than the samples");
+    const auto points = static_cast<std::ptrdiff_t>(array.shape[1]);
+    whole += array.shape[1];
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto first = values.begin() + static_cast<std::ptrdiff_t>(i) * points;
+      const auto first = array.values.begin() + static_cast<std::ptrdiff_t>(i) * points;
       rows[i].history.insert(rows[i].history.end(), first, first + points);
     }
   }
-  for (StoredOutcome& row : rows)
+  for (StoredOutcome& row : rows) {
+    if (row.history.size() != whole) file.fail("/history: its columns have different lengths");
     if (std::isnan(row.history.front())) row.history.clear();  // the first instant has no time
+  }
 }
 
 }  // namespace
@@ -226,17 +278,20 @@ void read_histories(const H5Handle& file, std::vector<StoredOutcome>& rows) {
 std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
                             const BuildInfo& build) {
   const H5Quiet quiet;
-  const DrawnColumns drawn = draw_columns(plan, outcomes);
   const H5Handle file = make_h5_memory_file();
   const H5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "open the root group");
   write_root(root, plan, build);
   write_study_texts(root, plan.study);
-  write_samples(root, drawn, outcomes);
-  write_design(root, plan, drawn);
-  write_inputs(root, plan.study, drawn);
+  {
+    // Freed before the file is copied out: of many samples it is as large as the file.
+    const DrawnColumns drawn = draw_columns(plan, outcomes);
+    write_samples(root, drawn, outcomes);
+    write_design(root, plan, drawn);
+    write_inputs(root, plan.study, drawn);
+  }
   write_results(root, outcomes);
   write_histories(root, outcomes, static_cast<std::size_t>(plan.study.history.points));
-  return h5_image(file);
+  return sealed_h5_image(file);
 }
 
 void write_study_file(const std::string& path, const SweepPlan& plan, const OutcomesById& outcomes,
@@ -245,39 +300,39 @@ void write_study_file(const std::string& path, const SweepPlan& plan, const Outc
 }
 
 StudyFile read_study_file(const std::string& path) {
-  const H5Quiet quiet;
-  const H5Handle file = open_h5_file(path);
+  const RowReader file(path);
   StudyFile study;
-  study.study_hash = read_h5_text_attribute(file, "study_hash");
-  study.build = read_h5_text_attribute(file, "build");
-  study.study_toml = read_h5_texts(file, "study/toml").at(0);
+  study.study_hash = file.file().text_attribute("/", "study_hash");
+  study.build = file.file().text_attribute("/", "build");
+  const auto toml = file.file().strings("/study/toml");
+  if (toml.size() != 1) file.fail("/study/toml is not one text");
+  study.study_toml = toml.front();
 
-  const auto ids = read_h5_integers(file, "samples/id");
-  const auto status = read_h5_integers(file, "samples/status");
-  const auto reason = read_h5_texts(file, "samples/reason");
-  const auto pocket = read_h5_integers(file, "samples/pocket");
-  const auto interference = read_h5_reals(file, "samples/interference_um");
-  const auto wall = read_h5_reals(file, "timing/wall_s");
-  const auto rank = read_h5_integers(file, "timing/rank");
-  std::vector<StoredOutcome> rows(ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    rows[i] = {.id = static_cast<std::uint64_t>(ids[i]),
-               .status = static_cast<Status>(status.at(i)),
-               .reason = reason.at(i),
-               .pocket = static_cast<int>(pocket.at(i)),
-               .interference_um = interference.at(i),
+  const auto status = file.integers("/samples/status");
+  const auto reason = file.texts("/samples/reason");
+  const auto pocket = file.integers("/samples/pocket");
+  const auto interference = file.reals("/samples/interference_um");
+  const auto wall = file.reals("/timing/wall_s");
+  const auto rank = file.integers("/timing/rank");
+  std::vector<StoredOutcome> rows(file.ids().size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i] = {.id = static_cast<std::uint64_t>(file.ids()[i]),
+               .status = status_from(status[i], file),
+               .reason = reason[i],
+               .pocket = static_cast<int>(pocket[i]),
+               .interference_um = interference[i],
                .quantities = {},
                .run = {},
                .history = {},
-               .wall_s = wall.at(i),
-               .rank = static_cast<int>(rank.at(i))};
+               .wall_s = wall[i],
+               .rank = static_cast<int>(rank[i])};
   for (const Quantity& quantity : quantity_table()) {
-    const auto values = read_h5_reals(file, std::string("quantities/") + quantity.key);
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].quantities.push_back(values.at(i));
+    const auto values = file.reals(std::string("/quantities/") + quantity.key);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].quantities.push_back(values[i]);
   }
   for (const RunField& field : stored_run_fields()) {
-    const auto values = read_h5_reals(file, std::string("run/") + field.key);
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].run.push_back(values.at(i));
+    const auto values = file.reals(std::string("/run/") + field.key);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].run.push_back(values[i]);
   }
   read_histories(file, rows);
   for (StoredOutcome& row : rows) study.outcomes.emplace(row.id, std::move(row));

@@ -12,12 +12,12 @@
 
 namespace cagetol {
 
-inline constexpr int kStudySchema = 1;
+inline constexpr int kStudySchema = 2;
 
 using OutcomesById = std::map<std::uint64_t, StoredOutcome>;
 
-/// The bytes of the study file. The same outcomes give the same bytes, wall clock and ranks (below
-/// /timing) apart.
+/// The bytes of the study file, sealed (analysis/format/file_seal.hpp). The same outcomes give the
+/// same bytes, wall clock and ranks (below /timing) apart.
 std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
                             const BuildInfo& build);
 
@@ -32,7 +32,7 @@ struct StudyFile {
   OutcomesById outcomes;
 };
 
-/// Throws H5Error when the file is no study file, or damaged.
+/// Throws StudyFileError when the file is no study file, or damaged.
 StudyFile read_study_file(const std::string& path);
 
 }  // namespace cagetol

@@ -125,8 +125,9 @@ class Leader {
   int lead(const Team& team, Journal& journal, const RunSample& run);
 
  private:
-  /// Brings study.h5 up to date from all journals; false with a message when that is not possible.
-  bool rebuild();
+  /// Brings study.h5 up to date from the journals of this study and build; false with a message
+  /// when that is not possible, or when they lack a sample that this sweep has `done`.
+  bool rebuild(std::uint64_t done);
   void idle(const WorkList& list, Progress& progress);
   int conclude(const WorkList::State& state, bool written) const;
 
@@ -137,13 +138,32 @@ class Leader {
   double rebuild_s_ = 0;
 };
 
-bool Leader::rebuild() {
+JournalHeader owner_of(const SweepPlan& plan, const BuildInfo& build) {
+  return {plan.study.hash, build_id(build), 0};
+}
+
+bool Leader::rebuild(std::uint64_t done) {
   const auto begin = std::chrono::steady_clock::now();
   bool written = true;
   try {
-    JournalSet stored = read_journals(journal_directory(options_.directory));
+    const JournalHeader owner = owner_of(plan_, build_);
+    JournalSet stored = read_journals(journal_directory(options_.directory), &owner);
+    for (const auto& [file, header] : stored.refused)
+      spdlog::error(
+          "{}: belongs to another study or build, and is left out:\n  stored {} {}\n  now    {} "
+          "{}\n"
+          "  remedy: move it out of this directory, which it has entered during the sweep",
+          file, header.study_hash, header.build, owner.study_hash, owner.build);
     std::erase_if(stored.finished, [&](const auto& item) { return item.first >= plan_.samples; });
     write_study_file(study_file_path(options_.directory), plan_, stored.finished, build_);
+    if (stored.finished.size() < done) {
+      for (const std::string& note : stored.notes) spdlog::error("{}", note);
+      spdlog::error(
+          "{}: the journals hold {} of the {} samples done: some were removed, damaged or refused "
+          "meanwhile",
+          journal_directory(options_.directory), stored.finished.size(), done);
+      written = false;
+    }
   } catch (const std::exception& problem) {
     spdlog::error("{}", failure_text(problem));
     written = false;
@@ -156,12 +176,13 @@ bool Leader::rebuild() {
 void Leader::idle(const WorkList& list, Progress& progress) {
   progress.update(list.state().tally);
   const double interval = std::max(options_.rebuild_interval_s, rebuild_s_ / kRebuildShare);
-  if (seconds_since(last_rebuild_) > interval) rebuild();
+  if (seconds_since(last_rebuild_) > interval) rebuild(0);
 }
 
 int Leader::lead(const Team& team, Journal& journal, const RunSample& run) {
+  const JournalHeader owner = owner_of(plan_, build_);
   const Pending pending =
-      pending_samples(plan_, read_journals(journal_directory(options_.directory)));
+      pending_samples(plan_, read_journals(journal_directory(options_.directory), &owner));
   if (pending.before.done > 0)
     spdlog::info("{} of {} samples are already done", pending.before.done, plan_.samples);
   WorkList list(pending.ids, pending.before);
@@ -174,7 +195,7 @@ int Leader::lead(const Team& team, Journal& journal, const RunSample& run) {
     spdlog::info("{:.1f} s on {} ranks, {:.1f} % of it inside samples", elapsed, team.size(),
                  100 * state.busy_s / (elapsed * team.size()));
   if (orderly) journal.sync();
-  const bool written = rebuild();
+  const bool written = rebuild(state.tally.done);
   const int code = conclude(state, written);
   // The computing thread, or another rank, is still busy and a signal leaves no time to wait for
   // it. Journals are complete.
@@ -248,6 +269,7 @@ void Sweep::prepare(const std::function<SweepPlan()>& make_plan, bool mpi_runs) 
     for (const StoredOutcome& outcome : directory_->only_in_study_file())
       journal_->finished(outcome);
     if (!mpi_runs) run_suspects(plan_, directory_->stored(), *journal_);
+    directory_->forget_outcomes();
   });
 }
 

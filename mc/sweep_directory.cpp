@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "mc/h5.hpp"
+#include "analysis/format/study_file_error.hpp"
 #include "src/input/toml_file.hpp"
 
 namespace cagetol {
@@ -23,6 +23,10 @@ namespace fs = std::filesystem;
 constexpr const char* kOtherDirectory =
     "give the new study a directory of its own with -o, or remove this one if its results are no "
     "longer wanted";
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
 
 std::string text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -53,6 +57,44 @@ std::string joined(const std::vector<std::string>& lines) {
   for (std::size_t i = 0; i < std::min(kShown, lines.size()); ++i) text += "\n  " + lines[i];
   if (lines.size() > kShown) text += fmt::format("\n  and {} more", lines.size() - kShown);
   return text;
+}
+
+bool holds_all(const JournalSet& stored, std::uint64_t samples) {
+  for (std::uint64_t id = 0; id < samples; ++id)
+    if (!stored.finished.contains(id)) return false;
+  return true;
+}
+
+/// What DIR/study.toml says, beside what it should say.
+struct StoredText {
+  bool missing = false, same = false;
+  std::string problem;                   ///< why it is no TOML
+  std::vector<std::string> differences;  ///< keys with other values
+  bool unsound() const { return !problem.empty(); }
+};
+
+StoredText stored_text(const std::string& directory, const Study& study) {
+  const std::string path = stored_study_path(directory);
+  StoredText stored;
+  stored.missing = !fs::exists(path);
+  if (stored.missing) return stored;
+  const std::string text = text_of(path);
+  stored.same = text == study.resolved_toml;
+  if (text.empty()) stored.problem = "it is empty, or cannot be read";
+  if (stored.same || stored.unsound()) return stored;
+  try {
+    stored.differences = study_differences(text, study.resolved_toml);
+  } catch (const std::exception& problem) {
+    stored.problem = first_line(problem.what());
+  }
+  return stored;
+}
+
+void refuse_differences(const std::string& directory, const StoredText& text) {
+  if (!text.differences.empty())
+    throw InputError({directory, 0}, "", "",
+                     "holds the results of another study:" + joined(text.differences),
+                     kOtherDirectory);
 }
 
 }  // namespace
@@ -90,11 +132,18 @@ SweepDirectory::SweepDirectory(const std::string& directory, const Study& study,
     : directory_(directory) {
   make_directory(journal_directory(directory));
   lock();
-  stored_ = read_journals(journal_directory(directory));
-  check_study(study, build);
+  remove_stale_parts(directory, std::chrono::seconds(0));  // the lock keeps other machines out
+  const JournalHeader own{study.hash, build_id(build), 0};
+  stored_ = read_journals(journal_directory(directory), &own);
+  check_journals(study, build);
+  is_this_study_ = !stored_.headers.empty();
   read_study_h5(study, build);
-  if (!fs::exists(stored_study_path(directory)))
-    replace_file(stored_study_path(directory), study.resolved_toml);
+  check_study_toml(study);
+}
+
+void SweepDirectory::forget_outcomes() {
+  stored_ = {};
+  only_in_study_file_ = {};
 }
 
 void SweepDirectory::lock() {
@@ -111,58 +160,93 @@ void SweepDirectory::lock() {
   }
 }
 
-void SweepDirectory::check_study(const Study& study, const BuildInfo& build) const {
-  const std::string path = stored_study_path(directory_);
-  const std::string stored = text_of(path);
-  const auto differences =
-      stored.empty() ? std::vector<std::string>{} : study_differences(stored, study.resolved_toml);
-  if (!differences.empty())
-    throw InputError({directory_, 0}, "", "",
-                     "holds the results of another study:" + joined(differences), kOtherDirectory);
-  for (const auto& [file, header] : stored_.headers) {
-    if (header.study_hash != study.hash)
-      throw InputError(
-          {file, 0}, "", "",
-          fmt::format(
-              "belongs to another study: hash {} stored, {} now. {}", header.study_hash, study.hash,
-              stored.empty()
-                  ? "study.toml, which would tell the difference, is missing"
-                  : "All keys agree: a file that the study reads (measurements) has changed"),
-          kOtherDirectory);
-    if (header.build != build_id(build))
-      throw InputError(
-          {file, 0}, "", "",
-          fmt::format("was written by another build, whose results may differ in the last digits:"
-                      "\n  stored {}\n  now    {}",
-                      header.build, build_id(build)),
-          kOtherDirectory);
+void SweepDirectory::check_journals(const Study& study, const BuildInfo& build) const {
+  for (const auto& [file, header] : stored_.refused) {
+    if (header.study_hash == study.hash)
+      throw InputError({file, 0}, "", "",
+                       fmt::format("was written by another build, whose results may differ in the "
+                                   "last digits:\n  stored {}\n  now    {}",
+                                   header.build, build_id(build)),
+                       kOtherDirectory);
+    const StoredText text = stored_text(directory_, study);
+    refuse_differences(directory_, text);
+    throw InputError(
+        {file, 0}, "", "",
+        fmt::format("belongs to another study: hash {} stored, {} now. {}", header.study_hash,
+                    study.hash,
+                    text.missing     ? "study.toml, which would tell the difference, is missing"
+                    : text.unsound() ? "study.toml, which would tell the difference, is damaged"
+                                     : "All keys agree: a file that the study reads "
+                                       "(measurements) has changed, or the journal is not this "
+                                       "directory's"),
+        kOtherDirectory);
   }
 }
 
 void SweepDirectory::read_study_h5(const Study& study, const BuildInfo& build) {
   const std::string path = study_file_path(directory_);
-  if (!fs::exists(path)) return;
+  if (holds_all(stored_, sample_count(study)) || !fs::exists(path)) return;
   try {
     const StudyFile file = read_study_file(path);
-    if (file.study_hash != study.hash || file.build != build_id(build)) {
-      if (stored_.headers.empty())
-        throw InputError(
-            {path, 0}, "", "",
-            fmt::format("belongs to another study or build:\n  stored {} {}\n  now    {} {}",
-                        file.study_hash, file.build, study.hash, build_id(build)),
-            kOtherDirectory);
-      return;
+    if (file.study_hash == study.hash && file.build == build_id(build)) {
+      take_over(file);
+    } else if (stored_.headers.empty()) {
+      if (file.study_hash != study.hash)
+        refuse_differences(directory_, stored_text(directory_, study));
+      throw InputError(
+          {path, 0}, "", "",
+          fmt::format("belongs to another study or build:\n  stored {} {}\n  now    {} {}",
+                      file.study_hash, file.build, study.hash, build_id(build)),
+          kOtherDirectory);
+    } else {
+      stored_.notes.push_back(
+          path + ": belongs to another study or build; it is built again from the journals");
     }
-    for (const auto& [id, outcome] : file.outcomes)
-      if (stored_.finished.try_emplace(id, outcome).second) only_in_study_file_.push_back(outcome);
-    for (const StoredOutcome& outcome : only_in_study_file_) stored_.losses.erase(outcome.id);
-    if (!only_in_study_file_.empty())
-      stored_.notes.push_back(fmt::format("{}: holds {} samples that no journal has; they are used",
-                                          path, only_in_study_file_.size()));
-  } catch (const H5Error& problem) {
-    stored_.notes.push_back(
-        fmt::format("{}: damaged ({}); it is built again from the journals", path, problem.what()));
+  } catch (const StudyFileError& problem) {
+    if (stored_.headers.empty())
+      throw InputError({path, 0}, "", "",
+                       problem.reason() + "; its results cannot be taken over, and " +
+                           journal_directory(directory_) + " holds no readable journal with them",
+                       "put a sound copy of study.h5 or of the journals back; or remove study.h5 "
+                       "to run every sample again");
+    stored_.notes.push_back(fmt::format(
+        "{}: damaged ({}); it is built again from the journals, and samples that they lack are "
+        "run again",
+        path, problem.reason()));
   }
+}
+
+void SweepDirectory::take_over(const StudyFile& file) {
+  is_this_study_ = true;
+  for (const auto& [id, outcome] : file.outcomes)
+    if (stored_.finished.try_emplace(id, outcome).second) only_in_study_file_.push_back(outcome);
+  for (const StoredOutcome& outcome : only_in_study_file_) stored_.losses.erase(outcome.id);
+  if (!only_in_study_file_.empty())
+    stored_.notes.push_back(fmt::format("{}: holds {} samples that no journal has; they are used",
+                                        study_file_path(directory_), only_in_study_file_.size()));
+}
+
+void SweepDirectory::check_study_toml(const Study& study) {
+  const std::string path = stored_study_path(directory_);
+  const StoredText text = stored_text(directory_, study);
+  if (text.same) return;
+  if (!text.missing && is_this_study_) {
+    stored_.notes.push_back(fmt::format(
+        "{}: damaged or changed: {}; the results beside it carry this study's hash, so it is "
+        "written again",
+        path,
+        text.unsound()             ? text.problem
+        : text.differences.empty() ? "its layout"
+                                   : joined(text.differences)));
+  } else if (!text.missing) {
+    if (text.unsound())
+      throw InputError({path, 0}, "", "",
+                       "is damaged, or no stored study (" + text.problem + "), and " + directory_ +
+                           " holds no results that would say whose it is",
+                       "remove this file, or choose another directory with -o");
+    refuse_differences(directory_, text);
+  }
+  replace_file(path, study.resolved_toml);
 }
 
 }  // namespace cagetol

@@ -15,23 +15,30 @@ namespace cagetol {
 class SweepDirectory {
  public:
   /// Creates the directory, or opens one that holds this study. Keeps other sweeps out while it
-  /// lives. Throws InputError when it holds another study, was written by another build or is in
-  /// use; WriteError when it cannot be used.
+  /// lives. study.h5 is opened only where journals lack a sample; a damaged study.toml is written
+  /// again where journals or study.h5 carry the study's hash. Throws InputError when it holds
+  /// another study, was written by another build, is in use, or a damaged study.h5 is all that it
+  /// has; WriteError when it cannot be used.
   SweepDirectory(const std::string& directory, const Study& study, const BuildInfo& build);
 
   /// What is stored: outcomes of all journals and, where journals were lost, of study.h5.
   const JournalSet& stored() const { return stored_; }
   /// Outcomes that only study.h5 has: to be written to a journal again.
   const std::vector<StoredOutcome>& only_in_study_file() const { return only_in_study_file_; }
+  /// Frees what stored() and only_in_study_file() hold, for those who need the lock alone.
+  void forget_outcomes();
 
  private:
   void lock();
-  void check_study(const Study& study, const BuildInfo& build) const;
+  void check_journals(const Study& study, const BuildInfo& build) const;
   void read_study_h5(const Study& study, const BuildInfo& build);
+  void take_over(const StudyFile& file);
+  void check_study_toml(const Study& study);
 
   std::string directory_;
   FileDescriptor lock_;
   JournalSet stored_;
+  bool is_this_study_ = false;  ///< journals or study.h5 carry its hash
   std::vector<StoredOutcome> only_in_study_file_;
 };
 

@@ -60,10 +60,10 @@ double runs_needed(double runs, double half, double target) {
   return std::max(std::ceil(runs * (half / target) * (half / target)), runs);
 }
 
-Json look_json(const ReportBasis& basis, std::size_t count) {
+Json look_json(const ReportBasis& basis, const StudyData& results, std::size_t count) {
   std::vector<std::size_t> keep(count);
   for (std::size_t i = 0; i < count; ++i) keep[i] = i;
-  const StudyData part = select_samples(basis.runs, keep);
+  const StudyData part = select_samples(results, keep);
   const Resampling resampling(part, kResamplesOfLook);
   const std::vector<double> equal(count, 1.0);
   Json look{{"runs", count}};
@@ -181,7 +181,8 @@ Json convergence_json(const ReportBasis& basis) {
   for (std::size_t count = basis.runs.size(); count >= kFewestForLook; count /= 2)
     counts.push_back(count);
   std::reverse(counts.begin(), counts.end());
-  for (const std::size_t count : counts) looks.push_back(look_json(basis, count));
+  const StudyData results = results_of(basis.runs);
+  for (const std::size_t count : counts) looks.push_back(look_json(basis, results, count));
   return {{"rows", rows},
           {"limiting", limiting},
           {"mean_precision", kMeanPrecision},

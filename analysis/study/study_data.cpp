@@ -1,17 +1,33 @@
 #include "analysis/study/study_data.hpp"
 
+#include <algorithm>
+
+#include "analysis/format/hdf5_reader.hpp"
+#include "analysis/format/study_bytes.hpp"
 #include "analysis/statistics/estimate.hpp"
-#include "analysis/study/hdf5_reader.hpp"
 #include "analysis/study/study_file_error.hpp"
 
 namespace cagetol {
 namespace {
 
-constexpr std::int64_t kSchemaVersion = 1;
+constexpr std::int64_t kMostPockets = 10'000, kMostScrambles = 10'000,
+                       kMostSamples = 1'000'000'000'000;
+constexpr std::int64_t kOldestSchema = 1, kNewestSchema = 2;
 
 std::string text_or_empty(const Hdf5Reader& file, const std::string& object,
                           const std::string& name) {
   return file.has_attribute(object, name) ? file.text_attribute(object, name) : std::string();
+}
+
+/// A value that this program cannot have written: damage that no checksum guards (schema 1).
+void require_range(const std::vector<std::int64_t>& values, std::int64_t lowest,
+                   std::int64_t highest, const std::string& what, const std::string& file) {
+  for (const std::int64_t value : values)
+    if (value < lowest || value > highest)
+      throw StudyFileError(file,
+                           what + " holds " + std::to_string(value) + ", possible are " +
+                               std::to_string(lowest) + " to " + std::to_string(highest),
+                           kRebuildRemedy);
 }
 
 void require_size(std::size_t size, std::size_t expected, const std::string& dataset,
@@ -98,15 +114,17 @@ const char* run_status_name(RunStatus status) {
 }
 
 StudyData read_study_data(const std::filesystem::path& path) {
-  const Hdf5Reader file(path);
   const std::string name = path.string();
+  const Hdf5Reader file(read_study_bytes(path), name);
   StudyData study;
   study.provenance.schema_version = file.integer_attribute("/", "schema_version");
-  if (study.provenance.schema_version != kSchemaVersion)
+  if (study.provenance.schema_version < kOldestSchema ||
+      study.provenance.schema_version > kNewestSchema)
     throw StudyFileError(name,
                          "its schema version is " +
                              std::to_string(study.provenance.schema_version) +
-                             ", this program reads version " + std::to_string(kSchemaVersion),
+                             ", this program reads versions " + std::to_string(kOldestSchema) +
+                             " to " + std::to_string(kNewestSchema),
                          "report it with the version of the program that wrote it");
   study.provenance.tool_version = text_or_empty(file, "/", "tool_version");
   study.provenance.tool_commit = text_or_empty(file, "/", "tool_commit");
@@ -120,7 +138,15 @@ StudyData read_study_data(const std::filesystem::path& path) {
   study.design.rows_planned = file.integer_attribute("/", "rows_planned");
   study.design.samples_planned = file.integer_attribute("/", "samples_planned");
   study.design.scrambles = file.integer_attribute("/", "scrambles");
-  study.pockets = static_cast<std::size_t>(file.integer_attribute("/", "pockets"));
+  const std::int64_t pockets = file.integer_attribute("/", "pockets");
+  require_range({pockets}, 0, kMostPockets, "pockets", name);
+  require_range({study.design.rows_planned, study.design.samples_planned},
+                study.design.kind == "sobol" ? 1 : 0, kMostSamples,
+                "rows_planned or samples_planned", name);
+  require_range({study.design.scrambles}, 1,
+                std::clamp<std::int64_t>(study.design.rows_planned, 1, kMostScrambles), "scrambles",
+                name);
+  study.pockets = static_cast<std::size_t>(pockets);
   const auto json = file.strings("/study/json");
   require_size(json.size(), 1, "/study/json", name);
   study.plan = read_study_plan(json.front(), name);
@@ -137,6 +163,12 @@ StudyData read_study_data(const std::filesystem::path& path) {
   study.lot = whole("lot");
   study.candidate = whole("candidate");
   study.pocket = whole("pocket");
+  const std::int64_t most = kMostSamples;
+  for (const auto* numbers : {&study.id, &study.row, &study.replicate, &study.lot})
+    require_range(*numbers, 0, most, "/samples/id, row, replicate or lot", name);
+  require_range(study.candidate, -1, static_cast<std::int64_t>(study.plan.candidates.size()) - 1,
+                "/samples/candidate", name);
+  require_range(study.pocket, -1, pockets - 1, "/samples/pocket", name);
   for (const std::int64_t status : whole("status")) {
     if (status < 0 || status > 5)
       throw StudyFileError(name,
@@ -198,6 +230,33 @@ StudyData select_samples(const StudyData& study, const std::vector<std::size_t>&
   for (Column& channel : chosen.history)
     channel.values = pick(channel.values, keep, study.history_points);
   return chosen;
+}
+
+StudyData results_of(const StudyData& study) {
+  StudyData results;
+  results.provenance = study.provenance;
+  results.design = {.kind = study.design.kind,
+                    .rows_planned = study.design.rows_planned,
+                    .samples_planned = study.design.samples_planned,
+                    .scrambles = study.design.scrambles,
+                    .columns = {},
+                    .groups = {},
+                    .point = {}};
+  results.plan = study.plan;
+  results.pockets = study.pockets;
+  results.id = study.id;
+  results.row = study.row;
+  results.replicate = study.replicate;
+  results.lot = study.lot;
+  results.candidate = study.candidate;
+  results.pocket = study.pocket;
+  results.status = study.status;
+  results.reason = study.reason;
+  results.interference_um = study.interference_um;
+  results.quantities = study.quantities;
+  results.run = study.run;
+  results.timing = study.timing;
+  return results;
 }
 
 std::vector<std::size_t> first_runs(const StudyData& study) {

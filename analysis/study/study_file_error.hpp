@@ -3,16 +3,10 @@
 #pragma once
 
 #include <stdexcept>
-#include <string>
+
+#include "analysis/format/study_file_error.hpp"
 
 namespace cagetol {
-
-/// A study file that cannot be used. Message: "FILE: REASON\n  remedy: REMEDY".
-class StudyFileError : public std::runtime_error {
- public:
-  StudyFileError(const std::string& file, const std::string& reason, const std::string& remedy)
-      : std::runtime_error(file + ": " + reason + "\n  remedy: " + remedy) {}
-};
 
 /// An estimator whose assumptions the design of the study does not meet. The report prints the
 /// reason instead of a number.

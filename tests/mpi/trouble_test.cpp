@@ -115,10 +115,31 @@ TEST_F(TroubleTest, LostJournalsAreMadeUpForByTheStudyFile) {
 TEST_F(TroubleTest, ATruncatedStudyFileIsBuiltAgain) {
   sweep();
   fs::resize_file(study_file_of(directory_), 3000);
-  const Ended ended = run(standin(directory_, {"--abort-id", "3"}));
-  EXPECT_EQ(ended.code, 0);
-  EXPECT_THAT(ended.output, AllOf(HasSubstr(study_file_of(directory_) + ": damaged"),
-                                  HasSubstr("truncated"), HasSubstr("built again")));
+  EXPECT_EQ(run(standin(directory_, {"--abort-id", "3"})).code, 0);
+  expect_whole();
+}
+
+TEST_F(TroubleTest, AForeignJournalThatAppearsDuringASweepIsLeftOutAndNamed) {
+  ASSERT_EQ(run(standin(scratch_ / "foreign", {"--load", "2000", "--mean-ms", "0"})).code, 0);
+  const fs::path foreign = longest_journal(scratch_ / "foreign");
+  const std::string there = journal_directory(directory_) + "/" + foreign.filename().string();
+  Process sweep(standin(directory_, {"--mean-ms", "20", "--rebuild", "0.05"}));
+  wait_for(sweep, directory_, 1);
+  fs::copy_file(foreign, there);
+  EXPECT_EQ(sweep.wait(), 0);
+  EXPECT_THAT(sweep.output(),
+              AllOf(HasSubstr(there + ": belongs to another study"), HasSubstr("remedy")));
+  expect_whole();
+  EXPECT_EQ(run(standin(directory_)).code, 2) << "the next start refuses it";
+}
+
+TEST_F(TroubleTest, JournalsRemovedDuringASweepAreMissedAtItsEnd) {
+  Process sweep(standin(directory_, {"--mean-ms", "20"}));
+  wait_for(sweep, directory_, 3);
+  fs::remove(longest_journal(directory_));
+  EXPECT_EQ(sweep.wait(), 75);
+  EXPECT_THAT(sweep.output(), HasSubstr("the journals hold 0 of the 40 samples done"));
+  EXPECT_EQ(run(standin(directory_)).code, 0);
   expect_whole();
 }
 

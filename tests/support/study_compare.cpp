@@ -5,7 +5,8 @@
 #include <cstring>
 #include <map>
 
-#include "mc/h5.hpp"
+#include "analysis/format/h5.hpp"
+#include "analysis/format/study_bytes.hpp"
 
 namespace cagetol {
 namespace {
@@ -21,21 +22,14 @@ std::string shape_text(hid_t space) {
   return text + ";";
 }
 
-/// The values as bytes; strings as their characters.
+/// The values as bytes.
 template <class Read>
 std::string value_text(hid_t type, hid_t space, Read read) {
   const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
-  std::vector<char> bytes(count * H5Tget_size(type));
+  std::string bytes(count * H5Tget_size(type), '\0');
+  if (H5Tis_variable_str(type) > 0) return "a text of variable length, which no file may have";
   if (count > 0 && read(static_cast<void*>(bytes.data())) < 0) return "unreadable";
-  if (count == 0 || H5Tis_variable_str(type) <= 0) return {bytes.begin(), bytes.end()};
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i) {
-    const char* one = nullptr;
-    std::memcpy(&one, bytes.data() + i * sizeof(one), sizeof(one));
-    text.append(one == nullptr ? "" : one).append(1, '\n');
-  }
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, bytes.data());
-  return text;
+  return bytes;
 }
 
 struct Walk {
@@ -75,7 +69,8 @@ extern "C" herr_t take_object(hid_t root, const char* name, const H5O_info_t* in
 }
 
 Contents contents_of(const std::string& path) {
-  const H5Handle file = open_h5_file(path);
+  const std::string bytes = read_study_bytes(path);
+  const H5Handle file = open_h5_image(bytes);
   Walk walk;
   H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, take_object, &walk, H5O_INFO_BASIC);
   return walk.contents;

@@ -84,9 +84,9 @@ TEST_F(StudyDataFile, OtherKindOfFileIsRefused) {
 
 TEST_F(StudyDataFile, OtherSchemaVersionIsRefused) {
   StudyData study = make_synthetic_study({.rows = 40});
-  study.provenance.schema_version = 2;
+  study.provenance.schema_version = 3;
   write_synthetic_study(study, file_);
-  EXPECT_THAT(message_of_reading(), testing::AllOf(testing::HasSubstr("schema version is 2"),
+  EXPECT_THAT(message_of_reading(), testing::AllOf(testing::HasSubstr("schema version is 3"),
                                                    testing::HasSubstr("remedy")));
 }
 

@@ -133,6 +133,49 @@ TEST_F(JournalTest, DamageAnywhereLosesOnlyTheRecordThatWasHit) {
   }
 }
 
+TEST_F(JournalTest, EverySingleBitIsGuarded) {
+  const std::string path = written(3);
+  std::string bytes = bytes_of(path);
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    const auto flip = [&] { bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8)); };
+    flip();
+    write_bytes(path, bytes);
+    const JournalSet set = read_journals(scratch_.path(), &kHeader);
+    ASSERT_THAT(set.notes, testing::Not(IsEmpty())) << bit;
+    ASSERT_THAT(set.refused, IsEmpty()) << bit;
+    ASSERT_TRUE(set.headers.empty() ? set.finished.empty() : set.finished.size() >= 2u) << bit;
+    for (const auto& [id, stored] : set.finished)
+      ASSERT_THAT(outcome_differences(stored, outcome_of(id)), IsEmpty()) << bit;
+    flip();
+  }
+}
+
+TEST_F(JournalTest, NothingIsTakenFromJournalsOfAnotherStudyOrBuild) {
+  const std::string own = written(1);
+  std::vector<std::string> foreign;
+  for (const JournalHeader& header : {JournalHeader{"another hash", kHeader.build, 3},
+                                      JournalHeader{kHeader.study_hash, "b", 3}}) {
+    Journal journal(scratch_.path(), header);
+    journal.finished(outcome_of(0));
+    journal.finished(outcome_of(7));
+    foreign.push_back(journal.path());
+  }
+  JournalHeader owner = kHeader;
+  owner.rank = 0;  // does not matter
+  const JournalSet set = read_journals(scratch_.path(), &owner);
+  EXPECT_THAT(set.finished, ElementsAre(testing::Key(0)));
+  EXPECT_THAT(set.headers, ElementsAre(testing::Key(own)));
+  EXPECT_THAT(set.refused,
+              testing::UnorderedElementsAre(testing::Key(foreign[0]), testing::Key(foreign[1])));
+  EXPECT_THAT(read_journals(scratch_.path()).finished, SizeIs(2));
+}
+
+TEST_F(JournalTest, AFolderWithAJournalsNameIsNamed) {
+  std::filesystem::create_directory(scratch_ / "folder.journal");
+  EXPECT_THAT(read_journals(scratch_.path()).notes,
+              testing::Contains(HasSubstr("folder.journal: cannot be read")));
+}
+
 TEST_F(JournalTest, DamageInTheMiddleIsNamedWithItsPlace) {
   const std::string path = written(4);
   std::string bytes = bytes_of(path);

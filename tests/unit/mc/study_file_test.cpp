@@ -10,8 +10,11 @@
 #include <set>
 #include <sstream>
 
+#include "analysis/format/h5.hpp"
+#include "analysis/format/hdf5_reader.hpp"
+#include "analysis/format/study_bytes.hpp"
+#include "analysis/format/study_file_error.hpp"
 #include "mc/file_write.hpp"
-#include "mc/h5.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/standin_study.hpp"
@@ -64,7 +67,8 @@ class StudyFileTest : public testing::Test {
   }
   Entry listed(const std::string& path) {
     Entry entry;
-    const H5Handle file = open_h5_file(path);
+    const std::string bytes = read_study_bytes(path);
+    const H5Handle file = open_h5_image(bytes);
     H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, list_object, &entry, H5O_INFO_BASIC);
     return entry;
   }
@@ -152,14 +156,15 @@ TEST_F(StudyFileTest, HoldsWhatTheFormatDocumentsAndNothingElse) {
 
 TEST_F(StudyFileTest, HoldsTheRootAttributesThatTheFormatDocuments) {
   const std::string format = text_of(CAGETOL_SOURCE_DIR "/mc/RESULTS_FORMAT.md");
-  const H5Handle file = open_h5_file(written("study.h5", outcomes_));
+  const std::string path = written("study.h5", outcomes_);
+  const Hdf5Reader file(read_study_bytes(path), path);
   for (const char* name : {"schema_version", "tool_version", "tool_commit", "build", "libraries",
                            "study_name", "study_hash", "seed", "design", "rows_planned",
                            "samples_planned", "scrambles", "pockets"}) {
-    EXPECT_GT(H5Aexists(file, name), 0) << name;
+    EXPECT_TRUE(file.has_attribute("/", name)) << name;
     EXPECT_THAT(format, HasSubstr(name));
   }
-  EXPECT_EQ(read_h5_integer_attribute(file, "schema_version"), kStudySchema);
+  EXPECT_EQ(file.integer_attribute("/", "schema_version"), kStudySchema);
   EXPECT_THAT(format, HasSubstr("schema version " + std::to_string(kStudySchema)));
 }
 
@@ -167,12 +172,34 @@ TEST_F(StudyFileTest, NoSampleYetIsAStudyFileToo) {
   EXPECT_THAT(read_study_file(written("study.h5", {})).outcomes, IsEmpty());
 }
 
+TEST_F(StudyFileTest, TextsOfAnyLengthAreKept) {
+  outcomes_.at(1).reason = std::string(kLongestReason, 'x');
+  outcomes_.at(2).reason = "";
+  plan_.study.resolved_toml += "# " + std::string(200000, 'y') + "\n";
+  plan_.study.name = std::string(100000, 'z');
+  plan_.study.resolved_json =
+      R"({"inputs":[{"key":"cage.pocket_width_mm","lot":")" + std::string(100000, 'v') + "\"}]}";
+  const StudyFile file = read_study_file(written("study.h5", outcomes_));
+  EXPECT_EQ(file.outcomes.at(1).reason, outcomes_.at(1).reason);
+  EXPECT_EQ(file.outcomes.at(2).reason, "");
+  EXPECT_EQ(file.study_toml, plan_.study.resolved_toml);
+}
+
+TEST(StoredOutcomeTest, ALongReasonIsCutBetweenCharacters) {
+  EXPECT_EQ(first_bytes("short", 5), "short");
+  EXPECT_EQ(first_bytes("5 \u00b5m", 3), "5 ");
+  EXPECT_EQ(first_bytes("5 \u00b5m", 4), "5 \u00b5");
+  Outcome outcome;
+  outcome.reason = std::string(5000, 'r');
+  EXPECT_EQ(make_stored_outcome(0, {outcome, {}}, 0, 0).reason.size(), kLongestReason);
+}
+
 TEST_F(StudyFileTest, ACutFileIsAnErrorNotACrash) {
   const std::string whole = text_of(written("study.h5", outcomes_));
   for (const std::size_t size : {0ul, 10ul, 600ul, whole.size() / 2, whole.size() - 1}) {
     const std::string path = scratch_ / "cut.h5";
     std::ofstream(path, std::ios::binary) << whole.substr(0, size);
-    EXPECT_THROW(read_study_file(path), H5Error) << size;
+    EXPECT_THROW(read_study_file(path), StudyFileError) << size;
   }
 }
 

@@ -54,14 +54,16 @@ struct H5Meaning {
   std::string description;
 };
 
-/// A file that grows in memory; `image()` gives its bytes. Full disks are then met by plain writes,
-/// which can be undone.
+/// A file that grows in memory; `sealed_h5_image` gives its bytes, with the seal of file_seal.hpp
+/// in front. Full disks are then met by plain writes, which can be undone.
 H5Handle make_h5_memory_file();
-std::string h5_image(const H5Handle& file);
-H5Handle open_h5_file(const std::string& path);
+std::string sealed_h5_image(const H5Handle& file);
+/// Opens the bytes of a file read-only, without a copy: they must outlive the handle.
+H5Handle open_h5_image(const std::string& bytes);
 
 /// Groups and datasets carry no times, so that equal contents are equal bytes. `columns` 0 makes a
-/// dataset of one dimension.
+/// dataset of one dimension. Texts are UTF-8 of fixed length, padded with zeros to the longest of
+/// their dataset; a text ends before its first zero.
 H5Handle make_h5_group(hid_t parent, const std::string& name);
 void write_h5(hid_t parent, const std::string& name, const std::vector<double>& values,
               const H5Meaning& meaning, std::size_t columns = 0);
@@ -72,14 +74,9 @@ void write_h5(hid_t parent, const std::string& name, const std::vector<std::stri
 void write_h5(hid_t parent, const std::string& name, const std::string& value,
               const H5Meaning& meaning);
 
+/// Attributes hold less than 64 KiB: HDF5 keeps them with their object. Long texts are datasets.
 void write_h5_attribute(hid_t object, const std::string& name, const std::string& value);
 void write_h5_attribute(hid_t object, const std::string& name, std::int64_t value);
 void write_h5_attribute(hid_t object, const std::string& name, const std::vector<double>& values);
-
-std::vector<double> read_h5_reals(hid_t parent, const std::string& name);
-std::vector<std::int64_t> read_h5_integers(hid_t parent, const std::string& name);
-std::vector<std::string> read_h5_texts(hid_t parent, const std::string& name);
-std::string read_h5_text_attribute(hid_t object, const std::string& name);
-std::int64_t read_h5_integer_attribute(hid_t object, const std::string& name);
 
 }  // namespace cagetol

@@ -1,11 +1,11 @@
-// Read access to one HDF5 file. HDF5 identifiers are owned here and nowhere else in the room.
+// Read access to the objects of one HDF5 file.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
+
+#include "analysis/format/h5.hpp"
 
 namespace cagetol {
 
@@ -15,12 +15,14 @@ struct RealArray {
   std::vector<double> values;
 };
 
-/// Opens a file read-only. Every member throws StudyFileError naming the file and the object that
-/// is missing or broken.
+enum class H5Kind { group, text, real, integer, other };
+
+/// Reads from the bytes of a file (study_bytes.hpp). Every member throws StudyFileError naming the
+/// file and the object that is missing or broken.
 class Hdf5Reader {
  public:
-  explicit Hdf5Reader(const std::filesystem::path& file);
-  ~Hdf5Reader();
+  /// `file_name` stands for the file in messages.
+  Hdf5Reader(std::string bytes, std::string file_name);
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
@@ -28,10 +30,15 @@ class Hdf5Reader {
   /// Names of the links of a group in alphabetical order; empty where the group is absent.
   std::vector<std::string> children(const std::string& group) const;
 
+  H5Kind kind(const std::string& path) const;
+
   RealArray reals(const std::string& dataset) const;
   std::vector<std::int64_t> integers(const std::string& dataset) const;
   std::vector<std::string> strings(const std::string& dataset) const;
 
+  /// Names of the attributes of an object in alphabetical order, and what one holds.
+  std::vector<std::string> attributes(const std::string& object) const;
+  H5Kind attribute_kind(const std::string& object, const std::string& name) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
   std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
@@ -41,8 +48,13 @@ class Hdf5Reader {
  private:
   [[noreturn]] void fail(const std::string& object, const std::string& problem) const;
 
-  std::string file_name_;
-  std::int64_t file_ = -1;
+  H5Handle opened(hid_t id, H5Handle::Close close, const std::string& object,
+                  const std::string& problem) const;
+  H5Handle attribute(const std::string& object, const std::string& name) const;
+
+  H5Quiet quiet_;
+  std::string file_name_, bytes_;
+  H5Handle file_;
 };
 
 }  // namespace cagetol

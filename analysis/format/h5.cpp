@@ -1,6 +1,10 @@
-#include "mc/h5.hpp"
+#include "analysis/format/h5.hpp"
+
+#include <hdf5_hl.h>
 
 #include <algorithm>
+
+#include "analysis/format/file_seal.hpp"
 
 namespace cagetol {
 namespace {
@@ -22,9 +26,11 @@ void check(herr_t result, const std::string& action) {
   if (result < 0) throw H5Error(action);
 }
 
-H5Handle text_type() {
+/// HDF5 1.10 crashes on damaged files with strings of variable length: none are written.
+H5Handle text_type(std::size_t size) {
   H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "make a string type");
-  check(H5Tset_size(type, H5T_VARIABLE), "make a string type");
+  check(H5Tset_size(type, std::max<std::size_t>(size, 1)), "make a string type");
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "make a string type");
   check(H5Tset_cset(type, H5T_CSET_UTF8), "make a string type");
   return type;
 }
@@ -69,17 +75,6 @@ H5Handle array_space(std::size_t values, std::size_t columns) {
   return {H5Screate_simple(2, shape, nullptr), H5Sclose, "make a space"};
 }
 
-template <class T>
-std::vector<T> read_numbers(hid_t parent, const std::string& name, hid_t type) {
-  const std::string action = "read dataset " + name;
-  const H5Handle dataset(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, action);
-  const H5Handle space(H5Dget_space(dataset), H5Sclose, action);
-  std::vector<T> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  if (!values.empty())
-    check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), action);
-  return values;
-}
-
 }  // namespace
 
 H5Error::H5Error(const std::string& action)
@@ -107,21 +102,28 @@ H5Handle make_h5_memory_file() {
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a property list");
   check(H5Pset_fapl_core(access, kGrowth, false), "keep a file in memory");
   const H5Handle creation = without_times(H5P_FILE_CREATE);
-  return {H5Fcreate("memory", H5F_ACC_TRUNC, creation, access), H5Fclose, "make a file in memory"};
+  // The library tells such files apart by their names: an identifier is given once.
+  const std::string name = "memory " + std::to_string(static_cast<hid_t>(access));
+  return {H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose,
+          "make a file in memory"};
 }
 
-std::string h5_image(const H5Handle& file) {
+std::string sealed_h5_image(const H5Handle& file) {
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush a file in memory");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   if (size < 0) throw H5Error("size a file in memory");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0)
+  // HDF5 looks for its signature behind any user block, and counts addresses from there.
+  std::string bytes(kSealSize + static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(file, bytes.data() + kSealSize, static_cast<std::size_t>(size)) < 0)
     throw H5Error("copy a file in memory");
-  return bytes;
+  return sealed(std::move(bytes));
 }
 
-H5Handle open_h5_file(const std::string& path) {
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open " + path};
+H5Handle open_h5_image(const std::string& bytes) {
+  // With these flags the library only reads the buffer, though its interface takes it as writable.
+  return {H5LTopen_file_image(const_cast<char*>(bytes.data()), bytes.size(),
+                              H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE),
+          H5Fclose, "open a file in memory"};
 }
 
 H5Handle make_h5_group(hid_t parent, const std::string& name) {
@@ -144,22 +146,22 @@ void write_h5(hid_t parent, const std::string& name, const std::vector<std::int6
 
 void write_h5(hid_t parent, const std::string& name, const std::vector<std::string>& values,
               const H5Meaning& meaning) {
-  std::vector<const char*> texts;
-  for (const std::string& value : values) texts.push_back(value.c_str());
-  write_dataset(parent, name, text_type(), array_space(values.size(), 0),
+  std::size_t size = 1;
+  for (const std::string& value : values) size = std::max(size, value.size());
+  std::string texts(size * values.size(), '\0');
+  for (std::size_t i = 0; i < values.size(); ++i)
+    texts.replace(i * size, values[i].size(), values[i]);
+  write_dataset(parent, name, text_type(size), array_space(values.size(), 0),
                 texts.empty() ? nullptr : texts.data(), meaning);
 }
 
 void write_h5(hid_t parent, const std::string& name, const std::string& value,
               const H5Meaning& meaning) {
-  const char* text = value.c_str();
-  write_dataset(parent, name, text_type(), scalar_space(), static_cast<const void*>(&text),
-                meaning);
+  write_dataset(parent, name, text_type(value.size()), scalar_space(), value.c_str(), meaning);
 }
 
 void write_h5_attribute(hid_t object, const std::string& name, const std::string& value) {
-  const char* text = value.c_str();
-  write_attribute(object, name, text_type(), scalar_space(), static_cast<const void*>(&text));
+  write_attribute(object, name, text_type(value.size()), scalar_space(), value.c_str());
 }
 
 void write_h5_attribute(hid_t object, const std::string& name, std::int64_t value) {
@@ -168,48 +170,6 @@ void write_h5_attribute(hid_t object, const std::string& name, std::int64_t valu
 
 void write_h5_attribute(hid_t object, const std::string& name, const std::vector<double>& values) {
   write_attribute(object, name, H5T_NATIVE_DOUBLE, array_space(values.size(), 0), values.data());
-}
-
-std::vector<double> read_h5_reals(hid_t parent, const std::string& name) {
-  return read_numbers<double>(parent, name, H5T_NATIVE_DOUBLE);
-}
-
-std::vector<std::int64_t> read_h5_integers(hid_t parent, const std::string& name) {
-  return read_numbers<std::int64_t>(parent, name, H5T_NATIVE_INT64);
-}
-
-std::vector<std::string> read_h5_texts(hid_t parent, const std::string& name) {
-  const std::string action = "read dataset " + name;
-  const H5Handle dataset(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, action);
-  const H5Handle space(H5Dget_space(dataset), H5Sclose, action);
-  const H5Handle type = text_type();
-  std::vector<char*> texts(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  if (texts.empty()) return {};
-  check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(texts.data())),
-        action);
-  std::vector<std::string> values;
-  for (const char* text : texts) values.emplace_back(text == nullptr ? "" : text);
-  check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, static_cast<void*>(texts.data())), action);
-  return values;
-}
-
-std::string read_h5_text_attribute(hid_t object, const std::string& name) {
-  const std::string action = "read attribute " + name;
-  const H5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, action);
-  const H5Handle type = text_type();
-  char* text = nullptr;
-  check(H5Aread(attribute, type, static_cast<void*>(&text)), action);
-  std::string value(text == nullptr ? "" : text);
-  H5free_memory(text);
-  return value;
-}
-
-std::int64_t read_h5_integer_attribute(hid_t object, const std::string& name) {
-  const std::string action = "read attribute " + name;
-  const H5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, action);
-  std::int64_t value = 0;
-  check(H5Aread(attribute, H5T_NATIVE_INT64, &value), action);
-  return value;
 }
 
 }  // namespace cagetol

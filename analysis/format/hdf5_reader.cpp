@@ -1,0 +1,230 @@
+#include "analysis/format/hdf5_reader.hpp"
+
+#include <algorithm>
+
+#include "analysis/format/study_file_error.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr const char* kSpace = "its shape cannot be read";
+
+std::vector<std::size_t> shape_of(hid_t space) {
+  const int rank = H5Sget_simple_extent_ndims(space);
+  std::vector<hsize_t> sizes(static_cast<std::size_t>(std::max(rank, 0)));
+  if (rank > 0) H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+  return {sizes.begin(), sizes.end()};
+}
+
+std::size_t count_of(hid_t space) {
+  return static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0));
+}
+
+H5Kind kind_of(hid_t type) {
+  switch (H5Tget_class(type)) {
+    case H5T_STRING:
+      return H5Kind::text;
+    case H5T_FLOAT:
+      return H5Kind::real;
+    case H5T_INTEGER:
+      return H5Kind::integer;
+    default:
+      return H5Kind::other;
+  }
+}
+
+/// Texts of variable length, as older builds and other programs write them. `read` fills a buffer
+/// of the memory type given.
+template <class Read>
+bool read_variable(hid_t stored, hid_t space, const Read& read, std::vector<std::string>& texts) {
+  const H5Handle memory(H5Tcopy(H5T_C_S1), H5Tclose, "make a string type");
+  H5Tset_size(memory, H5T_VARIABLE);
+  H5Tset_cset(memory, H5Tget_cset(stored));
+  std::vector<char*> pointers(texts.size(), nullptr);
+  if (read(memory, static_cast<void*>(pointers.data())) < 0) return false;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (pointers[i] != nullptr) texts[i] = pointers[i];
+  H5Dvlen_reclaim(memory, space, H5P_DEFAULT, static_cast<void*>(pointers.data()));
+  return true;
+}
+
+template <class Read>
+bool read_fixed(hid_t stored, const Read& read, std::vector<std::string>& texts) {
+  const std::size_t size = H5Tget_size(stored);
+  std::vector<char> buffer(size * texts.size());
+  if (read(stored, static_cast<void*>(buffer.data())) < 0) return false;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const char* begin = buffer.data() + i * size;
+    texts[i].assign(begin, std::find(begin, begin + size, '\0'));
+  }
+  return true;
+}
+
+/// Every text; false where they cannot be read.
+template <class Read>
+bool read_texts(hid_t type, hid_t space, const Read& read, std::vector<std::string>& texts) {
+  if (kind_of(type) != H5Kind::text) return false;
+  texts.resize(count_of(space));
+  if (texts.empty()) return true;
+  return H5Tis_variable_str(type) > 0 ? read_variable(type, space, read, texts)
+                                      : read_fixed(type, read, texts);
+}
+
+}  // namespace
+
+Hdf5Reader::Hdf5Reader(std::string bytes, std::string file_name)
+    : file_name_(std::move(file_name)), bytes_(std::move(bytes)), file_([&] {
+        try {
+          return open_h5_image(bytes_);
+        } catch (const H5Error& problem) {
+          throw StudyFileError(file_name_, std::string("HDF5 ") + problem.what(), kRebuildRemedy);
+        }
+      }()) {}
+
+void Hdf5Reader::fail(const std::string& object, const std::string& problem) const {
+  throw StudyFileError(file_name_, object + ": " + problem, kRebuildRemedy);
+}
+
+H5Handle Hdf5Reader::opened(hid_t id, H5Handle::Close close, const std::string& object,
+                            const std::string& problem) const {
+  if (id < 0) fail(object, problem);
+  return {id, close, object};
+}
+
+bool Hdf5Reader::has(const std::string& path) const {
+  if (path == "/") return true;
+  for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+    if (H5Lexists(file_, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
+std::vector<std::string> Hdf5Reader::children(const std::string& group) const {
+  std::vector<std::string> names;
+  if (!has(group)) return names;
+  const H5Handle handle =
+      opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, group, "is not a group");
+  H5G_info_t info{};
+  H5Gget_info(handle, &info);
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    const auto size =
+        H5Lget_name_by_idx(handle, ".", H5_INDEX_NAME, H5_ITER_INC, i, nullptr, 0, H5P_DEFAULT);
+    if (size < 0) fail(group, "its list of members cannot be read");
+    std::string name(static_cast<std::size_t>(size), '\0');
+    H5Lget_name_by_idx(handle, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(),
+                       static_cast<std::size_t>(size) + 1, H5P_DEFAULT);
+    names.push_back(std::move(name));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+H5Kind Hdf5Reader::kind(const std::string& path) const {
+  const H5Handle object =
+      opened(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose, path, "cannot be opened");
+  const H5I_type_t type = H5Iget_type(object);
+  if (type == H5I_GROUP) return H5Kind::group;
+  if (type != H5I_DATASET) return H5Kind::other;
+  return kind_of(opened(H5Dget_type(object), H5Tclose, path, "its type cannot be read"));
+}
+
+RealArray Hdf5Reader::reals(const std::string& dataset) const {
+  const H5Handle data =
+      opened(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose, dataset, "is missing");
+  const H5Handle space = opened(H5Dget_space(data), H5Sclose, dataset, kSpace);
+  RealArray array;
+  array.shape = shape_of(space);
+  array.values.resize(count_of(space));
+  if (!array.values.empty() &&
+      H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) < 0)
+    fail(dataset, "its numbers cannot be read");
+  return array;
+}
+
+std::vector<std::int64_t> Hdf5Reader::integers(const std::string& dataset) const {
+  const H5Handle data =
+      opened(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose, dataset, "is missing");
+  const H5Handle space = opened(H5Dget_space(data), H5Sclose, dataset, kSpace);
+  std::vector<std::int64_t> values(count_of(space));
+  if (!values.empty() &&
+      H5Dread(data, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    fail(dataset, "its whole numbers cannot be read");
+  return values;
+}
+
+std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
+  const H5Handle data =
+      opened(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose, dataset, "is missing");
+  const H5Handle space = opened(H5Dget_space(data), H5Sclose, dataset, kSpace);
+  const H5Handle type = opened(H5Dget_type(data), H5Tclose, dataset, "its type cannot be read");
+  const auto read = [&](hid_t memory, void* buffer) {
+    return H5Dread(data, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+  };
+  std::vector<std::string> texts;
+  if (!read_texts(type, space, read, texts)) fail(dataset, "its text cannot be read");
+  return texts;
+}
+
+std::vector<std::string> Hdf5Reader::attributes(const std::string& object) const {
+  const H5Handle handle =
+      opened(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose, object, "cannot be opened");
+  std::vector<std::string> names;
+  const int count = H5Aget_num_attrs(handle);
+  for (hsize_t i = 0; i < static_cast<hsize_t>(std::max(count, 0)); ++i) {
+    const H5Handle attribute =
+        opened(H5Aopen_by_idx(handle, ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT),
+               H5Aclose, object, "its attributes cannot be read");
+    std::string name(
+        static_cast<std::size_t>(std::max<ssize_t>(H5Aget_name(attribute, 0, nullptr), 0)), '\0');
+    H5Aget_name(attribute, name.size() + 1, name.data());
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+H5Handle Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
+  return opened(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+                H5Aclose, object, "has no attribute `" + name + "`");
+}
+
+H5Kind Hdf5Reader::attribute_kind(const std::string& object, const std::string& name) const {
+  return kind_of(opened(H5Aget_type(attribute(object, name)), H5Tclose, object,
+                        "the type of its attribute `" + name + "` cannot be read"));
+}
+
+bool Hdf5Reader::has_attribute(const std::string& object, const std::string& name) const {
+  return H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::string Hdf5Reader::text_attribute(const std::string& object, const std::string& name) const {
+  const H5Handle found = attribute(object, name);
+  const H5Handle space = opened(H5Aget_space(found), H5Sclose, object, kSpace);
+  const H5Handle type = opened(H5Aget_type(found), H5Tclose, object, "its type cannot be read");
+  const auto read = [&](hid_t memory, void* buffer) { return H5Aread(found, memory, buffer); };
+  std::vector<std::string> texts;
+  if (!read_texts(type, space, read, texts) || texts.empty())
+    fail(object, "its attribute `" + name + "` cannot be read as text");
+  return texts.front();
+}
+
+std::int64_t Hdf5Reader::integer_attribute(const std::string& object,
+                                           const std::string& name) const {
+  const H5Handle found = attribute(object, name);
+  const H5Handle space = opened(H5Aget_space(found), H5Sclose, object, kSpace);
+  std::int64_t value = 0;
+  if (count_of(space) != 1 || H5Aread(found, H5T_NATIVE_INT64, &value) < 0)
+    fail(object, "its attribute `" + name + "` is not a whole number");
+  return value;
+}
+
+std::vector<double> Hdf5Reader::real_attribute(const std::string& object,
+                                               const std::string& name) const {
+  const H5Handle found = attribute(object, name);
+  const H5Handle space = opened(H5Aget_space(found), H5Sclose, object, kSpace);
+  std::vector<double> values(count_of(space));
+  if (H5Aread(found, H5T_NATIVE_DOUBLE, values.data()) < 0)
+    fail(object, "its attribute `" + name + "` is not a number");
+  return values;
+}
+
+}  // namespace cagetol

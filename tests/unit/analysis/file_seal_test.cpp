@@ -1,0 +1,75 @@
+#include "analysis/format/file_seal.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/format/checksum.hpp"
+#include "analysis/format/h5.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// A small HDF5 file as it is written.
+std::string small_file() {
+  const H5Handle file = make_h5_memory_file();
+  write_h5(file, "value", std::vector<double>{1.5, -2}, {"N", "two numbers"});
+  write_h5(file, "name", std::vector<std::string>{"a", "µm", ""}, {"-", "three texts"});
+  return sealed_h5_image(file);
+}
+
+TEST(ChecksumTest, GivesTheCatalogueValueOfCrc64Xz) {
+  EXPECT_EQ(crc64("123456789"), 0x995DC9BBDF1939FAu);
+  EXPECT_EQ(crc64(""), 0u);
+}
+
+TEST(FileSealTest, TheBlockIsTextWithLengthAndChecksum) {
+  const std::string file = small_file();
+  EXPECT_THAT(file, StartsWith("cagetol sealed HDF5, version 1\nbytes " +
+                               std::to_string(file.size()) + "\ncrc64 "));
+  EXPECT_THAT(file.substr(kSealSize), StartsWith("\x89HDF\r\n\x1a\n"));
+  EXPECT_EQ(check_seal(file).state, SealState::whole);
+}
+
+TEST(FileSealTest, EverySingleBitIsGuarded) {
+  std::string file = small_file();
+  for (std::size_t bit = 0; bit < 8 * file.size(); ++bit) {
+    const auto flip = [&] { file[bit / 8] = static_cast<char>(file[bit / 8] ^ (1 << bit % 8)); };
+    flip();
+    const SealCheck check = check_seal(file);
+    ASSERT_EQ(check.state, SealState::broken) << bit;
+    ASSERT_FALSE(check.problem.empty()) << bit;
+    flip();
+  }
+}
+
+TEST(FileSealTest, ACutOrGrownFileIsNamedAsSuch) {
+  const std::string file = small_file();
+  EXPECT_EQ(check_seal("").problem, "it is empty");
+  for (const std::size_t size : {std::size_t{1}, std::size_t{100}, kSealSize, file.size() - 1})
+    EXPECT_THAT(check_seal(file.substr(0, size)).problem, HasSubstr("cut short")) << size;
+  EXPECT_THAT(check_seal(file + "x").problem, HasSubstr(std::to_string(file.size() + 1)));
+}
+
+TEST(FileSealTest, SaysWhatIsWrong) {
+  std::string file = small_file();
+  file[file.size() - 1] ^= 1;
+  EXPECT_THAT(check_seal(file).problem, HasSubstr("checksum does not match"));
+  file = small_file();
+  file[0] = 'X';
+  EXPECT_THAT(check_seal(file).problem, HasSubstr("block with its checksum is damaged"));
+  file = small_file();
+  file[std::string("cagetol sealed HDF5, version ").size()] = '2';
+  EXPECT_THAT(check_seal(file).problem, HasSubstr("version of its seal is 2"));
+  EXPECT_THAT(check_seal("a text of another program").problem, HasSubstr("neither an HDF5 file"));
+}
+
+TEST(FileSealTest, AnHdf5FileWithoutBlockIsUnsealed) {
+  EXPECT_EQ(check_seal(small_file().substr(kSealSize)).state, SealState::unsealed);
+}
+
+}  // namespace
+}  // namespace cagetol

@@ -1,0 +1,167 @@
+// schema1_study.h5: six quasi-static samples of inputs/studies/nu205.toml, written by commit
+// 40abf54 with strings of variable length and no seal.
+#include "analysis/format/study_bytes.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "analysis/format/file_seal.hpp"
+#include "analysis/format/hdf5_reader.hpp"
+#include "analysis/format/study_file_error.hpp"
+#include "analysis/format/unsealed_file.hpp"
+#include "analysis/study/study_data.hpp"
+#include "tests/support/process.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kSchema1 = CAGETOL_SOURCE_DIR "/tests/unit/analysis/schema1_study.h5";
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class StudyBytesTest : public testing::Test {
+ protected:
+  std::string message_of(const std::string& path) {
+    try {
+      read_study_bytes(path);
+    } catch (const StudyFileError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+  /// A small sound file, with `end` behind it.
+  std::string written(const std::string& end = "") {
+    const H5Handle file = make_h5_memory_file();
+    write_h5(file, "value", std::vector<double>{1.5}, {"N", "a number"});
+    std::ofstream(path_, std::ios::binary) << sealed_h5_image(file) << end;
+    return path_;
+  }
+  ScratchDirectory scratch_;
+  std::string path_ = scratch_ / "study.h5";
+};
+
+TEST_F(StudyBytesTest, ASoundFileIsGivenBackAsItIs) {
+  const std::string bytes = read_study_bytes(written());
+  EXPECT_TRUE(bytes == text_of(path_));
+  EXPECT_EQ(Hdf5Reader(read_study_bytes(path_), path_).reals("/value").values,
+            std::vector<double>{1.5});
+}
+
+TEST_F(StudyBytesTest, WhatKeepsAFileFromBeingReadIsToldApart) {
+  EXPECT_THAT(message_of(path_), AllOf(HasSubstr(path_), HasSubstr("no such file")));
+  std::filesystem::create_directory(path_);
+  EXPECT_THAT(message_of(path_), HasSubstr("is no file but a directory"));
+  std::filesystem::remove(path_);
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_THAT(message_of(path_), HasSubstr("is no file but a directory or a device"));
+  std::filesystem::remove(path_);
+  EXPECT_THAT(message_of(written("x")),
+              AllOf(HasSubstr("another number"), HasSubstr("remedy"), Not(HasSubstr("locked"))));
+}
+
+TEST_F(StudyBytesTest, AFileThatMayNotBeReadIsNotCalledDamaged) {
+  ::chmod(written().c_str(), 0);
+  const bool is_root = ::geteuid() == 0;
+  ASSERT_EQ(is_root ? ::seteuid(65534) : 0, 0);
+  const std::string message = message_of(path_);
+  ASSERT_EQ(is_root ? ::seteuid(0) : 0, 0);
+  EXPECT_THAT(message, AllOf(HasSubstr("Permission denied"), HasSubstr("chmod")));
+}
+
+TEST_F(StudyBytesTest, ALockIsNamedOnlyWhereTheFileIsNotSound) {
+  const int descriptor = ::open(written().c_str(), O_RDWR);
+  ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
+  EXPECT_EQ(message_of(path_), "no error");
+  written("half of something");
+  EXPECT_THAT(message_of(path_),
+              AllOf(HasSubstr("another program has locked it"), HasSubstr("end that program")));
+  ::close(descriptor);
+}
+
+TEST_F(StudyBytesTest, AFileOfSchema1GivesTheSameStudy) {
+  const StudyData study = read_study_data(kSchema1);
+  EXPECT_EQ(study.provenance.schema_version, 1);
+  EXPECT_EQ(study.provenance.study_name, "nu205");
+  EXPECT_EQ(study.size(), 6u);
+  EXPECT_EQ(study.pockets, 13u);
+  EXPECT_EQ(study.inputs.size(), 7u);
+  EXPECT_EQ(study.plan.limits.size(), 3u);
+  const Column& displacement = *find_quantity(study, "ring_displacement_mean_um");
+  EXPECT_EQ(displacement.unit, "um");
+  EXPECT_GT(displacement.values.at(5), 1);
+  EXPECT_EQ(check_seal(read_study_bytes(kSchema1)).state, SealState::whole);
+}
+
+TEST_F(StudyBytesTest, DamageToAFileWithoutSealEndsInAMessageOrAStudy) {
+  const std::string whole = text_of(kSchema1);
+  std::mt19937_64 random(37);
+  int refused = 0;
+  for (int round = 0; round < 25; ++round) {
+    const std::size_t bit = random() % (8 * whole.size());
+    std::string damaged = whole;
+    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
+    std::ofstream(path_, std::ios::binary) << damaged;
+    try {
+      read_study_data(path_);
+    } catch (const StudyFileError& error) {
+      ++refused;
+      EXPECT_THAT(error.what(), AllOf(HasSubstr(path_), HasSubstr("remedy"))) << bit;
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
+/// A program that reads such a file itself ends with SIGSEGV.
+TEST_F(StudyBytesTest, ACrashOfHdf5IsAMessage) {
+  std::string damaged = text_of(kSchema1);
+  constexpr std::size_t kBit = 717937;
+  damaged[kBit / 8] = static_cast<char>(damaged[kBit / 8] ^ (1 << kBit % 8));
+  std::ofstream(path_, std::ios::binary) << damaged;
+  EXPECT_THAT(message_of(path_), HasSubstr("HDF5 crashed on it"));
+}
+
+TEST_F(StudyBytesTest, TheProcessThatReadsHasLimits) {
+  const auto message = [&](const std::string& bytes, const UnsealedLimits& limits) {
+    try {
+      read_unsealed(bytes, "study.h5", limits);
+    } catch (const StudyFileError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const std::string bytes = text_of(kSchema1);
+  EXPECT_EQ(message(bytes, {}), "no error");
+  EXPECT_THAT(message(bytes, {.seconds = -1}), HasSubstr("HDF5 did not end within"));
+  // A dataset of 8 GB that was never written takes no room in the file.
+  const H5Handle file = make_h5_memory_file();
+  {
+    const hsize_t count = 1u << 30;
+    const H5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "make a space");
+    const H5Handle dataset(
+        H5Dcreate2(file, "vast", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Dclose, "make a dataset");
+  }
+  EXPECT_THAT(message(sealed_h5_image(file).substr(kSealSize), {}),
+              HasSubstr("HDF5 wants far more memory for it than it can hold"));
+}
+
+}  // namespace
+}  // namespace cagetol
