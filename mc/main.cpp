@@ -9,10 +9,12 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <sstream>
 
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
 #include "src/input/input_error.hpp"
+#include "src/input/printable.hpp"
 
 extern char __executable_start, etext;  // the linker's: where the program's code begins and ends
 
@@ -77,6 +79,11 @@ void take_memory() {
   for (std::size_t k = 0; k < sizeof room; k += 1024) room[k] = 0;
 }
 
+void complain(const std::string& what) {
+  std::fprintf(stderr, "cagetol: %s\n",
+               cagetol::printable(what, cagetol::LineBreaks::kept).c_str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -111,15 +118,19 @@ int main(int argc, char** argv) {
     std::fputs(app.help().c_str(), stderr);
     return kBadInput;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error), kDone;
+    std::ostringstream said;
+    app.exit(error, said, said);
+    std::fputs(printable(said.str(), LineBreaks::kept).c_str(), stderr);
+    return kBadInput;
   } catch (const InputError& error) {
-    std::fprintf(stderr, "cagetol: %s\n", error.what());
+    complain(error.what());
     return kBadInput;
   } catch (const WriteError& error) {
-    std::fprintf(stderr, "cagetol: %s\n", error.what());
+    complain(error.what());
     return kBadInput;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "cagetol: unexpected: %s\n", error.what());
+    complain(std::string("unexpected: ") + error.what());
     return kSamplesFailed;
   }
 }
