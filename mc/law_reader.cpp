@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Every parameter that some law has.
 struct Parameters {
-  std::string law, file, column;
+  std::string law, file, column, decimal = ".";
   double mean = 0, sigma = 0, lower = -kInfinity, mode = 0, upper = kInfinity;
   double log_mean = 0, log_sigma = 0, shift = 0, alpha = 1, beta = 1, shape = 1, scale = 1;
   double cp = 1, cpk = std::numeric_limits<double>::quiet_NaN();
@@ -51,6 +51,7 @@ const KeyTable<Parameters>& parameter_keys() {
       {"values", any_value(), AT(values), "measured deviations"},
       {"file", any_value(), AT(file), "CSV file of measurements, beside this file"},
       {"column", any_value(), AT(column), "column of the CSV file"},
+      {"decimal", one_of({".", ","}), AT(decimal), "decimal mark of the numbers in the CSV file"},
       {"centred", any_value(), AT(centred), "subtract the mean of the measurements"},
   };
   return keys;
@@ -75,7 +76,7 @@ const std::vector<LawForm>& law_forms() {
       {"weibull", {"shape", "scale"}, {"shift"}, [](const Parameters& p) -> Law { return Weibull{p.shape, p.scale, p.shift}; }},
       {"gamma", {"shape", "scale"}, {"shift"}, [](const Parameters& p) -> Law { return Gamma{p.shape, p.scale, p.shift}; }},
       {"histogram", {"edges", "weights"}, {}, [](const Parameters& p) -> Law { return Histogram{p.edges, p.weights}; }},
-      {"empirical", {}, {"file", "column", "centred", "values"}, [](const Parameters& p) -> Law { return make_empirical(p.values); }},
+      {"empirical", {}, {"file", "column", "decimal", "centred", "values"}, [](const Parameters& p) -> Law { return make_empirical(p.values); }},
       {"capability", {"lower", "upper", "cp"}, {"cpk"}, [](const Parameters& p) -> Law { return Capability{p.lower, p.upper, p.cp, std::isnan(p.cpk) ? std::nullopt : std::optional(p.cpk)}; }},
   };
   return forms;
@@ -104,13 +105,19 @@ Key<Parameters> named_below(Key<Parameters> parameter, const std::string& key) {
   return parameter;
 }
 
-void read_measurements(const toml::table& table, const std::string& key, const std::string& file,
-                       MeasurementFiles& measurements, Parameters& parameters) {
+void read_measurements(const toml::table& table, const std::string& key, const std::string& unit,
+                       const std::string& file, MeasurementFiles& measurements,
+                       Parameters& parameters) {
   const bool from_file = table.contains("file");
   if (from_file == table.contains("values"))
     throw InputError(place_of(table, file), key, shown(table),
                      from_file ? "both file and values are given" : "no measurements are given",
                      "give file = \"parts.csv\" and column = \"...\", or values = [...]");
+  for (const char* of_file : {"column", "decimal"})
+    if (!from_file && table.contains(of_file))
+      throw InputError(place_of(*table.get(of_file), file), key + "." + of_file,
+                       shown(*table.get(of_file)), "this belongs to a file, but values are given",
+                       "take it out, or give file = \"parts.csv\" in place of values");
   if (from_file) {
     if (!table.contains("column"))
       throw InputError(place_of(table, file), key, shown(table), "the column is not named",
@@ -125,7 +132,8 @@ void read_measurements(const toml::table& table, const std::string& key, const s
                        error.what(),
                        "give the path of a CSV file relative to the file that names it");
     }
-    parameters.values = csv_column(text, path, parameters.column);
+    parameters.values =
+        csv_column(text, path, {parameters.column, unit, parameters.decimal == ","});
     measurements.emplace_back(parameters.file, text);
   }
   if (parameters.centred && !parameters.values.empty()) {
@@ -161,12 +169,12 @@ void read_parameters(const toml::table& table, const LawForm& form, const std::s
 
 }  // namespace
 
-Law read_law(const toml::table& table, const std::string& key, const std::string& file,
-             MeasurementFiles& measurements) {
+Law read_law(const toml::table& table, const std::string& key, const std::string& unit,
+             const std::string& file, MeasurementFiles& measurements) {
   const auto& form = form_of(table, key, file);
   Parameters parameters;
   read_parameters(table, form, key, file, parameters);
-  if (form.name == "empirical") read_measurements(table, key, file, measurements, parameters);
+  if (form.name == "empirical") read_measurements(table, key, unit, file, measurements, parameters);
   Law law = form.make(parameters);
   try {
     check(law);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <sstream>
 
 #include "analysis/format/study_file_error.hpp"
 #include "mc/commands/command.hpp"
@@ -16,6 +17,7 @@
 #include "mc/file_write.hpp"
 #include "mc/process_limits.hpp"
 #include "src/input/input_error.hpp"
+#include "src/input/printable.hpp"
 
 extern char __executable_start, etext;  // the linker's: where the program's code begins and ends
 
@@ -87,7 +89,8 @@ int code_of(const std::exception& error) {
                      dynamic_cast<const StudyFileError*>(&error) != nullptr ||
                      dynamic_cast<const WriteError*>(&error) != nullptr ||
                      is_want_of_resources(error);
-  std::fprintf(stderr, "cagetol: %s%s\n", known ? "" : "unexpected: ", failure_text(error).c_str());
+  std::fprintf(stderr, "cagetol: %s%s\n", known ? "" : "unexpected: ",
+               printable(failure_text(error), LineBreaks::kept).c_str());
   return known ? kBadInput : kSamplesFailed;
 }
 
@@ -126,7 +129,11 @@ int main(int argc, char** argv) try {
     std::fputs(app.help().c_str(), stderr);
     return kBadInput;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error), kDone;
+    std::ostringstream said;
+    app.exit(error, said, said);
+    std::fputs(printable(said.str(), LineBreaks::kept).c_str(), stderr);
+    return kBadInput;
   }
 } catch (const std::exception& error) {
   return code_of(error);

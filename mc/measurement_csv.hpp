@@ -1,6 +1,9 @@
-// Measured parts in a CSV file: one header line with the names of the columns, then one line a
-// part. Lines that start with # are comments. Columns are separated by commas or, where the header
-// has any, semicolons. Numbers use a decimal point.
+// Measured parts in a CSV file (csv_records.hpp): one header line with the names of the columns,
+// then one line a part.
+//
+// A heading may give a unit (csv_heading.hpp): values are converted into the unit wanted, or
+// refused where that cannot be; without one they are in the unit wanted. Numbers have a decimal
+// point, or a decimal comma where that is asked for, and may have a leading plus sign.
 #pragma once
 
 #include <string>
@@ -10,10 +13,16 @@
 
 namespace cagetol {
 
-/// The numbers of one column of CSV text; `file` names it in messages. Empty fields are errors, not
-/// gaps. Throws InputError with the line for text in a number, and with the names of the columns
-/// for a missing one.
-std::vector<double> csv_column(const std::string& text, const std::string& file,
-                               const std::string& column);
+struct WantedColumn {
+  std::string name;  ///< the heading, or its name without the unit; capitals do not matter
+  std::string unit;  ///< of the values wanted, as the suffix of a key: "mm"; empty: a pure number
+  bool decimal_comma = false;
+};
+
+/// The numbers of one column, from the bytes of a file; `file` names it in messages. Empty fields
+/// are errors, not gaps. Throws InputError with line and column. What such a message quotes comes
+/// from files that hold numbers: other files may be nobody's business.
+std::vector<double> csv_column(const std::string& bytes, const std::string& file,
+                               const WantedColumn& wanted);
 
 }  // namespace cagetol

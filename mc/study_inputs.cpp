@@ -7,6 +7,7 @@
 
 #include "mc/study_keys.hpp"
 #include "src/cage/scene_cage.hpp"
+#include "src/input/unit.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -44,7 +45,7 @@ void set_scope(UncertainInput& input, const std::string& scope, const toml::node
                      "this key holds one number for the bearing, it has no pockets",
                      "use lot (drawn once per cage) or noise (drawn for each run)");
   const auto& table = law_node(node, key, file);
-  const Law law = read_law(table, key, file, measurements);
+  const Law law = read_law(table, key, unit_of(input.key).suffix, file, measurements);
   check_deviation(law, input, table, key, file);
   (scope == "lot" ? input.lot : scope == "pocket" ? input.pocket : input.noise) = law;
 }

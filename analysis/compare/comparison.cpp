@@ -9,10 +9,12 @@
 
 #include "analysis/compare/change_tests.hpp"
 #include "analysis/compare/holm.hpp"
+#include "analysis/compare/permutation_test.hpp"
 #include "analysis/statistics/order_statistics.hpp"
 #include "analysis/statistics/summary.hpp"
 #include "analysis/study/judgement.hpp"
 #include "analysis/study/study_file_error.hpp"
+#include "distributions/random_stream.hpp"
 
 namespace cagetol {
 namespace {
@@ -67,25 +69,34 @@ Runs runs_of(const StudyData& study, const char* which) {
   return runs;
 }
 
-/// Runs without a value do not enter.
-Linearised linearised(const Runs& runs, const std::vector<double>& values, bool of_scatter) {
-  const std::vector<double> equal(values.size(), 1.0);
-  const double mean = weighted_mean(values, equal),
-               deviation = weighted_standard_deviation(values, equal);
+/// The mean. Runs without a value do not enter.
+Linearised linearised(const Runs& runs, const std::vector<double>& values) {
+  const double mean = weighted_mean(values, std::vector<double>(values.size(), 1.0));
   const auto defined = static_cast<double>(
       std::count_if(values.begin(), values.end(), [](double y) { return !std::isnan(y); }));
   Linearised result{mean, runs.cluster, std::vector<double>(values.size(), 0.0)};
-  // The scatter is compared by its logarithm, whose distribution is closer to normal.
-  if (of_scatter) result.value = deviation > 0 ? std::log(deviation) : 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (std::isnan(values[i])) continue;
-    const double centred = values[i] - mean;
-    if (!of_scatter)
-      result.influence[i] = centred / defined;
-    else if (deviation > 0)
-      result.influence[i] = 0.5 * (centred * centred / (deviation * deviation) - 1) / defined;
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isnan(values[i])) result.influence[i] = (values[i] - mean) / defined;
   return result;
+}
+
+/// Distances from the sample's own median: a wider scatter makes their mean larger.
+std::vector<double> distances(const std::vector<double>& values) {
+  const double median = weighted_quantile(values, ascending_order(values),
+                                          std::vector<double>(values.size(), 1.0), 0.5);
+  std::vector<double> result;
+  for (const double y : values) result.push_back(std::abs(y - median));
+  return result;
+}
+
+/// Whether half of all runs or more have one and the same value: a variance says little then.
+bool hardly_varies(const std::vector<double>& before, const std::vector<double>& after) {
+  std::map<double, std::size_t> count;
+  std::size_t defined = 0, most = 0;
+  for (const auto* values : {&before, &after})
+    for (const double y : *values)
+      if (!std::isnan(y)) ++defined, most = std::max(most, ++count[y]);
+  return 2 * most >= defined;
 }
 
 class Comparer {
@@ -97,6 +108,13 @@ class Comparer {
       return runs.data.design.kind != "sobol" && labels.size() == runs.cluster.size();
     };
     exact_ = alone(before_) && alone(after_);
+    const auto clusters = [](const Runs& runs) {
+      return std::set<std::int64_t>(runs.cluster.begin(), runs.cluster.end()).size();
+    };
+    // Few clusters can be dealt out in so few ways that no change would ever be seen. They are
+    // means of many runs, close to normal.
+    constexpr std::size_t few = 20;
+    permuted_ = exact_ || std::min(clusters(before_), clusters(after_)) >= few;
   }
 
   void compare_quantity(const Column& column);
@@ -108,18 +126,32 @@ class Comparer {
 
   void add(const std::string& quantity, const std::string& unit, const std::string& statistic,
            double before, double after, double p_value);
+  double mean_p_value(const std::vector<double>& before, const std::vector<double>& after,
+                      const std::string& what, bool permuted) const;
   double share_p_value(const Property& before, const Property& after) const;
   void add_share(const std::string& quantity, const std::string& statistic, const Property& before,
                  const Property& after);
 
   Runs before_, after_;
   Comparison& result_;
-  bool exact_ = false;  ///< every run is independent of the others
+  bool exact_ = false;     ///< every run is independent of the others
+  bool permuted_ = false;  ///< enough clusters for a permutation test
 };
 
 void Comparer::add(const std::string& quantity, const std::string& unit,
                    const std::string& statistic, double before, double after, double p_value) {
   result_.statistics.push_back({quantity, unit, statistic, before, after, p_value, 1, false});
+}
+
+/// `what` chooses the draws of a permutation test, with the seed of the study.
+double Comparer::mean_p_value(const std::vector<double>& before, const std::vector<double>& after,
+                              const std::string& what, bool permuted) const {
+  if (!permuted)
+    return change_p_value(linearised(before_, before), linearised(after_, after), result_.paired);
+  const std::uint64_t seed =
+      static_cast<std::uint64_t>(before_.data.provenance.seed) << 32 | stream_address(what);
+  return permutation_p_value({before_.cluster, before}, {after_.cluster, after}, result_.paired,
+                             seed);
 }
 
 double Comparer::share_p_value(const Property& before, const Property& after) const {
@@ -129,8 +161,8 @@ double Comparer::share_p_value(const Property& before, const Property& after) co
       for (const int has : property) numbers.push_back(has < 0 ? kUndefined : has);
       return numbers;
     };
-    return change_p_value(linearised(before_, values(before), false),
-                          linearised(after_, values(after), false), result_.paired);
+    return change_p_value(linearised(before_, values(before)), linearised(after_, values(after)),
+                          result_.paired);
   }
   if (!result_.paired) {
     const auto share = [](const Property& property) {
@@ -167,16 +199,16 @@ void Comparer::compare_quantity(const Column& column) {
   const std::vector<double>& new_values = find_quantity(after_.data, column.name)->values;
   const auto old_order = ascending_order(old_values), new_order = ascending_order(new_values);
   if (old_order.size() < 2 || new_order.size() < 2) return;
-  const Linearised old_mean = linearised(before_, old_values, false),
-                   new_mean = linearised(after_, new_values, false);
-  add(column.name, column.unit, "mean", old_mean.value, new_mean.value,
-      change_p_value(old_mean, new_mean, result_.paired));
   const std::vector<double> old_ones(old_values.size(), 1.0), new_ones(new_values.size(), 1.0);
+  add(column.name, column.unit, "mean", weighted_mean(old_values, old_ones),
+      weighted_mean(new_values, new_ones),
+      mean_p_value(old_values, new_values, column.name + " mean",
+                   permuted_ && hardly_varies(old_values, new_values)));
   add(column.name, column.unit, "standard deviation",
       weighted_standard_deviation(old_values, old_ones),
       weighted_standard_deviation(new_values, new_ones),
-      change_p_value(linearised(before_, old_values, true), linearised(after_, new_values, true),
-                     result_.paired));
+      mean_p_value(distances(old_values), distances(new_values), column.name + " scatter",
+                   permuted_));
   std::vector<double> both = old_values;
   both.insert(both.end(), new_values.begin(), new_values.end());
   const auto order = ascending_order(both);

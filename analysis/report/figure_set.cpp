@@ -115,9 +115,10 @@ FigureSet draw_figures(const std::string& python, const std::filesystem::path& s
   std::filesystem::remove_all(output_dir, ignored);
   std::filesystem::create_directories(output_dir, ignored);
   const auto log = output_dir / "draw.log";
-  const int code = run_logged(
-      {python, "-B", (scripts / "draw.py").string(), report_json.string(), output_dir.string()},
-      log, figures.problem);
+  // Isolated: neither PYTHONPATH nor the user's own packages decide what is run.
+  const int code = run_logged({python, "-I", "-B", (scripts / "draw.py").string(),
+                               report_json.string(), output_dir.string()},
+                              log, figures.problem);
   const std::string said = file_text(log);
   if (code != 0 && figures.problem.empty())
     figures.problem = fmt::format("{} {} ended with code {}: {}", python,

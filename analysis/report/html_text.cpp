@@ -47,6 +47,8 @@ std::string escaped(const std::string& text) {
       safe += "&gt;";
     else if (c == '"')
       safe += "&quot;";
+    else if (c == '\'')
+      safe += "&#39;";
     else
       safe += c;
   }

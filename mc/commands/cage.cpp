@@ -19,7 +19,7 @@ namespace {
 struct CageArguments {
   std::string file, deviations;
   std::vector<std::string> settings;
-  bool json = false;
+  bool json = false, decimal_comma = false;
 };
 
 std::string report_text(const Scene& scene, const CageReport& report) {
@@ -78,8 +78,9 @@ int run_cage(const CageArguments& options) {
   const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
   Scene sample = scene;
   if (!options.deviations.empty())
-    deviate_pockets(sample.cage, cage,
-                    read_pocket_deviations(options.deviations, cage.pocket_count));
+    deviate_pockets(
+        sample.cage, cage,
+        read_pocket_deviations(options.deviations, cage.pocket_count, options.decimal_comma));
   CageTables tables(scene);
   const auto table = tables.of(sample);
   const auto result = cage_report(*tables.of(scene), *table,
@@ -110,6 +111,8 @@ void add_cage_command(CLI::App& app, Chosen& chosen) {
   command->add_flag("--json", options->json, "Print everything as JSON");
   command->add_option("--deviations", options->deviations,
                       "CSV file of the pockets' deviations, instead of the scene's pockets");
+  command->add_flag("--decimal-comma", options->decimal_comma,
+                    "The numbers in that CSV file have decimal commas");
   add_settings_option(*command, options->settings);
   command->callback([options, &chosen] { chosen = [options] { return run_cage(*options); }; });
 }

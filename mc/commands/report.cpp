@@ -8,6 +8,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/log.hpp"
+#include "src/input/printable.hpp"
 
 namespace cagetol {
 
@@ -30,7 +31,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
         update_cage_peak(study_file_in(arguments->directory).parent_path());
         return run_report(arguments->directory, arguments->options);
       } catch (const StudyFileError& error) {
-        std::fprintf(stderr, "cagetol: %s\n", error.what());
+        std::fprintf(stderr, "cagetol: %s\n", printable(error.what(), LineBreaks::kept).c_str());
         return static_cast<int>(kBadInput);
       }
     };

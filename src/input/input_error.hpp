@@ -18,6 +18,7 @@ struct SourcePlace {
 class InputError : public std::runtime_error {
  public:
   /// Message reads "FILE:LINE: KEY = VALUE: PROBLEM\n  remedy: REMEDY"; empty parts are left out.
+  /// What would act on a terminal is written as \xNN (printable.hpp).
   InputError(const SourcePlace& place, const std::string& key, const std::string& value,
              const std::string& problem, const std::string& remedy);
 };

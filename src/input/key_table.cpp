@@ -1,5 +1,7 @@
 #include "src/input/key_table.hpp"
 
+#include "src/input/printable.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -186,7 +188,8 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
   if (!section.empty())
     return {place, leaf.name, value, "this is a section, not a key",
             "give the keys of the section, for example " + section.front()};
-  return {place, leaf.name, value, "no such key",
+  // The value may be nobody's business: this may be some other program's file.
+  return {place, leaf.name, "", "no such key",
           "did you mean " + nearest_name(leaf.name, names) + "? inputs/README.md lists every key"};
 }
 
@@ -250,6 +253,10 @@ bool boolean_value(const KeyInfo& key, const toml::node& node, const std::string
 std::string text_value(const KeyInfo& key, const toml::node& node, const std::string& file) {
   if (!node.is_string()) throw wrong_type(key, node, file);
   const auto text = node.value<std::string>().value();
+  if (printable(text, LineBreaks::kept) != text)
+    throw InputError(place_of(node, file), key.name, "'" + printable(text) + "'",
+                     "the text holds characters that control a terminal",
+                     "leave them out; letters, signs and line breaks of any language may stay");
   const auto& choices = key.range.choices;
   if (!choices.empty() && std::find(choices.begin(), choices.end(), text) == choices.end())
     throw InputError(

@@ -13,6 +13,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "src/input/printable.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -224,8 +226,10 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
   try {
     return toml::parse(text, std::string_view(name));
   } catch (const toml::parse_error& error) {
+    // What the parser saw is left out: the file may be no TOML at all, and nobody's business.
+    const std::string_view description = error.description();
     throw not_toml(name, static_cast<int>(error.source().begin.line),
-                   std::string(error.description()));
+                   excerpt(description.substr(0, description.find(", saw")), 200));
   } catch (const std::logic_error&) {
     throw not_toml(name, line_of_broken_parse(text), "a key or a value is missing or misplaced");
   }

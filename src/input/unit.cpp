@@ -93,6 +93,31 @@ std::string_view without_unit(std::string_view key) {
   return unit.suffix.empty() ? key : key.substr(0, key.size() - unit.suffix.size() - 1);
 }
 
+const Unit* find_unit(std::string_view text) {
+  // Micro sign and Greek mu, and units of workshops.
+  static const std::vector<std::pair<std::string, Unit>> further = {
+      {"\u00b5m", {"um", "um", "length", 1e-6}},
+      {"\u03bcm", {"um", "um", "length", 1e-6}},
+      {"micron", {"um", "um", "length", 1e-6}},
+      {"microns", {"um", "um", "length", 1e-6}},
+      {"cm", {"cm", "cm", "length", 1e-2}},
+      {"inch", {"inch", "inch", "length", 0.0254}},
+      {"in", {"inch", "inch", "length", 0.0254}},
+      {"thou", {"thou", "thou", "length", 2.54e-5}},
+      {"mil", {"thou", "thou", "length", 2.54e-5}},
+      {"\u00b0", {"deg", "deg", "angle", std::numbers::pi / 180}},
+      {"\u00b5rad", {"urad", "urad", "angle", 1e-6}},
+      {"\u03bcrad", {"urad", "urad", "angle", 1e-6}},
+      {"\u00b5s", {"us", "us", "time", 1e-6}},
+      {"\u03bcs", {"us", "us", "time", 1e-6}},
+  };
+  for (const auto& unit : units())
+    if (text == unit.text || text == unit.suffix) return &unit;
+  for (const auto& [name, unit] : further)
+    if (text == name) return &unit;
+  return nullptr;
+}
+
 double to_si(double value, double factor) {
   const int power = decimal_power(factor);
   return power == 0 ? value * factor : shifted(value, power);

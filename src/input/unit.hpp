@@ -22,6 +22,10 @@ const Unit& unit_of(std::string_view key);
 /// `key` without its unit: "cage.pocket_width" of "cage.pocket_width_mm".
 std::string_view without_unit(std::string_view key);
 
+/// The unit that people write as `text`, or nullptr: "mm", "N/mm^e", also "µm", "micron", "cm",
+/// "inch" and others that keys do not know.
+const Unit* find_unit(std::string_view text);
+
 /// A value in SI, and back. Powers of ten move the decimal point instead of multiplying, so
 /// that 7.65 mm has the bits of 7.65e-3 m.
 double to_si(double value, double factor);

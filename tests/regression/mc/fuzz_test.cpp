@@ -1,21 +1,14 @@
-// Mutated input files: whatever they hold, the reader answers with a study or with an InputError.
+// Mutated inputs of every reader of files: whatever they hold, it reads them or refuses them as it
+// documents. By night tests/fuzz/run.sh does the same a million times, under sanitizers.
 #include <gtest/gtest.h>
-#include <filesystem>
+
+#include <map>
 #include <random>
 
-#include "mc/measurement_csv.hpp"
-#include "mc/sample.hpp"
-#include "mc/study.hpp"
-#include "src/input/toml_file.hpp"
-#include "src/scene/scene_keys.hpp"
-#include "tests/support/shipped_input.hpp"
+#include "tests/support/reader_probes.hpp"
 
 namespace cagetol {
 namespace {
-
-std::string shipped_text(const std::string& path) {
-  return read_text_file(shipped(path));
-}
 
 class Mutator {
  public:
@@ -85,54 +78,30 @@ class Mutator {
   std::mt19937 random_;
 };
 
-TEST(Fuzz, ScenesAreReadOrRefused) {
+class EveryReader : public testing::TestWithParam<ReaderProbe> {};
+
+TEST_P(EveryReader, ReadsWhatShips) {
+  for (const std::string& seed : GetParam().seeds()) EXPECT_TRUE(GetParam().read(seed));
+}
+
+TEST_P(EveryReader, ReadsOrRefusesWhateverItIsGiven) {
+  static const std::map<std::string, int> slow = {
+      {"study", 400}, {"resolved", 400}, {"settings", 300}};
+  const std::string name = GetParam().name;
+  const int inputs = slow.contains(name) ? slow.at(name) : 2000;
+  const auto seeds = GetParam().seeds();
   Mutator mutated(205);
-  int read = 0, refused = 0;
-  for (const char* path : {"scenes/nu205.toml", "scenes/speed-z16-skew.toml"}) {
-    const std::string text = shipped_text(path);
-    for (int i = 0; i < 2000; ++i) {
-      try {
-        read_scene(parse_toml(mutated(text), "fuzz.toml"), "fuzz.toml");
-        ++read;
-      } catch (const InputError& error) {
-        ++refused;
-        EXPECT_NE(std::string(error.what()).find("remedy: "), std::string::npos) << error.what();
-      }
-    }
+  int read = 0;
+  for (int i = 0; i < inputs; ++i) {
+    const std::string input = mutated(seeds[static_cast<std::size_t>(i) % seeds.size()]);
+    ASSERT_NO_THROW(read += GetParam().read(input)) << testing::PrintToString(input);
   }
-  EXPECT_GT(read, 100);
-  EXPECT_GT(refused, 1000);
+  EXPECT_GT(read, inputs / 200);
+  EXPECT_LT(read, inputs - inputs / 10);
 }
 
-TEST(Fuzz, StudiesAreReadOrRefused) {
-  Mutator mutated(16);
-  const std::string text = read_study(shipped("studies/nu205.toml")).resolved_toml;
-  const std::string measured = read_study(shipped("studies/nu205-measured.toml")).resolved_toml;
-  int read = 0, refused = 0;
-  for (int i = 0; i < 1500; ++i) {
-    try {
-      const Study study = read_resolved_study(mutated(i % 3 ? text : measured), "fuzz.toml");
-      draw_sample(study, sample_count(study) - 1);
-      ++read;
-    } catch (const InputError& error) {
-      ++refused;
-      EXPECT_NE(std::string(error.what()).find("remedy: "), std::string::npos) << error.what();
-    }
-  }
-  EXPECT_GT(read, 10);
-  EXPECT_GT(refused, 500);
-}
-
-TEST(Fuzz, MeasurementsAreReadOrRefused) {
-  Mutator mutated(3);
-  const std::string text = shipped_text("measurements/pockets-synthetic.csv");
-  for (int i = 0; i < 2000; ++i) {
-    try {
-      csv_column(mutated(text), "fuzz.csv", "width_deviation_mm");
-    } catch (const InputError&) {
-    }
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Fuzz, EveryReader, testing::ValuesIn(reader_probes()),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace cagetol

@@ -101,6 +101,46 @@ TEST(NightlyComparison, RaisesNoMoreFalseAlarmsThanPromised) {
   EXPECT_LE(false_alarms(1000, 0.05, 3), 0.07);
 }
 
+/// Slip, whirl and the like: some runs lie ten or a hundred times beyond the middle one.
+StudyData heavy_night(std::int64_t seed, std::int64_t rows) {
+  return night(seed, rows, [](std::size_t q, double y) {
+    return q % 3 == 0 ? std::exp(1.6 * y) : q % 3 == 1 ? y * y : std::round(0.3 * y);
+  });
+}
+
+TEST(Comparison, HeavyTailsRaiseFewFalseAlarms) {
+  for (const std::int64_t rows : {8, 16, 32, 64}) {
+    int alarms = 0;
+    constexpr int repeats = 150;
+    for (int repeat = 0; repeat < repeats; ++repeat)
+      alarms +=
+          !compare_studies(heavy_night(2 * repeat, rows), heavy_night(2 * repeat + 1, rows), 0.01)
+               .same();
+    EXPECT_LE(alarms, 6) << rows << " rows: 1.5 are to be expected";  // P(more) = 1e-4
+  }
+}
+
+TEST(Comparison, WhatHardlyEverVariesIsTestedExactly) {
+  const auto with_runs = [](std::int64_t seed, std::size_t others) {
+    StudyData study = plain_study(480, "random", 1, seed);
+    Column column{"rare", "-", "test", std::vector<double>(480, 1.0)};
+    for (std::size_t i = 0; i < others; ++i) column.values[7 * i] = 1.5;
+    study.quantities.push_back(column);
+    return study;
+  };
+  for (const std::int64_t other_seed : {1, 2}) {  // the same cages, and others
+    EXPECT_TRUE(compare_studies(with_runs(1, 0), with_runs(other_seed, 2), 0.01).same());
+    EXPECT_TRUE(compare_studies(with_runs(1, 2), with_runs(other_seed, 0), 0.01).same());
+    EXPECT_FALSE(compare_studies(with_runs(1, 0), with_runs(other_seed, 40), 0.01).same());
+  }
+  // A constant that is another one now.
+  StudyData moved = with_runs(2, 0);
+  for (double& y : moved.quantities[0].values) y = 2;
+  const Comparison result = compare_studies(with_runs(1, 0), moved, 0.01);
+  EXPECT_EQ(result.statistics.front().statistic, "mean");
+  EXPECT_TRUE(result.statistics.front().changed);
+}
+
 /// Share of nights in which a change is found, in the quantity where it is.
 double power(int repeats, std::size_t quantity, const std::function<double(double)>& change,
              bool same_seed) {
@@ -126,6 +166,10 @@ TEST(Comparison, FindsChanges) {
             0.8);
   EXPECT_GE(power(
                 30, 3, [](double y) { return 1.35 * y; }, false),
+            0.8);
+  // Scatter of a heavy tail: doubled deviations of a lognormal.
+  EXPECT_GE(power(
+                30, 1, [](double y) { return 1 + 2 * (y - 1); }, false),
             0.8);
   // The same cages pair by pair: a fiftieth of sigma is seen.
   EXPECT_GE(power(

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
 
+#include "analysis/report/figure_set.hpp"
 #include "analysis/report/html_report.hpp"
 #include "analysis/report/html_text.hpp"
 #include "analysis/study/study_file_error.hpp"
@@ -120,6 +122,48 @@ TEST_F(Report, ComesWithoutFiguresWhenPythonFails) {
                              testing::HasSubstr("Where this comes from")));
   ASSERT_EQ(report_on(make_synthetic_study({.rows = 200}), {.python = "/bin/false"}), 0);
   EXPECT_THAT(text_of(directory_ / "report.html"), testing::HasSubstr("ended with code 1"));
+}
+
+TEST_F(Report, PythonRunsIsolated) {
+  // A module of the same name on PYTHONPATH must not take the place of Python's own, and the
+  // figures still find the modules beside them.
+  const auto scripts = directory_ / "scripts", foreign = directory_ / "foreign";
+  for (const auto& folder : {scripts, foreign}) std::filesystem::create_directories(folder);
+  std::ofstream(foreign / "json.py") << "raise SystemExit('foreign code ran')\n";
+  std::ofstream(scripts / "beside.py") << "TEXT = '<svg/>'\n";
+  std::ofstream(scripts / "draw.py")
+      << "import json, pathlib, sys\n"
+         "sys.path.insert(0, str(pathlib.Path(__file__).parent))\n"
+         "import beside\n"
+         "assert sys.flags.isolated\n"
+         "pathlib.Path(sys.argv[2], 'a.svg').write_text(beside.TEXT)\n";
+  ASSERT_EQ(setenv("PYTHONPATH", foreign.c_str(), 1), 0);
+  const FigureSet figures = draw_figures(ReportOptions{}.python, scripts,
+                                         directory_ / "report.json", directory_ / "drawn");
+  unsetenv("PYTHONPATH");
+  EXPECT_EQ(figures.problem, "");
+  EXPECT_EQ(figures.svg.count("a"), 1u);
+}
+
+TEST_F(Report, TextsOfAStudyAreNoMarkup) {
+  const std::string markup = "<script>alert('x')</script>\" onload=\"alert(1)";
+  StudyData study = make_synthetic_study({.rows = 200});
+  study.provenance.study_name += markup;
+  study.provenance.tool_version += markup;
+  study.provenance.tool_commit += markup;
+  study.provenance.build += markup;
+  study.provenance.study_hash += markup;
+  study.provenance.files.push_back(markup);
+  for (LimitPlan& limit : study.plan.limits) limit.source += markup;
+  for (Column& column : study.quantities) column.unit += markup, column.description += markup;
+  for (InputColumns& input : study.inputs) input.unit += markup;
+  for (std::string& reason : study.reason) reason += markup;
+  study.plan.whole["scene"]["name"] = markup;
+  study.plan.whole["scene"]["cage"][markup] = markup;
+  const std::string html = html_report(make_report(study), {});
+  EXPECT_THAT(html, testing::HasSubstr("&lt;script&gt;alert(&#39;x&#39;)"));
+  EXPECT_THAT(html, testing::Not(testing::HasSubstr("<script")));
+  EXPECT_THAT(html, testing::Not(testing::HasSubstr("\" onload=")));
 }
 
 TEST_F(Report, ContributorsAreFound) {

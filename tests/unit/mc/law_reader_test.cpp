@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <fstream>
 
-#include "mc/measurement_csv.hpp"
 #include "src/input/toml_file.hpp"
 
 namespace cagetol {
@@ -12,7 +11,7 @@ namespace {
 Law law_of(const std::string& text) {
   MeasurementFiles files;
   const auto root = parse_toml("x = " + text, "t.toml");
-  return read_law(*root.get_as<toml::table>("x"), "x", "t.toml", files);
+  return read_law(*root.get_as<toml::table>("x"), "x", "mm", "t.toml", files);
 }
 
 TEST(LawReader, EveryLawReadsAndReadsBack) {
@@ -38,7 +37,7 @@ TEST(LawReader, EveryLawReadsAndReadsBack) {
     written << toml::toml_formatter(law_table(law), toml::format_flags::none);
     const auto again_table = parse_toml(written.str(), "again");
     MeasurementFiles files;
-    const Law again = read_law(again_table, "x", "again", files);
+    const Law again = read_law(again_table, "x", "mm", "again", files);
     EXPECT_EQ(law_name(law), law_name(again));
     for (const double p : {0.01, 0.3, 0.5, 0.99})
       EXPECT_EQ(quantile(law, p), quantile(again, p)) << text;
@@ -56,35 +55,6 @@ TEST(LawReader, CapabilityIsTheNormalLawOfItsLimits) {
       law_of("{ law = 'capability', lower = -0.05, upper = 0.05, cp = 1.3333333333333333 }");
   EXPECT_NEAR(standard_deviation(law), 0.1 / 8, 1e-12);
   EXPECT_NEAR(mean(law), 0, 1e-15);
-}
-
-TEST(MeasurementCsv, ReadsWhatSpreadsheetsWrite) {
-  EXPECT_EQ(csv_column("a,b\n1,2\n3,4\n", "f", "b"), (std::vector<double>{2, 4}));
-  EXPECT_EQ(csv_column("# note\r\n\"a\"; \"b\"\r\n1; -2e-3\r\n\r\n3;4\r\n", "f", "b"),
-            (std::vector<double>{-2e-3, 4}));
-}
-
-TEST(MeasurementCsv, NamesWhatIsWrong) {
-  const auto problem = [](const std::string& text, const std::string& column) -> std::string {
-    try {
-      csv_column(text, "f.csv", column);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
-  };
-  EXPECT_NE(problem("a,b\n1,2\n", "c")
-                .find("f.csv:1: there is no column 'c'\n  remedy: the columns are: a, b"),
-            std::string::npos);
-  EXPECT_NE(problem("a,b\n1,x2\n", "b").find("f.csv:2: b = 'x2': this is not a number"),
-            std::string::npos);
-  EXPECT_NE(problem("a,b\n1,2mm\n", "b").find("this is not a number"), std::string::npos);
-  EXPECT_NE(problem("a,b\n1,\n", "b").find("f.csv:2: b: the field is empty"), std::string::npos);
-  EXPECT_NE(problem("a,b\n1,nan\n", "b").find("not a finite number"), std::string::npos);
-  EXPECT_NE(problem("a,b\n1,2,3\n", "b").find("f.csv:2: 3 fields, but the header names 2"),
-            std::string::npos);
-  EXPECT_NE(problem("", "b").find("no header line"), std::string::npos);
-  EXPECT_NE(problem("a,b\n", "b").find("holds no measurements"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,263 @@
+#include "tests/support/reader_probes.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/crc.hpp>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "mc/journal.hpp"
+#include "mc/measurement_csv.hpp"
+#include "mc/sample.hpp"
+#include "mc/study.hpp"
+#include "src/input/toml_file.hpp"
+#include "src/scene/scene_keys.hpp"
+#include "tests/support/shipped_input.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Parts of an input that stands for several files are separated by this character.
+constexpr char kNextPart = '\x1e';
+
+std::vector<std::string> parts_of(std::string_view bytes, std::size_t count) {
+  std::vector<std::string> parts;
+  while (parts.size() + 1 < count && bytes.find(kNextPart) != std::string_view::npos) {
+    parts.emplace_back(bytes.substr(0, bytes.find(kNextPart)));
+    bytes.remove_prefix(parts.back().size() + 1);
+  }
+  parts.emplace_back(bytes);
+  parts.resize(count);
+  return parts;
+}
+
+/// A folder of this process in memory where the system has such a place; removed at its end.
+class ProbeFolder {
+ public:
+  ProbeFolder() {
+    const std::filesystem::path memory = "/dev/shm";
+    std::error_code ignored;
+    path_ =
+        (std::filesystem::is_directory(memory, ignored) ? memory
+                                                        : std::filesystem::temp_directory_path()) /
+        ("cagetol-probe-" + std::to_string(getpid()));
+    std::filesystem::create_directories(path_);
+  }
+  ProbeFolder(const ProbeFolder&) = delete;
+  ProbeFolder& operator=(const ProbeFolder&) = delete;
+  ~ProbeFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::string write(const char* name, std::string_view bytes) const {
+    const std::string file = (path_ / name).string();
+    std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
+    return file;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+const ProbeFolder& folder() {
+  static const ProbeFolder made;
+  return made;
+}
+
+std::string file_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Whether `read` reads; an InputError must name a remedy.
+template <class Read>
+bool read_or_refused(const Read& read) {
+  try {
+    read();
+    return true;
+  } catch (const InputError& error) {
+    if (std::strstr(error.what(), "remedy: ") == nullptr) throw std::logic_error(error.what());
+    return false;
+  }
+}
+
+bool read_scene_bytes(std::string_view bytes) {
+  return read_or_refused([&] { read_scene(parse_toml(bytes, "fuzz.toml"), "fuzz.toml"); });
+}
+std::vector<std::string> scene_seeds() {
+  return {read_text_file(shipped("scenes/nu205.toml")),
+          read_text_file(shipped("scenes/speed-z16-skew.toml")),
+          read_text_file(shipped("scenes/nu205-paper.toml"))};
+}
+
+void draw_some(const Study& study) {
+  const Sampler sampler(study);
+  sampler.draw(0);
+  sampler.draw(sample_count(study) - 1);
+}
+
+/// A study, its scene and its measurements.
+bool read_study_bytes(std::string_view bytes) {
+  const auto parts = parts_of(bytes, 3);
+  folder().write("scene.toml", parts[1]);
+  folder().write("parts.csv", parts[2]);
+  const std::string study = folder().write("study.toml", parts[0]);
+  return read_or_refused([&] { draw_some(read_study(study)); });
+}
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+std::vector<std::string> study_seeds() {
+  std::vector<std::string> seeds;
+  for (const char* name : {"nu205", "nu205-measured", "nu205-slip", "paper-width"}) {
+    std::string study = read_text_file(shipped("studies/" + std::string(name) + ".toml"));
+    const auto scene = study.find("../scenes/") + 10;
+    const std::string scene_file = study.substr(scene, study.find('"', scene) - scene);
+    study = replaced(study, "../scenes/" + scene_file, "scene.toml");
+    study = replaced(study, "../measurements/pockets-synthetic.csv", "parts.csv");
+    seeds.push_back(study + kNextPart + read_text_file(shipped("scenes/" + scene_file)) +
+                    kNextPart + read_text_file(shipped("measurements/pockets-synthetic.csv")));
+  }
+  return seeds;
+}
+
+bool read_resolved_bytes(std::string_view bytes) {
+  return read_or_refused([&] { draw_some(read_resolved_study(std::string(bytes), "fuzz.toml")); });
+}
+std::vector<std::string> resolved_seeds() {
+  std::vector<std::string> seeds;
+  for (const char* name : {"studies/nu205.toml", "studies/paper-length.toml"})
+    seeds.push_back(read_study(shipped(name)).resolved_toml);
+  return seeds;
+}
+
+/// One setting a line, on the default study.
+bool read_setting_bytes(std::string_view bytes) {
+  static const std::string study = shipped("studies/nu205.toml");
+  std::vector<std::string> settings;
+  std::istringstream lines{std::string(bytes)};
+  for (std::string line; settings.size() < 8 && std::getline(lines, line);)
+    if (line.find("file") == std::string::npos)
+      settings.push_back(line);  // no file but the study's
+  return read_or_refused([&] { read_study(study, settings); });
+}
+std::vector<std::string> setting_seeds() {
+  return {"load.radial_N=3000\nscene.cage.pocket_width_mm=7.7\n", "samples=16\ndesign=sobol\n",
+          "scene.cage.pocket_pitch_mrad={ law = 'normal', sigma = 0.1 }\n",
+          "limit=[{ quantity = 'cage_slip_ratio', max = 0.1, source = 'x' }]\n",
+          "tolerance.target_yield=0.9\nname=\"a text\"\nhistory.points=10\n"};
+}
+
+/// The first character chooses column, unit and decimal mark.
+bool read_csv_bytes(std::string_view bytes) {
+  const unsigned choice = bytes.empty() ? 0 : static_cast<unsigned char>(bytes[0]);
+  bytes.remove_prefix(bytes.empty() ? 0 : 1);
+  static const char* names[] = {"width", "b", "width_deviation_mm", "Width [um]"};
+  return read_or_refused([&] {
+    csv_column(std::string(bytes), "fuzz.csv",
+               {names[choice % 4], choice & 4 ? "mm" : "", (choice & 8) != 0});
+  });
+}
+std::vector<std::string> csv_seeds() {
+  using namespace std::string_literals;
+  return {"6" + read_text_file(shipped("measurements/pockets-synthetic.csv")).substr(0, 2000),
+          "4# note\na;width [mm];b;\r\n1;+7,65;\"2\"\r\n;;;\r\n3;7.66;\"4;\"\"x\"\"\"\r\n",
+          "<width / um\tb\r7,65\t1\r-7,66\t2\r",
+          "4sep=;\nwidth;b\n1;2\n",
+          "4\xff\xfew\0i\0d\0t\0h\0\n\0"
+          "1\0\n\0"s,
+          "4\xef\xbb\xbfWidth in \xc2\xb5m\n1\n",
+          "0width\n\xb5\n\xe2\x88\x92"
+          "1\n"};
+}
+
+std::uint32_t crc32c(std::string_view bytes) {
+  boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
+}
+
+/// Rights the length and checksum of every record: the bytes behind a marker up to the next one.
+std::string with_right_frames(std::string bytes) {
+  constexpr std::string_view marker = "\xC7REC";
+  constexpr std::size_t frame = 12;
+  for (auto at = bytes.find(marker); at != std::string::npos;) {
+    const auto next = bytes.find(marker, at + marker.size());
+    const std::size_t end = std::min(next, bytes.size());
+    if (end >= at + frame) {
+      const auto length = static_cast<std::uint32_t>(end - at - frame);
+      std::memcpy(&bytes[at + 4], &length, 4);
+      const std::uint32_t crc = crc32c(bytes.substr(at + 4, 4) + bytes.substr(at + frame, length));
+      std::memcpy(&bytes[at + 8], &crc, 4);
+    }
+    at = next;
+  }
+  return bytes;
+}
+
+/// The first character says whether records are made right.
+bool read_journal_bytes(std::string_view bytes) {
+  const bool right = !bytes.empty() && bytes[0] % 4 != 0;
+  bytes.remove_prefix(bytes.empty() ? 0 : 1);
+  const std::string text(bytes);
+  const auto content =
+      read_journal(folder().write("fuzz.journal", right ? with_right_frames(text) : text));
+  if (!content.readable && content.notes.empty()) throw std::logic_error("damage without a note");
+  return content.readable && content.notes.empty();
+}
+std::vector<std::string> journal_seeds() {
+  StoredOutcome stored;
+  stored.reason = "roller 4 is too large";
+  stored.quantities = {-0.0, 1.5};
+  stored.run = {0.25};
+  stored.history = {1, 2, 3};
+  std::string path;
+  std::string bytes;
+  {
+    Journal journal(std::filesystem::path(folder().write("seed", "")).parent_path().string(),
+                    {"0123456789abcdef", "build 1", 3});
+    path = journal.path();
+    for (std::uint64_t id = 0; id < 3; ++id) {
+      stored.id = id;
+      journal.started(id);
+      journal.finished(stored);
+    }
+    journal.started(3);
+    journal.dropped(3);
+    journal.started(4);
+    bytes = file_text(path);
+  }
+  std::filesystem::remove(path);
+  return {"1" + bytes, "0" + bytes};
+}
+
+}  // namespace
+
+const std::vector<ReaderProbe>& reader_probes() {
+  static const std::vector<ReaderProbe> probes = {
+      {"scene", read_scene_bytes, scene_seeds},
+      {"study", read_study_bytes, study_seeds},
+      {"resolved", read_resolved_bytes, resolved_seeds},
+      {"settings", read_setting_bytes, setting_seeds},
+      {"csv", read_csv_bytes, csv_seeds},
+      {"journal", read_journal_bytes, journal_seeds},
+  };
+  return probes;
+}
+
+const ReaderProbe& reader_probe(const std::string& name) {
+  for (const ReaderProbe& probe : reader_probes())
+    if (name == probe.name) return probe;
+  throw std::out_of_range("no reader is called " + name);
+}
+
+}  // namespace cagetol
