@@ -1,9 +1,11 @@
 #include "mc/file_write.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -37,11 +39,29 @@ bool is_passing(int error_number) {
          error_number == EIO;
 }
 
+std::string problem_text(const std::string& file, const std::string& action, int error_number) {
+  return file + ": cannot " + action + ": " + std::strerror(error_number);
+}
+
+constexpr const char* kPart = ".part";  // then the number of the process that writes
+
+/// The process whose temporary file has this name; 0: it is no such name.
+pid_t writer_of(const std::string& name) {
+  const auto at = name.rfind(kPart);
+  if (at == std::string::npos) return 0;
+  const std::string number = name.substr(at + std::strlen(kPart));
+  if (number.empty() || number.size() > 9 ||
+      number.find_first_not_of("0123456789") != std::string::npos)
+    return 0;
+  return static_cast<pid_t>(std::stol(number));
+}
+
 }  // namespace
 
 WriteError::WriteError(const std::string& file, const std::string& action, int error_number)
-    : std::runtime_error(file + ": cannot " + action + ": " + std::strerror(error_number) +
+    : std::runtime_error(problem_text(file, action, error_number) +
                          "\n  remedy: " + remedy(error_number)),
+      problem_(problem_text(file, action, error_number)),
       can_go_on_(is_passing(error_number)) {}
 
 FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
@@ -80,12 +100,12 @@ void sync_directory(const std::string& directory) {
   if (::fsync(opened.get()) != 0 && errno != EINVAL) throw WriteError(directory, "sync", errno);
 }
 
-void replace_file(const std::string& path, std::string_view bytes) {
-  const std::string temporary = path + ".part" + std::to_string(::getpid());
+void replace_file(const std::string& path, std::string_view bytes, unsigned mode) {
+  const std::string temporary = path + kPart + std::to_string(::getpid());
   int error_number = 0;
   {
     const FileDescriptor file(
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, mode));
     if (file.get() < 0) throw WriteError(path, "write", errno);
     error_number = write_all(file.get(), bytes);
     if (error_number == 0 && ::fsync(file.get()) != 0) error_number = errno;
@@ -97,6 +117,22 @@ void replace_file(const std::string& path, std::string_view bytes) {
   }
   const auto parent = std::filesystem::path(path).parent_path();
   sync_directory(parent.empty() ? "." : parent.string());
+}
+
+void remove_stale_parts(const std::string& directory) {
+  const auto limit = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const pid_t writer = writer_of(entry->path().filename().string());
+    if (writer == 0) continue;
+    std::error_code gone;
+    const auto time = std::filesystem::last_write_time(entry->path(), gone);
+    // Processes of another machine that shares the directory cannot be asked; they do not write
+    // for an hour.
+    if (!gone && time < limit && ::kill(writer, 0) != 0 && errno == ESRCH)
+      ::unlink(entry->path().c_str());
+  }
 }
 
 }  // namespace cagetol

@@ -12,6 +12,7 @@
 
 #include "mc/commands/command.hpp"
 #include "mc/file_write.hpp"
+#include "mc/log.hpp"
 #include "src/input/input_error.hpp"
 
 extern char __executable_start, etext;  // the linker's: where the program's code begins and ends
@@ -84,6 +85,7 @@ int main(int argc, char** argv) {
   keep_freed_memory();
   take_memory();
   take_stack();
+  log_to_stderr();        // stdout is for results alone, whatever the command
   Eigen::initParallel();  // asks for the caches' sizes, which takes a virtual machine 60 us
   CLI::App app{
       "Monte Carlo tolerance sensitivity of cylindrical roller bearings with flexible cages",

@@ -6,7 +6,6 @@
 #include "analysis/study/study_file_error.hpp"
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
-#include "mc/log.hpp"
 
 namespace cagetol {
 
@@ -25,7 +24,6 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
   command->callback([arguments, &chosen] {
     chosen = [arguments] {
       try {
-        log_to_stderr();
         update_cage_peak(study_file_in(arguments->directory).parent_path());
         return run_report(arguments->directory, arguments->options);
       } catch (const StudyFileError& error) {
