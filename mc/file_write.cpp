@@ -1,6 +1,7 @@
 #include "mc/file_write.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -44,6 +45,10 @@ bool is_passing(int error_number) {
          error_number == EIO;
 }
 
+std::string problem_text(const std::string& file, const std::string& action, int error_number) {
+  return file + ": cannot " + action + ": " + std::strerror(error_number);
+}
+
 /// The process that writes NAME.partPID; 0 where `name` is no such name.
 pid_t writer_of(const std::string& name) {
   const std::size_t mark = name.rfind(kPart);
@@ -57,8 +62,9 @@ pid_t writer_of(const std::string& name) {
 }  // namespace
 
 WriteError::WriteError(const std::string& file, const std::string& action, int error_number)
-    : std::runtime_error(file + ": cannot " + action + ": " + std::strerror(error_number) +
+    : std::runtime_error(problem_text(file, action, error_number) +
                          "\n  remedy: " + remedy(error_number)),
+      problem_(problem_text(file, action, error_number)),
       can_go_on_(is_passing(error_number)) {}
 
 FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
@@ -97,12 +103,12 @@ void sync_directory(const std::string& directory) {
   if (::fsync(opened.get()) != 0 && errno != EINVAL) throw WriteError(directory, "sync", errno);
 }
 
-void replace_file(const std::string& path, std::string_view bytes) {
+void replace_file(const std::string& path, std::string_view bytes, unsigned mode) {
   const std::string temporary = path + kPart + std::to_string(::getpid());
   int error_number = 0;
   {
     const FileDescriptor file(
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, mode));
     if (file.get() < 0) throw WriteError(path, "write", errno);
     error_number = write_all(file.get(), bytes);
     if (error_number == 0 && ::fsync(file.get()) != 0) error_number = errno;
@@ -125,6 +131,8 @@ void remove_stale_parts(const std::string& directory, std::chrono::seconds age) 
     if (writer == 0) continue;
     std::error_code gone;
     const auto time = std::filesystem::last_write_time(entry->path(), gone);
+    // Processes of another machine that shares the directory cannot be asked; they do not write
+    // for so long.
     if (!gone && time <= limit && ::kill(writer, 0) != 0 && errno == ESRCH)
       ::unlink(entry->path().c_str());
   }

@@ -16,11 +16,14 @@ class WriteError : public std::runtime_error {
   /// Message: "FILE: cannot ACTION: REASON\n  remedy: ..."; the remedy follows from `error_number`
   /// (an errno).
   WriteError(const std::string& file, const std::string& action, int error_number);
+  /// "FILE: cannot ACTION: REASON", without the remedy.
+  const std::string& problem() const { return problem_; }
   /// True when the place itself is fine and the same command can go on later: a full disk, a quota,
   /// a limit, a bad moment.
   bool can_go_on() const { return can_go_on_; }
 
  private:
+  std::string problem_;
   bool can_go_on_;
 };
 
@@ -45,8 +48,9 @@ class FileDescriptor {
 int write_all(int descriptor, std::string_view bytes);
 
 /// Replaces `path` by a file with these bytes: temporary name in the same directory, fsync, rename,
-/// fsync of the directory. Throws WriteError and leaves the old file as it was.
-void replace_file(const std::string& path, std::string_view bytes);
+/// fsync of the directory. `mode` is that of a new file, less the umask. Throws WriteError and
+/// leaves the old file as it was.
+void replace_file(const std::string& path, std::string_view bytes, unsigned mode = 0666);
 
 /// Removes temporary files that replace_file() left in `directory` because its process died: `age`
 /// old or older, their process gone from this machine. Processes of another machine that shares the

@@ -48,25 +48,27 @@ std::string list_rows(const std::vector<KeyInfo>& keys, const std::string& requi
 }  // namespace
 
 std::string default_scene_text() {
-  return "# A scene with every key at its default: the reference bearing NU 205. Keys left out "
-         "keep their "
-         "default.\n" +
-         dump_keys(scene_keys(), Scene{});
+  return "# A scene with every key: the reference bearing NU 205. Keys marked as required must be "
+         "given,\n# others keep the value shown here when they are left out.\n" +
+         dump_keys(scene_keys(), example_scene());
 }
 
 std::string default_study_text() {
   Study study;
-  std::string text = "# A study with every key at its default. Keys left out keep their default.\n";
+  std::string text =
+      "# A study with every key at its default. Keys left out keep their default; those of the "
+      "scene "
+      "that are\n# marked as required must be given, here or in the scene's file.\n";
   text += dump_keys(study_keys(), study) + kExamples;
   return text +
          "\n# The scene. file = \"../scenes/nu205.toml\" below [scene] reads a scene file; keys "
          "given "
          "here replace its keys.\n" +
-         dump_keys(scene_keys(), Scene{}, "scene.");
+         dump_keys(scene_keys(), example_scene(), "scene.");
 }
 
 std::string key_documentation() {
-  std::string text = "## Keys of a scene\n\n" + key_table_markdown(scene_keys(), Scene{});
+  std::string text = "## Keys of a scene\n\n" + key_table_markdown(scene_keys(), example_scene());
   text +=
       "\n## Keys of a study\n\nA study holds its scene below `[scene]`: `file` names a scene file, "
       "relative to "

@@ -15,6 +15,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/failure.hpp"
 #include "mc/file_write.hpp"
+#include "mc/log.hpp"
 #include "mc/process_limits.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/printable.hpp"
@@ -102,6 +103,7 @@ int main(int argc, char** argv) try {
   keep_freed_memory();
   take_memory();
   take_stack();
+  log_to_stderr();        // stdout is for results alone, whatever the command
   Eigen::initParallel();  // asks for the caches' sizes, which takes a virtual machine 60 us
   CLI::App app{
       "Monte Carlo tolerance sensitivity of cylindrical roller bearings with flexible cages",

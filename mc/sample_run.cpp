@@ -1,11 +1,13 @@
 #include "mc/sample_run.hpp"
 
+#include <limits>
 #include <optional>
 
 #include "distributions/random_stream.hpp"
 #include "mc/sample_history.hpp"
 #include "src/cage/cage_check.hpp"
 #include "src/cage/scene_cage.hpp"
+#include "src/cage/unsolved_cage.hpp"
 
 namespace cagetol {
 namespace {
@@ -15,11 +17,16 @@ bool cage_is_checked(const Study& study, std::uint64_t id) {
          study.cage_check_share;
 }
 
-/// Largest frequency error of the sample's cage model against a full solve.
+/// Largest frequency error of the sample's cage model against a full solve; NaN where that has no
+/// solution.
 double cage_error(const Scene& scene, const CageTable& table) {
   const auto made = scene_cage_model(scene, table);
   const auto& model = std::get<std::shared_ptr<const CageModel>>(made);
-  return check_cage_model(table, pocket_deviations(scene.cage, table.cage), *model).largest_error;
+  try {
+    return check_cage_model(table, pocket_deviations(scene.cage, table.cage), *model).largest_error;
+  } catch (const UnsolvedCage&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 }  // namespace

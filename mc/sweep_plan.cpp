@@ -22,7 +22,7 @@ SweepPlan make_sweep_plan(const Study& study) {
     };
   plan.job = [tables, study](const Sample& sample, const StopRequested& stop_requested) {
     SimulateOptions options;
-    if (tables) options.cage_table = tables->of(sample.scene);
+    if (tables) options = tables->options_of(sample.scene);
     options.stop_requested = stop_requested;
     return run_sample(study, sample, options);
   };

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "src/cage/scene_cage.hpp"
+#include "src/cage/unsolved_cage.hpp"
 #include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quantities/observer.hpp"
@@ -46,6 +47,23 @@ Outcome without_cage(const CageFault& fault) {
                    fault.reason;
   outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
   return outcome;
+}
+
+/// The elastic cage of a run, or why there is none.
+std::variant<std::shared_ptr<const CageModel>, CageFault> elastic_cage(
+    const Scene& scene, const SimulateOptions& options) {
+  const auto unsolved = [](const std::string& why) {
+    return CageFault{CageFaultKind::outside_table, -1,
+                     "its finite elements cannot be solved: " + why +
+                         "; choose another cage.mesh_density, or a cage less slender"};
+  };
+  if (options.cage_table) return scene_cage_model(scene, *options.cage_table);
+  if (!options.why_no_cage.empty()) return unsolved(options.why_no_cage);
+  try {
+    return scene_cage_model(scene, *make_scene_cage_table(scene));
+  } catch (const UnsolvedCage& problem) {
+    return unsolved(problem.what());
+  }
 }
 
 /// Of a method without error control [error scales]: past it the stability suite finds wrong
@@ -122,8 +140,7 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
   }
   std::shared_ptr<const CageModel> cage;
   if (is_flexible(scene)) {
-    const auto table = options.cage_table ? options.cage_table : make_scene_cage_table(scene);
-    auto made = scene_cage_model(scene, *table);
+    auto made = elastic_cage(scene, options);
     if (const auto* fault = std::get_if<CageFault>(&made)) return without_cage(*fault);
     cage = std::get<std::shared_ptr<const CageModel>>(made);
   }

@@ -19,6 +19,8 @@ struct SimulateOptions {
   /// Of the flexible cage (src/cage/scene_cage.hpp). Without one it is made from the scene's own
   /// pockets, which takes some seconds; samples of a study share the tables of the nominal scene.
   std::shared_ptr<const CageTable> cage_table = {};
+  /// Why there is no table for this sample's flexible cage: the run fails with this reason.
+  std::string why_no_cage = {};
   /// Called at every accepted state, linearised (src/integration/system.hpp): time histories,
   /// tests.
   std::function<void(double t, const double* y, const System& system)> on_state = {};

@@ -7,10 +7,10 @@
 
 #include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
-#include "mc/log.hpp"
 #include "mc/pocket_csv.hpp"
 #include "mc/study.hpp"
 #include "src/cage/cage_report.hpp"
+#include "src/cage/unsolved_cage.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {
@@ -72,8 +72,22 @@ nlohmann::json report_json(const CageReport& report) {
   return json;
 }
 
+std::variant<CageReport, CageFault> report_of(const Scene& scene, const Scene& sample,
+                                              const std::string& file) {
+  CageTables tables(scene);
+  try {
+    const auto table = tables.of(sample);
+    return cage_report(*tables.of(scene), *table, pocket_deviations(sample.cage, table->cage),
+                       scene.cage.modes);
+  } catch (const UnsolvedCage& problem) {
+    throw InputError(
+        {file, 0}, "", "",
+        std::string("the finite elements of the deviated cage cannot be solved: ") + problem.what(),
+        "give pockets smaller deviations, or choose another cage.mesh_density");
+  }
+}
+
 int run_cage(const CageArguments& options) {
-  log_to_stderr();
   const Scene scene = read_study(options.file, options.settings).scene;
   const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
   Scene sample = scene;
@@ -81,12 +95,9 @@ int run_cage(const CageArguments& options) {
     deviate_pockets(
         sample.cage, cage,
         read_pocket_deviations(options.deviations, cage.pocket_count, options.decimal_comma));
-  CageTables tables(scene);
-  const auto table = tables.of(sample);
-  const auto result = cage_report(*tables.of(scene), *table,
-                                  pocket_deviations(sample.cage, table->cage), scene.cage.modes);
+  const std::string& file = options.deviations.empty() ? options.file : options.deviations;
+  const auto result = report_of(scene, sample, file);
   if (const auto* fault = std::get_if<CageFault>(&result)) {
-    const std::string& file = options.deviations.empty() ? options.file : options.deviations;
     throw InputError({file, 0}, fmt::format("pocket {} (the first is 0)", fault->pocket), "",
                      fault->reason, "give this pocket smaller deviations");
   }

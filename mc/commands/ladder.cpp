@@ -8,7 +8,6 @@
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/file_write.hpp"
-#include "mc/log.hpp"
 
 namespace cagetol {
 namespace {
@@ -31,7 +30,6 @@ void write_ladder(const ModelLadder& ladder, const LadderArguments& options) {
 }
 
 int run_ladder(const LadderArguments& options) {
-  log_to_stderr();
   return run_staged(make_sweep_plan, options.progress, [&](StagedSweeps& stages) {
     const Study study = read_study(options.file, options.settings);
     if (options.refine)

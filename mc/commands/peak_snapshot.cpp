@@ -4,6 +4,7 @@
 
 #include "mc/commands/output_path.hpp"
 #include "src/cage/cage_snapshot.hpp"
+#include "src/cage/scene_cage.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {
@@ -25,10 +26,10 @@ void write_peak_snapshot(const std::string& file, const Scene& scene, const Cage
   const CagePeak& peak = outcome.cage_peak;
   if (table == nullptr || peak.bar_force.empty())
     throw InputError({}, "--snapshot", file,
-                     table == nullptr ? "the cage of this scene is rigid"
-                                      : "the run has no stress: " + outcome.reason,
-                     table == nullptr ? "set cage.model = \"flexible\""
-                                      : "choose a sample that runs to its end");
+                     !is_flexible(scene) ? "the cage of this scene is rigid"
+                                         : "the run has no stress: " + outcome.reason,
+                     !is_flexible(scene) ? "set cage.model = \"flexible\""
+                                         : "choose a sample that runs to its end");
   std::optional<CageFault> fault;
   try {
     fault = write_cage_snapshot(file, *table, pocket_deviations(scene.cage, table->cage),

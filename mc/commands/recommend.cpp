@@ -9,7 +9,6 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/recommend_stages.hpp"
-#include "mc/log.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
 
@@ -23,7 +22,6 @@ struct RecommendArguments {
 };
 
 int run_recommend(const RecommendArguments& options) {
-  log_to_stderr();
   const auto read = [&] {
     const Study study = read_study(options.file, options.settings);
     for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);

@@ -53,7 +53,7 @@ SampleRun run_again(const StoredSample& stored, const std::string& history_file,
   if (!history_file.empty()) record = [&history](const Instant& at) { history.record(at); };
   SimulateOptions options;
   if (is_flexible(stored.study.scene))
-    options.cage_table = CageTables(stored.study.scene).of(stored.sample.scene);
+    options = CageTables(stored.study.scene).options_of(stored.sample.scene);
   const SampleRun again = run_sample(stored.study, stored.sample, options, record);
   if (!history_file.empty()) history.write(history_file);
   if (!snapshot_file.empty())

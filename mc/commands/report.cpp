@@ -7,7 +7,6 @@
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/log.hpp"
 #include "src/input/printable.hpp"
 
 namespace cagetol {
@@ -27,7 +26,6 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
   command->callback([arguments, &chosen] {
     chosen = [arguments] {
       try {
-        log_to_stderr();
         update_cage_peak(study_file_in(arguments->directory).parent_path());
         return run_report(arguments->directory, arguments->options);
       } catch (const StudyFileError& error) {

@@ -51,7 +51,7 @@ int run_simulate(const SimulateArguments& options) {
   std::function<void(const Instant&)> record;
   if (!options.history.empty()) record = [&history](const Instant& at) { history.record(at); };
   SimulateOptions extras;
-  if (is_flexible(study.scene)) extras.cage_table = CageTables(study.scene).of(sample.scene);
+  if (is_flexible(study.scene)) extras = CageTables(study.scene).options_of(sample.scene);
   const Outcome outcome = run_sample(study, sample, extras, record).outcome;
   if (!options.history.empty()) history.write(options.history);
   if (!options.snapshot.empty())

@@ -10,7 +10,6 @@
 #include "mc/commands/companion_stages.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/log.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
 
@@ -60,7 +59,6 @@ int run_stages(const SweepArguments& options, StagedSweeps& stages) {
 }
 
 int run_sweep(const SweepArguments& options) {
-  log_to_stderr();
   if (is_staged(options))
     return run_staged(make_sweep_plan, options.sweep.progress,
                       [&](StagedSweeps& stages) { return run_stages(options, stages); });

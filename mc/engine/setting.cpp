@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "src/cage/scene_cage.hpp"
+#include "mc/cage_cache.hpp"
 #include "src/integration/integrator.hpp"
 
 namespace cagetol {
@@ -56,7 +56,7 @@ std::vector<Setting> setting_ladder(const Scene& scene, const std::vector<std::s
 
 SimulateOptions with_cage_table(const Scene& scene) {
   SimulateOptions options;
-  if (is_flexible(scene)) options.cage_table = make_scene_cage_table(scene);
+  if (is_flexible(scene)) options.cage_table = made_cage_table(scene);
   return options;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <stdexcept>
 
 #include "src/cage/cage_modes.hpp"
+#include "src/cage/unsolved_cage.hpp"
 
 namespace cagetol {
 
@@ -14,7 +14,7 @@ CageCheck check_cage_model(const CageTable& table, const std::vector<PocketDevia
   const std::clock_t start = std::clock();
   const auto meshed = make_cage_mesh(table.cage, deviations, table.counts);
   if (const auto* fault = std::get_if<CageFault>(&meshed)) {
-    throw std::runtime_error("cage: no mesh for the full solve: " + fault->reason);
+    throw UnsolvedCage("no mesh for the full solve: " + fault->reason);
   }
   const HexMesh& mesh = std::get<CageMesh>(meshed).mesh;
   const BodyMatrices body = assemble_body(mesh, table.material);

@@ -20,7 +20,7 @@ struct CageCheck {
 };
 
 /// Meshes and solves the deviated cage from which `model` was made. The same bits every time, but
-/// for the seconds. Throws std::runtime_error where no valid mesh or no solution exists, which a
+/// for the seconds. Throws UnsolvedCage where no valid mesh or no solution exists, which a
 /// cage with a model never meets.
 CageCheck check_cage_model(const CageTable& table, const std::vector<PocketDeviation>& deviations,
                            const CageModel& model);

@@ -1,12 +1,12 @@
 #include "src/cage/cage_table.hpp"
 
 #include <chrono>
-#include <stdexcept>
 
 #include "src/cage/cage_modes.hpp"
 #include "src/cage/field_recovery.hpp"
 #include "src/cage/sector_polynomial.hpp"
 #include "src/cage/sector_share.hpp"
+#include "src/cage/unsolved_cage.hpp"
 
 namespace cagetol {
 namespace {
@@ -102,9 +102,9 @@ void complete_cage_table(CageTable& table, const CageDimensions& cage, const Mat
 
 CageTable make_cage_table(const CageDimensions& cage, const Material& material,
                           const CageStations& stations, const CageTableOptions& options,
-                          const CageTableNews& news) {
+                          const TableProgress& news) {
   const auto progress = [&](double share) {
-    if (news.progress) news.progress(share);
+    if (news) news(share);
   };
   progress(0);
   const auto start = std::chrono::steady_clock::now();
@@ -113,7 +113,7 @@ CageTable make_cage_table(const CageDimensions& cage, const Material& material,
   const std::vector<PocketDeviation> none(static_cast<std::size_t>(cage.pocket_count));
   const auto meshed = make_cage_mesh(table.cage, none, table.counts);
   if (const auto* fault = std::get_if<CageFault>(&meshed)) {
-    throw std::runtime_error("cage: the undeviated cage is impossible: " + fault->reason);
+    throw UnsolvedCage("the undeviated cage is impossible: " + fault->reason);
   }
   const CageMesh& mesh = std::get<CageMesh>(meshed);
   const auto solve = std::chrono::steady_clock::now();

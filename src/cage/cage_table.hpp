@@ -6,9 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <filesystem>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "src/cage/cage_basis.hpp"
@@ -47,31 +45,18 @@ struct CageTable {
   double seconds_table = 0;  ///< making the table
 };
 
-/// What is said while a table is made; both may be left empty.
-struct CageTableNews {
-  std::function<void(double)> progress;  ///< share of the work that is done, 0 first, 1 last
-  std::function<void(const std::string&)> warning;  ///< why the table could not be kept
-};
+/// Hears which share of a table is made: 0 first, 1 last. May be empty.
+using TableProgress = std::function<void(double)>;
 
 /// The table whose undeviated pocket is that of `options.point`, on the grid around the pocket of
 /// `cage`. All points have the elements of `cage`, lest stresses at corners step from one to the
-/// next. Throws std::runtime_error where the undeviated cage itself cannot be meshed.
+/// next. Throws UnsolvedCage where the undeviated cage cannot be meshed or its modes not be found.
 CageTable make_cage_table(const CageDimensions& cage, const Material& material,
                           const CageStations& stations, const CageTableOptions& options = {},
-                          const CageTableNews& news = {});
+                          const TableProgress& progress = {});
 
 /// Sets what follows from the dimensions alone: counts, range, stress points.
 void complete_cage_table(CageTable& table, const CageDimensions& cage, const Material& material,
                          const CageStations& stations, const CageTableOptions& options);
-
-/// Identifies everything a table depends on; the name of its cache file.
-std::string cage_table_key(const CageDimensions& cage, const Material& material,
-                           const CageStations& stations, const CageTableOptions& options);
-
-/// The table from `folder`/cage-<key>.bin where that file exists and is whole, else made and
-/// written there. A folder that cannot be written costs a warning and time, not the run.
-CageTable cached_cage_table(const std::filesystem::path& folder, const CageDimensions& cage,
-                            const Material& material, const CageStations& stations,
-                            const CageTableOptions& options = {}, const CageTableNews& news = {});
 
 }  // namespace cagetol

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "src/cage/cage_mass.hpp"
+#include "src/cage/cage_table_bytes.hpp"
 
 namespace cagetol {
 namespace {
@@ -12,6 +13,21 @@ Material tabulated_material(const Scene& scene) {
   if (!std::isnan(scene.cage.mass))
     material.density *= scene.cage.mass / cage_mass(scene.cage, scene.bearing.roller_count).mass;
   return material;
+}
+
+/// What a table of the scene's cage is made from.
+struct TableInput {
+  CageDimensions cage;
+  Material material;
+  CageStations stations;
+  CageTableOptions options;
+};
+
+TableInput table_input(const Scene& nominal, const GridPoint& point) {
+  return {cage_dimensions(nominal.cage, nominal.bearing.roller_count),
+          tabulated_material(nominal),
+          cage_stations(nominal),
+          {.density = nominal.cage.mesh_density, .point = point}};
 }
 
 bool close(double a, double b) {
@@ -25,16 +41,26 @@ GridPoint table_point(const Scene& nominal, const Scene& sample) {
   return nearest_point(cage, pocket_deviations(sample.cage, cage));
 }
 
+std::string scene_cage_table_key(const Scene& nominal, const GridPoint& point) {
+  const TableInput in = table_input(nominal, point);
+  return cage_table_key(in.cage, in.material, in.stations, in.options);
+}
+
 std::shared_ptr<const CageTable> make_scene_cage_table(const Scene& nominal, const GridPoint& point,
-                                                       const std::filesystem::path& folder,
-                                                       const CageTableNews& news) {
-  const CageDimensions cage = cage_dimensions(nominal.cage, nominal.bearing.roller_count);
-  const Material material = tabulated_material(nominal);
-  const CageStations stations = cage_stations(nominal);
-  const CageTableOptions options = {.density = nominal.cage.mesh_density, .point = point};
+                                                       const TableProgress& progress) {
+  const TableInput in = table_input(nominal, point);
   return std::make_shared<const CageTable>(
-      folder.empty() ? make_cage_table(cage, material, stations, options, news)
-                     : cached_cage_table(folder, cage, material, stations, options, news));
+      make_cage_table(in.cage, in.material, in.stations, in.options, progress));
+}
+
+std::shared_ptr<const CageTable> scene_cage_table_from_bytes(const Scene& nominal,
+                                                             const GridPoint& point,
+                                                             std::string_view bytes) {
+  const TableInput in = table_input(nominal, point);
+  CageTable table;
+  if (!read_cage_table_bytes(bytes, table)) return nullptr;
+  complete_cage_table(table, in.cage, in.material, in.stations, in.options);
+  return std::make_shared<const CageTable>(std::move(table));
 }
 
 std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const Scene& sample,

@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
+
+#include "src/cage/unsolved_cage.hpp"
 
 namespace cagetol {
 
@@ -22,7 +23,7 @@ void find_turn(SectorTurn& sector, const MatrixXd& turn) {
       rest(i, i) -= std::cos(sector.angle[i]);
       continue;
     }
-    if (i + 1 == sector.modes) throw std::runtime_error("cage: a mode pair is split");
+    if (i + 1 == sector.modes) throw UnsolvedCage("a pair of modes of one frequency is split");
     const double angle = step * std::round(std::atan2(turn(i + 1, i), turn(i, i)) / step);
     sector.partner[i] = static_cast<int>(i + 1);
     sector.partner[i + 1] = static_cast<int>(i);
@@ -33,8 +34,8 @@ void find_turn(SectorTurn& sector, const MatrixXd& turn) {
     rest.block<2, 2>(i, i) -= block;
     ++i;
   }
-  if (rest.cwiseAbs().maxCoeff() > 1e-4) {
-    throw std::runtime_error("cage: modes do not turn into each other from sector to sector");
+  if (!(rest.cwiseAbs().maxCoeff() <= 1e-4)) {
+    throw UnsolvedCage("its modes do not turn into each other from pocket to pocket");
   }
   const Eigen::RowVectorXd places =
       Eigen::RowVectorXd::LinSpaced(sector.sectors, 0, static_cast<double>(sector.sectors - 1));

@@ -37,7 +37,7 @@ struct SectorTurn {
 };
 
 /// Sets all that belongs to modes from `turn`, the matrix P with (modes turned forward by one
-/// sector) = modes P. Throws std::runtime_error where P is not made of single +-1 and 2 x 2
+/// sector) = modes P. Throws UnsolvedCage where P is not made of single +-1 and 2 x 2
 /// rotations.
 void find_turn(SectorTurn& sector, const Eigen::MatrixXd& turn);
 

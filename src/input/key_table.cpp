@@ -129,6 +129,11 @@ KeyRange or_auto(KeyRange range) {
   return range;
 }
 
+KeyRange required(KeyRange range) {
+  range.required = true;
+  return range;
+}
+
 KeyInfo::KeyInfo(std::string key_name, KeyRange allowed, std::string key_meaning, KeyKind key_kind)
     : name(std::move(key_name)),
       range(std::move(allowed)),
@@ -296,7 +301,8 @@ std::string dump_line(const KeyInfo& key, const std::string& value) {
   const std::string line = last_part(key.name) + " = " + value;
   const std::string padding(line.size() < 34 ? 34 - line.size() : 1, ' ');
   const std::string unit = key.unit == "-" ? "" : "[" + key.unit + "] ";
-  return line + padding + "# " + unit + key.meaning + " (" + range_text(key) + ")\n";
+  return line + padding + "# " + unit + key.meaning + " (" + range_text(key) +
+         (key.range.required ? "; required" : "") + ")\n";
 }
 
 std::string section_header(const std::string& name, const std::string& previous,
@@ -311,8 +317,8 @@ std::string section_header(const std::string& name, const std::string& previous,
 std::string markdown_row(const KeyInfo& key, const std::string& value) {
   const std::string per_pocket =
       key.kind == KeyKind::numbers ? "; one number or one for each pocket" : "";
-  return "| `" + key.name + "` | " + key.unit + " | " + value + " | " + range_text(key) + " | " +
-         key.meaning + per_pocket + " |\n";
+  return "| `" + key.name + "` | " + key.unit + " | " + (key.range.required ? "required" : value) +
+         " | " + range_text(key) + " | " + key.meaning + per_pocket + " |\n";
 }
 
 std::pair<toml::table*, std::string> section_of(toml::table& root, const std::string& name) {

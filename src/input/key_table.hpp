@@ -32,6 +32,7 @@ struct KeyRange {
   bool open_minimum = false;  ///< the minimum itself is not allowed
   bool may_be_auto =
       false;  ///< "auto" is allowed: computed from the rest of the scene (stored as NaN)
+  bool required = false;  ///< the key must be given: no default would make sense
   std::vector<std::string> choices;
 };
 KeyRange any_value();
@@ -40,6 +41,7 @@ KeyRange at_least(double minimum);
 KeyRange within(double minimum, double maximum);
 KeyRange one_of(std::vector<std::string> choices);
 KeyRange or_auto(KeyRange range);
+KeyRange required(KeyRange range);
 
 /// What is known of a key apart from the struct it fills.
 struct KeyInfo {
@@ -126,7 +128,8 @@ void insert_key(const Key<T>& key, const T& source, toml::table& root);
 template <class T>
 std::string dump_keys(const KeyTable<T>& table, const T& source, const std::string& prefix = "");
 
-/// The table in Markdown: key, unit, default (from `defaults`), range, meaning.
+/// The table in Markdown: key, unit, default (from `defaults`) or that the key is required, range,
+/// meaning.
 template <class T>
 std::string key_table_markdown(const KeyTable<T>& table, const T& defaults);
 

@@ -1,6 +1,7 @@
 #include "src/scene/scene_keys.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "src/integration/integrator.hpp"
 
@@ -22,15 +23,15 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"model.rollers", one_of({"spatial", "planar"}), AT(model.rollers), "spatial: rollers tilt, skew and move axially; planar: they stay parallel to the bearing's axis, in the middle, and misalignment, squareness, taper and a tilt of the inner ring do nothing to them"},
       {"model.motion", one_of({"dynamic", "quasi-static"}), AT(model.motion), "dynamic: equations of motion; quasi-static: equilibria of ring and rollers over one turn of the cage at full load and kinematic speed; no cage forces, no slip, no oil film"},
       {"model.ring_tilt", one_of({"prescribed", "free"}), AT(model.ring_tilt), "tilt of the inner ring; prescribed: the misalignment, whatever moment it takes; free: two degrees of freedom, held by the rollers, the shaft (bearing.tilt_stiffness_N_m_rad) and the ring's inertia"},
-      {"bearing.roller_count", within(3, 64), AT(bearing.roller_count), "number of rollers and pockets Z"},
-      {"bearing.bore_diameter_mm", above(0), AT(bearing.bore_diameter), "bore d"},
-      {"bearing.outside_diameter_mm", above(0), AT(bearing.outside_diameter), "outside diameter D"},
-      {"bearing.width_mm", above(0), AT(bearing.width), "width B of the rings"},
-      {"bearing.inner_raceway_diameter_mm", above(0), AT(bearing.inner_raceway_diameter), "inner raceway F, catalogue value"},
-      {"bearing.outer_raceway_diameter_mm", above(0), AT(bearing.outer_raceway_diameter), "outer raceway E, catalogue value"},
-      {"bearing.shoulder_diameter_mm", above(0), AT(bearing.shoulder_diameter), "outer-ring shoulders: roller flanges and guiding surface of the cage"},
-      {"bearing.internal_clearance_um", within(-200, 2000), AT(bearing.internal_clearance), "diametral internal clearance added to what the raceways and rollers leave, half on each raceway"},
-      {"bearing.flange_clearance_mm", at_least(0), AT(bearing.flange_clearance), "axial clearance of a roller between both flanges, total"},
+      {"bearing.roller_count", required(within(3, 64)), AT(bearing.roller_count), "number of rollers and pockets Z"},
+      {"bearing.bore_diameter_mm", required(above(0)), AT(bearing.bore_diameter), "bore d"},
+      {"bearing.outside_diameter_mm", required(above(0)), AT(bearing.outside_diameter), "outside diameter D"},
+      {"bearing.width_mm", required(above(0)), AT(bearing.width), "width B of the rings"},
+      {"bearing.inner_raceway_diameter_mm", required(above(0)), AT(bearing.inner_raceway_diameter), "inner raceway F, catalogue value"},
+      {"bearing.outer_raceway_diameter_mm", required(above(0)), AT(bearing.outer_raceway_diameter), "outer raceway E, catalogue value"},
+      {"bearing.shoulder_diameter_mm", required(above(0)), AT(bearing.shoulder_diameter), "outer-ring shoulders: roller flanges and guiding surface of the cage"},
+      {"bearing.internal_clearance_um", required(within(-200, 2000)), AT(bearing.internal_clearance), "diametral internal clearance added to what the raceways and rollers leave, half on each raceway"},
+      {"bearing.flange_clearance_mm", required(at_least(0)), AT(bearing.flange_clearance), "axial clearance of a roller between both flanges, total"},
       {"bearing.ring_young_GPa", above(0), AT(bearing.ring_material.young), "Young's modulus of the rings"},
       {"bearing.ring_poisson", within(0, 0.49), AT(bearing.ring_material.poisson), "Poisson's ratio of the rings"},
       {"bearing.ring_density_kg_m3", above(0), AT(bearing.ring_material.density), "density of the rings"},
@@ -40,8 +41,8 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"bearing.misalignment_y_mrad", within(-50, 50), AT(bearing.misalignment_y), "slope of the inner ring's centre line in y, fixed in space; of a ring whose tilt is free: the slope at which its shaft is at rest"},
       {"bearing.misalignment_z_mrad", within(-50, 50), AT(bearing.misalignment_z), "likewise the slope in z"},
       {"bearing.tilt_stiffness_N_m_rad", at_least(0), AT(bearing.tilt_stiffness), "stiffness with which the shaft holds a ring whose tilt is free; 0: only the rollers hold it"},
-      {"roller.diameter_mm", above(0), AT(roller.diameter), "roller diameter D_we"},
-      {"roller.length_mm", above(0), AT(roller.length), "roller length L_we"},
+      {"roller.diameter_mm", required(above(0)), AT(roller.diameter), "roller diameter D_we"},
+      {"roller.length_mm", required(above(0)), AT(roller.length), "roller length L_we"},
       {"roller.taper_um", within(-500, 500), AT(roller.taper), "diameter at the +x end minus diameter at the -x end"},
       {"roller.profile", one_of({"none", "logarithmic"}), AT(roller.profile), "axial profile; logarithmic: ISO/TS 16281"},
       {"roller.young_GPa", above(0), AT(roller.material.young), "Young's modulus of the rollers"},
@@ -54,11 +55,11 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
 void add_cage_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
       {"cage.model", one_of({"rigid", "flexible"}), AT(cage.model), "cage model; rigid: six degrees of freedom; flexible: elastic modes and stress too"},
-      {"cage.inner_diameter_mm", above(0), AT(cage.inner_diameter), "inner diameter of the cage"},
-      {"cage.outer_diameter_mm", above(0), AT(cage.outer_diameter), "outer diameter of the cage"},
-      {"cage.width_mm", above(0), AT(cage.width), "axial width of the cage"},
-      {"cage.pocket_width_mm", above(0), AT(cage.pocket_width), "circumferential opening S of a pocket"},
-      {"cage.pocket_length_mm", above(0), AT(cage.pocket_length), "axial opening L of a pocket"},
+      {"cage.inner_diameter_mm", required(above(0)), AT(cage.inner_diameter), "inner diameter of the cage"},
+      {"cage.outer_diameter_mm", required(above(0)), AT(cage.outer_diameter), "outer diameter of the cage"},
+      {"cage.width_mm", required(above(0)), AT(cage.width), "axial width of the cage"},
+      {"cage.pocket_width_mm", required(above(0)), AT(cage.pocket_width), "circumferential opening S of a pocket"},
+      {"cage.pocket_length_mm", required(above(0)), AT(cage.pocket_length), "axial opening L of a pocket"},
       {"cage.pocket_pitch_mrad", within(-100, 100), AT(cage.pocket_pitch), "angular deviation of a pocket's centre"},
       {"cage.pocket_squareness_mrad", within(-100, 100), AT(cage.pocket_squareness), "angle of a pocket's bar faces to the bearing axis"},
       {"cage.young_GPa", above(0), AT(cage.material.young), "Young's modulus of the cage"},
@@ -118,11 +119,11 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"film.viscosity_Pa_s", above(0), AT(film.viscosity), "viscosity at ambient pressure"},
       {"film.pressure_viscosity_1_GPa", above(0), AT(film.pressure_viscosity), "pressure-viscosity coefficient"},
       {"film.least_force_N", above(0), AT(film.least_force), "below this force of a contact the film thickens along its tangent only, at no force to 1.13 times (series) or up to twice (series-bounded) what it is at this one"},
-      {"load.radial_N", at_least(0), AT(operation.radial_load), "radial load on the inner ring, along -z"},
+      {"load.radial_N", required(at_least(0)), AT(operation.radial_load), "radial load on the inner ring, along -z"},
       {"load.tilting_moment_y_N_m", any_value(), AT(operation.tilting_moment_y), "moment on an inner ring whose tilt is free, towards +y: it raises the slope of the centre line in y (as a vector it points along +z)"},
       {"load.tilting_moment_z_N_m", any_value(), AT(operation.tilting_moment_z), "likewise the moment towards +z (a vector along -y)"},
       {"load.ramp_ms", at_least(0), AT(operation.load_ramp), "time over which load and moment rise smoothly from zero"},
-      {"speed.inner_rpm", within(-1e6, 1e6), AT(operation.inner_speed), "speed of the inner ring about +x"},
+      {"speed.inner_rpm", required(within(-1e6, 1e6)), AT(operation.inner_speed), "speed of the inner ring about +x"},
       {"speed.ramp_from_rpm", or_auto(within(-1e6, 1e6)), AT(operation.speed_ramp_from), "speed at the start of a smooth ramp; auto: no ramp"},
       {"speed.ramp_ms", at_least(0), AT(operation.speed_ramp), "duration of the speed ramp"},
       {"environment.gravity_m_s2", within(-1e4, 1e4), AT(operation.gravity), "gravity, along -z"},
@@ -181,6 +182,12 @@ const KeyTable<Scene>& scene_keys() {
   return keys;
 }
 
+Scene example_scene() {
+  Scene scene;
+  scene.name = "scene";
+  return scene;
+}
+
 bool is_distribution(const toml::table& table) {
   for (const char* name : {"law", "lot", "pocket", "noise", "nominal"})
     if (table.contains(name)) return true;
@@ -209,10 +216,37 @@ std::vector<Assumption> read_assumptions(const toml::node& node, const std::stri
   return assumptions;
 }
 
+/// Which required keys a scene gives.
+struct Given {
+  std::set<std::string> keys;
+  std::set<std::string> laws_alone;  ///< distributions without a nominal value
+};
+
+void refuse_missing(const Given& given, const std::string& file) {
+  std::string missing;
+  int count = 0;
+  for (const auto& key : scene_keys()) {
+    if (!key.range.required || given.keys.contains(key.name)) continue;
+    missing += "\n    " + key.name + (key.unit == "-" ? "" : " [" + key.unit + "]") + ": " +
+               key.meaning +
+               (given.laws_alone.contains(key.name) ? " - its distribution has no nominal" : "");
+    ++count;
+  }
+  if (count == 0) return;
+  throw InputError({file, 0}, "", "",
+                   "the scene leaves out " + std::to_string(count) +
+                       (count == 1 ? " key that has" : " keys that have") +
+                       " no default, because each bearing has its own:" + missing,
+                   "give each a value (in a study below [scene], or in the scene file that its "
+                   "scene.file names); `cagetol --dump-default scene` prints an example with every "
+                   "key");
+}
+
 }  // namespace
 
 Scene read_scene(const toml::table& root, const std::string& file) {
-  Scene scene;
+  Scene scene = example_scene();
+  Given given;
   const auto& keys = scene_keys();
   const auto read = [&](const TomlLeaf& leaf) {
     if (leaf.name == "assumption") {
@@ -231,12 +265,14 @@ Scene read_scene(const toml::table& root, const std::string& file) {
     const auto* node = nominal_node(*leaf.node);
     const auto count = static_cast<std::size_t>(scene.bearing.roller_count);
     if (node) read_key(*key, *node, file, count, scene);
+    (node ? given.keys : given.laws_alone).insert(key->name);
   };
   const auto leaves = toml_leaves(root, is_distribution);
   // The number of rollers first: it is the length of every per-pocket array.
   for (const auto& leaf : leaves)
     if (leaf.name == "bearing.roller_count") read(leaf);
   for (const auto& leaf : leaves) read(leaf);
+  refuse_missing(given, file);
   check_scene(scene, file, &root);
   return scene;
 }

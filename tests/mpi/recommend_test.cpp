@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 constexpr const char* kStudy = R"(name = "stages"
 seed = 5
 samples = 450
+[scene]
+file = ")" CAGETOL_SOURCE_DIR R"(/inputs/scenes/nu205.toml"
 [scene.cage]
 pocket_width_mm = { nominal = 7.65, pocket = { law = "normal", sigma = 0.009 } }
 [scene.start]

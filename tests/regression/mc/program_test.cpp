@@ -10,12 +10,15 @@
 #include "src/input/toml_file.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 struct Ended {
   int code;
@@ -85,7 +88,10 @@ TEST(Program, BadInputEndsWithTwoAndSaysWhy) {
       {"[cage]\npocket_widht_mm = 7.6\n", "file.toml:2: cage.pocket_widht_mm = 7.6: no such key"},
       {"[cage]\npocket_width_um = 7650\n", "wrong unit"},
       {"[cage]\nwidth_mm = -14\n", "file.toml:2: cage.width_mm = -14: outside the range"},
-      {"[cage]\npocket_width_mm = 7.4\n", "the nominal pocket is not wider than its roller"},
+      {"[cage]\npocket_width_mm = 7.4\n",
+       "file.toml: the scene leaves out 17 keys that have no default"},
+      {reference_scene_text("[cage]\npocket_width_mm = 7.4\n"),
+       "the nominal pocket is not wider than its roller"},
       {"[cage\n", "file.toml:1: not valid TOML"},
       {std::string("\x7f"
                    "ELF\0\0\1\2\xff\xfe",
@@ -178,6 +184,36 @@ TEST(Program, SimulatePrintsJsonWithEveryQuantity) {
   }
   for (const char* key : {"simulated_s", "wall_s", "steps", "rhs_evaluations", "energy_residual"})
     EXPECT_TRUE(json["run"][key].is_number()) << key;
+}
+
+/// What a command prints on stdout alone, where cage tables cannot be kept.
+Ended stdout_without_cache(const std::vector<std::string>& arguments) {
+  return run(arguments, [] {
+    ::setenv("CAGETOL_CACHE", "/dev/null/cache", 1);
+    ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
+  });
+}
+
+TEST(Program, WarningsNeverStandBeforeJson) {
+  const std::string scene = shipped("scenes/nu205.toml"), coarse = "cage.mesh_density=1";
+  const std::vector<std::vector<std::string>> commands = {
+      {"cage", scene, "--json", "--set", coarse},
+      {"simulate", scene, "--json", "--set", coarse, "--set", "cage.model=flexible", "--set",
+       "window.settle_revolutions=0.05", "--set", "window.measure_revolutions=0.05"}};
+  for (const auto& command : commands) {
+    const auto ended = stdout_without_cache(command);
+    EXPECT_TRUE(nlohmann::json::accept(ended.output)) << ended.output;
+  }
+}
+
+TEST(Program, ACageThatCannotBeSolvedIsBadInput) {
+  const auto ended = run({"simulate", shipped("scenes/nu205.toml"), "--set", "cage.mesh_density=1",
+                          "--set", "cage.model=flexible", "--set", "cage.density_kg_m3=1e-300"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.output,
+              AllOf(HasSubstr("cage.mesh_density = 1: the finite elements of the flexible cage "
+                              "cannot be solved: "),
+                    HasSubstr("remedy: choose another density"), Not(HasSubstr("unexpected"))));
 }
 
 TEST(Program, CagePrintsModesAndSaysWhichPocketIsWrong) {

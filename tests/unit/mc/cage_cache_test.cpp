@@ -6,8 +6,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <random>
 
+#include "mc/build_info.hpp"
+#include "mc/sealed_bytes.hpp"
+#include "src/cage/cage_table_bytes.hpp"
 #include "src/input/input_error.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "src/simulate.hpp"
 #include "tests/support/process.hpp"
 
 namespace cagetol {
@@ -55,19 +62,6 @@ TEST(CageCache, TableIsMadeOnce) {
   EXPECT_TRUE(made->projection == read->projection);
 }
 
-TEST(CageCache, FolderThatCannotBeWrittenIsAWarning) {
-  const ScratchDirectory scratch;
-  std::ofstream(scratch / "file") << "no folder";
-  const Variable own("CAGETOL_CACHE", (scratch / "file").c_str());
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const auto table = CageTables(coarse_scene()).of(coarse_scene());
-  const std::string said =
-      testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout();
-  EXPECT_GT(table->dofs, 0);
-  EXPECT_THAT(said, testing::HasSubstr("cannot write " + scratch / "file"));
-}
-
 /// The coarse scene with all pockets wider.
 Scene wider(double by) {
   Scene scene = coarse_scene();
@@ -77,6 +71,170 @@ Scene wider(double by) {
 
 std::ptrdiff_t kept_files(const std::string& folder) {
   return std::distance(std::filesystem::directory_iterator(folder), {});
+}
+
+/// What is said, on stderr or stdout, while the coarse scene's table is asked for; `table` is it.
+std::string said_for_table(std::shared_ptr<const CageTable>& table) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  table = CageTables(coarse_scene()).of(coarse_scene());
+  return testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout();
+}
+
+long count_of(const std::string& text, const std::string& part) {
+  long count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(CageCache, FolderThatCannotBeMadeIsOneWarning) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "file") << "no folder";
+  const Variable own("CAGETOL_CACHE", (scratch / "file").c_str());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  CageTables tables(coarse_scene());
+  EXPECT_GT(tables.of(coarse_scene())->dofs, 0);
+  tables.of(wider(0.2e-3));
+  const std::string said =
+      testing::internal::GetCapturedStderr() + testing::internal::GetCapturedStdout();
+  EXPECT_THAT(said,
+              testing::AllOf(testing::HasSubstr(scratch / "file: cannot open the folder: Not"),
+                             testing::HasSubstr("cage tables are not kept"),
+                             testing::HasSubstr("remedy: set CAGETOL_CACHE")));
+  EXPECT_EQ(count_of(said, "cage tables are not kept"), 1);
+}
+
+TEST(CageCache, FolderThatOthersMayWriteToIsNotUsed) {
+  const ScratchDirectory scratch;
+  std::filesystem::create_directory(scratch / "open");
+  std::filesystem::permissions(scratch / "open", std::filesystem::perms(0777));
+  const Variable own("CAGETOL_CACHE", (scratch / "open").c_str());
+  std::shared_ptr<const CageTable> table;
+  EXPECT_THAT(said_for_table(table),
+              testing::AllOf(testing::HasSubstr(scratch / "open may be written by others"),
+                             testing::HasSubstr("remedy: `chmod go-w " + scratch / "open")));
+  EXPECT_EQ(kept_files(scratch / "open"), 0);
+}
+
+std::string only_file(const std::string& folder) {
+  return std::filesystem::directory_iterator(folder)->path().string();
+}
+
+void flip(const std::string& file, std::uintmax_t bit) {
+  std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+  bytes.seekg(static_cast<std::streamoff>(bit / 8));
+  const char changed = static_cast<char>(bytes.get() ^ (1 << bit % 8));
+  bytes.seekp(static_cast<std::streamoff>(bit / 8));
+  bytes.put(changed);
+}
+
+/// The same but for how long it took to make.
+bool same(const CageTable& one, const CageTable& two) {
+  const auto bytes = [](CageTable table) {
+    table.seconds_full = table.seconds_table = 0;
+    return cage_table_bytes(table);
+  };
+  return bytes(one) == bytes(two);
+}
+
+TEST(CageCache, ADamagedTableIsOneWarningAndMadeAgain) {
+  const ScratchDirectory scratch;
+  const Variable own("CAGETOL_CACHE", (scratch / "cache").c_str());
+  std::shared_ptr<const CageTable> first, again;
+  EXPECT_EQ(count_of(said_for_table(first), "warning"), 0);
+  const std::string file = only_file(scratch / "cache");
+  const std::uintmax_t bits = 8 * std::filesystem::file_size(file);
+  const std::vector<std::function<void()>> faults = {
+      [&] { flip(file, bits / 3); },
+      [&] { flip(file, bits - 1); },
+      [&] { flip(file, 0); },
+      [&] { std::filesystem::resize_file(file, bits / 16); },
+      [&] { std::filesystem::resize_file(file, 0); },
+      [&] { std::ofstream(file, std::ios::app) << '\0'; }};
+  for (const auto& fault : faults) {
+    fault();
+    const std::string said = said_for_table(again);
+    EXPECT_EQ(count_of(said, file + " is damaged"), 1) << said;
+    EXPECT_TRUE(same(*again, *first));
+    EXPECT_EQ(count_of(said_for_table(again), "warning"), 0);  // whole again
+  }
+  EXPECT_EQ(kept_files(scratch / "cache"), 1);
+}
+
+TEST(CageCache, ATableOfAnotherBuildOrFormatIsMadeAgainWithoutAWord) {
+  const ScratchDirectory scratch;
+  const Variable own("CAGETOL_CACHE", (scratch / "cache").c_str());
+  std::shared_ptr<const CageTable> first, again;
+  said_for_table(first);
+  const std::string file = only_file(scratch / "cache");
+  const std::string build = build_id(build_info());
+  const auto other_build = [&](const std::string& its_build) {
+    CageTable wrong = *first;
+    wrong.frequency *= 2;
+    const std::string head =
+        "cage table 11\n" + scene_cage_table_key(coarse_scene(), {}) + "\n" + its_build + "\n";
+    std::ofstream(file, std::ios::binary) << sealed_bytes(head, cage_table_bytes(wrong));
+  };
+  other_build(build);
+  EXPECT_EQ(CageTables(coarse_scene()).of(coarse_scene())->frequency, 2 * first->frequency);
+  other_build("another build");
+  EXPECT_EQ(count_of(said_for_table(again), "warning"), 0);
+  EXPECT_TRUE(same(*again, *first));
+  std::ofstream(file, std::ios::binary) << "cagetol cage table 10\nwithout a checksum";
+  EXPECT_EQ(count_of(said_for_table(again), "warning"), 0);
+  EXPECT_TRUE(same(*again, *first));
+}
+
+TEST(CageCache, AFileThatIsNotOursIsReplaced) {
+  const ScratchDirectory scratch;
+  const Variable own("CAGETOL_CACHE", (scratch / "cache").c_str());
+  std::shared_ptr<const CageTable> first, again;
+  said_for_table(first);
+  const std::string file = only_file(scratch / "cache");
+  std::filesystem::permissions(file, std::filesystem::perms(0666));
+  EXPECT_THAT(said_for_table(again), testing::HasSubstr(file + " may be written by others"));
+  EXPECT_NE(again->seconds_table, first->seconds_table);
+  EXPECT_EQ(count_of(said_for_table(again), "warning"), 0);
+}
+
+/// The largest stress in a short run.
+double peak_stress(const std::shared_ptr<const CageTable>& table) {
+  Scene scene = coarse_scene();
+  scene.cage.model = "flexible";
+  scene.window.settle_revolutions = 0.1;
+  scene.window.measure_revolutions = 0.1;
+  return simulate(scene, {.cage_table = table})
+      .quantities.at(static_cast<std::size_t>(quantity_index("cage_stress_peak_MPa")));
+}
+
+/// Goes on at the fault at which the last run was stopped.
+TEST(NightlyCageCache, AThousandFaultsNeverChangeAResult) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1";
+  constexpr int faults = 1000;
+  const std::string progress = CAGETOL_BINARY_DIR "/cage-cache-faults";
+  int begin = 0;
+  std::ifstream(progress) >> begin;
+  const ScratchDirectory scratch;
+  const Variable own("CAGETOL_CACHE", (scratch / "cache").c_str());
+  std::shared_ptr<const CageTable> table;
+  said_for_table(table);
+  const double right = peak_stress(table);
+  const std::string file = only_file(scratch / "cache");
+  const std::uintmax_t bytes = std::filesystem::file_size(file);
+  std::mt19937_64 random(37);
+  random.discard(static_cast<unsigned long long>(begin));
+  for (int fault = begin; fault < faults && !HasFailure(); ++fault) {
+    const std::uintmax_t place = random();
+    if (fault % 10 == 9)
+      std::filesystem::resize_file(file, place % bytes);
+    else
+      flip(file, place % (8 * bytes));
+    EXPECT_EQ(count_of(said_for_table(table), "is damaged"), 1) << fault << ", " << place;
+    EXPECT_EQ(peak_stress(table), right) << fault << ", " << place;
+    std::ofstream(progress) << fault + 1;
+  }
+  if (!HasFailure()) std::filesystem::remove(progress);
 }
 
 TEST(CageCache, TheTableOfASampleDoesNotDependOnTheSamplesBefore) {
@@ -123,6 +281,28 @@ TEST(CageCache, MoreTablesThanStayInMemoryAreReadAgain) {
   tables.make(points, 0, 1);
   EXPECT_TRUE(first.expired());
   EXPECT_EQ(tables.of(coarse_scene())->seconds_table, made);
+}
+
+TEST(CageCache, ACageWithoutASolutionIsBadInputOrAFailedRun) {
+  Scene scene = coarse_scene();
+  scene.cage.model = "flexible";
+  scene.cage.material.density = 1e-300;
+  testing::internal::CaptureStderr();
+  try {
+    CageTables(scene).of(scene);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("cage.mesh_density = 1: "),
+                                             testing::HasSubstr("cannot be solved: "),
+                                             testing::HasSubstr("remedy: ")));
+  }
+  testing::internal::GetCapturedStderr();
+  for (const std::string reason : {"", "its modes are gone"}) {
+    const Outcome outcome = simulate(scene, {.why_no_cage = reason});
+    EXPECT_EQ(outcome.status, Status::failed);
+    EXPECT_THAT(outcome.reason,
+                testing::HasSubstr("its finite elements cannot be solved: " + reason));
+  }
 }
 
 TEST(CageCache, AnImpossibleCageIsBadInput) {

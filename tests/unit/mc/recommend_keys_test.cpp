@@ -21,7 +21,8 @@ std::string study_text(const std::string& first, const std::string& second) {
     return "[[tolerance.dimension]]\nkey = \"cage." + key +
            "\"\nband_mm = 0.1\ncandidates = [0.05, 0.1]\n" + more + "\n";
   };
-  return "[scene.cage]\n"
+  return "[scene]\nfile = \"" + shipped("scenes/nu205.toml") +
+         "\"\n[scene.cage]\n"
          "pocket_width_mm = { nominal = 7.65, pocket = { law = \"normal\", sigma = 0.009 } }\n"
          "pocket_length_mm = { nominal = 9.25, pocket = { law = \"normal\", sigma = 0.009 } }\n" +
          dimension("pocket_width_mm", first) + dimension("pocket_length_mm", second);

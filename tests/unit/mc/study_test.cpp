@@ -9,6 +9,7 @@
 
 #include "mc/sample.hpp"
 #include "src/input/input_error.hpp"
+#include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
@@ -26,6 +27,7 @@ class StudyFile : public testing::Test {
                 testing::UnitTest::GetInstance()->current_test_info()->name()) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
+    write("reference.toml", reference_scene_text());
   }
   ~StudyFile() override { std::filesystem::remove_all(folder_); }
 
@@ -34,7 +36,11 @@ class StudyFile : public testing::Test {
     return folder_ + "/" + name;
   }
 
-  Study study_of(const std::string& text, const std::vector<std::string>& settings = {}) const {
+  /// Of a text that says nothing of its scene file, the scene is the reference bearing.
+  Study study_of(const std::string& text, std::vector<std::string> settings = {}) const {
+    const bool names_scene = text.find("[scene]\nfile") != std::string::npos ||
+                             text.find("scene = ") != std::string::npos;
+    if (!names_scene) settings.push_back("scene.file=" + folder_ + "/reference.toml");
     return read_study(write("study.toml", text), settings);
   }
 
@@ -95,7 +101,9 @@ TEST_F(StudyFile, ResolvedTextReadsBackToTheSameStudy) {
 }
 
 TEST_F(StudyFile, OverridesAndSettingsComeInOrder) {
-  write("scene.toml", "name = 'base'\n[cage]\npocket_width_mm = 7.7\n[load]\nradial_N = 500\n");
+  write("scene.toml",
+        reference_scene_text("name = 'base'\n[cage]\npocket_width_mm = 7.7\n[load]\nradial_N = "
+                             "500\n"));
   const std::string text =
       "[scene]\nfile = 'scene.toml'\n[scene.cage]\npocket_width_mm = { lot = { law = 'normal', "
       "sigma = 0.01 } }\n";
@@ -110,9 +118,22 @@ TEST_F(StudyFile, OverridesAndSettingsComeInOrder) {
   const auto wider = study_of(text, {"cage.pocket_width_mm.lot.sigma=0.02"}).inputs.at(0);
   EXPECT_EQ(std::get<Normal>(*wider.lot).sigma, 0.02);
   EXPECT_THAT(wider.nominal, ElementsAre(7.7));
-  write("other.toml", "[load]\nradial_N = 7\n");
+  write("other.toml", reference_scene_text("[load]\nradial_N = 7\n"));
   const auto other = study_of(text, {"scene.file=" + folder_ + "/other.toml"});
   EXPECT_DOUBLE_EQ(other.scene.operation.radial_load, 7);
+}
+
+TEST_F(StudyFile, AStudyWithoutItsBearingIsRefused) {
+  const std::string path =
+      write("study.toml", "samples = 3\n[scene.cage]\npocket_width_mm = 7.65\n");
+  try {
+    read_study(path);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("study.toml: the scene leaves out 17 keys"),
+                                    HasSubstr("bearing.roller_count: "),
+                                    HasSubstr("load.radial_N [N]: "), HasSubstr("scene.file")));
+  }
 }
 
 TEST_F(StudyFile, TheHashNamesContents) {
@@ -256,8 +277,8 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
                "sigma = 0.01 } }",
        {"cage.pocket_width_mm.lott", "did you mean lot?"}},
       {width + "{ nominal = 7.65, lot = 5 }", {"cage.pocket_width_mm.lot = 5", "expected a law"}},
-      {width + "{ law = 'normal', sigma = 0.01 }",
-       {"study.toml:2: cage.pocket_width_mm", "nominal value is not given", "add nominal = 7.65"}},
+      {"[scene.cage]\nmode_damping = { law = 'normal', sigma = 0.001 }",
+       {"study.toml:2: cage.mode_damping", "nominal value is not given", "add nominal = 0.01"}},
       {width + "{ nominal = 7.65, lot = { law = 'uniform', lower = 7.6, upper = 7.7 } }",
        {"near the nominal value 7.65", "subtract the nominal value"}},
       {width + "{ nominal = 7.4, lot = { law = 'normal', sigma = 0.01 } }",

@@ -3,22 +3,31 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <cmath>
+#include <functional>
 
 #include "src/dynamics/bearing_model.hpp"
+#include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_input.hpp"
 
 namespace cagetol {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 Scene scene_of(const std::string& text) {
+  return read_scene(reference_scene_table(text, "t.toml"), "t.toml");
+}
+
+Scene scene_alone(const std::string& text) {
   return read_scene(parse_toml(text, "t.toml"), "t.toml");
 }
 
-std::string problem_of(const std::string& text) {
+std::string problem_of(const std::string& text,
+                       const std::function<Scene(const std::string&)>& read = scene_of) {
   try {
-    scene_of(text);
+    read(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -34,8 +43,8 @@ void expect_equal(const Scene& a, const Scene& b) {
 }
 
 TEST(SceneKeys, DumpedDefaultsReadBackToTheSameBits) {
-  const Scene defaults;
-  const Scene read = scene_of(dump_keys(scene_keys(), defaults));
+  const Scene defaults = example_scene();
+  const Scene read = scene_alone(dump_keys(scene_keys(), defaults));
   expect_equal(read, defaults);
   EXPECT_EQ(read.bearing.bore_diameter, defaults.bearing.bore_diameter);
   EXPECT_EQ(read.cage.pocket_width, defaults.cage.pocket_width);
@@ -52,8 +61,60 @@ TEST(SceneKeys, DumpedDefaultsReadBackToTheSameBits) {
   EXPECT_TRUE(std::isnan(read.cage.mass));
 }
 
-TEST(SceneKeys, EmptyFileIsTheReferenceBearing) {
-  expect_equal(scene_of(""), Scene{});
+/// The required keys of the reference bearing alone.
+std::string required_keys() {
+  std::string text;
+  for (const auto& key : scene_keys())
+    if (key.range.required) text += key.name + " = " + key_text(key, example_scene()) + "\n";
+  return text;
+}
+
+TEST(SceneKeys, WhatIsNotRequiredHasADefault) {
+  expect_equal(scene_alone(required_keys()), example_scene());
+  EXPECT_EQ(example_scene().name, "scene");
+}
+
+TEST(SceneKeys, EveryRequiredKeyIsMissedByItself) {
+  int count = 0;
+  for (const auto& key : scene_keys()) {
+    if (!key.range.required) continue;
+    ++count;
+    std::string text = required_keys();
+    const auto begin = text.find(key.name + " = ");
+    text.erase(begin, text.find('\n', begin) + 1 - begin);
+    EXPECT_THAT(problem_of(text, scene_alone),
+                AllOf(HasSubstr("t.toml: the scene leaves out 1 key that has no default"),
+                      HasSubstr("\n    " + key.name +
+                                (key.unit == "-" ? ": " : " [" + key.unit + "]: ") + key.meaning),
+                      HasSubstr("remedy: give each a value")));
+  }
+  EXPECT_EQ(count, 18);
+}
+
+TEST(SceneMessages, AllMissingKeysAreNamedAtOnce) {
+  const auto text = problem_of(
+      "[bearing]\nroller_count = 14\ninner_raceway_diameter_mm = 49.5\n"
+      "outer_raceway_diameter_mm = 71.5\n[roller]\ndiameter_mm = 11\nlength_mm = 12\n"
+      "[load]\nradial_N = 6000\n",
+      scene_alone);
+  EXPECT_THAT(text, HasSubstr("t.toml: the scene leaves out 12 keys that have no default"));
+  for (const char* key :
+       {"bearing.bore_diameter_mm", "bearing.outside_diameter_mm", "bearing.width_mm",
+        "bearing.shoulder_diameter_mm", "bearing.internal_clearance_um",
+        "bearing.flange_clearance_mm", "cage.inner_diameter_mm", "cage.outer_diameter_mm",
+        "cage.width_mm", "cage.pocket_width_mm", "cage.pocket_length_mm", "speed.inner_rpm"})
+    EXPECT_THAT(text, HasSubstr("\n    " + std::string(key) + " [")) << key;
+  EXPECT_THAT(text, Not(HasSubstr("roller_count")));
+  EXPECT_THAT(text, HasSubstr("cagetol --dump-default scene"));
+}
+
+TEST(SceneMessages, ADistributionWithoutANominalIsNoValue) {
+  std::string text = required_keys();
+  text.erase(text.find("cage.pocket_width_mm"),
+             std::string("cage.pocket_width_mm = 7.65\n").size());
+  EXPECT_THAT(
+      problem_of(text + "[cage.pocket_width_mm.lot]\nlaw = 'normal'\nsigma = 0.01\n", scene_alone),
+      AllOf(HasSubstr("leaves out 1 key"), HasSubstr("its distribution has no nominal")));
 }
 
 TEST(SceneKeys, ValuesArriveInSI) {
@@ -77,7 +138,7 @@ TEST(SceneKeys, OneNumberPerPocket) {
 
 TEST(SceneKeys, ShippedScenesAreValid) {
   for (const char* name :
-       {"nu205", "nu205-paper", "nu205-paper-tight", "speed-z16", "speed-z16-skew"})
+       {"nu205", "nu205-thin", "nu205-paper", "nu205-paper-tight", "speed-z16", "speed-z16-skew"})
     EXPECT_EQ(read_scene(read_toml(scene_path(name)), scene_path(name)).name, name);
 }
 

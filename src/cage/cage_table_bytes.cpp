@@ -1,19 +1,14 @@
-// Cache file of a cage table: a magic line, the key, then every array as sizes and doubles, native
-// byte order.
-#include <unistd.h>
+// Every array as its sizes and its numbers, in the machine's own byte order.
+#include "src/cage/cage_table_bytes.hpp"
 
 #include <bit>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <system_error>
-
-#include "src/cage/cage_table.hpp"
+#include <cstring>
+#include <type_traits>
 
 namespace cagetol {
 namespace {
-
-constexpr const char* kMagic = "cagetol cage table 10\n";
 
 /// FNV-1a over the bit patterns of numbers.
 class Hash {
@@ -32,7 +27,7 @@ class Hash {
 
 class Writer {
  public:
-  explicit Writer(std::ostream& out) : out_(&out) {}
+  explicit Writer(std::string& out) : out_(&out) {}
   void operator()(const double& value) { raw(&value, sizeof value); }
   void operator()(const Eigen::Index& value) { raw(&value, sizeof value); }
   void operator()(const bool& value) { raw(&value, sizeof value); }
@@ -45,17 +40,22 @@ class Writer {
 
  private:
   void raw(const void* data, std::size_t size) {
-    out_->write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+    out_->append(static_cast<const char*>(data), size);
   }
-  std::ostream* out_;
+  std::string* out_;
 };
 
+/// Once bytes are missing, nothing more is read and `whole` stays false.
 class Reader {
  public:
-  explicit Reader(std::istream& in) : in_(&in) {}
+  Reader(std::string_view& left, bool& whole) : left_(&left), whole_(&whole) {}
   void operator()(double& value) { raw(&value, sizeof value); }
   void operator()(Eigen::Index& value) { raw(&value, sizeof value); }
-  void operator()(bool& value) { raw(&value, sizeof value); }
+  void operator()(bool& value) {
+    unsigned char byte = 0;
+    raw(&byte, sizeof byte);
+    value = byte != 0;
+  }
   template <typename Derived>
   void operator()(Eigen::PlainObjectBase<Derived>& matrix) {
     Eigen::Index rows = 0;
@@ -63,19 +63,25 @@ class Reader {
     (*this)(rows);
     (*this)(cols);
     constexpr Eigen::Index limit = 1 << 28;
-    if (!*in_ || rows < 0 || cols < 0 || rows > limit || cols > limit || rows * cols > limit) {
-      in_->setstate(std::ios::failbit);
-      return;
-    }
+    constexpr auto each = static_cast<Eigen::Index>(sizeof(typename Derived::Scalar));
+    const auto left = static_cast<Eigen::Index>(left_->size());
+    constexpr bool vector = Derived::ColsAtCompileTime == 1;
+    *whole_ = *whole_ && rows >= 0 && cols >= 0 && rows <= limit && cols <= limit &&
+              (!vector || cols == 1) && rows * cols <= left / each;
+    if (!*whole_) return;
     matrix.resize(rows, cols);
-    raw(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(typename Derived::Scalar));
+    raw(matrix.data(), static_cast<std::size_t>(matrix.size() * each));
   }
 
  private:
   void raw(void* data, std::size_t size) {
-    in_->read(static_cast<char*>(data), static_cast<std::streamsize>(size));
+    *whole_ = *whole_ && size <= left_->size();
+    if (!*whole_ || size == 0) return;
+    std::memcpy(data, left_->data(), size);
+    left_->remove_prefix(size);
   }
-  std::istream* in_;
+  std::string_view* left_;
+  bool* whole_;
 };
 
 /// Everything that is computed; the rest follows from what the key covers.
@@ -90,7 +96,8 @@ void transfer(Stream stream, Table& table) {
   stream(table.turn.cosine);
   stream(table.turn.sine);
   stream(table.frequency);
-  table.family.resize(static_cast<std::size_t>(table.frequency.size()));
+  if constexpr (!std::is_const_v<Table>)
+    table.family.resize(static_cast<std::size_t>(table.frequency.size()));
   for (auto& family : table.family) {
     stream(family.waves);
     stream(family.axial_share);
@@ -111,32 +118,6 @@ void transfer(Stream stream, Table& table) {
   stream(table.dofs);
   stream(table.seconds_full);
   stream(table.seconds_table);
-}
-
-bool read_table(const std::filesystem::path& file, const std::string& head, CageTable& table) {
-  std::ifstream in(file, std::ios::binary);
-  std::string found(head.size(), '\0');
-  if (!in.read(found.data(), static_cast<std::streamsize>(found.size())) || found != head)
-    return false;
-  transfer(Reader(in), table);
-  std::string tail(head.size(), '\0');
-  return in.read(tail.data(), static_cast<std::streamsize>(tail.size())) && tail == head;
-}
-
-/// Written under a name of its own and renamed, so that several processes may start together.
-bool write_table(const std::filesystem::path& file, const std::string& head, CageTable& table) {
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
-  const std::filesystem::path part = file.string() + "." + std::to_string(getpid());
-  std::ofstream out(part, std::ios::binary);
-  out << head;
-  transfer(Writer(out), table);
-  out << head;
-  out.close();
-  std::error_code ignored;
-  if (out) std::filesystem::rename(part, file, error);
-  if (!out || error) std::filesystem::remove(part, ignored);
-  return out && !error;
 }
 
 }  // namespace
@@ -162,22 +143,16 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
   return text;
 }
 
-CageTable cached_cage_table(const std::filesystem::path& folder, const CageDimensions& cage,
-                            const Material& material, const CageStations& stations,
-                            const CageTableOptions& options, const CageTableNews& news) {
-  const std::string key = cage_table_key(cage, material, stations, options);
-  const std::filesystem::path file = folder / ("cage-" + key + ".bin");
-  const std::string head = kMagic + key + "\n";
-  CageTable table;
-  if (read_table(file, head, table)) {
-    complete_cage_table(table, cage, material, stations, options);
-    return table;
-  }
-  table = make_cage_table(cage, material, stations, options, news);
-  if (!write_table(file, head, table) && news.warning) {
-    news.warning("cannot write " + file.string() + "; the cage table will be made again next time");
-  }
-  return table;
+std::string cage_table_bytes(const CageTable& table) {
+  std::string bytes;
+  transfer(Writer(bytes), table);
+  return bytes;
+}
+
+bool read_cage_table_bytes(std::string_view bytes, CageTable& table) {
+  bool whole = true;
+  transfer(Reader(bytes, whole), table);
+  return whole && bytes.empty();
 }
 
 }  // namespace cagetol

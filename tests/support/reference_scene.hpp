@@ -1,0 +1,28 @@
+// Scenes of the reference bearing with some keys changed, for tests: a scene file must give its
+// geometry, and a test wants to show only what it is about.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+
+/// Every key of the reference bearing, those of `text` as that says. Nodes of `text` keep their
+/// places as lines of `name`.
+inline toml::table reference_scene_table(const std::string& text, const std::string& name) {
+  toml::table root = parse_toml(dump_keys(scene_keys(), example_scene()), "reference scene");
+  merge_tables(root, parse_toml(text, name), is_distribution);
+  return root;
+}
+
+/// The same as the text of a file.
+inline std::string reference_scene_text(const std::string& text = "") {
+  std::ostringstream out;
+  out << toml::toml_formatter(reference_scene_table(text, "test")) << '\n';
+  return out.str();
+}
+
+}  // namespace cagetol
