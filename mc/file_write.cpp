@@ -35,6 +35,9 @@ std::string remedy(int error_number) {
     case EEXIST:
     case EISDIR:
       return "choose another output directory with -o";
+    case ENOENT:
+      return "give it its old name if it was renamed, then start the same command again; samples "
+             "in files that are gone run anew";
     default:
       return "check the file system, then start the same command again: finished samples are kept";
   }

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -28,6 +29,7 @@ constexpr std::uint32_t kSchema = 2;
 // of the kernel needs the disk as well; waiting for it at every record would cost more than the
 // seconds of work that can be lost then.
 constexpr std::chrono::seconds kSyncInterval{5};
+constexpr std::chrono::seconds kCheckInterval{1};
 
 enum class Kind : std::uint8_t { header = 0, started = 1, finished = 2, dropped = 3 };
 
@@ -132,7 +134,8 @@ bool same_owner(const JournalHeader& a, const JournalHeader& b) {
 Journal::Journal(const std::string& directory, const JournalHeader& header)
     : path_(directory + "/" + new_name(header.rank)),
       file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666)),
-      last_sync_(std::chrono::steady_clock::now()) {
+      last_sync_(std::chrono::steady_clock::now()),
+      last_check_(last_sync_) {
   if (file_.get() < 0) throw WriteError(path_, "create", errno);
   const std::string first = std::string(kMagic) + framed(encoded(header));
   if (const int error = write_all(file_.get(), first)) {
@@ -160,7 +163,22 @@ void Journal::dropped(std::uint64_t id) {
 
 void Journal::finished(const StoredOutcome& stored) {
   append(encoded(Kind::finished, stored.id) + to_bytes(stored));
-  if (std::chrono::steady_clock::now() - last_sync_ > kSyncInterval) sync();
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_sync_ > kSyncInterval) sync();
+  if (now - last_check_ > kCheckInterval) {
+    check_in_place();
+    last_check_ = now;
+  }
+}
+
+void Journal::check_in_place() const {
+  struct stat opened {
+  }, found{};
+  if (::fstat(file_.get(), &opened) != 0) throw WriteError(path_, "append", errno);
+  const bool there = ::stat(path_.c_str(), &found) == 0;
+  if (!there && errno != ENOENT && errno != ENOTDIR) return;  // a bad moment of a file server
+  if (there && found.st_ino == opened.st_ino && found.st_dev == opened.st_dev) return;
+  throw WriteError(path_, "append: it was removed or renamed while the program ran", ENOENT);
 }
 
 void Journal::sync() {

@@ -39,6 +39,9 @@ class Journal {
   void dropped(std::uint64_t id);
   /// Waits until everything is on the disk.
   void sync();
+  /// Throws WriteError when the file is no longer where readers look for it: its directory was
+  /// removed or renamed. Any thread may call it; finished() does about once a second.
+  void check_in_place() const;
 
   const std::string& path() const { return path_; }
 
@@ -49,7 +52,7 @@ class Journal {
   FileDescriptor file_;
   std::uint64_t header_size_ = 0;
   std::uint64_t size_ = 0;  ///< bytes up to the end of the last complete record
-  std::chrono::steady_clock::time_point last_sync_;
+  std::chrono::steady_clock::time_point last_sync_, last_check_;
 };
 
 /// What one journal file says.

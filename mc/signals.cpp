@@ -15,16 +15,21 @@ constexpr double kDrainSeconds = 30;
 std::atomic<double> drain_asked{0}, stop_asked{0};
 static_assert(std::atomic<double>::is_always_lock_free);
 
+int watches = 0;  ///< alive; only the outermost one has anything to put back
+
 double now_s() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-extern "C" void on_signal(int number) noexcept {
-  std::atomic<double>& asked = number == SIGUSR1 ? drain_asked : stop_asked;
+void ask(std::atomic<double>& asked) {
   double never = 0;
   asked.compare_exchange_strong(never, now_s());
+}
+
+extern "C" void on_signal(int number) noexcept {
+  ask(number == SIGUSR1 ? drain_asked : stop_asked);
 }
 
 /// When stopping() became or becomes true; 0 while nobody asked.
@@ -37,6 +42,7 @@ double stop_time() {
 }  // namespace
 
 SignalWatch::SignalWatch() {
+  if (watches++ > 0) return;
   drain_asked = stop_asked = 0;
   // SIGXFSZ is ignored so that a file size limit is met as a failed write, which has a message.
   for (const int number : {SIGUSR1, SIGTERM, SIGINT, SIGXFSZ}) {
@@ -51,9 +57,13 @@ SignalWatch::SignalWatch() {
 }
 
 SignalWatch::~SignalWatch() {
+  --watches;
   for (const Replaced& old : replaced_) sigaction(old.number, &old.action, nullptr);
 }
 
+void SignalWatch::ask_to_stop() {
+  ask(stop_asked);
+}
 bool SignalWatch::draining() {
   return drain_asked != 0 || stop_asked != 0;
 }

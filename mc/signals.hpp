@@ -9,7 +9,7 @@
 
 namespace cagetol {
 
-/// Watches for signals while it lives; one at a time in a process.
+/// Watches for signals while it lives. Where another one lives already, that one goes on watching.
 class SignalWatch {
  public:
   SignalWatch();
@@ -22,6 +22,8 @@ class SignalWatch {
   /// Samples in flight shall be given back: asked to stop, or draining for longer than samples are
   /// waited for.
   static bool stopping();
+  /// The program itself asks to stop, as SIGTERM does.
+  static void ask_to_stop();
   /// Seconds since stopping() became true; 0 before.
   static double stopping_for_s();
 

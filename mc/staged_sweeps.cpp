@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "analysis/format/study_file_error.hpp"
+#include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
 #include "mc/signals.hpp"
 #include "mc/study_file.hpp"
@@ -16,7 +17,6 @@
 namespace cagetol {
 namespace {
 
-constexpr int kDone = 0, kBadInput = 2, kStartAgain = 75;
 constexpr double kLastWordsSeconds = 2;
 
 /// Whether every sample of the study is stored, by this build, with no more failures than allowed.
@@ -42,17 +42,25 @@ void tell(const Team& team, const std::string& text) {
   for (int rank = 1; rank < team.size(); ++rank) team.send(rank, text);
 }
 
-/// The next sweep from rank 0, "DIRECTORY\nresolved study"; empty at the end.
 std::string next_sweep(const Team& team) {
   while (true) {
     if (const auto message = team.receive()) return message->bytes;
-    if (SignalWatch::stopping_for_s() > 2 * kLastWordsSeconds) ::_exit(kStartAgain);
+    if (SignalWatch::stopping_for_s() > 2 * kLastWordsSeconds) ::_exit(kInterrupted);
+    team.check_pulse();
     short_rest();
   }
 }
 
+/// The exit code with which all ranks part because they run different programs.
+int parted(const Team& team) {
+  return agreed(team,
+                problem_of([&] { check_same_program(team, build_info(), "several sweeps"); }));
+}
+
 void follow(const Launch& launch, const MakePlan& make_plan) {
   const Team team(launch);
+  if (parted(team) != kDone) return;
+  // From rank 0: "DIRECTORY\nresolved study"; empty at the end.
   for (std::string text = next_sweep(team); !text.empty(); text = next_sweep(team)) {
     const auto line = text.find('\n');
     const std::string directory = text.substr(0, line);
@@ -67,18 +75,26 @@ void follow(const Launch& launch, const MakePlan& make_plan) {
 
 int StagedSweeps::sweep(const Study& study, const std::string& directory) {
   if (complete(study, directory)) return kDone;
-  if (SignalWatch::draining()) return kStartAgain;
+  if (SignalWatch::draining()) return kInterrupted;
   spdlog::info("{}: {} runs in {}", study.name, sample_count(study), directory);
   Sweep sweep(launch_, {.directory = directory, .progress = progress_});
   sweep.prepare([&] { return make_plan_(study); }, launch_.under_mpi && team_);
-  if (!team_) team_ = std::make_unique<Team>(launch_);
+  if (const int code = join()) return code;
   tell(*team_, directory + "\n" + study.resolved_toml);
   return sweep.run(*team_);
 }
 
-void StagedSweeps::end() {
-  if (!team_) team_ = std::make_unique<Team>(launch_);  // the others wait for it
-  tell(*team_, "");
+int StagedSweeps::join() {
+  if (team_ || refused_ != kDone) return refused_;
+  refused_ = kBadInput;  // should MPI not come up
+  team_ = std::make_unique<Team>(launch_);
+  return refused_ = parted(*team_);
+}
+
+int StagedSweeps::end() {
+  const int code = join();  // the others wait for it
+  if (code == kDone) tell(*team_, "");
+  return code;
 }
 
 int run_staged(const MakePlan& make_plan, ProgressStyle progress,
@@ -95,13 +111,13 @@ int run_staged(const MakePlan& make_plan, ProgressStyle progress,
     code = lead(stages);
   } catch (const WriteError& problem) {
     fmt::print(stderr, "cagetol: {}\n", problem.what());
-    code = problem.can_go_on() ? kStartAgain : kBadInput;
+    code = problem.can_go_on() ? kInterrupted : kBadInput;
   } catch (const std::exception& problem) {
     fmt::print(stderr, "cagetol: {}\n", failure_text(problem));
-    if (is_want_of_resources(problem)) code = kStartAgain;
+    if (is_want_of_resources(problem)) code = kInterrupted;
   }
-  stages.end();
-  return code;
+  const int refused = stages.end();
+  return refused != kDone ? refused : code;
 }
 
 }  // namespace cagetol

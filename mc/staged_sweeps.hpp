@@ -25,14 +25,19 @@ class StagedSweeps {
   /// sample is stored. Samples lost twice run alone only in the first sweep that has anything to
   /// run, because MPI has not begun then.
   int sweep(const Study& study, const std::string& directory);
-  /// Nothing more to run: every rank is told once.
-  void end();
+  /// Nothing more to run: every rank is told once. The exit code where ranks run different
+  /// programs.
+  int end();
 
  private:
+  /// Meets the other ranks, once; the exit code where they run another program.
+  int join();
+
   Launch launch_;
   const MakePlan& make_plan_;
   ProgressStyle progress_;
   std::unique_ptr<Team> team_;  ///< made with the first sweep that has anything to run
+  int refused_ = 0;             ///< the exit code with which all ranks have parted
 };
 
 /// Every rank calls it; rank 0 alone calls `lead`, whose exit code it returns; the others return 0.

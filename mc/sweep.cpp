@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <climits>
 #include <memory>
 #include <optional>
 
 #include "mc/alone.hpp"
+#include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
 #include "mc/hand_out.hpp"
 #include "mc/signals.hpp"
@@ -20,8 +20,6 @@
 namespace cagetol {
 namespace {
 
-constexpr int kDone = 0, kBadInput = 2, kTooManyFailed = 3, kStartAgain = 75;
-
 // A sample in flight when everything was killed twice may well be innocent; from then on it runs in
 // a process of its own.
 constexpr int kLossesBeforeAlone = 2;
@@ -29,6 +27,9 @@ constexpr int kLossesBeforeAlone = 2;
 // Bringing study.h5 up to date must stay a small share of the sweep, however long its reading and
 // writing takes.
 constexpr double kRebuildShare = 0.01;
+
+// How often rank 0 looks whether the directory is still there, s.
+constexpr double kCheckInterval = 1;
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -129,13 +130,17 @@ class Leader {
   /// when that is not possible, or when they lack a sample that this sweep has `done`.
   bool rebuild(std::uint64_t done);
   void idle(const WorkList& list, Progress& progress);
+  /// Whether the directory is where it was; otherwise every rank is asked to stop.
+  bool in_place(const Team& team, const Journal& journal);
   int conclude(const WorkList::State& state, bool written) const;
 
   const SweepPlan& plan_;
   const SweepOptions& options_;
   const BuildInfo& build_;
   std::chrono::steady_clock::time_point last_rebuild_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_check_ = last_rebuild_;
   double rebuild_s_ = 0;
+  bool gone_ = false;  ///< the directory was removed or renamed
 };
 
 JournalHeader owner_of(const SweepPlan& plan, const BuildInfo& build) {
@@ -173,6 +178,19 @@ bool Leader::rebuild(std::uint64_t done) {
   return written;
 }
 
+bool Leader::in_place(const Team& team, const Journal& journal) {
+  if (gone_ || seconds_since(last_check_) < kCheckInterval) return !gone_;
+  last_check_ = std::chrono::steady_clock::now();
+  try {
+    journal.check_in_place();
+  } catch (const WriteError& problem) {
+    gone_ = true;
+    spdlog::error("{}", problem.what());
+    team.stop_all();
+  }
+  return !gone_;
+}
+
 void Leader::idle(const WorkList& list, Progress& progress) {
   progress.update(list.state().tally);
   const double interval = std::max(options_.rebuild_interval_s, rebuild_s_ / kRebuildShare);
@@ -187,7 +205,9 @@ int Leader::lead(const Team& team, Journal& journal, const RunSample& run) {
     spdlog::info("{} of {} samples are already done", pending.before.done, plan_.samples);
   WorkList list(pending.ids, pending.before);
   Progress progress(options_.progress, pending.before.done, plan_.samples);
-  const bool orderly = lead_team(team, list, run, [&] { idle(list, progress); });
+  const bool orderly = lead_team(team, list, run, [&] {
+    if (in_place(team, journal)) idle(list, progress);
+  });
   const WorkList::State state = list.state();
   const double elapsed = progress.elapsed_s();
   progress.finish(state.tally);
@@ -195,11 +215,11 @@ int Leader::lead(const Team& team, Journal& journal, const RunSample& run) {
     spdlog::info("{:.1f} s on {} ranks, {:.1f} % of it inside samples", elapsed, team.size(),
                  100 * state.busy_s / (elapsed * team.size()));
   if (orderly) journal.sync();
-  const bool written = rebuild(state.tally.done);
+  const bool written = !gone_ && rebuild(state.tally.done);
   const int code = conclude(state, written);
   // The computing thread, or another rank, is still busy and a signal leaves no time to wait for
   // it. Journals are complete.
-  if (!orderly) ::_exit(kStartAgain);
+  if (!orderly) ::_exit(kInterrupted);
   return code;
 }
 
@@ -213,7 +233,7 @@ int Leader::conclude(const WorkList::State& state, bool written) const {
   if (tally.done < plan_.samples || !written || state.cannot_write) {
     spdlog::warn("interrupted with {} of {} samples done: start the same command again to go on",
                  tally.done, plan_.samples);
-    return kStartAgain;
+    return kInterrupted;
   }
   const double share = static_cast<double>(tally.failures()) / static_cast<double>(plan_.samples);
   if (tally.failures() > 0 && share > plan_.study.allowed_failure_share) {
@@ -223,35 +243,12 @@ int Leader::conclude(const WorkList::State& state, bool written) const {
         "says what happened",
         tally.failures(), plan_.samples, 100 * share, 100 * plan_.study.allowed_failure_share,
         options_.directory);
-    return kTooManyFailed;
+    return kSamplesFailed;
   }
   return kDone;
 }
 
 }  // namespace
-
-/// What went wrong before the first sample, if anything.
-template <class Work>
-Sweep::Problem Sweep::problem_of(Work work) {
-  try {
-    work();
-    return {};
-  } catch (const WriteError& problem) {
-    return {problem.what(), problem.can_go_on() ? kStartAgain : kBadInput};
-  } catch (const std::exception& problem) {
-    return {failure_text(problem), kBadInput};
-  }
-}
-
-/// The exit code that all ranks agree on: kDone when none has a problem. The first rank that has
-/// one prints it.
-int Sweep::agreed(const Team& team, const Problem& problem) {
-  const bool well = problem.code == kDone;
-  const int first = team.smallest(well ? INT_MAX : team.rank());
-  if (first == team.rank() && !well) fmt::print(stderr, "cagetol: {}\n", problem.text);
-  const int code = team.smallest(well ? INT_MAX : problem.code);
-  return code == INT_MAX ? kDone : code;
-}
 
 void Sweep::open_journal() {
   journal_ =
@@ -276,7 +273,10 @@ void Sweep::prepare(const std::function<SweepPlan()>& make_plan, bool mpi_runs) 
 int Sweep::run(const Team& team) {
   const bool leads = launch_.rank == 0;
   if (const int code = agreed(team, problem_)) return leads ? code : 0;
+  problem_ = problem_of([&] { check_same_study(team, plan_.study); });
+  if (const int code = agreed(team, problem_)) return leads ? code : 0;
   problem_ = problem_of([&] {
+    check_same_directory(team, options_.directory, leads ? journal_->path() : "");
     if (!leads) open_journal();
     if (plan_.prepare) plan_.prepare(team.rank(), team.size());
   });
@@ -290,14 +290,14 @@ int Sweep::run(const Team& team) {
     if (leads) {
       code = Leader(plan_, options_, build_).lead(team, *journal_, run);
     } else if (!work_in_team(team, run)) {
-      ::_exit(kStartAgain);
+      ::_exit(kInterrupted);
     }
   } catch (const std::exception& problem) {
     // The other ranks wait for answers that nobody gives: an orderly end of MPI would wait for
     // them. Journals are complete.
     spdlog::error("{}; rank {} ends: start the same command again to go on", failure_text(problem),
                   launch_.rank);
-    ::_exit(kStartAgain);
+    ::_exit(kInterrupted);
   }
   team.meet();
   return code;
@@ -309,6 +309,8 @@ int run_sweep(const std::function<SweepPlan()>& make_plan, const SweepOptions& o
   Sweep sweep(launch, options);
   sweep.prepare(make_plan, false);
   const Team team(launch);
+  const Problem problem = problem_of([&] { check_same_program(team, build_info(), "one sweep"); });
+  if (const int code = agreed(team, problem)) return team.rank() == 0 ? code : 0;
   return sweep.run(team);
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "mc/agreement.hpp"
 #include "mc/build_info.hpp"
 #include "mc/journal.hpp"
 #include "mc/progress.hpp"
@@ -41,13 +42,6 @@ class Sweep {
   int run(const Team& team);
 
  private:
-  struct Problem {
-    std::string text;
-    int code = 0;
-  };
-  template <class Work>
-  static Problem problem_of(Work work);
-  static int agreed(const Team& team, const Problem& problem);
   void open_journal();
 
   Launch launch_;

@@ -110,7 +110,8 @@ std::string stored_study_path(const std::string& directory) {
 }
 
 std::vector<std::string> study_differences(const std::string& stored_toml,
-                                           const std::string& new_toml) {
+                                           const std::string& new_toml,
+                                           const std::string& pattern) {
   const auto stored = leaves_of(stored_toml), fresh = leaves_of(new_toml);
   std::vector<std::string> differences;
   const auto value_in = [](const auto& leaves, const std::string& name) {
@@ -122,7 +123,7 @@ std::vector<std::string> study_differences(const std::string& stored_toml,
   for (const auto& [name, value] : names) {
     const Leaf before = value_in(stored, name), now = value_in(fresh, name);
     if (before.whole != now.whole)
-      differences.push_back(fmt::format("{}: {} stored, {} now", name, before.shown, now.shown));
+      differences.push_back(fmt::format(fmt::runtime(pattern), name, before.shown, now.shown));
   }
   return differences;
 }

@@ -47,8 +47,9 @@ std::string study_file_path(const std::string& directory);
 std::string stored_study_path(const std::string& directory);
 
 /// Keys with other values, "scene.load.radial_N: 1000 stored, 2000 now", of two resolved studies in
-/// TOML.
+/// TOML. `pattern` may word it otherwise: {0} is the key, {1} and {2} are its values.
 std::vector<std::string> study_differences(const std::string& stored_toml,
-                                           const std::string& new_toml);
+                                           const std::string& new_toml,
+                                           const std::string& pattern = "{0}: {1} stored, {2} now");
 
 }  // namespace cagetol

@@ -8,19 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "mc/exit_code.hpp"
 #include "mc/progress.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
-
-/// Exit codes of the program; --help lists them.
-enum ExitCode : int {
-  kDone = 0,
-  kLimitsNotMet = 1,
-  kBadInput = 2,
-  kSamplesFailed = 3,
-  kInterrupted = 75,
-};
 
 using Chosen = std::function<int()>;
 

@@ -10,6 +10,7 @@
 #include "mc/commands/companion_stages.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
+#include "mc/signals.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
 
@@ -59,6 +60,7 @@ int run_stages(const SweepArguments& options, StagedSweeps& stages) {
 }
 
 int run_sweep(const SweepArguments& options) {
+  const SignalWatch signals;  // before a large study is read
   if (is_staged(options))
     return run_staged(make_sweep_plan, options.sweep.progress,
                       [&](StagedSweeps& stages) { return run_stages(options, stages); });

@@ -27,6 +27,18 @@ TEST_P(RanksTest, GiveTheStudyFileOfASerialRunToTheBit) {
 
 INSTANTIATE_TEST_SUITE_P(Ranks, RanksTest, testing::Values(1, 2, 3));
 
+/// Dozens of ranks on each core: whoever waits must sleep, and nobody may count as lost.
+TEST(ManyRanks, SixtyFourOnFewCoresGiveTheStudyFileOfASerialRunToTheBit) {
+  const ScratchDirectory scratch;
+  const std::vector<std::string> options = {"--samples", "300", "--mean-ms", "20"};
+  ASSERT_EQ(run(standin(scratch / "serial", {"--samples", "300", "--mean-ms", "0.1"})).code, 0);
+  const Ended ended = run(with_mpirun(64, standin(scratch / "mpi", options)));
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_THAT(
+      study_file_differences(study_file_of(scratch / "serial"), study_file_of(scratch / "mpi")),
+      IsEmpty());
+}
+
 TEST(HandOutTest, EveryRankTakesPart) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run(with_mpirun(3, standin(scratch / "out", {"--mean-ms", "20"}))).code, 0);

@@ -2,8 +2,11 @@
 // alone and under mpirun.
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
+
 #include "mc/log.hpp"
 #include "mc/sweep.hpp"
+#include "src/input/input_error.hpp"
 #include "tests/support/standin_study.hpp"
 
 int main(int argc, char** argv) {
@@ -14,6 +17,7 @@ int main(int argc, char** argv) {
   app.add_option("directory", sweep.directory)->required();
   app.add_option("--samples", standin.samples);
   app.add_option("--load", standin.radial_load);
+  app.add_option("--file-hash", standin.file_hash);
   app.add_option("--mean-ms", standin.mean_ms);
   app.add_option("--failure-share", standin.failure_share);
   app.add_option("--abort-id", standin.abort_id);
@@ -25,10 +29,15 @@ int main(int argc, char** argv) {
   app.add_flag("--bad-study", bad_study);
   CLI11_PARSE(app, argc, argv);
   cagetol::log_to_stderr();
-  return cagetol::run_sweep(
-      [&] {
-        if (bad_study) throw std::runtime_error("study.toml:3: sigma = -1: must not be negative");
-        return cagetol::make_standin_plan(standin);
-      },
-      sweep);
+  try {
+    return cagetol::run_sweep(
+        [&] {
+          if (bad_study) throw std::runtime_error("study.toml:3: sigma = -1: must not be negative");
+          return cagetol::make_standin_plan(standin);
+        },
+        sweep);
+  } catch (const cagetol::InputError& error) {
+    std::fprintf(stderr, "cagetol: %s\n", error.what());
+    return 2;
+  }
 }

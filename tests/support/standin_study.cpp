@@ -54,8 +54,8 @@ Study make_study(const StandinOptions& options) {
                   options.samples, options.radial_load);
   study.resolved_json =
       R"({"inputs":[{"key":"cage.pocket_width_mm","lot":{"law":"normal","sigma":1}}]})";
-  study.files = {{"measured.csv", "0123456789abcdef"}};
-  study.hash = text_hash(study.resolved_toml);
+  study.files = {{"measured.csv", options.file_hash}};
+  study.hash = text_hash(study.resolved_toml + options.file_hash);
   return study;
 }
 

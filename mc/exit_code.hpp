@@ -1,0 +1,15 @@
+// Exit codes of the program.
+#pragma once
+
+namespace cagetol {
+
+/// Exit codes of the program; --help lists them.
+enum ExitCode : int {
+  kDone = 0,
+  kLimitsNotMet = 1,
+  kBadInput = 2,
+  kSamplesFailed = 3,
+  kInterrupted = 75,
+};
+
+}  // namespace cagetol
