@@ -1,7 +1,5 @@
 #include "tests/support/reader_probes.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <boost/crc.hpp>
 #include <cstdint>
@@ -17,7 +15,9 @@
 #include "mc/study.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/scene/scene_keys.hpp"
+#include "tests/support/probe_folder.hpp"
 #include "tests/support/shipped_input.hpp"
+#include "tests/support/stored_file_probes.hpp"
 
 namespace cagetol {
 namespace {
@@ -34,39 +34,6 @@ std::vector<std::string> parts_of(std::string_view bytes, std::size_t count) {
   parts.emplace_back(bytes);
   parts.resize(count);
   return parts;
-}
-
-/// A folder of this process in memory where the system has such a place; removed at its end.
-class ProbeFolder {
- public:
-  ProbeFolder() {
-    const std::filesystem::path memory = "/dev/shm";
-    std::error_code ignored;
-    path_ =
-        (std::filesystem::is_directory(memory, ignored) ? memory
-                                                        : std::filesystem::temp_directory_path()) /
-        ("cagetol-probe-" + std::to_string(getpid()));
-    std::filesystem::create_directories(path_);
-  }
-  ProbeFolder(const ProbeFolder&) = delete;
-  ProbeFolder& operator=(const ProbeFolder&) = delete;
-  ~ProbeFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string write(const char* name, std::string_view bytes) const {
-    const std::string file = (path_ / name).string();
-    std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
-    return file;
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
-const ProbeFolder& folder() {
-  static const ProbeFolder made;
-  return made;
 }
 
 std::string file_text(const std::string& path) {
@@ -106,9 +73,9 @@ void draw_some(const Study& study) {
 /// A study, its scene and its measurements.
 bool read_study_bytes(std::string_view bytes) {
   const auto parts = parts_of(bytes, 3);
-  folder().write("scene.toml", parts[1]);
-  folder().write("parts.csv", parts[2]);
-  const std::string study = folder().write("study.toml", parts[0]);
+  probe_folder().write("scene.toml", parts[1]);
+  probe_folder().write("parts.csv", parts[2]);
+  const std::string study = probe_folder().write("study.toml", parts[0]);
   return read_or_refused([&] { draw_some(read_study(study)); });
 }
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -210,7 +177,7 @@ bool read_journal_bytes(std::string_view bytes) {
   bytes.remove_prefix(bytes.empty() ? 0 : 1);
   const std::string text(bytes);
   const auto content =
-      read_journal(folder().write("fuzz.journal", right ? with_right_frames(text) : text));
+      read_journal(probe_folder().write("fuzz.journal", right ? with_right_frames(text) : text));
   if (!content.readable && content.notes.empty()) throw std::logic_error("damage without a note");
   return content.readable && content.notes.empty();
 }
@@ -223,8 +190,7 @@ std::vector<std::string> journal_seeds() {
   std::string path;
   std::string bytes;
   {
-    Journal journal(std::filesystem::path(folder().write("seed", "")).parent_path().string(),
-                    {"0123456789abcdef", "build 1", 3});
+    Journal journal(probe_folder().path().string(), {"0123456789abcdef", "build 1", 3});
     path = journal.path();
     for (std::uint64_t id = 0; id < 3; ++id) {
       stored.id = id;
@@ -243,14 +209,23 @@ std::vector<std::string> journal_seeds() {
 }  // namespace
 
 const std::vector<ReaderProbe>& reader_probes() {
-  static const std::vector<ReaderProbe> probes = {
-      {"scene", read_scene_bytes, scene_seeds},
-      {"study", read_study_bytes, study_seeds},
-      {"resolved", read_resolved_bytes, resolved_seeds},
-      {"settings", read_setting_bytes, setting_seeds},
-      {"csv", read_csv_bytes, csv_seeds},
-      {"journal", read_journal_bytes, journal_seeds},
-  };
+  static const std::vector<ReaderProbe> probes = [] {
+    std::vector<ReaderProbe> all = {
+        {"scene", read_scene_bytes, scene_seeds},
+        {"study", read_study_bytes, study_seeds},
+        {"resolved", read_resolved_bytes, resolved_seeds},
+        {"settings", read_setting_bytes, setting_seeds},
+        {"csv", read_csv_bytes, csv_seeds},
+        {"journal", read_journal_bytes, journal_seeds},
+    };
+#if __has_include("analysis/format/file_seal.hpp")
+    for (const ReaderProbe& probe : study_file_probes()) all.push_back(probe);
+#endif
+#if __has_include("src/cage/cage_table_bytes.hpp")
+    for (const ReaderProbe& probe : cage_table_probes()) all.push_back(probe);
+#endif
+    return all;
+  }();
   return probes;
 }
 
