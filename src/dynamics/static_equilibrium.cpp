@@ -1,5 +1,6 @@
 #include "src/dynamics/static_equilibrium.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,13 @@ constexpr double kNoPlace =
 // are below this length for each share of the load left over.
 constexpr int kMostFollowing = 12;
 constexpr double kFollowedWithin = 1e-4;  // [m]
+// A search from anywhere: downhill with rollers at rest, then with a growing share of the damping.
+constexpr int kMostDescending = 400;
+constexpr int kMostHalvings = 30;
+constexpr int kMostCorrections = 40;
+constexpr double kLeastShare = 1.0 / 16;  // by which the damping grows
+constexpr double kProbe = 1e-9;           // move that tells a derivative [m]
+constexpr double kStandstill = 1e-16;     // a move below this is none [m]
 // Of a roller's place [m], for a balance of the ring to a share `accuracy` of the load: were it
 // more, the ring's iteration would see noise (1e-14 m are a millionth of a newton of a loaded
 // contact). Never below what the place itself can be told to.
@@ -184,6 +192,7 @@ struct StaticEquilibrium::RingForce {
 StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
     : model_(model),
       undamped_(model.race),
+      damped_(model.race),
       accuracy_(accuracy),
       lever_(model.roller_half_length),
       tilts_(model.layout.ring_tilt > 0) {
@@ -211,7 +220,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
     // At rest first, where no speed damps; then orbiting, and the law's damping has its say.
     bool moves = false;
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-      const RollerBalance b = at.balance(moves ? model_.race : undamped_);
+      const RollerBalance b = at.balance(moves ? damped_ : undamped_);
       const bool settled = b.size < settled_within(model_.pitch_radius, accuracy_);
       if (settled && !moves && motion == RollerMotion::orbiting) {
         moves = true;
@@ -292,6 +301,7 @@ const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_ra
     state_ = before;
   }
   balance(angle, orbit_rate, load, motion);
+  if (!state_.converged) search(angle, orbit_rate, load, motion);
   return state_;
 }
 
@@ -368,6 +378,120 @@ void StaticEquilibrium::balance(const double* angle, double orbit_rate, const Ri
     }
   }
   state_.ring_elastic_z = f.elastic_z;
+}
+
+void StaticEquilibrium::reset() {
+  state_.ring_y = state_.ring_z = 0;
+  state_.tilt_y = model_.misalignment_y;
+  state_.tilt_z = model_.misalignment_z;
+  std::fill(state_.radius.begin(), state_.radius.end(),
+            model_.outer_radius - model_.nominal_diameter / 2);
+  std::fill(state_.tilt.begin(), state_.tilt.end(), 0.0);
+  resting_radius_ = state_.radius;
+  resting_tilt_ = state_.tilt;
+  state_.converged = false;
+}
+
+void StaticEquilibrium::search(const double* angle, double orbit_rate, const RingLoad& load,
+                               RollerMotion motion) {
+  const int spent = state_.iterations;
+  reset();
+  state_.iterations = spent;
+  RingForce f = descend(angle, orbit_rate, load);
+  if (state_.converged && motion == RollerMotion::orbiting) {
+    double share = 0;
+    for (double step = 1; share < 1 && step >= kLeastShare;) {
+      const StaticState from = state_;
+      const auto resting = std::pair{resting_radius_, resting_tilt_};
+      const double next = std::min(1.0, share + step);
+      damped_.damping = next * model_.race.damping;
+      damped_.chi = next * model_.race.chi;
+      if (correct(angle, orbit_rate, load, f)) {
+        share = next;
+        continue;
+      }
+      const int used = state_.iterations;
+      state_ = from;
+      state_.iterations = used;
+      std::tie(resting_radius_, resting_tilt_) = resting;
+      step /= 2;
+    }
+    damped_ = model_.race;
+    state_.converged = share == 1;
+  }
+  state_.ring_elastic_z = f.elastic_z;
+}
+
+StaticEquilibrium::RingForce StaticEquilibrium::descend(const double* angle, double orbit_rate,
+                                                        const RingLoad& load) {
+  // At rest forces have a potential. A ring on one roller is at the top of a hill: along directions
+  // in which the potential bends down the move goes downhill all the same (the stiffness counts by
+  // its magnitude), until the next roller holds the ring.
+  const Eigen::Vector4d lever(1, 1, lever_, lever_);  // makes all four lengths and forces
+  const double soft =
+      std::min(kSoftSpring, std::max(4 * std::abs(weight(load)), 1e-3) / model_.inner_radius);
+  const auto settle = [&] {
+    return settle_rollers(angle, orbit_rate, load, RollerMotion::at_rest);
+  };
+  RingForce f = settle();
+  for (int k = 0; k < kMostDescending; ++k, ++state_.iterations) {
+    const double now = imbalance(f);
+    if (f.settled && now < tolerance(load)) {
+      state_.converged = true;
+      break;
+    }
+    Eigen::Matrix4d K = f.slope.array() / (lever * lever.transpose()).array();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> axes(-(K + K.transpose()) / 2);
+    Eigen::Vector4d along = axes.eigenvectors().transpose() * f.force.cwiseQuotient(lever);
+    along.array() /= axes.eigenvalues().array().abs().max(soft);
+    Eigen::Vector4d d = (axes.eigenvectors() * along).cwiseQuotient(lever);
+    if (const double far = length(d); far > kLongestMove) d *= kLongestMove / far;
+    for (int halving = 0; halving < kMostHalvings; ++halving) {
+      move_ring(d);
+      f = settle();
+      if (imbalance(f) < now || f.force.dot(d) > 0) break;
+      move_ring(-d);
+      d /= 2;
+    }
+    if (length(d) < kStandstill) break;
+  }
+  return f;
+}
+
+bool StaticEquilibrium::correct(const double* angle, double orbit_rate, const RingLoad& load,
+                                RingForce& f) {
+  const int unknowns = tilts_ ? 4 : 2;
+  const auto settle = [&] {
+    return settle_rollers(angle, orbit_rate, load, RollerMotion::orbiting);
+  };
+  f = settle();
+  for (int k = 0; k < kMostCorrections; ++k, ++state_.iterations) {
+    if (!f.settled) return false;
+    const double now = imbalance(f);
+    if (now < tolerance(load)) return true;
+    // By differences: damping lets the force depend on the stiffness, which no slope knows.
+    Eigen::Matrix4d slope = Eigen::Matrix4d::Identity();
+    for (int i = 0; i < unknowns; ++i) {
+      const double probe = i < 2 ? kProbe : kProbe / lever_;
+      const Eigen::Vector4d move = probe * Eigen::Vector4d::Unit(i);
+      move_ring(move);
+      slope.col(i) = (settle().force - f.force) / probe;
+      move_ring(-move);
+    }
+    Eigen::Vector4d d = -slope.partialPivLu().solve(f.force);
+    if (!d.allFinite()) return false;
+    if (const double far = length(d); far > kLongestMove) d *= kLongestMove / far;
+    int halving = 0;
+    for (; halving < kMostHalvings; ++halving) {
+      move_ring(d);
+      f = settle();
+      if (f.settled && imbalance(f) < now) break;
+      move_ring(-d);
+      d /= 2;
+    }
+    if (halving == kMostHalvings) return false;
+  }
+  return false;
 }
 
 }  // namespace cagetol

@@ -45,6 +45,15 @@ class StaticEquilibrium {
   bool follow(const double* angle, double orbit_rate, const RingLoad& load);
   /// From anywhere: the ring, on rollers that have settled around each of its places.
   void balance(const double* angle, double orbit_rate, const RingLoad& load, RollerMotion motion);
+  /// From nowhere, where the others led to no solution: downhill with rollers at rest, then with
+  /// more and more of the damping of orbiting ones.
+  void search(const double* angle, double orbit_rate, const RingLoad& load, RollerMotion motion);
+  void reset();
+  /// The ring on rollers at rest, to a minimum of their potential energy.
+  RingForce descend(const double* angle, double orbit_rate, const RingLoad& load);
+  /// Newton's iteration on orbiting rollers under `damped_`, from a solution nearby. False where it
+  /// ends without one.
+  bool correct(const double* angle, double orbit_rate, const RingLoad& load, RingForce& f);
   RingForce settle_rollers(const double* angle, double orbit_rate, const RingLoad& load,
                            RollerMotion motion);
   /// Load, weight and shaft on the ring.
@@ -60,6 +69,7 @@ class StaticEquilibrium {
 
   BearingModel model_;  ///< a copy
   NormalLaw undamped_;  ///< of its races: where rollers are at rest
+  NormalLaw damped_;    ///< likewise: where they orbit
   double accuracy_;
   double lever_;  ///< makes forces of moments, and moves of tilts [m]
   bool tilts_;    ///< the ring, freely

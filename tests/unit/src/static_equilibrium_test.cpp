@@ -78,6 +78,32 @@ TEST(StaticEquilibrium, IsFoundAtEveryPositionOfTheReferenceBearing) {
         }
 }
 
+// Across large clearances the ring first has to find the rollers, and on one of them it stands on a
+// hill. Rollers of unequal size, preload and hardly any load are no harder.
+TEST(StaticEquilibrium, IsFoundWhateverTheClearanceAndTheLoad) {
+  for (const double clearance : {-20e-6, 0.0, 30e-6, 200e-6, 400e-6, 600e-6, 740e-6})
+    for (const double load : {0.0, 1.0, 1000.0})
+      for (const bool unequal : {false, true}) {
+        Scene scene = shipped_scene("nu205");
+        scene.bearing.internal_clearance = clearance;
+        scene.roller.diameter.assign(13, 7.5e-3);
+        for (std::size_t j = 0; unequal && j < 13; ++j)
+          scene.roller.diameter[j] += 1e-6 * static_cast<double>(7 * j % 13) - 6e-6;
+        const BearingModel model = make_bearing_model(scene);
+        const double speed = kinematic_cage_speed(model, model.inner_speed);
+        StaticEquilibrium equilibrium(model);
+        for (int k = 0; k < 16; ++k) {
+          const auto angle = roller_angles(model, 2 * std::numbers::pi * k / 104);
+          const StaticState& rest =
+              equilibrium.solve(angle.data(), speed, {load}, RollerMotion::orbiting);
+          EXPECT_TRUE(rest.converged) << clearance << " m, " << load << " N, position " << k;
+          if (load > 0 && clearance > 0) {
+            EXPECT_LT(rest.ring_z, 0.0);
+          }
+        }
+      }
+}
+
 // Going round, ring and rollers are found in one iteration from where they were; from nowhere, the
 // rollers settle for each place of the ring. Both are the same balance.
 TEST(StaticEquilibrium, FollowsTheRollersAsTheyGoRound) {
