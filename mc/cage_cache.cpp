@@ -173,8 +173,8 @@ std::shared_ptr<const CageTable> CageTables::read(const GridPoint& point) {
     const auto bytes = folder_->read(name);
     if (!bytes || bytes->starts_with(kEarlierFormats)) return nullptr;
     const Unsealed found = unsealed_bytes(*bytes, head(point));
-    if (found.state == SealState::other_head) return nullptr;  // of another build
-    if (found.state == SealState::whole)
+    if (found.state == SealedState::other_head) return nullptr;  // of another build
+    if (found.state == SealedState::whole)
       if (auto table = scene_cage_table_from_bytes(nominal_, point, found.content)) return table;
     return again((folder_->path() / name).string() + " is damaged (its checksum does not match)");
   } catch (const NotPrivate& problem) {

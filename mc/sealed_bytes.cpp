@@ -1,7 +1,6 @@
 #include "mc/sealed_bytes.hpp"
 
-#include <boost/crc.hpp>
-
+#include "analysis/format/checksum.hpp"
 #include "mc/byte_stream.hpp"
 
 namespace cagetol {
@@ -18,13 +17,6 @@ std::string lengths(std::string_view head, std::string_view content) {
 }
 
 }  // namespace
-
-std::uint64_t crc64(std::string_view bytes) {
-  boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xFFFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF, true, true>
-      crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
-}
 
 std::string sealed_bytes(std::string_view head, std::string_view content) {
   std::string bytes(kMagic);
@@ -46,8 +38,8 @@ Unsealed unsealed_bytes(std::string_view bytes, std::string_view head) {
   if (head_size > held || content_size != held - head_size) return {};
   if (ByteReader(bytes.substr(body.size())).get<std::uint64_t>() != crc64(body)) return {};
   const std::string_view after = body.substr(kMagic.size() + kLengths);
-  if (after.substr(0, head_size) != head) return {SealState::other_head, {}};
-  return {SealState::whole, after.substr(head_size)};
+  if (after.substr(0, head_size) != head) return {SealedState::other_head, {}};
+  return {SealedState::whole, after.substr(head_size)};
 }
 
 }  // namespace cagetol
