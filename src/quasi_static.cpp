@@ -7,6 +7,7 @@
 
 #include "src/dynamics/start_state.hpp"
 #include "src/dynamics/static_equilibrium.hpp"
+#include "src/quantities/plausibility.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quantities/series.hpp"
 #include "src/window_times.hpp"
@@ -62,7 +63,10 @@ Outcome quasi_static_outcome(const Scene& scene) {
     if (!rest.converged) {
       outcome.status = Status::failed;
       outcome.reason = "no equilibrium of ring and rollers found at a cage angle of " +
-                       std::to_string(positions.angle(k) * 180 / pi) + " degrees";
+                       std::to_string(positions.angle(k) * 180 / pi) +
+                       " degrees: the rollers' damping or clearance leaves the ring no place; "
+                       "remedy: check contact.race (damping, restitution), load.radial_N, "
+                       "bearing.internal_clearance_um and roller.diameter_mm";
       return outcome;
     }
     ring_y.add(rest.ring_y, 1, 1);
@@ -81,7 +85,15 @@ Outcome quasi_static_outcome(const Scene& scene) {
     outcome.quantities[static_cast<std::size_t>(quantity_index(kDefined[k]))] = values[k];
   outcome.run.cage_revolutions =
       std::abs(positions.spacing) * static_cast<double>(positions.count) / (2 * pi);
-  outcome.status = Status::ok;
+  const WindowTimes window = window_times(scene, model);
+  const PlausibleReach reach(dry, model,
+                             {.begin = window.settle,
+                              .end = window.settle + window.measure,
+                              .revolutions = outcome.run.cage_revolutions,
+                              .steps = outcome.run.steps,
+                              .quasi_static = true});
+  outcome.reason = find_implausible(reach, outcome.quantities);
+  outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;
   return outcome;
 }
 

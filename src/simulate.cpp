@@ -9,6 +9,7 @@
 #include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quantities/observer.hpp"
+#include "src/quantities/plausibility.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
 #include "src/window_times.hpp"
@@ -70,15 +71,14 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> elastic_cage(
 /// trajectories, below it none.
 constexpr double kStepErrorMax = 1;
 
-/// The equations hold for small angles of the rollers' axes and of the ring's [rad]. Rollers that
-/// stay upright lean by some mrad, those that nothing rights by radians.
-constexpr double kLeanMax = 0.1;
-
 /// Share of the roller positions that statics may miss.
 constexpr double kMissedMax = 0.5;
 
-void judge(const Scene& scene, double step_error, const Observer& observer, Outcome& outcome) {
+void judge(const Scene& scene, const BearingModel& model, const WindowTimes& times,
+           double step_error, const Observer& observer, Outcome& outcome) {
   const RunRecord& run = outcome.run;
+  const double blur = observer.energy_resolution(scene.integration.tolerance),
+               statics_blur = observer.static_resolution();
   const double lean = observer.largest_lean(), tilt = observer.largest_tilt();
   const long positions = observer.static_positions(), missed = observer.static_positions_missed();
   if (!(tilt <= kLeanMax)) {
@@ -91,17 +91,25 @@ void judge(const Scene& scene, double step_error, const Observer& observer, Outc
     outcome.status = Status::failed;
     outcome.reason = "no static equilibrium of ring and rollers was found at " +
                      std::to_string(missed) + " of " + std::to_string(positions) +
-                     " roller positions: nothing tells whether the loaded contacts are right";
-  } else if (!(run.static_consistency_error <= scene.watch.static_consistency_max)) {
+                     " roller positions: nothing tells whether the loaded contacts are right; "
+                     "remedy: check contact.race (damping this strong, or a restitution this "
+                     "small, holds rollers off the races), load.radial_N and "
+                     "bearing.internal_clearance_um";
+  } else if (!(run.static_consistency_error <= scene.watch.static_consistency_max + statics_blur)) {
     outcome.status = Status::failed;
     outcome.reason =
         "static consistency error " + number(run.static_consistency_error) + " exceeds " +
-        number(scene.watch.static_consistency_max) +
-        ": the step is too long for the loaded contacts, or the window too short to settle";
-  } else if (!(run.energy_residual <= scene.watch.energy_residual_max)) {
+        number(scene.watch.static_consistency_max + statics_blur) +
+        ": the step is too long for the loaded contacts, or the window too short to settle; "
+        "remedy: "
+        "tighten integration.tolerance (shorten integration.fixed_step_us), or lengthen "
+        "window.settle_revolutions and window.measure_revolutions";
+  } else if (!(run.energy_residual <= scene.watch.energy_residual_max + blur)) {
     outcome.status = Status::failed;
     outcome.reason = "energy residual " + number(run.energy_residual) + " exceeds " +
-                     number(scene.watch.energy_residual_max) + ": tighten integration.tolerance";
+                     number(scene.watch.energy_residual_max + blur) +
+                     ": steps make or lose energy; remedy: tighten integration.tolerance (shorten "
+                     "integration.fixed_step_us)";
   } else if (!(lean <= kLeanMax)) {
     outcome.status = Status::failed;
     outcome.reason = "a roller leaned by " + number(lean) + " rad, more than " + number(kLeanMax) +
@@ -113,7 +121,11 @@ void judge(const Scene& scene, double step_error, const Observer& observer, Outc
                      " error scales (1 cm/s and kin), more than " + number(kStepErrorMax) +
                      ": shorten integration.fixed_step_us";
   } else {
-    outcome.status = Status::ok;
+    const PlausibleReach reach(
+        scene, model,
+        {times.settle, times.settle + times.measure, run.cage_revolutions, run.steps});
+    outcome.reason = find_implausible(reach, outcome.quantities);
+    outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;
   }
 }
 
@@ -188,7 +200,7 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     run.static_positions_missed = static_cast<double>(observer.static_positions_missed());
     outcome.quantities = observer.quantities();
     outcome.cage_peak = observer.cage_peak();
-    judge(scene, system.counts.largest_step_error, observer, outcome);
+    judge(scene, model, times, system.counts.largest_step_error, observer, outcome);
   } else {
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
     outcome.status = status == StepStatus::out_of_budget ? Status::censored : Status::failed;

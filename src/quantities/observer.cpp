@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +21,7 @@ constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, w
 constexpr double kStressAccuracy = 1e-4;     // of it, in shares of the largest so far
 constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that hardly dissipate
 constexpr double kLoadedShare = 0.01;        // of the applied load
+constexpr double kResolvedTolerance = 1e-3;  // the default's: of the energy account, at most
 constexpr double kDisplacementFloor = 1e-6;  // of the consistency error [m]
 
 }  // namespace
@@ -63,11 +65,13 @@ void Observer::record(double t, const double* y, const System& system) {
   const double energy = body_energy(model_, y) + seen.elastic_energy;
   if (first) {
     first_energy_ = energy;
+    first_ring_speed_ = v[kRingZ];
     start_phase_ = q[kCagePhi];
     last_stress_ = t;
     orbit_angle_ = std::atan2(cage_z, cage_y);
   }
   last_energy_ = energy;
+  last_ring_speed_ = v[kRingZ];
   net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
                 seen.net_power_rate);
   drive_.add(seen.drive_power, step);
@@ -87,8 +91,8 @@ void Observer::record(double t, const double* y, const System& system) {
   cage_lean_z_.add(q[kCageAxisZ], step);
   ring_y_.add(q[kRingY], step);
   ring_z_.add(q[kRingZ], step);
-  ring_acceleration_.add({dv[kRingY], dv[kRingZ]}, {v[kRingY], v[kRingZ]},
-                         {q[kRingY], q[kRingZ]}, step);
+  ring_acceleration_.add({dv[kRingY], dv[kRingZ]}, {v[kRingY], v[kRingZ]}, {q[kRingY], q[kRingZ]},
+                         step);
   ring_elastic_z_.add(seen.ring_elastic_z, step);
   if (l.ring_tilt > 0) {
     const double tilt_y = q[l.ring_tilt_slot()], tilt_z = q[l.ring_tilt_slot() + 1];
@@ -156,7 +160,8 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
     slip_all_.add(k, slip, here, step);
     const Mask loaded = here & (force(seen.inner_force) > threshold);
     slip_loaded_.add(k, slip, loaded, step);
-    sliding_.add_above(k, force(seen.inner_sliding), force(seen.inner_force), threshold, here, step);
+    sliding_.add_above(k, force(seen.inner_sliding), force(seen.inner_force), threshold, here,
+                       step);
     const Pack leading = force(seen.leading_force), trailing = force(seen.trailing_force),
                wall = force(seen.wall_force);
     pocket_force_.add(k, leading + trailing, here, step);
@@ -182,12 +187,35 @@ void Observer::record_statics(double t, const double* y) {
   dynamic_displacement_.add(-y[l.border_position(kRingZ)], 1);
   static_displacement_.add(-rest.ring_z, 1);
   static_elastic_z_.add(rest.ring_elastic_z, 1);
+  static_carried_.add(
+      std::accumulate(rest.inner_force.begin(), rest.inner_force.begin() + l.rollers, 0.0) /
+          l.rollers,
+      1);
+}
+
+double Observer::energy_scale() const {
+  const double lost = dissipation_.mean() * (last_time_ - begin_);
+  return std::max(std::abs(lost), kEnergyFloor * std::abs(first_energy_));
 }
 
 double Observer::energy_residual() const {
-  const double lost = dissipation_.mean() * (last_time_ - begin_);
-  return std::abs(net_work_.integral() - (last_energy_ - first_energy_)) /
-         std::max(std::abs(lost), kEnergyFloor * std::abs(first_energy_));
+  return std::abs(net_work_.integral() - (last_energy_ - first_energy_)) / energy_scale();
+}
+
+double Observer::energy_resolution(double tolerance) const {
+  const StateLayout& l = model_.layout;
+  double mass = model_.ring_mass + model_.cage_mass;
+  for (const RollerGroup& g : model_.groups) mass += sum(g.exists * g.mass);
+  const double carried = static_carried_.empty() ? 0 : static_carried_.mean() * l.rollers;
+  const double force = std::max(std::abs(load_at(model_, end_).radial), carried);
+  // Momentum is at most the root of twice mass times energy.
+  const double energy = std::max(std::abs(first_energy_), std::abs(last_energy_));
+  const double by_scale = force * kLengthScale + std::sqrt(2 * mass * energy) * speed_scale(model_);
+  const double components =
+      (int{kRollerPositions} + int{kRollerVelocities}) * l.rollers + 2 * l.border();
+  // A tolerance looser than the default's is what the watch is there to find.
+  return std::min(tolerance, kResolvedTolerance) * std::sqrt(components) * by_scale /
+         energy_scale();
 }
 
 double Observer::rollers_couple(const RingLoad& load) const {
@@ -198,18 +226,34 @@ double Observer::rollers_couple(const RingLoad& load) const {
          model_.roller_half_length;
 }
 
+double Observer::light_force() const {
+  const double cage_speed = cage_speed_.mean();
+  return std::max(1.0,
+                  model_.groups.front().mass[0] * model_.pitch_radius * cage_speed * cage_speed);
+}
+
+double Observer::static_scale() const {
+  const RingLoad load = load_at(model_, end_);
+  const double weight = load.radial + model_.ring_mass * model_.gravity;
+  // Rollers that are pressed without a load rub: statics leaves that out.
+  const double carried = static_carried_.empty() ? 0 : static_carried_.mean();
+  return std::max({std::abs(weight), light_force(), rollers_couple(load), carried});
+}
+
+double Observer::static_resolution() const {
+  const double momentum = model_.ring_mass * std::abs(last_ring_speed_ - first_ring_speed_);
+  const double cage = model_.guidance == Guidance::inner ? guide_force_.mean() : 0;
+  return (momentum / (last_time_ - begin_) + cage) / static_scale();
+}
+
 double Observer::static_consistency_error() const {
   const RingLoad load = load_at(model_, end_);
   const double weight = load.radial + model_.ring_mass * model_.gravity;
+  const double expected_force = static_elastic_z_.empty() ? weight : static_elastic_z_.mean();
+  const double force = std::abs(ring_elastic_z_.mean() - expected_force) / static_scale();
   // Below the centrifugal force of one roller the ring bounces within its clearance: its mean place
   // says nothing.
-  const RollerGroup& g = model_.groups.front();
-  const double cage_speed = cage_speed_.mean();
-  const double light = std::max(1.0, g.mass[0] * model_.pitch_radius * cage_speed * cage_speed);
-  const double expected_force = static_elastic_z_.empty() ? weight : static_elastic_z_.mean();
-  const double force = std::abs(ring_elastic_z_.mean() - expected_force) /
-                       std::max({std::abs(weight), light, rollers_couple(load)});
-  if (dynamic_displacement_.empty() || std::abs(weight) < light) return force;
+  if (dynamic_displacement_.empty() || std::abs(weight) < light_force()) return force;
   const double expected = static_displacement_.mean();
   return std::max(force, std::abs(dynamic_displacement_.mean() - expected) /
                              std::max(std::abs(expected), kDisplacementFloor));
@@ -221,7 +265,8 @@ std::vector<double> Observer::quantities() const {
   const double cage_speed = cage_speed_.mean(), inner_speed = inner_speed_.mean();
   const double clearance = model_.guide_clearance, duration = end_ - begin_;
   const double revolutions = std::max(revolutions_, 1e-12);
-  q["cage_slip_ratio"] = 1 - cage_speed / kinematic_cage_speed(model_, inner_speed);
+  q["cage_slip_ratio"] =
+      inner_speed != 0 ? 1 - cage_speed / kinematic_cage_speed(model_, inner_speed) : none;
   q["roller_slip_ratio_loaded"] = slip_loaded_.all().mean();
   q["roller_slip_ratio_all"] = slip_all_.all().mean();
   const Series sliding = sliding_.all(), skew = skew_.all(), speeds = roller_speed_.all();

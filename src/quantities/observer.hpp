@@ -27,7 +27,14 @@ class Observer {
   /// |work in - dissipation - change of stored energy| over the dissipation, or over a thousandth
   /// of the stored energy where a run dissipates less than that.
   double energy_residual() const;
+  /// Of it, what steps to a tolerance do not resolve: the energy by which two states differ that
+  /// are a step's largest error apart. The error's norm is a mean over components: one alone may be
+  /// the root of their number larger.
+  double energy_resolution(double tolerance) const;
   double static_consistency_error() const;
+  /// Of it, what statics cannot tell: the ring's change of momentum over the window's length, and
+  /// the force of a cage that the inner ring guides.
+  double static_resolution() const;
   /// Roller positions compared with statics, and those of them at which statics failed.
   long static_positions() const { return static_positions_; }
   long static_positions_missed() const { return static_positions_missed_; }
@@ -49,6 +56,12 @@ class Observer {
   };
   void record_rollers(const double* y, const System& system, const SeenStep& step);
   void record_statics(double t, const double* y);
+  /// The centrifugal force of one roller [N].
+  double light_force() const;
+  /// What the consistency of forces is relative to [N].
+  double static_scale() const;
+  /// Likewise the energy account [J].
+  double energy_scale() const;
   /// What the shaft leaves of the moment to the rollers, as a couple at their ends [N].
   double rollers_couple(const RingLoad& load) const;
   void record_stress(double t, const double* y, const Observation& seen);
@@ -60,7 +73,8 @@ class Observer {
   double next_statics_;
   double statics_interval_;
   long static_positions_ = 0, static_positions_missed_ = 0;
-  Series dynamic_displacement_, static_displacement_, static_elastic_z_;
+  Series dynamic_displacement_, static_displacement_, static_elastic_z_,
+      static_carried_;  ///< mean force of a roller on the inner race at rest [N]
 
   StepClock clock_;
   double last_time_ = -1;
@@ -86,6 +100,7 @@ class Observer {
   HermiteQuadrature net_work_;
   StepSeries dissipation_, drive_;  ///< powers [W]
   double first_energy_ = 0, last_energy_ = 0;
+  double first_ring_speed_ = 0, last_ring_speed_ = 0;  ///< along z [m/s]
 };
 
 }  // namespace cagetol

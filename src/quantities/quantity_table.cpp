@@ -5,7 +5,8 @@ namespace cagetol {
 const std::vector<Quantity>& quantity_table() {
   static const std::vector<Quantity> table = {
       {"cage_slip_ratio", "-",
-       "1 - w_c/(w_i R_i/(R_i + R_o)), w_c the mean cage speed, R the actual race radii"},
+       "1 - w_c/(w_i R_i/(R_i + R_o)), w_c the mean cage speed, R the actual race radii; none at "
+       "standstill"},
       {"roller_slip_ratio_loaded", "-",
        "mean of 1 - |w_s - theta'|/w_kin over rollers whose inner-race force exceeds 1 % of the "
        "load; "
@@ -93,7 +94,8 @@ const std::vector<Quantity>& quantity_table() {
       {"static_consistency_error", "-",
        "the larger of: mean elastic force on the ring against the quasi-static one (the load, less "
        "what the normal law's damping carries as rollers go round; relative to the load, or to the "
-       "couple at the rollers' ends that rights a ring whose tilt is free, if that is more); mean "
+       "couple at the rollers' ends that rights a ring whose tilt is free, or to a roller's mean "
+       "force under preload, if that is more); mean "
        "ring displacement against the quasi-static one over the same roller positions (relative; "
        "below the centrifugal force of one roller only the force counts, relative to it)"},
   };

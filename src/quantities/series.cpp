@@ -25,8 +25,8 @@ T value_before(const SeenStep& step, T first, T middle, T last, double time) {
   return Bow(step, first, middle, last).before_last(step, last, time);
 }
 
-/// a(u) = first + (last - first) u + bow u (1 - u) + skew u (1 - u) (1 - 2u), u = 0 to 1 over a step
-/// of which the integral and the integral's integral are known.
+/// a(u) = first + (last - first) u + bow u (1 - u) + skew u (1 - u) (1 - 2u), u = 0 to 1 over a
+/// step of which the integral and the integral's integral are known.
 class Cubic {
  public:
   Cubic(const SeenStep& step, double first, double last, double gained, double moved)
@@ -34,8 +34,9 @@ class Cubic {
     const double mean = gained * step.per_length;
     const double twice = moved * step.per_length * step.per_length;
     bow_ = 6 * (mean - (first + last) / 2);
-    skew_ = 60 * (twice - (2 * first + last) / 6 - bow_ / 12);
+    skew_ = kSkewPerMove * (twice - (2 * first + last) / 6 - bow_ / 12);
   }
+  static constexpr double kSkewPerMove = 60;
   double at(double u) const {
     return first_ + (last_ - first_) * u + u * (1 - u) * (bow_ + skew_ * (1 - 2 * u));
   }
@@ -216,7 +217,14 @@ void PlaneAcceleration::add(Plane acceleration, Plane velocity, Plane position,
                   position.z - last_position_.z - last_velocity_.z * step.length);
     duration_ += step.length;
     squares_ += step.length * (y.mean_square() + z.mean_square());
-    if (square(y.most(), z.most()) > largest_square_)
+    // Of a step so short that rounding of the position outweighs the acceleration nothing is known
+    // but its ends.
+    const double rounding = std::numeric_limits<double>::epsilon() *
+                            (std::abs(position.y) + std::abs(position.z)) * step.per_length *
+                            step.per_length;
+    const double known = std::max(square(last_.y, last_.z), square(acceleration.y, acceleration.z));
+    if (square(y.most(), z.most()) > largest_square_ &&
+        Cubic::kSkewPerMove * Cubic::kSkewPerMove * rounding * rounding <= known)
       for (int k = 1; k < kParts; ++k) {
         const double u = static_cast<double>(k) / kParts;
         largest_square_ = std::max(largest_square_, square(y.at(u), z.at(u)));

@@ -147,8 +147,8 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"integration.touch_aware", any_value(), AT(integration.touch_aware), "end steps before predicted touches, lay them around those of races"},
       {"integration.step_budget", within(1, 1e12), AT(integration.step_budget), "attempted steps after which a run is censored"},
       {"integration.wall_budget_s", at_least(0), AT(integration.wall_budget), "wall-clock limit of a run, ends it as not run; 0: none"},
-      {"watch.static_consistency_max", above(0), AT(watch.static_consistency_max), "a run whose static consistency error is larger has failed"},
-      {"watch.energy_residual_max", above(0), AT(watch.energy_residual_max), "a run whose relative energy residual is larger has failed"},
+      {"watch.static_consistency_max", above(0), AT(watch.static_consistency_max), "a run whose static consistency error is larger, by more than its window tells, has failed"},
+      {"watch.energy_residual_max", above(0), AT(watch.energy_residual_max), "a run whose relative energy residual is larger, by more than its steps resolve, has failed"},
   };
   keys.insert(keys.end(), table.begin(), table.end());
 }

@@ -144,7 +144,8 @@ TEST(PlaneAcceleration, FollowsAWaveThatStatesSample) {
 }
 
 TEST(PlaneAcceleration, PeaksBetweenStates) {
-  constexpr double turn = std::numbers::pi / 3;  // a step; no state lies nearer a peak than half of it
+  constexpr double turn =
+      std::numbers::pi / 3;  // a step; no state lies nearer a peak than half of it
   StepClock clock(0, kInterval);
   PlaneAcceleration swinging;
   for (int k = 0; k < 12; ++k) {
@@ -153,6 +154,22 @@ TEST(PlaneAcceleration, PeaksBetweenStates) {
     EXPECT_LT(std::abs(c), 0.867);
   }
   EXPECT_NEAR(swinging.peak(), 1, 1e-3);
+}
+
+// The last step of a window may be as short as rounding leaves it: the places at its ends then tell
+// nothing of the acceleration between them.
+TEST(PlaneAcceleration, IsNotMadeOfRounding) {
+  StepClock clock(0, kInterval);
+  PlaneAcceleration swinging;
+  const double t[] = {4e-3, 4.05e-3, 4.1e-3, 4.1e-3 + 2e-18};
+  for (const double at : t)
+    swinging.add({10, 0}, {0.1, 0}, {20e-6 + 1e-21 * at, 0}, clock.advance(at));
+  double shortly = 4.1e-3;
+  for (int k = 0; k < 3; ++k) {
+    shortly = std::nextafter(shortly, 1);
+    swinging.add({10, 0}, {0.1, 0}, {20e-6 + 3e-21 * (k % 2), 0}, clock.advance(shortly));
+  }
+  EXPECT_NEAR(swinging.peak(), 10, 1e-9);
 }
 
 TEST(PlaneAcceleration, IsExactForParabolasItsPeakForCubics) {

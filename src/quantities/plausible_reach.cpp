@@ -1,0 +1,150 @@
+#include "src/quantities/plausible_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cagetol {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kSpeedMargin = 2;   // friction drives no part faster than the race's surface
+constexpr double kLoadMargin = 4;    // a suddenly applied load presses twice as hard as at rest
+constexpr double kStrainMax = 0.05;  // beyond it no cage is elastic
+constexpr double kFilmMargin = 20;  // integrals over half a film, 2 pi + 4 + pi at most, rounded up
+constexpr double kFilmShare = 0.01;       // of a roller's radius: the films of the theory are thin
+constexpr double kLargestGapAngle = 1.4;  // between rollers that hold the ring, from below [rad]
+
+/// Several equal shares of one kind of contact.
+struct Contact {
+  const NormalLaw& law;
+  double shares;
+
+  /// At which they hold so much elastic energy [m].
+  double depth(double energy) const {
+    const double e = law.exponent;
+    return 1e-6 * std::pow(1e6 * energy * (e + 1) / (shares * law.stiffness), 1 / (e + 1));
+  }
+  double energy(double depth) const { return shares * elastic_energy(law, std::max(depth, 0.0)); }
+  /// At rest under a force [m].
+  double depth_under(double force) const { return elastic_penetration(law, force / shares); }
+  /// At a depth, closing at a speed [N].
+  double force(double depth, double speed) const {
+    const double elastic = shares * law.stiffness * std::pow(1e6 * depth, law.exponent);
+    return law.hertz ? elastic * (1 + law.chi * speed) : elastic + shares * law.damping * speed;
+  }
+  double stiffness(double depth) const {
+    return shares * law.stiffness * std::pow(1e6 * depth, law.exponent - 1) * 1e6 * law.exponent;
+  }
+};
+
+/// Slowest magnitude of a speed that ramps smoothly from one value to another.
+double slowest_in_window(const BearingModel& m, double begin) {
+  const double first = inner_speed_at(m, begin), last = m.inner_speed;
+  return first * last <= 0 ? 0 : std::min(std::abs(first), std::abs(last));
+}
+
+}  // namespace
+
+PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const PlausibleRun& run)
+    : flexible(m.layout.modes > 0 || m.flexible.model != nullptr),
+      planar(m.planar),
+      tilts(m.layout.ring_tilt > 0),
+      quasi_static(run.quasi_static),
+      rollers(m.layout.rollers),
+      duration(run.end - run.begin),
+      revolutions(run.revolutions),
+      steps(run.steps),
+      guide_clearance(m.guide_clearance) {
+  double mass = 0, smallest = 1e30, lightest = 1e30, pinch = 0, length_pinch = 0, play = 0,
+         pocket_play = 1e30, widest_gap = 0;
+  for (int j = 0; j < rollers; ++j) {
+    const RollerGroup& g = m.groups[static_cast<std::size_t>(j / kLanes)];
+    const int lane = j % kLanes;
+    mass += g.mass[lane];
+    lightest = std::min(lightest, g.mass[lane]);
+    smallest = std::min(smallest, g.radius[lane]);
+    const double gap = g.half_width[lane] - g.radius[lane];
+    const double slack = g.half_length[lane] - m.roller_half_length;
+    pinch = std::max(pinch, -gap);
+    pocket_play = std::min(pocket_play, gap);
+    length_pinch = std::max(length_pinch, -slack);
+    play = std::max(play, slack);
+    widest_gap = std::max(widest_gap, std::abs(each(scene.cage.pocket_pitch, j)) +
+                                          std::max(gap, 0.0) / m.pitch_radius);
+  }
+  fastest = std::max(std::abs(m.inner_speed), m.speed_ramp > 0 ? std::abs(m.speed_from) : 0.0);
+  slowest = slowest_in_window(m, run.begin);
+  turns = slowest > 0;
+  const double gravity = std::abs(m.gravity), surface = fastest * m.inner_radius;
+
+  // The inner ring: clearance, more where it sinks between two rollers, and elastic approach.
+  const Contact race{m.race, static_cast<double>(m.race_slices.size())};
+  const double speed_of_cage = kinematic_cage_speed(m, fastest);
+  const double centrifugal = mass * m.pitch_radius * speed_of_cage * speed_of_cage;
+  const double at_rest = m.load.radial + (m.ring_mass + mass) * gravity + centrifugal +
+                         std::hypot(m.load.moment_y, m.load.moment_z) / m.roller_half_length;
+  const double gap = m.outer_radius - m.inner_radius - 2 * smallest;
+  const double preload = std::max(0.0, -gap) + 2e-6;
+  const double between = std::min(pi / rollers + 2 * widest_gap, kLargestGapAngle);
+  const double lean = m.roller_half_length * std::hypot(m.misalignment_y, m.misalignment_z);
+  ring_move = (std::max(gap, 0.0) + 2 * race.depth_under(kLoadMargin * at_rest) + preload + lean +
+               0.00035 * m.nominal_diameter * std::log(1e4)) /
+              std::cos(between);
+
+  // Energy: everything at the largest speed, load and weight over the way of the ring, and what a
+  // start away from the middle presses together.
+  const Contact bars{m.bar, 2.0 * static_cast<double>(m.bar_stations.size())};
+  const Contact walls{m.wall, 4}, lands{m.land, 2}, flanges{m.flange, 4};
+  const double offset = std::hypot(scene.start.cage_offset_y, scene.start.cage_offset_z);
+  const double offset_x = std::abs(scene.start.cage_offset_x);
+  const double fall = std::sqrt(4 * gravity * m.outer_radius);
+  speed = kSpeedMargin * (surface + fall);
+  energy = speed * speed * (0.75 * mass + m.cage_mass) + 2 * kLoadMargin * at_rest * ring_move +
+           rollers * (race.energy(preload) + bars.energy(offset - pocket_play + pinch) +
+                      walls.energy(offset_x + length_pinch)) +
+           lands.energy(offset - m.land_clearance);
+  speed += std::sqrt(2 * energy / m.ring_mass);
+
+  pocket_force = bars.force(bars.depth(energy) + pinch, 2 * speed);
+  end_force = walls.force(walls.depth(energy) + length_pinch, 2 * speed);
+  const double pressed = lands.depth(energy);
+  guide_force = lands.force(pressed, 2 * speed);
+  if (m.guide_film.on) {
+    const double h = m.guide_film.least;
+    guide_force += kFilmMargin * m.guide_film.pressure / (h * h * h) *
+                   (fastest * m.guide_clearance + 2 * speed);
+  }
+  const Contact all_races{m.race, race.shares * rollers};
+  const double races = all_races.force(all_races.depth(energy) + preload, 2 * speed);
+  ring_acceleration = (races + m.load.radial + guide_force) / m.ring_mass + gravity;
+  touch_rate = std::sqrt(std::max({bars.stiffness(bars.depth(energy) + pinch),
+                                   walls.stiffness(walls.depth(energy) + length_pinch),
+                                   lands.stiffness(pressed)}) /
+                         std::min(lightest, m.cage_mass)) /
+               pi;
+
+  // The cage: its guide, or, where rollers guide it, the surfaces of the rings that it would enter.
+  const double out = scene.bearing.shoulder_diameter / 2 - scene.cage.outer_diameter / 2;
+  const double in = scene.cage.inner_diameter / 2 - m.inner_radius + ring_move;
+  const double wall = (scene.cage.outer_diameter - scene.cage.inner_diameter) / 2;
+  const double bent = flexible ? wall : 0;
+  whirl = bent + (m.guidance == Guidance::roller  ? std::min(out, in)
+                  : m.guidance == Guidance::outer ? m.guide_clearance + pressed
+                                                  : m.guide_clearance + pressed + ring_move);
+  axial = play + m.flange_half_clearance + walls.depth(energy) + flanges.depth(energy) +
+          kLeanMax * m.nominal_diameter + offset_x;
+
+  orbit_ratio = (m.inner_radius + m.outer_radius) / m.inner_radius;
+  stress = kStrainMax * scene.cage.material.young;
+  power = energy / duration;
+  stations = flexible ? static_cast<double>(m.flexible.model->stress_stations) : 0;
+  film_thickest = kFilmShare * m.nominal_diameter / 2;
+  torque =
+      std::max(m.friction.static_coefficient, m.friction.dynamic_coefficient) *
+          (races + guide_force) * m.inner_radius +
+      (m.guide_film.on ? 2 * m.guide_film.torque * speed / m.inner_radius / m.guide_film.least : 0);
+}
+
+}  // namespace cagetol
