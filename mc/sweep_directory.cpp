@@ -190,7 +190,7 @@ void SweepDirectory::read_study_h5(const Study& study, const BuildInfo& build) {
   try {
     const StudyFile file = read_study_file(path);
     if (file.study_hash == study.hash && file.build == build_id(build)) {
-      take_over(file);
+      take_over(file.outcomes);
     } else if (stored_.headers.empty()) {
       if (file.study_hash != study.hash)
         refuse_differences(directory_, stored_text(directory_, study));
@@ -217,9 +217,9 @@ void SweepDirectory::read_study_h5(const Study& study, const BuildInfo& build) {
   }
 }
 
-void SweepDirectory::take_over(const StudyFile& file) {
+void SweepDirectory::take_over(const OutcomesById& outcomes) {
   is_this_study_ = true;
-  for (const auto& [id, outcome] : file.outcomes)
+  for (const auto& [id, outcome] : outcomes)
     if (stored_.finished.try_emplace(id, outcome).second) only_in_study_file_.push_back(outcome);
   for (const StoredOutcome& outcome : only_in_study_file_) stored_.losses.erase(outcome.id);
   if (!only_in_study_file_.empty())

@@ -32,7 +32,7 @@ class SweepDirectory {
   void lock();
   void check_journals(const Study& study, const BuildInfo& build) const;
   void read_study_h5(const Study& study, const BuildInfo& build);
-  void take_over(const StudyFile& file);
+  void take_over(const OutcomesById& outcomes);
   void check_study_toml(const Study& study);
 
   std::string directory_;

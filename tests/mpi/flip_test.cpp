@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <sstream>
 
 #include "mc/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/study_compare.hpp"
 
 namespace cagetol {
@@ -26,13 +26,6 @@ unsigned number_from(const char* variable, unsigned usual) {
   return asked == nullptr ? usual : static_cast<unsigned>(std::atoi(asked));
 }
 
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 void write(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
@@ -43,9 +36,9 @@ class FlipTest : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_EQ(run(standin(directory_, kOptions)).code, 0);
-    study_ = text_of(file_);
+    study_ = file_bytes(file_);
     journal_file_ = longest_journal(directory_);
-    journal_ = text_of(journal_file_);
+    journal_ = file_bytes(journal_file_);
   }
   /// Calls `test` with `whole` after one bit was flipped, another one each time.
   template <class Test>
@@ -55,9 +48,7 @@ class FlipTest : public testing::Test {
       std::mt19937_64 random(round);
       const std::size_t bit = random() % (8 * whole.size());
       SCOPED_TRACE("round " + std::to_string(round) + ", bit " + std::to_string(bit));
-      std::string damaged = whole;
-      damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
-      test(damaged);
+      test(with_flipped_bit(whole, bit));
       if (HasFatalFailure()) return;
     }
   }
@@ -72,7 +63,7 @@ TEST_F(FlipTest, OfStudyH5BesideItsJournals) {
     write(file_, damaged);
     const Ended ended = run(standin(directory_, kOptions));
     ASSERT_EQ(ended.code, 0) << ended.output;
-    ASSERT_EQ(text_of(file_), study_);
+    ASSERT_EQ(file_bytes(file_), study_);
   });
 }
 
@@ -90,7 +81,7 @@ TEST_F(FlipTest, OfStudyH5Alone) {
       ASSERT_EQ(ended.code, 2) << reader[1] << ": " << ended.output;
       ASSERT_THAT(ended.output, testing::AllOf(HasSubstr(file_ + ": "), HasSubstr("remedy")));
     }
-    ASSERT_EQ(text_of(file_), damaged);
+    ASSERT_EQ(file_bytes(file_), damaged);
   });
 }
 
@@ -110,7 +101,7 @@ TEST_F(FlipTest, OfAJournal) {
 }
 
 TEST_F(FlipTest, OfAStudyH5WithoutSeal) {
-  const std::string whole = text_of(CAGETOL_SOURCE_DIR "/tests/unit/analysis/schema1_study.h5");
+  const std::string whole = file_bytes(CAGETOL_SOURCE_DIR "/tests/unit/analysis/schema1_study.h5");
   fs::create_directory(scratch_ / "old");
   each_flip(whole, [&](const std::string& damaged) {
     write(study_file_of(scratch_ / "old"), damaged);

@@ -12,13 +12,13 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <sstream>
 
 #include "analysis/format/file_seal.hpp"
 #include "analysis/format/hdf5_reader.hpp"
 #include "analysis/format/study_file_error.hpp"
 #include "analysis/format/unsealed_file.hpp"
 #include "analysis/study/study_data.hpp"
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/process.hpp"
 
 namespace cagetol {
@@ -29,13 +29,6 @@ using testing::HasSubstr;
 using testing::Not;
 
 const std::string kSchema1 = CAGETOL_SOURCE_DIR "/tests/unit/analysis/schema1_study.h5";
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 class StudyBytesTest : public testing::Test {
  protected:
@@ -60,7 +53,7 @@ class StudyBytesTest : public testing::Test {
 
 TEST_F(StudyBytesTest, ASoundFileIsGivenBackAsItIs) {
   const std::string bytes = read_study_bytes(written());
-  EXPECT_TRUE(bytes == text_of(path_));
+  EXPECT_TRUE(bytes == file_bytes(path_));
   EXPECT_EQ(Hdf5Reader(read_study_bytes(path_), path_).reals("/value").values,
             std::vector<double>{1.5});
 }
@@ -111,14 +104,12 @@ TEST_F(StudyBytesTest, AFileOfSchema1GivesTheSameStudy) {
 }
 
 TEST_F(StudyBytesTest, DamageToAFileWithoutSealEndsInAMessageOrAStudy) {
-  const std::string whole = text_of(kSchema1);
+  const std::string whole = file_bytes(kSchema1);
   std::mt19937_64 random(37);
   int refused = 0;
   for (int round = 0; round < 25; ++round) {
     const std::size_t bit = random() % (8 * whole.size());
-    std::string damaged = whole;
-    damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
-    std::ofstream(path_, std::ios::binary) << damaged;
+    std::ofstream(path_, std::ios::binary) << with_flipped_bit(whole, bit);
     try {
       read_study_data(path_);
     } catch (const StudyFileError& error) {
@@ -131,10 +122,7 @@ TEST_F(StudyBytesTest, DamageToAFileWithoutSealEndsInAMessageOrAStudy) {
 
 /// A program that reads such a file itself ends with SIGSEGV.
 TEST_F(StudyBytesTest, ACrashOfHdf5IsAMessage) {
-  std::string damaged = text_of(kSchema1);
-  constexpr std::size_t kBit = 717937;
-  damaged[kBit / 8] = static_cast<char>(damaged[kBit / 8] ^ (1 << kBit % 8));
-  std::ofstream(path_, std::ios::binary) << damaged;
+  std::ofstream(path_, std::ios::binary) << with_flipped_bit(file_bytes(kSchema1), 717937);
   EXPECT_THAT(message_of(path_), HasSubstr("HDF5 crashed on it"));
 }
 
@@ -147,7 +135,7 @@ TEST_F(StudyBytesTest, TheProcessThatReadsHasLimits) {
     }
     return std::string("no error");
   };
-  const std::string bytes = text_of(kSchema1);
+  const std::string bytes = file_bytes(kSchema1);
   EXPECT_EQ(message(bytes, {}), "no error");
   EXPECT_THAT(message(bytes, {.seconds = -1}), HasSubstr("HDF5 did not end within"));
   // A dataset of 8 GB that was never written takes no room in the file.

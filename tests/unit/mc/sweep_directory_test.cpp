@@ -7,9 +7,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "src/input/input_error.hpp"
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/standin_study.hpp"
 
@@ -22,13 +22,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 TEST(StudyDifferencesTest, NamesKeysWithOldAndNewValue) {
   const std::string stored = "samples = 10\nseed = 1\n[scene.load]\nradial_N = 1000.0\n";
@@ -71,9 +64,8 @@ class SweepDirectoryTest : public testing::Test {
     return "no error";
   }
   void flip(const std::string& path, std::size_t bit) {
-    std::string bytes = text_of(path);
-    bytes.at(bit / 8) = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
-    std::ofstream(path, std::ios::binary) << bytes;
+    const std::string damaged = with_flipped_bit(file_bytes(path), bit);
+    std::ofstream(path, std::ios::binary) << damaged;
   }
 
   ScratchDirectory scratch_;
@@ -111,18 +103,18 @@ TEST_F(SweepDirectoryTest, ADamagedStudyH5LosesNothingThatJournalsHave) {
 TEST_F(SweepDirectoryTest, ADamagedStudyH5WithoutJournalsIsRefusedWithWhatIsLost) {
   for (const std::string& journal : journals_) fs::remove(journal);
   flip(file_, 40000);
-  const std::string before = text_of(file_);
+  const std::string before = file_bytes(file_);
   EXPECT_THAT(message(), AllOf(HasSubstr(file_), HasSubstr("its checksum does not match"),
                                HasSubstr("its results cannot be taken over"), HasSubstr("remedy"),
                                HasSubstr("remove study.h5")));
-  EXPECT_EQ(text_of(file_), before);
+  EXPECT_EQ(file_bytes(file_), before);
   fs::remove(file_);
   EXPECT_EQ(message(), "no error");
 }
 
 TEST_F(SweepDirectoryTest, ADamagedStudyTomlIsWrittenAgainWhereResultsCarryTheHash) {
   const std::string path = stored_study_path(directory_);
-  const std::string right = text_of(path);
+  const std::string right = file_bytes(path);
   const std::vector<std::string> texts = {"", "samples = = 3", "samples = 13\n", right + " ",
                                           std::string("\0\xff", 2)};
   for (const std::string& damaged : texts) {
@@ -132,7 +124,7 @@ TEST_F(SweepDirectoryTest, ADamagedStudyTomlIsWrittenAgainWhereResultsCarryTheHa
       const SweepDirectory opened(directory_, plan_.study, build_);
       EXPECT_THAT(opened.stored().notes,
                   testing::Contains(AllOf(HasSubstr(path), HasSubstr("written again"))));
-      EXPECT_EQ(text_of(path), right);
+      EXPECT_EQ(file_bytes(path), right);
       if (with_journals) continue;
       fs::remove_all(journal_directory(directory_));
       fs::rename(scratch_ / "away", journal_directory(directory_));
@@ -147,7 +139,7 @@ TEST_F(SweepDirectoryTest, AStudyTomlOfNobodyIsRefusedAndLeftAlone) {
   std::ofstream(path) << "[[no toml";
   EXPECT_THAT(message(), AllOf(HasSubstr(path), HasSubstr(directory_ + " holds no results"),
                                HasSubstr("remedy: remove this file")));
-  EXPECT_EQ(text_of(path), "[[no toml");
+  EXPECT_EQ(file_bytes(path), "[[no toml");
   std::ofstream(path) << "samples = 13\n";
   EXPECT_THAT(message(), HasSubstr("samples: 13 stored, 12 now"));
 }
