@@ -27,6 +27,9 @@ constexpr char kAlive = 'a', kStop = 's', kLost = 'l';
 /// A process that cannot end by itself is ended after so many ticks.
 constexpr int kGraceTicks = kTicksPerLimit / 2;
 
+/// mpirun may need some seconds to end all ranks that it reaches.
+constexpr double kLeastLauncherGrace = 15;
+
 }  // namespace
 
 double silence_limit_s() {
@@ -70,16 +73,20 @@ Pulse::Pulse(std::mutex& mpi, double limit_s, std::function<std::string(int)> na
 
 Pulse::~Pulse() {
   end();
+  {
+    const std::lock_guard lock(phases_);
+    phase_ = Phase::over;
+  }
+  next_phase_.notify_all();
+  thread_.join();
 }
 
 void Pulse::end() {
-  if (!thread_.joinable()) return;
-  {
-    const std::lock_guard lock(ending_);
-    end_asked_ = true;
-  }
-  ended_.notify_one();
-  thread_.join();
+  std::unique_lock lock(phases_);
+  if (phase_ != Phase::beating) return;
+  phase_ = Phase::ending;
+  next_phase_.notify_all();
+  next_phase_.wait(lock, [this] { return phase_ == Phase::silent; });
 }
 
 bool Pulse::hopeless() const {
@@ -92,17 +99,29 @@ void Pulse::stop_all() {
 }
 
 void Pulse::beat() {
-  std::unique_lock lock(ending_);
-  while (!ended_.wait_for(lock, std::chrono::duration<double>(tick_s_),
-                          [this] { return end_asked_; })) {
+  std::unique_lock lock(phases_);
+  while (!next_phase_.wait_for(lock, std::chrono::duration<double>(tick_s_),
+                               [this] { return phase_ != Phase::beating; })) {
     lock.unlock();
     tick();
     lock.lock();
   }
+  phase_ = Phase::silent;
+  next_phase_.notify_all();
+  if (next_phase_.wait_for(lock, std::chrono::duration<double>(limit_s_),
+                           [this] { return phase_ == Phase::over; }))
+    return;
+  spdlog::error(
+      "MPI does not end within {:.0f} s: a link is cut or a machine is down; all samples of this "
+      "start are stored\n  remedy: start the same command again",
+      limit_s_);
+  end_launcher_after(kLeastLauncherGrace);
+  ::_exit(kInterrupted);
 }
 
 void Pulse::tick() {
-  if (stop_all_ || ticks_ % kTicksPerBeat == 0) send(stop_all_ ? kStop : kAlive);
+  const char what = rank_ == 0 && lost_ ? kLost : stop_all_ ? kStop : kAlive;
+  if (what != kAlive || ticks_ % kTicksPerBeat == 0) send(what);
   ++ticks_;
   hear();
   if (!lost_) count_silence();
@@ -153,9 +172,9 @@ void Pulse::count_silence() {
       lost == 1 ? " has been silent" : fmt::format(" and {} more have been silent", lost - 1),
       limit_s_);
   lost_rank_0_ = rank_ != 0;
-  if (rank_ == 0) send(kLost);
-  end_launcher_after(kGraceTicks * tick_s_);
+  end_launcher_after(std::max(kLeastLauncherGrace, kGraceTicks * tick_s_));
   lost_ = true;
+  if (rank_ == 0) send(kLost);
   SignalWatch::ask_to_stop();
 }
 

@@ -25,8 +25,8 @@ class Pulse {
   Pulse(std::mutex& mpi, double limit_s, std::function<std::string(int rank)> name_of);
   Pulse(const Pulse&) = delete;
   Pulse& operator=(const Pulse&) = delete;
-  /// Ends the thread, which must be done before MPI ends. The rest must live until MPI has ended,
-  /// since it may still be sending.
+  /// Ends the beats, which must be done before MPI ends. The rest must live until MPI has ended: a
+  /// beat may still be on its way, and an end of MPI that takes too long ends the process.
   void end();
   ~Pulse();
 
@@ -55,9 +55,10 @@ class Pulse {
   std::vector<int> silent_ticks_;
   int ticks_ = 0, ticks_lost_ = 0;
   std::atomic<bool> lost_{false}, lost_rank_0_{false}, stop_all_{false};
-  std::mutex ending_;
-  std::condition_variable ended_;
-  bool end_asked_ = false;
+  enum class Phase { beating, ending, silent, over };
+  Phase phase_ = Phase::beating;
+  std::mutex phases_;
+  std::condition_variable next_phase_;
   std::thread thread_;
 };
 

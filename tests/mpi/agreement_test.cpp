@@ -17,8 +17,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// `mpirun -n 1 FIRST : -n 2 OTHERS`.
-std::vector<std::string> with_mpirun(const std::vector<std::string>& first,
-                                     const std::vector<std::string>& others) {
+std::vector<std::string> mixed(const std::vector<std::string>& first,
+                               const std::vector<std::string>& others) {
   auto words = with_mpirun(1, first);
   words.insert(words.end(), {":", "-np", "2"});
   words.insert(words.end(), others.begin(), others.end());
@@ -45,8 +45,7 @@ class AgreementTest : public testing::Test {
 };
 
 TEST_F(AgreementTest, RanksWithDifferentStudiesAreRefusedWithKeyRanksAndValues) {
-  const Ended ended =
-      run(with_mpirun(standin(out_, {"--load", "8"}), standin(out_, {"--load", "7"})));
+  const Ended ended = run(mixed(standin(out_, {"--load", "8"}), standin(out_, {"--load", "7"})));
   EXPECT_EQ(ended.code, 2) << ended.output;
   EXPECT_THAT(ended.output,
               AllOf(HasSubstr("rank 1 on "), HasSubstr(" has scene.load.radial_N = 7, rank 0 on "),
@@ -55,7 +54,7 @@ TEST_F(AgreementTest, RanksWithDifferentStudiesAreRefusedWithKeyRanksAndValues) 
 }
 
 TEST_F(AgreementTest, RanksThatReadAnotherFileAreRefusedWithItsName) {
-  const Ended ended = run(with_mpirun(standin(out_), standin(out_, {"--file-hash", "feedbeef"})));
+  const Ended ended = run(mixed(standin(out_), standin(out_, {"--file-hash", "feedbeef"})));
   EXPECT_EQ(ended.code, 2) << ended.output;
   EXPECT_THAT(ended.output, AllOf(HasSubstr("file measured.csv has hash feedbeef"),
                                   HasSubstr("file measured.csv has hash 0123456789abcdef")));
@@ -66,7 +65,7 @@ TEST_F(AgreementTest, RanksOfDifferentBuildsAreRefusedWithBothNamed) {
   const std::string other = scratch_ / "other_build";
   fs::copy_file(CAGETOL_BINARY_DIR "/standin_sweep", other);
   std::ofstream(other, std::ios::app) << "x";
-  const Ended ended = run(with_mpirun(standin(out_), {other, out_}));
+  const Ended ended = run(mixed(standin(out_), {other, out_}));
   EXPECT_EQ(ended.code, 2) << ended.output;
   EXPECT_THAT(ended.output, AllOf(HasSubstr("the ranks run different programs"),
                                   HasSubstr("rank 1 on "), HasSubstr("remedy")));
@@ -75,7 +74,7 @@ TEST_F(AgreementTest, RanksOfDifferentBuildsAreRefusedWithBothNamed) {
 
 TEST_F(AgreementTest, RanksWithDifferentDirectoriesAreRefusedWithHostAndFile) {
   fs::create_directories(journal_directory(directory_of("theirs")));
-  const Ended ended = run(with_mpirun(standin(out_), standin(directory_of("theirs"))));
+  const Ended ended = run(mixed(standin(out_), standin(directory_of("theirs"))));
   EXPECT_EQ(ended.code, 2) << ended.output;
   EXPECT_THAT(ended.output, AllOf(HasSubstr("is another directory to rank 1 on "),
                                   HasSubstr("file system that all hosts share")));
@@ -86,7 +85,7 @@ TEST_F(AgreementTest, OneSweepAndARecommendationDoNotMix) {
   const std::vector<std::string> recommend = {CAGETOL_BINARY_DIR "/standin_recommend",
                                               CAGETOL_SOURCE_DIR "/inputs/studies/nu205.toml",
                                               out_};
-  const Ended ended = run(with_mpirun(standin(out_), recommend));
+  const Ended ended = run(mixed(standin(out_), recommend));
   EXPECT_EQ(ended.code, 2) << ended.output;
   EXPECT_THAT(ended.output, HasSubstr("runs one sweep with"));
   EXPECT_THAT(ended.output, HasSubstr("runs several sweeps with"));

@@ -35,15 +35,15 @@ std::vector<std::string> sweep_of(const std::string& study, const std::string& d
           more};
 }
 
-const std::string kStudy = CAGETOL_SOURCE_DIR "/inputs/studies/nu205.toml";
+const std::string kShippedStudy = CAGETOL_SOURCE_DIR "/inputs/studies/nu205.toml";
 
 TEST(ProgramTest, AnyNumberOfRanksGivesTheSameFileAndEverySampleReplaysToTheBit) {
   const ScratchDirectory scratch;
-  const Ended serial = run(sweep_of(kStudy, scratch / "0"));
+  const Ended serial = run(sweep_of(kShippedStudy, scratch / "0"));
   ASSERT_EQ(serial.code, 0) << serial.output;
   for (const int ranks : {1, 2, 3}) {
     const std::string directory = scratch / std::to_string(ranks);
-    ASSERT_EQ(run(with_mpirun(ranks, sweep_of(kStudy, directory))).code, 0);
+    ASSERT_EQ(run(with_mpirun(ranks, sweep_of(kShippedStudy, directory))).code, 0);
     EXPECT_THAT(study_file_differences(study_file_of(scratch / "0"), study_file_of(directory)),
                 IsEmpty());
   }
@@ -59,7 +59,7 @@ TEST(ProgramTest, AnyNumberOfRanksGivesTheSameFileAndEverySampleReplaysToTheBit)
 TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
   const ScratchDirectory scratch;
   const auto sweep = [&](const std::string& directory) {
-    auto command = sweep_of(kStudy, directory, "scene.cage.model='flexible'");
+    auto command = sweep_of(kShippedStudy, directory, "scene.cage.model='flexible'");
     for (const char* setting :
          {"scene.cage.mesh_density=1", "scene.cage.modes=6",
           "scene.cage.pocket_width_mm.lot={law='uniform', lower=-0.2, upper=0.2}"})
@@ -88,8 +88,8 @@ TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
 
 TEST(ProgramTest, AnotherSeedIsRefusedWithKeyAndBothValues) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(run(sweep_of(kStudy, scratch / "out")).code, 0);
-  const Ended other = run(sweep_of(kStudy, scratch / "out", "seed=6"));
+  ASSERT_EQ(run(sweep_of(kShippedStudy, scratch / "out")).code, 0);
+  const Ended other = run(sweep_of(kShippedStudy, scratch / "out", "seed=6"));
   EXPECT_EQ(other.code, 2);
   EXPECT_THAT(other.output, HasSubstr("seed: 5 stored, 6 now"));
 }
@@ -118,7 +118,7 @@ TEST(ProgramTest, ReplayExplainsWhatIsMissingOrDamaged) {
   EXPECT_EQ(missing.code, 2);
   EXPECT_THAT(missing.output,
               AllOf(HasSubstr("study.h5: there is no such file"), HasSubstr("remedy")));
-  ASSERT_EQ(run(sweep_of(kStudy, scratch / "out")).code, 0);
+  ASSERT_EQ(run(sweep_of(kShippedStudy, scratch / "out")).code, 0);
   const Ended beyond = run(replay);
   EXPECT_EQ(beyond.code, 2);
   EXPECT_THAT(beyond.output, HasSubstr("the study has the samples 0 to 6"));
@@ -131,7 +131,7 @@ TEST(ProgramTest, ReplayExplainsWhatIsMissingOrDamaged) {
 TEST(ProgramTest, ABadStudyNamesFileLineKeyAndRemedyUnderMpirunToo) {
   const ScratchDirectory scratch;
   const Ended ended =
-      run(with_mpirun(2, sweep_of(kStudy, scratch / "out", "scene.cage.pocket_widht_mm=7.7")));
+      run(with_mpirun(2, sweep_of(kShippedStudy, scratch / "out", "scene.cage.pocket_widht_mm=7.7")));
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.output, AllOf(HasSubstr("pocket_width_mm"), HasSubstr("remedy")));
 }

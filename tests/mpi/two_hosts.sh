@@ -71,8 +71,8 @@ wait "$job" || code=$?
 took=$(($(date +%s) - cut))
 [ "$code" -ne 0 ] || fail "exit code 0 after the cut" # mpirun's own: it does not survive the loss of a host
 grep -q 'on host-b.* silent for 10 s' log || fail "no message names the silent host"
-# 10 s of silence, 5 s and 5 s for mpirun to end, and what a busy machine adds.
-[ "$took" -le 60 ] || fail "the run ended $took s after the cut"
+# 10 s of silence, 15 s and 5 s for mpirun to end, and what a busy machine adds.
+[ "$took" -le 90 ] || fail "the run ended $took s after the cut"
 for _ in $(seq 60); do # the other side ends by itself
   [ -n "$(ip netns pids "$b")" ] || break
   sleep 1
