@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "mc/forecast.hpp"
 #include "mc/signals.hpp"
 #include "src/input/input_error.hpp"
 
@@ -68,7 +69,11 @@ std::shared_ptr<const CageTable> CageTables::table(const GridPoint& point,
     std::rotate(tables_.begin(), found, found + 1);
   } else {
     if (tables_.size() == kMostInMemory) tables_.pop_back();
-    const CageTableNews news{.progress = [&](double share) { show_progress(what, share); },
+    const CageTableNews news{.progress =
+                                 [&](double share) {
+                                   if (share == 0) require_cage_memory(nominal_);
+                                   show_progress(what, share);
+                                 },
                              .warning = [](const std::string& text) { spdlog::warn("{}", text); }};
     tables_.emplace_front(point, make_scene_cage_table(nominal_, point, cage_cache_folder(), news));
   }

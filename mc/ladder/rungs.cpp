@@ -14,7 +14,7 @@ namespace {
 constexpr double kOffsetShare = 0.1;    // of the narrowest pocket's clearance
 constexpr double kSceneSamples = 1000;  // a usual study
 // As far as the keys go (scene_keys.cpp).
-constexpr long kFinestMesh = 12, kMostSlices = 100;
+constexpr long kFinestMesh = 12, kFinestSlices = 100;
 
 /// Later settings replace earlier ones of the same key.
 std::vector<std::string> joined(std::vector<std::string> settings,
@@ -140,7 +140,7 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
     rungs.push_back({"modes",
                      fmt::format("{} modes of the flexible cage", kMostModes),
                      {fmt::format("cage.modes={}", kMostModes)}});
-  const long slices = std::min(2 * scene.discretisation.race_slices + 1, kMostSlices);
+  const long slices = std::min(2 * scene.discretisation.race_slices + 1, kFinestSlices);
   if (slices > scene.discretisation.race_slices)
     rungs.push_back({"slices",
                      fmt::format("{} slices of a contact", slices),
