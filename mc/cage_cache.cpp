@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "mc/build_info.hpp"
+#include "mc/forecast.hpp"
 #include "mc/sealed_bytes.hpp"
 #include "mc/signals.hpp"
 #include "src/cage/cage_table_bytes.hpp"
@@ -110,6 +111,7 @@ std::shared_ptr<const CageTable> CageTables::table(const GridPoint& point,
     if (tables_.size() == kMostInMemory) tables_.pop_back();
     auto kept = read(point);
     if (!kept) {
+      require_cage_memory(nominal_);
       kept = make(point, what);
       keep(point, *kept);
     }

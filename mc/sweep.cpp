@@ -12,6 +12,7 @@
 #include "mc/alone.hpp"
 #include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
+#include "mc/forecast.hpp"
 #include "mc/hand_out.hpp"
 #include "mc/signals.hpp"
 #include "mc/study_file.hpp"
@@ -260,6 +261,10 @@ void Sweep::prepare(const std::function<SweepPlan()>& make_plan, bool mpi_runs) 
   problem_ = problem_of([&] {
     plan_ = make_plan();
     if (launch_.rank != 0) return;
+    const SweepForecast forecast = forecast_sweep(plan_.study);
+    spdlog::info("{}", forecast_text(forecast));
+    require_memory(forecast, ranks_on_this_machine());
+    require_disk(forecast, options_.directory);
     directory_ = std::make_unique<SweepDirectory>(options_.directory, plan_.study, build_);
     for (const std::string& note : directory_->stored().notes) spdlog::warn("{}", note);
     open_journal();

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mc/commands/command.hpp"
+#include "mc/forecast.hpp"
 #include "mc/law_reader.hpp"
 #include "mc/sample.hpp"
 #include "mc/study.hpp"
@@ -52,6 +53,11 @@ std::string summary(const Study& study) {
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
                         study.candidates.size(), study.tolerance.dimensions.size());
   for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
+  const SweepForecast forecast = forecast_sweep(study);
+  if (forecast.samples > 1) text += "a sweep of " + forecast_text(forecast) + "\n";
+  if (const double cage = forecast_cage_table(study.scene); cage > 0)
+    text += fmt::format("making a table of the flexible cage takes about {:.2g} GB of memory\n",
+                        1e-9 * cage);
   return text + "no mistakes found\n";
 }
 
@@ -73,6 +79,8 @@ void add_check_command(CLI::App& app, Chosen& chosen) {
   command->callback([options, &chosen] {
     chosen = [options] {
       const Study study = read_study(options->file, options->settings);
+      require_memory(forecast_sweep(study), 1);
+      require_cage_memory(study.scene);
       print(options->json ? study.resolved_json : summary(study));
       return kDone;
     };

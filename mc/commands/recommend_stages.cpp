@@ -9,6 +9,7 @@
 #include "analysis/tolerance/campaign.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"
+#include "mc/forecast.hpp"
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/unit.hpp"
@@ -137,6 +138,8 @@ int run_recommend(const std::function<Study()>& read, const MakePlan& make_plan,
   return run_staged(make_plan, options.progress, [&](StagedSweeps& stages) {
     const Study given = read();
     check_study(given);
+    require_memory(forecast_sweep(given), ranks_on_this_machine());
+    require_disk(forecast_sweep(given), options.directory);
     const auto base = with_fidelity(given, options.directory, stages);
     if (const int* code = std::get_if<int>(&base)) return *code;
     return StageLeader(std::get<Study>(base), options.directory, stages).lead();

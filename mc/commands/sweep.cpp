@@ -10,6 +10,7 @@
 #include "mc/commands/companion_stages.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
+#include "mc/forecast.hpp"
 #include "mc/signals.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
@@ -46,6 +47,8 @@ bool is_staged(const SweepArguments& options) {
 int run_stages(const SweepArguments& options, StagedSweeps& stages) {
   const std::string& directory = options.sweep.directory;
   const Study given = read_with_notes(options);
+  require_memory(forecast_sweep(given), ranks_on_this_machine());
+  require_disk(forecast_sweep(given), directory);
   const auto climbed = with_fidelity(given, directory, stages);
   if (const int* code = std::get_if<int>(&climbed)) return *code;
   const Study& study = std::get<Study>(climbed);

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -62,6 +64,134 @@ TEST(Program, NoLimitOfMemoryEndsItWithASignal) {
       setrlimit(RLIMIT_AS, &limit);
     });
     EXPECT_LT(version.code, 128) << bytes << ' ' << version.output;  // 127: libraries do not fit
+  }
+}
+
+/// A limit for the program that is started.
+std::function<void()> limited(__rlimit_resource resource, rlim_t amount) {
+  return [resource, amount] {
+    const rlimit limit{amount, amount};
+    setrlimit(resource, &limit);
+  };
+}
+
+TEST(Program, LimitsOfTheShellEndInDocumentedCodes) {
+  const ScratchDirectory scratch;
+  const std::string study = shipped("studies/nu205.toml");
+  const std::vector<std::vector<std::string>> commands = {
+      {"check", study},
+      {"simulate", study, "--set", "model.motion=quasi-static"},
+      {"sweep", study, "--set", "model.motion=quasi-static", "--set", "samples=6", "--set",
+       "extra_replicates=0", "--progress", "off", "-o"}};
+  const std::vector<std::pair<__rlimit_resource, rlim_t>> limits = {
+      {RLIMIT_STACK, 64 << 10}, {RLIMIT_STACK, 128 << 10}, {RLIMIT_STACK, 256 << 10},
+      {RLIMIT_NOFILE, 4},       {RLIMIT_NOFILE, 12},       {RLIMIT_AS, 96 << 20},
+      {RLIMIT_AS, 104 << 20},   {RLIMIT_AS, 128 << 20}};
+  int directory = 0;
+  for (const auto& [resource, amount] : limits)
+    for (std::vector<std::string> command : commands) {
+      if (command.back() == "-o") command.push_back(scratch / std::to_string(++directory));
+      const auto ended = run(command, limited(resource, amount));
+      const std::string what = command[0] + " with limit " + std::to_string(resource) + " of " +
+                               std::to_string(amount) + ":\n" + ended.output;
+      EXPECT_TRUE(ended.code == 0 || ended.code == 2 || ended.code == 75 || ended.code == 127)
+          << ended.code << ' ' << what;  // 127: libraries do not fit
+      EXPECT_THAT(ended.output, testing::Not(HasSubstr("unexpected"))) << what;
+      if (ended.code == 2 || ended.code == 75) {
+        EXPECT_THAT(ended.output, HasSubstr("remedy: ")) << what;
+      }
+    }
+  EXPECT_THAT(
+      run({"check", study}, limited(RLIMIT_STACK, 64 << 10)).output,
+      HasSubstr("ulimit -s = 64: the stack [kB] is limited to this; the program needs 256"));
+}
+
+TEST(Program, ARankSaysWhatMpiWouldLack) {
+  const ScratchDirectory scratch;
+  for (const char* limit : {"ulimit -n 16", "ulimit -v 250000"}) {
+    Process process(with_mpirun(
+        2, {"/bin/sh", "-c", std::string(limit) + "; exec \"$0\" \"$@\"",
+            std::string(CAGETOL_BINARY_DIR) + "/cagetol", "sweep", shipped("studies/nu205.toml"),
+            "--set", "samples=4", "-o", scratch / "out"}));
+    EXPECT_EQ(process.wait(), 2) << process.output();
+    EXPECT_THAT(process.output(), HasSubstr("of an MPI process"));
+    EXPECT_THAT(process.output(), HasSubstr("remedy: raise the limit: ulimit -"));
+  }
+}
+
+TEST(Program, PlansBeyondTheMachineAreRefusedWithTheirCounts) {
+  const std::string study = shipped("studies/nu205.toml");
+  const auto fine = run({"check", study});
+  EXPECT_THAT(fine.output,
+              testing::ContainsRegex("a sweep of [0-9]+ rows, [0-9]+ samples with "
+                                     "[0-9]+ numbers each: rank 0 needs up to [0-9]+"));
+  const ScratchDirectory scratch;
+  for (const char* command : {"check", "sweep", "recommend"}) {
+    std::vector<std::string> words = {
+        command, study, "--set", "samples=1000000000", "--set", "extra_replicates=0"};
+    if (words[0] != "check") words.insert(words.end(), {"-o", scratch / "out"});
+    const auto ended = run(words);
+    EXPECT_EQ(ended.code, 2) << ended.output;
+    EXPECT_THAT(ended.output,
+                HasSubstr("samples = 1000000000: 1000000000 rows, 1000000000 samples"));
+    EXPECT_THAT(ended.output, HasSubstr("remedy: ask for fewer samples"));
+    EXPECT_FALSE(std::filesystem::exists(scratch / "out/study.toml"));
+  }
+  const auto tight =
+      run({"check", study, "--set", "samples=1000000"}, limited(RLIMIT_AS, rlim_t{600} << 20));
+  EXPECT_EQ(tight.code, 2);
+  EXPECT_THAT(tight.output, HasSubstr("(ulimit -v)"));
+  const auto grid = run(
+      {"check", study, "--set", "design=grid", "--set", "grid_levels=[2, 1000, 1000, 1000, 1, 1]"});
+  EXPECT_EQ(grid.code, 2) << grid.output;
+  EXPECT_THAT(grid.output, HasSubstr("2000000000 rows"));
+}
+
+TEST(Program, NamesOfOutputsAreCheckedByEveryCommand) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "file") << "in the way";
+  // No real device: root would replace it by a file, were it not refused.
+  ASSERT_EQ(::mkfifo((scratch / "device").c_str(), 0600), 0);
+  const std::string study = shipped("studies/nu205.toml"), scene = shipped("scenes/nu205.toml");
+  const std::vector<std::vector<std::string>> commands = {
+      {"sweep", study},
+      {"recommend", study},
+      {"ladder", study},
+      {"chart", scene},
+      {"stability", "--fast"},
+      {"simulate", scene},
+      {"replay", scratch.path(), "--sample", "1"}};
+  const std::vector<std::pair<std::string, std::string>> names = {
+      {"", "the name is empty"},
+      {"  ", "the name is blank"},
+      {scratch / "a\nb", "control character"},
+      {scratch / "device", "a device, a pipe or a socket, not a f"},
+      {scratch / std::string(300, 'x'), "a part of the name has 300 characters"},
+      {scratch / std::string(5000, '/') + "x", "longer than the system's"},
+      {scratch / "file/below", "file"}};
+  for (const auto& command : commands)
+    for (const auto& [name, problem] : names) {
+      auto words = command;
+      words.insert(words.end(), {"-o", name});
+      const auto ended = run(words);
+      EXPECT_EQ(ended.code, 2) << command[0] << ended.output;
+      EXPECT_THAT(ended.output, HasSubstr("cagetol: -o = \"")) << command[0];
+      EXPECT_THAT(ended.output, HasSubstr(problem)) << command[0];
+      EXPECT_THAT(ended.output, HasSubstr("remedy: ")) << command[0];
+    }
+  EXPECT_EQ(run({"simulate", scene, "--snapshot", ""}).code, 2);
+  EXPECT_EQ(run({"simulate", scene, "-o", scratch.path()}).code, 2);
+
+  std::filesystem::create_directory(scratch / "pipe");
+  ASSERT_EQ(::mkfifo((scratch / "pipe/study.h5").c_str(), 0600), 0);
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"report", scratch / "pipe"},
+                                             {"replay", scratch / "pipe", "--sample", "1"},
+                                             {"compare", scratch / "pipe", scratch / "pipe"},
+                                             {"report", ""}}) {
+    const auto ended = run(words);
+    EXPECT_EQ(ended.code, 2) << ended.output;
+    EXPECT_THAT(ended.output, HasSubstr("remedy: "));
   }
 }
 
