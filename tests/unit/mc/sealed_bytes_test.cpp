@@ -40,7 +40,7 @@ TEST(SealedBytes, EveryOtherLengthIsFound) {
   const std::string sealed = sealed_bytes(kHead, kContent);
   for (std::size_t size = 0; size < sealed.size(); ++size)
     EXPECT_EQ(state_of(sealed.substr(0, size)), SealedState::damaged) << size;
-  for (const std::string more : {std::string(1, '\0'), std::string("x"), sealed})
+  for (const std::string& more : {std::string(1, '\0'), std::string("x"), sealed})
     EXPECT_EQ(state_of(sealed + more), SealedState::damaged);
 }
 
