@@ -26,16 +26,16 @@ unsigned number_from(const char* variable, unsigned usual) {
   return asked == nullptr ? usual : static_cast<unsigned>(std::atoi(asked));
 }
 
-void write(const std::string& path, const std::string& bytes) {
+void write_file(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-const std::vector<std::string> kOptions = {"--samples", "16", "--mean-ms", "0"};
+const std::vector<std::string> kSmallSweep = {"--samples", "16", "--mean-ms", "0"};
 
 class FlipTest : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(run(standin(directory_, kOptions)).code, 0);
+    ASSERT_EQ(run(standin(directory_, kSmallSweep)).code, 0);
     study_ = file_bytes(file_);
     journal_file_ = longest_journal(directory_);
     journal_ = file_bytes(journal_file_);
@@ -60,8 +60,8 @@ class FlipTest : public testing::Test {
 
 TEST_F(FlipTest, OfStudyH5BesideItsJournals) {
   each_flip(study_, [&](const std::string& damaged) {
-    write(file_, damaged);
-    const Ended ended = run(standin(directory_, kOptions));
+    write_file(file_, damaged);
+    const Ended ended = run(standin(directory_, kSmallSweep));
     ASSERT_EQ(ended.code, 0) << ended.output;
     ASSERT_EQ(file_bytes(file_), study_);
   });
@@ -70,9 +70,9 @@ TEST_F(FlipTest, OfStudyH5BesideItsJournals) {
 TEST_F(FlipTest, OfStudyH5Alone) {
   fs::remove(journal_file_);
   each_flip(study_, [&](const std::string& damaged) {
-    write(file_, damaged);
+    write_file(file_, damaged);
     const std::vector<std::vector<std::string>> readers = {
-        standin(directory_, kOptions),
+        standin(directory_, kSmallSweep),
         {cagetol_, "report", directory_},
         {cagetol_, "replay", directory_, "--sample", "1"},
         {cagetol_, "compare", directory_, directory_}};
@@ -92,8 +92,8 @@ TEST_F(FlipTest, OfAJournal) {
     fs::remove_all(journal_directory(directory_));
     fs::create_directory(journal_directory(directory_));
     fs::remove(file_);
-    write(journal_file_, damaged);
-    const Ended ended = run(standin(directory_, kOptions));
+    write_file(journal_file_, damaged);
+    const Ended ended = run(standin(directory_, kSmallSweep));
     ASSERT_EQ(ended.code, 0) << ended.output;
     ASSERT_THAT(ended.output, HasSubstr(journal_file_ + ": "));
     ASSERT_THAT(study_file_differences(right, file_), IsEmpty());
@@ -104,7 +104,7 @@ TEST_F(FlipTest, OfAStudyH5WithoutSeal) {
   const std::string whole = file_bytes(CAGETOL_SOURCE_DIR "/tests/unit/analysis/schema1_study.h5");
   fs::create_directory(scratch_ / "old");
   each_flip(whole, [&](const std::string& damaged) {
-    write(study_file_of(scratch_ / "old"), damaged);
+    write_file(study_file_of(scratch_ / "old"), damaged);
     const Ended ended = run({cagetol_, "compare", scratch_ / "old", scratch_ / "old"});
     ASSERT_THAT(ended.code, AnyOf(0, 2)) << ended.output;
     ASSERT_THAT(ended.output, HasSubstr(ended.code == 2 ? "remedy" : ""));

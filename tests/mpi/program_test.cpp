@@ -125,7 +125,7 @@ TEST(ProgramTest, ReplayExplainsWhatIsMissingOrDamaged) {
   std::filesystem::resize_file(study_file_of(scratch / "out"), 5000);
   const Ended damaged = run(replay);
   EXPECT_EQ(damaged.code, 2);
-  EXPECT_THAT(damaged.output, HasSubstr("start the sweep again"));
+  EXPECT_THAT(damaged.output, HasSubstr("start the same `cagetol sweep` again"));
 }
 
 TEST(ProgramTest, ABadStudyNamesFileLineKeyAndRemedyUnderMpirunToo) {
