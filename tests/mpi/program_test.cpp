@@ -130,8 +130,8 @@ TEST(ProgramTest, ReplayExplainsWhatIsMissingOrDamaged) {
 
 TEST(ProgramTest, ABadStudyNamesFileLineKeyAndRemedyUnderMpirunToo) {
   const ScratchDirectory scratch;
-  const Ended ended =
-      run(with_mpirun(2, sweep_of(kShippedStudy, scratch / "out", "scene.cage.pocket_widht_mm=7.7")));
+  const Ended ended = run(
+      with_mpirun(2, sweep_of(kShippedStudy, scratch / "out", "scene.cage.pocket_widht_mm=7.7")));
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.output, AllOf(HasSubstr("pocket_width_mm"), HasSubstr("remedy")));
 }

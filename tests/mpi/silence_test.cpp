@@ -75,10 +75,9 @@ class DirectoryGone : public testing::TestWithParam<int> {};
 TEST_P(DirectoryGone, IsSaidAtOnceAndEndsEveryRank) {
   const ScratchDirectory scratch;
   const std::string out = scratch / "out";
-  const auto command = standin(out, {"--samples", "40", "--mean-ms", "100000"});
+  const auto command = standin(out, {"--samples", "400", "--mean-ms", "3000"});
   Process sweep(GetParam() == 0 ? command : with_mpirun(GetParam(), command));
-  while (sweep.running() && longest_journal(out).empty()) {
-  }
+  wait_for(sweep, out, 2);
   std::error_code ignored;
   while (fs::exists(out)) fs::remove_all(out, ignored);
   const auto begin = std::chrono::steady_clock::now();
