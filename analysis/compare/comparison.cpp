@@ -20,6 +20,7 @@ namespace cagetol {
 namespace {
 
 constexpr double kLevels[] = {0.05, 0.50, 0.95};
+constexpr std::size_t kFewRuns = 32;  ///< below it Student's t is wrong for a mean of heavy tails
 
 /// Parts of a study that may differ: they say how much is run, not what.
 const std::set<std::string> kFree = {
@@ -80,12 +81,20 @@ Linearised linearised(const Runs& runs, const std::vector<double>& values) {
   return result;
 }
 
-/// Distances from the sample's own median: a wider scatter makes their mean larger.
-std::vector<double> distances(const std::vector<double>& values) {
-  const double median = weighted_quantile(values, ascending_order(values),
-                                          std::vector<double>(values.size(), 1.0), 0.5);
+std::vector<double> joined(std::vector<double> values, const std::vector<double>& others) {
+  values.insert(values.end(), others.begin(), others.end());
+  return values;
+}
+
+double median_of(const std::vector<double>& values) {
+  return weighted_quantile(values, ascending_order(values), std::vector<double>(values.size(), 1.0),
+                           0.5);
+}
+
+/// Distances from a middle: a wider scatter makes their mean larger.
+std::vector<double> distances(const std::vector<double>& values, double middle) {
   std::vector<double> result;
-  for (const double y : values) result.push_back(std::abs(y - median));
+  for (const double y : values) result.push_back(std::abs(y - middle));
   return result;
 }
 
@@ -200,17 +209,19 @@ void Comparer::compare_quantity(const Column& column) {
   const auto old_order = ascending_order(old_values), new_order = ascending_order(new_values);
   if (old_order.size() < 2 || new_order.size() < 2) return;
   const std::vector<double> old_ones(old_values.size(), 1.0), new_ones(new_values.size(), 1.0);
+  const std::vector<double> both = joined(old_values, new_values);
+  // One middle for both: only so are the distances exchangeable where nothing has changed.
+  const double middle = median_of(both);
   add(column.name, column.unit, "mean", weighted_mean(old_values, old_ones),
       weighted_mean(new_values, new_ones),
       mean_p_value(old_values, new_values, column.name + " mean",
-                   permuted_ && hardly_varies(old_values, new_values)));
+                   permuted_ && (hardly_varies(old_values, new_values) ||
+                                 std::min(old_order.size(), new_order.size()) < kFewRuns)));
   add(column.name, column.unit, "standard deviation",
       weighted_standard_deviation(old_values, old_ones),
       weighted_standard_deviation(new_values, new_ones),
-      mean_p_value(distances(old_values), distances(new_values), column.name + " scatter",
-                   permuted_));
-  std::vector<double> both = old_values;
-  both.insert(both.end(), new_values.begin(), new_values.end());
+      mean_p_value(distances(old_values, middle), distances(new_values, middle),
+                   column.name + " scatter", permuted_));
   const auto order = ascending_order(both);
   const std::vector<double> ones(both.size(), 1.0);
   for (const double level : kLevels) {

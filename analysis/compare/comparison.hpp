@@ -3,10 +3,10 @@
 // Tested for every quantity: mean, standard deviation, and the quantiles of 5, 50 and 95 %; for the
 // limits: joint yield and the yield of each limit, runs without a result failing; and the shares of
 // jams and of failed runs. A quantile is tested by the share of runs beyond the quantile of both
-// samples together; the standard deviation by the distances of runs from their median (Brown and
-// Forsythe 1974), permuted: the variance of a variance says nothing where tails are heavy. The mean
-// of a quantity that hardly ever varies is permuted too. Studies with the same seed ran the same
-// cages: these are compared pair by pair.
+// samples together; the standard deviation by the distances of runs from the median of both
+// samples, permuted: the variance of a variance says nothing where tails are heavy. Means of
+// few runs and of a quantity that hardly ever varies are permuted too. Studies with the same seed
+// ran the same cages: these are compared pair by pair.
 #pragma once
 
 #include <string>

@@ -7,8 +7,10 @@
 namespace cagetol {
 
 const std::vector<MethodName>& integration_methods() {
-  static const std::vector<MethodName> methods = {{"rodas4s", "the default"},
-                                                  {"rodasp", "another"}};
+  static const std::vector<MethodName> methods = {
+      {"rodas4s", ""},   {"rodasp", ""},        {"rodas4f", ""},    {"rodas3", ""},
+      {"cvode-bdf", ""}, {"arkode-esdirk", ""}, {"arkode-erk", ""}, {"semi-implicit-euler", ""},
+  };
   return methods;
 }
 

@@ -101,7 +101,7 @@ TEST_P(EveryReader, ReadsOrRefusesWhateverItIsGiven) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, EveryReader, testing::ValuesIn(reader_probes()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& probe) { return std::string(probe.param.name); });
 
 }  // namespace
 }  // namespace cagetol
