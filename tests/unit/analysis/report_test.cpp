@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -29,7 +30,8 @@ class Report : public testing::Test {
   void SetUp() override {
     directory_ =
         std::filesystem::path(testing::TempDir()) /
-        (std::string("report_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+        (std::string("report_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+         "_" + std::to_string(::getpid()));
     std::filesystem::create_directories(directory_);
   }
   void TearDown() override { std::filesystem::remove_all(directory_); }
