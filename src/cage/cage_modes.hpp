@@ -18,17 +18,16 @@ struct FreeModes {
   RigidMotions rigid;         ///< mass-orthonormal
 };
 
-/// The lowest `count` elastic modes; of pairs of one frequency the second may be missing. Throws
-/// UnsolvedCage where the iteration does not converge.
+/// The lowest `count` elastic modes. Throws UnsolvedCage where the iteration does not converge.
 FreeModes free_modes(const HexMesh& mesh, const BodyMatrices& body, const ShiftedFactor& factor,
                      long count);
 
 /// Number of modes, the rigid ones included, below a frequency [Hz].
 long modes_below(const BodyMatrices& body, double frequency);
 
-/// As `free_modes`, and checks by `modes_below` that none is missing: those that are, are looked
-/// for beside the ones found. Pairs are kept together: `count` is lowered where it would split one.
-/// Throws UnsolvedCage where modes stay missing.
+/// As `free_modes`, and checks by `modes_below` that none is missing: repeats with more vectors if
+/// so. Pairs are kept together: `count` is lowered by one where it would split a pair. Throws
+/// UnsolvedCage where modes stay missing.
 FreeModes checked_free_modes(const HexMesh& mesh, const BodyMatrices& body,
                              const ShiftedFactor& factor, long count);
 

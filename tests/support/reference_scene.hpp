@@ -10,10 +10,13 @@
 
 namespace cagetol {
 
-/// Every key of the reference bearing, those of `text` as that says. Nodes of `text` keep their
-/// places as lines of `name`.
+/// The required keys of the reference bearing, and those of `text` as that says. Nodes of `text`
+/// keep their places as lines of `name`.
 inline toml::table reference_scene_table(const std::string& text, const std::string& name) {
-  toml::table root = parse_toml(dump_keys(scene_keys(), example_scene()), "reference scene");
+  KeyTable<Scene> keys;
+  for (const auto& key : scene_keys())
+    if (key.range.required) keys.push_back(key);
+  toml::table root = parse_toml(dump_keys(keys, example_scene()), "reference scene");
   merge_tables(root, parse_toml(text, name), is_distribution);
   return root;
 }
