@@ -193,8 +193,8 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
   if (!section.empty())
     return {place, leaf.name, value, "this is a section, not a key",
             "give the keys of the section, for example " + section.front()};
-  // The value may be nobody's business: this may be some other program's file.
-  return {place, leaf.name, "", "no such key",
+  // Anything but a number may be nobody's business: this may be some other program's file.
+  return {place, leaf.name, leaf.node->is_number() ? value : "", "no such key",
           "did you mean " + nearest_name(leaf.name, names) + "? inputs/README.md lists every key"};
 }
 

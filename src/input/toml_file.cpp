@@ -79,7 +79,8 @@ bool is_bare_word(std::string_view text) {
                         text[0] == '.' || text[0] == '_'))
     return false;
   return std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) || std::strchr("_-./", c) != nullptr;
+    return std::isalnum(c) ||
+           std::string_view("_-./").find(static_cast<char>(c)) != std::string_view::npos;
   });
 }
 

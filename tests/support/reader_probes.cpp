@@ -118,7 +118,7 @@ bool read_setting_bytes(std::string_view bytes) {
   return read_or_refused([&] { read_study(study, settings); });
 }
 std::vector<std::string> setting_seeds() {
-  return {"load.radial_N=3000\nscene.cage.pocket_width_mm=7.7\n", "samples=16\ndesign=sobol\n",
+  return {"load.radial_N=3000\nscene.speed.inner_rpm=3000\n", "samples=16\ndesign=sobol\n",
           "scene.cage.pocket_pitch_mrad={ law = 'normal', sigma = 0.1 }\n",
           "limit=[{ quantity = 'cage_slip_ratio', max = 0.1, source = 'x' }]\n",
           "tolerance.target_yield=0.9\nname=\"a text\"\nhistory.points=10\n"};
@@ -137,13 +137,13 @@ bool read_csv_bytes(std::string_view bytes) {
 std::vector<std::string> csv_seeds() {
   using namespace std::string_literals;
   return {"6" + read_text_file(shipped("measurements/pockets-synthetic.csv")).substr(0, 2000),
-          "4# note\na;width [mm];b;\r\n1;+7,65;\"2\"\r\n;;;\r\n3;7.66;\"4;\"\"x\"\"\"\r\n",
+          "<# note\na;width [mm];b;\r\n1;+7,65;\"2\"\r\n;;;\r\n3;7,66;\"4;\"\"x\"\"\"\r\n",
           "<width / um\tb\r7,65\t1\r-7,66\t2\r",
           "4sep=;\nwidth;b\n1;2\n",
           "4\xff\xfew\0i\0d\0t\0h\0\n\0"
           "1\0\n\0"s,
           "4\xef\xbb\xbfWidth in \xc2\xb5m\n1\n",
-          "0width\n\xb5\n\xe2\x88\x92"
+          "0width\n+1\n\xe2\x88\x92"
           "1\n"};
 }
 

@@ -311,7 +311,7 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
         "the columns are: part, width_mm, length_mm"}},
       {width + "{ nominal = 7.65, lot = { law = 'empirical', file = 'parts.csv', column = "
                "'width_mm' } }",
-       {"parts.csv:4: width_mm = 'wide': this is not a number", "remedy"}},
+       {"parts.csv:4: column 2 (width_mm) = 'wide': this is not a number", "remedy"}},
       {width + "{ nominal = 7.65, lot = { law = 'empirical', column = 'width_mm' } }",
        {"no measurements are given"}},
       {"samples = 1\n[[limit]]\nquantity = 'whirl_radius'\nmax = 1\nsource = 's'\n",

@@ -150,6 +150,8 @@ TEST(TomlFile, SettingsAreTyped) {
   EXPECT_THAT(problem_of([&] { apply_setting(root, "a.b.c=1"); }),
               HasSubstr("'b' holds a value, not keys"));
   EXPECT_THAT(problem_of([&] { apply_setting(root, "a="); }), HasSubstr("cannot read the value"));
+  EXPECT_THAT(problem_of([&] { apply_setting(root, std::string("a=b\0c", 5)); }),
+              HasSubstr("cannot read the value"));
   EXPECT_THAT(problem_of([&] { apply_setting(root, "a..b=1"); }),
               HasSubstr("not of the form key=value"));
 }
