@@ -163,5 +163,12 @@ TEST(KeyTable, NearestName) {
   EXPECT_EQ(nearest_name("x", {}), "");
 }
 
+TEST(TomlFile, CharactersThatAreNoBlanksAreNoneToTheParser) {
+  for (const char* character : {"\xc2\xb5", "\xd2\x99", "\xe2\xb8\x8e", "\xef\xbb\xb8"})
+    EXPECT_THAT(problem_of([&] { parse_toml("a" + std::string(character) + " = 1", "t.toml"); }),
+                HasSubstr("t.toml:1: not valid TOML"))
+        << character;
+}
+
 }  // namespace
 }  // namespace cagetol
