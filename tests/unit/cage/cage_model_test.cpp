@@ -248,6 +248,17 @@ TEST(CageModel, EvenPocketCountsHaveSingleModesOfAlternatingSign) {
   }
 }
 
+/// Term by term: a product of Eigen's here, compiled without optimisation, would stand in for the
+/// program's own when both are linked.
+double modal_mass(const SparseMatrix& lower, const Eigen::VectorXd& shape) {
+  double mass = 0;
+  for (Eigen::Index column = 0; column < lower.cols(); ++column)
+    for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
+      mass += (entry.row() == entry.col() ? 1 : 2) * entry.value() * shape[entry.row()] *
+              shape[entry.col()];
+  return mass;
+}
+
 /// Frequencies of a free body go with the square root of 1 / density, whatever the density: a
 /// search with an absolute tolerance would lose modes of light cages.
 TEST(CheckedFreeModes, LightCagesHaveThoseOfHeavyOnes) {
@@ -259,10 +270,8 @@ TEST(CheckedFreeModes, LightCagesHaveThoseOfHeavyOnes) {
     const BodyMatrices body = assemble_body(mesh, material);
     const ShiftedFactor factor(body, ring_shift(mesh, body));
     const FreeModes modes = checked_free_modes(mesh, body, factor, 36);
-    const Eigen::VectorXd mass =
-        (modes.shape.transpose() * (body.mass.selfadjointView<Eigen::Lower>() * modes.shape))
-            .diagonal();
-    EXPECT_LT((mass.array() - 1).abs().maxCoeff(), 1e-8) << lighter;
+    for (Eigen::Index i = 0; i < modes.shape.cols(); ++i)
+      EXPECT_NEAR(modal_mass(body.mass, modes.shape.col(i)), 1, 1e-8) << lighter;
     return modes.frequency;
   };
   const Eigen::VectorXd steel = frequencies(1);
