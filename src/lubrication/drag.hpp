@@ -1,0 +1,48 @@
+// Drag of oil and air in the free space of a bearing ("churning"):
+//
+//   rho = fill rho_oil + (1 - fill) rho_air,   eta likewise
+//   F   = 1/2 rho C_d D L v^2                     roller across its axis [N]
+//   M   = 1/2 rho w^2 (r_o^5 - r_i^5) C_n         one face of a disc or ring [N m]
+//         C_n = 1.935/sqrt(Re) laminar, 0.073 Re^-0.2 turbulent, about Re = 3e5; Re = rho r_o^2 w/eta
+//   tau = 1/2 f rho (w r)^2                       cylinder in a gap c [Pa]
+//         f = 2/Re laminar, 0.0791 Re^-0.25 turbulent, about Re = 2000; Re = rho w r c/eta
+//
+// v speed relative to the fluid [m/s], w likewise [rad/s]; the fluid is carried along with a share
+// of the cage's speed. `fill` is an assumption: in the literature a calibration constant. The
+// regimes are blended over ln Re, so that coefficients are smooth; at w = 0 moment and shear
+// vanish.
+//
+// Sources: Schlichting, Boundary-Layer Theory, discs (3.87 and 0.146 for both faces); Rumbarger et
+// al., J. Lubr. Technol. 95 (1973) 401.
+#pragma once
+
+#include "src/contact/step.hpp"
+#include "src/numerics/dual.hpp"
+
+namespace cagetol {
+
+/// Fluid of the bearing's free space.
+struct FreeSpaceFluid {
+  double density = 0;    ///< [kg/m3]
+  double viscosity = 0;  ///< [Pa s]
+};
+/// `fill`: share of the free space that is oil, in [0, 1].
+FreeSpaceFluid free_space_fluid(double fill, double oil_density, double oil_viscosity);
+
+/// Force against `v` [N].
+template <class T>
+T cylinder_drag(double density, double coefficient, double diameter, double length, T v) {
+  return (0.5 * density * coefficient * diameter * length) * v * abs(v);
+}
+
+/// Coefficient of one face of a disc at Reynolds number `re` > 0, and of a cylinder in a gap.
+double disc_coefficient(double re);
+double gap_coefficient(double re);
+
+/// Moment of one face against its turning at `w` relative to the fluid [N m], r_i < r_o [m].
+double disc_moment(const FreeSpaceFluid& fluid, double w, double outer, double inner);
+
+/// Moment on a cylinder of radius r and length l in a gap c, turning at `w` [N m].
+double gap_moment(const FreeSpaceFluid& fluid, double w, double radius, double length, double gap);
+
+}  // namespace cagetol

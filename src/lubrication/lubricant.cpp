@@ -1,0 +1,63 @@
+#include "src/lubrication/lubricant.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace cagetol {
+namespace {
+
+constexpr double kZeroCelsius = 273.15;  ///< [K]
+constexpr double kExpansion = 0.00065;   ///< of the density [1/K]
+
+}  // namespace
+
+ViscosityCurve viscosity_curve(double viscosity_40, double viscosity_100) {
+  if (!(viscosity_40 > viscosity_100) || !(viscosity_100 > 0.3))
+    throw std::domain_error(
+        "lubricant: the viscosity at 40 degC must be above that at 100 degC, both in mm2/s");
+  const auto log_log = [](double nu) { return std::log10(std::log10(nu + 0.7)); };
+  const double x40 = std::log10(40 + kZeroCelsius), x100 = std::log10(100 + kZeroCelsius);
+  const double b = (log_log(viscosity_40) - log_log(viscosity_100)) / (x100 - x40);
+  return {log_log(viscosity_40) + b * x40, b};
+}
+
+double kinematic_viscosity(const ViscosityCurve& curve, double temperature) {
+  const double exponent = curve.a - curve.b * std::log10(temperature + kZeroCelsius);
+  return std::pow(10.0, std::pow(10.0, exponent)) - 0.7;
+}
+
+double viscosity_fall(const ViscosityCurve& curve, double temperature) {
+  const double nu = kinematic_viscosity(curve, temperature);
+  return curve.b * (nu + 0.7) * std::log(nu + 0.7) / (nu * (temperature + kZeroCelsius));
+}
+
+double oil_density(double density_15, double temperature) {
+  return density_15 * (1 - kExpansion * (temperature - 15));
+}
+
+const std::vector<LubricantPreset>& lubricant_presets() {
+  // Mineral oils of viscosity index 95 to 100: viscosities at 100 degC as data sheets give them.
+  static const std::vector<LubricantPreset> presets = {
+      {"iso-vg-10", {10, 2.6, 845, 1.5e-8}},
+      {"iso-vg-15", {15, 3.4, 850, 1.6e-8}},
+      {"iso-vg-22", {22, 4.3, 858, 1.65e-8}},
+      {"iso-vg-32", {32, 5.4, 865, 1.7e-8}},
+      {"iso-vg-46", {46, 6.8, 868, 1.75e-8}},
+      {"iso-vg-68", {68, 8.7, 870, 1.8e-8}},
+      {"iso-vg-100", {100, 11.3, 880, 1.9e-8}},
+      {"iso-vg-150", {150, 14.8, 885, 2.0e-8}},
+      {"iso-vg-220", {220, 19.0, 890, 2.1e-8}},
+      {"iso-vg-320", {320, 24.0, 895, 2.2e-8}},
+      // Polyol ester of 5 mm2/s at 100 degC (MIL-PRF-23699 asks for 4.9 to 5.4, and 23 at 40 degC).
+      {"ester-turbine-oil", {25.5, 5.1, 995, 1.2e-8}},
+  };
+  return presets;
+}
+
+const LubricantPreset& lubricant_named(const std::string& name) {
+  for (const LubricantPreset& preset : lubricant_presets())
+    if (preset.name == name) return preset;
+  throw std::domain_error("lubricant: there is none called '" + name + "'");
+}
+
+}  // namespace cagetol

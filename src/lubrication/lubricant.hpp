@@ -1,0 +1,54 @@
+// What a lubricant is to the contacts: viscosity at the operating temperature and the constants of
+// its films and traction.
+//
+//   log10 log10(nu + 0.7) = A - B log10 T      nu kinematic viscosity [mm2/s], T temperature [K]
+//   beta = -d ln nu/dT = B (nu + 0.7) ln(nu + 0.7)/(nu T)
+//   rho  = rho_15 (1 - 0.00065 (t - 15)),   eta = nu rho       t [degC]
+//
+// A and B follow from the viscosities at 40 and 100 degC. Valid for mineral oils and esters between
+// their pour point and about 150 degC, nu above 2 mm2/s. Source: Walther's equation as in ASTM
+// D341; thermal expansion of mineral oil 0.00065 1/K.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cagetol {
+
+/// Viscosity over temperature of one oil.
+struct ViscosityCurve {
+  double a = 0, b = 0;  ///< A, B of Walther's equation
+};
+
+/// Throws std::domain_error unless viscosity_40 > viscosity_100 > 0.3 [mm2/s].
+ViscosityCurve viscosity_curve(double viscosity_40, double viscosity_100);
+
+/// Kinematic viscosity [mm2/s] at `temperature` [degC].
+double kinematic_viscosity(const ViscosityCurve& curve, double temperature);
+
+/// -d ln nu/dT [1/K] at `temperature` [degC].
+double viscosity_fall(const ViscosityCurve& curve, double temperature);
+
+/// Density [kg/m3] at `temperature` [degC] from that at 15 degC.
+double oil_density(double density_15, double temperature);
+
+/// An oil as a catalogue describes it. Pressure-viscosity coefficients scatter by a quarter between
+/// oils of one grade; see `LubricantPreset` for the values that names stand for.
+struct Oil {
+  double viscosity_40 = 68, viscosity_100 = 8.7;  ///< [mm2/s]
+  double density_15 = 870;                        ///< [kg/m3]
+  double pressure_viscosity = 1.8e-8;             ///< alpha [1/Pa]
+};
+
+/// A named oil: ISO VG 10 to 320 as mineral oils of viscosity index about 95, and an ester for gas
+/// turbines.
+struct LubricantPreset {
+  std::string name;
+  Oil oil;
+};
+const std::vector<LubricantPreset>& lubricant_presets();
+
+/// Throws std::domain_error where no preset has this name.
+const LubricantPreset& lubricant_named(const std::string& name);
+
+}  // namespace cagetol

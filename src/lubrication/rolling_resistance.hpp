@@ -1,0 +1,65 @@
+// Hydrodynamic rolling resistance of a line contact. Oil drawn into the inlet is pushed back by the
+// pressure, which pulls on EACH of the two surfaces against its motion as seen from the contact.
+// Per length:
+//
+//   f   = (f_E^-3 + f_I^-3)^(-1/3)                                             [N/m]
+//   f_I = 2.0796 sqrt(eta u q)                                                 rigid, isoviscous
+//   f_E = 4.317 (alpha eta u/R)^0.658228 W^0.012658 R/alpha,   W = q/(E' R)     elastic, isothermal
+//   f_E = W K R/alpha                                                          with inlet heating
+//         ln K = (0.658228 + 0.0106383 L^0.3174603) ln D - (0.162625 + ln(1 + 0.411483 L^0.707071))
+//         D    = 11.81220746 alpha E' (eta u/(E' R))/W^1.5,   L = eta beta u^2/k
+//
+// q steady load of a flooded gap, without squeeze [N/m], u entrainment speed [m/s], beta = -d ln
+// nu/dT [1/K], k conductivity of the oil [W/(m K)]; the rest as in line_film.hpp. At L = 0 the line
+// with K is the one above it.
+//
+// The pressure is not symmetric about the contact, so each body also feels a force through its own
+// axis. A roller gets f (2 R/R_roller - 1) along the surfaces' motion and the moment f R_roller
+// against its spin, the other body the opposite force; the power lost is f (u1 + u2) = 2 f u.
+//
+// Sources: Goksem and Hargreaves, J. Lubr. Technol. 100 (1978) 346 and 353;
+// f_I: Reynolds' equation, rigid cylinder.
+#pragma once
+
+#include <numbers>
+
+#include "src/lubrication/line_film.hpp"
+
+namespace cagetol {
+
+struct RollingResistance {
+  bool heating = false;
+  double elastic = 0;        ///< f_E at u = 1 m/s, q = 1 N/m, isothermal [N/m]
+  double rigid = 0;          ///< f_I there [N/m]
+  double log_drag = 0;       ///< log2 D there
+  double load_scale = 0;     ///< W R/alpha at q = 1 N/m [N/m]
+  double heating_scale = 0;  ///< L at u = 1 m/s
+};
+
+/// `viscosity_fall`: beta, `conductivity`: k; both used where `heating`.
+RollingResistance make_rolling_resistance(double viscosity, double pressure_viscosity,
+                                          double radius, double modulus, bool heating,
+                                          double viscosity_fall, double conductivity);
+
+/// f [N/m]. `load` = q_w > 0 with `log_load` = log2 of it, `speed` = film_speed(u).
+template <class T>
+T rolling_resistance(const RollingResistance& law, T load, T log_load, T speed) {
+  constexpr double kSpeed = 0.658228, kLoad = 0.012658;
+  const T log_speed = log2(speed);
+  T elastic;
+  if (law.heating) {
+    const T L = law.heating_scale * speed * speed;
+    const T log_D = law.log_drag + log_speed - 1.5 * log_load;
+    const T log_K = (kSpeed + 0.0106383 * power(L, 0.3174603)) * log_D -
+                    0.162625 / std::numbers::ln2 - log2(1.0 + 0.411483 * power(L, 0.707071));
+    elastic = law.load_scale * load * exp2(log_K);
+  } else {
+    elastic = law.elastic * exp2(kSpeed * log_speed + kLoad * log_load);
+  }
+  const T rigid = law.rigid * sqrt(speed * load);
+  // Scaled by the smaller of the two: neither cube may leave the range of numbers.
+  const T less = min(elastic, rigid), e = less / elastic, i = less / rigid;
+  return less * power(e * e * e + i * i * i, -1.0 / 3);
+}
+
+}  // namespace cagetol

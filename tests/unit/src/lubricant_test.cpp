@@ -1,0 +1,66 @@
+// Viscosity over temperature: numbers computed from Walther's equation by an independent script.
+#include "src/lubrication/lubricant.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cagetol {
+namespace {
+
+double viscosity_at_70(double viscosity_40, double viscosity_100) {
+  return kinematic_viscosity(viscosity_curve(viscosity_40, viscosity_100), 70);
+}
+
+TEST(Lubricant, FollowsWalthersEquation) {
+  const ViscosityCurve curve = viscosity_curve(68, 8.7);
+  EXPECT_NEAR(curve.a, 9.30969, 1e-5);
+  EXPECT_NEAR(curve.b, 3.62440, 1e-5);
+  EXPECT_NEAR(viscosity_at_70(68, 8.7), 20.12, 0.005);
+  EXPECT_NEAR(viscosity_at_70(32, 5.4), 11.19, 0.005);
+  EXPECT_NEAR(viscosity_at_70(150, 14.8), 38.12, 0.005);
+}
+
+TEST(Lubricant, ReturnsTheTwoViscositiesItWasMadeOf) {
+  const ViscosityCurve curve = viscosity_curve(68, 8.7);
+  EXPECT_NEAR(kinematic_viscosity(curve, 40), 68, 1e-9);
+  EXPECT_NEAR(kinematic_viscosity(curve, 100), 8.7, 1e-10);
+}
+
+TEST(Lubricant, FallOfViscosityIsItsDerivative) {
+  const ViscosityCurve curve = viscosity_curve(68, 8.7);
+  const double step = 1e-3;
+  const double difference = (std::log(kinematic_viscosity(curve, 70 - step)) -
+                             std::log(kinematic_viscosity(curve, 70 + step))) /
+                            (2 * step);
+  EXPECT_NEAR(viscosity_fall(curve, 70), difference, 1e-8);
+  EXPECT_NEAR(viscosity_fall(curve, 70), 0.0332, 5e-5);
+}
+
+TEST(Lubricant, DynamicViscosityOfTheReferenceOil) {
+  const double nu = viscosity_at_70(68, 8.7), rho = oil_density(870, 70);
+  EXPECT_NEAR(nu * 1e-6 * rho, 0.01688, 5e-6);
+}
+
+TEST(Lubricant, RefusesViscositiesThatDoNotFall) {
+  EXPECT_THROW(viscosity_curve(8.7, 68), std::domain_error);
+  EXPECT_THROW(viscosity_curve(68, 68), std::domain_error);
+  EXPECT_THROW(viscosity_curve(68, std::nan("")), std::domain_error);
+}
+
+TEST(Lubricant, PresetsAreInTheirIsoGrade) {
+  // ISO 3448: the viscosity at 40 degC within 10 % of the grade's number.
+  int grades = 0;
+  for (const LubricantPreset& preset : lubricant_presets()) {
+    const Oil& oil = preset.oil;
+    EXPECT_NO_THROW(viscosity_curve(oil.viscosity_40, oil.viscosity_100)) << preset.name;
+    if (!preset.name.starts_with("iso-vg-")) continue;
+    const double number = std::stod(preset.name.substr(7));
+    EXPECT_NEAR(oil.viscosity_40, number, 0.1 * number) << preset.name;
+    ++grades;
+  }
+  EXPECT_EQ(grades, 10);
+}
+
+}  // namespace
+}  // namespace cagetol
