@@ -25,7 +25,7 @@ class StagedSweeps {
   /// sample is stored. Samples lost twice run alone only in the first sweep that has anything to
   /// run, because MPI has not begun then.
   int sweep(const Study& study, const std::string& directory);
-  /// Nothing more to run: every rank is told once. The exit code where ranks run different
+  /// Nothing more to run: tells every rank to end. The exit code where ranks run different
   /// programs.
   int end();
 

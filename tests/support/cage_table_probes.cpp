@@ -1,4 +1,3 @@
-#if __has_include("src/cage/cage_table_bytes.hpp")
 // Probes of cage tables.
 #include "src/cage/cage_table_bytes.hpp"
 #include "tests/support/stored_file_probes.hpp"
@@ -28,4 +27,3 @@ std::vector<ReaderProbe> cage_table_probes() {
 }
 
 }  // namespace cagetol
-#endif

@@ -218,12 +218,8 @@ const std::vector<ReaderProbe>& reader_probes() {
         {"csv", read_csv_bytes, csv_seeds},
         {"journal", read_journal_bytes, journal_seeds},
     };
-#if __has_include("analysis/format/file_seal.hpp")
     for (const ReaderProbe& probe : study_file_probes()) all.push_back(probe);
-#endif
-#if __has_include("src/cage/cage_table_bytes.hpp")
     for (const ReaderProbe& probe : cage_table_probes()) all.push_back(probe);
-#endif
     return all;
   }();
   return probes;

@@ -1,4 +1,3 @@
-#if __has_include("analysis/format/file_seal.hpp")
 // Probes of study.h5.
 #include "tests/support/stored_file_probes.hpp"
 
@@ -214,4 +213,3 @@ std::vector<ReaderProbe> study_file_probes() {
 }
 
 }  // namespace cagetol
-#endif

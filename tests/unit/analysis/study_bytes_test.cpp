@@ -40,7 +40,7 @@ class StudyBytesTest : public testing::Test {
     }
     return "no error";
   }
-  /// A small sound file, with `end` behind it.
+  /// A small sound file followed by `end`.
   std::string written(const std::string& end = "") {
     const H5Handle file = make_h5_memory_file();
     write_h5(file, "value", std::vector<double>{1.5}, {"N", "a number"});

@@ -36,7 +36,7 @@ class StudyFile : public testing::Test {
     return folder_ + "/" + name;
   }
 
-  /// Of a text that says nothing of its scene file, the scene is the reference bearing.
+  /// A text that names no scene file gets the reference bearing.
   Study study_of(const std::string& text, std::vector<std::string> settings = {}) const {
     const bool names_scene = text.find("[scene]\nfile") != std::string::npos ||
                              text.find("scene = ") != std::string::npos;
