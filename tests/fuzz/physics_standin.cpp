@@ -1,8 +1,10 @@
 // What the readers ask of the physics, so that fuzzing them compiles no physics.
 #include <sundials/sundials_version.h>
 
+#include "mc/history_channels.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quasi_static.hpp"
+#include "src/window_times.hpp"
 
 namespace cagetol {
 
@@ -16,6 +18,19 @@ const std::vector<MethodName>& integration_methods() {
 
 bool is_quasi_static_quantity(const std::string& key) {
   return key == "ring_displacement_mean_um";
+}
+
+// No sample is run here: of histories only the names of their columns are asked for.
+const std::vector<BearingChannel>& bearing_channels() {
+  static const std::vector<BearingChannel> channels = {{"ring_y", "um", "inner ring, y", nullptr}};
+  return channels;
+}
+const std::vector<RollerChannel>& roller_channels() {
+  static const std::vector<RollerChannel> channels = {{"roller_spin", "rpm", "spin", nullptr}};
+  return channels;
+}
+WindowTimes window_times(const Scene&, const BearingModel&) {
+  return {};
 }
 
 }  // namespace cagetol
