@@ -15,12 +15,12 @@ namespace cagetol {
 
 // Where the columns of one input begin in the design; -1 where the scope is absent or a plain
 // number.
-struct InputColumns {
+struct InputPlaces {
   long lot = -1, pocket = -1;
 };
 
 struct SampleColumns {
-  std::vector<InputColumns> of_input;
+  std::vector<InputPlaces> of_input;
   std::vector<DesignColumn> design;
   std::vector<std::string> names, groups;
 };
@@ -82,7 +82,7 @@ SampleColumns make_columns(const Study& study) {
     columns.groups.push_back(group);
   };
   for (const auto& input : study.inputs) {
-    InputColumns of_input;
+    InputPlaces of_input;
     if (is_varied(input.lot)) {
       of_input.lot = static_cast<long>(columns.names.size());
       add(input.key, input.key + ":lot", Purpose::lot, 0, input.key + ":lot");

@@ -7,6 +7,7 @@
 
 #include "src/cage/cage_mass.hpp"
 #include "src/contact/hertz_line.hpp"
+#include "src/lubrication/lubricant.hpp"
 
 namespace cagetol {
 namespace {
@@ -92,6 +93,42 @@ std::array<EndPoint, 2> end_points(double radius, double radial) {
   return {EndPoint{radial, -t}, EndPoint{radial, t}};
 }
 
+/// Oil of a scene at its operating temperature.
+struct OperatingOil {
+  double viscosity, pressure_viscosity, fall;  ///< eta [Pa s], alpha [1/Pa], beta [1/K]
+};
+OperatingOil operating_oil(const Lubrication& l) {
+  const Oil& named = lubricant_named(l.lubricant).oil;
+  const ViscosityCurve curve = viscosity_curve(given_or(l.viscosity_40, named.viscosity_40),
+                                               given_or(l.viscosity_100, named.viscosity_100));
+  const double density = oil_density(given_or(l.density, named.density_15), l.temperature);
+  return {given_or(l.viscosity, 1e-6 * kinematic_viscosity(curve, l.temperature) * density),
+          given_or(l.pressure_viscosity, named.pressure_viscosity),
+          viscosity_fall(curve, l.temperature)};
+}
+
+/// Film of one of `slices` slices or stations of a roller of `length`; `radius` reduced.
+LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
+                       const OperatingOil& oil, const FrictionLaw& boundary, double modulus,
+                       double radius, double roughness, double length, long slices) {
+  const Lubrication& l = scene.lubrication;
+  LubricatedLine line;
+  line.squeeze = l.squeeze;
+  line.rolls = l.rolling_resistance;
+  line.length = length / static_cast<double>(slices);
+  // Of the whole contact: its share of the length bears the same load per length.
+  const NormalLaw whole = make_normal_law(contact, length, 1);
+  line.chi = whole.chi;
+  const double approach = elastic_penetration(whole, length);  // at 1 N/m
+  line.film = make_line_film(oil.viscosity, oil.pressure_viscosity, radius, modulus, approach);
+  line.rolling = make_rolling_resistance(oil.viscosity, oil.pressure_viscosity, radius, modulus,
+                                         l.inlet_heating, oil.fall, l.conductivity);
+  line.traction = make_traction(oil.viscosity, oil.pressure_viscosity, radius, modulus,
+                                l.eyring_stress, l.limiting_shear, roughness);
+  line.boundary = boundary;
+  return line;
+}
+
 }  // namespace
 
 BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> flexible) {
@@ -141,6 +178,23 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
                                slices, m.race);
   m.outer_film = make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length,
                                slices, m.race);
+  m.lubricated = is_lubricated(scene);
+  if (m.lubricated) {
+    const OperatingOil oil = operating_oil(scene.lubrication);
+    const auto line = [&](double race) {
+      return line_of(scene, scene.contact.race, oil, m.friction, modulus, 1 / (1 / roller + race),
+                     scene.lubrication.race_roughness, length, slices);
+    };
+    m.inner_line = line(1 / m.inner_radius);
+    m.inner_line.starved = true;
+    m.inner_line.layer = scene.lubrication.race_layer;
+    m.outer_line = line(-1 / m.outer_radius);
+    m.bar_line = line_of(scene, scene.contact.bar, oil, m.friction,
+                         effective_modulus(scene.roller.material, scene.cage.material), roller,
+                         scene.lubrication.pocket_roughness, length, stations);
+    m.bar_line.starved = true;
+    m.bar_line.layer = scene.lubrication.pocket_layer;
+  }
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
   m.flange_points = end_points(m.nominal_diameter / 2, b.shoulder_diameter / 2 - m.pitch_radius);

@@ -10,6 +10,7 @@
 #include "src/contact/short_bearing.hpp"
 #include "src/dynamics/flexible_cage.hpp"
 #include "src/dynamics/state.hpp"
+#include "src/lubrication/lubricated_line.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -63,6 +64,10 @@ struct BearingModel {
       land;  ///< each already the share of one slice, station, point or land
   FrictionLaw friction;
   FilmLaw inner_film, outer_film;  ///< of one slice
+  bool lubricated = false;         ///< races by the laws below instead of `race` and these films
+  LubricatedLine inner_line, outer_line;  ///< of one slice
+  LubricatedLine bar_line;                ///< of one station
+  double film_watch = 0;  ///< normal force of a slice from which its film counts as loaded [N]
 
   double touch_span = 0;    ///< of a step around the touch of a race, at most [s]
   double heavy_force = 0;   ///< on a bar from which steps resolve the impact [N] ...

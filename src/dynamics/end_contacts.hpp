@@ -104,8 +104,8 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
               {e * A_R, e * A_T, e, -e * turn[i], -e * D_R[i], -e * D_T[i]},
               {-1, 0, 0, lever_T[i], -X[i], 0},
               {0, -1, 0, -lever_R[i], 0, -X[i]}};
-          fill_pocket_rows(f, b, modal, group, point, i, rolling, caging,
-                           {{0, 0, e}, {-1, 0, 0}, {0, -1, 0}}, *rows);
+          fill_pocket_rows<3>(f, b, modal, group, point, i, rolling, caging,
+                              {{0, 0, e}, {-1, 0, 0}, {0, -1, 0}}, *rows);
           add_contact(
               *rows,
               {normal.force[i], normal.stiffness[i], normal.damping[i], fr.ratio[i], fr.bend[i],

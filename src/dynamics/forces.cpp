@@ -6,6 +6,8 @@
 #include "src/dynamics/end_contacts.hpp"
 #include "src/dynamics/finish_derivatives.hpp"
 #include "src/dynamics/land_contacts.hpp"
+#include "src/dynamics/lubricated_pocket.hpp"
+#include "src/dynamics/lubricated_race.hpp"
 #include "src/dynamics/pocket_contacts.hpp"
 #include "src/dynamics/race_contacts.hpp"
 
@@ -195,9 +197,17 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     RollerLoads loads;
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
-    race_contacts<linear, true, tilting>(m, roller, q, inner, loads, g, seen, total, sliding,
-                                         elastic_r, elastic_t, drive, tilting ? &tilt : nullptr,
-                                         &limit);
+    if (m.lubricated) {
+      RaceTotals on;
+      lubricated_race<linear, true, tilting>(m, m.inner_line, roller, q, inner, loads, g, seen, on,
+                                             tilting ? &tilt : nullptr);
+      total = on.normal, sliding = on.sliding, drive = on.drive;
+      elastic_r = on.normal_r, elastic_t = on.normal_t;
+    } else {
+      race_contacts<linear, true, tilting>(m, roller, q, inner, loads, g, seen, total, sliding,
+                                           elastic_r, elastic_t, drive, tilting ? &tilt : nullptr,
+                                           &limit);
+    }
     border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
     if constexpr (tilting) {
@@ -232,8 +242,14 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       seen->drive_power += sum(drive);
       total = Pack{};
     }
-    race_contacts<linear, false>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r,
-                                 elastic_t, drive, nullptr, &limit);
+    if (m.lubricated) {
+      RaceTotals on;
+      lubricated_race<linear, false>(m, m.outer_line, roller, q, outer, loads, g, seen, on);
+      total = on.normal;
+    } else {
+      race_contacts<linear, false>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r,
+                                   elastic_t, drive, nullptr, &limit);
+    }
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
       for (int i = 0; i < kLocalVelocities; ++i) turn_frame(q, g->position[i], g->velocity[i]);
@@ -242,6 +258,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       flange_contacts<linear>(m, roller, q, group, loads, jac, seen, limit);
     PocketFrame pocket = pocket_places(roller, q, b);
     Pack bars_nearer = splat(modal.farthest), walls_nearer = bars_nearer;
+    if (m.lubricated) bars_nearer += m.bar_line.layer;
     if constexpr (linear) {  // derivatives come with a look ahead, at what is not in reach yet
       add_rates(q, b, pocket);
       const auto ahead = [&](Pack speed) { return limit.longest() * (speed + modal.fastest); };
@@ -251,7 +268,10 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     const bool bars = bars_in_reach(m, roller, pocket, bars_nearer),
                walls = walls_in_reach(m, roller, pocket, walls_nearer);
     if (!linear && (bars || walls)) add_rates(q, b, pocket);
-    if (bars)
+    if (bars && m.lubricated)
+      lubricated_pocket<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac,
+                                seen);
+    else if (bars)
       pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
                               limit);
     if (walls)

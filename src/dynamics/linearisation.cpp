@@ -182,4 +182,105 @@ void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int rolle
              [&]<int packs>() { add_contact_as<packs>(rows, slopes, roller, linear); });
 }
 
+namespace {
+
+/// Forces along the channels, projected on some directions: their change with each variable.
+template <class T>
+struct Projected {
+  T by[FilmContactSlopes::kVariables];
+};
+template <class T>
+Projected<T> projected(const FilmContactSlopes& s, const T (&g)[ContactRows::kMostChannels]) {
+  Projected<T> on;
+  for (int z = 0; z < FilmContactSlopes::kVariables; ++z)
+    on.by[z] =
+        g[0] * s.force[z][0] + g[1] * s.force[z][1] + g[2] * s.force[z][2] + g[3] * s.force[z][3];
+  return on;
+}
+/// Their change with a direction's velocity, whose entries in the channels are `g`.
+template <class T>
+T by_velocity(const Projected<T>& on, const double (&g)[ContactRows::kMostChannels]) {
+  return on.by[FilmContactSlopes::kV1] * g[1] + on.by[FilmContactSlopes::kV2] * g[2] +
+         on.by[FilmContactSlopes::kAxis] * g[3] - on.by[FilmContactSlopes::kRate] * g[0];
+}
+double power_by_velocity(const FilmContactSlopes& s,
+                         const double (&g)[ContactRows::kMostChannels]) {
+  return s.power[FilmContactSlopes::kV1] * g[1] + s.power[FilmContactSlopes::kV2] * g[2] +
+         s.power[FilmContactSlopes::kAxis] * g[3] - s.power[FilmContactSlopes::kRate] * g[0];
+}
+
+template <int packs>
+void add_film_contact_as(const ContactRows& rows, const FilmContactSlopes& s, int roller,
+                         Linearisation& linear) {
+  constexpr int channels = ContactRows::kMostChannels;
+  using F = FilmContactSlopes;
+  linear.cage_touched = true;
+  const int first = kCageY, count = static_cast<int>(rows.border[0].size()) - first;
+  const auto of_border = [&](int j, double(&g)[channels]) {
+    for (int c = 0; c < channels; ++c) g[c] = rows.border[c][static_cast<std::size_t>(first + j)];
+  };
+  const auto of_roller = [&](int j, double(&g)[channels]) {
+    for (int c = 0; c < channels; ++c) g[c] = rows.roller[c][j];
+  };
+  Projected<Pack> on_border[packs];
+  for (int p = 0; p < packs; ++p) {
+    Pack g[channels];
+    for (int c = 0; c < channels; ++c)
+      g[c] = load_first(rows.border[c].data() + first + p * kLanes, count - p * kLanes);
+    on_border[p] = projected(s, g);
+  }
+  for (int j = 0; j < count; ++j) {
+    double g[channels];
+    of_border(j, g);
+    linear.power_velocity[first + j] += power_by_velocity(s, g);
+    linear.power_position[first + j] -= s.power[F::kP] * g[0];
+    double *velocity = &linear.border_velocity(first, first + j),
+           *position = &linear.border_position(first, first + j);
+    for (int p = 0; p < packs; ++p) {
+      const int at = p * kLanes, left = count - at;
+      store_first(velocity + at, load_first(velocity + at, left) + by_velocity(on_border[p], g),
+                  left);
+      store_first(position + at, load_first(position + at, left) - on_border[p].by[F::kP] * g[0],
+                  left);
+    }
+  }
+  const int lane = roller % kLanes;
+  GroupLinear& group = linear.groups[static_cast<std::size_t>(roller / kLanes)];
+  CageCoupling& coupling = linear.coupling(roller);
+  Eight on_channels[channels];
+  for (int c = 0; c < channels; ++c) on_channels[c] = load_eight(rows.roller[c]);
+  const Projected<Eight> on_roller = projected(s, on_channels);
+  for (int j = 0; j < kLocalVelocities; ++j) {
+    double g[channels];
+    of_roller(j, g);
+    const Eight velocity = by_velocity(on_roller, g);
+    group.power_velocity[j][lane] += power_by_velocity(s, g);
+    for (int i = 0; i < kLocalVelocities; ++i) group.velocity[i][j][lane] += velocity[i];
+    for (int p = 0; p < packs; ++p)
+      coupling.to_velocity[static_cast<std::size_t>(j * packs + p)] += by_velocity(on_border[p], g);
+    if (j >= kLocalPositions) continue;
+    const Eight position = on_roller.by[F::kV2] * rows.lean[j] - on_roller.by[F::kP] * g[0];
+    for (int i = 0; i < kLocalVelocities; ++i) group.position[i][j][lane] += position[i];
+    group.power_position[j][lane] += s.power[F::kV2] * rows.lean[j] - s.power[F::kP] * g[0];
+    for (int p = 0; p < packs; ++p)
+      coupling.to_position[static_cast<std::size_t>(j * packs + p)] +=
+          on_border[p].by[F::kV2] * rows.lean[j] - on_border[p].by[F::kP] * g[0];
+  }
+  for (int j = 0; j < count; ++j) {
+    double g[channels];
+    of_border(j, g);
+    const auto at = static_cast<std::size_t>(j);
+    coupling.velocity[at] += by_velocity(on_roller, g);
+    coupling.position[at] -= on_roller.by[F::kP] * g[0];
+  }
+}
+
+}  // namespace
+
+void add_film_contact(const ContactRows& rows, const FilmContactSlopes& slopes, int roller,
+                      Linearisation& linear) {
+  with_packs(packs_for(static_cast<int>(rows.border[0].size()) - kCageY),
+             [&]<int packs>() { add_film_contact_as<packs>(rows, slopes, roller, linear); });
+}
+
 }  // namespace cagetol

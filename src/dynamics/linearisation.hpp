@@ -71,11 +71,13 @@ struct CageCoupling {
 };
 
 /// One contact of a roller with the cage, or of the cage with a ring, as three channels: normal,
-/// and two tangential directions. Channel g is the row dv/d(generalised velocity) of its sliding
-/// speed (for the normal channel: of the separation speed -p').
+/// and two tangential directions; with an oil film a fourth, of the roller's axis along the first
+/// tangential one. Channel g is the row dv/d(generalised velocity) of its sliding speed (for the
+/// normal channel: of the separation speed -p').
 struct ContactRows {
-  double roller[3][kEight] = {};  ///< zeros behind the directions
-  std::vector<double> border[3];  ///< over ring, cage and modes
+  static constexpr int kMostChannels = 4;
+  double roller[kMostChannels][kEight] = {};  ///< zeros behind the directions
+  std::vector<double> border[kMostChannels];  ///< over ring, cage and modes
   double lean[kLocalPositions] =
       {};  ///< dependence of the second tangential speed on the roller's positions
 };
@@ -131,5 +133,18 @@ DissipationSlopes<T> dissipation_slopes(T force, T stiffness, T damping, T ratio
 /// Adds one contact. `roller` < 0: border only.
 void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
                  Linearisation& linear);
+
+/// What an oiled contact's law says at a state: change of its forces along the channels normal, v1,
+/// v2 and axis, and of the net power (what it takes, negative), with p, p', v1, v2 and the speed of
+/// the axis.
+struct FilmContactSlopes {
+  enum Variable { kP, kRate, kV1, kV2, kAxis, kVariables };
+  double force[kVariables][ContactRows::kMostChannels] = {};
+  double power[kVariables] = {};
+};
+
+/// Adds one oiled contact of `roller` with the cage.
+void add_film_contact(const ContactRows& rows, const FilmContactSlopes& slopes, int roller,
+                      Linearisation& linear);
 
 }  // namespace cagetol

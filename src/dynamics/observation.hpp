@@ -33,6 +33,10 @@ struct Observation {
   double load_power = 0;      ///< of the applied load [W]
   double friction_power = 0;  ///< dissipated by friction and in the guide film, >= 0 [W]
   double damping_power = 0;   ///< dissipated by normal damping, >= 0 [W]
+  /// Of lubricated races: what sliding, rolling resistance and squeeze lose, and what the steady
+  /// film force and the bodies' elasticity take (of either sign). In friction_power: the first two;
+  /// in damping_power: the last two [W].
+  double sliding_power = 0, rolling_power = 0, pocket_power = 0, squeeze_power = 0, film_power = 0;
   double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
   double elastic_energy = 0;  ///< stored in contacts [J]
   double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]

@@ -114,8 +114,8 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
               {0, s, -s * kappa[i], s * (D_R[i] - x * A_R), 0, s * x},
               {-1, 0, 0, rest - A_T * x, -x, 0},
               {0, 0, -1, A_T * D_R[i] - A_R * rest, D_R[i], rest}};
-          fill_pocket_rows(f, b, modal, group, point, i, rolling, caging,
-                           {{0, s, 0}, {-1, 0, 0}, {0, 0, -1}}, *rows);
+          fill_pocket_rows<3>(f, b, modal, group, point, i, rolling, caging,
+                              {{0, s, 0}, {-1, 0, 0}, {0, 0, -1}}, *rows);
           rows->lean[kLar] = s * Ri * q.spin[i] * f.cos_b[i];
           rows->lean[kLat] = -s * Ri * q.spin[i] * f.sin_b[i];
           add_contact(

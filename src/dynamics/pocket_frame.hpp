@@ -73,13 +73,14 @@ inline void add_pocket_loads(const PocketFrame& f, const PocketLoads& from, Roll
 /// Fills the channels of one lane from their rows in the pocket's directions: `rolling` over (R, T,
 /// x, a_R, a_T, spin), `caging` over the cage at its geometric centre (R, T, x, phi, A_R, A_T),
 /// `elastic` the signs with which the cage's point moves along (R, T, x).
+template <int channels>
 inline void fill_pocket_rows(const PocketFrame& f, const BorderState& b, const ModalState& modal,
                              int group, int point, int lane,
-                             const double (&rolling)[3][kLocalVelocities],
-                             const double (&caging)[3][kCageRigid], const double (&elastic)[3][3],
-                             ContactRows& rows) {
+                             const double (&rolling)[channels][kLocalVelocities],
+                             const double (&caging)[channels][kCageRigid],
+                             const double (&elastic)[channels][3], ContactRows& rows) {
   const double cb = f.cos_b[lane], sb = f.sin_b[lane], cp = f.cos_p[lane], sp = f.sin_p[lane];
-  for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < channels; ++c) {
     const double* g = rolling[c];
     double* to = rows.roller[c];
     to[kLr] = cb * g[0] + sb * g[1];

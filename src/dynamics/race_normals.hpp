@@ -8,6 +8,7 @@
 #pragma once
 
 #include "src/dynamics/race_contacts.hpp"
+#include "src/lubrication/lubricated_line.hpp"
 
 namespace cagetol {
 
@@ -17,6 +18,54 @@ struct RaceNormals {
   Pack total{};           ///< of Q [N]
   Pack elastic[2]{};      ///< sums of the elastic part of F; r, t [N]
 };
+
+/// Adds the normal force of one slice, its slopes by penetration and by its rate, and its elastic
+/// part.
+inline void add_normal(const Slice& slice, const NormalForce<Pack>& normal, const SliceGap& gap,
+                       Pack along, RaceNormals& sums) {
+  const auto& [p, n_r, n_t, inverse] = gap;
+  const Pack n[2] = {n_r, n_t}, t[2] = {-n_t, n_r};
+  const Pack turn = inverse * along * normal.damping, spread = inverse * normal.force;
+  Pack force[2], slope[2][2];
+  for (int i = 0; i < 2; ++i) {
+    force[i] = normal.force * n[i];
+    for (int j = 0; j < 2; ++j)
+      slope[i][j] = spread * t[i] * t[j] - n[i] * (normal.stiffness * n[j] + turn * t[j]);
+    sums.elastic[i] += normal.elastic * n[i];
+  }
+  sums.total += normal.force;
+  double lever = 1;
+  for (int m = 0; m < 3; ++m, lever *= slice.position)
+    for (int i = 0; i < 2; ++i) {
+      if (m < 2) sums.force[m][i] += lever * force[i];
+      for (int j = 0; j < 2; ++j) sums.slope[m][i][j] += lever * slope[i][j];
+    }
+}
+
+/// The same with an oil film: of one slice, without damping and squeeze where rollers stand still.
+inline RaceNormals lubricated_normals(const BearingModel& model, const LubricatedLine& line,
+                                      const RollerGroup& roller, const RollerPack& q,
+                                      const RaceSide& race) {
+  using D = Dual<Pack, 2>;
+  RaceNormals sums;
+  const Pack u = entrainment(race, roller, q).speed;
+  for (const Slice& slice : model.race_slices) {
+    const SliceGap gap = slice_gap(roller, q, race, slice);
+    const auto& [p, n_r, n_t, inverse] = gap;
+    Mask wet = roller.exists > 0.0;
+    if (line.starved) wet &= -p < line.layer;
+    if (!any(wet)) continue;
+    const Pack rate = -(n_r * q.vr + n_t * q.vt), along = n_r * q.vt - n_t * q.vr;
+    const Pack inside = select(wet, p, splat(line.starved ? -0.5 * line.layer : -1e-5));
+    const D normal =
+        line_normal(line, -variable<D>(inside, 0), -variable<D>(rate, 1), D{u, {}}).normal;
+    const Pack force = select(wet, normal.value, Pack{}),
+               stiffness = select(wet, normal.slope[0], Pack{});
+    add_normal(slice, {force, force, stiffness, select(wet, normal.slope[1], Pack{}), stiffness},
+               gap, along, sums);
+  }
+  return sums;
+}
 
 /// `law`: of one slice.
 inline RaceNormals race_normals(const BearingModel& model, const NormalLaw& law,
@@ -30,7 +79,8 @@ inline RaceNormals race_normals(const BearingModel& model, const NormalLaw& law,
     thickest = thickest_film(race.film, film);
   }
   for (const Slice& slice : model.race_slices) {
-    const auto [p, n_r, n_t, inverse] = slice_gap(roller, q, race, slice);
+    const SliceGap gap = slice_gap(roller, q, race, slice);
+    const auto& [p, n_r, n_t, inverse] = gap;
     const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
     if (!any(touching)) continue;
     const Pack reached = select(touching, p, splat(-1.0));
@@ -38,22 +88,7 @@ inline RaceNormals race_normals(const BearingModel& model, const NormalLaw& law,
     const NormalForce<Pack> normal = race.film.on
                                          ? film_contact(law, race.film, film, reached, rate).normal
                                          : normal_force(law, reached, rate);
-    const Pack n[2] = {n_r, n_t}, t[2] = {-n_t, n_r};
-    const Pack turn = inverse * along * normal.damping, spread = inverse * normal.force;
-    Pack force[2], slope[2][2];
-    for (int i = 0; i < 2; ++i) {
-      force[i] = normal.force * n[i];
-      for (int j = 0; j < 2; ++j)
-        slope[i][j] = spread * t[i] * t[j] - n[i] * (normal.stiffness * n[j] + turn * t[j]);
-      sums.elastic[i] += normal.elastic * n[i];
-    }
-    sums.total += normal.force;
-    double lever = 1;
-    for (int m = 0; m < 3; ++m, lever *= slice.position)
-      for (int i = 0; i < 2; ++i) {
-        if (m < 2) sums.force[m][i] += lever * force[i];
-        for (int j = 0; j < 2; ++j) sums.slope[m][i][j] += lever * slope[i][j];
-      }
+    add_normal(slice, normal, gap, along, sums);
   }
   return sums;
 }

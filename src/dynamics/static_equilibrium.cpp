@@ -120,8 +120,13 @@ struct RollersBetweenRaces {
 
   RollerBalance balance(const NormalLaw& law) const {
     RollerBalance b;
-    b.inner = race_normals(model, law, roller, q, inner);
-    b.outer = race_normals(model, law, roller, q, outer);
+    if (model.lubricated) {
+      b.inner = lubricated_normals(model, model.inner_line, roller, q, inner);
+      b.outer = lubricated_normals(model, model.outer_line, roller, q, outer);
+    } else {
+      b.inner = race_normals(model, law, roller, q, inner);
+      b.outer = race_normals(model, law, roller, q, outer);
+    }
     const double half = model.roller_half_length;
     const Pack F = b.inner.force[0][0] + b.outer.force[0][0] +
                    roller.mass * (q.r * (orbit_rate * orbit_rate) - model.gravity * q.sine);

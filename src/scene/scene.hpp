@@ -122,6 +122,27 @@ struct OilFilm {
       1;  ///< of a whole contact; below it the film grows no thicker than along the tangent [N]
 };
 
+/// Oil in the bearing: films, rolling resistance, traction and drag (src/lubrication). `kAuto`
+/// stands for what the named lubricant gives.
+struct Lubrication {
+  std::string model = "none";           ///< "none" (dry, or the films of OilFilm) or "film"
+  std::string lubricant = "iso-vg-68";  ///< a name of lubricant_presets()
+  double temperature = 70;              ///< of the oil in the bearing [degC]
+  double viscosity_40 = kAuto;          ///< kinematic, at 40 degC [mm2/s]
+  double viscosity_100 = kAuto;         ///< at 100 degC [mm2/s]
+  double density = kAuto;               ///< at 15 degC [kg/m3]
+  double viscosity = kAuto;             ///< eta at the operating temperature; overrides [Pa s]
+  double pressure_viscosity = kAuto;    ///< alpha [1/Pa]
+  double conductivity = 0.14;           ///< k [W/(m K)]
+  double eyring_stress = 5e6;           ///< tau_E [Pa]
+  double limiting_shear = 0.06;         ///< Lambda
+  double race_roughness = 0.2e-6;       ///< composite, rms [m]
+  double race_layer = 20e-6;            ///< oil at the inner race [m]
+  double pocket_roughness = 0.5e-6;     ///< composite, rms [m]
+  double pocket_layer = 20e-6;          ///< oil at bars and ends of pockets [m]
+  bool squeeze = true, rolling_resistance = true, inlet_heating = true;
+};
+
 struct Operation {
   double radial_load = 1000;    ///< on the inner ring, along -z [N]
   double tilting_moment_y = 0;  ///< on an inner ring whose tilt is free, towards +y [N m]
@@ -184,6 +205,7 @@ struct Scene {
   CageGeometry cage;
   Contacts contact;
   OilFilm film;
+  Lubrication lubrication;
   Operation operation;
   Start start;
   Window window;
@@ -201,6 +223,9 @@ inline bool has_planar_rollers(const Scene& scene) {
 /// Planar rollers see every section of the bearing alike: none is tilted.
 inline bool has_free_ring_tilt(const Scene& scene) {
   return scene.model.ring_tilt == "free" && !has_planar_rollers(scene);
+}
+inline bool is_lubricated(const Scene& scene) {
+  return scene.lubrication.model == "film";
 }
 inline bool is_quasi_static(const Scene& scene) {
   return scene.model.motion == "quasi-static";

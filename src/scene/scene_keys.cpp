@@ -4,6 +4,7 @@
 #include <set>
 
 #include "src/integration/integrator.hpp"
+#include "src/lubrication/lubricant.hpp"
 
 namespace cagetol {
 namespace {
@@ -11,6 +12,12 @@ namespace {
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const auto& method : integration_methods()) names.emplace_back(method.name);
+  return names;
+}
+
+std::vector<std::string> lubricant_names() {
+  std::vector<std::string> names;
+  for (const LubricantPreset& preset : lubricant_presets()) names.push_back(preset.name);
   return names;
 }
 
@@ -119,6 +126,24 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"film.viscosity_Pa_s", above(0), AT(film.viscosity), "viscosity at ambient pressure"},
       {"film.pressure_viscosity_1_GPa", above(0), AT(film.pressure_viscosity), "pressure-viscosity coefficient"},
       {"film.least_force_N", above(0), AT(film.least_force), "below this force of a contact the film thickens along its tangent only, at no force to 1.13 times (series) or up to twice (series-bounded) what it is at this one"},
+      {"lubrication.model", one_of({"none", "film"}), AT(lubrication.model), "oil in the bearing; film: films, rolling resistance and traction at the races (src/lubrication); none: dry, or the films of film.model and cage.guide_film"},
+      {"lubrication.lubricant", one_of(lubricant_names()), AT(lubrication.lubricant), "named oil, for the keys of this section that are left to auto"},
+      {"lubrication.temperature_C", within(-60, 250), AT(lubrication.temperature), "temperature of the oil in the bearing"},
+      {"lubrication.viscosity_40_mm2_s", or_auto(above(0)), AT(lubrication.viscosity_40), "kinematic viscosity at 40 degC; auto: of the named lubricant"},
+      {"lubrication.viscosity_100_mm2_s", or_auto(above(0)), AT(lubrication.viscosity_100), "kinematic viscosity at 100 degC; auto: of the named lubricant"},
+      {"lubrication.density_kg_m3", or_auto(above(0)), AT(lubrication.density), "density at 15 degC; auto: of the named lubricant"},
+      {"lubrication.viscosity_Pa_s", or_auto(above(0)), AT(lubrication.viscosity), "dynamic viscosity at the temperature of the oil; auto: from the kinematic viscosities"},
+      {"lubrication.pressure_viscosity_1_GPa", or_auto(above(0)), AT(lubrication.pressure_viscosity), "pressure-viscosity coefficient; auto: of the named lubricant"},
+      {"lubrication.conductivity_W_m_K", above(0), AT(lubrication.conductivity), "thermal conductivity of the oil"},
+      {"lubrication.eyring_stress_MPa", above(0), AT(lubrication.eyring_stress), "shear stress at which the oil ceases to be Newtonian"},
+      {"lubrication.limiting_shear_ratio", above(0), AT(lubrication.limiting_shear), "largest shear stress of the oil over the mean contact pressure"},
+      {"lubrication.race_roughness_um", above(0), AT(lubrication.race_roughness), "composite rms roughness of roller and race"},
+      {"lubrication.race_layer_um", above(0), AT(lubrication.race_layer), "thickness of all oil in the gap at the inner race; the outer race is flooded"},
+      {"lubrication.pocket_roughness_um", above(0), AT(lubrication.pocket_roughness), "composite rms roughness of roller and pocket"},
+      {"lubrication.pocket_layer_um", above(0), AT(lubrication.pocket_layer), "thickness of all oil in the gap between roller and pocket"},
+      {"lubrication.squeeze", any_value(), AT(lubrication.squeeze), "films resist the approach of the surfaces"},
+      {"lubrication.rolling_resistance", any_value(), AT(lubrication.rolling_resistance), "hydrodynamic rolling resistance of the races"},
+      {"lubrication.inlet_heating", any_value(), AT(lubrication.inlet_heating), "shear heating in the inlet lowers the rolling resistance"},
       {"load.radial_N", required(at_least(0)), AT(operation.radial_load), "radial load on the inner ring, along -z"},
       {"load.tilting_moment_y_N_m", any_value(), AT(operation.tilting_moment_y), "moment on an inner ring whose tilt is free, towards +y: it raises the slope of the centre line in y (as a vector it points along +z)"},
       {"load.tilting_moment_z_N_m", any_value(), AT(operation.tilting_moment_z), "likewise the moment towards +z (a vector along -y)"},

@@ -27,7 +27,7 @@ readers=("$@"); [ $# -gt 0 ] || readers=("${all[@]}")
 cmake -S . -B "$build" -G Ninja -DCAGETOL_FUZZ=ON -DCMAKE_C_COMPILER=clang-14 -DCMAKE_CXX_COMPILER=clang++-14 \
       -DCMAKE_BUILD_TYPE=Fuzz "-DCMAKE_CXX_FLAGS_FUZZ=-O1 -g1" >/dev/null && cmake --build "$build" --target "${readers[@]/#/fuzz_}" ||
   { echo "The fuzz targets do not build." >&2; exit 2; }
-export ASAN_OPTIONS=allocator_may_return_null=0:detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
+export ASAN_OPTIONS=allocator_may_return_null=0:detect_leaks=1 LSAN_OPTIONS=suppressions=$PWD/tests/fuzz/leaks.txt UBSAN_OPTIONS=print_stacktrace=1
 status=0
 for reader in "${readers[@]}"; do
   folder=$build/fuzz/$reader; corpus=$folder/corpus; done_file=$folder/runs

@@ -109,6 +109,10 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   if (options.freedom == Freedom::planar) b.scene.model.rollers = "planar";
   if (options.freedom == Freedom::tilting) free_the_ring(seed, b.scene);
   b.scene.film.model = options.film;
+  if (options.lubricated) {
+    b.scene.lubrication.model = "film";
+    b.scene.contact.race.law = b.scene.contact.bar.law = "hertz";
+  }
   b.scene.cage.guide_film.model = options.guide_film;
   Draw shapes(seed + 2000003), draw(seed + 1000003);
   b.model = make_bearing_model(

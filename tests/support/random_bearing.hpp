@@ -30,6 +30,7 @@ struct RandomBearingOptions {
   Freedom freedom = Freedom::spatial;  ///< tilting: no cage is guided by the inner ring
   const char* guide_film = "none";     ///< cage.guide_film
   const char* film = "none";           ///< film.model
+  bool lubricated = false;             ///< lubrication.model = "film"
 };
 
 /// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered,

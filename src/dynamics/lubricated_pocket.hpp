@@ -1,0 +1,158 @@
+// Roller against the bars of its pocket through oil (src/lubrication/lubricated_line.hpp): the
+// kinematics of pocket_contacts.hpp with another law. The bar's face is flat and at rest in the
+// cage, so the contact travels with the roller's axis:
+//
+//   v_c = speed of the roller's axis along e_R relative to the cage
+//   u   = v_1/2 - v_c                                       entrainment along e_R, v_1 sliding speed
+//   F_1 = -ratio v_1 - F_r on the roller's surface,   F_c = 2 F_r on its axis, both along e_R
+//
+// and the bar feels the opposite forces along the same lines.
+#pragma once
+
+#include "src/dynamics/pocket_contacts.hpp"
+#include "src/lubrication/lubricated_line.hpp"
+
+namespace cagetol {
+
+/// Slopes of one lane from the law's derivatives by (p, p', u, |v|^2). `f`: forces of a station.
+inline FilmContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack v1, Pack v2,
+                                        Pack rate, Pack u, int lane) {
+  const int i = lane;
+  const double s1 = v1[i], s2 = v2[i], ratio = f.ratio.value[i], roll = f.rolling.value[i];
+  const double squared = s1 * s1 + s2 * s2, bend = 2 * f.ratio.slope[3][i];
+  FilmContactSlopes to;
+  using F = FilmContactSlopes;
+  enum { kN, k1, k2, kC };
+  const auto& N = f.at.normal.slope;
+  const auto& G = f.ratio.slope;
+  const auto& R = f.rolling.slope;
+  double by_u[ContactRows::kMostChannels], power_u = 0;
+  for (int z = 0; z < 3; ++z) {  // p, p', u
+    double* by = z < 2 ? to.force[z] : by_u;
+    by[kN] = N[z][i];
+    by[k1] = -G[z][i] * s1 - R[z][i];
+    by[k2] = -G[z][i] * s2;
+    by[kC] = 2 * R[z][i];
+    (z < 2 ? to.power[z] : power_u) = -N[z][i] * rate[i] - G[z][i] * squared - 2 * R[z][i] * u[i];
+  }
+  to.power[F::kRate] -= f.at.normal.value[i];
+  power_u -= 2 * roll;
+  to.force[F::kV1][k1] = -ratio - bend * s1 * s1;
+  to.force[F::kV1][k2] = to.force[F::kV2][k1] = -bend * s1 * s2;
+  to.force[F::kV2][k2] = -ratio - bend * s2 * s2;
+  to.power[F::kV1] = -(2 * ratio + bend * squared) * s1;
+  to.power[F::kV2] = -(2 * ratio + bend * squared) * s2;
+  for (int m = 0; m < ContactRows::kMostChannels; ++m) {  // u = v1/2 - v_c
+    to.force[F::kV1][m] += 0.5 * by_u[m];
+    to.force[F::kAxis][m] -= by_u[m];
+  }
+  to.power[F::kV1] += 0.5 * power_u;
+  to.power[F::kAxis] -= power_u;
+  return to;
+}
+
+template <bool linear>
+void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
+                       const PocketFrame& f, const BorderState& b, const ModalState& modal,
+                       int group, RollerLoads& loads, BorderLoads& border, ContactRows* rows,
+                       Linearisation* jac, Observation* seen) {
+  const LubricatedLine& law = model.bar_line;
+  const Pack kappa = f.A_T + roller.squareness;
+  const Pack least = roller.radius - roller.half_width, R = roller.radius;
+  const int stations = static_cast<int>(model.bar_stations.size());
+  PocketLoads on;
+  bool touched = false;
+  for (int k = 0; k < stations; ++k) {
+    const double xi = model.bar_stations[static_cast<std::size_t>(k)];
+    const Pack X = f.X + xi, D_R = f.D_R + xi * f.a_R, D_T = f.D_T + xi * f.a_T;
+    const Pack shift = D_T - kappa * X;
+    const Pack shift_rate =
+        f.v_T + xi * f.b_T - kappa * f.v_x - b.phi_rate * (D_R - X * f.A_R) - X * f.dA_T;
+    for (int side = 0; side < 2; ++side) {
+      const double s = side == 0 ? 1.0 : -1.0;
+      const int point = side == 0 ? stations + k : k;
+      Pack p = s * shift + least;
+      if (!any((p > -modal.farthest - law.layer) & (roller.exists > 0.0))) continue;
+      Pack rate = s * shift_rate;
+      if (modal.flexible()) p -= s * modal.along(group, point, 1, modal.q);
+      const Mask wet = (p > -law.layer) & (roller.exists > 0.0);
+      if (!any(wet)) continue;
+      if (modal.flexible()) rate -= s * modal.along(group, point, 1, modal.rate);
+      touched = true;
+      const Pack reach = D_T + s * R;
+      Pack axis_speed = f.v_R + xi * f.b_R + b.phi_rate * (D_T - X * f.A_T) - X * f.dA_R;
+      Pack v2 = f.v_x + s * R * (q.spin * f.a_R - f.b_T) -
+                b.phi_rate * (f.A_R * reach - f.A_T * D_R) + f.dA_T * reach + f.dA_R * D_R;
+      if (modal.flexible()) {
+        axis_speed -= modal.along(group, point, 0, modal.rate);
+        v2 -= modal.along(group, point, 2, modal.rate);
+      }
+      const Pack v1 = axis_speed + s * R * (b.phi_rate - q.spin);
+      const Pack u = 0.5 * v1 - axis_speed, squared = v1 * v1 + v2 * v2;
+      const Pack place = select(wet, p, splat(-0.5 * law.layer)),
+                 one = select(wet, splat(1.0), Pack{});
+      using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
+      LineForces<D> forces;
+      if constexpr (linear)
+        forces = line_forces<D>(law, -variable<D>(place, 0), -variable<D>(rate, 1),
+                                variable<D>(u, 2), variable<D>(squared, 3));
+      else
+        forces = line_forces<Pack>(law, -place, -rate, u, squared);
+      const Pack normal = value_of(forces.at.normal) * one, ratio = value_of(forces.ratio) * one,
+                 roll = value_of(forces.rolling) * one;
+      const Pack f1 = -ratio * v1 - roll, f2 = -ratio * v2, axis = 2.0 * roll, along = f1 + axis;
+      const Pack push = s * normal;
+      if (modal.flexible()) modal.push(group, point, -along, push, -f2);
+      on.f_R += along;
+      on.f_T -= push;
+      on.f_x += kappa * push + f2;
+      on.t_R += xi * along;
+      on.t_T -= xi * push + s * R * f2;
+      on.t_s += s * R * (f.a_R * f2 - f1);
+      on.c_phi += push * (D_R - X * f.A_R) + f1 * (reach - f.A_T * X) + axis * (D_T - f.A_T * X) +
+                  f2 * (f.A_T * D_R - f.A_R * reach);
+      on.c_AR += D_R * f2 - X * along;
+      on.c_AT += X * push + reach * f2;
+      if constexpr (linear) {
+        double* const force =
+            (side == 0 ? seen->leading_force : seen->trailing_force).data() + group * kLanes;
+        store(force, load(force) + normal);
+        const Pack film = value_of(forces.at.film) * one, steady = value_of(forces.at.steady) * one;
+        seen->friction_power += sum(ratio * squared + 2.0 * roll * u);
+        seen->damping_power += sum(normal * rate);
+        seen->pocket_power += sum(ratio * squared + 2.0 * roll * u);
+        seen->squeeze_power += sum((film - steady) * rate);
+        seen->film_power += sum(steady * rate);
+        for (int i = 0; i < kLanes; ++i) {
+          if (!wet[i]) continue;
+          if (modal.cage->model)
+            seen->bar_force[2 * stations * (group * kLanes + i) + point] = push[i];
+          const double Ri = R[i], rest = reach[i], A_R = f.A_R[i], A_T = f.A_T[i], x = X[i];
+          const double rolling[4][kLocalVelocities] = {{0, -s, s * kappa[i], 0, -s * xi, 0},
+                                                       {1, 0, 0, xi, 0, -s * Ri},
+                                                       {0, 0, 1, 0, -s * Ri, s * Ri * f.a_R[i]},
+                                                       {1, 0, 0, xi, 0, 0}};
+          const double caging[4][kCageRigid] = {
+              {0, s, -s * kappa[i], s * (D_R[i] - x * A_R), 0, s * x},
+              {-1, 0, 0, rest - A_T * x, -x, 0},
+              {0, 0, -1, A_T * D_R[i] - A_R * rest, D_R[i], rest},
+              {-1, 0, 0, D_T[i] - A_T * x, -x, 0}};
+          fill_pocket_rows<4>(f, b, modal, group, point, i, rolling, caging,
+                              {{0, s, 0}, {-1, 0, 0}, {0, 0, -1}, {-1, 0, 0}}, *rows);
+          rows->lean[kLar] = s * Ri * q.spin[i] * f.cos_b[i];
+          rows->lean[kLat] = -s * Ri * q.spin[i] * f.sin_b[i];
+          add_film_contact(*rows, film_slopes_of(forces, v1, v2, rate, u, i), group * kLanes + i,
+                           *jac);
+          rows->lean[kLar] = rows->lean[kLat] = 0;
+        }
+      }
+    }
+  }
+  if (!touched) return;
+  on.c_R = -on.f_R;
+  on.c_T = -on.f_T;
+  on.c_x = -on.f_x;
+  add_pocket_loads(f, on, loads, border);
+}
+
+}  // namespace cagetol

@@ -1,0 +1,93 @@
+// All that a lubricated line contact does at one gap: steady film in series with the elastic
+// contact, squeeze, damping of the bodies, rolling resistance and sliding traction, starved by the
+// layer.
+//
+//   Q   = L max(0, q_f + q_w chi d delta/dt)            normal force [N]
+//   q_f = (s + sqrt(s^2 + 4 q_w^2))/2,   s squeeze      (line_film.hpp), with dh/dt = h_g dg/dt
+//   q_w = q (1 - (1 - W) (h_I/h)^4)                     W the layer's factor of the wedge
+//   d delta/dt = -(1 - h_g) dg/dt                       chi Hunt-Crossley (src/contact/normal_force.hpp)
+//   F_t = -ratio du                                     traction (traction.hpp) at the load as it acts
+//   F_r = f L (u/u_s) R                                 rolling force (rolling_resistance.hpp), along u
+//
+// Powers, each what the bodies lose to the contact: sliding ratio |du|^2, rolling 2 F_r u, normal
+// Q (-dg/dt), of which squeeze (q_f - q_w) L (-dg/dt) and damping (Q - q_f L)(-dg/dt) are lost for
+// good and the rest is stored in the bodies or exchanged with the film, which is not conservative:
+// its thickness follows u.
+#pragma once
+
+#include "src/lubrication/oil_layer.hpp"
+#include "src/lubrication/rolling_resistance.hpp"
+#include "src/lubrication/traction.hpp"
+
+namespace cagetol {
+
+struct LubricatedLine {
+  bool starved = false;  ///< a layer of oil, else flooded
+  bool squeeze = true;
+  bool rolls = true;  ///< rolling resistance
+  double layer = 0;   ///< of all oil in the gap [m]
+  double length = 0;  ///< of this contact, or of one slice [m]
+  double chi = 0;     ///< Hunt-Crossley [s/m]
+  LineFilm film;
+  RollingResistance rolling;
+  Traction traction;
+  FrictionLaw boundary;
+};
+
+/// The normal force alone, and what traction and rolling need of it.
+template <class T>
+struct LineNormal {
+  T normal;  ///< Q >= 0 [N]
+  T acting;  ///< Q/L [N/m]
+  T steady;  ///< q_w L [N]
+  T film;    ///< q_f L [N]
+  T speed;   ///< u_s [m/s]
+  SteadyFilm<T> state;
+  OilFactors<T> oil;
+};
+
+/// `gap` of the undeformed bodies and its `rate` [m], [m/s]; `u` entrainment speed [m/s].
+template <class T>
+LineNormal<T> line_normal(const LubricatedLine& law, T gap, T rate, T u) {
+  LineNormal<T> n;
+  n.speed = film_speed(u);
+  n.state = steady_film(law.film, gap, n.speed);
+  const SteadyFilm<T>& at = n.state;
+  n.oil = law.starved ? oil_factors(at.thickness * (1 / law.layer)) : flooded<T>();
+  const T steady = law.starved ? at.load * (1.0 - (1.0 - n.oil.wedge) * at.rigidity) : at.load;
+  T film = steady;
+  if (law.squeeze)
+    film =
+        film_load(steady, n.oil.squeeze * squeeze_load(law.film, at.thickness, at.opening * rate));
+  n.acting = max(film - steady * law.chi * (1.0 - at.opening) * rate, T{});
+  n.normal = law.length * n.acting;
+  n.steady = law.length * steady;
+  n.film = law.length * film;
+  return n;
+}
+
+template <class T>
+struct LineForces {
+  LineNormal<T> at;
+  T ratio;    ///< traction over sliding speed [N s/m]
+  T rolling;  ///< F_r, signed as u: on each surface against its motion [N]
+};
+
+/// `u` signed; `squared` = |du|^2.
+template <class T>
+LineForces<T> line_forces(const LubricatedLine& law, T gap, T rate, T u, T squared) {
+  LineForces<T> forces;
+  forces.at = line_normal(law, gap, rate, u);
+  const LineNormal<T>& n = forces.at;
+  // A contact that carries nothing slides without traction: the law's load must stay above zero.
+  const T load = max(n.acting, T{} + 1e-6);
+  forces.ratio = law.length * traction_ratio(law.traction, law.boundary, load, n.state.thickness,
+                                             squared, n.oil.couette);
+  forces.rolling = T{};
+  if (law.rolls)
+    forces.rolling = law.length * n.oil.rolling * (u / n.speed) *
+                     rolling_resistance(law.rolling, n.state.load, n.state.log_load, n.speed);
+  return forces;
+}
+
+}  // namespace cagetol
