@@ -106,6 +106,19 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
   if (scene.film.model != "none") less.push_back({"no-film", "no oil film", {"film.model='none'"}});
   if (scene.cage.guide_film.model != "none")
     less.push_back({"no-guide-film", "dry guide lands", {"cage.guide_film='none'"}});
+  if (is_lubricated(scene)) {
+    const Lubrication& on = scene.lubrication;
+    const auto without = [&](bool present, const char* name, const char* meaning, const char* key) {
+      if (present) less.push_back({name, meaning, {std::string("lubrication.") + key + "=false"}});
+    };
+    without(on.rolling_resistance, "no-rolling", "no rolling resistance", "rolling_resistance");
+    without(on.inlet_heating, "no-heating", "cold inlets", "inlet_heating");
+    without(on.film_traction, "no-traction", "contacts slide as without oil", "film_traction");
+    without(on.squeeze, "no-squeeze", "films do not resist approach", "squeeze");
+    without(on.pocket_film, "no-pocket-film", "dry pocket bars", "pocket_film");
+    without(on.end_film, "no-end-film", "dry roller ends", "end_film");
+    without(on.churning, "no-churning", "no drag of oil and air", "churning");
+  }
   if (has_free_ring_tilt(scene)) {
     Rung held{"held-ring", "tilt of the inner ring prescribed", {"model.ring_tilt='prescribed'"}};
     const auto& load = scene.operation;  // moments go to the shaft

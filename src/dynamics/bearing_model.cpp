@@ -1,5 +1,6 @@
 #include "src/dynamics/bearing_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -19,6 +20,7 @@ constexpr double kLongestTouch = 10e-6;  ///< ... and its length, at most [s]
 constexpr double kHeavyPhase = 0.69;     ///< that a step in a heavy impact on a bar may span [rad]
 constexpr double kHeavyShare = 0.1;      ///< of a roller's centrifugal force: a heavy impact
 constexpr double kRockingPhase = 1.38;   ///< of bouncing that a step near a flange may span [rad]
+constexpr double kWatchedShare = 0.01;   ///< of the load (of 1 N at least): a film that bears load
 constexpr double kPhaseTolerance = 1.2e-3;  ///< below which heavy and rocking phases shorten
 
 double given_or(double value, double computed) {
@@ -93,9 +95,27 @@ std::array<EndPoint, 2> end_points(double radius, double radial) {
   return {EndPoint{radial, -t}, EndPoint{radial, t}};
 }
 
+std::array<FrictionLaw, kFrictionPairs> friction_laws(const Contacts& c) {
+  const auto law = [&](const ContactParameters& of) {
+    return FrictionLaw{
+        given_or(of.friction_static, c.friction_static),
+        given_or(of.friction_dynamic, c.friction_dynamic),
+        given_or(of.static_speed, c.static_speed),
+        given_or(of.dynamic_speed, c.dynamic_speed),
+    };
+  };
+  return {law(c.race), law(c.bar), law(c.end), law(c.flange), law(c.land)};
+}
+
+/// Of a disc, what lies within `height` of its rim [m2].
+double segment_area(double radius, double height) {
+  const double h = std::clamp(height, 0.0, 2 * radius), inside = radius - h;
+  return radius * radius * std::acos(inside / radius) - inside * std::sqrt(h * (2 * radius - h));
+}
+
 /// Oil of a scene at its operating temperature.
 struct OperatingOil {
-  double viscosity, pressure_viscosity, fall;  ///< eta [Pa s], alpha [1/Pa], beta [1/K]
+  double viscosity, pressure_viscosity, fall, density;  ///< [Pa s], [1/Pa], beta [1/K], [kg/m3]
 };
 OperatingOil operating_oil(const Lubrication& l) {
   const Oil& named = lubricant_named(l.lubricant).oil;
@@ -104,7 +124,7 @@ OperatingOil operating_oil(const Lubrication& l) {
   const double density = oil_density(given_or(l.density, named.density_15), l.temperature);
   return {given_or(l.viscosity, 1e-6 * kinematic_viscosity(curve, l.temperature) * density),
           given_or(l.pressure_viscosity, named.pressure_viscosity),
-          viscosity_fall(curve, l.temperature)};
+          viscosity_fall(curve, l.temperature), density};
 }
 
 /// Film of one of `slices` slices or stations of a roller of `length`; `radius` reduced.
@@ -115,6 +135,7 @@ LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
   LubricatedLine line;
   line.squeeze = l.squeeze;
   line.rolls = l.rolling_resistance;
+  line.shears = l.film_traction;
   line.length = length / static_cast<double>(slices);
   // Of the whole contact: its share of the length bears the same load per length.
   const NormalLaw whole = make_normal_law(contact, length, 1);
@@ -127,6 +148,59 @@ LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
                                 l.eyring_stress, l.limiting_shear, roughness);
   line.boundary = boundary;
   return line;
+}
+
+/// Fills the model with oil. To be called when its geometry is there.
+void lubricate(const Scene& scene, BearingModel& m) {
+  const Lubrication& l = scene.lubrication;
+  const auto& b = scene.bearing;
+  const auto& cage = scene.cage;
+  const Contacts& contact = scene.contact;
+  const OperatingOil oil = operating_oil(l);
+  const double roller = m.nominal_diameter / 2, length = scene.roller.length;
+  const auto race = [&](double curvature) {
+    return line_of(scene, contact.race, oil, m.friction[kRacePair],
+                   effective_modulus(scene.roller.material, b.ring_material),
+                   1 / (1 / roller + curvature), given_or(contact.race.roughness, l.race_roughness),
+                   length, static_cast<long>(m.race_slices.size()));
+  };
+  m.lubricated = true;
+  m.inner_line = race(1 / m.inner_radius);
+  m.inner_line.starved = true;
+  m.inner_line.layer = l.race_layer;
+  m.outer_line = race(-1 / m.outer_radius);
+  m.film_watch =
+      kWatchedShare * std::max(m.load.radial, 1.0) / static_cast<double>(m.race_slices.size());
+  m.oiled_bars = l.pocket_film;
+  m.bar_line = line_of(scene, contact.bar, oil, m.friction[kBarPair],
+                       effective_modulus(scene.roller.material, cage.material), roller,
+                       given_or(contact.bar.roughness, l.pocket_roughness), length,
+                       static_cast<long>(m.bar_stations.size()));
+  m.bar_line.starved = true;
+  m.bar_line.layer = l.pocket_layer;
+  if (l.end_film) {
+    const auto flat = [&](const ContactParameters& of, double area) {
+      return make_flat_film(oil.viscosity, area, l.pocket_layer,
+                            given_or(of.roughness, l.pocket_roughness), 2, l.squeeze);
+    };
+    const double face = pi * roller * roller,
+                 wall = m.nominal_diameter * (cage.outer_diameter - cage.inner_diameter) / 2;
+    m.wall_film = flat(contact.end, std::min(face, wall));
+    m.flange_film =
+        flat(contact.flange, segment_area(roller, m.outer_radius - b.shoulder_diameter / 2));
+  }
+  if (!l.churning) return;
+  Churning& c = m.churning;
+  c.on = true;
+  c.fluid = free_space_fluid(l.oil_share, oil.density, oil.viscosity);
+  c.roller = 0.5 * c.fluid.density * l.roller_drag * m.nominal_diameter * length;
+  c.carried_along = l.carried_along;
+  c.inner_radius = cage.inner_diameter / 2;
+  c.outer_radius = cage.outer_diameter / 2;
+  c.width = cage.width;
+  if (m.guidance != Guidance::inner) c.bore_gap = std::max(0.0, c.inner_radius - m.inner_radius);
+  if (m.guidance != Guidance::outer)
+    c.outer_gap = std::max(0.0, b.shoulder_diameter / 2 - c.outer_radius);
 }
 
 }  // namespace
@@ -167,8 +241,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.wall = make_normal_law(scene.contact.end, length, 2);
   m.flange = make_normal_law(scene.contact.flange, length, 2);
   m.land = make_normal_law(scene.contact.land, length, 2);
-  m.friction = {scene.contact.friction_static, scene.contact.friction_dynamic,
-                scene.contact.static_speed, scene.contact.dynamic_speed};
+  m.friction = friction_laws(scene.contact);
 
   m.inner_radius = b.inner_raceway_diameter / 2 - b.internal_clearance / 4;
   m.outer_radius = b.outer_raceway_diameter / 2 + b.internal_clearance / 4;
@@ -178,23 +251,6 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
                                slices, m.race);
   m.outer_film = make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length,
                                slices, m.race);
-  m.lubricated = is_lubricated(scene);
-  if (m.lubricated) {
-    const OperatingOil oil = operating_oil(scene.lubrication);
-    const auto line = [&](double race) {
-      return line_of(scene, scene.contact.race, oil, m.friction, modulus, 1 / (1 / roller + race),
-                     scene.lubrication.race_roughness, length, slices);
-    };
-    m.inner_line = line(1 / m.inner_radius);
-    m.inner_line.starved = true;
-    m.inner_line.layer = scene.lubrication.race_layer;
-    m.outer_line = line(-1 / m.outer_radius);
-    m.bar_line = line_of(scene, scene.contact.bar, oil, m.friction,
-                         effective_modulus(scene.roller.material, scene.cage.material), roller,
-                         scene.lubrication.pocket_roughness, length, stations);
-    m.bar_line.starved = true;
-    m.bar_line.layer = scene.lubrication.pocket_layer;
-  }
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
   m.flange_points = end_points(m.nominal_diameter / 2, b.shoulder_diameter / 2 - m.pitch_radius);
@@ -244,6 +300,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
 
   const auto& o = scene.operation;
   m.load = {o.radial_load, o.tilting_moment_y, o.tilting_moment_z};
+  if (is_lubricated(scene)) lubricate(scene, m);
   m.load_ramp = o.load_ramp;
   m.gravity = o.gravity;
   m.inner_speed = o.inner_speed;
@@ -274,6 +331,12 @@ double inner_speed_at(const BearingModel& m, double t) {
 
 double kinematic_cage_speed(const BearingModel& m, double inner_speed) {
   return inner_speed * m.inner_radius / (m.inner_radius + m.outer_radius);
+}
+
+double least_static_speed(const BearingModel& m) {
+  double least = m.friction.front().static_speed;
+  for (const FrictionLaw& law : m.friction) least = std::min(least, law.static_speed);
+  return least;
 }
 
 Jam find_jam(const Scene& scene) {

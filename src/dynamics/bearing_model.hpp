@@ -2,6 +2,7 @@
 // scene.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "src/contact/friction.hpp"
@@ -10,6 +11,8 @@
 #include "src/contact/short_bearing.hpp"
 #include "src/dynamics/flexible_cage.hpp"
 #include "src/dynamics/state.hpp"
+#include "src/lubrication/churning.hpp"
+#include "src/lubrication/flat_film.hpp"
 #include "src/lubrication/lubricated_line.hpp"
 #include "src/scene/scene.hpp"
 
@@ -40,6 +43,9 @@ struct EndPoint {
   double radial, tangential;
 };
 
+/// What rubs on what, each pair with its friction; kEndPair: roller end on pocket end wall.
+enum FrictionPair { kRacePair, kBarPair, kEndPair, kFlangePair, kLandPair, kFrictionPairs };
+
 enum class Guidance { outer, inner, roller };
 
 /// What acts on the inner ring from outside: a force along -z [N], and a moment [N m] conjugate to
@@ -62,12 +68,15 @@ struct BearingModel {
 
   NormalLaw race, bar, wall, flange,
       land;  ///< each already the share of one slice, station, point or land
-  FrictionLaw friction;
+  std::array<FrictionLaw, kFrictionPairs> friction;
   FilmLaw inner_film, outer_film;  ///< of one slice
   bool lubricated = false;         ///< races by the laws below instead of `race` and these films
   LubricatedLine inner_line, outer_line;  ///< of one slice
   LubricatedLine bar_line;                ///< of one station
-  double film_watch = 0;  ///< normal force of a slice from which its film counts as loaded [N]
+  double film_watch = 0;    ///< normal force of a slice from which its film counts as loaded [N]
+  bool oiled_bars = false;  ///< bars by bar_line, instead of `bar`
+  FlatFilm wall_film, flange_film;  ///< of one point
+  Churning churning;
 
   double touch_span = 0;    ///< of a step around the touch of a race, at most [s]
   double heavy_force = 0;   ///< on a bar from which steps resolve the impact [N] ...
@@ -108,6 +117,9 @@ double inner_speed_at(const BearingModel& model, double t);
 
 /// Kinematic cage speed w_i R_i / (R_i + R_o) at inner speed w_i [rad/s].
 double kinematic_cage_speed(const BearingModel& model, double inner_speed);
+
+/// The least of the contacts' static speeds [m/s].
+double least_static_speed(const BearingModel& model);
 
 /// A pocket whose roller does not fit: clearance <= 0.
 struct Jam {

@@ -144,7 +144,7 @@ void set_cage_block(const BearingModel& m, const BorderState& b, const double* y
     linear.border_position(kModes + k, kModes + k) = -flexible.stiffness[at];
     among(k, k) -= damping;
     linear.power_velocity[kModes + k] -= 2 * damping * v[k];
-    seen.damping_power += damping * v[k] * v[k];
+    seen.damp(kDamping, damping * v[k] * v[k]);
   }
 }
 

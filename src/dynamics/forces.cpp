@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/dynamics/churning_loads.hpp"
 #include "src/dynamics/end_contacts.hpp"
 #include "src/dynamics/finish_derivatives.hpp"
 #include "src/dynamics/land_contacts.hpp"
@@ -256,9 +257,11 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     if constexpr (!planar)  // who stands still in the middle touches no flange
       flange_contacts<linear>(m, roller, q, group, loads, jac, seen, limit);
+    if (m.churning.on) roller_churning<linear>(m.churning, roller, q, b, loads, g, seen);
     PocketFrame pocket = pocket_places(roller, q, b);
     Pack bars_nearer = splat(modal.farthest), walls_nearer = bars_nearer;
-    if (m.lubricated) bars_nearer += m.bar_line.layer;
+    if (m.oiled_bars) bars_nearer += m.bar_line.layer;
+    walls_nearer += m.wall_film.layer;
     if constexpr (linear) {  // derivatives come with a look ahead, at what is not in reach yet
       add_rates(q, b, pocket);
       const auto ahead = [&](Pack speed) { return limit.longest() * (speed + modal.fastest); };
@@ -268,7 +271,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     const bool bars = bars_in_reach(m, roller, pocket, bars_nearer),
                walls = walls_in_reach(m, roller, pocket, walls_nearer);
     if (!linear && (bars || walls)) add_rates(q, b, pocket);
-    if (bars && m.lubricated)
+    if (bars && m.oiled_bars)
       lubricated_pocket<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac,
                                 seen);
     else if (bars)
@@ -288,6 +291,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   double on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = modal.pushed ? sum(modal_force[k]) : 0;
   land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, land_limit);
+  if (m.churning.on) churn_cage<linear>(m.churning, b, border, jac, seen);
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {
     const RingLoad load = load_at(m, t);

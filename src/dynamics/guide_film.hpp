@@ -36,7 +36,7 @@ void guide_film(const BearingModel& model, const BorderState& b, double X, const
   border.cage[3] += spinning + torque;
   if constexpr (linear) {
     jac->cage_touched = true;
-    seen->friction_power -= F[0] * V[0] + F[1] * V[1] + torque * apart + axial * sliding;
+    seen->rub(kLandFriction, -(F[0] * V[0] + F[1] * V[1] + torque * apart + axial * sliding));
     seen->drive_power -= ring_spin * (spinning - torque);
     // Rows over the border: of V, of the difference of spins, of the axial speed; and of D.
     double row[4][kRigidBorder] = {}, place[2][kRigidBorder] = {};

@@ -108,7 +108,7 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
                       R * (b.phi_rate * n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz)) - swash;
     const auto normal = normal_force(model.land, p, rate);
     const double speed2 = v1 * v1 + v2 * v2;
-    const auto fr = friction(model.friction, speed2);
+    const auto fr = friction(model.friction[kLandPair], speed2);
     const double g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2;
     // dp/d(place of the land): the normal, turned by the surface's slope.
     const double lean = side * bent.slope * inverse;
@@ -132,8 +132,8 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
           model.guide_film.on ? std::hypot(oil[0] - normal.force * py, oil[1] - normal.force * pz)
                               : normal.force;
       seen->land_touching[land] = normal.force > 0;
-      seen->friction_power += g * speed2;
-      seen->damping_power += (normal.force - normal.elastic) * rate;
+      seen->rub(kLandFriction, g * speed2);
+      seen->damp(kDamping, (normal.force - normal.elastic) * rate);
       seen->elastic_energy += normal.elastic * p / (model.land.exponent + 1);
       if (inner) seen->drive_power += f1 * ring_surface + f2 * swash;
       const double channels[3][kCageRigid] = {{-py, -pz, 0, side * bent.slope, -X * py, -X * pz},

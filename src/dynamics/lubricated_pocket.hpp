@@ -118,11 +118,10 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
             (side == 0 ? seen->leading_force : seen->trailing_force).data() + group * kLanes;
         store(force, load(force) + normal);
         const Pack film = value_of(forces.at.film) * one, steady = value_of(forces.at.steady) * one;
-        seen->friction_power += sum(ratio * squared + 2.0 * roll * u);
-        seen->damping_power += sum(normal * rate);
-        seen->pocket_power += sum(ratio * squared + 2.0 * roll * u);
-        seen->squeeze_power += sum((film - steady) * rate);
-        seen->film_power += sum(steady * rate);
+        seen->rub(kPocketFriction, sum(ratio * squared + 2.0 * roll * u));
+        seen->damp(kSqueeze, sum((film - steady) * rate));
+        seen->damp(kDamping, sum((normal - film) * rate));
+        seen->damp(kFilm, sum(steady * rate));
         for (int i = 0; i < kLanes; ++i) {
           if (!wet[i]) continue;
           if (modal.cage->model)

@@ -276,14 +276,11 @@ void lubricated_race(const BearingModel& model, const LubricatedLine& law,
       totals.normal_t += normal * m.n_t;
       if constexpr (moving) totals.drive += (roll - ratio * m.v1) * surface + f2 * m.swash;
       const Pack film = value_of(f.at.film) * one, steady = value_of(f.at.steady) * one;
-      const double slid = sum(ratio * squared), rolled = sum(2.0 * roll * oil.speed),
-                   squeezed = sum((film - steady) * m.rate), stored = sum(steady * m.rate);
-      seen->sliding_power += slid;
-      seen->rolling_power += rolled;
-      seen->squeeze_power += squeezed;
-      seen->film_power += stored;
-      seen->friction_power += slid + rolled;
-      seen->damping_power += squeezed + stored + sum((normal - film) * m.rate);
+      seen->rub(kRaceSliding, sum(ratio * squared));
+      seen->rub(kRollingResistance, sum(2.0 * roll * oil.speed));
+      seen->damp(kSqueeze, sum((film - steady) * m.rate));
+      seen->damp(kDamping, sum((normal - film) * m.rate));
+      seen->damp(kFilm, sum(steady * m.rate));
       seen->thinnest_film = std::min(
           seen->thinnest_film, smallest(select(normal > model.film_watch,
                                                value_of(f.at.state.thickness), splat(kNoFilm))));

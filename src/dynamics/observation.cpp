@@ -23,7 +23,7 @@ void Observation::clear() {
   ring_elastic_y = ring_elastic_z = 0;
   drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy =
       longest_step = 0;
-  sliding_power = rolling_power = pocket_power = squeeze_power = film_power = 0;
+  lost.fill(0);
   touch_ahead = kNoTouch;
   thinnest_film = kNoFilm;
 }

@@ -1,16 +1,43 @@
 // What a run sees of its contacts at one state, beside forces and derivatives (forces.hpp).
 #pragma once
 
+#include <array>
+
 #include "src/dynamics/bearing_model.hpp"
 #include "src/dynamics/step_limit.hpp"
 #include "src/numerics/pack_vector.hpp"
 
 namespace cagetol {
 
+/// Where power goes. kFilm is what the steady films take: of either sign, because their force
+/// follows the entrainment, and small over a turn.
+enum Mechanism {
+  kRaceSliding,
+  kRollingResistance,
+  kPocketFriction,
+  kEndFriction,
+  kFlangeFriction,
+  kLandFriction,
+  kChurning,
+  kSqueeze,
+  kDamping,
+  kFilm,
+  kMechanisms
+};
+
 /// What is seen of the contacts at one state. Arrays have one element per roller (padded).
 struct Observation {
   explicit Observation(const BearingModel& model);
   void clear();
+  /// Adds to friction_power or damping_power, and to `lost`.
+  void rub(Mechanism where, double power) {
+    friction_power += power;
+    lost[where] += power;
+  }
+  void damp(Mechanism where, double power) {
+    damping_power += power;
+    lost[where] += power;
+  }
 
   PackVector inner_force;    ///< normal force on the inner race, all slices [N]
   PackVector outer_force;    ///< on the outer race [N]
@@ -31,12 +58,10 @@ struct Observation {
          ring_elastic_z = 0;  ///< elastic part of the forces on the inner ring [N]
   double drive_power = 0;     ///< of the inner ring's prescribed rotation [W]
   double load_power = 0;      ///< of the applied load [W]
-  double friction_power = 0;  ///< dissipated by friction and in the guide film, >= 0 [W]
-  double damping_power = 0;   ///< dissipated by normal damping, >= 0 [W]
-  /// Of lubricated races: what sliding, rolling resistance and squeeze lose, and what the steady
-  /// film force and the bodies' elasticity take (of either sign). In friction_power: the first two;
-  /// in damping_power: the last two [W].
-  double sliding_power = 0, rolling_power = 0, pocket_power = 0, squeeze_power = 0, film_power = 0;
+  double friction_power = 0;  ///< dissipated by friction, in films and in oil and air [W]
+  double damping_power = 0;   ///< dissipated by normal damping and squeeze; with what the steady
+                              ///< films take, of either sign [W]
+  std::array<double, kMechanisms> lost{};  ///< the same two, split by mechanism [W]
   double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
   double elastic_energy = 0;  ///< stored in contacts [J]
   double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]

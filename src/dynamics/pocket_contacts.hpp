@@ -82,7 +82,7 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
       if constexpr (linear)
         limit.at_most(model.heavy_step, touching & (normal.force > model.heavy_force));
       const Pack speed2 = v1 * v1 + v2 * v2;
-      const auto fr = friction(model.friction, speed2);
+      const auto fr = friction(model.friction[kBarPair], speed2);
       const Pack g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2, push = s * normal.force;
       if (modal.flexible()) modal.push(group, point, -f1, push, -f2);
       on.f_R += f1;
@@ -99,8 +99,8 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
         double* const force =
             (side == 0 ? seen->leading_force : seen->trailing_force).data() + group * kLanes;
         store(force, load(force) + normal.force);
-        seen->friction_power += sum(g * speed2);
-        seen->damping_power += sum((normal.force - normal.elastic) * rate);
+        seen->rub(kPocketFriction, sum(g * speed2));
+        seen->damp(kDamping, sum((normal.force - normal.elastic) * rate));
         seen->elastic_energy += sum(normal.elastic * max(p, Pack{})) / (model.bar.exponent + 1);
         for (int i = 0; i < kLanes; ++i) {
           if (!touching[i]) continue;

@@ -115,7 +115,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     film = film_at_speed(race.film, oil.speed);
     thickest = thickest_film(race.film, film);
   }
-  const FrictionLaw rubbing = model.friction;  // a copy, so that its constants are made once
+  const FrictionLaw rubbing =
+      model.friction[kRacePair];  // a copy, so that its constants are made once
   [[maybe_unused]] Pack friction_power{}, damping_power{}, energy{};
   // Where the slices are, before what they do: a slice's force waits for its root, and a processor
   // that sees several roots side by side does not wait.
@@ -341,8 +342,8 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     }
   }
   if constexpr (linear) {
-    seen->friction_power += sum(friction_power);
-    seen->damping_power += sum(damping_power);
+    seen->rub(kRaceSliding, sum(friction_power));
+    seen->damp(kDamping, sum(damping_power));
     seen->elastic_energy += sum(energy);
   }
 }

@@ -24,7 +24,7 @@ double StepError::operator()(const System& s, const double* y, const double* err
                              double tolerance) const {
   const double strict = error_norm(s, error) / tolerance;
   // Bouncing rollers slide on bars, too: no unit coarser than friction's own speed.
-  const double unit = std::min(kBounceSpeed, s.model.friction.static_speed) / speed_scale(s.model);
+  const double unit = std::min(kBounceSpeed, least_static_speed(s.model)) / speed_scale(s.model);
   if (!std::isfinite(strict)) return strict;
   const StateLayout& l = s.model.layout;
   Pack spared{}, added{}, moved{};

@@ -71,7 +71,7 @@ void System::rates_by_time(double t, const double* y, double* out) {
 }
 
 double speed_scale(const BearingModel& m) {
-  return std::min(kSpeedScale, m.friction.static_speed);
+  return std::min(kSpeedScale, least_static_speed(m));
 }
 
 PackVector error_scales(const BearingModel& m) {

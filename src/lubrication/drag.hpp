@@ -16,6 +16,9 @@
 // al., J. Lubr. Technol. 95 (1973) 401.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "src/contact/step.hpp"
 #include "src/numerics/dual.hpp"
 
@@ -35,14 +38,43 @@ T cylinder_drag(double density, double coefficient, double diameter, double leng
   return (0.5 * density * coefficient * diameter * length) * v * abs(v);
 }
 
-/// Coefficient of one face of a disc at Reynolds number `re` > 0, and of a cylinder in a gap.
-double disc_coefficient(double re);
-double gap_coefficient(double re);
+namespace drag_detail {
+template <class T>
+T blended(T re, double transition, T laminar, T turbulent) {
+  constexpr double kSpan = 0.7;  // half width of the blending in ln Re
+  const T over = std::numbers::ln2 * log2(re * (1 / transition));
+  return laminar + smooth_step((over + kSpan) * (0.5 / kSpan)) * (turbulent - laminar);
+}
+}  // namespace drag_detail
+
+/// Coefficient of one face of a disc and of a cylinder in a gap, at Reynolds number `re` > 0.
+template <class T>
+T disc_coefficient(T re) {
+  return drag_detail::blended(re, 3e5, 1.935 / sqrt(re), 0.073 * power(re, -0.2));
+}
+template <class T>
+T gap_coefficient(T re) {
+  return drag_detail::blended(re, 2000, 2.0 / re, 0.0791 * power(re, -0.25));
+}
 
 /// Moment of one face against its turning at `w` relative to the fluid [N m], r_i < r_o [m].
-double disc_moment(const FreeSpaceFluid& fluid, double w, double outer, double inner);
+template <class T>
+T disc_moment(const FreeSpaceFluid& fluid, T w, double outer, double inner) {
+  if (value_of(w) == 0) return T{};
+  const T speed = value_of(w) < 0 ? -1.0 * w : w;
+  const double fifth = std::pow(outer, 5) - std::pow(inner, 5);
+  return 0.5 * fluid.density * fifth * w * speed *
+         disc_coefficient(speed * (fluid.density * outer * outer / fluid.viscosity));
+}
 
 /// Moment on a cylinder of radius r and length l in a gap c, turning at `w` [N m].
-double gap_moment(const FreeSpaceFluid& fluid, double w, double radius, double length, double gap);
+template <class T>
+T gap_moment(const FreeSpaceFluid& fluid, T w, double radius, double length, double gap) {
+  if (value_of(w) == 0) return T{};
+  const T speed = value_of(w) < 0 ? -1.0 * w : w;
+  const double r2 = radius * radius, area = 2 * std::numbers::pi * radius * length;
+  return 0.5 * fluid.density * r2 * radius * area * w * speed *
+         gap_coefficient(speed * (fluid.density * radius * gap / fluid.viscosity));
+}
 
 }  // namespace cagetol

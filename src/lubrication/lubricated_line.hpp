@@ -24,10 +24,11 @@ namespace cagetol {
 struct LubricatedLine {
   bool starved = false;  ///< a layer of oil, else flooded
   bool squeeze = true;
-  bool rolls = true;  ///< rolling resistance
-  double layer = 0;   ///< of all oil in the gap [m]
-  double length = 0;  ///< of this contact, or of one slice [m]
-  double chi = 0;     ///< Hunt-Crossley [s/m]
+  bool rolls = true;   ///< rolling resistance
+  bool shears = true;  ///< traction of the film, else boundary friction
+  double layer = 0;    ///< of all oil in the gap [m]
+  double length = 0;   ///< of this contact, or of one slice [m]
+  double chi = 0;      ///< Hunt-Crossley [s/m]
   LineFilm film;
   RollingResistance rolling;
   Traction traction;
@@ -81,8 +82,9 @@ LineForces<T> line_forces(const LubricatedLine& law, T gap, T rate, T u, T squar
   const LineNormal<T>& n = forces.at;
   // A contact that carries nothing slides without traction: the law's load must stay above zero.
   const T load = max(n.acting, T{} + 1e-6);
-  forces.ratio = law.length * traction_ratio(law.traction, law.boundary, load, n.state.thickness,
-                                             squared, n.oil.couette);
+  forces.ratio = law.shears ? law.length * traction_ratio(law.traction, law.boundary, load,
+                                                          n.state.thickness, squared, n.oil.couette)
+                            : law.length * friction(law.boundary, squared).ratio * n.acting;
   forces.rolling = T{};
   if (law.rolls)
     forces.rolling = law.length * n.oil.rolling * (u / n.speed) *

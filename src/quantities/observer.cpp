@@ -76,6 +76,7 @@ void Observer::record(double t, const double* y, const System& system) {
                 seen.net_power_rate);
   drive_.add(seen.drive_power, step);
   dissipation_.add(seen.friction_power + seen.damping_power, step);
+  for (std::size_t k = 0; k < kMechanisms; ++k) lost_[k].add(seen.lost[k], step);
 
   const double angle = std::atan2(cage_z, cage_y);
   orbit_turned_ += std::remainder(angle - orbit_angle_, 2 * std::numbers::pi);
@@ -310,13 +311,26 @@ std::vector<double> Observer::quantities() const {
   q["roller_skew_p95_mrad"] = lean ? 1e3 * skew.quantile(0.95) : none;
   q["roller_tilt_p95_mrad"] = lean ? 1e3 * tilt_.all().quantile(0.95) : none;
   q["power_loss_W"] = dissipation_.mean();
+  const auto lost = [&](Mechanism of) { return lost_[of].mean(); };
+  q["power_race_sliding_W"] = lost(kRaceSliding);
+  q["power_rolling_W"] = lost(kRollingResistance);
+  q["power_pocket_W"] = lost(kPocketFriction);
+  q["power_end_W"] = lost(kEndFriction);
+  q["power_flange_W"] = lost(kFlangeFriction);
+  q["power_land_W"] = lost(kLandFriction);
+  q["power_churning_W"] = lost(kChurning);
+  q["power_squeeze_W"] = lost(kSqueeze);
+  q["power_damping_W"] = lost(kDamping);
+  q["power_film_W"] = lost(kFilm);
   q["friction_torque_Nmm"] = inner_speed != 0 ? 1e3 * drive_.mean() / inner_speed : 0;
   q["cage_stress_peak_MPa"] = stress_ ? 1e-6 * cage_stress_.peak() : none;
   q["cage_stress_p99_MPa"] = stress_ ? 1e-6 * cage_stress_.quantile(0.99) : none;
   q["cage_stress_rms_MPa"] = stress_ ? 1e-6 * cage_stress_.rms() : none;
   q["cage_stress_peak_pocket"] = stress_ ? cage_peak_.pocket : none;
   q["cage_stress_peak_station"] = stress_ ? cage_peak_.station : none;
-  q["film_min_um"] = model_.inner_film.on && thinnest_film_ < kNoFilm ? 1e6 * thinnest_film_ : none;
+  q["film_min_um"] = (model_.inner_film.on || model_.lubricated) && thinnest_film_ < kNoFilm
+                         ? 1e6 * thinnest_film_
+                         : none;
   q["static_consistency_error"] = static_consistency_error();
   std::vector<double> values;
   for (const Quantity& row : quantity_table()) {

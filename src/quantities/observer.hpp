@@ -99,6 +99,7 @@ class Observer {
   Impacts pocket_impacts_, wall_impacts_, guide_impacts_;
   HermiteQuadrature net_work_;
   StepSeries dissipation_, drive_;  ///< powers [W]
+  std::array<StepSeries, kMechanisms> lost_;
   double first_energy_ = 0, last_energy_ = 0;
   double first_ring_speed_ = 0, last_ring_speed_ = 0;  ///< along z [m/s]
 };

@@ -71,6 +71,9 @@ double turned(Reach r) {
 PlausibleRange touches(Reach r, double contacts) {
   return magnitude(contacts * r.touch_rate * r.duration / std::max(r.revolutions, 1e-12));
 }
+PlausibleRange one_power(Reach r) {
+  return either_way(r.power + r.torque * r.fastest);
+}
 PlausibleRange lean(Reach) {
   return magnitude(1e3 * kLeanMax);
 }
@@ -115,6 +118,8 @@ constexpr const char* kRingReason =
     "under four times all that presses on it";
 constexpr const char* kAccelerationReason =
     "all races that hold the energy of the bearing, and the load, give the ring's mass less";
+constexpr const char* kPowerReason =
+    "no mechanism takes more than drive, load and the bearing held at the start give to all";
 constexpr const char* kLeanReason =
     "the equations hold for small angles, up to 0.1 rad; beyond, parts tumble";
 constexpr const char* kStressReason =
@@ -163,6 +168,16 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"roller_skew_p95_mrad", leaning, lean, kLeanReason, kLeanRemedy},
       {"roller_tilt_p95_mrad", spatial, lean, kLeanReason, kLeanRemedy},
       {"power_loss_W", moving, [](Reach r) { return within(-r.power, r.power + r.torque * r.fastest); }, "contacts dissipate what drive and load give, and no more than the bearing held at the start", kTighten},
+      {"power_race_sliding_W", moving, one_power, kPowerReason, kTighten},
+      {"power_rolling_W", moving, one_power, kPowerReason, kTighten},
+      {"power_pocket_W", moving, one_power, kPowerReason, kTighten},
+      {"power_end_W", moving, one_power, kPowerReason, kTighten},
+      {"power_flange_W", moving, one_power, kPowerReason, kTighten},
+      {"power_land_W", moving, one_power, kPowerReason, kTighten},
+      {"power_churning_W", moving, one_power, kPowerReason, kTighten},
+      {"power_squeeze_W", moving, one_power, kPowerReason, kTighten},
+      {"power_damping_W", moving, one_power, kPowerReason, kTighten},
+      {"power_film_W", moving, one_power, kPowerReason, kTighten},
       {"friction_torque_Nmm", moving, [](Reach r) { return either_way(1e3 * r.torque); }, "friction of all races, each pressed by all the energy of the bearing, holds less", kTighten},
       {"cage_stress_peak_MPa", bent, [](Reach r) { return magnitude(1e-6 * r.stress); }, kStressReason, kStressRemedy},
       {"cage_stress_p99_MPa", bent, [](Reach r) { return magnitude(1e-6 * r.stress); }, kStressReason, kStressRemedy},

@@ -16,6 +16,28 @@ constexpr double kFilmMargin = 20;  // integrals over half a film, 2 pi + 4 + pi
 constexpr double kFilmShare = 0.01;       // of a roller's radius: the films of the theory are thin
 constexpr double kLargestGapAngle = 1.4;  // between rollers that hold the ring, from below [rad]
 
+double largest_friction(const BearingModel& m) {
+  double largest = m.lubricated ? m.inner_line.traction.limiting : 0;
+  for (const FrictionLaw& law : m.friction)
+    largest = std::max({largest, law.static_coefficient, law.dynamic_coefficient});
+  return largest;
+}
+
+/// Of oil on the inner ring, rings and rollers pressed together by `races` and sliding at `surface`
+/// speed: rolling resistance is less than between rigid bodies, the inlet's shear than in a gap of
+/// the height of roughness [N m].
+double oil_torque(const BearingModel& m, double races, double surface) {
+  const Traction& t = m.outer_line.traction;
+  const double length = 2 * m.roller_half_length, eta = t.viscosity;
+  const double rolling = 2.0796 * std::sqrt(eta * surface * races / length) * length,
+               shear = 2.849 * eta * surface * std::sqrt(t.radius / t.roughness) * length;
+  const Churning& c = m.churning;
+  const double bore = c.on && c.bore_gap > 0 ? gap_moment(c.fluid, surface / m.inner_radius,
+                                                          c.inner_radius, c.width, c.bore_gap)
+                                             : 0;
+  return 4 * m.layout.rollers * (rolling + shear) * m.outer_radius + bore;
+}
+
 /// Several equal shares of one kind of contact.
 struct Contact {
   const NormalLaw& law;
@@ -142,8 +164,8 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   stations = flexible ? static_cast<double>(m.flexible.model->stress_stations) : 0;
   film_thickest = kFilmShare * m.nominal_diameter / 2;
   torque =
-      std::max(m.friction.static_coefficient, m.friction.dynamic_coefficient) *
-          (races + guide_force) * m.inner_radius +
+      largest_friction(m) * (races + guide_force) * m.inner_radius +
+      (m.lubricated ? oil_torque(m, races, speed) : 0) +
       (m.guide_film.on ? 2 * m.guide_film.torque * speed / m.inner_radius / m.guide_film.least : 0);
 }
 

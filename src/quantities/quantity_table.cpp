@@ -14,7 +14,8 @@ const std::vector<Quantity>& quantity_table() {
       {"roller_slip_ratio_all", "-", "the same mean over all rollers"},
       {"race_sliding_speed_rms", "m/s", "rms sliding speed at loaded inner-race contacts"},
       {"race_sliding_speed_peak", "m/s",
-       "largest sliding speed at loaded inner-race contacts over every accepted step, where they come "
+       "largest sliding speed at loaded inner-race contacts over every accepted step, where they "
+       "come "
        "to bear load or cease to, too"},
       {"whirl_radius_ratio_mean", "-",
        "mean radius of the cage centre over the radial guide clearance"},
@@ -71,7 +72,21 @@ const std::vector<Quantity>& quantity_table() {
       {"roller_skew_p95_mrad", "mrad", "95 % quantile over time and rollers of |skew|"},
       {"roller_tilt_p95_mrad", "mrad",
        "95 % quantile over time and rollers of |tilt|, tilt = a.e_r"},
-      {"power_loss_W", "W", "dissipation of all contacts over the window's length"},
+      {"power_loss_W", "W",
+       "dissipation of all contacts, films and churning over the window's length; the sum of the "
+       "rows that follow"},
+      {"power_race_sliding_W", "W", "of it, sliding of rollers on races"},
+      {"power_rolling_W", "W", "of it, hydrodynamic rolling resistance of the races"},
+      {"power_pocket_W", "W", "of it, sliding and rolling of rollers on the bars of their pockets"},
+      {"power_end_W", "W", "of it, sliding of roller ends on the end walls of their pockets"},
+      {"power_flange_W", "W", "of it, sliding of roller ends on the ring's flanges"},
+      {"power_land_W", "W", "of it, friction and guide film of the cage's lands"},
+      {"power_churning_W", "W", "of it, drag of oil and air on rollers and cage"},
+      {"power_squeeze_W", "W", "of it, squeezing oil out of contacts"},
+      {"power_damping_W", "W", "of it, damping in contacts and in a flexible cage"},
+      {"power_film_W", "W",
+       "of it, what steady films and the bodies' elasticity in series with them take: of either "
+       "sign, because a film's force follows the speed of its surfaces"},
       {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
       {"cage_stress_peak_MPa", "MPa",
        "largest von Mises stress of a flexible cage over its stress stations and every accepted "

@@ -99,6 +99,10 @@ struct ContactParameters {
   double damping_depth = 0.1e-3;   ///< d, depth at which the damping is full [m]
   double restitution = 0.9;        ///< of `hertz`, at the reference speed
   double restitution_speed = 0.1;  ///< [m/s]
+  /// Friction (src/contact/friction.hpp); kAuto: those of all contacts.
+  double friction_static = kAuto, friction_dynamic = kAuto, static_speed = kAuto,
+         dynamic_speed = kAuto;
+  double roughness = kAuto;  ///< composite, rms; kAuto: that of Lubrication [m]
 };
 
 struct Contacts {
@@ -141,6 +145,13 @@ struct Lubrication {
   double pocket_roughness = 0.5e-6;     ///< composite, rms [m]
   double pocket_layer = 20e-6;          ///< oil at bars and ends of pockets [m]
   bool squeeze = true, rolling_resistance = true, inlet_heating = true;
+  bool film_traction = true;  ///< false: what slides in a contact rubs as without oil
+  bool pocket_film = true;    ///< at the pockets' bars
+  bool end_film = true;       ///< at roller ends, against pockets and flanges
+  bool churning = true;
+  double oil_share = 0.02;         ///< of the free space that is oil
+  double roller_drag = 1;          ///< C_d of a roller in its orbit
+  double carried_along = 0.5;      ///< share of the cage's speed at which oil and air turn
 };
 
 struct Operation {

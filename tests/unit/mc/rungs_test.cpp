@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "analysis/fidelity/error_budget.hpp"
 #include "mc/sample.hpp"
@@ -138,6 +140,25 @@ TEST(Rungs, AFilmIsTakenAwayWhereTheSceneHasOneAndNeverAdded) {
     EXPECT_EQ(on_rung(scene, rung).film.model, "series");
     EXPECT_EQ(on_rung(Scene{}, rung).film.model, "none");
   }
+}
+
+TEST(Rungs, EachMechanismOfTheOilIsTakenAwayAlone) {
+  Scene scene;
+  EXPECT_THAT(names_of(separate_rungs(scene)), Not(Contains("no-rolling")));
+  scene.lubrication.model = "film";
+  const auto switches = [](const Lubrication& l) {
+    return std::vector<bool>{l.rolling_resistance, l.inlet_heating, l.film_traction, l.squeeze,
+                             l.pocket_film,        l.end_film,      l.churning};
+  };
+  std::set<std::vector<bool>> seen;
+  for (const Rung& rung : separate_rungs(scene)) {
+    const std::vector<bool> on = switches(on_rung(scene, rung).lubrication);
+    EXPECT_LE(std::count(on.begin(), on.end(), false), 1) << rung.name;
+    seen.insert(on);
+  }
+  EXPECT_EQ(seen.size(), switches({}).size() + 1);
+  scene.lubrication.churning = false;
+  EXPECT_THAT(names_of(separate_rungs(scene)), Not(Contains("no-churning")));
 }
 
 TEST(Rungs, AFreeRingIsHeldWhereTheSceneHasOne) {

@@ -1,0 +1,16 @@
+#include "src/lubrication/flat_film.hpp"
+
+#include <numbers>
+#include <stdexcept>
+
+namespace cagetol {
+
+FlatFilm make_flat_film(double viscosity, double area, double layer, double least, int points,
+                        bool squeeze) {
+  if (!(viscosity > 0 && layer > 0 && least > 0 && area >= 0 && points > 0))
+    throw std::domain_error("flat film: viscosity, layer and roughness must be positive");
+  const double k = squeeze ? 1.5 * viscosity * area * area / std::numbers::pi : 0;
+  return {true, k / points, viscosity * area / points, layer, least};
+}
+
+}  // namespace cagetol
