@@ -94,7 +94,9 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "cage.land_offset_mm",
                 "the guide lands lie outside the cage (" + check.with_value("cage.width_mm") + ")",
                 "give at most half the cage's width");
-  if (cage.guide_film.model == "none") return;
+  const GuideFilm film = land_film(scene);
+  if (film.model == "none") return;
+  const bool oil = is_lubricated(scene);
   check.require(
       cage.guidance != "roller", "cage.guide_film",
       "rollers guide this cage (" + check.with_value("cage.guidance") + "): no land carries a film",
@@ -104,13 +106,14 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                                  : scene.bearing.shoulder_diameter - cage.outer_diameter;
   const double clearance =
       std::isnan(cage.guide_clearance) ? on_diameter / 2 : cage.guide_clearance;
-  check.require(4 * cage.guide_film.least < clearance, "cage.guide_film_least_um",
+  check.require(4 * film.least < clearance,
+                oil ? "lubrication.land_film_least_um" : "cage.guide_film_least_um",
                 "roughness this high fills the guide clearance (" +
                     number_text(std::round(clearance * 1e9) / 1e3) + " um)",
                 "give less than a quarter of the clearance");
   check.require(
-      std::isnan(cage.guide_film.width) || cage.guide_film.width <= cage.width / 2,
-      "cage.guide_film_width_mm",
+      std::isnan(film.width) || film.width <= cage.width / 2,
+      oil ? "lubrication.land_film_width_mm" : "cage.guide_film_width_mm",
       "two lands this wide do not fit on the cage (" + check.with_value("cage.width_mm") + ")",
       "give at most half the cage's width");
 }
@@ -165,6 +168,19 @@ void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
                   "set model.ring_tilt = \"free\", or leave the moment out");
 }
 
+// A film lies on bodies that flatten as Hertz says: the impact law tells no elastic approach.
+void check_filmed_contacts(const Scene& scene, const SceneCheck& check) {
+  if (!is_lubricated(scene)) return;
+  const auto& contact = scene.contact;
+  for (const auto& [key, law] : {std::pair{"contact.race.force_law", contact.race.law},
+                                 std::pair{"contact.bar.force_law", contact.bar.law}})
+    check.require(law == "hertz", key,
+                  "the film at this contact (" + check.with_value("lubrication.model") +
+                      ") needs the bodies' elastic approach, which the impact law does not give",
+                  std::string("set ") + key +
+                      " = \"hertz\", or lubrication.model = \"none\" for a dry bearing");
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root) {
@@ -172,6 +188,7 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
   check_rings(scene, check);
   check_cage_between_rings(scene, check);
   check_pockets(scene, check);
+  check_filmed_contacts(scene, check);
   check.require(scene.contact.static_speed < scene.contact.dynamic_speed,
                 "friction.static_speed_m_s",
                 "friction must peak at a lower speed than that of full sliding (" +
