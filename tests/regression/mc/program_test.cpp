@@ -280,7 +280,8 @@ TEST(Program, MotionNeedsAWordOfOil) {
     arguments.insert(arguments.end(), still.begin(), still.end());
     const auto resting = run(arguments);
     EXPECT_EQ(resting.code, command == "ladder" ? 2 : 0) << resting.output;
-    if (command == "ladder") EXPECT_THAT(resting.output, says);
+    EXPECT_EQ(resting.output.find("whether there is oil") != std::string::npos, command == "ladder")
+        << resting.output;
   }
   EXPECT_EQ(run({"check", silent, "--set", "lubrication.model=none"}).code, 0);
   EXPECT_EQ(run({"check", silent, "--set", "lubrication.model=film"}).code, 0);
