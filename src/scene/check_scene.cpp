@@ -2,6 +2,7 @@
 #include <numbers>
 #include <utility>
 
+#include "src/lubrication/lubricant.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -168,6 +169,29 @@ void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
                   "set model.ring_tilt = \"free\", or leave the moment out");
 }
 
+// The viscosity by Walther's law, at the temperature of the oil.
+void check_oil(const Scene& scene, const SceneCheck& check) {
+  if (!is_lubricated(scene)) return;
+  const Lubrication& l = scene.lubrication;
+  const Oil& named = lubricant_named(l.lubricant).oil;
+  const bool cold_given = !std::isnan(l.viscosity_40), hot_given = !std::isnan(l.viscosity_100);
+  const double cold = cold_given ? l.viscosity_40 : named.viscosity_40,
+               hot = hot_given ? l.viscosity_100 : named.viscosity_100;
+  check.require(hot > kThinnestOil, "lubrication.viscosity_100_mm2_s",
+                "Walther's law of viscosity ends at " + number_text(kThinnestOil) + " mm2/s",
+                "give the kinematic viscosity at 100 degC, in mm2/s");
+  check.require(cold > hot,
+                cold_given ? "lubrication.viscosity_40_mm2_s" : "lubrication.viscosity_100_mm2_s",
+                "the oil must be thinner at 100 degC (" + number_text(hot) +
+                    " mm2/s) than at 40 degC (" + number_text(cold) + " mm2/s)",
+                "give both viscosities, of one oil");
+  const double viscosity = kinematic_viscosity(viscosity_curve(cold, hot), l.temperature);
+  check.require(std::isfinite(viscosity), "lubrication.temperature_C",
+                "by its viscosities at 40 and 100 degC (" + number_text(cold) + " and " +
+                    number_text(hot) + " mm2/s) this oil is solid at this temperature",
+                "give a higher temperature, or the viscosities of another oil");
+}
+
 // A film lies on bodies that flatten as Hertz says: the impact law tells no elastic approach.
 void check_filmed_contacts(const Scene& scene, const SceneCheck& check) {
   if (!is_lubricated(scene)) return;
@@ -189,6 +213,7 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
   check_cage_between_rings(scene, check);
   check_pockets(scene, check);
   check_filmed_contacts(scene, check);
+  check_oil(scene, check);
   check.require(scene.contact.static_speed < scene.contact.dynamic_speed,
                 "friction.static_speed_m_s",
                 "friction must peak at a lower speed than that of full sliding (" +

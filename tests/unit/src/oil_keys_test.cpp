@@ -151,6 +151,26 @@ TEST(OilKeys, OfADryBearingAreIdleWhereTheyDifferFromTheirDefaults) {
   EXPECT_THAT(idle_oil_keys(scene_of(kNone)), IsEmpty());
 }
 
+TEST(OilKeys, OilMustThinAndFlow) {
+  EXPECT_THAT(
+      problem_of(kFilm + "lubrication.viscosity_40_mm2_s = 5\n"),
+      AllOf(HasSubstr("t.toml:2: lubrication.viscosity_40_mm2_s = 5: the oil must be thinner at "
+                      "100 degC (8.7 mm2/s) than at 40 degC (5 mm2/s)"),
+            HasSubstr("remedy: give both viscosities")));
+  EXPECT_THAT(problem_of(kFilm + "lubrication.viscosity_100_mm2_s = 68\n"),
+              HasSubstr("t.toml:2: lubrication.viscosity_100_mm2_s = 68: the oil must be thinner"));
+  EXPECT_THAT(problem_of(kFilm + "lubrication.viscosity_100_mm2_s = 0.3\n"),
+              HasSubstr("lubrication.viscosity_100_mm2_s = 0.3: Walther's law"));
+  const std::string steep = kFilm +
+                            "lubrication.viscosity_40_mm2_s = 1e5\n"
+                            "lubrication.viscosity_100_mm2_s = 1\n";
+  EXPECT_THAT(problem_of(steep + "lubrication.temperature_C = -60\n"),
+              HasSubstr("lubrication.temperature_C = -60: by its viscosities at 40 and 100 degC "
+                        "(1e+05 and 1 mm2/s) this oil is solid"));
+  EXPECT_EQ(problem_of(steep), "no error");
+  EXPECT_EQ(problem_of("lubrication.viscosity_40_mm2_s = 5\n"), "no error");  // dry
+}
+
 ShortBearing guide_film_of(const std::string& text) {
   return make_bearing_model(scene_of(text)).guide_film;
 }
