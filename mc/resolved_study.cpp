@@ -6,6 +6,7 @@
 #include "mc/law_reader.hpp"
 #include "mc/study_keys.hpp"
 #include "mc/study_trends.hpp"
+#include "src/scene/oil_keys.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -114,7 +115,8 @@ toml::table resolved_table(const Study& study) {
     root.insert("grid_levels", std::move(levels));
   }
   toml::table scene;
-  for (const auto& key : scene_keys()) insert_key(key, study.scene, scene);
+  for (const auto& key : scene_keys())
+    if (successor_of(study.scene, key.name).empty()) insert_key(key, study.scene, scene);
   toml::array assumptions;
   for (const auto& assumption : study.scene.assumptions)
     assumptions.push_back(toml::table{{"key", assumption.key}, {"note", assumption.note}});
@@ -190,6 +192,9 @@ void unresolve(toml::table& root, const std::string& file) {
   }
   root.erase("inputs");
   root.erase("candidates");
+  // A resolved study has every key of its time: this one is older than lubrication, hence dry.
+  auto* lubrication = scene->insert("lubrication", toml::table{}).first->second.as_table();
+  if (lubrication) lubrication->insert("model", "none");
 }
 
 }  // namespace cagetol

@@ -13,6 +13,7 @@
 #include "mc/study_limits.hpp"
 #include "mc/study_trends.hpp"
 #include "src/quasi_static.hpp"
+#include "src/scene/oil_keys.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -140,6 +141,8 @@ Study study_of(toml::table root, const std::string& file) {
   read_plain_keys(root, file, study);
   const auto& scene = scene_table(root, file);
   study.scene = read_scene(scene, file);
+  study.names_lubrication = find_node(scene, "lubrication.model") != nullptr;
+  if (study.fidelity == "auto") require_word_of_oil(study, file);
   MeasurementFiles measurements;
   study.inputs = read_inputs(scene, file, study.scene, measurements);
   for (const auto& [name, text] : measurements) study.files.emplace_back(name, text_hash(text));
@@ -182,6 +185,12 @@ Study changed_study(Study study, const std::function<void(Study&)>& change) {
   return read_resolved_study(text.str(), study.name);
 }
 
+void require_word_of_oil(const Study& study, const std::string& file) {
+  if (!study.names_lubrication)
+    throw no_word_of_oil("the model ladder sets this scene in motion, and a dynamic scene must say",
+                         file);
+}
+
 std::vector<std::string> model_notes(const Study& study) {
   std::vector<std::string> notes;
   if (has_planar_rollers(study.scene))
@@ -198,6 +207,8 @@ std::vector<std::string> model_notes(const Study& study) {
   if (has_planar_rollers(study.scene) && study.scene.model.ring_tilt == "free")
     notes.push_back(
         "a free tilt of the inner ring (scene.model.ring_tilt) does nothing to planar rollers");
+  for (const std::string& key : idle_oil_keys(study.scene))
+    notes.push_back(key + " does nothing to a dry bearing (scene.lubrication.model = \"none\")");
   if (!is_quasi_static(study.scene)) return notes;
   notes.push_back(
       "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "

@@ -131,6 +131,7 @@ struct Study {
   double fidelity_budget = 0.1;       ///< largest shift allowed, in standard errors of the study
   std::vector<long> grid_levels;      ///< of design "grid": levels per varied input
   Scene scene;                        ///< nominal
+  bool names_lubrication = true;      ///< the scene gives lubrication.model
   std::vector<UncertainInput> inputs;
   std::vector<Correlation> correlations;
   std::vector<Limit> limits;
@@ -161,6 +162,10 @@ Study read_resolved_study(const std::string& resolved_toml, const std::string& n
 
 /// The study after `change`, which may touch all that its text says; resolved and hashed anew.
 Study changed_study(Study study, const std::function<void(Study&)>& change);
+
+/// Refuses to set the scene in motion that does not say whether there is oil in the bearing: a
+/// quasi-static scene, when it stands on a model ladder. Throws InputError naming `file`.
+void require_word_of_oil(const Study& study, const std::string& file);
 
 /// What a user should know before a sweep, though nothing is wrong: "limit ... is for 6 cage
 /// revolutions, the window has 2".

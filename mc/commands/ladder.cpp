@@ -34,6 +34,8 @@ int run_ladder(const LadderArguments& options) {
     const Study study = read_study(options.file, options.settings);
     if (options.refine)
       require_dynamic(study.scene, "--refine", options.file, "integration to refine");
+    else
+      require_word_of_oil(study, options.file);
     const auto rungs = options.refine     ? refining_rungs(study.scene)
                        : options.separate ? separate_rungs(study.scene)
                                           : climbing_rungs();

@@ -285,17 +285,20 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   mean_length /= static_cast<double>(b.roller_count);
   m.land_offset = given_or(c.land_offset, (c.width + mean_length) / 4);
   m.land_clearance = m.guide_clearance;
-  if (c.guide_film.model != "none" && m.guidance != Guidance::roller) {
+  const GuideFilm film = land_film(scene);
+  if (film.model != "none" && m.guidance != Guidance::roller) {
     const double radius = (m.land_radius + m.guide_ring_radius) / 2,
-                 width = given_or(c.guide_film.width, (c.width - mean_length) / 2);
-    const double turned = 2 * pi * c.guide_film.viscosity * radius * width;
+                 width = given_or(film.width, (c.width - mean_length) / 2);
+    const double viscosity =
+        is_lubricated(scene) ? operating_oil(scene.lubrication).viscosity : film.viscosity;
+    const double turned = 2 * pi * viscosity * radius * width;
     m.guide_film = {true,
-                    c.guide_film.viscosity * radius * width * width * width,
+                    viscosity * radius * width * width * width,
                     turned * radius * radius,
                     turned,
                     m.guide_clearance,
-                    c.guide_film.least};
-    m.land_clearance -= c.guide_film.least;
+                    film.least};
+    m.land_clearance -= film.least;
   }
 
   const auto& o = scene.operation;

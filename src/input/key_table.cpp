@@ -134,6 +134,11 @@ KeyRange required(KeyRange range) {
   return range;
 }
 
+KeyRange required_where(std::string condition, KeyRange range) {
+  range.required_where = std::move(condition);
+  return range;
+}
+
 KeyInfo::KeyInfo(std::string key_name, KeyRange allowed, std::string key_meaning, KeyKind key_kind)
     : name(std::move(key_name)),
       range(std::move(allowed)),
@@ -301,8 +306,10 @@ std::string dump_line(const KeyInfo& key, const std::string& value) {
   const std::string line = last_part(key.name) + " = " + value;
   const std::string padding(line.size() < 34 ? 34 - line.size() : 1, ' ');
   const std::string unit = key.unit == "-" ? "" : "[" + key.unit + "] ";
+  const std::string& conditional = key.range.required_where;
   return line + padding + "# " + unit + key.meaning + " (" + range_text(key) +
-         (key.range.required ? "; required" : "") + ")\n";
+         (key.range.required ? "; required" : "") +
+         (conditional.empty() ? "" : "; required where " + conditional) + ")\n";
 }
 
 std::string section_header(const std::string& name, const std::string& previous,
@@ -317,8 +324,12 @@ std::string section_header(const std::string& name, const std::string& previous,
 std::string markdown_row(const KeyInfo& key, const std::string& value) {
   const std::string per_pocket =
       key.kind == KeyKind::numbers ? "; one number or one for each pocket" : "";
-  return "| `" + key.name + "` | " + key.unit + " | " + (key.range.required ? "required" : value) +
-         " | " + range_text(key) + " | " + key.meaning + per_pocket + " |\n";
+  const std::string& conditional = key.range.required_where;
+  const std::string otherwise =
+      conditional.empty() ? value : "required where " + conditional + ", else " + value;
+  return "| `" + key.name + "` | " + key.unit + " | " +
+         (key.range.required ? "required" : otherwise) + " | " + range_text(key) + " | " +
+         key.meaning + per_pocket + " |\n";
 }
 
 std::pair<toml::table*, std::string> section_of(toml::table& root, const std::string& name) {

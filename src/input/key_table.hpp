@@ -33,6 +33,9 @@ struct KeyRange {
   bool may_be_auto =
       false;  ///< "auto" is allowed: computed from the rest of the scene (stored as NaN)
   bool required = false;  ///< the key must be given: no default would make sense
+  /// "model.motion = \"dynamic\"": the key must be given where another key has this value; empty:
+  /// no such condition.
+  std::string required_where;
   std::vector<std::string> choices;
 };
 KeyRange any_value();
@@ -42,6 +45,7 @@ KeyRange within(double minimum, double maximum);
 KeyRange one_of(std::vector<std::string> choices);
 KeyRange or_auto(KeyRange range);
 KeyRange required(KeyRange range);
+KeyRange required_where(std::string condition, KeyRange range);
 
 /// What is known of a key apart from the struct it fills.
 struct KeyInfo {

@@ -23,6 +23,8 @@ const std::vector<Unit>& units() {
       {"N_m", "N m", "moment", 1},
       {"N_mm", "N mm", "moment", 1e-3},
       {"Pa_s", "Pa s", "viscosity", 1},
+      {"mm2_s", "mm^2/s", "kinematic viscosity", 1},
+      {"W_m_K", "W/(m K)", "conductivity", 1},
       {"1_GPa", "1/GPa", "pressure-viscosity", 1e-9},
       {"kg_mm2", "kg mm^2", "inertia", 1e-6},
       {"kg_m2", "kg m^2", "inertia", 1},

@@ -12,7 +12,7 @@ constexpr double kExpansion = 0.00065;   ///< of the density [1/K]
 }  // namespace
 
 ViscosityCurve viscosity_curve(double viscosity_40, double viscosity_100) {
-  if (!(viscosity_40 > viscosity_100) || !(viscosity_100 > 0.3))
+  if (!(viscosity_40 > viscosity_100) || !(viscosity_100 > kThinnestOil))
     throw std::domain_error(
         "lubricant: the viscosity at 40 degC must be above that at 100 degC, both in mm2/s");
   const auto log_log = [](double nu) { return std::log10(std::log10(nu + 0.7)); };

@@ -20,7 +20,9 @@ struct ViscosityCurve {
   double a = 0, b = 0;  ///< A, B of Walther's equation
 };
 
-/// Throws std::domain_error unless viscosity_40 > viscosity_100 > 0.3 [mm2/s].
+inline constexpr double kThinnestOil = 0.3;  ///< above which Walther's equation holds [mm2/s]
+
+/// Throws std::domain_error unless viscosity_40 > viscosity_100 > kThinnestOil [mm2/s].
 ViscosityCurve viscosity_curve(double viscosity_40, double viscosity_100);
 
 /// Kinematic viscosity [mm2/s] at `temperature` [degC].

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <utility>
 
+#include "src/lubrication/lubricant.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -94,7 +95,9 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "cage.land_offset_mm",
                 "the guide lands lie outside the cage (" + check.with_value("cage.width_mm") + ")",
                 "give at most half the cage's width");
-  if (cage.guide_film.model == "none") return;
+  const GuideFilm film = land_film(scene);
+  if (film.model == "none") return;
+  const bool oil = is_lubricated(scene);
   check.require(
       cage.guidance != "roller", "cage.guide_film",
       "rollers guide this cage (" + check.with_value("cage.guidance") + "): no land carries a film",
@@ -104,13 +107,14 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                                  : scene.bearing.shoulder_diameter - cage.outer_diameter;
   const double clearance =
       std::isnan(cage.guide_clearance) ? on_diameter / 2 : cage.guide_clearance;
-  check.require(4 * cage.guide_film.least < clearance, "cage.guide_film_least_um",
+  check.require(4 * film.least < clearance,
+                oil ? "lubrication.land_film_least_um" : "cage.guide_film_least_um",
                 "roughness this high fills the guide clearance (" +
                     number_text(std::round(clearance * 1e9) / 1e3) + " um)",
                 "give less than a quarter of the clearance");
   check.require(
-      std::isnan(cage.guide_film.width) || cage.guide_film.width <= cage.width / 2,
-      "cage.guide_film_width_mm",
+      std::isnan(film.width) || film.width <= cage.width / 2,
+      oil ? "lubrication.land_film_width_mm" : "cage.guide_film_width_mm",
       "two lands this wide do not fit on the cage (" + check.with_value("cage.width_mm") + ")",
       "give at most half the cage's width");
 }
@@ -165,6 +169,42 @@ void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
                   "set model.ring_tilt = \"free\", or leave the moment out");
 }
 
+// The viscosity by Walther's law, at the temperature of the oil.
+void check_oil(const Scene& scene, const SceneCheck& check) {
+  if (!is_lubricated(scene)) return;
+  const Lubrication& l = scene.lubrication;
+  const Oil& named = lubricant_named(l.lubricant).oil;
+  const bool cold_given = !std::isnan(l.viscosity_40), hot_given = !std::isnan(l.viscosity_100);
+  const double cold = cold_given ? l.viscosity_40 : named.viscosity_40,
+               hot = hot_given ? l.viscosity_100 : named.viscosity_100;
+  check.require(hot > kThinnestOil, "lubrication.viscosity_100_mm2_s",
+                "Walther's law of viscosity ends at " + number_text(kThinnestOil) + " mm2/s",
+                "give the kinematic viscosity at 100 degC, in mm2/s");
+  check.require(cold > hot,
+                cold_given ? "lubrication.viscosity_40_mm2_s" : "lubrication.viscosity_100_mm2_s",
+                "the oil must be thinner at 100 degC (" + number_text(hot) +
+                    " mm2/s) than at 40 degC (" + number_text(cold) + " mm2/s)",
+                "give both viscosities, of one oil");
+  const double viscosity = kinematic_viscosity(viscosity_curve(cold, hot), l.temperature);
+  check.require(std::isfinite(viscosity), "lubrication.temperature_C",
+                "by its viscosities at 40 and 100 degC (" + number_text(cold) + " and " +
+                    number_text(hot) + " mm2/s) this oil is solid at this temperature",
+                "give a higher temperature, or the viscosities of another oil");
+}
+
+// A film lies on bodies that flatten as Hertz says: the impact law tells no elastic approach.
+void check_filmed_contacts(const Scene& scene, const SceneCheck& check) {
+  if (!is_lubricated(scene)) return;
+  const auto& contact = scene.contact;
+  for (const auto& [key, law] : {std::pair{"contact.race.force_law", contact.race.law},
+                                 std::pair{"contact.bar.force_law", contact.bar.law}})
+    check.require(law == "hertz", key,
+                  "the film at this contact (" + check.with_value("lubrication.model") +
+                      ") needs the bodies' elastic approach, which the impact law does not give",
+                  std::string("set ") + key +
+                      " = \"hertz\", or lubrication.model = \"none\" for a dry bearing");
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root) {
@@ -172,6 +212,8 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
   check_rings(scene, check);
   check_cage_between_rings(scene, check);
   check_pockets(scene, check);
+  check_filmed_contacts(scene, check);
+  check_oil(scene, check);
   check.require(scene.contact.static_speed < scene.contact.dynamic_speed,
                 "friction.static_speed_m_s",
                 "friction must peak at a lower speed than that of full sliding (" +

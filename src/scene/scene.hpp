@@ -152,6 +152,9 @@ struct Lubrication {
   double oil_share = 0.02;         ///< of the free space that is oil
   double roller_drag = 1;          ///< C_d of a roller in its orbit
   double carried_along = 0.5;      ///< share of the cage's speed at which oil and air turn
+  bool land_film = true;           ///< short-bearing film at the lands of a guided cage
+  double land_film_width = kAuto;  ///< of a land, axial [m]
+  double land_film_least = 1e-6;   ///< gap at which roughness ends the film and the lands touch [m]
 };
 
 struct Operation {
@@ -237,6 +240,14 @@ inline bool has_free_ring_tilt(const Scene& scene) {
 }
 inline bool is_lubricated(const Scene& scene) {
   return scene.lubrication.model == "film";
+}
+/// The film at the cage's lands, by whichever model of lubrication there is; that of `lubrication`
+/// has the viscosity of its oil, kAuto included.
+inline GuideFilm land_film(const Scene& scene) {
+  if (!is_lubricated(scene)) return scene.cage.guide_film;
+  const Lubrication& l = scene.lubrication;
+  const bool on = l.land_film && scene.cage.guidance != "roller";
+  return {on ? "short-bearing" : "none", l.viscosity, l.land_film_width, l.land_film_least};
 }
 inline bool is_quasi_static(const Scene& scene) {
   return scene.model.motion == "quasi-static";

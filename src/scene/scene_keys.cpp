@@ -5,6 +5,7 @@
 
 #include "src/integration/integrator.hpp"
 #include "src/lubrication/lubricant.hpp"
+#include "src/scene/oil_keys.hpp"
 
 namespace cagetol {
 namespace {
@@ -131,9 +132,9 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"film.viscosity_Pa_s", above(0), AT(film.viscosity), "viscosity at ambient pressure"},
       {"film.pressure_viscosity_1_GPa", above(0), AT(film.pressure_viscosity), "pressure-viscosity coefficient"},
       {"film.least_force_N", above(0), AT(film.least_force), "below this force of a contact the film thickens along its tangent only, at no force to 1.13 times (series) or up to twice (series-bounded) what it is at this one"},
-      {"lubrication.model", one_of({"none", "film"}), AT(lubrication.model), "oil in the bearing; film: films, rolling resistance and traction at the races (src/lubrication); none: dry, or the films of film.model and cage.guide_film"},
+      {"lubrication.model", required_where(R"(model.motion = "dynamic")", one_of({"none", "film"})), AT(lubrication.model), "oil in the bearing; film: films, rolling resistance and traction at races and pockets, a film at guide lands (src/lubrication), instead of film.* and cage.guide_film*; none: dry or those older films, the other keys of this section do nothing"},
       {"lubrication.lubricant", one_of(lubricant_names()), AT(lubrication.lubricant), "named oil, for the keys of this section that are left to auto"},
-      {"lubrication.temperature_C", within(-60, 250), AT(lubrication.temperature), "temperature of the oil in the bearing"},
+      {"lubrication.temperature_C", within(-60, 250), AT(lubrication.temperature), "temperature of the oil in the bearing, in degC"},
       {"lubrication.viscosity_40_mm2_s", or_auto(above(0)), AT(lubrication.viscosity_40), "kinematic viscosity at 40 degC; auto: of the named lubricant"},
       {"lubrication.viscosity_100_mm2_s", or_auto(above(0)), AT(lubrication.viscosity_100), "kinematic viscosity at 100 degC; auto: of the named lubricant"},
       {"lubrication.density_kg_m3", or_auto(above(0)), AT(lubrication.density), "density at 15 degC; auto: of the named lubricant"},
@@ -156,6 +157,9 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"lubrication.oil_share", within(0, 1), AT(lubrication.oil_share), "share of the free space that is oil: some 0.02 under mist or jet, 0.1 to 0.3 in a bath; in the literature a constant to be calibrated"},
       {"lubrication.roller_drag", at_least(0), AT(lubrication.roller_drag), "drag coefficient of a roller across its axis"},
       {"lubrication.carried_along", within(0, 1), AT(lubrication.carried_along), "share of the cage's speed at which the oil and air turn"},
+      {"lubrication.land_film", any_value(), AT(lubrication.land_film), "oil film between the lands of a guided cage and their ring (Ocvirk, half of it in suction left out)"},
+      {"lubrication.land_film_width_mm", or_auto(above(0)), AT(lubrication.land_film_width), "axial width of a land; auto: that of the cage's side rings"},
+      {"lubrication.land_film_least_um", above(0), AT(lubrication.land_film_least), "gap at which roughness ends that film and the lands touch"},
       {"load.radial_N", required(at_least(0)), AT(operation.radial_load), "radial load on the inner ring, along -z"},
       {"load.tilting_moment_y_N_m", any_value(), AT(operation.tilting_moment_y), "moment on an inner ring whose tilt is free, towards +y: it raises the slope of the centre line in y (as a vector it points along +z)"},
       {"load.tilting_moment_z_N_m", any_value(), AT(operation.tilting_moment_z), "likewise the moment towards +z (a vector along -y)"},
@@ -253,23 +257,34 @@ std::vector<Assumption> read_assumptions(const toml::node& node, const std::stri
   return assumptions;
 }
 
-/// Which required keys a scene gives.
+/// Which keys a scene gives.
 struct Given {
   std::set<std::string> keys;
   std::set<std::string> laws_alone;  ///< distributions without a nominal value
 };
 
-void refuse_missing(const Given& given, const std::string& file) {
+/// Whether the key must be given: always, or because of the value that another key has.
+bool is_required(const Key<Scene>& key, const Scene& scene) {
+  const std::string& condition = key.range.required_where;
+  if (condition.empty()) return key.range.required;
+  const std::string other = condition.substr(0, condition.find(' '));
+  return other + " = " + key_text(*find_key(scene_keys(), other), scene) == condition;
+}
+
+void refuse_missing(const Given& given, const Scene& scene, const std::string& file) {
   std::string missing;
   int count = 0;
+  bool oil_alone = true;
   for (const auto& key : scene_keys()) {
-    if (!key.range.required || given.keys.contains(key.name)) continue;
+    if (!is_required(key, scene) || given.keys.contains(key.name)) continue;
+    oil_alone = oil_alone && key.name == "lubrication.model";
     missing += "\n    " + key.name + (key.unit == "-" ? "" : " [" + key.unit + "]") + ": " +
                key.meaning +
                (given.laws_alone.contains(key.name) ? " - its distribution has no nominal" : "");
     ++count;
   }
   if (count == 0) return;
+  if (oil_alone) throw no_word_of_oil("a dynamic scene must say", file);
   throw InputError({file, 0}, "", "",
                    "the scene leaves out " + std::to_string(count) +
                        (count == 1 ? " key that has" : " keys that have") +
@@ -309,7 +324,8 @@ Scene read_scene(const toml::table& root, const std::string& file) {
   for (const auto& leaf : leaves)
     if (leaf.name == "bearing.roller_count") read(leaf);
   for (const auto& leaf : leaves) read(leaf);
-  refuse_missing(given, file);
+  refuse_missing(given, scene, file);
+  refuse_replaced_keys(scene, root, file);
   check_scene(scene, file, &root);
   return scene;
 }

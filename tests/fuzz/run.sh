@@ -10,7 +10,7 @@ build=${CAGETOL_FUZZ_BUILD:-build-fuzz}
 declare -A share=([scene]=10 [study]=3 [resolved]=3 [settings]=2 [csv]=40 [journal]=22 [study_file]=5 [study_data]=5 [cage_table]=10)
 # The sources whose coverage is printed.
 declare -A sources=(
-  [scene]="src/input/toml_file.cpp src/input/key_table.cpp src/scene/scene_keys.cpp src/scene/check_scene.cpp"
+  [scene]="src/input/toml_file.cpp src/input/key_table.cpp src/scene/scene_keys.cpp src/scene/check_scene.cpp src/scene/oil_keys.cpp"
   [study]="mc/study.cpp mc/study_inputs.cpp mc/study_layers.cpp mc/study_limits.cpp mc/study_trends.cpp mc/law_reader.cpp"
   [resolved]="mc/study.cpp mc/resolved_study.cpp" [settings]="src/input/toml_file.cpp mc/study_layers.cpp"
   [csv]="mc/csv_records.cpp mc/csv_heading.cpp mc/measurement_csv.cpp" [journal]="mc/journal.cpp mc/byte_stream.hpp"

@@ -10,12 +10,13 @@
 
 namespace cagetol {
 
-/// The required keys of the reference bearing, and those of `text` as that says. Nodes of `text`
+/// The required keys of the reference bearing, those of dynamic scenes included, and those of
+/// `text` as that says. Nodes of `text`
 /// keep their places as lines of `name`.
 inline toml::table reference_scene_table(const std::string& text, const std::string& name) {
   KeyTable<Scene> keys;
   for (const auto& key : scene_keys())
-    if (key.range.required) keys.push_back(key);
+    if (key.range.required || !key.range.required_where.empty()) keys.push_back(key);
   toml::table root = parse_toml(dump_keys(keys, example_scene()), "reference scene");
   merge_tables(root, parse_toml(text, name), is_distribution);
   return root;
@@ -25,6 +26,15 @@ inline toml::table reference_scene_table(const std::string& text, const std::str
 inline std::string reference_scene_text(const std::string& text = "") {
   std::ostringstream out;
   out << toml::toml_formatter(reference_scene_table(text, "test")) << '\n';
+  return out.str();
+}
+
+/// The reference bearing without its section [lubrication], and with `text` in front.
+inline std::string reference_scene_without_oil(const std::string& text = "") {
+  toml::table root = reference_scene_table(text, "test");
+  root.erase("lubrication");
+  std::ostringstream out;
+  out << toml::toml_formatter(root) << '\n';
   return out.str();
 }
 

@@ -107,6 +107,7 @@ bool costs_time(const std::string& name) {
 Settings random_settings(unsigned seed) {
   Draw draw(seed);
   Settings settings = random_bearing_keys(draw);
+  settings.emplace_back("lubrication.model", seed % 3 == 0 ? "film" : "none");
   for (std::size_t k = 3 + draw.pick(12); k > 0; --k) {
     const auto& key = scene_keys()[draw.pick(scene_keys().size())];
     if (!key.range.required && !costs_time(key.name))

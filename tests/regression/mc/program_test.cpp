@@ -262,6 +262,31 @@ TEST(Program, EquilibriaAreToldApartFromMotion) {
   EXPECT_EQ(still({"chart", scene, "-o", scratch / "chart"}).code, 2);
 }
 
+TEST(Program, MotionNeedsAWordOfOil) {
+  const ScratchDirectory scratch;
+  const std::string silent = scratch / "silent.toml";
+  std::ofstream(silent) << reference_scene_without_oil();
+  const auto says = AllOf(HasSubstr("lubrication.model: "), HasSubstr("whether there is oil"),
+                          HasSubstr("remedy: give lubrication.model = \"film\""));
+  const std::vector<std::string> still = {"--set", "model.motion=quasi-static"};
+  for (const std::string command : {"check", "simulate", "ladder", "sweep"}) {
+    std::vector<std::string> arguments = {command, silent};
+    if (command == "ladder" || command == "sweep")
+      arguments.insert(arguments.end(), {"-o", scratch / "out"});
+    const auto moving = run(arguments);
+    EXPECT_EQ(moving.code, 2) << command;
+    EXPECT_THAT(moving.output, says) << command;
+    if (command == "sweep") continue;
+    arguments.insert(arguments.end(), still.begin(), still.end());
+    const auto resting = run(arguments);
+    EXPECT_EQ(resting.code, command == "ladder" ? 2 : 0) << resting.output;
+    EXPECT_EQ(resting.output.find("whether there is oil") != std::string::npos, command == "ladder")
+        << resting.output;
+  }
+  EXPECT_EQ(run({"check", silent, "--set", "lubrication.model=none"}).code, 0);
+  EXPECT_EQ(run({"check", silent, "--set", "lubrication.model=film"}).code, 0);
+}
+
 TEST(Program, ALadderSaysWhyItCannotBeClimbed) {
   const ScratchDirectory scratch;
   const auto ladder = [&](const std::string& setting) {

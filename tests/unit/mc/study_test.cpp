@@ -130,7 +130,7 @@ TEST_F(StudyFile, AStudyWithoutItsBearingIsRefused) {
     read_study(path);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("study.toml: the scene leaves out 17 keys"),
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("study.toml: the scene leaves out 18 keys"),
                                     HasSubstr("bearing.roller_count: "),
                                     HasSubstr("load.radial_N [N]: "), HasSubstr("scene.file")));
   }
@@ -498,6 +498,65 @@ TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
                "[scene]\nmodel.motion = 'quasi-static'\n"));
   EXPECT_THAT(limits, testing::Contains(HasSubstr("limit on pocket_force_peak_N: a quasi-static")));
   EXPECT_THAT(limits, Not(testing::Contains(HasSubstr("limit on ring_displacement_mean_um"))));
+}
+
+TEST_F(StudyFile, ADynamicStudyMustSayWhetherThereIsOil) {
+  write("silent.toml", reference_scene_without_oil());
+  const std::string text = "samples = 5\n[scene]\nfile = 'silent.toml'\n";
+  EXPECT_THAT(problem_of(text),
+              AllOf(HasSubstr("study.toml: lubrication.model: a dynamic scene must say"),
+                    HasSubstr("remedy: give lubrication.model = \"film\"")));
+  EXPECT_FALSE(is_lubricated(study_of(text + "lubrication.model = 'none'\n").scene));
+  EXPECT_FALSE(is_lubricated(study_of(text, {"lubrication.model=none"}).scene));
+  EXPECT_TRUE(is_lubricated(study_of(text, {"scene.lubrication.model=film"}).scene));
+  const std::string still = text + "model.motion = 'quasi-static'\n";
+  EXPECT_FALSE(is_lubricated(study_of(still).scene));
+  EXPECT_THAT(problem_of(still, {"model.motion=dynamic"}), HasSubstr("a dynamic scene must say"));
+  // A ladder sets it in motion.
+  EXPECT_THAT(
+      problem_of("fidelity = 'auto'\n" + still),
+      HasSubstr("lubrication.model: the model ladder sets this scene in motion, and a dynamic "
+                "scene must say"));
+  EXPECT_EQ(problem_of("fidelity = 'auto'\n" + still + "lubrication.model = 'none'\n"), "no error");
+  EXPECT_THROW(require_word_of_oil(study_of(still), "s"), InputError);
+  EXPECT_NO_THROW(require_word_of_oil(study_of(still + "lubrication.model = 'none'\n"), "s"));
+}
+
+TEST_F(StudyFile, ALubricatedStudyResolvesWithoutTheKeysThatItRefuses) {
+  const std::string text = "samples = 5\n[scene]\nlubrication.model = 'film'\n";
+  const Study study = study_of(text);
+  const Study again = read_resolved_study(study.resolved_toml, "again");
+  EXPECT_EQ(again.hash, study.hash);
+  EXPECT_TRUE(is_lubricated(again.scene));
+  EXPECT_THAT(study.resolved_toml,
+              AllOf(HasSubstr("eyring_stress_MPa"), Not(HasSubstr("guide_film"))));
+  EXPECT_THAT(study_of("samples = 5\n").resolved_toml, HasSubstr("guide_film"));
+  const Study dry = changed_study(study, [](Study& s) { s.scene.lubrication.model = "none"; });
+  EXPECT_FALSE(is_lubricated(dry.scene));
+  EXPECT_THAT(problem_of(text + "film.viscosity_Pa_s = 0.03\n"),
+              AllOf(HasSubstr("study.toml:4: film.viscosity_Pa_s = 0.03"),
+                    HasSubstr("instead of film.viscosity_Pa_s: lubrication.viscosity_Pa_s")));
+  EXPECT_THAT(problem_of("samples = 5\n", {"lubrication.model=film", "film.model=series"}),
+              HasSubstr("--set: film.model = "));
+}
+
+TEST_F(StudyFile, AResolvedStudyOlderThanLubricationIsDry) {
+  toml::table root = parse_toml(study_of("samples = 5\n").resolved_toml, "stored");
+  root["scene"].as_table()->erase("lubrication");
+  std::ostringstream text;
+  text << toml::toml_formatter(root) << '\n';
+  EXPECT_FALSE(is_lubricated(read_resolved_study(text.str(), "stored").scene));
+  root["scene"].as_table()->insert("lubrication", 5);
+  text.str("");
+  text << toml::toml_formatter(root) << '\n';
+  EXPECT_THROW(read_resolved_study(text.str(), "stored"), InputError);
+}
+
+TEST_F(StudyFile, NotesNameTheOilThatADryBearingLeavesOut) {
+  const std::string text = "samples = 5\n[scene.lubrication]\ntemperature_C = 90\n";
+  EXPECT_THAT(model_notes(study_of(text)),
+              ElementsAre(HasSubstr("lubrication.temperature_C does nothing to a dry bearing")));
+  EXPECT_TRUE(model_notes(study_of(text, {"lubrication.model=film"})).empty());
 }
 
 TEST(ShippedStudies, OfThePaperHaveItsLevelsAndOneSwitch) {

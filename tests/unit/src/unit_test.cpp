@@ -14,6 +14,8 @@ TEST(Unit, IsTheSuffixOfTheKey) {
   EXPECT_EQ(unit_of("environment.gravity_m_s2").text, "m/s^2");
   EXPECT_EQ(unit_of("cage.polar_inertia_kg_mm2").to_si, 1e-6);
   EXPECT_EQ(unit_of("window.settle_time_s").dimension, "time");
+  EXPECT_EQ(unit_of("lubrication.viscosity_40_mm2_s").text, "mm^2/s");
+  EXPECT_EQ(unit_of("lubrication.conductivity_W_m_K").text, "W/(m K)");
   EXPECT_EQ(unit_of("bearing.roller_count").text, "-");
   EXPECT_EQ(unit_of("friction.static_coefficient").text, "-");
   EXPECT_EQ(without_unit("cage.pocket_width_mm"), "cage.pocket_width");

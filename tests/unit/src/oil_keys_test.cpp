@@ -1,0 +1,233 @@
+// What a scene must say about oil, and what lubrication.model makes of the other keys about it.
+#include "src/scene/oil_keys.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <cmath>
+#include <functional>
+
+#include "src/dynamics/bearing_model.hpp"
+#include "src/lubrication/lubricant.hpp"
+#include "src/scene/scene_keys.hpp"
+#include "tests/support/reference_scene.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+Scene scene_of(const std::string& text) {
+  return read_scene(reference_scene_table(text, "t.toml"), "t.toml");
+}
+Scene without_oil(const std::string& text = "") {
+  return read_scene(parse_toml(reference_scene_without_oil(text), "t.toml"), "t.toml");
+}
+
+std::string problem(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+std::string problem_of(const std::string& text) {
+  return problem([&] { scene_of(text); });
+}
+
+const std::string kFilm = "lubrication.model = 'film'\n";
+const std::string kNone = "lubrication.model = 'none'\n";
+
+TEST(OilKeys, ADynamicSceneMustSayWhetherThereIsOil) {
+  EXPECT_THAT(
+      problem([] { without_oil(); }),
+      AllOf(HasSubstr("t.toml: lubrication.model: a dynamic scene must say whether there is "
+                      "oil in the bearing"),
+            HasSubstr("remedy: give lubrication.model = \"film\" for a bearing with oil, or "
+                      "\"none\" for a dry one as before"),
+            HasSubstr("below [scene]")));
+  EXPECT_THAT(problem([] { without_oil("model.motion = 'dynamic'\n"); }),
+              HasSubstr("a dynamic scene must say"));
+  EXPECT_EQ(problem_of(kFilm), "no error");
+  EXPECT_EQ(problem_of(kNone), "no error");
+}
+
+TEST(OilKeys, AQuasiStaticSceneThatDoesNotSayIsDry) {
+  EXPECT_FALSE(is_lubricated(without_oil("model.motion = 'quasi-static'\n")));
+  EXPECT_TRUE(is_lubricated(scene_of("model.motion = 'quasi-static'\n" + kFilm)));
+}
+
+TEST(OilKeys, AreNamedAmongWhatElseIsMissing) {
+  const auto missing = [](const std::string& motion) {
+    return problem([&] {
+      toml::table root = parse_toml(reference_scene_without_oil(motion), "t.toml");
+      root.erase("load");
+      read_scene(root, "t.toml");
+    });
+  };
+  EXPECT_THAT(missing(""), AllOf(HasSubstr("leaves out 2 keys"), HasSubstr("\n    load.radial_N"),
+                                 HasSubstr("\n    lubrication.model: ")));
+  EXPECT_THAT(missing("model.motion = 'quasi-static'\n"),
+              AllOf(HasSubstr("leaves out 1 key"), Not(HasSubstr("lubrication.model"))));
+}
+
+TEST(OilKeys, DumpAndTableSayWhereTheyAreRequired) {
+  EXPECT_THAT(dump_keys(scene_keys(), example_scene()),
+              HasSubstr("\"none\", \"film\"; required where model.motion = \"dynamic\")\n"));
+  EXPECT_THAT(
+      key_table_markdown(scene_keys(), example_scene()),
+      HasSubstr("| `lubrication.model` | - | required where model.motion = \"dynamic\", else "
+                "\"none\" |"));
+}
+
+struct OlderKey {
+  std::string key, value, successor;
+};
+const std::vector<OlderKey> kOlderKeys = {
+    {"film.model", "\"series\"", "lubrication.model"},
+    {"film.viscosity_Pa_s", "0.03", "lubrication.viscosity_Pa_s"},
+    {"film.pressure_viscosity_1_GPa", "20", "lubrication.pressure_viscosity_1_GPa"},
+    {"film.least_force_N", "2", "lubrication.model"},
+    {"cage.guide_film", "\"short-bearing\"", "lubrication.land_film"},
+    {"cage.guide_film_viscosity_Pa_s", "0.03", "lubrication.viscosity_Pa_s"},
+    {"cage.guide_film_width_mm", "2", "lubrication.land_film_width_mm"},
+    {"cage.guide_film_least_um", "2", "lubrication.land_film_least_um"},
+};
+
+TEST(OilKeys, FilmRefusesTheOlderFilmsAndNamesTheirSuccessors) {
+  for (const OlderKey& old : kOlderKeys) {
+    const std::string text = old.key + " = " + old.value + "\n";
+    EXPECT_THAT(
+        problem_of(kFilm + text),
+        AllOf(HasSubstr("t.toml:2: " + old.key + " = "),
+              HasSubstr("lubrication.model = \"film\" replaces"),
+              HasSubstr("remedy: set lubrication.model = \"none\", or give\n    instead of " +
+                        old.key + ": "),
+              HasSubstr(old.successor)));
+    EXPECT_EQ(problem_of(kNone + text), "no error") << text;
+    EXPECT_NE(find_key(scene_keys(), old.successor), nullptr) << old.successor;
+  }
+  for (const auto& key : scene_keys()) {
+    const bool old = key.name.starts_with("film.") || key.name.starts_with("cage.guide_film");
+    EXPECT_EQ(!successor_of(scene_of(kFilm), key.name).empty(), old) << key.name;
+    EXPECT_EQ(successor_of(scene_of(kNone), key.name), "") << key.name;
+  }
+}
+
+TEST(OilKeys, AllThatFilmRefusesAreNamedAtOnce) {
+  const auto text = problem_of(kFilm +
+                               "[film]\nmodel = 'none'\nviscosity_Pa_s = { nominal = 0.02, lot "
+                               "= { law = 'normal', sigma = 0.001 } }\n");
+  EXPECT_THAT(
+      text, AllOf(HasSubstr("t.toml:3: film.model = "), HasSubstr("\n    instead of film.model: "),
+                  HasSubstr("\n    instead of film.viscosity_Pa_s: ")));
+}
+
+TEST(OilKeys, ContactsWithAFilmRefuseTheImpactLaw) {
+  for (const std::string kind : {"race", "bar"}) {
+    const std::string text = "contact." + kind + ".force_law = 'impact'\n";
+    EXPECT_THAT(problem_of(kFilm + text),
+                AllOf(HasSubstr("t.toml:2: contact." + kind +
+                                ".force_law = \"impact\": the film at this "
+                                "contact (lubrication.model = \"film\")"),
+                      HasSubstr("remedy: set contact." + kind + ".force_law = \"hertz\"")));
+    EXPECT_EQ(problem_of(kNone + text), "no error");
+  }
+  EXPECT_EQ(problem_of(kFilm + "contact.land.force_law = 'impact'\n"), "no error");
+}
+
+TEST(OilKeys, OfADryBearingAreIdleWhereTheyDifferFromTheirDefaults) {
+  const std::string text =
+      "[lubrication]\ntemperature_C = 90\nsqueeze = false\nlimiting_shear_ratio "
+      "= 0.06\n";
+  EXPECT_THAT(idle_oil_keys(scene_of(text)),
+              ElementsAre("lubrication.temperature_C", "lubrication.squeeze"));
+  EXPECT_THAT(idle_oil_keys(scene_of(text + "model = 'film'\n")), IsEmpty());
+  EXPECT_THAT(idle_oil_keys(scene_of(kNone)), IsEmpty());
+}
+
+TEST(OilKeys, OilMustThinAndFlow) {
+  EXPECT_THAT(
+      problem_of(kFilm + "lubrication.viscosity_40_mm2_s = 5\n"),
+      AllOf(HasSubstr("t.toml:2: lubrication.viscosity_40_mm2_s = 5: the oil must be thinner at "
+                      "100 degC (8.7 mm2/s) than at 40 degC (5 mm2/s)"),
+            HasSubstr("remedy: give both viscosities")));
+  EXPECT_THAT(problem_of(kFilm + "lubrication.viscosity_100_mm2_s = 68\n"),
+              HasSubstr("t.toml:2: lubrication.viscosity_100_mm2_s = 68: the oil must be thinner"));
+  EXPECT_THAT(problem_of(kFilm + "lubrication.viscosity_100_mm2_s = 0.3\n"),
+              HasSubstr("lubrication.viscosity_100_mm2_s = 0.3: Walther's law"));
+  const std::string steep = kFilm +
+                            "lubrication.viscosity_40_mm2_s = 1e5\n"
+                            "lubrication.viscosity_100_mm2_s = 1\n";
+  EXPECT_THAT(problem_of(steep + "lubrication.temperature_C = -60\n"),
+              HasSubstr("lubrication.temperature_C = -60: by its viscosities at 40 and 100 degC "
+                        "(1e+05 and 1 mm2/s) this oil is solid"));
+  EXPECT_EQ(problem_of(steep), "no error");
+  EXPECT_EQ(problem_of("lubrication.viscosity_40_mm2_s = 5\n"), "no error");  // dry
+}
+
+ShortBearing guide_film_of(const std::string& text) {
+  return make_bearing_model(scene_of(text)).guide_film;
+}
+
+void expect_same(const ShortBearing& a, const ShortBearing& b) {
+  EXPECT_EQ(a.on, b.on);
+  EXPECT_EQ(a.pressure, b.pressure);
+  EXPECT_EQ(a.torque, b.torque);
+  EXPECT_EQ(a.axial, b.axial);
+  EXPECT_EQ(a.clearance, b.clearance);
+  EXPECT_EQ(a.least, b.least);
+}
+
+TEST(LandFilm, IsTheGuideFilmInTheOilOfTheBearing) {
+  for (const std::string guidance :
+       {"cage.guidance = 'outer'\n", "cage.guidance = 'inner'\ncage.guide_clearance_mm = 0.2\n"}) {
+    const std::string older = guidance + kNone + "cage.guide_film = 'short-bearing'\n";
+    expect_same(guide_film_of(guidance + kFilm + "lubrication.viscosity_Pa_s = 0.03\n"),
+                guide_film_of(older + "cage.guide_film_viscosity_Pa_s = 0.03\n"));
+    expect_same(
+        guide_film_of(guidance + kFilm +
+                      "lubrication.viscosity_Pa_s = 0.03\n"
+                      "lubrication.land_film_width_mm = 2\n"
+                      "lubrication.land_film_least_um = 3\n"),
+        guide_film_of(older + "cage.guide_film_viscosity_Pa_s = 0.03\n"
+                              "cage.guide_film_width_mm = 2\ncage.guide_film_least_um = 3\n"));
+  }
+  // VG 68 at 70 degC: 0.01688 Pa s. The film is proportional to it.
+  const double share = guide_film_of(kFilm).torque /
+                       guide_film_of(kNone + "cage.guide_film = 'short-bearing'\n").torque;
+  EXPECT_NEAR(share * 0.02, 0.01688, 1e-5);
+  const Scene film = scene_of(kFilm);
+  const BearingModel model = make_bearing_model(film);
+  EXPECT_NEAR(model.guide_clearance - model.land_clearance, 1e-6, 1e-15);
+}
+
+TEST(LandFilm, IsOffBySwitchAndWhereNoLandGuides) {
+  EXPECT_FALSE(guide_film_of(kFilm + "lubrication.land_film = false\n").on);
+  EXPECT_FALSE(guide_film_of(kFilm + "cage.guidance = 'roller'\n").on);
+  EXPECT_FALSE(guide_film_of(kNone + "lubrication.land_film = true\n").on);
+  const BearingModel dry = make_bearing_model(scene_of(kFilm + "lubrication.land_film = false\n"));
+  EXPECT_EQ(dry.land_clearance, dry.guide_clearance);
+}
+
+TEST(LandFilm, WantsRoom) {
+  EXPECT_THAT(
+      problem_of(kFilm + "lubrication.land_film_least_um = 60\n"),
+      HasSubstr("t.toml:2: lubrication.land_film_least_um = 60: roughness this high fills the "
+                "guide clearance (200 um)"));
+  EXPECT_THAT(
+      problem_of(kFilm + "lubrication.land_film_width_mm = 8\n"),
+      HasSubstr("t.toml:2: lubrication.land_film_width_mm = 8: two lands this wide do not fit"));
+  const std::string off = kFilm + "lubrication.land_film = false\n";
+  EXPECT_EQ(problem_of(off + "lubrication.land_film_least_um = 60\n"), "no error");
+  EXPECT_EQ(problem_of(kFilm + "lubrication.land_film_width_mm = 8\ncage.guidance = 'roller'\n"),
+            "no error");
+}
+
+}  // namespace
+}  // namespace cagetol
