@@ -54,4 +54,10 @@ void SampleHistory::record(const Instant& at) {
   }
 }
 
+void SampleHistory::restart(double begin) {
+  window_->settle = begin;
+  next_ = 0;
+  std::fill(values_.begin(), values_.end(), std::numeric_limits<double>::quiet_NaN());
+}
+
 }  // namespace cagetol

@@ -29,6 +29,9 @@ class SampleHistory {
   /// To be called at every accepted state, in the order of time.
   void record(const Instant& at);
 
+  /// To be called where the measuring window begins anew: what was recorded is forgotten.
+  void restart(double begin);
+
   /// Column by column, history.points values each, NaN from where the run ended early; empty where
   /// no instant was reached.
   std::vector<double> take() { return next_ > 0 ? std::move(values_) : std::vector<double>(); }

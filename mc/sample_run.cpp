@@ -37,6 +37,7 @@ SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions o
   const HistoryPlan& plan = study.history;
   std::optional<SampleHistory> history;
   if (plan.points > 0) history.emplace(plan, scene);
+  if (history) options.on_window = [&](double begin) { history->restart(begin); };
   std::optional<CageStress> stress;
   if (history || on_instant)
     options.on_state = [&](double t, const double* y, const System& system) {

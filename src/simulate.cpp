@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 
 #include "src/cage/scene_cage.hpp"
 #include "src/cage/unsolved_cage.hpp"
@@ -74,12 +75,21 @@ constexpr double kStepErrorMax = 1;
 /// Share of the roller positions that statics may miss.
 constexpr double kMissedMax = 0.5;
 
+/// Empty, or what still drifts at the end of the window.
+std::string find_drift(const Scene& scene, const BearingModel& model, const Observer& observer) {
+  if (!observer.stationarity()) return {};
+  return observer.stationarity()->find_drift({kinematic_cage_speed(model, model.inner_speed),
+                                              scene.watch.cage_drift_max,
+                                              scene.watch.power_surplus_max});
+}
+
 void judge(const Scene& scene, const BearingModel& model, const WindowTimes& times,
            double step_error, const Observer& observer, Outcome& outcome) {
   const RunRecord& run = outcome.run;
   const double blur = observer.energy_resolution(scene.integration.tolerance),
                statics_blur = observer.static_resolution();
   const double lean = observer.largest_lean(), tilt = observer.largest_tilt();
+  const std::string drift = find_drift(scene, model, observer);
   const long positions = observer.static_positions(), missed = observer.static_positions_missed();
   if (!(tilt <= kLeanMax)) {
     outcome.status = Status::failed;
@@ -110,6 +120,12 @@ void judge(const Scene& scene, const BearingModel& model, const WindowTimes& tim
                      number(scene.watch.energy_residual_max + blur) +
                      ": steps make or lose energy; remedy: tighten integration.tolerance (shorten "
                      "integration.fixed_step_us)";
+  } else if (!drift.empty()) {
+    outcome.status = Status::failed;
+    outcome.reason =
+        "not stationary after " + number(times.settle) + " s of settling: " + drift +
+        "; remedy: raise window.longest_settle_revolutions or window.settle_revolutions (a cage "
+        "that skids may take hundreds), or start nearer to the steady motion (start.state)";
   } else if (!(lean <= kLeanMax)) {
     outcome.status = Status::failed;
     outcome.reason = "a roller leaned by " + number(lean) + " rad, more than " + number(kLeanMax) +
@@ -157,19 +173,27 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
     cage = std::get<std::shared_ptr<const CageModel>>(made);
   }
   const BearingModel model = make_bearing_model(scene, cage);
-  const WindowTimes times = window_times(scene, model);
+  WindowTimes times = window_times(scene, model);
   const std::vector<double> start = start_state(model, scene.start);
   PackVector y(start.begin(), start.end());
   System system(model);
   double t = 0;
   const auto integrator = make_integrator(scene.integration, system, t, y.data());
-  const double end = times.settle + times.measure;
-  Observer observer(model, times.settle, end);
+  double end = times.settle + times.measure;
+  std::optional<Observer> observer(std::in_place, model, times.settle, end);
 
   bool finite = system.linearise_at(t, y.data());
   StepStatus status = StepStatus::accepted;
   for (long n = 0; finite && status == StepStatus::accepted; ++n) {
-    if (t >= times.settle) observer.record(t, y.data(), system);
+    if (t >= times.settle) observer->record(t, y.data(), system);
+    if (t >= end && times.settle + times.measure <= times.longest_settle &&
+        !find_drift(scene, model, *observer).empty()) {
+      times.settle = end;
+      end += times.measure;
+      observer.emplace(model, times.settle, end);
+      observer->record(t, y.data(), system);
+      if (options.on_window) options.on_window(times.settle);
+    }
     if (options.on_state) options.on_state(t, y.data(), system);
     if (t >= end) break;
     if (n % kStepsBetweenQuestions == 0) {
@@ -194,13 +218,13 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
   run.factorisations = static_cast<double>(system.counts.factorisations);
   run.smallest_step_s = system.counts.smallest_step;
   if (finite && status == StepStatus::accepted) {
-    run.cage_revolutions = observer.cage_revolutions();
-    run.energy_residual = observer.energy_residual();
-    run.static_consistency_error = observer.static_consistency_error();
-    run.static_positions_missed = static_cast<double>(observer.static_positions_missed());
-    outcome.quantities = observer.quantities();
-    outcome.cage_peak = observer.cage_peak();
-    judge(scene, model, times, system.counts.largest_step_error, observer, outcome);
+    run.cage_revolutions = observer->cage_revolutions();
+    run.energy_residual = observer->energy_residual();
+    run.static_consistency_error = observer->static_consistency_error();
+    run.static_positions_missed = static_cast<double>(observer->static_positions_missed());
+    outcome.quantities = observer->quantities();
+    outcome.cage_peak = observer->cage_peak();
+    judge(scene, model, times, system.counts.largest_step_error, *observer, outcome);
   } else {
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
     outcome.status = status == StepStatus::out_of_budget ? Status::censored : Status::failed;

@@ -24,6 +24,8 @@ struct SimulateOptions {
   /// Called at every accepted state, linearised (src/integration/system.hpp): time histories,
   /// tests.
   std::function<void(double t, const double* y, const System& system)> on_state = {};
+  /// Called before on_state where the measuring window begins anew, because settling is extended.
+  std::function<void(double begin)> on_window = {};
   /// Asked every few hundred steps; true ends the run as `not_run`. For signals and wall limits
   /// only.
   std::function<bool()> stop_requested = {};

@@ -6,8 +6,9 @@
 namespace cagetol {
 
 struct WindowTimes {
-  double settle;   ///< before the measuring window [s]
-  double measure;  ///< length of the measuring window [s]
+  double settle;          ///< before the measuring window [s]
+  double measure;         ///< length of the measuring window [s]
+  double longest_settle;  ///< to which settling is extended where a motion drifts [s]
 };
 
 /// Windows given in cage revolutions are taken at the kinematic cage speed.

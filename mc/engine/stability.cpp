@@ -26,6 +26,7 @@ std::string brief(const SuiteCell& cell) {
   if (o.status != Status::ok)
     return o.reason.starts_with("static")
                ? fmt::format("statics {:.2g}", o.run.static_consistency_error)
+           : o.reason.starts_with("not stationary") ? "drifts"
            : o.reason.starts_with("energy") ? fmt::format("energy {:.2g}", o.run.energy_residual)
                                             : "stopped";
   return std::isfinite(cell.trajectory_error) ? fmt::format("{:.1g}", cell.trajectory_error) : "-";

@@ -38,8 +38,9 @@ std::vector<Scene> starts_of(const Scene& scene, int count) {
 Trajectory follow(const Scene& scene, double horizon, SimulateOptions options) {
   Scene brief = scene;
   brief.window.settle_time = brief.window.measure_time = horizon / 2;
-  brief.watch.static_consistency_max = brief.watch.energy_residual_max =
-      std::numeric_limits<double>::infinity();  // nothing has settled yet
+  Watch& watch = brief.watch;
+  watch.static_consistency_max = watch.energy_residual_max = watch.cage_drift_max =
+      watch.power_surplus_max = std::numeric_limits<double>::infinity();  // nothing has settled yet
   Trajectory trajectory;
   options.on_state = [&](double t, const double* y, const System& system) {
     for (std::size_t k = 0; k < 2; ++k)

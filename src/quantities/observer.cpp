@@ -23,6 +23,14 @@ constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that 
 constexpr double kLoadedShare = 0.01;        // of the applied load
 constexpr double kResolvedTolerance = 1e-3;  // the default's: of the energy account, at most
 constexpr double kDisplacementFloor = 1e-6;  // of the consistency error [m]
+constexpr double kTurnsToDrift = 2;          // of the cage: within one its speed goes up and down
+
+/// Whether the motion should repeat itself within the window, and whether it would show.
+bool should_be_stationary(const BearingModel& m, double begin, double end) {
+  const double turns =
+      std::abs(kinematic_cage_speed(m, m.inner_speed)) * (end - begin) / (2 * std::numbers::pi);
+  return m.lubricated && std::max(m.load_ramp, m.speed_ramp) <= begin && turns >= kTurnsToDrift;
+}
 
 }  // namespace
 
@@ -44,6 +52,7 @@ Observer::Observer(const BearingModel& model, double begin, double end)
       statics_interval_((end - begin) / kStaticsInstants),
       clock_(begin, kRecordInterval) {
   if (model.flexible.model) stress_.emplace(*model.flexible.model);
+  if (should_be_stationary(model, begin, end)) stationarity_.emplace(begin, end);
 }
 
 void Observer::record(double t, const double* y, const System& system) {
@@ -62,7 +71,7 @@ void Observer::record(double t, const double* y, const System& system) {
   const double cage_y = q[kCageY] - e_y, cage_z = q[kCageZ] - e_z;
   const double cage_vy = v[kCageY] + v[kCagePhi] * e_z, cage_vz = v[kCageZ] - v[kCagePhi] * e_y;
 
-  const double energy = body_energy(model_, y) + seen.elastic_energy;
+  const double moving = body_energy(model_, y), energy = moving + seen.elastic_energy;
   if (first) {
     first_energy_ = energy;
     first_ring_speed_ = v[kRingZ];
@@ -75,8 +84,11 @@ void Observer::record(double t, const double* y, const System& system) {
   net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
                 seen.net_power_rate);
   drive_.add(seen.drive_power, step);
-  dissipation_.add(seen.friction_power + seen.damping_power, step);
+  const double lost = seen.friction_power + seen.damping_power;
+  dissipation_.add(lost, step);
   for (std::size_t k = 0; k < kMechanisms; ++k) lost_[k].add(seen.lost[k], step);
+  if (stationarity_)
+    stationarity_->record(t, {v[kCagePhi], moving, seen.drive_power + seen.load_power, lost});
 
   const double angle = std::atan2(cage_z, cage_y);
   orbit_turned_ += std::remainder(angle - orbit_angle_, 2 * std::numbers::pi);
@@ -104,6 +116,9 @@ void Observer::record(double t, const double* y, const System& system) {
   guide_force_.add(seen.land_force[0] + seen.land_force[1], step);
   guide_impacts_.see(0, Mask{-seen.land_touching[0], -seen.land_touching[1]});
   end_displacement_ = -q[kRingZ];
+  const double* angles = y + l.position(kAngle, 0);
+  orbit_slip_.record(t, q[kCagePhi], std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers,
+                     inner_speed_at(model_, t));
   record_rollers(y, system, step);
   record_statics(t, y);
   if (stress_) record_stress(t, y, seen);
@@ -159,8 +174,11 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
     roller_speed_.add(k, spin, here, step);
     const Pack slip = rolls > 0 ? 1.0 - abs(spin - orbit) * rolls : Pack{};
     slip_all_.add(k, slip, here, step);
-    const Mask loaded = here & (force(seen.inner_force) > threshold);
+    const Pack carried = force(seen.inner_force);
+    const Mask loaded = here & (carried > threshold);
     slip_loaded_.add(k, slip, loaded, step);
+    carried_.add(k, carried, here, step);
+    carried_orbit_.add(k, carried * orbit, here, step);
     sliding_.add_above(k, force(seen.inner_sliding), force(seen.inner_force), threshold, here,
                        step);
     const Pack leading = force(seen.leading_force), trailing = force(seen.trailing_force),
@@ -268,6 +286,13 @@ std::vector<double> Observer::quantities() const {
   const double revolutions = std::max(revolutions_, 1e-12);
   q["cage_slip_ratio"] =
       inner_speed != 0 ? 1 - cage_speed / kinematic_cage_speed(model_, inner_speed) : none;
+  q["orbit_slip_ratio"] =
+      inner_speed != 0 ? 1 - orbit_slip_.rate_ratio() / kinematic_cage_speed(model_, 1) : none;
+  const double carried = carried_.all().mean();
+  q["orbit_slip_ratio_loaded"] =
+      inner_speed != 0 && carried > 0
+          ? 1 - carried_orbit_.all().mean() / carried / kinematic_cage_speed(model_, inner_speed)
+          : none;
   q["roller_slip_ratio_loaded"] = slip_loaded_.all().mean();
   q["roller_slip_ratio_all"] = slip_all_.all().mean();
   const Series sliding = sliding_.all(), skew = skew_.all(), speeds = roller_speed_.all();

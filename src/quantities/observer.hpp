@@ -10,7 +10,9 @@
 #include "src/integration/system.hpp"
 #include "src/outcome.hpp"
 #include "src/quantities/cage_stress.hpp"
+#include "src/quantities/orbit_slip.hpp"
 #include "src/quantities/series.hpp"
+#include "src/quantities/stationarity.hpp"
 
 namespace cagetol {
 
@@ -38,6 +40,9 @@ class Observer {
   /// Roller positions compared with statics, and those of them at which statics failed.
   long static_positions() const { return static_positions_; }
   long static_positions_missed() const { return static_positions_missed_; }
+  /// Whether the motion drifts through the window; none where that cannot be told or is meant: a
+  /// dry bearing, a ramp or less than two turns of the cage within the window, standstill.
+  const std::optional<Stationarity>& stationarity() const { return stationarity_; }
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
   /// Largest angle between a roller's axis and the bearing's [rad].
@@ -83,6 +88,9 @@ class Observer {
       ring_elastic_z_, tilt_y_, tilt_z_;
   StepSeries whirl_radius_{kPeak | kQuantiles}, guide_force_{kPeak | kQuantiles},
       ring_y_{kQuantiles}, ring_z_{kQuantiles}, ring_tilt_{kPeak};
+  OrbitSlip orbit_slip_;
+  std::optional<Stationarity> stationarity_;
+  RollerSeries carried_, carried_orbit_;  ///< force on the inner race [N], and times orbital rate
   RollerSeries slip_loaded_, slip_all_, sliding_{kPeak}, roller_speed_;
   RollerSeries skew_{kQuantiles}, tilt_{kQuantiles}, pocket_force_{kPeak | kQuantiles},
       wall_force_{kPeak | kQuantiles};

@@ -65,6 +65,10 @@ PlausibleRange cage_slip(Reach r) {
   const double most = r.slowest > 0 ? 2 * r.orbit_ratio * r.fastest / r.slowest : kInfinite;
   return within(1 - most, 1 + most);
 }
+PlausibleRange orbit_slip(Reach r) {
+  const double most = r.slowest > 0 ? r.orbit_ratio * r.orbit_rate / r.slowest : kInfinite;
+  return within(1 - most, 1 + most);
+}
 double turned(Reach r) {
   return 2 * std::numbers::pi * r.revolutions;
 }
@@ -101,6 +105,8 @@ constexpr const char* kSlipReason =
     "the fastest surface it touches";
 constexpr const char* kCageSlipReason =
     "nothing drives the cage faster than the inner ring turns, forwards or backwards";
+constexpr const char* kOrbitSlipReason =
+    "rollers go round no faster than the inner race and a free fall through the bearing move them";
 constexpr const char* kSlidingReason =
     "surfaces slide no faster than the inner race and a free fall through the bearing move them";
 constexpr const char* kWhirlReason =
@@ -131,6 +137,8 @@ constexpr const char* kStressReason =
 const std::vector<PlausibleRow>& plausible_rows() {
   static const std::vector<PlausibleRow> rows = {
       {"cage_slip_ratio", turning, cage_slip, kCageSlipReason, kTighten},
+      {"orbit_slip_ratio", turning, orbit_slip, kOrbitSlipReason, kTighten},
+      {"orbit_slip_ratio_loaded", never, orbit_slip, kOrbitSlipReason, kTighten},
       {"roller_slip_ratio_loaded", never, roller_slip, kSlipReason, kTighten},
       {"roller_slip_ratio_all", moving, roller_slip, kSlipReason, kTighten},
       {"race_sliding_speed_rms", never, [](Reach r) { return magnitude(r.speed); }, kSlidingReason, kTighten},

@@ -128,6 +128,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
                       walls.energy(offset_x + length_pinch)) +
            lands.energy(offset - m.land_clearance);
   speed += std::sqrt(2 * energy / m.ring_mass);
+  orbit_rate = speed / m.pitch_radius;
 
   pocket_force = bars.force(bars.depth(energy) + pinch, 2 * speed);
   end_force = walls.force(walls.depth(energy) + length_pinch, 2 * speed);

@@ -30,7 +30,8 @@ struct PlausibleReach {
 
   /// Largest magnitude of the inner ring's speed in the run, and smallest in the window [rad/s].
   double fastest, slowest;
-  double speed;   ///< of any surface: twice that of the inner race and of a free fall [m/s]
+  double speed;       ///< of any surface: twice that of the inner race and of a free fall [m/s]
+  double orbit_rate;  ///< of a roller about the bearing's axis, at that speed [rad/s]
   double energy;  ///< that the bearing can hold: kinetic at that speed, of load and of start [J]
 
   double ring_move;    ///< of the inner ring from the middle: clearance and elastic approach [m]

@@ -7,6 +7,12 @@ const std::vector<Quantity>& quantity_table() {
       {"cage_slip_ratio", "-",
        "1 - w_c/(w_i R_i/(R_i + R_o)), w_c the mean cage speed, R the actual race radii; none at "
        "standstill"},
+      {"orbit_slip_ratio", "-",
+       "the same with the mean orbital rate of all rollers in place of w_c, over the whole turns of "
+       "the cage in the window"},
+      {"orbit_slip_ratio_loaded", "-",
+       "the same with the mean orbital rate of rollers weighted by their inner-race force: the slip "
+       "of those that drive, which a cage that hangs off centre does not touch"},
       {"roller_slip_ratio_loaded", "-",
        "mean of 1 - |w_s - theta'|/w_kin over rollers whose inner-race force exceeds 1 % of the "
        "load; "

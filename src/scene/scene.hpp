@@ -177,10 +177,11 @@ struct Start {
 };
 
 struct Window {
-  double settle_revolutions = 2;   ///< cage revolutions before measuring
-  double measure_revolutions = 6;  ///< cage revolutions measured
-  double settle_time = kAuto;      ///< overrides settle_revolutions [s]
-  double measure_time = kAuto;     ///< overrides measure_revolutions [s]
+  double settle_revolutions = 2;           ///< cage revolutions before measuring
+  double measure_revolutions = 6;          ///< cage revolutions measured
+  double longest_settle_revolutions = 60;  ///< of a lubricated bearing whose motion drifts
+  double settle_time = kAuto;              ///< overrides settle_revolutions [s]
+  double measure_time = kAuto;             ///< overrides measure_revolutions [s]
 };
 
 struct Discretisation {
@@ -203,6 +204,8 @@ struct Integration {
 struct Watch {
   double static_consistency_max = 0.02;
   double energy_residual_max = 0.05;
+  double cage_drift_max = 0.001;    ///< of lubricated bearings (quantities/stationarity.hpp)
+  double power_surplus_max = 0.02;  ///< likewise
 };
 
 /// A value of the scene that nobody measured, and why it is what it is. Reports print them.

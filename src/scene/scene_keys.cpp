@@ -175,6 +175,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"start.cage_phase_deg", any_value(), AT(start.cage_phase), "angle by which rollers and cage are turned together at the start"},
       {"window.settle_revolutions", at_least(0), AT(window.settle_revolutions), "cage revolutions before measuring"},
       {"window.measure_revolutions", above(0), AT(window.measure_revolutions), "cage revolutions measured"},
+      {"window.longest_settle_revolutions", at_least(0), AT(window.longest_settle_revolutions), "cage revolutions to which settling is extended, by the length of the window at a time, while a lubricated bearing drifts; after that the run has failed"},
       {"window.settle_time_s", or_auto(at_least(0)), AT(window.settle_time), "time before measuring; auto: settle_revolutions"},
       {"window.measure_time_s", or_auto(above(0)), AT(window.measure_time), "time measured; auto: measure_revolutions"},
       {"window.history_interval_us", above(0), AT(history_interval), "interval of time histories, where they are asked for"},
@@ -190,6 +191,8 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"integration.wall_budget_s", at_least(0), AT(integration.wall_budget), "wall-clock limit of a run, ends it as not run; 0: none"},
       {"watch.static_consistency_max", above(0), AT(watch.static_consistency_max), "a run whose static consistency error is larger, by more than its window tells, has failed"},
       {"watch.energy_residual_max", above(0), AT(watch.energy_residual_max), "a run whose relative energy residual is larger, by more than its steps resolve, has failed"},
+      {"watch.cage_drift_max", above(0), AT(watch.cage_drift_max), "a lubricated bearing is not stationary while the mean speed of its cage changes by more than this share of the kinematic speed over the window, and by more than chance"},
+      {"watch.power_surplus_max", above(0), AT(watch.power_surplus_max), "likewise while it stores or gives back energy of motion by more than this share of the power dissipated"},
   };
   keys.insert(keys.end(), table.begin(), table.end());
 }

@@ -118,5 +118,23 @@ TEST_F(SampleHistoryTest, ARunThatEndsEarlyLeavesTheRestUndefined) {
   EXPECT_TRUE(std::isnan(part.back()));
 }
 
+// A lubricated bearing without load, whose cage slows down for many turns: windows of two turns
+// begin at 0, 2 and 4 of them.
+TEST_F(SampleHistoryTest, IsThatOfTheLastWindowWhereSettlingIsExtended) {
+  scene_.lubrication.model = "film";
+  scene_.operation.radial_load = 0;
+  scene_.model.rollers = "planar";
+  scene_.discretisation = {.race_slices = 1, .bar_stations = 1};
+  scene_.window.settle_revolutions = 0;
+  scene_.window.measure_revolutions = 2;
+  scene_.window.longest_settle_revolutions = 4;
+  const SampleRun extended = run(kPoints);
+  const double end = extended.outcome.run.simulated_s;
+  const auto time = column(extended, "time");
+  EXPECT_EQ(time.back(), end);
+  EXPECT_NEAR(time.front(), end * (4 + 2.0 / kPoints) / 6, 60e-6);  // a step is 50 us at most
+  EXPECT_NEAR(time[kPoints / 2 - 1], end * 5 / 6, 60e-6);
+}
+
 }  // namespace
 }  // namespace cagetol

@@ -1,8 +1,11 @@
 // Watches speak where a run is wrong, not where a window cannot tell: light and no load, preload,
 // standstill, short windows.
 #include <gtest/gtest.h>
+#include <cmath>
 
+#include "src/dynamics/bearing_model.hpp"
 #include "src/simulate.hpp"
+#include "tests/support/aero_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
@@ -103,6 +106,110 @@ TEST(Watches, StillFindAWindowThatHasNotSettled) {
   Scene scene = watched_run(0, 0.2e-3);
   scene.start.state = "centred";
   expect_failed(scene, "static consistency error");
+}
+
+/// Lubricated, and so lightly loaded that its cage skids: from rolling it takes some thirty turns
+/// to slow down.
+Scene skidding_bearing() {
+  Scene scene = shipped_scene("nu205");
+  scene.model.rollers = "planar";
+  scene.discretisation = {.race_slices = 1, .bar_stations = 1};
+  scene.lubrication.model = "film";
+  scene.lubrication.viscosity = 0.02;
+  scene.operation.radial_load = 20;
+  scene.start.state = "equilibrium";
+  scene.watch.static_consistency_max = 1;  // statics has rollers roll
+  return scene;
+}
+double turns(const Outcome& outcome) {
+  const Scene scene = skidding_bearing();
+  const BearingModel model = make_bearing_model(scene);
+  return outcome.run.simulated_s * kinematic_cage_speed(model, model.inner_speed) / (2 * M_PI);
+}
+
+// By whole windows, and to the slip of a run that has settled longer.
+TEST(Watches, ADriftingRunSettlesLonger) {
+  Scene scene = skidding_bearing();
+  int restarts = 0;
+  double begin = 0;
+  const Outcome extended = simulate(scene, {.on_window = [&](double t) {
+                                      ++restarts;
+                                      begin = t;
+                                    }});
+  EXPECT_EQ(extended.status, Status::ok) << extended.reason;
+  EXPECT_GE(restarts, 2);
+  EXPECT_NEAR(turns(extended), 8 + 6 * restarts, 0.01);
+  EXPECT_NEAR(begin / extended.run.simulated_s, (2 + 6.0 * restarts) / (8 + 6 * restarts), 1e-6);
+  scene.window.settle_revolutions = 50;
+  const Outcome settled = simulate(scene);
+  EXPECT_EQ(settled.status, Status::ok) << settled.reason;
+  EXPECT_NEAR(turns(settled), 56, 0.01);
+  const double slip = quantity(settled, "cage_slip_ratio");
+  EXPECT_GT(slip, 0.3);
+  EXPECT_NEAR(quantity(extended, "cage_slip_ratio"), slip, 0.01 * slip);
+}
+
+TEST(Watches, ARunThatDriftsThroughAllOfItsSettlingHasFailed) {
+  Scene scene = skidding_bearing();
+  scene.window.longest_settle_revolutions = 8;
+  expect_failed(scene, "not stationary after 0.19");
+  scene.window.longest_settle_revolutions = 0;
+  expect_failed(scene, "not stationary after 0.049");
+  scene.watch.cage_drift_max = 1;  // of the power dissipated its own energy gives a tenth
+  expect_failed(scene, "not stationary");
+  EXPECT_NE(simulate(scene).reason.find("drive and load give"), std::string::npos);
+  scene.watch.power_surplus_max = 1;
+  expect_ok(scene);
+}
+
+// What is meant to drift, what a window cannot tell, and what has no oil.
+TEST(Watches, NotEveryDriftIsAFault) {
+  const auto expect_unjudged = [](Scene scene, double settled) {
+    const Outcome outcome = simulate(scene);
+    EXPECT_EQ(outcome.status, Status::ok) << outcome.reason;
+    EXPECT_NEAR(turns(outcome), settled + scene.window.measure_revolutions, 0.01);
+  };
+  Scene ramp = skidding_bearing();
+  ramp.window.settle_revolutions = 1;
+  ramp.window.measure_revolutions = 2.5;
+  ramp.operation.speed_ramp_from = 500;
+  ramp.operation.speed_ramp = 40e-3;
+  expect_unjudged(ramp, 1);
+  ramp.operation.speed_ramp = 20e-3;  // over before the window begins
+  ramp.window.longest_settle_revolutions = 0;
+  expect_failed(ramp, "not stationary");
+  Scene brief = skidding_bearing();
+  brief.window.measure_revolutions = 1.9;
+  expect_unjudged(brief, 2);
+  Scene dry = skidding_bearing();
+  dry.lubrication.model = "none";
+  dry.operation.radial_load = 0;
+  dry.window.measure_revolutions = 2.5;
+  expect_unjudged(dry, 2);
+}
+
+// Its first window says 4 % of slip, three hundred turns later it is 90 %.
+TEST(Watches, ASkiddingAeroBearingIsNotStationary) {
+  Scene scene = aero_bearing(100);
+  scene.start.state = "equilibrium";
+  scene.window.longest_settle_revolutions = 0;
+  const Outcome outcome = simulate(scene);
+  EXPECT_EQ(outcome.status, Status::failed);
+  EXPECT_TRUE(outcome.reason.starts_with("not stationary")) << outcome.reason;
+  EXPECT_LT(quantity(outcome, "cage_slip_ratio"), 0.1);
+}
+
+TEST(NightlyWatches, TheDefaultRunOfASkiddingAeroBearingIsThatOf300TurnsOrFails) {
+  Scene scene = aero_bearing(100);
+  const Outcome run = simulate(scene);
+  if (run.status != Status::ok) {
+    EXPECT_EQ(run.status, Status::failed);
+    EXPECT_TRUE(run.reason.starts_with("not stationary")) << run.reason;
+    return;
+  }
+  scene.window.settle_revolutions = 294;
+  const double slip = quantity(simulate(scene), "cage_slip_ratio");
+  EXPECT_NEAR(quantity(run, "cage_slip_ratio"), slip, 0.1 * slip);
 }
 
 }  // namespace
