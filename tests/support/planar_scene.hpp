@@ -1,0 +1,42 @@
+// A scene of the program that is set like the planar reference (planar_bearing_reference.hpp): what
+// that leaves out is switched off, the rest is taken from it.
+#pragma once
+
+#include "src/scene/scene.hpp"
+#include "tests/support/planar_bearing_reference.hpp"
+
+namespace cagetol {
+
+inline Scene planar_scene(const PlanarBearing& bearing) {
+  Scene scene;  // NU 205 with straight rollers and one slice
+  scene.model.rollers = "planar";
+  scene.operation.gravity = 0;
+  scene.operation.radial_load = bearing.load;
+  scene.operation.inner_speed = bearing.inner_speed;
+  scene.discretisation.race_slices = scene.discretisation.bar_stations = 1;
+  scene.cage.pocket_width = {2 * (bearing.roller_radius + bearing.half_clearance)};
+  scene.cage.polar_inertia = bearing.cage_inertia;
+  // So heavy that no force moves it from the middle, where it touches no land.
+  scene.cage.mass = 1e6;
+  scene.cage.transverse_inertia = 1e3;
+  // Perfectly elastic bodies: only oil damps.
+  scene.contact.race.restitution = scene.contact.bar.restitution = 1;
+  scene.contact.friction_static = bearing.friction.static_coefficient;
+  scene.contact.friction_dynamic = bearing.friction.dynamic_coefficient;
+  scene.contact.static_speed = bearing.friction.static_speed;
+  scene.contact.dynamic_speed = bearing.friction.dynamic_speed;
+  Lubrication& oil = scene.lubrication;
+  oil.model = "film";
+  oil.viscosity = bearing.oil.viscosity;
+  oil.pressure_viscosity = bearing.oil.pressure_viscosity;
+  oil.eyring_stress = bearing.oil.eyring;
+  oil.limiting_shear = bearing.oil.limiting;
+  oil.race_roughness = bearing.oil.race_roughness;
+  oil.pocket_roughness = bearing.oil.pocket_roughness;
+  oil.race_layer = bearing.oil.race_layer;
+  oil.pocket_layer = bearing.oil.pocket_layer;
+  oil.inlet_heating = false;
+  return scene;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,108 @@
+// Runs of the program's planar, lubricated bearing against an independent one (planar
+// reference): friction torque, the ring's place, and the load at which the cage slips a tenth.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "src/simulate.hpp"
+#include "tests/support/planar_scene.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Both runs of one bearing over the same time.
+struct BothRuns {
+  PlanarOutcome reference;
+  Outcome program;
+};
+BothRuns both_runs(const PlanarBearing& bearing, double settle, double measure) {
+  Scene scene = planar_scene(bearing);
+  scene.window.settle_time = settle;
+  scene.window.measure_time = measure;
+  PlanarRun run;
+  run.settle = settle;
+  run.measure = measure;
+  return {planar_bearing_run(bearing, run), simulate(scene)};
+}
+
+class LubricatedBearingRun : public testing::TestWithParam<double> {};
+
+TEST_P(LubricatedBearingRun, TorqueAndDisplacementAreTheReferences) {
+  PlanarBearing bearing;
+  bearing.load = GetParam();
+  const auto [reference, program] = both_runs(bearing, 0.1, 0.1);
+  const double torque = 1e-3 * quantity(program, "friction_torque_Nmm");
+  RecordProperty("torque", std::to_string(1e3 * reference.torque));
+  RecordProperty("ours", std::to_string(1e3 * torque));
+  EXPECT_NEAR(torque / reference.torque, 1, 0.03);
+  EXPECT_NEAR(quantity(program, "power_loss_W") / bearing.inner_speed / reference.torque, 1, 0.03);
+  EXPECT_NEAR(1e-6 * quantity(program, "ring_displacement_mean_um") / reference.displacement, 1,
+              0.005);
+  EXPECT_NEAR(quantity(program, "cage_slip_ratio"), reference.cage_slip,
+              0.002 + 0.05 * reference.cage_slip);
+  // The reference's own account closes.
+  EXPECT_NEAR(reference.drive / reference.torque, 1, 0.03);
+}
+INSTANTIATE_TEST_SUITE_P(Loads, LubricatedBearingRun, testing::Values(300, 1000, 3000),
+                         [](const auto& test) {
+                           return std::to_string(static_cast<int>(test.param)) + "N";
+                         });
+
+/// Load at which a run slips a tenth, between two on either side: slip falls about exponentially.
+double load_of_a_tenth(double less, double slip_less, double more, double slip_more) {
+  EXPECT_GT(slip_less, 0.1);
+  EXPECT_LT(slip_more, 0.1);
+  return less + (more - less) * std::log(slip_less / 0.1) / std::log(slip_less / slip_more);
+}
+
+TEST(LubricatedBearingSkid, BothSlipATenthAtTheSameLoad) {
+  PlanarBearing bearing;
+  const double less = 155, more = 175;
+  bearing.load = less;
+  const BothRuns a = both_runs(bearing, 0.2, 0.1);
+  bearing.load = more;
+  const BothRuns b = both_runs(bearing, 0.2, 0.1);
+  const double due = load_of_a_tenth(less, a.reference.cage_slip, more, b.reference.cage_slip),
+               ours = load_of_a_tenth(less, quantity(a.program, "cage_slip_ratio"), more,
+                                      quantity(b.program, "cage_slip_ratio"));
+  RecordProperty("reference", std::to_string(due));
+  RecordProperty("ours", std::to_string(ours));
+  EXPECT_NEAR(ours / due, 1, 0.04);
+}
+
+// With the drag of oil and the guide lands, which take part in braking the cage: the load that the
+// prototype of this model found, and SKF asks for (171 N).
+TEST(LubricatedBearingSkid, NightlyReferenceWithDragSlipsATenthAtTheKnownLoad) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
+  PlanarBearing bearing;
+  bearing.drag_density = 0.02 * 870 + 1.2;
+  // Petroff's moment of two lands: 4 pi eta r^3 w/c.
+  bearing.land_moment = 4 * 3.14159265358979 * 0.02 * std::pow(21.7e-3, 3) * 2.4e-3 / 0.2e-3;
+  const double less = 155, more = 185;
+  bearing.load = less;
+  const PlanarOutcome a = planar_bearing_run(bearing, {});
+  bearing.load = more;
+  const PlanarOutcome b = planar_bearing_run(bearing, {});
+  EXPECT_NEAR(load_of_a_tenth(less, a.cage_slip, more, b.cage_slip) / 172, 1, 0.08);
+}
+
+// Halving the step moves the reference by much less than the bars of the comparison.
+TEST(LubricatedBearingReference, NightlyConvergesWithItsStep) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
+  for (const double load : {165.0, 1000.0}) {
+    PlanarBearing bearing;
+    bearing.load = load;
+    PlanarRun run{.settle = 0.2, .measure = 0.1};
+    const PlanarOutcome coarse = planar_bearing_run(bearing, run);
+    run.step /= 2;
+    const PlanarOutcome fine = planar_bearing_run(bearing, run);
+    EXPECT_NEAR(coarse.torque / fine.torque, 1, 0.005) << load;
+    EXPECT_NEAR(coarse.cage_slip / fine.cage_slip, 1, 0.02) << load;
+    EXPECT_NEAR(coarse.displacement / fine.displacement, 1, 0.001) << load;
+  }
+}
+
+}  // namespace
+}  // namespace cagetol
