@@ -66,7 +66,9 @@ T traction_ratio(const Traction& law, const FrictionLaw& boundary, T load, T h, 
   const T limit = ratio / (law.limiting * pressure);
   const T film = ratio / sqrt(1.0 + limit * limit * squared);
   const T inlet = 2.849 * law.viscosity * sqrt(law.radius / h) * couette;
-  const T asperities = exp2(power(h * (1 / law.roughness), 1.2) * (-1.8 * kPerNatural));  // 1 - phi
+  // Of a thick film no power of two is left that a number could hold.
+  const T thick = min(power(h * (1 / law.roughness), 1.2), T{} + 380.0);
+  const T asperities = exp2(thick * (-1.8 * kPerNatural));  // 1 - phi
   return (1.0 - asperities) * (width * film + inlet) +
          asperities * friction(boundary, squared).ratio * load;
 }

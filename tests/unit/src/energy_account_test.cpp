@@ -53,36 +53,56 @@ INSTANTIATE_TEST_SUITE_P(Rollers, EnergyAccount,
                          testing::Values(Freedom::spatial, Freedom::planar, Freedom::tilting),
                          [](const auto& test) { return freedom_name(test.param); });
 
+/// Power in less dissipation less what is stored, relative to the powers.
+double open_power(const RandomBearing& b, const std::vector<double>& steps) {
+  System system(b.model);
+  system.linearise_at(b.t, b.y.data());
+  const PackVector rates = system.rate;
+  const Observation& seen = system.seen;
+  const double bodies = rate_along_motion(
+      b, rates, 1e-7, [&](const std::vector<double>& y) { return body_energy(b.model, y.data()); });
+  System moved(b.model);
+  const double in = seen.drive_power + seen.load_power,
+               out = seen.friction_power + seen.damping_power;
+  double open = 1;
+  for (const double step : steps) {
+    const double elastic = rate_along_motion(b, rates, step, [&](const std::vector<double>& y) {
+      moved.linearise_at(b.t, y.data());
+      return moved.seen.elastic_energy;
+    });
+    const double size = std::abs(seen.drive_power) + std::abs(seen.load_power) +
+                        std::abs(seen.friction_power) + std::abs(seen.damping_power) +
+                        std::abs(elastic);
+    open = std::min(open, std::abs(bodies + elastic - (in - out)) / size);
+  }
+  return open;
+}
+
+// Planar rollers have little power to measure by: rounding spoils short differences, a contact that
+// opens or closes long ones.
+std::vector<double> difference_steps(Freedom freedom) {
+  return freedom == Freedom::planar ? std::vector<double>{2e-9, 8e-9} : std::vector<double>{2e-9};
+}
+
 TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredInEveryState) {
   double worst = 0;
   for (unsigned seed = 0; seed < 240; ++seed) {
-    const RandomBearing b = bearing(seed, GetParam());
-    System system(b.model);
-    system.linearise_at(b.t, b.y.data());
-    const PackVector rates = system.rate;
-    const Observation& seen = system.seen;
-    const double bodies = rate_along_motion(b, rates, 1e-7, [&](const std::vector<double>& y) {
-      return body_energy(b.model, y.data());
-    });
-    System moved(b.model);
-    const double in = seen.drive_power + seen.load_power,
-                 out = seen.friction_power + seen.damping_power;
-    double open = 1;
-    // Planar rollers have little power to measure by: rounding spoils short differences, a contact
-    // that opens or closes long ones.
-    const std::vector<double> planar{2e-9, 8e-9}, spatial{2e-9};
-    for (const double step : GetParam() == Freedom::planar ? planar : spatial) {
-      const double elastic = rate_along_motion(b, rates, step, [&](const std::vector<double>& y) {
-        moved.linearise_at(b.t, y.data());
-        return moved.seen.elastic_energy;
-      });
-      const double size = std::abs(seen.drive_power) + std::abs(seen.load_power) +
-                          std::abs(seen.friction_power) + std::abs(seen.damping_power) +
-                          std::abs(elastic);
-      open = std::min(open, std::abs(bodies + elastic - (in - out)) / size);
-    }
+    const double open = open_power(bearing(seed, GetParam()), difference_steps(GetParam()));
     worst = std::max(worst, open);
     EXPECT_LT(open, 2e-9) << "seed " << seed;
+  }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredWhereOilLiesInTheGaps) {
+  double worst = 0;
+  for (unsigned seed = 0; seed < 96; ++seed) {
+    const RandomBearing b = random_bearing(
+        seed, {.modes = seed % 2 == 0 ? 0 : 5, .freedom = GetParam(), .lubricated = true});
+    const double open = open_power(b, difference_steps(GetParam()));
+    worst = std::max(worst, open);
+    // Entrainment takes the lever of a roller that lies on its race, where a gap is 30 um.
+    EXPECT_LT(open, 4e-6) << "seed " << seed;
   }
   RecordProperty("worst", std::to_string(worst));
 }

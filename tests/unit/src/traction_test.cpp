@@ -49,6 +49,19 @@ TEST(Traction, RoughSurfacesRubAsDryOnes) {
                 2e-3 * friction(boundary, du * du).ratio * 1e4);
 }
 
+// A roller that has left the outer race: 150 times the roughness and more.
+TEST(Traction, ThickFilmsShearLikeOilInEveryLane) {
+  const LubricatedContact c;
+  const Traction law = traction_law(c, 0.2e-6);
+  const FrictionLaw boundary;
+  for (const double h : {10e-6, 30e-6, 100e-6, 1e-3}) {
+    const double due = 2.849 * c.viscosity * std::sqrt(c.radius / h), q = 1e-3;
+    const Pack packed = traction_ratio(law, boundary, splat(q), splat(h), splat(0.04), splat(1.0));
+    EXPECT_NEAR(packed[0], due, 1e-3 * due) << h;
+    EXPECT_NEAR(traction_ratio(law, boundary, q, h, 0.04, 1.0), packed[0], 1e-9 * due) << h;
+  }
+}
+
 TEST(Traction, ShareOfTheAsperities) {
   const LubricatedContact c;
   const double h = 0.4e-6, q = 1e4, squared = 0.04;
