@@ -66,7 +66,9 @@ T traction_ratio(const Traction& law, const FrictionLaw& boundary, T load, T h, 
   const T limit = ratio / (law.limiting * pressure);
   const T film = ratio / sqrt(1.0 + limit * limit * squared);
   const T inlet = 2.849 * law.viscosity * sqrt(law.radius / h) * couette;
-  const T asperities = exp2(power(h * (1 / law.roughness), 1.2) * (-1.8 * kPerNatural));  // 1 - phi
+  // 1 - phi; of thick films over smooth surfaces it would leave the range of numbers.
+  const T asperities =
+      exp2(max(power(h * (1 / law.roughness), 1.2) * (-1.8 * kPerNatural), T{} - 500.0));
   return (1.0 - asperities) * (width * film + inlet) +
          asperities * friction(boundary, squared).ratio * load;
 }
