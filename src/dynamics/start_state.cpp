@@ -1,11 +1,52 @@
 #include "src/dynamics/start_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "src/dynamics/static_equilibrium.hpp"
+#include "src/dynamics/steady_start.hpp"
 
 namespace cagetol {
+namespace {
+
+/// Between the values of a turn at equal angles from zero.
+double at_angle(const std::vector<double>& turn, double angle) {
+  const double count = static_cast<double>(turn.size());
+  const double place = angle / (2 * std::numbers::pi) * count, below = std::floor(place);
+  const auto value = [&](double n) {
+    return turn[static_cast<std::size_t>(n - count * std::floor(n / count))];
+  };
+  return value(below) + (place - below) * (value(below + 1) - value(below));
+}
+
+/// Where roller `j` has the gap to its bar that a mean one has `ahead` of the middle [m].
+double place_in_pocket(const BearingModel& m, int j, double ahead) {
+  if (j >= m.layout.rollers) return 0;
+  const auto play = [&](int k) {
+    const RollerGroup& g = m.groups[static_cast<std::size_t>(k / kLanes)];
+    return g.half_width[k % kLanes] - g.radius[k % kLanes];
+  };
+  double mean = 0;
+  for (int k = 0; k < m.layout.rollers; ++k) mean += play(k) / m.layout.rollers;
+  const double own = play(j) - mean;
+  return ahead > 0 ? std::max(ahead + own, 0.0) : std::min(ahead - own, 0.0);
+}
+
+/// Gives rollers the spins of a turn, and the places in their pockets.
+void put_rollers(const BearingModel& m, const Start& start, const OrbitTurn& turn,
+                 const std::vector<double>& angle, std::vector<double>& y) {
+  const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
+  for (int j = 0; j < m.layout.padded(); ++j) {
+    const double a = angle[static_cast<std::size_t>(j)];
+    const double ahead = place_in_pocket(m, j, at_angle(turn.offset, a)) -
+                         start.cage_offset_y * std::sin(a) + start.cage_offset_z * std::cos(a);
+    at(m.layout.position(kAngle, j)) += ahead / at(m.layout.position(kRadius, j));
+    at(m.layout.velocity(kSpin, j)) = at_angle(turn.spin, a);
+  }
+}
+
+}  // namespace
 
 std::vector<double> roller_angles(const BearingModel& m, double cage_phase) {
   const StateLayout& l = m.layout;
@@ -23,12 +64,15 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   const StateLayout& l = m.layout;
   std::vector<double> y(static_cast<std::size_t>(l.size()), 0.0);
   const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
+  const bool settled = start.state != "centred";
+  const bool seeks = start.state == "steady" || (start.state == "auto" && m.lubricated);
+  const SteadyStart steady = seeks ? find_steady_start(m) : SteadyStart{};
   const double inner_speed = inner_speed_at(m, 0),
-               cage_speed = kinematic_cage_speed(m, inner_speed);
+               cage_speed =
+                   steady.found ? steady.turn.cage_speed : kinematic_cage_speed(m, inner_speed);
 
   const std::vector<double> angle = roller_angles(m, start.cage_phase);
   StaticEquilibrium equilibrium(m);
-  const bool settled = start.state == "equilibrium";
   const StaticState* rest =
       settled ? &equilibrium.solve(angle.data(), cage_speed, load_at(m, 0)) : nullptr;
   for (int j = 0; j < l.padded(); ++j) {
@@ -48,6 +92,7 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
     at(l.velocity(kAxisRateY, j)) = -tilt * cage_speed * std::sin(a);
     at(l.velocity(kAxisRateZ, j)) = tilt * cage_speed * std::cos(a);
   }
+  if (steady.found) put_rollers(m, start, steady.turn, angle, y);
   if (rest) {
     at(l.border_position(kRingY)) = rest->ring_y;
     at(l.border_position(kRingZ)) = rest->ring_z;

@@ -12,10 +12,11 @@ namespace cagetol {
 /// [rad].
 std::vector<double> roller_angles(const BearingModel& model, double cage_phase);
 
-/// "equilibrium": loaded static equilibrium, rollers in mid-pocket with the speeds of pure rolling,
-/// the cage where the scene puts it, turning at its kinematic speed. "centred": ring and cage
-/// centred (plus the scene's cage offset), rollers at mid-clearance, a ring whose tilt is free as
-/// its shaft would have it.
+/// "steady": of a lubricated bearing, its steady state (steady_start.hpp); where none is found as
+/// "equilibrium". "equilibrium": loaded static equilibrium, rollers in mid-pocket with the speeds
+/// of pure rolling, the cage where the scene puts it, turning at its kinematic speed. "centred":
+/// ring and cage centred (plus the scene's cage offset), rollers at mid-clearance, a ring whose
+/// tilt is free as its shaft would have it. "auto": "steady" where lubricated, else "equilibrium".
 std::vector<double> start_state(const BearingModel& model, const Start& start);
 
 }  // namespace cagetol

@@ -223,6 +223,10 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
                 "no force bends the cage while model.motion = \"quasi-static\"",
                 "set cage.model = \"rigid\", or model.motion = \"dynamic\"");
   check_ring_tilt(scene, check);
+  check.require(scene.start.state != "steady" || is_lubricated(scene), "start.state",
+                "only a lubricated bearing has the steady state that is sought (" +
+                    check.with_value("lubrication.model") + ")",
+                "set start.state = \"equilibrium\" or \"auto\", or lubrication.model = \"film\"");
   check.require(scene.operation.inner_speed != 0 || !std::isnan(scene.window.measure_time),
                 "speed.inner_rpm", "at standstill the cage makes no revolutions to measure over",
                 "give window.settle_time_s and window.measure_time_s");

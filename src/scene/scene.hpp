@@ -169,11 +169,12 @@ struct Operation {
 };
 
 struct Start {
-  std::string state = "equilibrium";  ///< "equilibrium" or "centred"
-  double cage_offset_y = 0;           ///< [m]
-  double cage_offset_z = 0;           ///< [m]
-  double cage_offset_x = 0;           ///< [m]
-  double cage_phase = 0;  ///< rollers and cage turned together about the bearing axis [rad]
+  std::string state = "auto";  ///< "steady", "equilibrium" or "centred"; auto: steady where
+                               ///< lubricated, else equilibrium
+  double cage_offset_y = 0;    ///< [m]
+  double cage_offset_z = 0;    ///< [m]
+  double cage_offset_x = 0;    ///< [m]
+  double cage_phase = 0;       ///< rollers and cage turned together about the bearing axis [rad]
 };
 
 struct Window {

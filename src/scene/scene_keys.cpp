@@ -168,7 +168,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"speed.ramp_from_rpm", or_auto(within(-1e6, 1e6)), AT(operation.speed_ramp_from), "speed at the start of a smooth ramp; auto: no ramp"},
       {"speed.ramp_ms", at_least(0), AT(operation.speed_ramp), "duration of the speed ramp"},
       {"environment.gravity_m_s2", within(-1e4, 1e4), AT(operation.gravity), "gravity, along -z"},
-      {"start.state", one_of({"equilibrium", "centred"}), AT(start.state), "equilibrium: loaded static equilibrium; centred: ring and cage centred, rollers at mid-clearance"},
+      {"start.state", one_of({"auto", "steady", "equilibrium", "centred"}), AT(start.state), "steady: of a lubricated bearing, the speeds of cage and rollers and the sides of pockets at which the torques on the cage balance over a turn, where they do; equilibrium: loaded static equilibrium, rolling without slip; centred: ring and cage centred, rollers at mid-clearance; auto: steady where lubrication.model = \"film\", else equilibrium"},
       {"start.cage_offset_x_um", any_value(), AT(start.cage_offset_x), "axial offset of the cage at the start"},
       {"start.cage_offset_y_um", any_value(), AT(start.cage_offset_y), "offset of the cage in y at the start"},
       {"start.cage_offset_z_um", any_value(), AT(start.cage_offset_z), "offset of the cage in z at the start"},
