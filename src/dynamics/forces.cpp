@@ -174,6 +174,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     rows = &jac->scratch;
     set_cage_block(m, b, y, *jac, *seen);
   }
+  [[maybe_unused]] double on_ring[2] = {0, 0};  // likewise by the ring's velocity
   for (int group = 0; group < m.layout.groups; ++group) {
     const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
     const RollerPack q = unpack_rollers<planar>(m.layout, y, group);
@@ -197,6 +198,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       if constexpr (linear) tilt.linear = &jac->tilts[static_cast<std::size_t>(group)];
     }
     RollerLoads loads;
+    [[maybe_unused]] Pack by_vt{}, by_spin{};  // elastic energy, by the speeds that make films
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
     if (m.lubricated) {
       RaceTotals on;
@@ -204,6 +206,12 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
                                              tilting ? &tilt : nullptr);
       total = on.normal, sliding = on.sliding, drive = on.drive;
       elastic_r = on.normal_r, elastic_t = on.normal_t;
+      by_vt = on.energy_by_vt, by_spin = on.energy_by_spin;
+      if constexpr (linear) {
+        on_ring[0] += sum(by_vt * q.sine);
+        on_ring[1] -= sum(by_vt * q.cosine);
+        seen->damp(kFilm, -sum(by_vt * q.omega * inner.du_r));
+      }
     } else {
       race_contacts<linear, true, tilting>(m, roller, q, inner, loads, g, seen, total, sliding,
                                            elastic_r, elastic_t, drive, tilting ? &tilt : nullptr,
@@ -247,6 +255,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       RaceTotals on;
       lubricated_race<linear, false>(m, m.outer_line, roller, q, outer, loads, g, seen, on);
       total = on.normal;
+      by_vt += on.energy_by_vt;
+      by_spin += on.energy_by_spin;
     } else {
       race_contacts<linear, false>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r,
                                    elastic_t, drive, nullptr, &limit);
@@ -281,6 +291,11 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
                             limit);
     if constexpr (linear) {
+      if (m.lubricated) {
+        const Pack a_t = loads.f[kLt] * roller.inverse_mass - m.gravity * q.cosine - q.vr * q.omega,
+                   a_s = loads.f[kLs] * roller.inverse_polar;
+        seen->damp(kFilm, -sum(roller.exists * (by_vt * a_t + by_spin * a_s)));
+      }
       add_inertial(m, roller, q, loads, *g);
       if constexpr (planar) jac->hold(group);
       seen->net_power_rate += roller_power_rate(roller, q, loads, m.gravity, *g);
@@ -305,6 +320,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     const double *border_v = y + m.layout.border_velocity(0),
                  *border_a = rate + m.layout.border_velocity(0);
+    if (m.lubricated)
+      seen->damp(kFilm, -on_ring[0] * border_a[kRingY] - on_ring[1] * border_a[kRingZ]);
     for (int i = 0; i < m.layout.border(); ++i)
       seen->net_power_rate +=
           jac->power_position[i] * border_v[i] + jac->power_velocity[i] * border_a[i];

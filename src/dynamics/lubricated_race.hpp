@@ -21,6 +21,9 @@ struct RaceTotals {
   Pack sliding{};               ///< normal force times sliding speed [W]
   Pack normal_r{}, normal_t{};  ///< of the force on the rollers [N]
   Pack drive{};                 ///< power of the turning race [W]
+  /// Derivatives of the bodies' elastic energy by the speeds that make the film: it changes with
+  /// these at a gap held still [J s/m], [J s].
+  Pack energy_by_vt{}, energy_by_spin{};
 };
 
 /// Signed entrainment speed along t and its derivatives.
@@ -94,17 +97,19 @@ struct BySlice {
   Pack p, rate, u, v1, v2;
 };
 
-/// Adds the derivatives of one slice. `f`: forces with their derivatives by (p, p', u, |v|^2).
+/// Adds the derivatives of one slice. `f`: forces with their derivatives by (p, p', u, |v|^2),
+/// `storing` that of the bodies' elasticity.
 template <bool moving, bool tilting>
 void add_slice(const RollerPack& q, const RaceSide& race, const SliceMotion& m,
-               const LineForces<Dual<Pack, 4>>& f, const SignedEntrainment& oil, Pack axis_share,
-               GroupLinear& jac, [[maybe_unused]] RingTilt* tilt) {
+               const LineForces<Dual<Pack, 4>>& f, const Dual<Pack, 4>& storing,
+               const SignedEntrainment& oil, Pack axis_share, GroupLinear& jac,
+               [[maybe_unused]] RingTilt* tilt) {
   const Pack zero{}, one = splat(1.0), &v1 = m.v1, &v2 = m.v2, squared = v1 * v1 + v2 * v2;
   const Pack ratio = f.ratio.value, roll = f.rolling.value, normal = f.at.normal.value;
   [[maybe_unused]] const double surface = race.sign * race.speed * race.radius,
                                 arm = race.sign * race.radius;
-  const Pack *N = f.at.normal.slope, *G = f.ratio.slope,
-             *F = f.rolling.slope;  // by p, p', u, |v|^2
+  const Pack *N = f.at.normal.slope, *G = f.ratio.slope, *F = f.rolling.slope,
+             *S = storing.slope;  // by p, p', u, |v|^2
   const Pack bend = 2.0 * G[3];
   const BySlice by_n{N[0], N[1], N[2], zero, zero};
   const BySlice by_1{-G[0] * v1 - F[0], -G[1] * v1 - F[1], -G[2] * v1 - F[2],
@@ -113,10 +118,11 @@ void add_slice(const RollerPack& q, const RaceSide& race, const SliceMotion& m,
   const BySlice by_c{axis_share * F[0], axis_share * F[1], axis_share * F[2], zero, zero};
   // Net power = drive - what the contact takes.
   const Pack slide = 2.0 * ratio + bend * squared;
-  BySlice net{-N[0] * m.rate - G[0] * squared - 2.0 * F[0] * oil.speed,
-              -N[1] * m.rate - normal - G[1] * squared - 2.0 * F[1] * oil.speed,
-              -N[2] * m.rate - G[2] * squared - 2.0 * (F[2] * oil.speed + roll), -slide * v1,
-              -slide * v2};
+  BySlice net{
+      (S[0] - N[0]) * m.rate - G[0] * squared - 2.0 * F[0] * oil.speed,
+      (S[1] - N[1]) * m.rate + storing.value - normal - G[1] * squared - 2.0 * F[1] * oil.speed,
+      (S[2] - N[2]) * m.rate - G[2] * squared - 2.0 * (F[2] * oil.speed + roll), -slide * v1,
+      -slide * v2};
   if constexpr (moving) {  // the drive: (F_r - ratio v1) surface + F_2 swash
     net.p += surface * (F[0] - G[0] * v1) + m.swash * by_2.p;
     net.rate += surface * (F[1] - G[1] * v1) + m.swash * by_2.rate;
@@ -280,11 +286,16 @@ void lubricated_race(const BearingModel& model, const LubricatedLine& law,
       seen->rub(kRollingResistance, sum(2.0 * roll * oil.speed));
       seen->damp(kSqueeze, sum((film - steady) * m.rate));
       seen->damp(kDamping, sum((normal - film) * m.rate));
-      seen->damp(kFilm, sum(steady * m.rate));
+      const auto [energy, pushing] = elastic_store(law, f.at, variable<D>(p, 0));
+      const D storing = pushing * one;
+      seen->elastic_energy += sum(energy.value * one);
+      totals.energy_by_vt += energy.slope[2] * one * oil.by_vt;
+      totals.energy_by_spin += energy.slope[2] * one * oil.by_spin;
+      seen->damp(kFilm, sum((steady - storing.value) * m.rate));
       seen->thinnest_film = std::min(
           seen->thinnest_film, smallest(select(normal > model.film_watch,
                                                value_of(f.at.state.thickness), splat(kNoFilm))));
-      add_slice<moving, tilting>(q, race, m, f, oil, axis_share, *jac, tilt);
+      add_slice<moving, tilting>(q, race, m, f, storing, oil, axis_share, *jac, tilt);
     }
   }
 }

@@ -76,18 +76,20 @@ struct RollersBetweenRaces {
   const RollerGroup& roller;
   int first;  ///< roller of the pack
   double orbit_rate;
+  bool spinning = false;  ///< as given, not as they roll
   RollerPack q{};
   RaceSide inner, outer;
 
+  /// `spin` of all rollers and `inner_speed`, or nullptr: they roll.
   RollersBetweenRaces(const BearingModel& bearing, int group, const double* angle, double rate,
-                      const StaticState& ring)
+                      const StaticState& ring, const double* spin, double inner_speed)
       : model(bearing),
         roller(bearing.groups[static_cast<std::size_t>(group)]),
         first(group * kLanes),
         orbit_rate(rate),
         inner{1,
               bearing.inner_radius,
-              2 * bearing.pitch_radius * rate / bearing.inner_radius,
+              spin ? inner_speed : 2 * bearing.pitch_radius * rate / bearing.inner_radius,
               bearing.inner_film,
               {},
               {},
@@ -101,6 +103,8 @@ struct RollersBetweenRaces {
     inner.u_t = along_t(q, splat(ring.ring_y), splat(ring.ring_z));
     inner.B_r = along_r(q, splat(ring.tilt_y), splat(ring.tilt_z));
     inner.B_t = along_t(q, splat(ring.tilt_y), splat(ring.tilt_z));
+    spinning = spin != nullptr;
+    if (spinning) q.spin = load(spin + first);
     travel(splat(model.pitch_radius * rate));
   }
 
@@ -148,7 +152,7 @@ struct RollersBetweenRaces {
   /// Rolling, without slip, drags the film in.
   void travel(Pack speed) {
     q.vt = speed;
-    q.spin = -q.vt / roller.radius;
+    if (!spinning) q.spin = -q.vt / roller.radius;
   }
 };
 
@@ -219,7 +223,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
   RingForce ring;
   for (int group = 0; group < model_.layout.groups; ++group) {
     const int j = group * kLanes;
-    RollersBetweenRaces at(model_, group, angle, orbit_rate, state_);
+    RollersBetweenRaces at(model_, group, angle, orbit_rate, state_, spins_, inner_speed_);
     Pack &r = at.q.r, &a = at.q.a_r;
     at.put(state_.radius, state_.tilt);
     // At rest first, where no speed damps; then orbiting, and the law's damping has its say.
@@ -298,6 +302,11 @@ void StaticEquilibrium::move_ring(const Eigen::Vector4d& d) {
   state_.tilt_z += d[3];
 }
 
+void StaticEquilibrium::spin(const double* spins, double inner_speed) {
+  spins_ = spins;
+  inner_speed_ = inner_speed;
+}
+
 const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_rate,
                                             const RingLoad& load, RollerMotion motion) {
   if (motion == RollerMotion::orbiting && state_.converged) {
@@ -316,7 +325,7 @@ bool StaticEquilibrium::follow(const double* angle, double orbit_rate, const Rin
     RollersBetweenRaces at;
     RollerBalance resting, orbiting;
     Step(const StaticEquilibrium& of, int group, const double* angle, double orbit_rate)
-        : at(of.model_, group, angle, orbit_rate, of.state_),
+        : at(of.model_, group, angle, orbit_rate, of.state_, of.spins_, of.inner_speed_),
           resting(at.put(of.resting_radius_, of.resting_tilt_).balance(of.undamped_)),
           orbiting(
               at.orbit(resting).put(of.state_.radius, of.state_.tilt).balance(of.model_.race)) {}

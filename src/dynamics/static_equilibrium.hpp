@@ -35,6 +35,9 @@ class StaticEquilibrium {
   /// [rad/s].
   const StaticState& solve(const double* angle, double orbit_rate, const RingLoad& load,
                            RollerMotion motion = RollerMotion::at_rest);
+  /// From now on films are dragged in by rollers that spin so, one element per roller (padded), on
+  /// a ring at `inner_speed` [rad/s]; without this by rollers that roll at their orbit's rate.
+  void spin(const double* spins, double inner_speed);
   /// The last solution.
   const StaticState& state() const { return state_; }
 
@@ -74,6 +77,8 @@ class StaticEquilibrium {
   double lever_;  ///< makes forces of moments, and moves of tilts [m]
   bool tilts_;    ///< the ring, freely
   StaticState state_;
+  const double* spins_ = nullptr;
+  double inner_speed_ = 0;
   std::vector<double> resting_radius_, resting_tilt_;  ///< of orbiting rollers, before they orbit
 };
 

@@ -11,8 +11,8 @@
 //
 // Powers, each what the bodies lose to the contact: sliding ratio |du|^2, rolling 2 F_r u, normal
 // Q (-dg/dt), of which squeeze (q_f - q_w) L (-dg/dt) and damping (Q - q_f L)(-dg/dt) are lost for
-// good and the rest is stored in the bodies or exchanged with the film, which is not conservative:
-// its thickness follows u.
+// good and the rest is stored in the bodies (elastic_store) or exchanged with the film, which is
+// not conservative: its thickness follows u.
 #pragma once
 
 #include "src/lubrication/oil_layer.hpp"
@@ -65,6 +65,19 @@ LineNormal<T> line_normal(const LubricatedLine& law, T gap, T rate, T u) {
   n.steady = law.length * steady;
   n.film = law.length * film;
   return n;
+}
+
+/// What the bodies store by their approach delta, and the force that stores it as the gap closes.
+template <class T>
+struct ElasticStore {
+  T energy;  ///< L 0.9/1.9 q delta [J]
+  T force;   ///< -d(energy)/d(gap) [N]
+};
+/// `depth` = -gap.
+template <class T>
+ElasticStore<T> elastic_store(const LubricatedLine& law, const LineNormal<T>& n, T depth) {
+  const T q = law.length * n.state.load;
+  return {(0.9 / 1.9) * q * (n.state.thickness + depth), q * (1.0 - n.state.opening)};
 }
 
 template <class T>

@@ -196,6 +196,7 @@ void Observer::record_statics(double t, const double* y) {
   while (next_statics_ <= t) next_statics_ += statics_interval_;
   const StateLayout& l = model_.layout;
   std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
+  if (model_.lubricated) statics_.spin(y + l.velocity(kSpin, 0), inner_speed_at(model_, t));
   const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)],
                                            load_at(model_, t), RollerMotion::orbiting);
   ++static_positions_;

@@ -35,7 +35,7 @@ inline Scene planar_scene(const PlanarBearing& bearing) {
   oil.pocket_roughness = bearing.oil.pocket_roughness;
   oil.race_layer = bearing.oil.race_layer;
   oil.pocket_layer = bearing.oil.pocket_layer;
-  oil.inlet_heating = false;
+  oil.inlet_heating = oil.churning = oil.land_film = false;
   return scene;
 }
 

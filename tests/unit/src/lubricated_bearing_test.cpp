@@ -157,10 +157,10 @@ TEST_F(LubricatedBearing, ForcesOfAStateAgreeMechanismByMechanism) {
       EXPECT_NEAR(ours, theirs, 2e-3 * std::abs(theirs)) << what << ", trial " << trial;
     };
     const Observation& seen = system.seen;
-    share(seen.rolling_power, losses.rolling, "rolling");
-    share(seen.sliding_power, losses.sliding, "sliding");
-    share(seen.pocket_power, losses.pocket, "pockets");
-    share(seen.squeeze_power, losses.squeeze, "squeeze");
+    share(seen.lost[kRollingResistance], losses.rolling, "rolling");
+    share(seen.lost[kRaceSliding], losses.sliding, "sliding");
+    share(seen.lost[kPocketFriction], losses.pocket, "pockets");
+    share(seen.lost[kSqueeze], losses.squeeze, "squeeze");
     EXPECT_NEAR(seen.drive_power, drive,
                 2e-3 * driven * bearing.inner_speed * bearing.inner_radius);
   }
