@@ -26,7 +26,7 @@ TEST(Drag, CylinderOpposesItsMotion) {
 TEST(Drag, CoefficientsOfBothRegimes) {
   EXPECT_DOUBLE_EQ(disc_coefficient(1e4), 1.935 / 100);
   EXPECT_DOUBLE_EQ(disc_coefficient(1e7), 0.073 * std::pow(1e7, -0.2));
-  EXPECT_DOUBLE_EQ(gap_coefficient(100), 0.02);
+  EXPECT_DOUBLE_EQ(gap_coefficient(100.0), 0.02);
   EXPECT_DOUBLE_EQ(gap_coefficient(1e5), 0.0791 * std::pow(1e5, -0.25));
 }
 
@@ -47,8 +47,8 @@ TEST(Drag, MomentsAreSmoothOverTheTransition) {
     const double right = disc_moment(fluid, w + step, 0.05, 0) - disc_moment(fluid, w, 0.05, 0);
     EXPECT_NEAR(left / right, 1, 1e-3);
   }
-  EXPECT_EQ(disc_moment(fluid, 0, 0.05, 0), 0);
-  EXPECT_EQ(disc_moment(fluid, -9, 0.05, 0), -disc_moment(fluid, 9, 0.05, 0));
+  EXPECT_EQ(disc_moment(fluid, 0.0, 0.05, 0), 0);
+  EXPECT_EQ(disc_moment(fluid, -9.0, 0.05, 0), -disc_moment(fluid, 9.0, 0.05, 0));
 }
 
 }  // namespace
