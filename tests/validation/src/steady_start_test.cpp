@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "src/dynamics/start_state.hpp"
@@ -55,6 +56,7 @@ double cage_speed_ratio(const Scene& scene, double share, double from, double to
 class NightlySteadyStart : public testing::TestWithParam<double> {};
 
 TEST_P(NightlySteadyStart, IsWhereLongRunsEnd) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1";
   const Scene scene = oiled(GetParam());
   const BearingModel model = make_bearing_model(scene);
   const SteadyStart start = find_steady_start(model);
@@ -64,9 +66,6 @@ TEST_P(NightlySteadyStart, IsWhereLongRunsEnd) {
                slipping = cage_speed_ratio(scene, 0.7, 50, 60);
   EXPECT_NEAR(found, rolling, 0.03 * rolling);
   EXPECT_NEAR(slipping, rolling, 0.05 * rolling);
-  RecordProperty("start", std::to_string(found));
-  RecordProperty("from_rolling", std::to_string(rolling));
-  RecordProperty("from_slip", std::to_string(slipping));
   std::printf("%g N: start %.4f, long runs %.4f from rolling, %.4f from 30 %% slip\n", GetParam(),
               found, rolling, slipping);
 }
