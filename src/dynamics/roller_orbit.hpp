@@ -2,15 +2,15 @@
 // its mean equilibrium, the cage turns at a given constant speed w, and every roller repeats the
 // motion of the one ahead of it, a function of the angle theta alone:
 //
-//   0                 = F_r + m r W^2 - m g sin(theta)             place between the races
-//   m r W W_theta     = F_t - m g cos(theta)                       place x in the pocket
-//   I_p W ds/dtheta   = F_s                                        spin s
-//   W                 = w (1 - e.n/r)                              orbital rate, cage off centre by e
+//   0              = F_r + m r w^2 - m g sin(theta)     place r between the races
+//   0              = F_t - m g cos(theta)               place x in the pocket
+//   I_p w ds/dtheta = F_s                               spin s
 //
-// F_r, F_t, F_s forces of races and bars (lubricated_race.hpp, lubricated_pocket.hpp), n direction
-// of the roller. The tangential balance says what the bars bear, and with it the side and the gap.
-// Left out: misalignment, lean and scatter of rollers (all are mean ones), pocket ends and flanges,
-// bending of the cage, squeeze, and the time that a roller takes from one bar to the other.
+// F_r, F_t, F_s forces of races and bars (lubricated_race.hpp, lubricated_pocket.hpp). The
+// tangential balance says what the bars bear, and with it the side and the gap. Left out: what an
+// off-centre cage does to the orbital rate (within its pocket a roller passes that by),
+// misalignment, lean and scatter of rollers (all are mean ones), pocket ends and flanges, bending
+// of the cage, squeeze, traction on the ring, and the time from one bar to the other.
 #pragma once
 
 #include <vector>

@@ -113,7 +113,9 @@ SteadyStart find_steady_start(const BearingModel& model) {
     }
     return false;
   };
-  std::optional<Bracket> around = bracket(kShares);
+  const bool driven_beyond = at(*kFaster.begin()).torque >= 0;
+  if (!sound) return start;
+  const std::optional<Bracket> around = bracket(driven_beyond ? kFaster : kShares);
   if (!around || !narrow(*around)) return start;
   start.turn = orbit.turn();
   start.iterations = orbit.iterations();

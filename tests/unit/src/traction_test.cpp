@@ -73,6 +73,19 @@ TEST(Traction, ShareOfTheAsperities) {
               (1 - share) * film + share * dry, 1e-9 * dry);
 }
 
+TEST(Traction, OfThickFilmsOverSmoothSurfacesIsTheirOwn) {
+  // 150 times the roughness and more: of a pack, 2^x knows no x below -1000.
+  const LubricatedContact c;
+  const Traction smooth = traction_law(c, 1e-9), smoother = traction_law(c, 1e-10);
+  for (const double h : {0.14e-6, 1e-6, 30e-6}) {
+    const Pack one = splat(1), load = splat(1000), thick = splat(h), squared = splat(0.01);
+    const Pack ratio = traction_ratio(smooth, FrictionLaw{}, load, thick, squared, one);
+    EXPECT_EQ(ratio[0], traction_ratio(smoother, FrictionLaw{}, load, thick, squared, one)[0]) << h;
+    const double alone = traction_ratio(smooth, FrictionLaw{}, 1000.0, h, 0.01, 1.0);
+    EXPECT_NEAR(ratio[0], alone, 1e-12 * alone) << h;
+  }
+}
+
 TEST(Traction, GrowsFromRestWithItsLargestSlope) {
   const LubricatedContact c;
   const Traction law = traction_law(c, 0.2e-6);
