@@ -186,6 +186,7 @@ void unresolve(toml::table& root, const std::string& file) {
     const auto dot = name ? name->get().find('.') : std::string::npos;
     if (dot == std::string::npos || !find_key(scene_keys(), name->get())) throw wrong(element);
     const auto [section, key] = key_detail::section_of(*scene, name->get());
+    if (!section) continue;  // read_scene refuses what stands there
     input->erase("key");
     input->erase("unit");
     section->insert_or_assign(key, std::move(*input));
@@ -193,8 +194,8 @@ void unresolve(toml::table& root, const std::string& file) {
   root.erase("inputs");
   root.erase("candidates");
   // A resolved study has every key of its time: this one is older than lubrication, hence dry.
-  auto* lubrication = scene->insert("lubrication", toml::table{}).first->second.as_table();
-  if (lubrication) lubrication->insert("model", "none");
+  const auto [lubrication, model] = key_detail::section_of(*scene, "lubrication.model");
+  if (lubrication) lubrication->insert(model, "none");
 }
 
 }  // namespace cagetol

@@ -337,6 +337,7 @@ std::pair<toml::table*, std::string> section_of(toml::table& root, const std::st
   std::string_view rest = name;
   for (auto dot = rest.find('.'); dot != std::string_view::npos; dot = rest.find('.')) {
     table = table->insert(rest.substr(0, dot), toml::table{}).first->second.as_table();
+    if (!table) return {nullptr, ""};
     rest = rest.substr(dot + 1);
   }
   return {table, std::string(rest)};

@@ -29,7 +29,7 @@ std::string markdown_row(const KeyInfo& key, const std::string& value);
 std::string numbers_text(const std::vector<double>& values);
 std::string quoted(const std::string& text);
 /// The table of `root` in which a dotted name stands, made where it is missing, and the name's last
-/// part.
+/// part; nullptr where something other than a table is in its place.
 std::pair<toml::table*, std::string> section_of(toml::table& root, const std::string& name);
 void insert_numbers(toml::table& table, const std::string& name, const std::vector<double>& values);
 

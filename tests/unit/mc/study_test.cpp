@@ -552,6 +552,14 @@ TEST_F(StudyFile, AResolvedStudyOlderThanLubricationIsDry) {
   EXPECT_THROW(read_resolved_study(text.str(), "stored"), InputError);
 }
 
+TEST_F(StudyFile, AnInputOfASectionThatIsNoneIsRefused) {
+  const std::string input = "[[inputs]]\nkey = 'contact.race.restitution'\nnominal = 0.9\n";
+  EXPECT_THAT(problem_of("samples = 1\nscene.contact = 5\n" + input),
+              HasSubstr("contact = 5: this is a section, not a key"));
+  EXPECT_THAT(problem_of("samples = 1\nscene.contact.race = 5\n" + input),
+              HasSubstr("contact.race = 5: this is a section, not a key"));
+}
+
 TEST_F(StudyFile, NotesNameTheOilThatADryBearingLeavesOut) {
   const std::string text = "samples = 5\n[scene.lubrication]\ntemperature_C = 90\n";
   EXPECT_THAT(model_notes(study_of(text)),
