@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "src/dynamics/churning_loads.hpp"
 #include "src/dynamics/lubricated_pocket.hpp"
 #include "src/dynamics/lubricated_race.hpp"
 #include "src/dynamics/static_equilibrium.hpp"
@@ -208,6 +209,11 @@ RollerOrbit::Forces RollerOrbit::forces(std::size_t pack, Pack r, Pack s, Pack& 
   f.inner_moment = loads.f[kLs];
   lubricated_race<false, false>(model_, model_.outer_line, roller_, q, outer, loads, nullptr,
                                 nullptr, totals);
+  if (model_.churning.on) {
+    BorderState cage{};
+    cage.phi_rate = speed_;
+    roller_churning<false>(model_.churning, roller_, q, cage, loads, nullptr, nullptr);
+  }
   const Pack need = roller_.mass * model_.gravity * cosine - loads.f[kLt];
   balance_pocket(need, s, x);
   BorderLoads border;

@@ -72,7 +72,9 @@ SteadyStart find_steady_start(const BearingModel& model) {
     const OrbitTurn& turn = orbit.turn();
     start.rest = cage_rest(model, w, inner ? inner_speed : 0, turn.force_y,
                            turn.force_z - model.cage_mass * model.gravity);
-    return (turn.torque + start.rest.torque) * (rolling < 0 ? -1 : 1);
+    const double churned =
+        model.churning.on ? cage_churning(model.churning, w, inner_speed).cage : 0;
+    return (turn.torque + start.rest.torque + churned) * (rolling < 0 ? -1 : 1);
   };
   struct Trial {
     double share, torque;

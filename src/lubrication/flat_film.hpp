@@ -1,14 +1,14 @@
 // Oil between two flats, a roller's end and the wall that it faces:
 //
-//   squeeze   F = r(s),   s = k S(x) (-dh/dt)/h^3,   k = 3 eta A^2/(2 pi)    disc of equal area
+//   squeeze   F = r(s),   s = k S(x) (-dg/dt)/h^3,   k = 3 eta A^2/(2 pi)    disc of equal area
 //   shear     F = c |du|,   c = eta A/h C(x)                                  Couette
 //
-// h height of the gap [m], A area [m2], S and C what the layer leaves of them (oil_layer.hpp, x =
-// h/layer). There is no wedge. r(s) = (s + sqrt(s^2 + 4 f^2))/2 - f lets the film push and hardly
-// pull: it ruptures at f, a thousandth of a newton. Roughness ends the film: below two `least`
-// heights of gap, h shrinks ever more slowly and never below `least`; there the bodies touch, by
-// their own law.
-// Sources: Hamrock, Fundamentals of Fluid Film Lubrication, squeeze film of parallel discs.
+// g gap of the flats, h height of the film in it [m], A area [m2], S and C what the layer leaves of
+// them (oil_layer.hpp, x = h/layer). There is no wedge. r(s) = (s + sqrt(s^2 + 4 f^2))/2 - f lets
+// the film push and hardly pull: it ruptures at f, a thousandth of a newton. Roughness ends the
+// film: below two `least` heights of gap, h shrinks ever more slowly and never below `least`; there
+// the bodies touch, by their own law. Sources: Hamrock, Fundamentals of Fluid Film Lubrication,
+// squeeze film of parallel discs.
 #pragma once
 
 #include "src/lubrication/oil_layer.hpp"
@@ -41,9 +41,8 @@ FlatFilmForces<T> flat_film(const FlatFilm& law, T gap, T rate) {
   const auto rough = gap < 2 * law.least;
   const T deeper = 3.0 - select(rough, gap, T{} + 2 * law.least) * (1 / law.least);
   const T height = select(rough, law.least + law.least / deeper, gap);
-  const T closing = -rate * select(rough, 1.0 / (deeper * deeper), T{} + 1.0);
   const OilFactors<T> oil = oil_factors(height * (1 / law.layer));
-  const T s = law.squeeze * oil.squeeze * closing / (height * height * height);
+  const T s = law.squeeze * oil.squeeze * (-rate) / (height * height * height);
   return {0.5 * (s + sqrt(s * s + 4 * kRupture * kRupture)) - kRupture,
           law.shear * oil.couette / height};
 }

@@ -128,6 +128,7 @@ TEST_F(SampleHistoryTest, IsThatOfTheLastWindowWhereSettlingIsExtended) {
   scene_.window.settle_revolutions = 0;
   scene_.window.measure_revolutions = 2;
   scene_.window.longest_settle_revolutions = 4;
+  scene_.start.state = "equilibrium";
   const SampleRun extended = run(kPoints);
   const double end = extended.outcome.run.simulated_s;
   const auto time = column(extended, "time");

@@ -26,12 +26,11 @@ double rate_along_motion(const RandomBearing& b, const PackVector& rates, double
   return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step);
 }
 
-/// Rigid and flexible cages, dry and oiled lands, dry and lubricated bearings by turns.
+/// Rigid and flexible cages, dry and oiled lands by turns.
 RandomBearing bearing(unsigned seed, Freedom freedom) {
   return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
                                .freedom = freedom,
-                               .guide_film = seed % 3 == 0 ? "short-bearing" : "none",
-                               .lubricated = seed % 5 >= 3});
+                               .guide_film = seed % 3 == 0 ? "short-bearing" : "none"});
 }
 
 /// Net power into the bearing, and its rate along the motion by differences.

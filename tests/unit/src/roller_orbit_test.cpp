@@ -18,6 +18,8 @@ Scene orbit_scene(double load, double rpm) {
   Scene scene = shipped_scene("nu205");
   scene.lubrication.model = "film";
   scene.lubrication.viscosity = 0.02;
+  scene.lubrication.land_film = false;  // the orbit is the rollers', and so is its torque
+  scene.lubrication.churning = false;
   scene.model.rollers = "planar";
   scene.bearing.roller_count = kRollers;
   scene.operation.radial_load = load;
