@@ -151,8 +151,8 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
               dv[kCagePhi]);
 }
 
-/// `tilting`: the inner ring's tilt is free.
-template <bool linear, bool planar, bool tilting>
+/// `tilting`: the inner ring's tilt is free. `lubricated`: there is oil by src/lubrication.
+template <bool linear, bool planar, bool tilting, bool lubricated>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
@@ -200,7 +200,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     RollerLoads loads;
     [[maybe_unused]] Pack by_vt{}, by_spin{};  // elastic energy, by the speeds that make films
     Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
-    if (m.lubricated) {
+    if constexpr (lubricated) {
       RaceTotals on;
       lubricated_race<linear, true, tilting>(m, m.inner_line, roller, q, inner, loads, g, seen, on,
                                              tilting ? &tilt : nullptr);
@@ -251,7 +251,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       seen->drive_power += sum(drive);
       total = Pack{};
     }
-    if (m.lubricated) {
+    if constexpr (lubricated) {
       RaceTotals on;
       lubricated_race<linear, false>(m, m.outer_line, roller, q, outer, loads, g, seen, on);
       total = on.normal;
@@ -267,11 +267,12 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     if constexpr (!planar)  // who stands still in the middle touches no flange
       flange_contacts<linear>(m, roller, q, group, loads, jac, seen, limit);
-    if (m.churning.on) roller_churning<linear>(m.churning, roller, q, b, loads, g, seen);
+    if (lubricated && m.churning.on)
+      roller_churning<linear>(m.churning, roller, q, b, loads, g, seen);
     PocketFrame pocket = pocket_places(roller, q, b);
     Pack bars_nearer = splat(modal.farthest), walls_nearer = bars_nearer;
-    if (m.oiled_bars) bars_nearer += m.bar_line.layer;
-    walls_nearer += m.wall_film.layer;
+    if (lubricated && m.oiled_bars) bars_nearer += m.bar_line.layer;
+    if constexpr (lubricated) walls_nearer += m.wall_film.layer;
     if constexpr (linear) {  // derivatives come with a look ahead, at what is not in reach yet
       add_rates(q, b, pocket);
       const auto ahead = [&](Pack speed) { return limit.longest() * (speed + modal.fastest); };
@@ -281,7 +282,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     const bool bars = bars_in_reach(m, roller, pocket, bars_nearer),
                walls = walls_in_reach(m, roller, pocket, walls_nearer);
     if (!linear && (bars || walls)) add_rates(q, b, pocket);
-    if (bars && m.oiled_bars)
+    if (lubricated && bars && m.oiled_bars)
       lubricated_pocket<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac,
                                 seen);
     else if (bars)
@@ -291,7 +292,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
                             limit);
     if constexpr (linear) {
-      if (m.lubricated) {
+      if constexpr (lubricated) {
         const Pack a_t = loads.f[kLt] * roller.inverse_mass - m.gravity * q.cosine - q.vr * q.omega,
                    a_s = loads.f[kLs] * roller.inverse_polar;
         seen->damp(kFilm, -sum(roller.exists * (by_vt * a_t + by_spin * a_s)));
@@ -306,7 +307,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   double on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = modal.pushed ? sum(modal_force[k]) : 0;
   land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, land_limit);
-  if (m.churning.on) churn_cage<linear>(m.churning, b, border, jac, seen);
+  if (lubricated && m.churning.on) churn_cage<linear>(m.churning, b, border, jac, seen);
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {
     const RingLoad load = load_at(m, t);
@@ -320,7 +321,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     const double *border_v = y + m.layout.border_velocity(0),
                  *border_a = rate + m.layout.border_velocity(0);
-    if (m.lubricated)
+    if constexpr (lubricated)
       seen->damp(kFilm, -on_ring[0] * border_a[kRingY] - on_ring[1] * border_a[kRingZ]);
     for (int i = 0; i < m.layout.border(); ++i)
       seen->net_power_rate +=
@@ -330,21 +331,27 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   }
 }
 
+/// The one that suits a model; a dry bearing pays nothing for what oil would do.
+template <bool linear, bool lubricated>
+auto evaluation_as(const BearingModel& m) {
+  return m.planar                 ? evaluate<linear, true, false, lubricated>
+         : m.layout.ring_tilt > 0 ? evaluate<linear, false, true, lubricated>
+                                  : evaluate<linear, false, false, lubricated>;
+}
+template <bool linear>
+auto evaluation_of(const BearingModel& m) {
+  return m.lubricated ? evaluation_as<linear, true>(m) : evaluation_as<linear, false>(m);
+}
+
 }  // namespace
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
-  const auto with = model.planar                 ? evaluate<false, true, false>
-                    : model.layout.ring_tilt > 0 ? evaluate<false, false, true>
-                                                 : evaluate<false, false, false>;
-  with(model, t, y, rate, nullptr, nullptr);
+  evaluation_of<false>(model)(model, t, y, rate, nullptr, nullptr);
 }
 
 void linearise(const BearingModel& model, double t, const double* y, double* rate,
                Linearisation& linear, Observation& seen) {
-  const auto with = model.planar                 ? evaluate<true, true, false>
-                    : model.layout.ring_tilt > 0 ? evaluate<true, false, true>
-                                                 : evaluate<true, false, false>;
-  with(model, t, y, rate, &linear, &seen);
+  evaluation_of<true>(model)(model, t, y, rate, &linear, &seen);
 }
 
 double body_energy(const BearingModel& m, const double* y) {
