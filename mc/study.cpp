@@ -212,7 +212,7 @@ std::vector<std::string> model_notes(const Study& study) {
   if (!is_quasi_static(study.scene)) return notes;
   notes.push_back(
       "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "
-      "and an oil film are not (scene.model.motion)");
+      "and a film of scene.film.model are not (scene.model.motion)");
   for (const auto& limit : study.limits)
     if (!is_quasi_static_quantity(limit.quantity))
       notes.push_back("limit on " + limit.quantity + ": a quasi-static run does not define it");

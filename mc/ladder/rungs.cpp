@@ -117,6 +117,7 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
     without(on.squeeze, "no-squeeze", "films do not resist approach", "squeeze");
     without(on.pocket_film, "no-pocket-film", "dry pocket bars", "pocket_film");
     without(on.end_film, "no-end-film", "dry roller ends", "end_film");
+    without(on.land_film, "no-land-film", "dry guide lands", "land_film");
     without(on.churning, "no-churning", "no drag of oil and air", "churning");
   }
   if (has_free_ring_tilt(scene)) {

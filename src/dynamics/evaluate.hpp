@@ -305,6 +305,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       if constexpr (lubricated) {
         const Pack a_t = loads.f[kLt] * roller.inverse_mass - m.gravity * q.cosine - q.vr * q.omega,
                    a_s = loads.f[kLs] * roller.inverse_polar;
+        // Left out of net_power_rate: it would take the rate of these accelerations.
         seen->damp(kFilm, -sum(roller.exists * (by_vt * a_t + by_spin * a_s)));
       }
       add_inertial(m, roller, q, loads, *g);

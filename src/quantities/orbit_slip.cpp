@@ -18,7 +18,7 @@ void OrbitSlip::record(double t, double cage_angle, double roller_angle, double 
   const double turns = std::floor(std::abs(last_.cage) / (2 * std::numbers::pi));
   if (turns <= turns_) return;
   turns_ = turns;
-  // A step turns the cage by a hundredth of a radian: between its ends a chord will do.
+  // A step turns the cage by a hundredth of a radian: a straight line joins its ends well enough.
   const double missing = std::copysign(2 * std::numbers::pi * turns, last_.cage) - before.cage;
   const double share = missing / (last_.cage - before.cage);
   const auto at = [share](double first, double last) { return first + share * (last - first); };

@@ -21,8 +21,7 @@ const std::vector<Quantity>& quantity_table() {
       {"race_sliding_speed_rms", "m/s", "rms sliding speed at loaded inner-race contacts"},
       {"race_sliding_speed_peak", "m/s",
        "largest sliding speed at loaded inner-race contacts over every accepted step, where they "
-       "come "
-       "to bear load or cease to, too"},
+       "come to bear load or cease to, too"},
       {"whirl_radius_ratio_mean", "-",
        "mean radius of the cage centre over the radial guide clearance"},
       {"whirl_radius_ratio_p95", "-", "95 % quantile over time of the same ratio"},

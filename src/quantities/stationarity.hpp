@@ -26,7 +26,7 @@ Drift block_drift(const std::array<double, kDriftBlocks>& means);
 /// What a motion may drift by and still be called stationary.
 struct DriftBounds {
   double kinematic_speed;    ///< of the cage [rad/s]
-  double cage_drift_max;     ///< of the cage's speed over the window, in shares of that
+  double cage_drift_max;     ///< change of the cage's speed over the window, over that speed
   double power_surplus_max;  ///< of the power dissipated
 };
 

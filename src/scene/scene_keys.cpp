@@ -111,9 +111,10 @@ void add_contact_keys(KeyTable<Scene>& keys, const std::string& kind, ContactPar
       {name + "dynamic_coefficient", or_auto(within(0, 2)), at(&ContactParameters::friction_dynamic), "mu_d of this contact; auto: friction.dynamic_coefficient"},
       {name + "static_speed_m_s", or_auto(above(0)), at(&ContactParameters::static_speed), "v_s of this contact; auto: friction.static_speed_m_s"},
       {name + "dynamic_speed_m_s", or_auto(above(0)), at(&ContactParameters::dynamic_speed), "v_d of this contact; auto: friction.dynamic_speed_m_s"},
-      {name + "roughness_um", or_auto(above(0)), at(&ContactParameters::roughness), "composite rms roughness under an oil film; auto: lubrication.race_roughness_um, elsewhere lubrication.pocket_roughness_um"},
   };
   keys.insert(keys.end(), table.begin(), table.end());
+  if (kind != "land")  // whose film ends at lubrication.land_film_least_um
+    keys.push_back({name + "roughness_um", or_auto(above(0)), at(&ContactParameters::roughness), "composite rms roughness under an oil film; auto: lubrication.race_roughness_um, elsewhere lubrication.pocket_roughness_um"});
   if (!may_be_hertz) return;
   const KeyTable<Scene> hertz = {
       {name + "restitution", above(0, 1), at(&ContactParameters::restitution), "hertz: coefficient of restitution at the reference speed (Hunt-Crossley damping)"},

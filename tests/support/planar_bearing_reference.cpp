@@ -1,3 +1,5 @@
+// One file on purpose, though long: the whole reference is to be read from top to bottom beside the
+// equations, and shares nothing with the program.
 #include "tests/support/planar_bearing_reference.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The program as users start it: exit codes, messages, JSON.
+// The program as users start it: exit codes, messages, JSON. Above 400 lines: one list of what a
+// user may do.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -148,7 +148,7 @@ TEST(Rungs, EachMechanismOfTheOilIsTakenAwayAlone) {
   scene.lubrication.model = "film";
   const auto switches = [](const Lubrication& l) {
     return std::vector<bool>{l.rolling_resistance, l.inlet_heating, l.film_traction, l.squeeze,
-                             l.pocket_film,        l.end_film,      l.churning};
+                             l.pocket_film,        l.end_film,      l.land_film,     l.churning};
   };
   std::set<std::vector<bool>> seen;
   for (const Rung& rung : separate_rungs(scene)) {

@@ -119,7 +119,6 @@ Scene skidding_bearing() {
   scene.lubrication.viscosity = 0.02;
   scene.operation.radial_load = 20;
   scene.start.state = "equilibrium";
-  scene.watch.static_consistency_max = 1;  // statics has rollers roll
   return scene;
 }
 double turns(const Outcome& outcome) {
