@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
+#include <string_view>
 
 #include "src/cage/cage_modes.hpp"
 #include "src/cage/cage_recovery.hpp"
@@ -43,43 +45,52 @@ double model_stress(const CageTable& table, const Deviations& deviations, long m
       .maxCoeff();
 }
 
+struct Case {
+  const char* name;
+  Deviations deviations;
+  double bound;  ///< of the model's error
+};
+
 /// The lowest modes do not stretch a ring: of the default 20 none answers to the centrifugal load,
 /// it is all in the static rest. That is exact on the undeviated cage; a deviating pocket bends its
 /// neighbours besides, which the fields of the table do not follow. Cages whose pockets deviate
 /// alike have a table of their own.
-TEST(CentrifugalStress, IsThatOfTheWholeCage) {
-  const CageTable nominal = make_cage_table({}, test::kCageSteel, {});
-  const double ratio = 31.5 / (31.5 + 46.5);  // cage speed to inner-ring speed, NU 205
-  const Deviations undeviated(13);
-  struct Case {
-    Deviations deviations;
-    double bound;  ///< of the model's error
-  };
-  for (const auto& [given, bound] :
-       {Case{undeviated, 0.001}, Case{test::scattered_pockets(1), 0.16},
-        Case{test::scattered_pockets(2), 0.16},
-        Case{Deviations(13, {.width = -0.2e-3, .length = -0.25e-3}), 0.01}}) {
-    const GridPoint point = nearest_point({}, given);
-    const CageTable table = point == GridPoint{}
-                                ? nominal
-                                : make_cage_table({}, test::kCageSteel, {}, {.point = point});
-    const Deviations deviations = test::deviations_from(table, given);
-    const double full = full_stress(table, deviations);
-    for (const double rpm : {6000.0, 15000.0}) {
-      const double in_MPa = 1e-6 * std::pow(ratio * rpm * std::numbers::pi / 30, 2);
-      std::printf("  inner ring %5.0f rpm: %.3f MPa by the full cage, %.3f by the model\n", rpm,
-                  in_MPa * full, in_MPa * model_stress(table, deviations, 20, true));
-    }
-    // A free ring of the cage's mean radius has rho (Omega r)^2; bars bend besides.
-    const double hoop = 7850 * std::pow(20.1e-3, 2);
-    EXPECT_GT(full, hoop);
-    EXPECT_LT(full, 3 * hoop);
-    for (const long modes : {0L, 20L, 35L}) {
-      const double model = model_stress(table, deviations, modes, true);
-      EXPECT_NEAR(model, full, bound * full) << modes;
-    }
+class CentrifugalStress : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(
+    Cages, CentrifugalStress,
+    testing::Values(Case{"undeviated", Deviations(13), 0.001},
+                    Case{"scattered1", test::scattered_pockets(1), 0.16},
+                    Case{"scattered2", test::scattered_pockets(2), 0.16},
+                    Case{"alike", Deviations(13, {.width = -0.2e-3, .length = -0.25e-3}), 0.01}),
+    [](const auto& test) { return test.param.name; });
+
+TEST_P(CentrifugalStress, IsThatOfTheWholeCage) {
+  const auto& [name, given, bound] = GetParam();
+  if (std::string_view(name) == "scattered2" && std::getenv("CAGETOL_NIGHTLY") == nullptr)
+    GTEST_SKIP() << "set CAGETOL_NIGHTLY=1";
+  const GridPoint point = nearest_point({}, given);
+  const CageTable table = make_cage_table({}, test::kCageSteel, {}, {.point = point});
+  const Deviations deviations = test::deviations_from(table, given);
+  const double full = full_stress(table, deviations);
+  // A free ring of the cage's mean radius has rho (Omega r)^2; bars bend besides.
+  const double hoop = 7850 * std::pow(20.1e-3, 2);
+  EXPECT_GT(full, hoop);
+  EXPECT_LT(full, 3 * hoop);
+  if (std::string_view(name) == "undeviated") {
+    EXPECT_LT(model_stress(table, deviations, 20, false), 1e-3);  // without the static rest
   }
-  EXPECT_LT(model_stress(nominal, undeviated, 20, false), 1e-3);
+  double by_20 = 0;
+  for (const long modes : {0L, 20L, 35L}) {
+    const double model = model_stress(table, deviations, modes, true);
+    EXPECT_NEAR(model, full, bound * full) << modes;
+    if (modes == 20) by_20 = model;
+  }
+  const double ratio = 31.5 / (31.5 + 46.5);  // cage speed to inner-ring speed, NU 205
+  for (const double rpm : {6000.0, 15000.0}) {
+    const double in_MPa = 1e-6 * std::pow(ratio * rpm * std::numbers::pi / 30, 2);
+    std::printf("  inner ring %5.0f rpm: %.3f MPa by the full cage, %.3f by the model\n", rpm,
+                in_MPa * full, in_MPa * by_20);
+  }
 }
 
 }  // namespace
