@@ -42,10 +42,10 @@ inline void add_normal(const Slice& slice, const NormalForce<Pack>& normal, cons
     }
 }
 
-/// The same with an oil film: of one slice, without damping and squeeze where rollers stand still.
+/// The same with an oil film. `share` of the speed of approach damps and squeezes.
 inline RaceNormals lubricated_normals(const BearingModel& model, const LubricatedLine& line,
                                       const RollerGroup& roller, const RollerPack& q,
-                                      const RaceSide& race) {
+                                      const RaceSide& race, double share) {
   using D = Dual<Pack, 2>;
   RaceNormals sums;
   const Pack u = entrainment(race, roller, q).speed;
@@ -55,7 +55,7 @@ inline RaceNormals lubricated_normals(const BearingModel& model, const Lubricate
     Mask wet = roller.exists > 0.0;
     if (line.starved) wet &= -p < line.layer;
     if (!any(wet)) continue;
-    const Pack rate = -(n_r * q.vr + n_t * q.vt), along = n_r * q.vt - n_t * q.vr;
+    const Pack rate = -share * (n_r * q.vr + n_t * q.vt), along = share * (n_r * q.vt - n_t * q.vr);
     const Pack inside = select(wet, p, splat(line.starved ? -0.5 * line.layer : -1e-5));
     const D normal =
         line_normal(line, -variable<D>(inside, 0), -variable<D>(rate, 1), D{u, {}}).normal;

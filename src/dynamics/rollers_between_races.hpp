@@ -99,14 +99,15 @@ struct RollersBetweenRaces {
     return *this;
   }
 
-  RollerBalance balance(const NormalLaw& law) const {
+  /// `dry` with its damping; of a film and the metal under it, `share` of the speed of approach.
+  RollerBalance balance(const NormalLaw& dry, double share) const {
     RollerBalance b;
     if (model.lubricated) {
-      b.inner = lubricated_normals(model, model.inner_line, roller, q, inner);
-      b.outer = lubricated_normals(model, model.outer_line, roller, q, outer);
+      b.inner = lubricated_normals(model, model.inner_line, roller, q, inner, share);
+      b.outer = lubricated_normals(model, model.outer_line, roller, q, outer, share);
     } else {
-      b.inner = race_normals(model, law, roller, q, inner);
-      b.outer = race_normals(model, law, roller, q, outer);
+      b.inner = race_normals(model, dry, roller, q, inner);
+      b.outer = race_normals(model, dry, roller, q, outer);
     }
     const double half = model.roller_half_length;
     const Pack F = b.inner.force[0][0] + b.outer.force[0][0] +

@@ -106,7 +106,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
     // At rest first, where no speed damps; then orbiting, and the law's damping has its say.
     bool moves = false;
     for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-      const RollerBalance b = at.balance(moves ? damped_ : undamped_);
+      const RollerBalance b = moves ? at.balance(damped_, share_) : at.balance(undamped_, 0);
       const bool settled = b.size < settled_within(model_.pitch_radius, accuracy_);
       if (settled && !moves && motion == RollerMotion::orbiting) {
         moves = true;
@@ -203,9 +203,9 @@ bool StaticEquilibrium::follow(const double* angle, double orbit_rate, const Rin
     RollerBalance resting, orbiting;
     Step(const StaticEquilibrium& of, int group, const double* angle, double orbit_rate)
         : at(of.model_, group, angle, orbit_rate, of.state_, of.spins_, of.inner_speed_),
-          resting(at.put(of.resting_radius_, of.resting_tilt_).balance(of.undamped_)),
+          resting(at.put(of.resting_radius_, of.resting_tilt_).balance(of.undamped_, 0)),
           orbiting(
-              at.orbit(resting).put(of.state_.radius, of.state_.tilt).balance(of.model_.race)) {}
+              at.orbit(resting).put(of.state_.radius, of.state_.tilt).balance(of.model_.race, 1)) {}
   };
   std::vector<Step> steps;
   steps.reserve(static_cast<std::size_t>(model_.layout.groups));
@@ -295,6 +295,7 @@ void StaticEquilibrium::search(const double* angle, double orbit_rate, const Rin
       const StaticState from = state_;
       const auto resting = std::pair{resting_radius_, resting_tilt_};
       const double next = std::min(1.0, share + step);
+      share_ = next;
       damped_.damping = next * model_.race.damping;
       damped_.chi = next * model_.race.chi;
       if (correct(angle, orbit_rate, load, f)) {
@@ -308,6 +309,7 @@ void StaticEquilibrium::search(const double* angle, double orbit_rate, const Rin
       step /= 2;
     }
     damped_ = model_.race;
+    share_ = 1;
     state_.converged = share == 1;
   }
   state_.ring_elastic_z = f.elastic_z;

@@ -73,6 +73,7 @@ class StaticEquilibrium {
   BearingModel model_;  ///< a copy
   NormalLaw undamped_;  ///< of its races: where rollers are at rest
   NormalLaw damped_;    ///< likewise: where they orbit
+  double share_ = 1;    ///< of the damping in `damped_`
   double accuracy_;
   double lever_;  ///< makes forces of moments, and moves of tilts [m]
   bool tilts_;    ///< the ring, freely

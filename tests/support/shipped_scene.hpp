@@ -19,6 +19,13 @@ inline Scene shipped_scene(const std::string& name) {
   return read_scene(read_toml(path), path);
 }
 
+/// The same with dry contacts.
+inline Scene dry_scene(const std::string& name) {
+  Scene scene = shipped_scene(name);
+  scene.lubrication.model = "none";
+  return scene;
+}
+
 inline double quantity(const Outcome& outcome, const std::string& key) {
   const int index = quantity_index(key);
   if (index < 0 || outcome.quantities.empty()) {

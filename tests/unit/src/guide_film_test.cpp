@@ -155,7 +155,7 @@ TEST(GuideFilm, EndsAtItsLeastHeight) {
 }
 
 Scene oiled(const char* guidance = "outer") {
-  Scene scene = shipped_scene("nu205");
+  Scene scene = dry_scene("nu205");
   scene.cage.guide_film.model = "short-bearing";
   scene.cage.guidance = guidance;
   if (guidance == std::string("inner")) scene.cage.guide_clearance = 0.2e-3;
@@ -199,7 +199,7 @@ TEST(GuideFilm, NewtonMatrixIsThatOfDifferences) {
 }
 
 TEST(GuideFilm, CarriesTheCageOfARun) {
-  Scene scene = oiled(), dry = shipped_scene("nu205");
+  Scene scene = oiled(), dry = dry_scene("nu205");
   for (Scene* s : {&scene, &dry}) {
     s->window.settle_time = 0.01;
     s->window.measure_time = 0.02;

@@ -52,7 +52,7 @@ TEST(QuasiStatic, StandstillGivesTheClosedDisplacement) {
 }
 
 TEST(QuasiStatic, MeanIsThatOfManyMorePositions) {
-  Scene scene = shipped_scene("nu205");
+  Scene scene = dry_scene("nu205");
   scene.roller.diameter.assign(13, 7.5e-3);
   scene.roller.diameter[4] += 3e-6;  // the pitch does not repeat, the turn does
   const Outcome outcome = simulate(quasi_static(scene));
@@ -74,7 +74,7 @@ TEST(QuasiStatic, MeanIsThatOfManyMorePositions) {
 }
 
 TEST(QuasiStatic, DefinesWhatEquilibriaDefineAndNothingElse) {
-  Scene scene = quasi_static(shipped_scene("nu205"));
+  Scene scene = quasi_static(dry_scene("nu205"));
   const auto expect_defined = [&](const std::vector<std::string>& without) {
     const Outcome outcome = simulate(scene);
     ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
@@ -94,7 +94,7 @@ TEST(QuasiStatic, DefinesWhatEquilibriaDefineAndNothingElse) {
 }
 
 TEST(QuasiStatic, WindowShorterThanATurnIsCoveredToItsEnd) {
-  Scene scene = quasi_static(shipped_scene("nu205"));
+  Scene scene = quasi_static(dry_scene("nu205"));
   scene.window.settle_revolutions = 0.25;
   scene.window.measure_revolutions = 0.5;
   const Outcome outcome = simulate(scene);
@@ -108,7 +108,7 @@ TEST(QuasiStatic, WindowShorterThanATurnIsCoveredToItsEnd) {
 }
 
 TEST(QuasiStatic, JamsLikeEveryRun) {
-  Scene scene = quasi_static(shipped_scene("nu205"));
+  Scene scene = quasi_static(dry_scene("nu205"));
   scene.cage.pocket_width = {7.49e-3};
   EXPECT_EQ(simulate(scene).status, Status::jammed);
 }
@@ -116,7 +116,7 @@ TEST(QuasiStatic, JamsLikeEveryRun) {
 // Measured near 1/50 (1/150 before the motion became cheaper). A clock, which other work and other
 // processors disturb, decides on an order of magnitude only; counts decide on the rest.
 TEST(QuasiStatic, CostsFarLessThanTheMotion) {
-  const Scene scene = shipped_scene("nu205");
+  const Scene scene = dry_scene("nu205");
   Scene part = scene;  // an eighth of the default motion
   part.window.settle_revolutions = 0;
   part.window.measure_revolutions =

@@ -13,7 +13,7 @@ namespace {
 class NormalsOfARace : public testing::TestWithParam<const char*> {
  protected:
   NormalsOfARace() {
-    Scene scene = shipped_scene("nu205");
+    Scene scene = dry_scene("nu205");
     scene.film.model = GetParam();
     model_ = make_bearing_model(scene);
     model_.friction[kRacePair].static_coefficient = model_.friction[kRacePair].dynamic_coefficient = 0;

@@ -149,7 +149,7 @@ Scene brief(Scene scene) {
 
 // Friction moves the ring a little; a shaft leaves it little to move.
 TEST(RingTilt, OfARunIsThatOfStatics) {
-  Scene scene = brief(free_ring(shipped_scene("nu205")));
+  Scene scene = brief(free_ring(dry_scene("nu205")));
   scene.integration.tolerance = 5e-5;
   scene.bearing.tilt_stiffness = 1e4;
   scene.operation.tilting_moment_y = -4;

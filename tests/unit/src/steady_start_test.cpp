@@ -112,7 +112,7 @@ TEST(SteadyStart, IsWhatLubricatedBearingsStartFrom) {
   EXPECT_EQ(speed(steady), start.turn.cage_speed);
   EXPECT_EQ(speed(rolling), kinematic_cage_speed(m, m.inner_speed));
 
-  const BearingModel dry = make_bearing_model(shipped_scene("nu205"));
+  const BearingModel dry = make_bearing_model(dry_scene("nu205"));
   EXPECT_FALSE(find_steady_start(dry).found);
   EXPECT_EQ(start_state(dry, {}), start_state(dry, {.state = "equilibrium"}));
 }
@@ -175,7 +175,7 @@ TEST(SteadyStart, BelongsToTheSpeedAtWhichARampBegins) {
 }
 
 TEST(SteadyStart, OfADryBearingIsRefused) {
-  Scene scene = shipped_scene("nu205");
+  Scene scene = dry_scene("nu205");
   scene.start.state = "steady";
   try {
     check_scene(scene, "dry.toml", nullptr);

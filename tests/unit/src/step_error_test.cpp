@@ -50,7 +50,7 @@ class StepErrorOf : public testing::Test {
   }
   double strict() const { return error_norm(*system_, error_.data()) / kTolerance; }
 
-  Scene scene_ = shipped_scene("nu205");
+  Scene scene_ = dry_scene("nu205");
   BearingModel model_;
   std::unique_ptr<System> system_;
   std::vector<double> y_, error_;

@@ -118,6 +118,7 @@ double quantity(const Outcome& outcome, const char* key) {
 /// run says so instead of passing unwatched.
 TEST(ReferenceBearing, SaysWhereStaticsFindNothing) {
   Scene scene = short_run();
+  scene.lubrication.model = "none";
   scene.contact.race.restitution = 0.01;
   scene.contact.race.restitution_speed = 5e-4;
   const Outcome outcome = simulate(scene);
@@ -131,6 +132,7 @@ TEST(ReferenceBearing, SaysWhereStaticsFindNothing) {
 /// um under load) and carries the same load.
 TEST(ReferenceBearing, RunsOnItsOilFilm) {
   Scene scene = short_run();
+  scene.lubrication.model = "none";
   const Outcome dry = simulate(scene);
   scene.film.model = "series";
   const Outcome oiled = simulate(scene);
