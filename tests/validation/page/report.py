@@ -1,0 +1,77 @@
+"""Markdown and figures of the page."""
+
+import math
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[3]
+pyplot.style.use(ROOT / "analysis/figures/cagetol.mplstyle")
+WIDTH = 6.7  # inch: the text width of an A4 page
+
+
+def number(value, digits=3):
+    """Rounded to significant digits, without exponents between 1e-4 and 1e7; a dash where there is none."""
+    if value is None or not math.isfinite(value):
+        return "-"
+    if value == 0:
+        return "0"
+    size = math.floor(math.log10(abs(value)))
+    if not -4 <= size < 7:
+        return f"{value:.{digits - 1}e}"
+    rounded = round(value, digits - 1 - size)
+    return f"{rounded:.{max(0, digits - 1 - size)}f}"
+
+
+def percent(value, digits=2):
+    """A share in per cent, without the sign."""
+    return number(100 * value, digits)
+
+
+def signed_percent(value, places=1):
+    return f"{100 * value:+.{places}f}" if math.isfinite(value) else "-"
+
+
+def verdict(met):
+    return "met" if met else "**not met**"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows] + [""]
+
+
+class Page:
+    """Lines of the page, its figures, and the runs that failed."""
+
+    def __init__(self, text, figures):
+        self.text, self.figures = Path(text), Path(figures)
+        self.lines, self.failures, self.bars = [], [], []
+        self.figures.mkdir(parents=True, exist_ok=True)
+
+    def add(self, *lines):
+        self.lines += lines
+
+    def heading(self, title):
+        self.add(f"## {title}", "")
+
+    def table(self, head, rows):
+        self.add(*table(head, rows))
+
+    def bar(self, what, asked, found, met):
+        """Notes a bar that a result was held to, for the table at the top."""
+        self.bars.append((what, asked, found, verdict(met)))
+
+    def note_failure(self, what, run):
+        """Records a run whose status is not ok; true where it failed."""
+        if not run.ok:
+            self.failures.append((what, run.status, run.reason.replace("\n", " ").replace("|", "/")))
+        return not run.ok
+
+    def figure(self, name, figure, caption):
+        figure.savefig(self.figures / f"{name}.svg", metadata={"Date": None})
+        pyplot.close(figure)
+        self.add(f"![{caption}]({self.figures.name}/{name}.svg)", "")
