@@ -7,6 +7,7 @@ from pathlib import Path
 
 import rating
 from load_distribution import RollerSet
+from lubricant import curve, viscosity_fall
 from torque_models import SERIES, palmgren_torque, skf_torque
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -26,6 +27,8 @@ class Bearing:
     C0: float = 0
     factor: float = rating.STANDARD_FACTOR
     settings: dict = field(default_factory=dict)  # of every run
+    # Viscosities at 40 and 100 degC [mm2/s], degC, alpha [1/Pa] of the oil named in the scene, as in the program.
+    oil: tuple = ((68, 8.7), 70, 1.8e-8)
 
     @cached_property
     def file(self):
@@ -38,6 +41,17 @@ class Bearing:
     @property
     def rpm(self):
         return float(self.file["speed"]["inner_rpm"])
+
+    @property
+    def dynamic_viscosity(self):
+        """[Pa s]"""
+        key = "viscosity_Pa_s"
+        return self.settings.get("lubrication." + key) or self.file["lubrication"][key]
+
+    @property
+    def viscosity_fall(self):
+        """beta of the oil [1/K]."""
+        return viscosity_fall(curve(*self.oil[0]), self.oil[1])
 
     @property
     def bore(self):
@@ -87,7 +101,7 @@ def scene_of(name):
     return ROOT / "tests/validation/scenes" / f"{name}.toml"
 
 
-# The default scene at the operating point at which it is judged: oiled, 0.02 Pa s.
+# The default scene at the point at which it is judged: oiled, 0.02 Pa s, which is 23 mm2/s at 870 kg/m3.
 NU205 = Bearing("NU 205", ROOT / "inputs/scenes/nu205.toml", "2", 23, 1.6,
                 (100, 300, 1000, 3000, 10000), (1000, 3000, 6000, 9000, 14000), 14000, 28600, 27000,
                 settings={"lubrication.model": "film", "lubrication.viscosity_Pa_s": 0.02})
@@ -101,5 +115,5 @@ NU2322 = Bearing("NU 2322", scene_of("nu2322"), "23", 100, 1.8, (15000, 30000, 6
                  3000, 780000, 900000, rating.EXPLORER_FACTOR)
 # Not in a catalogue: factors of series 2; those of series 10 give 616 and 1236 in place of 600 and 1250 N mm.
 AERO = Bearing("118 mm aero", scene_of("aero118"), "2", 5, 1.8, (500, 1000, 2000, 5000, 10000),
-               (5000, 10000, 15000, 20000))
+               (5000, 10000, 15000, 20000), oil=((25.5, 5.1), 100, 1.2e-8))
 BEARINGS = (NU205, NU208, NU226, NU2226, NU2322, AERO)

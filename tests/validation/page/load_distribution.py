@@ -3,8 +3,9 @@
   q_jk   = c_s max(0, delta_jk)^(10/9),  c_s = 35948 L_we^(8/9)/n_s               [N], lengths in mm
   delta_jk = (delta_r + psi x_k) cos phi_j - s/2 - 2 P(x_k)
   P(x)   = 0.00035 D_we ln(1/(1 - (2 x/L_we)^2))
-phi_j angle from the load's direction, psi misalignment in the load's plane, s diametral clearance; rollers without mass.
-The pair of contacts of a roller approaches by delta. The program holds each contact to 2^(10/9) c_s: the same law.
+phi_j angle from the load's direction, psi misalignment in the load's plane, s diametral clearance; rollers have no
+mass. Both contacts of a roller together approach by delta. The program holds each contact to 2^(10/9) c_s: the same
+law.
 """
 
 from dataclasses import dataclass

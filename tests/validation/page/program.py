@@ -5,6 +5,7 @@ import json
 import os
 import subprocess
 import sys
+import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -59,10 +60,10 @@ class Program:
         return next((line.split()[1] for line in text.splitlines() if line.startswith("commit ")), "unknown")
 
     def run(self, scene, settings=None, series=()):
-        """The outcome of a scene file with settings {key: value}; `series`: names of histories whose first row is kept."""
+        """The outcome of a scene file with settings {key: value}; `series`: histories whose first row is kept."""
         settings = dict(settings or {}) | self.common
-        text = Path(scene).read_text(encoding="utf-8")
-        key = json.dumps([self.build, text, sorted(settings.items()), sorted(series)])
+        content = tomllib.loads(Path(scene).read_text(encoding="utf-8"))  # comments change no run
+        key = json.dumps([self.build, content, sorted(settings.items()), sorted(series)])
         place = self.cache / (hashlib.sha256(key.encode()).hexdigest()[:24] + ".json")
         if place.exists():
             self.kept += 1

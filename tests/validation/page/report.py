@@ -6,7 +6,7 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
+from matplotlib import pyplot, ticker  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[3]
 pyplot.style.use(ROOT / "analysis/figures/cagetol.mplstyle")
@@ -33,6 +33,24 @@ def percent(value, digits=2):
 
 def signed_percent(value, places=1):
     return f"{100 * value:+.{places}f}" if math.isfinite(value) else "-"
+
+
+def logarithmic(axis, places, which="x"):
+    """A logarithmic axis with ticks at these places alone, as plain numbers, thousands as k."""
+    chosen = axis.xaxis if which == "x" else axis.yaxis
+    (axis.set_xscale if which == "x" else axis.set_yscale)("log")
+    chosen.set_major_locator(ticker.FixedLocator(list(places)))
+    chosen.set_minor_locator(ticker.NullLocator())
+    chosen.set_major_formatter(ticker.FuncFormatter(lambda x, _: f"{x / 1000:g}k" if x >= 1000 else f"{x:g}"))
+
+
+def ticks_within(low, high):
+    """1, 2, 5 times powers of ten from low to high; 1, 1.5, 2, 3, 5, 7 where these are too few."""
+    for steps in ((1, 2, 5), (1, 1.5, 2, 2.5, 3, 4, 5, 7)):
+        found = [s * 10.0 ** e for e in range(-3, 7) for s in steps if low <= s * 10.0 ** e <= high]
+        if len(found) >= 3:
+            break
+    return found
 
 
 def verdict(met):

@@ -7,7 +7,7 @@ from statistics import mean, stdev
 from matplotlib import pyplot
 
 from bearings import NU205, NU208
-from report import WIDTH, number, percent, signed_percent
+from report import WIDTH, logarithmic, number, percent, signed_percent
 from torque_models import SERIES, ntn_least_load, schaeffler_least_load, skf_least_load
 
 TENTH = 0.1
@@ -56,7 +56,8 @@ def draw_slip(found):
             least = skf_least_load(SERIES[bearing.series], bearing.bore, bearing.outside, rpm, bearing.reference_rpm)
             axis.axvline(least, color=line.get_color(), linestyle=":", linewidth=1.2)
         axis.axhline(100 * TENTH, color="#8A8A8A", linewidth=0.8)
-        axis.set_xscale("log")
+        logarithmic(axis, (20, 50, 100, 200, 500, 1000, 2000))
+        axis.set_xlim(0.9 * LOADS[bearing][0], 1.1 * LOADS[bearing][-1])
         axis.set_xlabel("load [N]")
         axis.set_ylabel("slip of the rollers' orbit [%]")
         axis.set_title(f"{bearing.title} (dotted: SKF's least load)")
@@ -94,8 +95,9 @@ def over_load_and_speed(page, program, quick):
 
 def over_starts(page, program, quick):
     page.add("### NU 205, 6000 r/min: scatter between starts", "",
-             f"{STARTS} starts for each load, the cage off centre by up to half of its guide clearance in y and z and turned within a",
-             "pitch (`start.cage_offset_y_um`, `start.cage_offset_z_um`, `start.cage_phase_deg`; seed 38).", "")
+             f"{STARTS} starts for each load, the cage off centre by up to half of its guide clearance in y and z and",
+             "turned within a pitch (`start.cage_offset_y_um`, `start.cage_offset_z_um`, `start.cage_phase_deg`;",
+             "seed 38).", "")
     draw = random.Random(38)
     starts = [start_of(NU205, draw) for _ in range(STARTS)]
     rows, means, per_start = [], {}, [{} for _ in starts]
@@ -126,9 +128,9 @@ def over_starts(page, program, quick):
 
 def from_two_states(page, program, quick):
     page.add("### NU 205, 6000 r/min: is the state reached the only one?", "",
-             "From pure rolling, and from 30 % slip: there the inner ring turns at 4200 r/min at the start, all else rolls with it,",
-             f"and the ring is brought to 6000 r/min within 0.2 ms. Both settle for {LONG_SETTLING} turns of the cage. \"Steady\" is"
-             " the default start.", "")
+             "From pure rolling, and from 30 % slip: there the inner ring turns at 4200 r/min at the start, all else",
+             "rolls with it, and the ring is brought to 6000 r/min within 0.2 ms. Both settle for",
+             f"{LONG_SETTLING} turns of the cage. \"Steady\" is the default start.", "")
     rows = []
     rolling = {"start.state": "equilibrium", "window.settle_revolutions": LONG_SETTLING}
     slipping = rolling | {"speed.ramp_from_rpm": 4200, "speed.ramp_ms": 0.2}
