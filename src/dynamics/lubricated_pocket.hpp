@@ -94,10 +94,10 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
       using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
       LineForces<D> forces;
       if constexpr (linear)
-        forces = line_forces<D>(law, -variable<D>(place, 0), -variable<D>(rate, 1),
-                                variable<D>(u, 2), variable<D>(squared, 3));
+        forces = line_forces<D>(law, line_speed<D>(law, variable<D>(u, 2)), -variable<D>(place, 0),
+                                -variable<D>(rate, 1), variable<D>(squared, 3));
       else
-        forces = line_forces<Pack>(law, -place, -rate, u, squared);
+        forces = line_forces<Pack>(law, line_speed<Pack>(law, u), -place, -rate, squared);
       const Pack normal = value_of(forces.at.normal) * one, ratio = value_of(forces.ratio) * one,
                  roll = value_of(forces.rolling) * one;
       const Pack f1 = -ratio * v1 - roll, f2 = -ratio * v2, axis = 2.0 * roll, along = f1 + axis;

@@ -238,6 +238,12 @@ void lubricated_race(const BearingModel& model, const LubricatedLine& law,
   // 2 R/R_roller: with that of the race it adds up to two, so that the forces of a pair vanish.
   const Pack axis_share = 2.0 * race.radius / (race.radius + race.sign * roller.radius);
   const double surface = race.sign * race.speed * race.radius, arm = race.sign * race.radius;
+  using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
+  LineSpeed<D> speed;
+  if constexpr (linear)
+    speed = line_speed<D>(law, variable<D>(oil.speed, 2));
+  else
+    speed = line_speed<Pack>(law, oil.speed);
   for (const Slice& slice : model.race_slices) {
     const SliceGap gap = slice_gap<moving>(roller, q, race, slice);
     Mask wet = roller.exists > 0.0;
@@ -248,13 +254,12 @@ void lubricated_race(const BearingModel& model, const LubricatedLine& law,
     const Pack p = select(wet, m.p, splat(law.starved ? -0.5 * law.layer : -1e-5));
     const Pack squared = m.v1 * m.v1 + m.v2 * m.v2;
     const Pack one = select(wet, splat(1.0), Pack{});
-    using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
     LineForces<D> f;
     if constexpr (linear)
-      f = line_forces<D>(law, -variable<D>(p, 0), -variable<D>(m.rate, 1),
-                         variable<D>(oil.speed, 2), variable<D>(squared, 3));
+      f = line_forces<D>(law, speed, -variable<D>(p, 0), -variable<D>(m.rate, 1),
+                         variable<D>(squared, 3));
     else
-      f = line_forces<Pack>(law, -p, -m.rate, oil.speed, squared);
+      f = line_forces<Pack>(law, speed, -p, -m.rate, squared);
     f.at.normal = f.at.normal * one;
     f.ratio = f.ratio * one;
     f.rolling = f.rolling * one;

@@ -48,7 +48,7 @@ inline RaceNormals lubricated_normals(const BearingModel& model, const Lubricate
                                       const RaceSide& race, double share) {
   using D = Dual<Pack, 2>;
   RaceNormals sums;
-  const Pack u = entrainment(race, roller, q).speed;
+  const LineSpeed<D> speed = line_speed(line, D{entrainment(race, roller, q).speed, {}});
   for (const Slice& slice : model.race_slices) {
     const SliceGap gap = slice_gap(roller, q, race, slice);
     const auto& [p, n_r, n_t, inverse] = gap;
@@ -58,7 +58,7 @@ inline RaceNormals lubricated_normals(const BearingModel& model, const Lubricate
     const Pack rate = -share * (n_r * q.vr + n_t * q.vt), along = share * (n_r * q.vt - n_t * q.vr);
     const Pack inside = select(wet, p, splat(line.starved ? -0.5 * line.layer : -1e-5));
     const D normal =
-        line_normal(line, -variable<D>(inside, 0), -variable<D>(rate, 1), D{u, {}}).normal;
+        line_normal(line, speed, -variable<D>(inside, 0), -variable<D>(rate, 1)).normal;
     const Pack force = select(wet, normal.value, Pack{}),
                stiffness = select(wet, normal.slope[0], Pack{});
     add_normal(slice, {force, force, stiffness, select(wet, normal.slope[1], Pack{}), stiffness},

@@ -133,7 +133,7 @@ void RollerOrbit::balance_pocket(Pack need, Pack s, Pack& x) const {
     gap.value = select(wet, gap.value, splat(0.5 * bar_.layer));
     D speed;
     speed.value = side * u;
-    D push = line_normal(bar_, gap, D{}, speed).normal;
+    D push = line_normal(bar_, line_speed(bar_, speed), gap, D{}).normal;
     push.value = select(wet, push.value, Pack{});
     push.slope[0] = select(wet, push.slope[0], Pack{});
     return push;

@@ -7,29 +7,35 @@
 namespace cagetol {
 namespace {
 
-/// log2(q/q*) of the steady film, by bisection: the left side falls with y.
-double solved(double gap, double depth) {
-  double low = -1000, high = 200;
-  for (int i = 0; i < 200; ++i) {
-    const double y = 0.5 * (low + high), e = y * std::numbers::ln2;
-    const double left =
-        std::pow(std::exp(-0.52 * e) + std::exp(-4 * e), 0.25) - depth * std::exp(0.9 * e);
-    (left > gap ? low : high) = y;
+/// ln(q/q*) of the steady film, from a guess: Newton's method between bounds, as the left side
+/// falls with y.
+double solved(double gap, double depth, double y) {
+  double low = -700, high = 140;
+  for (int i = 0; i < 200 && high - low > 1e-13; ++i) {
+    const double e = std::exp(-0.52 * y), r = std::exp(-4 * y), a = depth * std::exp(0.9 * y);
+    const double root = std::pow(e + r, 0.25), miss = root - a - gap;
+    (miss > 0 ? low : high) = y;
+    const double next = y + miss / (0.25 * root * (0.52 * e + 4 * r) / (e + r) + 0.9 * a);
+    if (std::abs(next - y) < 1e-14) break;
+    y = next > low && next < high ? next : 0.5 * (low + high);
   }
-  return 0.5 * (low + high);
+  return y;
 }
 
 FilmTable make_table() {
   FilmTable table;
-  for (int k = 0; k < FilmTable::kDepths; ++k)
+  for (int k = 0; k < FilmTable::kDepths; ++k) {
+    double y = 0;
     for (int i = 0; i < FilmTable::kGaps; ++i) {
       const auto at = [](int n, int count, double first, double last) {
         return first + (last - first) * n / (count - 1);
       };
       const double place = at(i, FilmTable::kGaps, FilmTable::kFirstGap, FilmTable::kLastGap);
       const double depth = at(k, FilmTable::kDepths, FilmTable::kFirstDepth, FilmTable::kLastDepth);
-      table.load.push_back(solved(std::sinh(place) / 2, std::exp2(depth)));
+      y = solved(std::sinh(place) / 2, std::exp2(depth), y);
+      table.load.push_back(y / std::numbers::ln2);
     }
+  }
   return table;
 }
 

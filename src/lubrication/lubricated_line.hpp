@@ -35,6 +35,24 @@ struct LubricatedLine {
   FrictionLaw boundary;
 };
 
+/// What a contact makes of its entrainment speed alone, for all slices of a roller.
+template <class T>
+struct LineSpeed {
+  T direction;  ///< u/u_s
+  FilmScale<T> film;
+  RollingScale<T> rolling;
+};
+/// `u` entrainment speed, signed [m/s].
+template <class T>
+LineSpeed<T> line_speed(const LubricatedLine& law, T u) {
+  const T speed = film_speed(u);
+  LineSpeed<T> at;
+  at.direction = u * reciprocal(speed);
+  at.film = film_scale(law.film, speed);
+  if (law.rolls) at.rolling = rolling_scale(law.rolling, speed, at.film.log_speed);
+  return at;
+}
+
 /// The normal force alone, and what traction and rolling need of it.
 template <class T>
 struct LineNormal {
@@ -42,17 +60,15 @@ struct LineNormal {
   T acting;  ///< Q/L [N/m]
   T steady;  ///< q_w L [N]
   T film;    ///< q_f L [N]
-  T speed;   ///< u_s [m/s]
   SteadyFilm<T> state;
   OilFactors<T> oil;
 };
 
-/// `gap` of the undeformed bodies and its `rate` [m], [m/s]; `u` entrainment speed [m/s].
+/// `gap` of the undeformed bodies and its `rate` [m], [m/s].
 template <class T>
-LineNormal<T> line_normal(const LubricatedLine& law, T gap, T rate, T u) {
+LineNormal<T> line_normal(const LubricatedLine& law, const LineSpeed<T>& speed, T gap, T rate) {
   LineNormal<T> n;
-  n.speed = film_speed(u);
-  n.state = steady_film(law.film, gap, n.speed);
+  n.state = steady_film(speed.film, gap);
   const SteadyFilm<T>& at = n.state;
   n.oil = law.starved ? oil_factors(at.thickness * (1 / law.layer)) : flooded<T>();
   const T steady = law.starved ? at.load * (1.0 - (1.0 - n.oil.wedge) * at.rigidity) : at.load;
@@ -87,11 +103,12 @@ struct LineForces {
   T rolling;  ///< F_r, signed as u: on each surface against its motion [N]
 };
 
-/// `u` signed; `squared` = |du|^2.
+/// `squared` = |du|^2.
 template <class T>
-LineForces<T> line_forces(const LubricatedLine& law, T gap, T rate, T u, T squared) {
+LineForces<T> line_forces(const LubricatedLine& law, const LineSpeed<T>& speed, T gap, T rate,
+                          T squared) {
   LineForces<T> forces;
-  forces.at = line_normal(law, gap, rate, u);
+  forces.at = line_normal(law, speed, gap, rate);
   const LineNormal<T>& n = forces.at;
   // A contact that carries nothing slides without traction: the law's load must stay above zero.
   const T load = max(n.acting, T{} + 1e-6);
@@ -100,8 +117,8 @@ LineForces<T> line_forces(const LubricatedLine& law, T gap, T rate, T u, T squar
                             : law.length * friction(law.boundary, squared).ratio * n.acting;
   forces.rolling = T{};
   if (law.rolls)
-    forces.rolling = law.length * n.oil.rolling * (u / n.speed) *
-                     rolling_resistance(law.rolling, n.state.load, n.state.log_load, n.speed);
+    forces.rolling = law.length * n.oil.rolling * speed.direction *
+                     rolling_resistance(speed.rolling, n.state.load, n.state.log_load);
   return forces;
 }
 

@@ -35,10 +35,10 @@ OilFactors<T> oil_factors(T x) {
   // Beyond the layer the factors are those of a place within it, masked, so that no power is taken
   // of a number that is not positive.
   const T inside = select(wet, x, T{} + 0.5);
-  const T root = sqrt(inside), rest = 1.0 - inside, across = 1.0 - root;
+  const T root = inside * inverse_root(inside), rest = 1.0 - inside, across = 1.0 - root;
   const T z = min(rest * 5.0, T{} + 1.0);
   const OilFactors<T> f{power(rest, 2.3), power(1.0 - inside * root, 1.6), power(across, 2.1),
-                        sqrt(across) * z * z * (3.0 - 2.0 * z)};
+                        across * inverse_root(across) * z * z * (3.0 - 2.0 * z)};
   const T zero{};
   return {select(wet, f.wedge, zero), select(wet, f.squeeze, zero), select(wet, f.rolling, zero),
           select(wet, f.couette, zero)};

@@ -17,11 +17,12 @@ RollingResistance make_rolling_resistance(double viscosity, double pressure_visc
   RollingResistance law;
   law.heating = heating;
   const double G = pressure_viscosity * viscosity / radius, W = 1 / (modulus * radius);
-  law.elastic = 4.317 * std::pow(G, 0.658228) * std::pow(W, 0.012658) * radius / pressure_viscosity;
+  law.log_elastic = std::log2(4.317 * std::pow(G, 0.658228) * std::pow(W, 0.012658) * radius /
+                              pressure_viscosity);
   law.rigid = 2.0796 * std::sqrt(viscosity);
   law.log_drag = std::log2(11.81220746 * G / std::pow(W, 1.5));
-  law.load_scale = W * radius / pressure_viscosity;
-  if (heating) law.heating_scale = viscosity * viscosity_fall / conductivity;
+  law.log_load_scale = std::log2(W * radius / pressure_viscosity);
+  if (heating) law.log_heating = std::log2(viscosity * viscosity_fall / conductivity);
   return law;
 }
 

@@ -29,11 +29,11 @@ namespace cagetol {
 
 struct RollingResistance {
   bool heating = false;
-  double elastic = 0;        ///< f_E at u = 1 m/s, q = 1 N/m, isothermal [N/m]
-  double rigid = 0;          ///< f_I there [N/m]
-  double log_drag = 0;       ///< log2 D there
-  double load_scale = 0;     ///< W R/alpha at q = 1 N/m [N/m]
-  double heating_scale = 0;  ///< L at u = 1 m/s
+  double rigid = 0;           ///< f_I at u = 1 m/s, q = 1 N/m [N/m]
+  double log_elastic = 0;     ///< log2 f_E there, isothermal
+  double log_drag = 0;        ///< log2 D there
+  double log_load_scale = 0;  ///< log2 of W R/alpha there
+  double log_heating = 0;     ///< log2 L at u = 1 m/s
 };
 
 /// `viscosity_fall`: beta, `conductivity`: k; both used where `heating`.
@@ -41,25 +41,39 @@ RollingResistance make_rolling_resistance(double viscosity, double pressure_visc
                                           double radius, double modulus, bool heating,
                                           double viscosity_fall, double conductivity);
 
-/// f [N/m]. `load` = q_w > 0 with `log_load` = log2 of it, `speed` = film_speed(u).
+/// What rolling resistance makes of the speed alone: log2 f_E = power log2 q + elastic.
 template <class T>
-T rolling_resistance(const RollingResistance& law, T load, T log_load, T speed) {
+struct RollingScale {
+  T power, elastic;
+  T rigid;  ///< f_I at q = 1 N/m [N/m]
+};
+/// `speed` = film_speed(u) with `log_speed` = log2 of it.
+template <class T>
+RollingScale<T> rolling_scale(const RollingResistance& law, T speed, T log_speed) {
   constexpr double kSpeed = 0.658228, kLoad = 0.012658;
-  const T log_speed = log2(speed);
-  T elastic;
+  RollingScale<T> scale;
+  scale.rigid = law.rigid * sqrt(speed);
   if (law.heating) {
-    const T L = law.heating_scale * speed * speed;
-    const T log_D = law.log_drag + log_speed - 1.5 * log_load;
-    const T log_K = (kSpeed + 0.0106383 * power(L, 0.3174603)) * log_D -
-                    0.162625 / std::numbers::ln2 - log2(1.0 + 0.411483 * power(L, 0.707071));
-    elastic = law.load_scale * load * exp2(log_K);
+    const T log_L = law.log_heating + 2.0 * log_speed;
+    const T grade = kSpeed + 0.0106383 * exp2(0.3174603 * log_L);
+    scale.power = 1.0 - 1.5 * grade;
+    scale.elastic = law.log_load_scale + grade * (law.log_drag + log_speed) -
+                    0.162625 / std::numbers::ln2 - log2(1.0 + 0.411483 * exp2(0.707071 * log_L));
   } else {
-    elastic = law.elastic * exp2(kSpeed * log_speed + kLoad * log_load);
+    scale.power = T{} + kLoad;
+    scale.elastic = law.log_elastic + kSpeed * log_speed;
   }
-  const T rigid = law.rigid * sqrt(speed * load);
+  return scale;
+}
+
+/// f [N/m]. `load` = q_w > 0 with `log_load` = log2 of it.
+template <class T>
+T rolling_resistance(const RollingScale<T>& scale, T load, T log_load) {
+  const T elastic = exp2(scale.power * log_load + scale.elastic);
+  const T rigid = scale.rigid * (load * inverse_root(load));
   // Scaled by the smaller of the two: neither cube may leave the range of numbers.
-  const T less = min(elastic, rigid), e = less / elastic, i = less / rigid;
-  return less * power(e * e * e + i * i * i, -1.0 / 3);
+  const T less = min(elastic, rigid), share = less * reciprocal(max(elastic, rigid));
+  return less * power(share * share * share + 1.0, -1.0 / 3);
 }
 
 }  // namespace cagetol

@@ -18,6 +18,7 @@
 // (1893) 87; Couette term: Reynolds' equation.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 #include "src/contact/friction.hpp"
@@ -45,8 +46,10 @@ template <class T>
 T inverse_sinh_ratio(T square) {
   const auto small = square < 1e-4;
   const T series = 1.0 - square * (1.0 / 6 - square * (3.0 / 40 - square * (15.0 / 336)));
-  const T z = sqrt(select(small, T{} + 1.0, square));
-  return select(small, series, std::numbers::ln2 * log2(z + sqrt(z * z + 1.0)) / z);
+  const T large = select(small, T{} + 1.0, square), more = large + 1.0;
+  const T inverse = inverse_root(large);
+  return select(small, series,
+                std::numbers::ln2 * log2(large * inverse + more * inverse_root(more)) * inverse);
 }
 }  // namespace traction_detail
 
@@ -55,17 +58,18 @@ template <class T>
 T traction_ratio(const Traction& law, const FrictionLaw& boundary, T load, T h, T squared,
                  T couette) {
   constexpr double kPerNatural = 1 / std::numbers::ln2;
-  const T width = law.width * sqrt(load), pressure = load / width;
-  const T barus = law.pressure_viscosity * pressure, part = barus * (1.0 / 15);
+  const T by_load = inverse_root(load), by_gap = inverse_root(h);
+  const T root = load * by_load, width = law.width * root;
+  const T barus = (law.pressure_viscosity / law.width) * root, part = barus * (1.0 / 15);
   const T p2 = part * part, p4 = p2 * p2;
-  const T exponent = barus / sqrt(sqrt(sqrt(1.0 + p4 * p4)));
-  const T shear = law.viscosity * exp2(exponent * kPerNatural) / h;  // eta_p/h
+  const T exponent = barus * inverse_root(inverse_root(inverse_root(1.0 + p4 * p4)));
+  const T shear = law.viscosity * exp2(exponent * kPerNatural) * by_gap * by_gap;  // eta_p/h
   const T newtonian = shear * (1 / law.eyring);
   const T ratio =
       shear * traction_detail::inverse_sinh_ratio(newtonian * newtonian * squared);  // tau/|du|
-  const T limit = ratio / (law.limiting * pressure);
-  const T film = ratio / sqrt(1.0 + limit * limit * squared);
-  const T inlet = 2.849 * law.viscosity * sqrt(law.radius / h) * couette;
+  const T limit = ratio * by_load * (law.width / law.limiting);  // over Lambda p
+  const T film = ratio * inverse_root(1.0 + limit * limit * squared);
+  const T inlet = (2.849 * law.viscosity * std::sqrt(law.radius)) * by_gap * couette;
   // Of a thick film no power of two is left that a number could hold.
   const T thick = min(power(h * (1 / law.roughness), 1.2), T{} + 380.0);
   const T asperities = exp2(thick * (-1.8 * kPerNatural));  // 1 - phi

@@ -83,7 +83,7 @@ Dual<T, n> operator*(const Dual<T, n>& a, const Dual<T, n>& b) {
 }
 template <class T, int n>
 Dual<T, n> operator/(const Dual<T, n>& a, const Dual<T, n>& b) {
-  const T inverse = 1.0 / b.value;
+  const T inverse = reciprocal(b.value);
   Dual<T, n> y;
   y.value = a.value * inverse;
   for (int i = 0; i < n; ++i) y.slope[i] = (a.slope[i] - y.value * b.slope[i]) * inverse;
@@ -143,7 +143,7 @@ operator/(const Dual<T, n>& a, C b) {
 template <class T, int n, class C>
 requires ConstantFor<T, n, C> Dual<T, n>
 operator/(C a, const Dual<T, n>& b) {
-  const T inverse = 1.0 / b.value, value = a * inverse;
+  const T inverse = reciprocal(b.value), value = a * inverse;
   return dual_detail::chain(b, value, T(-value * inverse));
 }
 
@@ -182,18 +182,27 @@ Dual<T, n> sqrt(const Dual<T, n>& x) {
   return dual_detail::chain(x, root, T(0.5 / root));
 }
 template <class T, int n>
+Dual<T, n> reciprocal(const Dual<T, n>& x) {
+  return 1.0 / x;
+}
+template <class T, int n>
+Dual<T, n> inverse_root(const Dual<T, n>& x) {
+  const T value = inverse_root(x.value);
+  return dual_detail::chain(x, value, T(-0.5 * value * value * value));
+}
+template <class T, int n>
 Dual<T, n> exp2(const Dual<T, n>& x) {
   const T value = exp2(x.value);
   return dual_detail::chain(x, value, T(std::numbers::ln2 * value));
 }
 template <class T, int n>
 Dual<T, n> log2(const Dual<T, n>& x) {
-  return dual_detail::chain(x, log2(x.value), T((1 / std::numbers::ln2) / x.value));
+  return dual_detail::chain(x, log2(x.value), T((1 / std::numbers::ln2) * reciprocal(x.value)));
 }
 template <class T, int n>
 Dual<T, n> power(const Dual<T, n>& x, double e) {
   const T value = power(x.value, e);
-  return dual_detail::chain(x, value, T(e * value / x.value));
+  return dual_detail::chain(x, value, T(e * value * reciprocal(x.value)));
 }
 
 }  // namespace cagetol

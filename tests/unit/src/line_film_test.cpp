@@ -14,6 +14,11 @@ namespace {
 
 constexpr double kTableShare = 1e-3;  ///< that tables are rounded to
 
+template <class T>
+SteadyFilm<T> film_at(const LineFilm& film, T gap, T speed) {
+  return steady_film(film_scale(film, speed), gap);
+}
+
 TEST(LineFilm, ThicknessOfBothRegimes) {
   struct Row {
     double load, inner, rigid, outer;  // [N], [um]
@@ -73,7 +78,7 @@ TEST(LineFilm, SolutionGivesTheLoadBack) {
         const double speed = film_speed(u), q = load / contact.length;
         const double h = film_thickness(film, q, speed);
         const double gap = h - film.approach * std::pow(q, 0.9) - compliance * q;
-        const auto state = steady_film(film, gap, speed);
+        const auto state = film_at(film, gap, speed);
         worst = std::max({worst, std::abs(state.load / q - 1), std::abs(state.thickness / h - 1)});
       }
     EXPECT_LT(worst, 1e-9) << "compliance " << compliance;
@@ -86,7 +91,7 @@ TEST(LineFilm, OpeningIsTheShareOfTheGapThatTheFilmTakes) {
   const double expected[][2] = {{4, 0.995}, {20, 0.884}, {100, 0.140}, {567, 0.024}};
   for (const auto& [load, opening] : expected) {
     const double q = load / contact.length, h = film_thickness(film, q, contact.speed);
-    const auto state = steady_film(film, h - film.approach * std::pow(q, 0.9), contact.speed);
+    const auto state = film_at(film, h - film.approach * std::pow(q, 0.9), contact.speed);
     EXPECT_NEAR(state.opening, opening, 5e-4);
   }
 }
@@ -99,7 +104,7 @@ TEST(LineFilm, LoadFallsWithTheGapAndIsNeverStifferThanTheContact) {
     for (double gap = -20e-6; gap < 40e-6; gap += 0.25e-6) {
       D speed;
       speed.value = film_speed(u);
-      const auto state = steady_film(film, variable<D>(gap, 0), speed);
+      const auto state = film_at(film, variable<D>(gap, 0), speed);
       const double stiffness = -state.load.slope[0];
       const double elastic = 1 / (0.9 * film.approach * std::pow(state.load.value, -0.1));
       EXPECT_GT(stiffness, 0);
@@ -114,8 +119,8 @@ TEST(LineFilm, DerivativesAgreeWithDifferences) {
     const LineFilm film = contact.film(compliance);
     for (const double u : {0.0, 0.02, 2.0, -5.9, 50.0})
       for (const double gap : {-10e-6, -0.5e-6, 0.3e-6, 4e-6, 40e-6}) {
-        const auto at = [&](double g, double v) { return steady_film(film, g, film_speed(v)); };
-        const auto state = steady_film(film, variable<D>(gap, 0), film_speed(variable<D>(u, 1)));
+        const auto at = [&](double g, double v) { return film_at(film, g, film_speed(v)); };
+        const auto state = film_at(film, variable<D>(gap, 0), film_speed(variable<D>(u, 1)));
         const double dg = 1e-11, du = 1e-6;
         const auto near = [&](double slope, double above, double below, double step, double size) {
           EXPECT_NEAR(slope, (above - below) / (2 * step),
@@ -144,11 +149,11 @@ TEST(LineFilm, LanesAreAlike) {
     gap[i] = (i - 3) * 1.3e-6;
     speed[i] = 0.02 + i;
   }
-  const auto packed = steady_film(film, gap, speed);
+  const auto packed = film_at(film, gap, speed);
   for (int i = 0; i < kLanes; ++i) {
-    const auto alone = steady_film(film, splat(gap[i]), splat(speed[i]));
+    const auto alone = film_at(film, splat(gap[i]), splat(speed[i]));
     EXPECT_EQ(packed.load[i], alone.load[0]);
-    EXPECT_NEAR(packed.load[i] / steady_film(film, gap[i], speed[i]).load, 1, 1e-12);
+    EXPECT_NEAR(packed.load[i] / film_at(film, gap[i], speed[i]).load, 1, 1e-12);
   }
 }
 

@@ -48,7 +48,8 @@ TEST_F(LubricatedBearing, OneContactIsTheReferencesContact) {
       const double gap = i % 2 == 0 ? about(20e-6) : about(1e-6);
       const double rate = about(i % 3 == 0 ? 0.1 : 1e-3);
       const double u = about(i % 5 == 0 ? 0.05 : 20), sliding = between(1e-4, 5);
-      const auto ours = line_forces<double>(*pair.law, gap, rate, u, sliding * sliding);
+      const auto ours =
+          line_forces<double>(*pair.law, line_speed(*pair.law, u), gap, rate, sliding * sliding);
       const PlanarContactForces due = contact_forces(pair.reference, gap, rate, u, sliding);
       const auto same = [&](double value, double expected, double scale, const char* what) {
         EXPECT_NEAR(value, expected, 1e-6 * std::abs(expected) + scale)

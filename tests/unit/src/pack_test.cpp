@@ -52,6 +52,22 @@ TEST_F(PackMath, Exp2WithinItsBound) {
   EXPECT_EQ(exp2(splat(-10))[0], 1.0 / 1024);
 }
 
+TEST_F(PackMath, ReciprocalsWithinTheirBounds) {
+  double inverse = 0, root = 0;
+  for (int n = 0; n < kTrials; ++n) {
+    const double x = n % 2 ? magnitude(1e-300, 1e300) : magnitude(0.5, 2);
+    const long double exact = 1 / static_cast<long double>(x);
+    const long double exact_root = 1 / std::sqrt(static_cast<long double>(x));
+    const auto error = [&](double value, long double due) {
+      return static_cast<double>(std::abs(value - due)) / ulp(static_cast<double>(due));
+    };
+    inverse = std::max(inverse, error(reciprocal(splat(x))[1], exact));
+    root = std::max(root, error(inverse_root(splat(x))[2], exact_root));
+  }
+  EXPECT_LT(inverse, 2);
+  EXPECT_LT(root, 3);
+}
+
 TEST_F(PackMath, PowerWithinItsBound) {
   double near = 0, far = 0;
   for (int n = 0; n < kTrials; ++n) {
