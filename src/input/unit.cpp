@@ -45,6 +45,7 @@ const std::vector<Unit>& units() {
       {"deg", "deg", "angle", std::numbers::pi / 180},
       {"kN", "kN", "force", 1e3},
       {"N", "N", "force", 1},
+      {"C", "degC", "temperature", 1},
       {"kg", "kg", "mass", 1},
       {"g", "g", "mass", 1e-3},
       {"mm", "mm", "length", 1e-3},

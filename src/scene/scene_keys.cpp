@@ -135,7 +135,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"film.least_force_N", above(0), AT(film.least_force), "below this force of a contact the film thickens along its tangent only, at no force to 1.13 times (series) or up to twice (series-bounded) what it is at this one"},
       {"lubrication.model", required_where(R"(model.motion = "dynamic")", one_of({"none", "film"})), AT(lubrication.model), "oil in the bearing; film: films, rolling resistance and traction at races and pockets, a film at guide lands (src/lubrication), instead of film.* and cage.guide_film*; none: dry or those older films, the other keys of this section do nothing"},
       {"lubrication.lubricant", one_of(lubricant_names()), AT(lubrication.lubricant), "named oil, for the keys of this section that are left to auto"},
-      {"lubrication.temperature_C", within(-60, 250), AT(lubrication.temperature), "temperature of the oil in the bearing, in degC"},
+      {"lubrication.temperature_C", within(-60, 250), AT(lubrication.temperature), "temperature of the oil in the bearing"},
       {"lubrication.viscosity_40_mm2_s", or_auto(above(0)), AT(lubrication.viscosity_40), "kinematic viscosity at 40 degC; auto: of the named lubricant"},
       {"lubrication.viscosity_100_mm2_s", or_auto(above(0)), AT(lubrication.viscosity_100), "kinematic viscosity at 100 degC; auto: of the named lubricant"},
       {"lubrication.density_kg_m3", or_auto(above(0)), AT(lubrication.density), "density at 15 degC; auto: of the named lubricant"},
