@@ -99,15 +99,34 @@ Powers<V> powers(V y) {  // y as log2
   const V e = fourth * fourth, r = light * light;
   return {e * e, r * r, exp2(0.9 * y), reciprocal(light)};
 }
-/// At y + `move`, a small one.
-template <class T, class V>
-Powers<T> moved(const Powers<V>& p, T move) {
-  const auto growth = [&](double rate) {
-    const T x = rate * move;
-    return x * (x * (x * (1.0 / 6) + 0.5) + 1.0) + 1.0;
-  };
-  return {growth(-0.52) * p.elastic, growth(-4) * p.rigid, growth(0.9) * p.approach,
-          growth(1) * p.load};
+/// e^x of a small x, up to its term of that order.
+template <int order, class T>
+T growth(T x) {
+  T sum = x * (1.0 / order) + 1.0;
+  for (int n = order - 1; n > 0; --n) sum = sum * (x * (1.0 / n)) + 1.0;
+  return sum;
+}
+/// At y + `move`; right to 1e-15 where that is below 0.03, as it is within the table.
+template <class V>
+Powers<V> moved(const Powers<V>& p, V move) {
+  const V light = growth<8>(-move), fourth = growth<5>(-0.13 * move);
+  const V e = fourth * fourth, r = light * light;
+  return {p.elastic * (e * e), p.rigid * (r * r), p.approach * growth<7>(0.9 * move),
+          p.load * growth<8>(move)};
+}
+
+/// Halley's step in y: f = root - D e^(0.9 y) - C e^y - g.
+template <class V>
+V halley(const Powers<V>& p, V depth, V soft, V gap) {
+  const V sum = p.elastic + p.rigid, inverse_root_sum = inverse_root(sum);
+  const V inverse = inverse_root_sum * inverse_root_sum, root = inverse_root(inverse_root_sum);
+  const V rate = -(0.52 * p.elastic + 4.0 * p.rigid) * inverse;  // d ln sum/dy
+  const V bend = (0.52 * 0.52 * p.elastic + 16.0 * p.rigid) * inverse - rate * rate;
+  const V deep = depth * p.approach, more = soft * p.load;
+  const V f = root - deep - more - gap;
+  const V slope = 0.25 * root * rate - 0.9 * deep - more;
+  const V curve = 0.25 * root * (bend + 0.25 * rate * rate) - 0.81 * deep - more;
+  return -f * slope * reciprocal(slope * slope - 0.5 * f * curve);
 }
 
 /// Place x between the table's lines: the line's number, the rest into `share`. Beyond its ends the
@@ -134,7 +153,8 @@ struct FilmScale {
   /// Of the table, where D is: its row, and the place behind it.
   decltype(cell(ValueOf<T>{}, std::declval<ValueOf<T>&>())) row;
   ValueOf<T> share;
-  int steps;  ///< of Halley's method
+  int steps;            ///< of Halley's method
+  const double* table;  ///< of film_table()
 };
 /// `speed` = film_speed(u) > 0.
 template <class T>
@@ -156,6 +176,7 @@ FilmScale<T> film_scale(const LineFilm& film, T speed) {
   scale.row = line_film_detail::line(place, FilmTable::kFirstDepth, FilmTable::kLastDepth,
                                      FilmTable::kDepths - 1.0, scale.share);
   scale.steps = film.compliance > 0 ? 2 : 1;
+  scale.table = film_table().load.data();
   return scale;
 }
 
@@ -174,44 +195,50 @@ SteadyFilm<T> steady_film(const FilmScale<T>& scale, T gap) {
   const auto column = line(select(g0 < 0.0, -sinh, sinh), FilmTable::kFirstGap, FilmTable::kLastGap,
                            FilmTable::kGaps - 1.0, share);
   const auto at = column + scale.row * FilmTable::kGaps;
-  const double* low = film_table().load.data();
-  const double* high = low + FilmTable::kGaps;
+  const double *low = scale.table, *high = low + FilmTable::kGaps;
   const V a = gather(low, at), b = gather(low + 1, at), c = gather(high, at),
           d = gather(high + 1, at);
   const V first = a + share * (b - a), second = c + share * (d - c);
   V y = first + scale.share * (second - first);
-  for (int step = 0; step < scale.steps; ++step) {
-    const Powers<V> p = powers(y);
-    const V inverse = reciprocal(p.elastic + p.rigid);
-    const V root = inverse_root(inverse_root(p.elastic + p.rigid));
-    const V rate = -(0.52 * p.elastic + 4.0 * p.rigid) * inverse;  // d ln sum/dy
-    const V bend = (0.52 * 0.52 * p.elastic + 16.0 * p.rigid) * inverse - rate * rate;
-    const V deep = D * p.approach, soft = C * p.load;
-    const V f = root - deep - soft - g0;
-    const V slope = 0.25 * root * rate - 0.9 * deep - soft;
-    const V curve = 0.25 * root * (bend + 0.25 * rate * rate) - 0.81 * deep - soft;
-    y = y - f * slope * reciprocal(slope * slope - 0.5 * f * curve) * (1 / std::numbers::ln2);
+  Powers<V> p = powers(y);
+  V change = halley(p, D, C, g0);
+  if (scale.steps > 1) {
+    y += change * (1 / std::numbers::ln2);
+    p = powers(y);
+    change = halley(p, D, C, g0);
   }
+  y += change * (1 / std::numbers::ln2);
+  p = scale.steps > 1 ? powers(y) : moved(p, change);
+
   // Newton's step in the variables' own arithmetic carries their derivatives to y.
-  const Powers<V> p = powers(y);
-  const V root = inverse_root(inverse_root(p.elastic + p.rigid));
-  const V slope =
-      -0.25 * root * (0.52 * p.elastic + 4.0 * p.rigid) * reciprocal(p.elastic + p.rigid) -
-      0.9 * D * p.approach - C * p.load;
+  const V near = p.elastic + p.rigid, inverse_root_near = inverse_root(near);
+  const V inverse_near = inverse_root_near * inverse_root_near;
+  const V root = inverse_root(inverse_root_near);
+  const V slope = -0.25 * root * (0.52 * p.elastic + 4.0 * p.rigid) * inverse_near -
+                  0.9 * D * p.approach - C * p.load;
   const T miss = root - scale.depth * p.approach - scale.soft * p.load - g;
   const T move = miss * V(-reciprocal(slope));
 
-  const Powers<T> e = moved(p, move);
-  const T sum = e.elastic + e.rigid, inverse = reciprocal(sum),
-          deep = 0.9 * scale.depth * e.approach;
-  const T thin = inverse_root(inverse_root(sum));
-  const T h_y = -0.25 * thin * (0.52 * e.elastic + 4.0 * e.rigid) * inverse;
+  // All that follows from y at y + move, with its slope by y.
+  const V last = value_of(move);
+  const V elastic = p.elastic * growth<3>(-0.52 * last), rigid = p.rigid * growth<3>(-4.0 * last),
+          approach = p.approach * growth<3>(0.9 * last), load = p.load * growth<3>(last);
+  const V more = (elastic + rigid) * inverse_near - 1.0;  // of the sum
+  const V inverse = inverse_near * (1.0 - more * (1.0 - more * (1.0 - more)));
+  const V thin = root * (1.0 + more * (0.25 - more * (3.0 / 32 - more * (7.0 / 128))));
+  const V rate = -(0.52 * elastic + 4.0 * rigid) * inverse;  // d ln sum/dy
+  const V bend = (0.52 * 0.52 * elastic + 16.0 * rigid) * inverse - rate * rate;
+  const V thin_y = 0.25 * thin * rate, rigidity = rigid * inverse;
+  const T h_y = follow(move, thin_y, V(0.25 * (thin * bend + thin_y * rate)));
+  const T q = follow(move, load, load);
   SteadyFilm<T> state;
-  state.load = scale.load * e.load;
+  state.load = scale.load * q;
   state.log_load = scale.log_load + y + move * (1 / std::numbers::ln2);
-  state.thickness = scale.length * thin;
-  state.opening = h_y / (h_y - deep - scale.soft * e.load);
-  state.rigidity = e.rigid * inverse;
+  state.thickness = scale.length * follow(move, thin, thin_y);
+  state.rigidity = follow(move, rigidity, V(rigidity * (-4.0 - rate)));
+  state.opening =
+      h_y * reciprocal(h_y - scale.depth * follow(move, V(0.9 * approach), V(0.81 * approach)) -
+                       scale.soft * q);
   return state;
 }
 

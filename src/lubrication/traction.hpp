@@ -40,6 +40,8 @@ struct Traction {
 Traction make_traction(double viscosity, double pressure_viscosity, double radius, double modulus,
                        double eyring, double limiting, double roughness);
 
+inline constexpr double kSmooth = 12;  ///< lambda from which on 1 - phi, 4e-16, is nothing
+
 namespace traction_detail {
 /// asinh(z)/z of z^2, smooth at zero.
 template <class T>
@@ -70,11 +72,13 @@ T traction_ratio(const Traction& law, const FrictionLaw& boundary, T load, T h, 
   const T limit = ratio * by_load * (law.width / law.limiting);  // over Lambda p
   const T film = ratio * inverse_root(1.0 + limit * limit * squared);
   const T inlet = (2.849 * law.viscosity * std::sqrt(law.radius)) * by_gap * couette;
-  // Of a thick film no power of two is left that a number could hold.
-  const T thick = min(power(h * (1 / law.roughness), 1.2), T{} + 380.0);
-  const T asperities = exp2(thick * (-1.8 * kPerNatural));  // 1 - phi
-  return (1.0 - asperities) * (width * film + inlet) +
-         asperities * friction(boundary, squared).ratio * load;
+  const T oil = width * film + inlet, lambda = h * (1 / law.roughness);
+  const auto rough = lambda < kSmooth;
+  if (!any(rough)) return oil;
+  const T asperities =
+      exp2(power(select(rough, lambda, T{} + 1.0), 1.2) * (-1.8 * kPerNatural));  // 1 - phi
+  const T with = (1.0 - asperities) * oil + asperities * friction(boundary, squared).ratio * load;
+  return select(rough, with, oil);
 }
 
 }  // namespace cagetol

@@ -58,6 +58,16 @@ template <class T, int n>
 }
 }  // namespace dual_detail
 
+/// A number that follows from x by a function of its own: its value, and its derivative by x.
+template <class T, int n>
+Dual<T, n> follow(const Dual<T, n>& x, T value, T derivative) {
+  return dual_detail::chain(x, value, derivative);
+}
+template <class T>
+T follow(T, T value, T) {
+  return value;
+}
+
 template <class T, int n>
 Dual<T, n> operator-(const Dual<T, n>& a) {
   return dual_detail::chain(a, -a.value, T{} - 1.0);
