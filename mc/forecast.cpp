@@ -18,7 +18,7 @@ namespace cagetol {
 namespace {
 
 constexpr double kProgram = 48e6;           // measured: 46 MB of a rank under Open MPI 4
-constexpr double kFrame = 12;               // of a journal's record
+constexpr double kRecordFrame = 12;         // of a journal's record
 constexpr double kEmptyStudyFile = 150e3;   // names, units and descriptions of the datasets
 constexpr double kReason = 32;              // of a sample that has none, in study.h5
 constexpr double kCageBytesPerNode = 24e3;  // measured: 17 kB at 6,000 nodes, 26 kB at 36,000
@@ -87,7 +87,7 @@ SweepForecast forecast_sweep(const Study& study) {
 
   // Started (kind, id) and finished (kind, id, outcome_bytes: id, status, reason, pocket,
   // interference, three arrays with their lengths, wall clock, rank).
-  const double record = 2 * (kFrame + 9) + 8 + 4 + 8 + 4 + 8 + 3 * 8 + 8 + 4 + 8 * results;
+  const double record = 2 * (kRecordFrame + 9) + 8 + 4 + 8 + 4 + 8 + 3 * 8 + 8 + 4 + 8 * results;
   // A node of the map, and blocks of the heap for the arrays.
   const double outcome = 48 + sizeof(StoredOutcome) + 3 * 16 + 8 * results;
   // id, status, pocket, interference, wall clock and rank beside what is drawn and results.

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "mc/engine/call_time.hpp"
 #include "mc/engine/setting.hpp"
 #include "mc/engine/statistics.hpp"
 #include "mc/json_number.hpp"
@@ -20,20 +20,6 @@ namespace cagetol {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-/// Microseconds of one call: the median of batches.
-template <class Call>
-double call_time_us(const Call& call) {
-  constexpr int kBatches = 31, kCalls = 100;
-  std::vector<double> times;
-  for (int batch = 0; batch < kBatches; ++batch) {
-    const auto began = std::chrono::steady_clock::now();
-    for (int k = 0; k < kCalls; ++k) call();
-    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - began;
-    times.push_back(took.count() / kCalls);
-  }
-  return median(std::move(times));
-}
 
 KernelTimes kernel_times(double t, const double* y, const System& system, double step) {
   const BearingModel& model = system.model;
@@ -48,16 +34,17 @@ KernelTimes kernel_times(double t, const double* y, const System& system, double
   return times;
 }
 
-/// Kernels at the last state of the scene's run. The first of the two runs says when that is and
-/// warms the caches for what follows.
-KernelTimes kernels_of(const Scene& scene, SimulateOptions options) {
-  KernelTimes times{kNone, kNone, kNone, kNone};
+/// Kernels and mechanisms at the last state of the scene's run. The first of the two runs says when
+/// that is and warms the caches for what follows.
+void measure_kernels(const Scene& scene, SimulateOptions options, BenchResult& result) {
+  result.kernels = {kNone, kNone, kNone, kNone};
   const RunRecord run = simulate(scene, options).run;
   options.on_state = [&](double t, const double* y, const System& system) {
-    if (t >= run.simulated_s) times = kernel_times(t, y, system, t / run.steps);
+    if (t < run.simulated_s) return;
+    result.kernels = kernel_times(t, y, system, t / run.steps);
+    result.mechanisms = mechanism_parts(t, y, system);
   };
   simulate(scene, options);
-  return times;
 }
 
 std::vector<std::string> methods_to_run(const Scene& scene, const BenchOptions& options) {
@@ -76,7 +63,8 @@ std::vector<std::string> methods_to_run(const Scene& scene, const BenchOptions& 
 
 BenchResult bench(const Scene& scene, const BenchOptions& options) {
   const SimulateOptions shared = with_cage_table(scene);
-  BenchResult result{scene.name, scene.integration.method, kernels_of(scene, shared), {}};
+  BenchResult result{scene.name, scene.integration.method, {}, {}, {}};
+  measure_kernels(scene, shared, result);
   for (const std::string& name : methods_to_run(scene, options))
     result.methods.push_back({.method = name, .reason = {}, .rtf_runs = {}, .run = {}});
   for (int repeat = 0; repeat < options.repeats; ++repeat)
@@ -108,6 +96,24 @@ const MethodCost& cost_of(const BenchResult& result, const std::string& method) 
   throw std::logic_error("method was not measured: " + method);
 }
 
+std::vector<CostPart> run_parts(const BenchResult& result) {
+  const MethodCost& own = cost_of(result, result.default_method);
+  const KernelTimes& k = result.kernels;
+  const double wall_us = 1e6 * own.rtf * own.run.simulated_s;
+  const auto rates = static_cast<double>(own.run.rhs_evaluations),
+             derivatives = static_cast<double>(own.run.jacobian_evaluations),
+             factored = static_cast<double>(own.run.factorisations);
+  // A stage evaluates once and solves once; the first has its rates with the derivatives.
+  std::vector<CostPart> parts = {{"right-hand sides", (rates - derivatives) * k.rhs_us / wall_us},
+                                 {"with derivatives", derivatives * k.linearise_us / wall_us},
+                                 {"Newton matrix", factored * k.factorise_us / wall_us},
+                                 {"solutions", (factored > 0 ? rates : 0) * k.solve_us / wall_us}};
+  double rest = 1;
+  for (const CostPart& part : parts) rest -= part.share;
+  parts.push_back({"observer, statics, sums of stages, start", rest});
+  return parts;
+}
+
 nlohmann::ordered_json bench_json(const BenchResult& result) {
   const MethodCost& own = cost_of(result, result.default_method);
   nlohmann::ordered_json json = {
@@ -119,6 +125,12 @@ nlohmann::ordered_json bench_json(const BenchResult& result) {
         {"linearise", json_number(result.kernels.linearise_us)},
         {"factorise", json_number(result.kernels.factorise_us)},
         {"solve", json_number(result.kernels.solve_us)}}}};
+  const auto shares = [&](const char* key, const std::vector<CostPart>& parts) {
+    json[key] = nlohmann::ordered_json::object();
+    for (const CostPart& part : parts) json[key][part.name] = json_number(part.share);
+  };
+  shares("run_shares", run_parts(result));
+  shares("mechanism_shares_of_rhs", result.mechanisms);
   auto& methods = json["methods"] = nlohmann::ordered_json::array();
   for (const MethodCost& cost : result.methods) {
     const double simulated = cost.run.simulated_s;
@@ -137,6 +149,14 @@ nlohmann::ordered_json bench_json(const BenchResult& result) {
          {"factorisations_per_s", json_number(cost.run.factorisations / simulated)}});
   }
   return json;
+}
+
+std::string shares_text(const char* title, const std::vector<CostPart>& parts) {
+  std::string text;
+  for (const CostPart& part : parts)
+    if (std::isfinite(part.share))
+      text += fmt::format("{} {} {:.0f} %", text.empty() ? "" : ",", part.name, 100 * part.share);
+  return text.empty() ? "" : title + text + "\n";
 }
 
 std::string bench_text(const BenchResult& result) {
@@ -161,6 +181,8 @@ std::string bench_text(const BenchResult& result) {
                     cost.against_baseline, cost.run.steps / s, cost.run.rejected_steps / s,
                     cost.run.rhs_evaluations / s, cost.run.factorisations / s);
   }
+  text += shares_text("\nwall time of the default:", run_parts(result));
+  text += shares_text("a right-hand side is cheaper without:", result.mechanisms);
   return text;
 }
 

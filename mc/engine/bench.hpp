@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mc/engine/mechanism_cost.hpp"
 #include "src/outcome.hpp"
 #include "src/scene/scene.hpp"
 
@@ -42,8 +43,14 @@ struct BenchResult {
   std::string scene;
   std::string default_method;  ///< the scene's own
   KernelTimes kernels;
+  /// Mechanisms that the scene has: by how much of itself a right-hand side gets cheaper without
+  /// each, at the last state of the scene's run (noise may make little of it negative).
+  std::vector<CostPart> mechanisms;
   std::vector<MethodCost> methods;  ///< the scene's own first
 };
+
+/// Where the wall time of the scene's own method goes: kernels by their counts, the rest last.
+std::vector<CostPart> run_parts(const BenchResult& result);
 
 /// Runs the methods in turn, `repeats` times, so that the noise of a shared machine meets all of
 /// them alike.
