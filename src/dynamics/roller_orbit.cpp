@@ -126,12 +126,12 @@ void RollerOrbit::balance_pocket(Pack need, Pack s, Pack& x) const {
   const Pack u = 0.5 * roller_.radius * (speed_ - s);
   Pack low = -abs(play) - kReach, high = -low;
   const auto force = [&](double side) {  // of the bar ahead (side = 1) or behind
-    D gap;
+    D gap{};
     gap.value = play - side * x;
     gap.slope[0] = splat(-side);
     const Mask wet = gap.value < bar_.layer;
     gap.value = select(wet, gap.value, splat(0.5 * bar_.layer));
-    D speed;
+    D speed{};
     speed.value = side * u;
     D push = line_normal(bar_, line_speed(bar_, speed), gap, D{}).normal;
     push.value = select(wet, push.value, Pack{});

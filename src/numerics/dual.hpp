@@ -16,10 +16,11 @@
 
 namespace cagetol {
 
+/// Not set unless written Dual{}, which is zero.
 template <class T, int n>
 struct Dual {
-  T value{};
-  T slope[n] = {};
+  T value;
+  T slope[n];
 };
 
 /// The plain number that a law's branches and solvers look at.
@@ -41,7 +42,7 @@ using ValueOf = decltype(value_of(T{}));
 /// Variable number `i` of a law.
 template <class D, class T>
 D variable(T value, int i) {
-  D x;
+  D x{};
   x.value = value;
   x.slope[i] = T{} + 1.0;
   return x;

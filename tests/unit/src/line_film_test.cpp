@@ -102,7 +102,7 @@ TEST(LineFilm, LoadFallsWithTheGapAndIsNeverStifferThanTheContact) {
   using D = Dual<double, 1>;
   for (double u = 0.01; u < 51; u *= 1.5)
     for (double gap = -20e-6; gap < 40e-6; gap += 0.25e-6) {
-      D speed;
+      D speed{};
       speed.value = film_speed(u);
       const auto state = film_at(film, variable<D>(gap, 0), speed);
       const double stiffness = -state.load.slope[0];
