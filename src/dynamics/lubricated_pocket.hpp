@@ -68,24 +68,45 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
     const Pack shift = D_T - kappa * X;
     const Pack shift_rate =
         f.v_T + xi * f.b_T - kappa * f.v_x - b.phi_rate * (D_R - X * f.A_R) - X * f.dA_T;
+    // Penetration into the oil of the bar ahead (s = 1) and of the one behind (s = -1).
+    const Pack bars[2] = {shift + least, least - shift};
+    Mask oiled[2];
+    bool near = false;
+    for (const Pack& p : bars)
+      near |= any((p > -modal.farthest - law.layer) & (roller.exists > 0.0));
+    if (!near) continue;
+    const int points[2] = {stations + k, k};
+    Pack depth[2];
     for (int side = 0; side < 2; ++side) {
-      const double s = side == 0 ? 1.0 : -1.0;
-      const int point = side == 0 ? stations + k : k;
-      Pack p = s * shift + least;
-      if (!any((p > -modal.farthest - law.layer) & (roller.exists > 0.0))) continue;
-      Pack rate = s * shift_rate;
-      if (modal.flexible()) p -= s * modal.along(group, point, 1, modal.q);
-      const Mask wet = (p > -law.layer) & (roller.exists > 0.0);
+      depth[side] = bars[side];
+      if (modal.flexible())
+        depth[side] -= (side == 0 ? 1.0 : -1.0) * modal.along(group, points[side], 1, modal.q);
+      oiled[side] = (depth[side] > -law.layer) & (roller.exists > 0.0);
+    }
+    if (!any(oiled[0] | oiled[1])) continue;
+    touched = true;
+    // Rollers hardly ever have oil at both bars: then each lane takes its own one, all at once.
+    const bool apart = any(oiled[0] & oiled[1]);
+    for (int side = 0; side < (apart ? 2 : 1); ++side) {
+      const Mask wet = apart ? oiled[side] : oiled[0] | oiled[1];
       if (!any(wet)) continue;
-      if (modal.flexible()) rate -= s * modal.along(group, point, 1, modal.rate);
-      touched = true;
+      const Mask lead = apart ? (side == 0 ? Mask{} == 0 : Mask{} != 0) : ~oiled[1];
+      const Pack s = select(lead, splat(1.0), splat(-1.0));
+      const auto of_bar = [&](int direction, const double* coordinate) {
+        if (apart) return modal.along(group, points[side], direction, coordinate);
+        return select(lead, modal.along(group, points[0], direction, coordinate),
+                      modal.along(group, points[1], direction, coordinate));
+      };
+      const Pack p = select(lead, depth[0], depth[1]);
+      Pack rate = s * shift_rate;
+      if (modal.flexible()) rate -= s * of_bar(1, modal.rate);
       const Pack reach = D_T + s * R;
       Pack axis_speed = f.v_R + xi * f.b_R + b.phi_rate * (D_T - X * f.A_T) - X * f.dA_R;
       Pack v2 = f.v_x + s * R * (q.spin * f.a_R - f.b_T) -
                 b.phi_rate * (f.A_R * reach - f.A_T * D_R) + f.dA_T * reach + f.dA_R * D_R;
       if (modal.flexible()) {
-        axis_speed -= modal.along(group, point, 0, modal.rate);
-        v2 -= modal.along(group, point, 2, modal.rate);
+        axis_speed -= of_bar(0, modal.rate);
+        v2 -= of_bar(2, modal.rate);
       }
       const Pack v1 = axis_speed + s * R * (b.phi_rate - q.spin);
       const Pack u = 0.5 * v1 - axis_speed, squared = v1 * v1 + v2 * v2;
@@ -102,7 +123,12 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
                  roll = value_of(forces.rolling) * one;
       const Pack f1 = -ratio * v1 - roll, f2 = -ratio * v2, axis = 2.0 * roll, along = f1 + axis;
       const Pack push = s * normal;
-      if (modal.flexible()) modal.push(group, point, -along, push, -f2);
+      if (modal.flexible())
+        for (int bar = 0; bar < 2; ++bar) {
+          if (apart && bar != side) continue;
+          const Pack mine = select(bar == 0 ? lead : ~lead, splat(1.0), Pack{});
+          modal.push(group, points[bar], -along * mine, push * mine, -f2 * mine);
+        }
       on.f_R += along;
       on.f_T -= push;
       on.f_x += kappa * push + f2;
@@ -114,9 +140,12 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
       on.c_AR += D_R * f2 - X * along;
       on.c_AT += X * push + reach * f2;
       if constexpr (linear) {
-        double* const force =
-            (side == 0 ? seen->leading_force : seen->trailing_force).data() + group * kLanes;
-        store(force, load(force) + normal);
+        const auto add = [&](PackVector& force, Mask mine) {
+          double* const at = force.data() + group * kLanes;
+          store(at, load(at) + select(mine, normal, Pack{}));
+        };
+        add(seen->leading_force, lead);
+        add(seen->trailing_force, ~lead);
         const Pack film = value_of(forces.at.film) * one, steady = value_of(forces.at.steady) * one;
         seen->rub(kPocketFriction, sum(ratio * squared + 2.0 * roll * u));
         seen->damp(kSqueeze, sum((film - steady) * rate));
@@ -124,22 +153,24 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
         seen->damp(kFilm, sum(steady * rate));
         for (int i = 0; i < kLanes; ++i) {
           if (!wet[i]) continue;
+          const double si = s[i], Ri = R[i], rest = reach[i], A_R = f.A_R[i], A_T = f.A_T[i],
+                       x = X[i];
+          const int point = points[si > 0 ? 0 : 1];
           if (modal.cage->model)
             seen->bar_force[2 * stations * (group * kLanes + i) + point] = push[i];
-          const double Ri = R[i], rest = reach[i], A_R = f.A_R[i], A_T = f.A_T[i], x = X[i];
-          const double rolling[4][kLocalVelocities] = {{0, -s, s * kappa[i], 0, -s * xi, 0},
-                                                       {1, 0, 0, xi, 0, -s * Ri},
-                                                       {0, 0, 1, 0, -s * Ri, s * Ri * f.a_R[i]},
+          const double rolling[4][kLocalVelocities] = {{0, -si, si * kappa[i], 0, -si * xi, 0},
+                                                       {1, 0, 0, xi, 0, -si * Ri},
+                                                       {0, 0, 1, 0, -si * Ri, si * Ri * f.a_R[i]},
                                                        {1, 0, 0, xi, 0, 0}};
           const double caging[4][kCageRigid] = {
-              {0, s, -s * kappa[i], s * (D_R[i] - x * A_R), 0, s * x},
+              {0, si, -si * kappa[i], si * (D_R[i] - x * A_R), 0, si * x},
               {-1, 0, 0, rest - A_T * x, -x, 0},
               {0, 0, -1, A_T * D_R[i] - A_R * rest, D_R[i], rest},
               {-1, 0, 0, D_T[i] - A_T * x, -x, 0}};
           fill_pocket_rows<4>(f, b, modal, group, point, i, rolling, caging,
-                              {{0, s, 0}, {-1, 0, 0}, {0, 0, -1}, {-1, 0, 0}}, *rows);
-          rows->lean[kLar] = s * Ri * q.spin[i] * f.cos_b[i];
-          rows->lean[kLat] = -s * Ri * q.spin[i] * f.sin_b[i];
+                              {{0, si, 0}, {-1, 0, 0}, {0, 0, -1}, {-1, 0, 0}}, *rows);
+          rows->lean[kLar] = si * Ri * q.spin[i] * f.cos_b[i];
+          rows->lean[kLat] = -si * Ri * q.spin[i] * f.sin_b[i];
           add_film_contact(*rows, film_slopes_of(forces, v1, v2, rate, u, i), group * kLanes + i,
                            *jac);
           rows->lean[kLar] = rows->lean[kLat] = 0;
