@@ -1,6 +1,6 @@
 // The program's planar, lubricated bearing against the reference that is written from the equations
-// alone: one contact, one state of the bearing by mechanism, and what the rolling resistance does
-// to a pair of bodies.
+// alone: one contact, one state of the bearing by mechanism, what the rolling resistance does to a
+// pair of bodies; and lanes of pockets that do not depend on each other.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "src/integration/system.hpp"
 #include "src/lubrication/lubricated_line.hpp"
 #include "tests/support/planar_scene.hpp"
+#include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
 namespace {
@@ -271,6 +272,38 @@ TEST_F(LubricatedBearing, RollingForcesOfAPairSumToZeroAndTakeTwiceForceTimesSpe
       EXPECT_NEAR(turned + spun + a.cage_moment, 0, 1e-4 * size * model.pitch_radius);
     }
   }
+}
+
+/// Rates of the reference bearing with one pocket of its own width, the other rollers turned
+/// against their pockets by some micrometres, so that bars ahead and behind have oil.
+std::vector<double> rates_with(double width) {
+  Scene scene = shipped_scene("nu205");
+  scene.cage.pocket_width.assign(13, 7.65e-3);
+  scene.cage.pocket_width[3] = width;
+  scene.start.state = "equilibrium";
+  const BearingModel model = make_bearing_model(scene);
+  std::vector<double> y = start_state(model, scene.start), rates(y.size());
+  for (int j = 0; j < 13; ++j)
+    if (j != 3)
+      y[static_cast<std::size_t>(model.layout.position(kAngle, j))] +=
+          (j % 2 ? 65e-6 : -62e-6) / model.pitch_radius;
+  evaluate_rates(model, 0, y.data(), rates.data());
+  return rates;
+}
+
+// A pocket so tight that its roller has oil at both bars makes its whole pack take one bar after
+// the other, where else each lane takes its own.
+TEST(LubricatedPocket, NeighboursOfATightPocketFeelTheSame) {
+  const std::vector<double> wide = rates_with(7.65e-3), tight = rates_with(7.52e-3);
+  const StateLayout layout = make_bearing_model(shipped_scene("nu205")).layout;
+  for (int slot = 0; slot < kRollerVelocities; ++slot)
+    for (int j = 0; j < 13; ++j) {
+      const auto at = static_cast<std::size_t>(layout.velocity(RollerVelocity(slot), j));
+      if (j == 3) continue;
+      EXPECT_EQ(wide[at], tight[at]) << "slot " << slot << ", roller " << j;
+    }
+  const auto spin = static_cast<std::size_t>(layout.velocity(kOrbitRate, 3));
+  EXPECT_NE(wide[spin], tight[spin]);
 }
 
 }  // namespace
