@@ -327,7 +327,13 @@ StudyFile read_study_file(const std::string& path) {
                .wall_s = wall[i],
                .rank = static_cast<int>(rank[i])};
   for (const Quantity& quantity : quantity_table()) {
-    const auto values = file.reals(std::string("/quantities/") + quantity.key);
+    const std::string dataset = std::string("/quantities/") + quantity.key;
+    if (!file.file().has(dataset))
+      throw StudyFileError(
+          path,
+          dataset + ": the file is of a cagetol without this quantity (build " + study.build + ")",
+          "use that build, or sweep the study again into another directory");
+    const auto values = file.reals(dataset);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].quantities.push_back(values[i]);
   }
   for (const RunField& field : stored_run_fields()) {

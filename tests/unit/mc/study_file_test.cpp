@@ -203,6 +203,17 @@ TEST_F(StudyFileTest, ACutFileIsAnErrorNotACrash) {
   }
 }
 
+// Of a program that did not know today's quantities: said so, not called damaged.
+TEST_F(StudyFileTest, OfAnOlderProgramIsRefusedWithTheReason) {
+  try {
+    read_study_file(CAGETOL_SOURCE_DIR "/tests/unit/analysis/schema1_study.h5");
+    FAIL();
+  } catch (const StudyFileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the file is of a cagetol without this quantity (build"));
+    EXPECT_THAT(error.what(), HasSubstr("sweep the study again into another directory"));
+  }
+}
+
 TEST_F(StudyFileTest, AnUnwritablePlaceLeavesTheOldFile) {
   const std::string path = written("study.h5", outcomes_);
   const std::string before = text_of(path);
