@@ -59,6 +59,14 @@ std::vector<std::string> methods_to_run(const Scene& scene, const BenchOptions& 
   return methods;
 }
 
+std::string shares_text(const char* title, const std::vector<CostPart>& parts) {
+  std::string text;
+  for (const CostPart& part : parts)
+    if (std::isfinite(part.share))
+      text += fmt::format("{} {} {:.0f} %", text.empty() ? "" : ",", part.name, 100 * part.share);
+  return text.empty() ? "" : title + text + "\n";
+}
+
 }  // namespace
 
 BenchResult bench(const Scene& scene, const BenchOptions& options) {
@@ -149,14 +157,6 @@ nlohmann::ordered_json bench_json(const BenchResult& result) {
          {"factorisations_per_s", json_number(cost.run.factorisations / simulated)}});
   }
   return json;
-}
-
-std::string shares_text(const char* title, const std::vector<CostPart>& parts) {
-  std::string text;
-  for (const CostPart& part : parts)
-    if (std::isfinite(part.share))
-      text += fmt::format("{} {} {:.0f} %", text.empty() ? "" : ",", part.name, 100 * part.share);
-  return text.empty() ? "" : title + text + "\n";
 }
 
 std::string bench_text(const BenchResult& result) {

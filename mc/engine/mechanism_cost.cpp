@@ -54,18 +54,25 @@ PackVector state_for(const StateLayout& to, const StateLayout& from, const doubl
 }  // namespace
 
 std::vector<CostPart> mechanism_parts(double t, const double* y, const System& system) {
-  const auto time_of = [&](const BearingModel& model) {
-    System own(model);
-    const PackVector state = state_for(model.layout, system.model.layout, y);
-    PackVector rate(state.size());
-    return call_time_us([&] { own.rates(t, state.data(), rate.data()); });
+  struct RightHandSide {
+    System own;
+    PackVector state, rate;
+    double t;
+    RightHandSide(const BearingModel& model, const System& of, double time, const double* y)
+        : own(model),
+          state(state_for(model.layout, of.model.layout, y)),
+          rate(state.size()),
+          t(time) {}
+    void operator()() { own.rates(t, state.data(), rate.data()); }
   };
+  RightHandSide whole(system.model, system, t, y);
   std::vector<CostPart> parts;
   for (const Switch& mechanism : kSwitches) {
     if (!mechanism.on(system.model)) continue;
     BearingModel without = system.model;
     mechanism.switch_off(without);
-    parts.push_back({mechanism.name, 1 - time_of(without) / time_of(system.model)});
+    RightHandSide part(without, system, t, y);
+    parts.push_back({mechanism.name, 1 - time_ratio([&] { part(); }, [&] { whole(); })});
   }
   return parts;
 }

@@ -68,7 +68,7 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
     const Pack shift = D_T - kappa * X;
     const Pack shift_rate =
         f.v_T + xi * f.b_T - kappa * f.v_x - b.phi_rate * (D_R - X * f.A_R) - X * f.dA_T;
-    // Penetration into the oil of the bar ahead (s = 1) and of the one behind (s = -1).
+    // Penetration of the bar ahead (s = 1) and of the one behind (s = -1).
     const Pack bars[2] = {shift + least, least - shift};
     Mask oiled[2];
     bool near = false;

@@ -20,8 +20,9 @@
 //   (e^(-0.52 y) + e^(-4 y))^(1/4) - D e^(0.9 y) - C e^y = g/h*
 //
 // solved from a table's start by exactly one step of Halley's method (two where C > 0, whose start
-// is rougher) and one of Newton's: errors of y 2.6e-2, 5e-6, 2e-11 at worst within the table, and
-// no loop depends on a lane. The steady law is monotone and never stiffer than the elastic contact.
+// is rougher) and one of Newton's; no loop depends on a lane. How well that gives the load back:
+// tests/unit/src/line_film_test.cpp. The steady law is monotone and never stiffer than the elastic
+// contact.
 // Isothermal, Newtonian inlet, flooded; oil_layer.hpp takes from it what a starved gap lacks.
 //
 // Sources: Dowson and Higginson, Elasto-hydrodynamic Lubrication (1966); rigid cylinder and squeeze
@@ -150,7 +151,7 @@ struct FilmScale {
   T length;       ///< h* [m]
   T inverse;      ///< 1/h*
   T depth, soft;  ///< D, C
-  /// Of the table, where D is: its row, and the place behind it.
+  /// Row of the table at or below D, and how far beyond it D lies, in rows.
   decltype(cell(ValueOf<T>{}, std::declval<ValueOf<T>&>())) row;
   ValueOf<T> share;
   int steps;            ///< of Halley's method

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <type_traits>
 
-#include "src/numerics/pack.hpp"
+#include "src/numerics/reciprocal.hpp"
 
 namespace cagetol {
 

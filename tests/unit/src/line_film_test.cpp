@@ -81,7 +81,7 @@ TEST(LineFilm, SolutionGivesTheLoadBack) {
         const auto state = film_at(film, gap, speed);
         worst = std::max({worst, std::abs(state.load / q - 1), std::abs(state.thickness / h - 1)});
       }
-    EXPECT_LT(worst, 1e-9) << "compliance " << compliance;
+    EXPECT_LT(worst, compliance > 0 ? 1e-9 : 1e-10) << "compliance " << compliance;
   }
 }
 

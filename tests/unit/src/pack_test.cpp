@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "src/numerics/reciprocal.hpp"
+
 namespace cagetol {
 namespace {
 

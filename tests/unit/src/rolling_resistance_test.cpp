@@ -97,6 +97,10 @@ TEST(RollingResistance, DerivativesAgreeWithDifferences) {
   }
 }
 
+TEST(RollingResistance, InverseCubeRootWithinItsBound) {
+  for (double x = 1; x <= 2; x += 1e-3) EXPECT_NEAR(inverse_cube_root(x) * std::cbrt(x), 1, 1e-15);
+}
+
 TEST(RollingResistance, RefusesHeatingWithoutItsConstants) {
   EXPECT_THROW(make_rolling_resistance(0.02, 1.8e-8, 3e-3, 2e11, true, 0, 0.14), std::domain_error);
   EXPECT_THROW(make_rolling_resistance(0, 1.8e-8, 3e-3, 2e11, false, 0, 0), std::domain_error);

@@ -104,7 +104,7 @@ def scene_of(name):
 # The default scene at the point at which it is judged: oiled, 0.02 Pa s, which is 23 mm2/s at 870 kg/m3.
 NU205 = Bearing("NU 205", ROOT / "inputs/scenes/nu205.toml", "2", 23, 1.6,
                 (100, 300, 1000, 3000, 10000), (1000, 3000, 6000, 9000, 14000), 14000, 28600, 27000,
-                settings={"lubrication.model": "film", "lubrication.viscosity_Pa_s": 0.02})
+                settings={"lubrication.viscosity_Pa_s": 0.02})
 NU208 = Bearing("NU 208", scene_of("nu208"), "2", 20, 1.8, (1500, 3000, 6000, 12000), (1500, 3000, 6000, 9000),
                 9500, 62000, 53000, rating.EXPLORER_FACTOR)
 NU226 = Bearing("NU 226", scene_of("nu226"), "2", 20, 1.8, (10000, 20000, 41500, 83000), (425, 850, 1700, 2550),
