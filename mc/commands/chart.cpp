@@ -55,7 +55,7 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
       "Examples:\n  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
       "  cagetol chart inputs/scenes/speed-z16-skew.toml -o out/lively --methods rodas3,cvode-bdf "
       "--replicas 100\n"
-      "  cagetol chart inputs/scenes/nu205.toml -o out/models --methods rodasp --rungs");
+      "  cagetol chart inputs/scenes/nu205.toml -o out/models --methods rodas3 --rungs");
   auto options = std::make_shared<ChartArguments>();
   command->add_option("SCENE", options->file, "Scene file (or study: its first row)")->required();
   add_output_directory(*command, options->directory,

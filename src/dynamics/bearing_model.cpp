@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -15,13 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kTouchPhase = 0.94;     ///< that a step around a touch may span [rad] ...
-constexpr double kLongestTouch = 10e-6;  ///< ... and its length, at most [s]
-constexpr double kHeavyPhase = 0.69;     ///< that a step in a heavy impact on a bar may span [rad]
-constexpr double kHeavyShare = 0.1;      ///< of a roller's centrifugal force: a heavy impact
-constexpr double kRockingPhase = 1.38;   ///< of bouncing that a step near a flange may span [rad]
-constexpr double kWatchedShare = 0.01;   ///< of the load (of 1 N at least): a film that bears load
-constexpr double kPhaseTolerance = 1.2e-3;  ///< below which heavy and rocking phases shorten
+constexpr double kWatchedShare = 0.01;  ///< of the load (of 1 N at least): a film that bears load
 
 double given_or(double value, double computed) {
   return std::isnan(value) ? computed : value;
@@ -68,23 +61,6 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.squareness[lane] = planar ? 0 : each(scene.cage.pocket_squareness, k);
   }
   return g;
-}
-
-/// Of a roller that goes round as it would without slip [N].
-double centrifugal_force(const BearingModel& m) {
-  const double turn = kinematic_cage_speed(m, m.inner_speed);
-  return m.groups.front().mass[0] * m.pitch_radius * turn * turn;
-}
-
-/// How long a roller takes to bounce or rock by 1 rad on the outer race, pressed there by its
-/// centrifugal force alone [s].
-double rocking_time(const BearingModel& m) {
-  const double mass = m.groups.front().mass[0], force = centrifugal_force(m);
-  const auto slices = static_cast<double>(m.race_slices.size());
-  const double depth = elastic_penetration(m.race, force / slices);
-  // Its angular frequency squared: exponent times force over depth is the stiffness.
-  const double squared = depth > 0 ? m.race.exponent * force / (depth * mass) : 0;
-  return squared > 0 ? 1 / std::sqrt(squared) : std::numeric_limits<double>::infinity();
 }
 
 /// Two points of the roller's end face at +-0.8 R tangentially, kept inside the face at radial
@@ -309,15 +285,6 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.inner_speed = o.inner_speed;
   m.speed_from = given_or(o.speed_ramp_from, o.inner_speed);
   m.speed_ramp = o.speed_ramp;
-  const double rocking = rocking_time(m);
-  // What a phase leaves of an oscillation's frequency goes with its fourth power: tighter
-  // tolerances shorten them, so that means close in on their limits with it.
-  const double finer = std::min(1.0, std::pow(scene.integration.tolerance / kPhaseTolerance, 0.25));
-  m.longest_step = scene.integration.max_step;
-  m.rocking_step = kRockingPhase * finer * rocking;
-  m.touch_span = std::min(kTouchPhase * rocking, kLongestTouch);
-  m.heavy_step = kHeavyPhase * finer * rocking;
-  m.heavy_force = kHeavyShare * centrifugal_force(m);
   return m;
 }
 

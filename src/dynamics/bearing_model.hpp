@@ -78,12 +78,6 @@ struct BearingModel {
   FlatFilm wall_film, flange_film;  ///< of one point
   Churning churning;
 
-  double touch_span = 0;    ///< of a step around the touch of a race, at most [s]
-  double heavy_force = 0;   ///< on a bar from which steps resolve the impact [N] ...
-  double heavy_step = 0;    ///< ... as finely as this [s]
-  double longest_step = 0;  ///< that the integration may take [s]
-  double rocking_step = 0;  ///< that resolves how a roller rocks on the outer race, pressed there
-                            ///< by its centrifugal force alone [s]
   double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]
   double misalignment_y = 0,
          misalignment_z = 0;  ///< tilt of the ring, or what its shaft would give it

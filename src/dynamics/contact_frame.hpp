@@ -3,7 +3,6 @@
 
 #include "src/dynamics/flexible_cage.hpp"
 #include "src/dynamics/forces.hpp"
-#include "src/dynamics/step_limit.hpp"
 
 namespace cagetol {
 

@@ -50,16 +50,6 @@ inline bool walls_in_reach(const BearingModel& model, const RollerGroup& roller,
   return any(offset + reach > roller.half_length - half - margin);
 }
 
-/// No point of an end comes nearer to its wall, or recedes, faster than this.
-inline Pack fastest_at_walls(const BearingModel& model, const RollerGroup& roller,
-                             const PocketFrame& f, const BorderState& b) {
-  const Pack middle = f.v_x + f.A_R * f.v_R + f.A_T * f.v_T + f.dA_R * f.D_R + f.dA_T * f.D_T;
-  const Pack along = f.A_R * f.b_R + f.A_T * f.b_T + f.dA_R * f.a_R + f.dA_T * f.a_T;
-  const Pack across = abs(f.b_R - f.dA_R) + abs(f.b_T - f.dA_T) +
-                      std::abs(b.phi_rate) * (abs(f.a_R - f.A_R) + abs(f.a_T - f.A_T));
-  return abs(middle) + model.roller_half_length * abs(along) + roller.radius * across;
-}
-
 /// Slopes of one lane's film.
 inline FilmContactSlopes end_film_slopes(const EndFilm& film, double v1, double v2, double rate,
                                          int lane) {
@@ -82,7 +72,7 @@ template <bool linear>
 void wall_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
                    RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
-                   Observation* seen, StepLimit<Pack>& limit) {
+                   Observation* seen) {
   const double half = model.roller_half_length, phi = b.phi_rate;
   PocketLoads on;
   bool touched = false;
@@ -98,15 +88,11 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
       Pack p = e * (X + f.A_R * D_R + f.A_T * D_T) - roller.half_length;
       Pack rate = e * (f.v_x - h * f.b_R - tau * f.b_T + f.A_R * V_R + f.A_T * V_T + f.dA_R * D_R +
                        f.dA_T * D_T + turn * phi);
-      if constexpr (linear)
-        if (!any(modal.may_touch(p + model.wall_film.layer, rate, limit.longest()) &
-                 (roller.exists > 0.0)))
-          continue;
+      if (!any((p > -model.wall_film.layer - modal.farthest) & (roller.exists > 0.0))) continue;
       if (modal.flexible()) {
         p -= e * modal.along(group, point, 2, modal.q);
         rate -= e * modal.along(group, point, 2, modal.rate);
       }
-      if constexpr (linear) limit.touch(p, rate, roller.exists > 0.0);
       const Mask touching = (p > 0.0) & (roller.exists > 0.0),
                  wet = (p > -model.wall_film.layer) & (roller.exists > 0.0);
       if (!any(wet)) continue;
@@ -179,10 +165,6 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
   add_pocket_loads(f, on, loads, border);
 }
 
-/// Where a roller that steers comes by within half a millisecond [m]: touched again and again, at a
-/// phase of its rocking that a longer step gets wrong.
-inline constexpr double kNearFlange = 4e-6;
-
 /// False where no point of an end can touch its flange, were flanges `margin` [m] nearer.
 inline bool flanges_in_reach(const BearingModel& model, const RollerGroup& roller,
                              const RollerPack& q, Pack margin) {
@@ -190,22 +172,11 @@ inline bool flanges_in_reach(const BearingModel& model, const RollerGroup& rolle
   return any(reach > model.flange_half_clearance - margin);
 }
 
-/// No point of an end comes nearer to its flange, or recedes, faster than this.
-inline Pack fastest_at_flanges(const RollerGroup& roller, const RollerPack& q) {
-  const Pack across = abs(q.b_r) + abs(q.b_t) + abs(q.omega) * (abs(q.a_r) + abs(q.a_t));
-  return abs(q.vx) + roller.radius * across;
-}
-
 template <bool linear>
 void flange_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
-                     int group, RollerLoads& loads, Linearisation* jac, Observation* seen,
-                     StepLimit<Pack>& limit) {
+                     int group, RollerLoads& loads, Linearisation* jac, Observation* seen) {
   const double half = model.roller_half_length;
-  Pack nearer{};
-  if constexpr (linear)
-    nearer = max(limit.longest() * fastest_at_flanges(roller, q), splat(kNearFlange));
-  nearer += model.flange_film.layer;
-  if (!flanges_in_reach(model, roller, q, nearer)) return;
+  if (!flanges_in_reach(model, roller, q, splat(model.flange_film.layer))) return;
   for (int end = -1; end <= 1; end += 2) {
     const double e = end, xi = e * half;
     for (const EndPoint& point : model.flange_points) {
@@ -213,13 +184,6 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
       const Pack p = e * (q.x - h * q.a_r - tau * q.a_t) - model.flange_half_clearance;
       const Pack turn = tau * q.a_r - h * q.a_t;
       const Pack rate = e * (q.vx - h * q.b_r - tau * q.b_t + turn * q.omega);
-      if constexpr (linear) {
-        const Mask here = roller.exists > 0.0;
-        limit.touch(p, rate, here);
-        limit.grow(p, rate, here);
-        limit.pass(-p, -rate, here);  // partings, too: they decide on the skew left
-        limit.at_most(model.rocking_step, here & (p > -kNearFlange));
-      }
       const Mask touching = (p > 0.0) & (roller.exists > 0.0),
                  wet = (p > -model.flange_film.layer) & (roller.exists > 0.0);
       if (!any(wet)) continue;

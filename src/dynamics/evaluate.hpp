@@ -170,13 +170,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   Pack modal_force[kMostModes];
   const double *modes = y + m.layout.border_position(kModes),
                *mode_rates = y + m.layout.border_velocity(kModes);
-  const ModalState modal{&m.flexible,
-                         modes,
-                         mode_rates,
-                         modal_force,
-                         farthest_displacement(m.flexible, modes),
-                         linear ? farthest_displacement(m.flexible, mode_rates) : 0};
-  [[maybe_unused]] StepLimit<Pack> limit(m.longest_step);
+  const ModalState modal{&m.flexible, modes, mode_rates, modal_force,
+                         farthest_displacement(m.flexible, modes)};
   ContactRows* rows = nullptr;
   if constexpr (linear) {
     jac->clear();
@@ -224,8 +219,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       }
     } else {
       race_contacts<linear, true, tilting>(m, roller, q, inner, loads, g, seen, total, sliding,
-                                           elastic_r, elastic_t, drive, tilting ? &tilt : nullptr,
-                                           &limit);
+                                           elastic_r, elastic_t, drive, tilting ? &tilt : nullptr);
     }
     border.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
     border.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
@@ -269,38 +263,31 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
       by_spin += on.energy_by_spin;
     } else {
       race_contacts<linear, false>(m, roller, q, outer, loads, g, seen, total, sliding, elastic_r,
-                                   elastic_t, drive, nullptr, &limit);
+                                   elastic_t, drive);
     }
     if constexpr (linear) {
       store(seen->outer_force.data() + group * kLanes, total);
       for (int i = 0; i < kLocalVelocities; ++i) turn_frame(q, g->position[i], g->velocity[i]);
     }
     if constexpr (!planar)  // who stands still in the middle touches no flange
-      flange_contacts<linear>(m, roller, q, group, loads, jac, seen, limit);
+      flange_contacts<linear>(m, roller, q, group, loads, jac, seen);
     if (lubricated && m.churning.on)
       roller_churning<linear>(m.churning, roller, q, b, loads, g, seen);
     PocketFrame pocket = pocket_places(roller, q, b);
     Pack bars_nearer = splat(modal.farthest), walls_nearer = bars_nearer;
     if (lubricated && m.oiled_bars) bars_nearer += m.bar_line.layer;
     if constexpr (lubricated) walls_nearer += m.wall_film.layer;
-    if constexpr (linear) {  // derivatives come with a look ahead, at what is not in reach yet
-      add_rates(q, b, pocket);
-      const auto ahead = [&](Pack speed) { return limit.longest() * (speed + modal.fastest); };
-      bars_nearer += ahead(fastest_at_bars(m, roller, pocket, b));
-      walls_nearer += ahead(fastest_at_walls(m, roller, pocket, b));
-    }
     const bool bars = bars_in_reach(m, roller, pocket, bars_nearer),
                walls = walls_in_reach(m, roller, pocket, walls_nearer);
-    if (!linear && (bars || walls)) add_rates(q, b, pocket);
+    if (bars || walls) add_rates(q, b, pocket);
     if (lubricated && bars && m.oiled_bars)
       lubricated_pocket<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac,
                                 seen);
     else if (bars)
-      pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
-                              limit);
+      pocket_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac,
+                              seen);
     if (walls)
-      wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen,
-                            limit);
+      wall_contacts<linear>(m, roller, q, pocket, b, modal, group, loads, border, rows, jac, seen);
     if constexpr (linear) {
       if constexpr (lubricated) {
         const Pack a_t = loads.f[kLt] * roller.inverse_mass - m.gravity * q.cosine - q.vr * q.omega,
@@ -314,10 +301,9 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     }
     store_rates<planar>(m, roller, q, loads, y, rate, group);
   }
-  [[maybe_unused]] StepLimit<double> land_limit(m.longest_step);
   double on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = modal.pushed ? sum(modal_force[k]) : 0;
-  land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen, land_limit);
+  land_contacts<linear>(m, b, modal, border, on_modes, rows, jac, seen);
   if (lubricated && m.churning.on) churn_cage<linear>(m.churning, b, border, jac, seen);
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) {
@@ -337,8 +323,6 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     for (int i = 0; i < m.layout.border(); ++i)
       seen->net_power_rate +=
           jac->power_position[i] * border_v[i] + jac->power_velocity[i] * border_a[i];
-    seen->longest_step = std::min(land_limit.longest(), smallest(limit.longest()));
-    seen->touch_ahead = smallest(limit.touch_ahead());
   }
 }
 

@@ -53,17 +53,10 @@ struct ModalState {
   const double *q, *rate;
   Pack* force;          ///< modes packs, to be summed over lanes where `pushed`
   double farthest = 0;  ///< no contact point has moved farther along one of its directions [m]
-  double fastest = 0;   ///< nor moves faster [m/s]; known with derivatives only
 
   mutable bool pushed = false;
 
   bool flexible() const { return cage->modes > 0; }
-  /// Whether a point may touch within a time, however the cage has bent and moves: of penetration
-  /// and its rate without that.
-  template <class T>
-  auto may_touch(T penetration, T closing, T within) const {
-    return penetration + farthest + within * max(closing + fastest, T{}) > 0.0;
-  }
   /// Displacement or speed of a contact point of a pack of pockets.
   Pack along(int group, int point, int direction, const double* coordinate) const {
     const Pack* row = cage->row(group, point, direction);

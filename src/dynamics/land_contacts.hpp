@@ -54,7 +54,7 @@ inline void bend_land(const ModalState& modal, int land, double angle, BentLand&
 template <bool linear>
 void land_contacts(const BearingModel& model, const BorderState& b, const ModalState& modal,
                    BorderLoads& border, double* modal_force, ContactRows* rows, Linearisation* jac,
-                   Observation* seen, StepLimit<double>& limit) {
+                   Observation* seen) {
   if (model.guidance == Guidance::roller) return;
   const bool inner = model.guidance == Guidance::inner;
   // The cage's outside surface meets the outer ring where delta points; its bore meets the inner
@@ -71,10 +71,9 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
       vz -= b.ring_rate[1];
     }
     const double squared = y * y + z * z;
-    if constexpr (!linear) {  // nothing to look ahead for: a root and a division less
-      const double reach = model.land_clearance - modal.farthest;
-      if (!model.guide_film.on && reach > 0 && squared < reach * reach) continue;
-    }
+    // Most lands are apart: a root and a division less.
+    const double reach = model.land_clearance - modal.farthest;
+    if (!model.guide_film.on && reach > 0 && squared < reach * reach) continue;
     const double distance = __builtin_sqrt(squared);
     double p = distance - model.land_clearance;
     const double inverse = distance > 0 ? 1 / distance : 0;
@@ -87,18 +86,13 @@ void land_contacts(const BearingModel& model, const BorderState& b, const ModalS
       guide_film<linear>(model, b, X, delta, moving, border, oil, rows, jac, seen);
       if constexpr (linear) seen->land_force[land] = std::hypot(oil[0], oil[1]);
     }
-    // The surface's slope lets a bent land close a little faster.
-    const double sloping = 2 * modal.farthest * modal.cage->corners / (2 * std::numbers::pi) *
-                           std::abs(along * inverse - b.phi_rate);
-    if (linear ? !modal.may_touch(p, rate + sloping, limit.longest()) : !(p > -modal.farthest))
-      continue;
+    if (!(p > -modal.farthest)) continue;
     BentLand bent;
     if (modal.flexible()) {
       bend_land(modal, land, std::atan2(side * nz, side * ny) - b.phi, bent);
       p += side * bent.moved;
       rate += side * (bent.rate[0] + bent.slope * (along * inverse - b.phi_rate));
     }
-    if constexpr (linear) limit.touch(p, rate, true);
     if (!(p > 0)) continue;
     const double ring_surface = inner ? b.inner_speed * side * model.guide_ring_radius : 0;
     const double swash = ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny);

@@ -21,10 +21,8 @@ void Observation::clear() {
   land_force[0] = land_force[1] = 0;
   land_touching[0] = land_touching[1] = false;
   ring_elastic_y = ring_elastic_z = 0;
-  drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy =
-      longest_step = 0;
+  drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy = 0;
   lost.fill(0);
-  touch_ahead = kNoTouch;
   thinnest_film = kNoFilm;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "src/dynamics/bearing_model.hpp"
-#include "src/dynamics/step_limit.hpp"
 #include "src/numerics/pack_vector.hpp"
 
 namespace cagetol {
@@ -65,8 +64,6 @@ struct Observation {
   double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
   double elastic_energy = 0;  ///< stored in contacts [J]
   double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]
-  double longest_step = 0;    ///< as the contacts see it (step_limit.hpp) [s]
-  double touch_ahead = 0;     ///< until the touch that a step is to be laid around [s]
 };
 
 }  // namespace cagetol

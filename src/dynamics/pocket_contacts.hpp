@@ -26,19 +26,11 @@ inline bool bars_in_reach(const BearingModel& model, const RollerGroup& roller,
   return any((u + roller.radius - roller.half_width > -margin) & (roller.exists > 0.0));
 }
 
-/// The largest rate of u at any station, which goes in proportion to the place, too.
-inline Pack fastest_at_bars(const BearingModel& model, const RollerGroup& roller,
-                            const PocketFrame& f, const BorderState& b) {
-  const Pack kappa = f.A_T + roller.squareness;
-  return abs(f.v_T - kappa * f.v_x - b.phi_rate * (f.D_R - f.X * f.A_R) - f.X * f.dA_T) +
-         farthest_station(model) * abs(f.b_T - b.phi_rate * (f.a_R - f.A_R) - f.dA_T);
-}
-
 template <bool linear>
 void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                      const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
                      RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
-                     Observation* seen, StepLimit<Pack>& limit) {
+                     Observation* seen) {
   const Pack kappa = f.A_T + roller.squareness;
   const Pack gap = roller.radius - roller.half_width, R = roller.radius;
   const int stations = static_cast<int>(model.bar_stations.size());
@@ -55,19 +47,11 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
       const double s = side == 0 ? 1.0 : -1.0;
       const int point = side == 0 ? stations + k : k;
       Pack p = s * u + gap, rate = s * u_rate;
-      const auto near = linear ? modal.may_touch(p, rate, limit.longest()) : p > -modal.farthest;
-      if (!any(near & (roller.exists > 0.0))) continue;
+      if (!any((p > -modal.farthest) & (roller.exists > 0.0))) continue;
       if (modal.flexible()) p -= s * modal.along(group, point, 1, modal.q);
       const Mask touching = (p > 0.0) & (roller.exists > 0.0);
-      if constexpr (!linear)
-        if (!any(touching)) continue;
+      if (!any(touching)) continue;
       if (modal.flexible()) rate -= s * modal.along(group, point, 1, modal.rate);
-      if constexpr (linear) {
-        limit.touch(p, rate, roller.exists > 0.0);
-        limit.grow(p, rate, roller.exists > 0.0);
-        limit.touch(-p, -rate, roller.exists > 0.0);  // partings, too
-        if (!any(touching)) continue;
-      }
       touched = true;
       const Pack reach = D_T + s * R;
       Pack v1 = f.v_R + xi * f.b_R - s * R * q.spin + b.phi_rate * (reach - X * f.A_T) - X * f.dA_R;
@@ -78,9 +62,6 @@ void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const
         v2 -= modal.along(group, point, 2, modal.rate);
       }
       const auto normal = normal_force(model.bar, select(touching, p, splat(-1.0)), rate);
-      // The few heavy impacts make the mean square of the force: it is taken from these states.
-      if constexpr (linear)
-        limit.at_most(model.heavy_step, touching & (normal.force > model.heavy_force));
       const Pack speed2 = v1 * v1 + v2 * v2;
       const auto fr = friction(model.friction[kBarPair], speed2);
       const Pack g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2, push = s * normal.force;

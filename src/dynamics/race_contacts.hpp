@@ -106,7 +106,7 @@ template <bool linear, bool moving, bool tilting = false>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
                    Pack& total, Pack& sliding, Pack& elastic_r, Pack& elastic_t, Pack& drive,
-                   RingTilt* tilt = nullptr, [[maybe_unused]] StepLimit<Pack>* limit = nullptr) {
+                   RingTilt* tilt = nullptr) {
   Entrainment oil;
   FilmAtSpeed<Pack> film;
   Pack thickest{};
@@ -130,8 +130,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const double xi = slice.position;
     const auto& [p, n_r, n_t, inverse] = gaps[n];
     const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
-    if constexpr (!linear)
-      if (!any(touching)) continue;
+    if (!any(touching)) continue;
 
     [[maybe_unused]] const Pack place = q.x + xi;
     const Pack radius = roller.radius + (xi * roller.taper_slope - slice.drop);
@@ -149,14 +148,6 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     Pack closing = n_r * v_r + n_t * v_t;
     if constexpr (moving) closing += n_x * q.vx;
     const Pack rate = -closing;
-    if constexpr (linear) {
-      if (limit) {
-        limit->lay_around(p + thickest, rate, roller.exists > 0.0);
-        // Leaving the load zone is foreseen, too; on the outer race rollers bounce all the time.
-        if (race.sign > 0) limit->pass(-p - thickest, -rate, roller.exists > 0.0);
-      }
-      if (!any(touching)) continue;
-    }
     const Pack along = n_r * v_t - n_t * v_r;  // velocity of the axes along t
     const Pack w_r = q.spin * q.a_r - q.b_t, w_t = q.spin * q.a_t + q.b_r;
     Pack v1 = along - radius * q.spin, v2 = q.vx + radius * (n_r * w_t - n_t * w_r);

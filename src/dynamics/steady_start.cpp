@@ -25,7 +25,7 @@ CageRest cage_rest(const BearingModel& model, double cage_speed, double ring_spe
   CageRest rest;
   if (model.guidance == Guidance::roller) return rest;
   static const FlexibleCage rigid;
-  const ModalState modal{&rigid, nullptr, nullptr, nullptr, 0, 0};
+  const ModalState modal{&rigid, nullptr, nullptr, nullptr, 0};
   BearingModel straight = model;
   straight.misalignment_y = straight.misalignment_z = 0;
   const auto lands_at = [&](double y, double z) {
@@ -36,8 +36,7 @@ CageRest cage_rest(const BearingModel& model, double cage_speed, double ring_spe
     b.phi_cos = 1;
     b.inner_speed = ring_speed;
     BorderLoads loads;
-    StepLimit<double> limit(model.longest_step);
-    land_contacts<false>(straight, b, modal, loads, nullptr, nullptr, nullptr, nullptr, limit);
+    land_contacts<false>(straight, b, modal, loads, nullptr, nullptr, nullptr, nullptr);
     return loads;
   };
   // What lands answer grows with the distance and turns with the place.

@@ -10,10 +10,8 @@ namespace cagetol {
 
 const std::vector<MethodName>& integration_methods() {
   static const std::vector<MethodName> methods = {
-      {"rodas4s", "linearly implicit, order 4(3), L-stable, touch-aware error-controlled step"},
-      {"rodasp", "the same by six stages instead of five, of order 3 on stiff equations, not 1"},
-      {"rodas4f", "as rodas4s by six stages, with more of an oscillation's frequency"},
-      {"rodas3", "the same of order 3(2)"},
+      {"rodas3", "linearly implicit (Rosenbrock), order 3(2), L-stable, error-controlled step"},
+      {"rodasp", "linearly implicit (Rosenbrock), order 4(3), L-stable: for tight tolerances"},
       {"cvode-bdf", "CVODE, BDF with its order capped by integration.max_order"},
       {"arkode-esdirk", "ARKODE, diagonally implicit, order 3, L-stable"},
       {"arkode-erk", "ARKODE, explicit, order 3: limited by stability"},
@@ -24,10 +22,8 @@ const std::vector<MethodName>& integration_methods() {
 
 std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system,
                                             double t0, const double* y0) {
-  if (keys.method == "rodas4s") return std::make_unique<Rosenbrock>(kRodas4S, keys, system);
-  if (keys.method == "rodasp") return std::make_unique<Rosenbrock>(kRodasP, keys, system);
-  if (keys.method == "rodas4f") return std::make_unique<Rosenbrock>(kRodas4F, keys, system);
   if (keys.method == "rodas3") return std::make_unique<Rosenbrock>(kRodas3, keys, system);
+  if (keys.method == "rodasp") return std::make_unique<Rosenbrock>(kRodasP, keys, system);
   if (keys.method == "cvode-bdf") return make_cvode_bdf(keys, system, t0, y0);
   if (keys.method == "arkode-esdirk") return make_arkode(true, keys, system, t0, y0);
   if (keys.method == "arkode-erk") return make_arkode(false, keys, system, t0, y0);

@@ -15,8 +15,6 @@ const RosenbrockTable kRodas3 = {
     .alpha = {0, 0, 1, 1},
     .gamma_sum = {0.5, 1.5, 0, 0},
     .m = {2, 0, 1, 1},
-    .touch_place = 0,
-    .bounce_share = 1,
     .new_rates = {false, false, true, true},
 };
 
@@ -40,56 +38,7 @@ const RosenbrockTable kRodasP = {
     .alpha = {0, 0.75, 0.21, 0.63, 1, 1},
     .gamma_sum = {0.25, -0.5, -0.023504, -0.0362, 0, 0},
     .m = {-7.170454962423024, -4.741636671481785, -16.31002631330971, -1.062004044111401, 1, 1},
-    .touch_place = 0.446,
-    .bounce_share = 1,
     .new_rates = {false, true, true, true, true, true},
-};
-
-const RosenbrockTable kRodas4F = {
-    .stages = 6,
-    .gamma = 0.185,
-    .error_order = 4,
-    .a = {{},
-          {5.1110544855022333},
-          {3.8738028463441117, 0.50262625961138496},
-          {10.863368013308351, -0.88096480476767813, 2.3759994985704678},
-          {11.73614886943561, -1.1089092777270979, 2.8318309368127892, 0.093206631358509082},
-          {11.73614886943561, -1.1089092777270979, 2.8318309368127892, 0.093206631358509082, 1}},
-    .c = {{},
-          {-6.7594050815229094},
-          {-17.491720168797332, 2.8990936424396527},
-          {-35.532645698701927, 10.035574507200144, -16.310773580562618},
-          {-40.985884941864818, 11.882692224324908, -16.059800985596045, 0.44011192344346645},
-          {-25.822488805378185, -3.7359960866330186, 12.311425660745654, 43.690675134631491,
-           -45.113670513102079}},
-    .alpha = {0, 0.94554507981791325, 0.69336150456775136, 1.008652515981213, 1, 1},
-    .gamma_sum = {0.185, -0.046340638915121024, -0.43850810533519163, 0.2060552256536004, 0, 0},
-    .m = {11.73614886943561, -1.1089092777270979, 2.8318309368127892, 0.093206631358509082, 1, 1},
-    .touch_place = 0.51,
-    .bounce_share = 1,
-    .new_rates = {false, true, true, true, true, true},
-};
-
-const RosenbrockTable kRodas4S = {
-    .stages = 5,
-    .gamma = 0.2625,
-    .error_order = 4,
-    .a = {{},
-          {1.120736554688317},
-          {1.8384706810219305, -0.12033056671106833},
-          {-0.30145388982770732, -2.4811610124967873, 2.2400612656471366},
-          {-1.4840302352189205, -0.46466010786170237, -0.029867717053074987, 0.92806255092955092}},
-    .c = {{},
-          {-11.101480285709192},
-          {-0.17519246163683566, 2.4490494222518828},
-          {33.364192741668028, 9.6910932054644672, 2.0951406310725367},
-          {15.586572675178045, -4.7180100810385017, 11.849664532878936, -5.3097268115730314}},
-    .alpha = {0, 0.29419334560568328, 0.54306001588519703, 1.0049455137781622, 1},
-    .gamma_sum = {0.2625, -0.50246137593714901, -0.07259195045088801, 1.2433601836573482, 0},
-    .m = {-1.4840302352189205, -0.46466010786170237, -0.029867717053074987, 0.92806255092955092, 1},
-    .touch_place = 0.413,
-    .bounce_share = 0.5,
-    .new_rates = {false, true, true, true, true},
 };
 
 namespace {
@@ -113,7 +62,6 @@ Rosenbrock::Rosenbrock(const RosenbrockTable& table, const Integration& keys, co
     : table_(table),
       keys_(keys),
       newton_(system.model),
-      step_error_(table.bounce_share),
       next_step_(kFirstStep),
       stage_(static_cast<std::size_t>(table.stages),
              PackVector(static_cast<std::size_t>(system.size))),
@@ -151,10 +99,6 @@ void Rosenbrock::advance(const double* y, const double* weights, int stages, dou
 StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) {
   const int n = system.size;
   double h = std::min(next_step_, keys_.max_step);
-  if (keys_.touch_aware) {
-    h = std::min(h, system.seen.longest_step);
-    h = laid_around(system.seen.touch_ahead, table_.touch_place, system.model.touch_span, h);
-  }
   const bool driven = system.driven_by_time(t);
   if (driven) system.rates_by_time(t, y, time_rates_.data());
   bool rejected = false;
@@ -183,7 +127,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
     }
     double error = 1e6;
     if (sound) {
-      error = step_error_(system, y, stage_.back().data(), h, keys_.tolerance);
+      error = error_norm(system, stage_.back().data()) / keys_.tolerance;
       if (!std::isfinite(error)) error = 1e6;
     }
     const double log_error = std::log(std::clamp(error, 1e-6, 1e6));
@@ -194,7 +138,6 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       const double factor = std::clamp(std::exp(predicted), 0.2, rejected ? 1.0 : 4.0);
       advance(y, table_.m, table_.stages, y);
       t = last ? t_end : t + h;
-      step_error_.advance(system, h);
       ++system.counts.steps;
       if (!last) system.counts.smallest_step = std::min(system.counts.smallest_step, h);
       last_log_error_ = std::max(log_error, std::log(1e-2));

@@ -1,11 +1,10 @@
-// Linearly implicit (Rosenbrock) methods with a current Jacobian, error control and a touch-aware
-// step: no nonlinear iteration, so a contact that opens or closes inside a step costs a smaller
-// step and never a failed Newton.
+// Linearly implicit (Rosenbrock) methods with a current Jacobian and error control: no nonlinear
+// iteration, so a contact that opens or closes inside a step costs a smaller step and never a
+// failed Newton.
 #pragma once
 
 #include "src/dynamics/newton_matrix.hpp"
 #include "src/integration/integrator.hpp"
-#include "src/integration/step_error.hpp"
 
 namespace cagetol {
 
@@ -21,12 +20,6 @@ struct RosenbrockTable {
   double error_order;  ///< the error estimate behaves like h^error_order
   double a[kMaxStages][kMaxStages], c[kMaxStages][kMaxStages];
   double alpha[kMaxStages], gamma_sum[kMaxStages], m[kMaxStages];
-  /// Where in a step a contact may begin, in shares of it, its impulse right nevertheless; 0: steps
-  /// are not laid around touches, which a method of short steps does not repay.
-  double touch_place;
-  /// Of the error's estimate, that counts of bouncing rollers (StepError): the estimate is the
-  /// embedded solution's error, of lower order than the one that is kept.
-  double bounce_share;
   bool new_rates[kMaxStages];  ///< stage evaluates the rates anew (else it uses those of the stage
                                ///< before)
 };
@@ -36,22 +29,10 @@ struct RosenbrockTable {
 extern const RosenbrockTable kRodas3;
 
 /// RODASP: 6 stages, order 4(3), L-stable, stiffly accurate, and of order 3 on Prothero and
-/// Robinson's stiff equation, where RODAS4 of the same cost has order 1. Steinebach, Order
-/// reduction of ROW-methods for DAEs and method of lines applications, TH Darmstadt preprint 1741
-/// (1995); coefficients as in Hairer and Wanner's code RODAS.
+/// Robinson's stiff equation. Steinebach, Order reduction of ROW-methods for DAEs and method of
+/// lines applications, TH Darmstadt preprint 1741 (1995); coefficients as in Hairer and Wanner's
+/// code RODAS.
 extern const RosenbrockTable kRodasP;
-
-/// RODAS4F: 6 stages, order 4(3), L-stable, stiffly accurate. Where RODASP spends its freedom on
-/// Prothero and Robinson's equation, this one carries oscillations on with the right frequency:
-/// at 1.4 rad a step -4.4e-4 of it, RODASP -3.0e-3. Of order 1 on that equation, with an error in
-/// proportion to 1/lambda. Found as tests/convergence/rosenbrock_search.py finds its like.
-extern const RosenbrockTable kRodas4F;
-
-/// RODAS4S: 5 stages, order 4(3), L-stable, stiffly accurate: a stage and its right-hand side less
-/// than RODASP. The solution its error is told by keeps -0.30 of what is infinitely stiff; that
-/// RODASP's keeps nothing of it is what its sixth stage is for. Of order 1 on Prothero and
-/// Robinson's equation. Found as tests/convergence/rosenbrock_search.py finds its like.
-extern const RosenbrockTable kRodas4S;
 
 class Rosenbrock : public Integrator {
  public:
@@ -70,7 +51,6 @@ class Rosenbrock : public Integrator {
   const RosenbrockTable& table_;
   Integration keys_;
   NewtonMatrix newton_;
-  StepError step_error_;
   double next_step_;
   double last_log_error_ = 0;
   std::vector<PackVector> stage_;

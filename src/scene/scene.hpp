@@ -191,12 +191,11 @@ struct Discretisation {
 };
 
 struct Integration {
-  std::string method = "rodas4s";
-  double tolerance = 0.001;  ///< multiple of the error scales (1 um, 1 cm/s and kin)
-  double max_step = 50e-6;   ///< [s]
-  double fixed_step = 1e-6;  ///< of fixed-step methods [s]
-  long max_order = 2;        ///< cap of cvode-bdf
-  bool touch_aware = true;   ///< end steps before predicted touches, lay them around those of races
+  std::string method = "rodas3";
+  double tolerance = 0.001;     ///< multiple of the error scales (1 um, 1 cm/s and kin)
+  double max_step = 50e-6;      ///< [s]
+  double fixed_step = 1e-6;     ///< of fixed-step methods [s]
+  long max_order = 2;           ///< cap of cvode-bdf
   long step_budget = 20000000;  ///< attempted steps before the run is censored
   double wall_budget =
       0;  ///< wall-clock limit [s], 0: none; ends a run as not_run, never as a result

@@ -187,7 +187,6 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"integration.max_step_us", above(0), AT(integration.max_step), "largest step"},
       {"integration.fixed_step_us", above(0), AT(integration.fixed_step), "step of fixed-step methods"},
       {"integration.max_order", within(1, 5), AT(integration.max_order), "highest order of cvode-bdf"},
-      {"integration.touch_aware", any_value(), AT(integration.touch_aware), "end steps before predicted touches, lay them around those of races"},
       {"integration.step_budget", within(1, 1e12), AT(integration.step_budget), "attempted steps after which a run is censored"},
       {"integration.wall_budget_s", at_least(0), AT(integration.wall_budget), "wall-clock limit of a run, ends it as not run; 0: none"},
       {"watch.static_consistency_max", above(0), AT(watch.static_consistency_max), "a run whose static consistency error is larger, by more than its window tells, has failed"},

@@ -10,8 +10,8 @@ namespace cagetol {
 
 const std::vector<MethodName>& integration_methods() {
   static const std::vector<MethodName> methods = {
-      {"rodas4s", ""},   {"rodasp", ""},        {"rodas4f", ""},    {"rodas3", ""},
-      {"cvode-bdf", ""}, {"arkode-esdirk", ""}, {"arkode-erk", ""}, {"semi-implicit-euler", ""},
+      {"rodas3", ""},        {"rodasp", ""},     {"cvode-bdf", ""},
+      {"arkode-esdirk", ""}, {"arkode-erk", ""}, {"semi-implicit-euler", ""},
   };
   return methods;
 }

@@ -45,22 +45,15 @@ double order(const RosenbrockTable& table, double lambda, int steps) {
 TEST(ProtheroRobinson, FullOrderWhereNothingIsStiff) {
   EXPECT_NEAR(order(kRodas3, -1, 64), 3, 0.1);
   EXPECT_NEAR(order(kRodasP, -1, 32), 4, 0.1);
-  EXPECT_NEAR(order(kRodas4F, -1, 64), 4, 0.1);
-  EXPECT_NEAR(order(kRodas4S, -1, 64), 4, 0.1);
 }
 
-/// Rodas3, Rodas4F and Rodas4S are left with order 1 and an error in proportion to 1/lambda, RodasP
-/// with order 3.
+/// Rodas3 is left with order 1 and an error in proportion to 1/lambda, RodasP with order 3.
 TEST(ProtheroRobinson, OrderThatStiffnessLeaves) {
   EXPECT_NEAR(order(kRodas3, -1e6, 16), 1, 0.1);
   EXPECT_NEAR(order(kRodasP, -1e6, 16), 3, 0.1);
   EXPECT_LT(error(kRodas3, -1e6, 16), 1e-7);
   EXPECT_LT(error(kRodasP, -1e6, 16), 1e-12);
-  for (const RosenbrockTable* table : {&kRodas4F, &kRodas4S}) {
-    EXPECT_NEAR(order(*table, -1e6, 16), 1, 0.1);
-    EXPECT_NEAR(error(*table, -1e5, 16) / error(*table, -1e6, 16), 10, 0.5);
-    EXPECT_LT(error(*table, -1e6, 16), 2e-7);
-  }
+  EXPECT_NEAR(error(kRodas3, -1e5, 16) / error(kRodas3, -1e6, 16), 10, 0.5);
 }
 
 }  // namespace

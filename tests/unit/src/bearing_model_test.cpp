@@ -94,60 +94,6 @@ TEST(BearingModel, RampsFollowStep) {
   EXPECT_DOUBLE_EQ(inner_speed_at(m, 1), scene.operation.inner_speed);
 }
 
-TEST(BearingModel, StepsResolveHowRollersBounceNearFlangesInTouchesAndInHeavyImpacts) {
-  const Scene scene = shipped_scene("speed-z16-skew");
-  const BearingModel m = make_bearing_model(scene);
-  // Pressed outwards by its centrifugal force Q alone: stiffness e K^(1/e) Q^(1 - 1/e).
-  const double mass = 7800 * std::numbers::pi * 4.5e-3 * 4.5e-3 * 10e-3;
-  const double turn = 6000 * std::numbers::pi / 30 * 56.49 / (56.49 + 74.51);
-  const double e = 10.0 / 9, force = mass * 32.75e-3 * turn * turn;
-  const double stiffness = 150e3 * std::pow(1e3, e);  // [N/m^e]
-  const double frequency =
-      std::sqrt(e * std::pow(stiffness, 1 / e) * std::pow(force, 1 - 1 / e) / mass);
-  EXPECT_NEAR(m.rocking_step * frequency, 1.318512, 1e-5);  // 1.38 (0.001/0.0012)^(1/4)
-  EXPECT_NEAR(m.touch_span * frequency, 0.94, 1e-6);
-  EXPECT_NEAR(m.heavy_step * frequency, 0.659256, 1e-5);
-  EXPECT_NEAR(m.heavy_force, 0.1 * force, 1e-9);
-  Scene other = scene;
-  other.integration.tolerance /= 16;
-  EXPECT_NEAR(make_bearing_model(other).rocking_step, m.rocking_step / 2, 1e-9 * m.rocking_step);
-  EXPECT_NEAR(make_bearing_model(other).heavy_step, m.heavy_step / 2, 1e-9 * m.heavy_step);
-  for (const double coarse : {0.0012, 0.015}) {
-    other.integration.tolerance = coarse;
-    EXPECT_NEAR(make_bearing_model(other).rocking_step * frequency, 1.38, 1e-6);
-    EXPECT_NEAR(make_bearing_model(other).heavy_step * frequency, 0.69, 1e-6);
-  }
-
-  std::vector<double> y = start_state(m, scene.start);
-  System system(m);
-  const auto longest_step_at = [&](double gap) {
-    y[static_cast<std::size_t>(m.layout.position(kAxial, 3))] = m.flange_half_clearance - gap;
-    EXPECT_TRUE(system.linearise_at(0, y.data()));
-    return system.seen.longest_step;
-  };
-  EXPECT_GT(longest_step_at(5e-6), 2 * m.rocking_step);
-  EXPECT_DOUBLE_EQ(longest_step_at(3e-6), m.rocking_step);
-  Scene still = scene;
-  still.operation.inner_speed = 0;  // nothing presses rollers outwards
-  EXPECT_TRUE(std::isinf(make_bearing_model(still).rocking_step));
-}
-
-TEST(BearingModel, StepsResolveHeavyImpactsOnBars) {
-  const Scene scene = shipped_scene("speed-z16-skew");
-  const BearingModel m = make_bearing_model(scene);
-  const auto longest_step_at = [&](double depth) {  // of roller 3 in its leading bar
-    std::vector<double> y = start_state(m, scene.start);
-    const double gap = m.groups[0].half_width[3] - m.groups[0].radius[3];
-    y[static_cast<std::size_t>(m.layout.position(kAngle, 3))] += (gap + depth) / m.pitch_radius;
-    System system(m);
-    EXPECT_TRUE(system.linearise_at(0, y.data()));
-    EXPECT_EQ(system.seen.leading_force[3] > m.heavy_force, depth > 100e-9);
-    return system.seen.longest_step;
-  };
-  EXPECT_DOUBLE_EQ(longest_step_at(200e-9), m.heavy_step);
-  EXPECT_GT(longest_step_at(0.5e-9), m.heavy_step);
-}
-
 TEST(FindJam, NamesTheWorstPocketAndItsInterference) {
   Scene scene;
   EXPECT_EQ(find_jam(scene).pocket, -1);

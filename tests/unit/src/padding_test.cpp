@@ -35,7 +35,6 @@ TEST(Padding, ItsStateDoesNotMatter) {
       EXPECT_EQ(clean.seen.elastic_energy, dirty.seen.elastic_energy);
       EXPECT_EQ(clean.seen.ring_elastic_z, dirty.seen.ring_elastic_z);
       EXPECT_EQ(clean.seen.net_power_rate, dirty.seen.net_power_rate);
-      EXPECT_EQ(clean.seen.longest_step, dirty.seen.longest_step);
       EXPECT_EQ(body_energy(b.model, b.y.data()), body_energy(b.model, y.data()));
     }
   }

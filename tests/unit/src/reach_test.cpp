@@ -1,5 +1,5 @@
-// What decides whether contacts of a pack of rollers with pockets and flanges are looked at at all:
-// a bound that is too small would lose touches, now or ahead, without a word.
+// What decides whether contacts of a pack of rollers with pockets and flanges are evaluated at all:
+// a bound that is too small would lose touches without a word.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -18,16 +18,6 @@ struct Motion {
   double r, theta, x, axis[2], vr, omega, vx, axis_rate[2], spin;
   double cage[3], cage_rate[3], phi, phi_rate, cage_axis[2], cage_axis_rate[2];
 
-  Motion after(double dt) const {
-    Motion m = *this;
-    m.r += dt * vr, m.theta += dt * omega, m.x += dt * vx, m.phi += dt * phi_rate;
-    for (int k = 0; k < 3; ++k) m.cage[k] += dt * cage_rate[k];
-    for (int k = 0; k < 2; ++k) {
-      m.axis[k] += dt * axis_rate[k];
-      m.cage_axis[k] += dt * cage_axis_rate[k];
-    }
-    return m;
-  }
   RollerPack roller() const {
     RollerPack q;
     q.r = splat(r), q.x = splat(x);
@@ -109,17 +99,6 @@ struct Looked {
                     bearing.model.flange_half_clearance);
     return p;
   }
-  /// The largest rate of any of them, by differences.
-  template <class Penetrations>
-  double fastest(const Penetrations& penetrations) const {
-    constexpr double dt = 1e-7;
-    const auto ahead = penetrations(motion.after(dt)), behind = penetrations(motion.after(-dt));
-    double most = 0;
-    for (std::size_t i = 0; i < ahead.size(); ++i)
-      most = std::max(most, std::abs(ahead[i] - behind[i]) / (2 * dt));
-    return most;
-  }
-
   RandomBearing bearing;
   RollerGroup group;
   Motion motion{};
@@ -130,7 +109,6 @@ double deepest(const std::vector<double>& p) {
 }
 
 constexpr unsigned kStates = 60;
-constexpr double kRounding = 1e-6;  // of differences, in shares
 
 TEST(Reach, OfBarsIsThatOfTheirStations) {
   for (unsigned seed = 0; seed < kStates; ++seed) {
@@ -140,41 +118,25 @@ TEST(Reach, OfBarsIsThatOfTheirStations) {
     at.group.exists = Pack{1};  // the lane that is looked at, no other
     EXPECT_TRUE(bars_in_reach(at.bearing.model, at.group, f, splat(-p + 1e-12))) << seed;
     EXPECT_FALSE(bars_in_reach(at.bearing.model, at.group, f, splat(-p - 1e-12))) << seed;
-    const double speed = at.fastest([&](const Motion& m) { return at.into_bars(m); });
-    EXPECT_NEAR(fastest_at_bars(at.bearing.model, at.group, f, at.motion.border())[0], speed,
-                kRounding * speed)
-        << seed;
   }
 }
 
 TEST(Reach, OfWallsBoundsThatOfTheirPoints) {
-  double closest = 1e9;
   for (unsigned seed = 0; seed < kStates; ++seed) {
     const Looked at(seed);
     const double p = deepest(at.into_walls(at.motion));
     const PocketFrame f = at.frame(at.motion);
     EXPECT_TRUE(walls_in_reach(at.bearing.model, at.group, f, splat(-p))) << seed;
-    const double speed = at.fastest([&](const Motion& m) { return at.into_walls(m); });
-    const double bound = fastest_at_walls(at.bearing.model, at.group, f, at.motion.border())[0];
-    EXPECT_GE(bound, speed * (1 - kRounding)) << seed;
-    closest = std::min(closest, bound / speed);
   }
-  EXPECT_LT(closest, 1.2);
 }
 
 TEST(Reach, OfFlangesBoundsThatOfTheirPoints) {
-  double closest = 1e9;
   for (unsigned seed = 0; seed < kStates; ++seed) {
     const Looked at(seed);
     const double p = deepest(at.into_flanges(at.motion));
     const RollerPack q = at.motion.roller();
     EXPECT_TRUE(flanges_in_reach(at.bearing.model, at.group, q, splat(-p))) << seed;
-    const double speed = at.fastest([&](const Motion& m) { return at.into_flanges(m); });
-    const double bound = fastest_at_flanges(at.group, q)[0];
-    EXPECT_GE(bound, speed * (1 - kRounding)) << seed;
-    closest = std::min(closest, bound / speed);
   }
-  EXPECT_LT(closest, 1.2);
 }
 
 }  // namespace

@@ -78,7 +78,6 @@ struct Claim {
   const char* name;
   const RosenbrockTable* table;
   int order, embedded, linear;
-  double embedded_at_infinity;  ///< what the embedded solution leaves of the infinitely stiff
 };
 
 class RosenbrockConditions : public testing::TestWithParam<Claim> {};
@@ -107,12 +106,7 @@ TEST_P(RosenbrockConditions, OfStiffAccuracyAndLStability) {
   const Method m = method(table);
   const Eigen::Index last = table.stages - 1;
   EXPECT_LT((m.b - m.beta.row(last).transpose()).norm(), 1e-13);
-  const VectorXd fields = m.beta.inverse() * VectorXd::Ones(table.stages);
-  const double left = GetParam().embedded_at_infinity;
-  EXPECT_NEAR(1 - m.embedded.dot(fields), left, 1e-3);
-  if (left == 0) {
-    EXPECT_LT((m.embedded - m.beta.row(last - 1).transpose()).norm(), 1e-13);
-  }
+  EXPECT_LT((m.embedded - m.beta.row(last - 1).transpose()).norm(), 1e-13);
   EXPECT_NEAR(m.alpha.row(last).sum(), 1, 1e-13);
   for (double y = 0.01; y < 1e4; y *= 1.01)
     EXPECT_LE(std::abs(growth(table, {0, y})), 1 + 1e-12) << y;
@@ -120,52 +114,17 @@ TEST_P(RosenbrockConditions, OfStiffAccuracyAndLStability) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Tables, RosenbrockConditions,
-                         testing::Values(Claim{"rodas3", &kRodas3, 3, 2, 3, 0},
-                                         Claim{"rodasp", &kRodasP, 4, 3, 4, 0},
-                                         Claim{"rodas4f", &kRodas4F, 4, 3, 4, 0},
-                                         Claim{"rodas4s", &kRodas4S, 4, 3, 4, -0.301}),
+                         testing::Values(Claim{"rodas3", &kRodas3, 3, 2, 3},
+                                         Claim{"rodasp", &kRodasP, 4, 3, 4}),
                          [](const auto& test) { return test.param.name; });
 
-/// An oscillation, at 1.4 and at 1 rad a step.
+/// Share by which an oscillation comes out too slow, at 1 and at 1.4 rad a step.
 TEST(RosenbrockConditions, FrequencyOfAnOscillation) {
   const auto slow = [](const RosenbrockTable& table, double y) {
     return 1 - std::arg(growth(table, {0, y})) / y;
   };
   EXPECT_NEAR(slow(kRodasP, 1.4), 3.0e-3, 0.1e-3);
-  EXPECT_NEAR(slow(kRodas4F, 1.4), 4.8e-4, 0.1e-4);
-  EXPECT_NEAR(slow(kRodas4S, 1.4), 2.4e-3, 0.1e-3);
   EXPECT_NEAR(slow(kRodasP, 1.0), 8.2e-4, 0.1e-4);
-  EXPECT_NEAR(slow(kRodas4F, 1.0), 1.2e-4, 0.1e-4);
-}
-
-/// A contact that sets in, or ends, at a share of the step, with the 10/9th power of the
-/// penetration and no other force by which the step could feel it: error of the impulse, in the
-/// force it would have a step later or had a step before, times the step.
-TEST(RosenbrockConditions, ImpulseOfAForceThatSetsInOrDiesAway) {
-  const auto wrong = [](const RosenbrockTable& table, double at, bool dies) {
-    const Method m = method(table);
-    const double n = 10.0 / 9.0;
-    // What a step does not take from the rate and slope at its start; its integral over the step.
-    const double first = dies ? std::pow(at, n) : 0, slope = dies ? -n * std::pow(at, n - 1) : 0;
-    const auto force = [&](double t) {
-      return std::pow(std::max(0.0, dies ? at - t : t - at), n) - first - slope * t;
-    };
-    double error = first + slope / 2 - std::pow(dies ? at : 1 - at, n + 1) / (n + 1);
-    for (Eigen::Index i = 0; i < m.b.size(); ++i) error += m.b[i] * force(m.alpha.row(i).sum());
-    return error;
-  };
-  for (const RosenbrockTable* table : {&kRodasP, &kRodas4F, &kRodas4S}) {
-    EXPECT_LT(std::abs(wrong(*table, table->touch_place, false)), 5e-4) << table->gamma;
-    // Where a step happens to end it is not.
-    EXPECT_GT(std::abs(wrong(*table, 0.03, false)), 1e-2) << table->gamma;
-    EXPECT_GT(std::abs(wrong(*table, 0.64, false)), 1e-2) << table->gamma;
-  }
-  constexpr double kPartingPlace = 0.556;
-  EXPECT_LT(std::abs(wrong(kRodas4F, kPartingPlace, true)), 5e-4);
-  EXPECT_GT(std::abs(wrong(kRodas4F, 0.9, true)), 5e-3);
-  // Less exactly so by the others.
-  EXPECT_LT(std::abs(wrong(kRodasP, kPartingPlace, true)), 1e-2);
-  EXPECT_LT(std::abs(wrong(kRodas3, kPartingPlace, true)), 6e-2);
 }
 
 }  // namespace

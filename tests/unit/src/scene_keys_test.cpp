@@ -241,7 +241,7 @@ TEST(SceneMessages, WrongTypes) {
   EXPECT_THAT(problem_of("bearing.roller_count = 13.5\n"),
               HasSubstr("expected a whole number, from 3 to 64"));
   EXPECT_THAT(problem_of("cage.model = 5\n"), HasSubstr("expected a text in quotes"));
-  EXPECT_THAT(problem_of("integration.touch_aware = 'yes'\n"), HasSubstr("expected true or false"));
+  EXPECT_THAT(problem_of("lubrication.squeeze = 'yes'\n"), HasSubstr("expected true or false"));
   EXPECT_THAT(problem_of("load.radial_N = 2024-01-01\n"), HasSubstr("a date or time"));
   EXPECT_THAT(problem_of("load = 5\n"),
               HasSubstr("t.toml:1: load = 5: this is a section, not a key"));
