@@ -105,6 +105,13 @@ struct BearingModel {
 /// what cannot be built (the reader checks scenes before).
 BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> cage = {});
 
+/// Mass centre minus geometric centre of the cage in inertial directions (y, z) [m], at the cosine
+/// and sine of its angle.
+inline void turned_unbalance(const BearingModel& m, double cosine, double sine, double (&to)[2]) {
+  to[0] = cosine * m.unbalance_y - sine * m.unbalance_z;
+  to[1] = sine * m.unbalance_y + cosine * m.unbalance_z;
+}
+
 /// Load on the inner ring at time t, and its speed [rad/s].
 RingLoad load_at(const BearingModel& model, double t);
 double inner_speed_at(const BearingModel& model, double t);

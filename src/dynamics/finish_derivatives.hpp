@@ -7,6 +7,16 @@
 namespace cagetol {
 namespace {  // forces.cpp alone uses these, and inlines what pays
 
+/// Begins the derivatives of a pack of rollers: directions and radius.
+GroupLinear* start_group(const RollerPack& q, int group, Linearisation& jac) {
+  GroupLinear& g = jac.groups[static_cast<std::size_t>(group)];
+  g.cosine = q.cosine;
+  g.sine = q.sine;
+  g.radius = q.r;
+  g.inverse_radius = 1.0 / q.r;
+  return &g;
+}
+
 /// Forces turn with the roller's directions, and its velocity does in directions held still:
 /// completes a row of the races' derivatives, which were taken in frozen directions.
 void turn_frame(const RollerPack& q, Pack* position, const Pack* velocity) {

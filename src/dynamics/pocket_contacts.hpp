@@ -2,12 +2,13 @@
 // centre's angle) and e_x, at stations xi along the roller. D and X are the radial-plane and axial
 // place of the roller's axis relative to the cage's geometric centre, kappa = A_T + dgamma the lean
 // of the bar faces, w_T how far the bar has bent along e_T:
-//   u = D_T - kappa X - w_T,   p = s u + R - S_j/2,   s = +1 at the leading bar (ahead in +T), -1
-//   at the trailing bar
-// Normal row: -dp/d(velocities). Friction rows: along e_R (the roller's spin rubs) and along e_x.
+//   u = D_T - kappa X - w_T
+//   p = s u + R - S_j/2,   s = +1 at the leading bar (ahead in +T), -1 at the trailing bar
+// Friction acts along e_R (the roller's spin rubs) and along e_x.
 #pragma once
 
-#include "src/dynamics/pocket_frame.hpp"
+#include "src/dynamics/pocket_touch.hpp"
+#include "src/dynamics/touch.hpp"
 
 namespace cagetol {
 
@@ -26,94 +27,75 @@ inline bool bars_in_reach(const BearingModel& model, const RollerGroup& roller,
   return any((u + roller.radius - roller.half_width > -margin) & (roller.exists > 0.0));
 }
 
+/// One touch of a bar: what it adds to observation and derivatives. `force`: of the bar on the
+/// roller along -s e_T.
+template <int channels, class AddLane>
+void observe_bar(const PocketLevers& levers, const RollerPack& q, const PocketFrame& f,
+                 const BorderState& b, const ModalState& modal, const RollerGroup& roller,
+                 int group, int stations, const int (&points)[2], Pack force, Mask wet, Mask lead,
+                 ContactRows& rows, Observation& seen, const AddLane& add_lane) {
+  const auto add = [&](PackVector& sums, Mask mine) {
+    double* const at = sums.data() + group * kLanes;
+    store(at, load(at) + select(mine, force, Pack{}));
+  };
+  add(seen.leading_force, lead);
+  add(seen.trailing_force, ~lead);
+  for (int i = 0; i < kLanes; ++i) {
+    if (!wet[i]) continue;
+    const double s = levers.sign[0][i];
+    const int point = points[s > 0 ? 0 : 1];
+    if (modal.cage->model)
+      seen.bar_force[2 * stations * (group * kLanes + i) + point] = s * force[i];
+    fill_rows<channels>(levers, f, b, modal, group, point, i, rows);
+    set_bar_lean(f, q, levers.sign[0], roller.radius, i, rows);
+    add_lane(i);
+    clear_bar_lean(rows);
+  }
+}
+
 template <bool linear>
 void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                      const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
                      RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
                      Observation* seen) {
-  const Pack kappa = f.A_T + roller.squareness;
-  const Pack gap = roller.radius - roller.half_width, R = roller.radius;
+  const Pack kappa = f.A_T + roller.squareness, least = roller.radius - roller.half_width;
   const int stations = static_cast<int>(model.bar_stations.size());
   PocketLoads on;
   bool touched = false;
   for (int k = 0; k < stations; ++k) {
-    const double xi = model.bar_stations[static_cast<std::size_t>(k)];
-    const Pack X = f.X + xi, D_R = f.D_R + xi * f.a_R, D_T = f.D_T + xi * f.a_T;
-    const Pack u = D_T - kappa * X;
-    // Speed at which u grows.
-    const Pack u_rate =
-        f.v_T + xi * f.b_T - kappa * f.v_x - b.phi_rate * (D_R - X * f.A_R) - X * f.dA_T;
+    const AxisPlace at = axis_place(f, model.bar_stations[static_cast<std::size_t>(k)]);
+    const int points[2] = {stations + k, k};
     for (int side = 0; side < 2; ++side) {
       const double s = side == 0 ? 1.0 : -1.0;
-      const int point = side == 0 ? stations + k : k;
-      Pack p = s * u + gap, rate = s * u_rate;
-      if (!any((p > -modal.farthest) & (roller.exists > 0.0))) continue;
-      if (modal.flexible()) p -= s * modal.along(group, point, 1, modal.q);
-      const Mask touching = (p > 0.0) & (roller.exists > 0.0);
+      const int point = points[side];
+      Touch<Pack> touch;
+      touch.p = s * (at.D_T - kappa * at.X) + least;
+      if (!any((touch.p > -modal.farthest) & (roller.exists > 0.0))) continue;
+      if (modal.flexible()) touch.p -= s * modal.along(group, point, 1, modal.q);
+      const Mask touching = (touch.p > 0.0) & (roller.exists > 0.0);
       if (!any(touching)) continue;
-      if (modal.flexible()) rate -= s * modal.along(group, point, 1, modal.rate);
       touched = true;
-      const Pack reach = D_T + s * R;
-      Pack v1 = f.v_R + xi * f.b_R - s * R * q.spin + b.phi_rate * (reach - X * f.A_T) - X * f.dA_R;
-      Pack v2 = f.v_x + s * R * (q.spin * f.a_R - f.b_T) -
-                b.phi_rate * (f.A_R * reach - f.A_T * D_R) + f.dA_T * reach + f.dA_R * D_R;
-      if (modal.flexible()) {
-        v1 -= modal.along(group, point, 0, modal.rate);
-        v2 -= modal.along(group, point, 2, modal.rate);
-      }
-      const auto normal = normal_force(model.bar, select(touching, p, splat(-1.0)), rate);
-      const Pack speed2 = v1 * v1 + v2 * v2;
-      const auto fr = friction(model.friction[kBarPair], speed2);
-      const Pack g = fr.ratio * normal.force, f1 = -g * v1, f2 = -g * v2, push = s * normal.force;
-      if (modal.flexible()) modal.push(group, point, -f1, push, -f2);
-      on.f_R += f1;
-      on.f_T -= push;
-      on.f_x += kappa * push + f2;
-      on.t_R += xi * f1;
-      on.t_T -= xi * push + s * R * f2;
-      on.t_s += s * R * (f.a_R * f2 - f1);
-      on.c_phi +=
-          push * (D_R - X * f.A_R) + f1 * (reach - f.A_T * X) + f2 * (f.A_T * D_R - f.A_R * reach);
-      on.c_AR += D_R * f2 - X * f1;
-      on.c_AT += X * push + reach * f2;
+      const PocketLevers levers = bar_levers(f, at, kappa, splat(s), roller.radius);
+      const auto speed = [&](int c) {
+        return channel_speed(levers, c, f, q, b, modal, group, point);
+      };
+      touch.rate = -speed(0), touch.v1 = speed(1), touch.v2 = speed(2);
+      const Answer<Pack> contact = answer_to(touch, touching, model.bar, model.friction[kBarPair]);
+      const Pack force[3] = {contact.normal.force, -contact.drag * touch.v1,
+                             -contact.drag * touch.v2};
+      add_channel_forces(levers, force, on);
+      if (modal.flexible()) push_modes(levers, force, modal, group, point);
       if constexpr (linear) {
-        double* const force =
-            (side == 0 ? seen->leading_force : seen->trailing_force).data() + group * kLanes;
-        store(force, load(force) + normal.force);
-        seen->rub(kPocketFriction, sum(g * speed2));
-        seen->damp(kDamping, sum((normal.force - normal.elastic) * rate));
-        seen->elastic_energy += sum(normal.elastic * max(p, Pack{})) / (model.bar.exponent + 1);
-        for (int i = 0; i < kLanes; ++i) {
-          if (!touching[i]) continue;
-          if (modal.cage->model)
-            seen->bar_force[2 * stations * (group * kLanes + i) + point] = push[i];
-          const double Ri = R[i], rest = reach[i], A_R = f.A_R[i], A_T = f.A_T[i], x = X[i];
-          const double rolling[3][kLocalVelocities] = {{0, -s, s * kappa[i], 0, -s * xi, 0},
-                                                       {1, 0, 0, xi, 0, -s * Ri},
-                                                       {0, 0, 1, 0, -s * Ri, s * Ri * f.a_R[i]}};
-          const double caging[3][kCageRigid] = {
-              {0, s, -s * kappa[i], s * (D_R[i] - x * A_R), 0, s * x},
-              {-1, 0, 0, rest - A_T * x, -x, 0},
-              {0, 0, -1, A_T * D_R[i] - A_R * rest, D_R[i], rest}};
-          fill_pocket_rows<3>(f, b, modal, group, point, i, rolling, caging,
-                              {{0, s, 0}, {-1, 0, 0}, {0, 0, -1}}, *rows);
-          rows->lean[kLar] = s * Ri * q.spin[i] * f.cos_b[i];
-          rows->lean[kLat] = -s * Ri * q.spin[i] * f.sin_b[i];
-          add_contact(
-              *rows,
-              {normal.force[i], normal.stiffness[i], normal.damping[i], fr.ratio[i], fr.bend[i],
-               v1[i], v2[i], normal.elastic[i], normal.elastic_stiffness[i], rate[i]},
-              group * kLanes + i, *jac);
-          rows->lean[kLar] = rows->lean[kLat] = 0;
-        }
+        account(touch, contact, model.bar, kPocketFriction, *seen);
+        const Mask lead = side == 0 ? Mask{} == 0 : Mask{} != 0;
+        observe_bar<3>(levers, q, f, b, modal, roller, group, stations, points,
+                       contact.normal.force, touching, lead, *rows, *seen, [&](int i) {
+                         add_contact(*rows, slopes_of(touch, contact, i), group * kLanes + i, *jac);
+                       });
       }
     }
   }
-  if (!touched) return;
-  on.c_R = -on.f_R;
-  on.c_T = -on.f_T;
-  on.c_x = -on.f_x;
-  add_pocket_loads(f, on, loads, border);
+  if (touched) add_pocket_loads(f, on, loads, border);
 }
 
 }  // namespace cagetol

@@ -48,10 +48,11 @@ inline void add_rates(const RollerPack& q, const BorderState& b, PocketFrame& f)
   f.dA_T = along_T(b.axis_rate[0], b.axis_rate[1]);
 }
 
-/// Forces and moments of a pocket's contacts in the pocket's directions.
+/// Forces and moments of a pocket's contacts in the pocket's directions: on the roller, and on the
+/// cage about its geometric centre, where the opposite of the roller's force acts.
 struct PocketLoads {
-  Pack f_R{}, f_T{}, f_x{}, t_R{}, t_T{}, t_s{};      ///< on the roller
-  Pack c_R{}, c_T{}, c_x{}, c_phi{}, c_AR{}, c_AT{};  ///< on the cage, about its geometric centre
+  Pack f_R{}, f_T{}, f_x{}, t_R{}, t_T{}, t_s{};  ///< on the roller
+  Pack c_phi{}, c_AR{}, c_AT{};                   ///< on the cage
 };
 
 inline void add_pocket_loads(const PocketFrame& f, const PocketLoads& from, RollerLoads& loads,
@@ -62,44 +63,12 @@ inline void add_pocket_loads(const PocketFrame& f, const PocketLoads& from, Roll
   loads.f[kLar] += f.cos_b * from.t_R + f.sin_b * from.t_T;
   loads.f[kLat] += f.cos_b * from.t_T - f.sin_b * from.t_R;
   loads.f[kLs] += from.t_s;
-  border.cage[0] += sum(f.cos_p * from.c_R - f.sin_p * from.c_T);
-  border.cage[1] += sum(f.sin_p * from.c_R + f.cos_p * from.c_T);
-  border.cage[2] += sum(from.c_x);
+  border.cage[0] -= sum(f.cos_p * from.f_R - f.sin_p * from.f_T);
+  border.cage[1] -= sum(f.sin_p * from.f_R + f.cos_p * from.f_T);
+  border.cage[2] -= sum(from.f_x);
   border.cage[3] += sum(from.c_phi);
   border.cage[4] += sum(f.cos_p * from.c_AR - f.sin_p * from.c_AT);
   border.cage[5] += sum(f.sin_p * from.c_AR + f.cos_p * from.c_AT);
-}
-
-/// Fills the channels of one lane from their rows in the pocket's directions: `rolling` over (R, T,
-/// x, a_R, a_T, spin), `caging` over the cage at its geometric centre (R, T, x, phi, A_R, A_T),
-/// `elastic` the signs with which the cage's point moves along (R, T, x).
-template <int channels>
-inline void fill_pocket_rows(const PocketFrame& f, const BorderState& b, const ModalState& modal,
-                             int group, int point, int lane,
-                             const double (&rolling)[channels][kLocalVelocities],
-                             const double (&caging)[channels][kCageRigid],
-                             const double (&elastic)[channels][3], ContactRows& rows) {
-  const double cb = f.cos_b[lane], sb = f.sin_b[lane], cp = f.cos_p[lane], sp = f.sin_p[lane];
-  for (int c = 0; c < channels; ++c) {
-    const double* g = rolling[c];
-    double* to = rows.roller[c];
-    to[kLr] = cb * g[0] + sb * g[1];
-    to[kLt] = cb * g[1] - sb * g[0];
-    to[kLx] = g[2];
-    to[kLar] = cb * g[3] + sb * g[4];
-    to[kLat] = cb * g[4] - sb * g[3];
-    to[kLs] = g[5];
-    const double* k = caging[c];
-    const double at_centre[kCageRigid] = {cp * k[0] - sp * k[1], sp * k[0] + cp * k[1], k[2], k[3],
-                                          cp * k[4] - sp * k[5], sp * k[4] + cp * k[5]};
-    fill_cage_row(at_centre, b, rows.border[c]);
-    for (int m = 0; m < modal.cage->modes; ++m) {
-      double moved = 0;
-      for (int d = 0; d < 3; ++d)
-        if (elastic[c][d] != 0) moved += elastic[c][d] * modal.cage->row(group, point, d)[m][lane];
-      rows.border[c][static_cast<std::size_t>(kModes + m)] = moved;
-    }
-  }
 }
 
 }  // namespace cagetol

@@ -7,7 +7,7 @@
 // and d = r e_r + X alpha_r e_r - u - X B: everything follows from moments over X.
 #pragma once
 
-#include "src/dynamics/race_contacts.hpp"
+#include "src/dynamics/race_slice.hpp"
 #include "src/lubrication/lubricated_line.hpp"
 
 namespace cagetol {
@@ -75,7 +75,7 @@ inline RaceNormals race_normals(const BearingModel& model, const NormalLaw& law,
   FilmAtSpeed<Pack> film;
   Pack thickest{};
   if (race.film.on) {
-    film = film_at_speed(race.film, entrainment(race, roller, q).speed);
+    film = film_at_speed(race.film, absolute(entrainment(race, roller, q)).speed);
     thickest = thickest_film(race.film, film);
   }
   for (const Slice& slice : model.race_slices) {

@@ -103,14 +103,14 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   }
   // The scene speaks of the geometric centre, the state of the mass centre.
   const double c = std::cos(start.cage_phase), s = std::sin(start.cage_phase);
-  const double e_y = c * m.unbalance_y - s * m.unbalance_z,
-               e_z = s * m.unbalance_y + c * m.unbalance_z;
-  at(l.border_position(kCageY)) = start.cage_offset_y + e_y;
-  at(l.border_position(kCageZ)) = start.cage_offset_z + e_z;
+  double e[2];
+  turned_unbalance(m, c, s, e);
+  at(l.border_position(kCageY)) = start.cage_offset_y + e[0];
+  at(l.border_position(kCageZ)) = start.cage_offset_z + e[1];
   at(l.border_position(kCageX)) = start.cage_offset_x;
   at(l.border_position(kCagePhi)) = start.cage_phase;
-  at(l.border_velocity(kCageY)) = -cage_speed * e_z;
-  at(l.border_velocity(kCageZ)) = cage_speed * e_y;
+  at(l.border_velocity(kCageY)) = -cage_speed * e[1];
+  at(l.border_velocity(kCageZ)) = cage_speed * e[0];
   at(l.border_velocity(kCagePhi)) = cage_speed;
   if (m.flexible.centrifugal)  // spun out already
     for (int k = 0; k < l.modes; ++k)

@@ -66,10 +66,10 @@ void Observer::record(double t, const double* y, const System& system) {
   thinnest_film_ = std::min(thinnest_film_, seen.thinnest_film);
 
   const double c = std::cos(q[kCagePhi]), s = std::sin(q[kCagePhi]);
-  const double e_y = c * model_.unbalance_y - s * model_.unbalance_z;
-  const double e_z = s * model_.unbalance_y + c * model_.unbalance_z;
-  const double cage_y = q[kCageY] - e_y, cage_z = q[kCageZ] - e_z;
-  const double cage_vy = v[kCageY] + v[kCagePhi] * e_z, cage_vz = v[kCageZ] - v[kCagePhi] * e_y;
+  double e[2];
+  turned_unbalance(model_, c, s, e);
+  const double cage_y = q[kCageY] - e[0], cage_z = q[kCageZ] - e[1];
+  const double cage_vy = v[kCageY] + v[kCagePhi] * e[1], cage_vz = v[kCageZ] - v[kCagePhi] * e[0];
 
   const double moving = body_energy(model_, y), energy = moving + seen.elastic_energy;
   if (first) {
