@@ -1,7 +1,9 @@
 // Dependent inputs by a Gaussian copula (Nataf's model; Liu & Der Kiureghian 1986,
-// doi:10.1016/0266-8920(86)90033-0): each coordinate becomes a standard normal number z =
-// Phi^-1(u), the vector z is given a correlation matrix by its Cholesky factor, and Phi takes it
-// back to uniform coordinates, so that every law keeps its marginal exactly.
+// doi:10.1016/0266-8920(86)90033-0):
+//   z = Phi^-1(u)    each coordinate becomes a standard normal number
+//   z -> L z         L the Cholesky factor of the correlation matrix
+//   u = Phi(z)       back to uniform coordinates
+// Every law keeps its marginal exactly.
 //
 // Two correlations must not be mixed up. The copula takes the correlation of z. A study states
 // the Pearson correlation of the deviations themselves; normal_correlation() converts it. Between

@@ -13,9 +13,9 @@
 
 namespace cagetol {
 
-/// A scene key that is a distribution. Deviations add up: value = nominal + scale * (lot + pocket)
-/// + noise, in the key's unit. Laws describe deviations from the nominal value, not the value
-/// itself.
+/// A scene key that is a distribution. Deviations add up, in the key's unit:
+///   value = nominal + scale * (lot + pocket) + noise
+/// Laws describe deviations from the nominal value, not the value itself.
 struct UncertainInput {
   std::string key;
   std::string unit;

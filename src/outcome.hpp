@@ -9,10 +9,10 @@ namespace cagetol {
 
 /// How a run ended. Numbers are those stored in study.h5.
 enum class Status : int {
-  ok = 0,      ///< simulated, every watch within its bound
-  jammed = 1,  ///< a roller does not fit its pocket, or the geometry is impossible: not simulated
-  failed = 2,  ///< the integration failed, a watch (static consistency, energy) is outside its
-               ///< bound, or a quantity is impossible
+  ok = 0,        ///< simulated, every watch within its bound
+  jammed = 1,    ///< a roller does not fit its pocket, or the geometry is impossible: not simulated
+  failed = 2,    ///< the integration failed, a watch (static consistency, energy) is outside its
+                 ///< bound, or a quantity is impossible
   censored = 3,  ///< the step budget ran out before the window was complete
   not_run = 4,   ///< aborted by a wall-clock limit or an interruption; never counted as an outcome
   poisoned = 5,  ///< the process running this sample died of it, alone, twice

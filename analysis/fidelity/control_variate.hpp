@@ -2,14 +2,21 @@
 // mean, standard deviation and yield. Each is the mean of a function h of a run, helped by a
 // function c of the cheap run (control variate; Peherstorfer et al. 2016, multifidelity.hpp;
 // Gorodetsky et al., J. Comput. Phys. 408 (2020) 109257, doi:10.1016/j.jcp.2020.109257):
-//   Q = mean over N of (h - a c) + a mean over M of c,  a = cov(h, c) / var(c) from the N pairs
+//
+//   Q = mean over N of (h - a c) + a mean over M of c
+//   a = cov(h, c) / var(c)                                    from the N pairs
+//
 //   mean                h = f                              c = g
 //   standard deviation  h = (f - Q of the mean)^2          c = (g - mean over M of g)^2, root of Q
-//   yield               h = 1 where f meets the limits     c = P(f meets the limits | g),
-//     f | g taken as normal about its regression on g; a wrong c costs gain, never makes Q wrong
-// f: dear, g: cheap model, N: samples of f, M > N: samples of g, the first N the same. At equal
-// cost plain Monte Carlo has N + M w samples of f, w: cost of g over that of f, so that
-//   gain = (var(h) / (N + M w)) / var(Q),  var(Q) = var(h) (1 - r^2 (1 - N / M)) / N,
+//   yield               h = 1 where f meets the limits     c = P(f meets the limits | g)
+//
+// f: dear, g: cheap model, N: samples of f, M > N: samples of g, the first N the same. For the
+// yield f | g is taken as normal about its regression on g; a wrong c costs gain, but Q stays
+// right. At equal cost plain Monte Carlo has N + M w samples of f, w: cost of g over that of f:
+//
+//   var(Q) = var(h) (1 - r^2 (1 - N / M)) / N
+//   gain   = (var(h) / (N + M w)) / var(Q)
+//
 // r: correlation of h and c. That a is fitted to the same pairs biases Q by O(1 / N).
 #pragma once
 

@@ -2,11 +2,16 @@
 // Willcox, Gunzburger, SIAM J. Sci. Comput. 38 (2016) A3163, doi:10.1137/15M1046472). Models
 // f_1 (dear) ... f_k with costs w_i, standard deviations s_i and correlations r_i with f_1, all on
 // the first m_i of common samples, m_1 <= ... <= m_k:
-//   Q = sum_i mean over the first m_i of (a_i f_i - a_{i+1} f_{i+1}),  a_1 = 1, a_i = r_i s_1 /
-//   s_i, m_i / m_1 = sqrt(w_1 (r_i^2 - r_{i+1}^2) / (w_i (1 - r_2^2))),     a_{k+1} = r_{k+1} = 0
-//   gain = variance of plain Monte Carlo at equal cost over that of Q
-//        = 1 / (sum_i sqrt(w_i / w_1 (r_i^2 - r_{i+1}^2)))^2
-// Holds where w_{i-1} / w_i > (r_{i-1}^2 - r_i^2) / (r_i^2 - r_{i+1}^2): other models are left out.
+//
+//   Q         = sum_i mean over the first m_i of (a_i f_i - a_{i+1} f_{i+1})
+//   a_i       = r_i s_1 / s_i,   a_1 = 1,   a_{k+1} = r_{k+1} = 0
+//   m_i / m_1 = sqrt(w_1 (r_i^2 - r_{i+1}^2) / (w_i (1 - r_2^2)))
+//   gain      = variance of plain Monte Carlo at equal cost over that of Q
+//             = 1 / (sum_i sqrt(w_i / w_1 (r_i^2 - r_{i+1}^2)))^2
+//
+// Holds where
+//   w_{i-1} / w_i > (r_{i-1}^2 - r_i^2) / (r_i^2 - r_{i+1}^2)
+// Models for which it does not hold are left out.
 #pragma once
 
 #include <cstddef>

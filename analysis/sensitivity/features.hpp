@@ -20,10 +20,11 @@ struct Feature {
 /// Every feature that varies in the study:
 ///   KEY: lot                    deviation shared by the cage
 ///   KEY: within-cage scatter    standard deviation over the cage's pockets
-///   KEY: smallest pocket        smallest value of the cage (keys with nominal 0: largest
-///   deviation, in magnitude) KEY: pocket in load zone    value of the pocket nearest to the load's
-///   direction when the run starts KEY                         for keys drawn from the noise of the
-///   run
+///   KEY: smallest pocket        smallest value of the cage (keys with nominal 0: the deviation of
+///                               largest magnitude)
+///   KEY: pocket in load zone    value of the pocket nearest to the load's direction when the run
+///                               starts
+///   KEY                         for keys drawn from the noise of the run
 std::vector<Feature> cage_features(const StudyData& study);
 
 /// Deviation of each single pocket of the key, one feature for each pocket.

@@ -1,10 +1,11 @@
 // Upper confidence bounds of the share of a law beyond a limit, from a few values x_1 ... x_n none
 // of which is beyond it.
 //
-// Normal tolerance bound (Hahn & Meeker, Statistical Intervals, 1991, ch. 4): with K = (limit -
-// mean) / s, sqrt(n) K has the noncentral t law with n - 1 degrees of freedom and noncentrality
-// sqrt(n) z, z = (limit - mu) / sigma. The bound is Q(z_L), where sqrt(n) K is the quantile of
-// level `confidence` of that law at z_L. Holds for a normal law only.
+// Normal tolerance bound (Hahn & Meeker, Statistical Intervals, 1991, ch. 4): with
+//   K = (limit - mean) / s,   z = (limit - mu) / sigma
+// sqrt(n) K has the noncentral t law with n - 1 degrees of freedom and noncentrality sqrt(n) z. The
+// bound is Q(z_L), where sqrt(n) K is the quantile of level `confidence` of that law at z_L. Holds
+// for a normal law only.
 //
 // Exponential tail bound: beyond u, the (k + 1)-th value from the limit, k = ceil(n / 4), the law
 // is taken as exponential with the mean excess theta,

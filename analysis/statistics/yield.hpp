@@ -27,10 +27,10 @@ struct Yield {
 double effective_sample_size(std::span<const double> weights);
 
 /// Independent runs of equal weight have exact Clopper-Pearson bounds. All others have the wider of
-/// two: bootstrap over lots, and Clopper-Pearson with the effective number of runs n* = y (1 - y) /
-/// Var(y), Var linearised over lots. With fewer than five effective failures, (1 - y) ESS < 5, Var
-/// says too little and n* is not taken above the effective sample size: runs without any failure
-/// never have the bound 1.
+/// two: bootstrap over lots, and Clopper-Pearson with the effective number of runs
+///   n* = y (1 - y) / Var(y),   Var linearised over lots
+/// With fewer than five effective failures, (1 - y) ESS < 5, Var says too little and n* is not
+/// taken above the effective sample size: runs without any failure never have the bound 1.
 Yield estimate_yield(const StudyData& runs, std::span<const Judgement> judgements,
                      std::span<const double> weights, const Resampling& resampling,
                      double confidence);

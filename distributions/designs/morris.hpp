@@ -1,7 +1,8 @@
 // Morris trajectories over groups (Morris 1991, doi:10.1080/00401706.1991.10484804; groups:
 // Campolongo, Cariboni, Saltelli 2007, doi:10.1016/j.envsoft.2006.10.004). Every column starts at a
-// random level; then one group after the other, in random order, has its columns moved by delta = p
-// / (2 (p - 1)) of the range, each up or down at random. p levels span [trim, 1 - trim].
+// random level; then one group after the other, in random order, has its columns moved by
+//   delta = p / (2 (p - 1))
+// of the range, each up or down at random. p levels span [trim, 1 - trim].
 #pragma once
 
 #include <cstdint>

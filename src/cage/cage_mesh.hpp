@@ -6,9 +6,11 @@
 // the middle plane of the bar after it; these planes stay where they are, so everything inside a
 // sector depends on the deviations of its own pocket only.
 //
-// Faces of pocket j, in its own frame turned to 2 pi j / Z + pitch: leading face u = +S/2 + x
-// gamma, trailing face u = -S/2 + x gamma, end walls x = +-L/2; u is the tangential offset from the
-// pocket's central radial plane, so bars are wedges.
+// Faces of pocket j, in its own frame, turned to 2 pi j / Z + pitch:
+//   leading face   u = +S/2 + x gamma
+//   trailing face  u = -S/2 + x gamma
+//   end walls      x = +-L/2
+// u is the tangential offset from the pocket's central radial plane, so bars are wedges.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,6 +2,7 @@
 // model's stations are held against, and what a snapshot shows.
 //
 //   u = Phi q + (K^+ f - Phi Lambda^-1 Phi^T f)
+//
 // Phi the modes of the full solve, f the forces on the bar stations and the centrifugal load, K^+
 // the static response with inertia relief; the bracket is the static correction, what the kept
 // modes leave out of the response to f (mode acceleration). The modes of the full solve come in any

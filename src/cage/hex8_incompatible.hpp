@@ -1,5 +1,6 @@
-// 8-node hexahedron with incompatible modes (the class of C3D8I): the three bending modes 1 -
-// xi_i^2 that the plain element lacks, without which a bar one element thick is a third too stiff.
+// 8-node hexahedron with incompatible modes (the class of C3D8I): the three bending modes
+//   1 - xi_i^2,   i = 1, 2, 3
+// that the plain element lacks. Without them a bar one element thick is a third too stiff.
 //
 // Wilson et al., Incompatible displacement models (1973), with the correction of Taylor, Beresford
 // and Wilson, IJNME 10 (1976) 1211, doi 10.1002/nme.1620100602: derivatives of the incompatible

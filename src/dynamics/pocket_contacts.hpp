@@ -2,8 +2,8 @@
 // centre's angle) and e_x, at stations xi along the roller. D and X are the radial-plane and axial
 // place of the roller's axis relative to the cage's geometric centre, kappa = A_T + dgamma the lean
 // of the bar faces, w_T how far the bar has bent along e_T:
-//   u = D_T - kappa X - w_T,   p = s u + R - S_j/2,   s = +1 at the leading bar (ahead in +T), -1
-//   at the trailing bar
+//   u = D_T - kappa X - w_T
+//   p = s u + R - S_j/2,   s = +1 at the leading bar (ahead in +T), -1 at the trailing bar
 // Normal row: -dp/d(velocities). Friction rows: along e_R (the roller's spin rubs) and along e_x.
 #pragma once
 

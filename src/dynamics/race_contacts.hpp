@@ -1,8 +1,9 @@
 // Roller against a raceway, sliced along the roller. n is the direction of the force on the roller,
 // d from the axis of the race to the axis of the roller in the radial plane at the slice, s = +1
 // inside (inner race), -1 outside:
-//   n = s d/|d|,  p = s (R_race - |d|) + R_slice,  p' = -n . (velocity of the roller's axis -
-//   velocity of the race's axis)
+//   n  = s d/|d|
+//   p  = s (R_race - |d|) + R_slice
+//   p' = -n . (velocity of the roller's axis - velocity of the race's axis)
 // The inner race may be tilted: its axis passes the slice at u + B X, X the slice's axial place, so
 // n has the axial part -n.B. Sliding speeds: v1 along t = e_x x n, v2 along e_x, of the roller's
 // surface at -R_slice n relative to the race's surface: a tapered or profiled roller slides

@@ -3,8 +3,8 @@
 // tables of inputs/README.md all come from it.
 //
 //   const KeyTable<Scene> table = {
-//       {"cage.width_mm", above(0), [](Scene& s) -> auto& { return s.cage.width; }, "axial width of
-//       the cage"},
+//       {"cage.width_mm", above(0), [](Scene& s) -> auto& { return s.cage.width; },
+//        "axial width of the cage"},
 //   };
 #pragma once
 

@@ -16,7 +16,8 @@ class NormalsOfARace : public testing::TestWithParam<const char*> {
     Scene scene = dry_scene("nu205");
     scene.film.model = GetParam();
     model_ = make_bearing_model(scene);
-    model_.friction[kRacePair].static_coefficient = model_.friction[kRacePair].dynamic_coefficient = 0;
+    model_.friction[kRacePair].static_coefficient = model_.friction[kRacePair].dynamic_coefficient =
+        0;
     q_.r = splat(model_.inner_radius + model_.nominal_diameter / 2 - 3e-6);
     q_.a_r = splat(2e-4);
     q_.vt = splat(9);
