@@ -204,7 +204,7 @@ std::vector<std::string> model_notes(const Study& study) {
         notes.push_back(std::string(key) +
                         " does nothing to planar rollers (scene.model.rollers = \"planar\")");
     }
-  if (has_planar_rollers(study.scene) && study.scene.model.ring_tilt == "free")
+  if (has_planar_rollers(study.scene) && study.scene.model.ring_tilt == TiltModel::free)
     notes.push_back(
         "a free tilt of the inner ring (scene.model.ring_tilt) does nothing to planar rollers");
   for (const std::string& key : idle_oil_keys(study.scene))

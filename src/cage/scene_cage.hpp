@@ -12,7 +12,7 @@
 namespace cagetol {
 
 inline bool is_flexible(const Scene& scene) {
-  return scene.cage.model == "flexible";
+  return scene.cage.model == CageKind::flexible;
 }
 
 /// Of the tables of a scene's cage, the one that serves a sample of the scene.

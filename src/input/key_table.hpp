@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/input/choice.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/input/unit.hpp"
@@ -59,15 +60,23 @@ struct KeyInfo {
   KeyInfo(std::string key_name, KeyRange allowed, std::string key_meaning, KeyKind key_kind);
 };
 
+/// The place of a closed set (choice.hpp), read and filled by the texts that spell its values.
+template <class T>
+struct ChoicePlace {
+  std::function<std::string(T&)> text;
+  std::function<void(T&, const std::string&)> set;
+};
+
 /// One key of an input file that fills a struct of type T.
 template <class T>
 struct Key : KeyInfo {
   using Place = std::variant<std::function<double&(T&)>, std::function<std::vector<double>&(T&)>,
                              std::function<long&(T&)>, std::function<bool&(T&)>,
-                             std::function<std::string&(T&)>>;
+                             std::function<std::string&(T&)>, ChoicePlace<T>>;
   Place place;
 
-  /// The unit follows from the name's suffix, the kind from what `accessor` returns.
+  /// The unit follows from the name's suffix, the kind from what `accessor` returns. A closed set
+  /// may take all of its values unless `allowed` names some.
   template <class Accessor>
   Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning);
 };

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "src/scene/choices.hpp"
+
 namespace cagetol {
 
 /// "auto": computed from the rest of the scene.
@@ -20,9 +22,9 @@ struct Material {
 
 /// How much of the motion is modelled.
 struct Simplification {
-  std::string rollers = "spatial";  ///< "spatial" or "planar": no tilt, skew or axial motion
-  std::string motion = "dynamic";   ///< "dynamic" or "quasi-static": equilibria, no integration
-  std::string ring_tilt = "prescribed";  ///< of the inner ring: "prescribed" or "free"
+  RollerModel rollers = RollerModel::spatial;
+  MotionModel motion = MotionModel::dynamic;
+  TiltModel ring_tilt = TiltModel::prescribed;  ///< of the inner ring
 };
 
 struct BearingGeometry {
@@ -49,20 +51,20 @@ struct RollerGeometry {
   std::vector<double> diameter = {7.5e-3};  ///< D, one for all or one each [m]
   double length = 9e-3;                     ///< L_w [m]
   std::vector<double> taper = {0};  ///< diameter at the +x end minus diameter at the -x end [m]
-  std::string profile = "none";     ///< "none" or "logarithmic" (ISO/TS 16281)
+  RollerProfile profile = RollerProfile::none;
   Material material;
 };
 
 /// Oil film between the cage's lands and their guiding ring (src/contact/short_bearing.hpp).
 struct GuideFilm {
-  std::string model = "none";  ///< "none" or "short-bearing"
-  double viscosity = 0.02;     ///< eta [Pa s]
-  double width = kAuto;        ///< of a land, axial [m]
-  double least = 1e-6;         ///< gap at which roughness ends the film and the lands touch [m]
+  GuideFilmModel model = GuideFilmModel::none;
+  double viscosity = 0.02;  ///< eta [Pa s]
+  double width = kAuto;     ///< of a land, axial [m]
+  double least = 1e-6;      ///< gap at which roughness ends the film and the lands touch [m]
 };
 
 struct CageGeometry {
-  std::string model = "rigid";                    ///< "rigid" or "flexible"
+  CageKind model = CageKind::rigid;
   double inner_diameter = 37.0e-3;                ///< [m]
   double outer_diameter = 43.4e-3;                ///< [m]
   double width = 14e-3;                           ///< axial [m]
@@ -77,9 +79,9 @@ struct CageGeometry {
   double mass = kAuto;                ///< [kg]
   double polar_inertia = kAuto;       ///< about the bearing axis [kg m^2]
   double transverse_inertia = kAuto;  ///< about a diameter [kg m^2]
-  std::string guidance = "outer";     ///< "outer", "inner" or "roller"
-  double guide_clearance = kAuto;     ///< radial [m]
-  double land_offset = kAuto;         ///< lands at x = +-land_offset [m]
+  Guidance guidance = Guidance::outer;
+  double guide_clearance = kAuto;  ///< radial [m]
+  double land_offset = kAuto;      ///< lands at x = +-land_offset [m]
   GuideFilm guide_film;
   long mesh_density = 4;       ///< of a flexible cage: elements through the thickness
   long modes = 20;             ///< elastic modes kept of a flexible cage
@@ -90,8 +92,7 @@ struct CageGeometry {
 
 /// Parameters of one contact kind.
 struct ContactParameters {
-  std::string law =
-      "impact";  ///< "impact" (Adams IMPACT) or "hertz" (line contact, Hunt-Crossley damping)
+  ForceLaw law = ForceLaw::impact;
   double stiffness =
       1.5e5;  ///< K of `impact`, N/mm^e as [P] Table 1 prints it; converted where the law is made
   double exponent = 10.0 / 9.0;    ///< e
@@ -106,20 +107,20 @@ struct ContactParameters {
 };
 
 struct Contacts {
-  ContactParameters race{.law = "hertz"};  ///< roller-inner race and roller-outer race
-  ContactParameters bar{.law = "hertz"};   ///< roller-pocket bar
-  ContactParameters end;                   ///< roller end-pocket end wall
-  ContactParameters flange;                ///< roller end-ring flange
-  ContactParameters land;                  ///< cage land-ring shoulder
-  double friction_static = 0.07;           ///< mu_s
-  double friction_dynamic = 0.06;          ///< mu_d
-  double static_speed = 0.1;               ///< v_s [m/s]
-  double dynamic_speed = 1.0;              ///< v_d [m/s]
+  ContactParameters race{.law = ForceLaw::hertz};  ///< roller-inner race and roller-outer race
+  ContactParameters bar{.law = ForceLaw::hertz};   ///< roller-pocket bar
+  ContactParameters end;                           ///< roller end-pocket end wall
+  ContactParameters flange;                        ///< roller end-ring flange
+  ContactParameters land;                          ///< cage land-ring shoulder
+  double friction_static = 0.07;                   ///< mu_s
+  double friction_dynamic = 0.06;                  ///< mu_d
+  double static_speed = 0.1;                       ///< v_s [m/s]
+  double dynamic_speed = 1.0;                      ///< v_d [m/s]
 };
 
 /// Oil film of the roller-race contacts (src/contact/oil_film.hpp).
 struct OilFilm {
-  std::string model = "none";         ///< "none", "series" or "series-bounded"
+  FilmModel model = FilmModel::none;
   double viscosity = 0.02;            ///< eta0 [Pa s]
   double pressure_viscosity = 18e-9;  ///< alpha [1/Pa]
   double least_force =
@@ -129,7 +130,8 @@ struct OilFilm {
 /// Oil in the bearing: films, rolling resistance, traction and drag (src/lubrication). `kAuto`
 /// stands for what the named lubricant gives.
 struct Lubrication {
-  std::string model = "none";           ///< "none" (dry, or the films of OilFilm) or "film"
+  /// none: dry, or the films of OilFilm and GuideFilm.
+  LubricationModel model = LubricationModel::none;
   std::string lubricant = "iso-vg-68";  ///< a name of lubricant_presets()
   double temperature = 70;              ///< of the oil in the bearing [degC]
   double viscosity_40 = kAuto;          ///< kinematic, at 40 degC [mm2/s]
@@ -169,12 +171,12 @@ struct Operation {
 };
 
 struct Start {
-  std::string state = "auto";  ///< "steady", "equilibrium" or "centred"; auto: steady where
-                               ///< lubricated, else equilibrium
-  double cage_offset_y = 0;    ///< [m]
-  double cage_offset_z = 0;    ///< [m]
-  double cage_offset_x = 0;    ///< [m]
-  double cage_phase = 0;       ///< rollers and cage turned together about the bearing axis [rad]
+  /// automatic: steady where lubricated, else equilibrium.
+  StartState state = StartState::automatic;
+  double cage_offset_y = 0;  ///< [m]
+  double cage_offset_z = 0;  ///< [m]
+  double cage_offset_x = 0;  ///< [m]
+  double cage_phase = 0;     ///< rollers and cage turned together about the bearing axis [rad]
 };
 
 struct Window {
@@ -191,7 +193,7 @@ struct Discretisation {
 };
 
 struct Integration {
-  std::string method = "rodas4s";
+  IntegrationMethod method = IntegrationMethod::rodas4s;
   double tolerance = 0.001;  ///< multiple of the error scales (1 um, 1 cm/s and kin)
   double max_step = 50e-6;   ///< [s]
   double fixed_step = 1e-6;  ///< of fixed-step methods [s]
@@ -236,25 +238,26 @@ struct Scene {
 };
 
 inline bool has_planar_rollers(const Scene& scene) {
-  return scene.model.rollers == "planar";
+  return scene.model.rollers == RollerModel::planar;
 }
 /// Planar rollers see every section of the bearing alike: none is tilted.
 inline bool has_free_ring_tilt(const Scene& scene) {
-  return scene.model.ring_tilt == "free" && !has_planar_rollers(scene);
+  return scene.model.ring_tilt == TiltModel::free && !has_planar_rollers(scene);
 }
 inline bool is_lubricated(const Scene& scene) {
-  return scene.lubrication.model == "film";
+  return scene.lubrication.model == LubricationModel::film;
 }
 /// The film at the cage's lands, by whichever model of lubrication there is; that of `lubrication`
 /// has the viscosity of its oil, kAuto included.
 inline GuideFilm land_film(const Scene& scene) {
   if (!is_lubricated(scene)) return scene.cage.guide_film;
   const Lubrication& l = scene.lubrication;
-  const bool on = l.land_film && scene.cage.guidance != "roller";
-  return {on ? "short-bearing" : "none", l.viscosity, l.land_film_width, l.land_film_least};
+  const bool on = l.land_film && scene.cage.guidance != Guidance::roller;
+  return {on ? GuideFilmModel::short_bearing : GuideFilmModel::none, l.viscosity, l.land_film_width,
+          l.land_film_least};
 }
 inline bool is_quasi_static(const Scene& scene) {
-  return scene.model.motion == "quasi-static";
+  return scene.model.motion == MotionModel::quasi_static;
 }
 
 /// Element j of a per-pocket list that may hold one value for all.

@@ -15,7 +15,7 @@ sources() { find "$@" -name '*.?pp' ! -path 'mc/commands/*' ! -path 'mc/main.cpp
 check src 'src/' $(sources src)
 check src/input 'src/input/' $(sources src/input)
 check src/numerics 'src/numerics/' $(sources src/numerics)
-check src/scene 'src/(scene|input|lubrication|integration)/' $(sources src/scene)
+check src/scene 'src/(scene|input|lubrication)/' $(sources src/scene)
 check src/cage 'src/(cage|scene)/' $(sources src/cage)
 # What a run amounts to stands above how it is computed.
 check 'what is below src/quantities' 'src/[a-pr-z][a-z_]*/' $(find src -mindepth 2 -name '*.?pp' ! -path 'src/quantities/*')

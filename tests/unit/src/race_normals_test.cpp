@@ -10,7 +10,7 @@
 namespace cagetol {
 namespace {
 
-class NormalsOfARace : public testing::TestWithParam<const char*> {
+class NormalsOfARace : public testing::TestWithParam<FilmModel> {
  protected:
   NormalsOfARace() {
     Scene scene = dry_scene("nu205");
@@ -88,7 +88,8 @@ TEST_P(NormalsOfARace, HaveTheSlopesOfTheirForces) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Films, NormalsOfARace, testing::Values("none", "series"));
+INSTANTIATE_TEST_SUITE_P(Films, NormalsOfARace,
+                         testing::Values(FilmModel::none, FilmModel::series));
 
 }  // namespace
 }  // namespace cagetol
