@@ -15,17 +15,35 @@
 // whole bases.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "distributions/random_stream.hpp"
 
 namespace cagetol {
+
+enum class DesignKind { random, lhs, sobol, grid, pick_freeze, morris };
+
+/// A design and its name in study files.
+struct DesignName {
+  DesignKind value;
+  const char* text;
+};
+constexpr std::array<DesignName, 6> spellings(DesignKind) {
+  using enum DesignKind;
+  return {{{random, "random"},
+           {lhs, "lhs"},
+           {sobol, "sobol"},
+           {grid, "grid"},
+           {pick_freeze, "pick-freeze"},
+           {morris, "morris"}}};
+}
+const char* design_name(DesignKind kind);
 
 /// One coordinate: where its random numbers live, and the group it moves with in grouped designs.
 struct DesignColumn {
@@ -36,7 +54,7 @@ struct DesignColumn {
 };
 
 struct DesignSpec {
-  std::string kind = "random";
+  DesignKind kind = DesignKind::random;
   std::uint64_t rows = 0;
   std::uint64_t seed = 1;
   std::vector<DesignColumn> columns;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "distributions/design.hpp"
 #include "distributions/law.hpp"
 #include "src/scene/scene.hpp"
 
@@ -121,7 +122,7 @@ struct Study {
   long samples = 256;  ///< design rows
   double extra_replicates =
       0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
-  std::string design = "random";
+  DesignKind design = DesignKind::random;
   long scrambles = 8;
   long cages_per_lot = 1;
   double allowed_failure_share = 0.02;

@@ -197,7 +197,7 @@ Study rung_study(const Study& study, const Rung& rung, long samples) {
     changed.fidelity_decision = {};
     changed.multifidelity = "off";
     changed.samples = samples;
-    changed.design = "random";
+    changed.design = DesignKind::random;
     changed.cages_per_lot = 1;
     changed.extra_replicates = 0;
     changed.grid_levels.clear();

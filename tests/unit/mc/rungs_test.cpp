@@ -217,9 +217,9 @@ TEST(Rungs, AllSeeTheSameSamples) {
 
 TEST(Rungs, AGridBecomesRandomAndLosesItsClaims) {
   const Study grid = read_study(shipped("studies/paper-length.toml"));
-  ASSERT_EQ(grid.design, "grid");
+  ASSERT_EQ(grid.design, DesignKind::grid);
   const Study rung = rung_study(grid, climbing_rungs().front(), 5);
-  EXPECT_EQ(rung.design, "random");
+  EXPECT_EQ(rung.design, DesignKind::random);
   EXPECT_EQ(sample_count(rung), 5u);
 }
 
