@@ -193,14 +193,14 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
     const int j = group * kLanes;
     const auto k = static_cast<std::size_t>(group);
     const Mask here = model_.groups[k].exists > 0.0;
-    const GroupLinear& turned = system.linear.groups[k];
+    const GroupLinear& linear = system.linear.groups[k];
     const auto force = [&](const PackVector& of) { return load(of.data() + j); };
     const Pack spin = load(y + l.velocity(kSpin, j)), orbit = load(y + l.velocity(kOrbitRate, j));
     const Pack ay = load(y + l.position(kAxisY, j)), az = load(y + l.position(kAxisZ, j));
     largest_lean_squared_ =
         std::max(largest_lean_squared_, largest(select(here, ay * ay + az * az, Pack{})));
-    skew_.add(k, abs(turned.cosine * az - turned.sine * ay), here, step);
-    tilt_.add(k, abs(turned.cosine * ay + turned.sine * az), here, step);
+    skew_.add(k, abs(linear.cosine * az - linear.sine * ay), here, step);
+    tilt_.add(k, abs(linear.cosine * ay + linear.sine * az), here, step);
     roller_speed_.add(k, spin, here, step);
     const Pack slip = rolls > 0 ? 1.0 - abs(spin - orbit) * rolls : Pack{};
     slip_all_.add(k, slip, here, step);

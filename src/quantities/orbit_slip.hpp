@@ -20,13 +20,13 @@ class OrbitSlip {
 
  private:
   /// Angles turned since the first state [rad].
-  struct Turned {
+  struct Angles {
     double cage = 0, rollers = 0, inner = 0;
   };
   bool started_ = false;
   double time_ = 0, cage_ = 0, rollers_ = 0;  ///< of the first state; time of the last one
   double inner_speed_ = 0;                    ///< at the last state
-  Turned last_, whole_;  ///< at the last state, and at the end of the last whole turn
+  Angles last_, whole_;  ///< at the last state, and at the end of the last whole turn
   double turns_ = 0;     ///< whole turns of the cage so far
 };
 
