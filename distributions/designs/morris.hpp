@@ -25,7 +25,7 @@ class Morris {
   Layout layout() const { return {groups_ + std::uint64_t{1}, rows_ / (groups_ + 1), true}; }
   void point(std::uint64_t row, std::span<double> u) const;
 
-  /// 2 trajectory before the group moves, 2 trajectory + 1 from then on.
+  /// 2 trajectory before the group moves, 2 trajectory + 1 afterwards.
   std::uint64_t source_of(std::uint64_t row, std::uint32_t group) const;
 
   std::optional<std::uint32_t> moved_group(std::uint64_t row) const;

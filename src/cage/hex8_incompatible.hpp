@@ -27,7 +27,7 @@ using Hex8Derivatives = Eigen::Matrix<double, 3, 11>;
 
 Hex8Nodes element_nodes(const HexMesh& mesh, const std::array<int, 8>& element);
 
-/// Smallest Jacobian determinant over the corners: positive for a usable element [m^3].
+/// Smallest Jacobian determinant of the corners [m^3]; positive for a valid element.
 double hex8_smallest_jacobian(const Hex8Nodes& nodes);
 
 /// Elasticity matrix [Pa].
@@ -36,7 +36,7 @@ Eigen::Matrix<double, 6, 6> elasticity(const Material& material);
 struct Hex8 {
   Hex8Matrix
       stiffness;  ///< incompatible modes eliminated; unknown 3 a + d: corner a, direction d [N/m]
-  Hex8Internal internal;  ///< incompatible parameters that go with corner displacements
+  Hex8Internal internal;  ///< incompatible parameters per corner displacement
 };
 Hex8 hex8_stiffness(const Hex8Nodes& nodes, const Material& material);
 

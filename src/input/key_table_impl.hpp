@@ -1,4 +1,4 @@
-// Templates of key_table.hpp. What does not depend on the struct is in key_table.cpp.
+// Templates of key_table.hpp. Code that does not depend on the struct is in key_table.cpp.
 #pragma once
 
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr KeyKind kind_of() {
 template <class T, class Accessor>
 using PlaceType = std::remove_cvref_t<std::invoke_result_t<Accessor, T&>>;
 
-/// `allowed`, with the texts of a closed set of type Value where it names none.
+/// `allowed`, completed by all spellings of a closed set of type Value if it lists none.
 template <class Value>
 KeyRange with_choices(KeyRange allowed) {
   if constexpr (std::is_enum_v<Value>)
@@ -62,7 +62,7 @@ void read_value(const KeyInfo& key, const toml::node& node, const std::string& f
   }
 }
 
-/// The text at a key that holds one.
+/// The text at a key that holds a text or a closed set.
 template <class T>
 std::string text_at(const Key<T>& key, T& source) {
   if (const auto* choice = std::get_if<ChoicePlace<T>>(&key.place)) return choice->text(source);
@@ -71,14 +71,14 @@ std::string text_at(const Key<T>& key, T& source) {
 
 /// One line of a dump: "pocket_width_mm = 7.65  # [mm] above 0: opening ...".
 std::string dump_line(const KeyInfo& key, const std::string& value);
-/// "[section]" where the section of `name` differs from that of `previous`, else nothing.
+/// "[section]" if the section of `name` differs from that of `previous`, otherwise empty.
 std::string section_header(const std::string& name, const std::string& previous,
                            const std::string& prefix);
 std::string markdown_row(const KeyInfo& key, const std::string& value);
 std::string numbers_text(const std::vector<double>& values);
 std::string quoted(const std::string& text);
-/// The table of `root` in which a dotted name stands, made where it is missing, and the name's last
-/// part; nullptr where something other than a table is in its place.
+/// The table of `root` that holds a dotted name, created if missing, and the last part of the name.
+/// nullptr if a value other than a table is in the way.
 std::pair<toml::table*, std::string> section_of(toml::table& root, const std::string& name);
 void insert_numbers(toml::table& table, const std::string& name, const std::vector<double>& values);
 

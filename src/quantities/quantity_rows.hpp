@@ -1,5 +1,6 @@
-// Rows of the table of quantities, known while compiling: an index by key costs nothing in a run,
-// and a key that is not in the table does not compile. Everything else reads quantity_table.hpp.
+// The rows of the table of quantities as a constant: quantity_row("KEY") is an index known at
+// compile time, and an unknown key does not compile. Only the code that computes the quantities
+// needs this; all other code uses quantity_table.hpp.
 #pragma once
 
 #include <array>
@@ -127,7 +128,7 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "below the centrifugal force of one roller only the force counts, relative to it)"},
 });
 
-/// Position of the quantity whose key is `key` followed by `suffix`.
+/// Row of the quantity whose key is `key` followed by `suffix`.
 consteval std::size_t quantity_row(std::string_view key, std::string_view suffix = "") {
   for (std::size_t i = 0; i < kQuantityRows.size(); ++i) {
     const std::string_view known = kQuantityRows[i].key;
