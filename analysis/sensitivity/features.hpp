@@ -1,5 +1,5 @@
-// Scalar features of a cage: what a tolerance or an inspection could act on. Shares of variance are
-// given for these.
+// Scalar features of a cage that a tolerance or an inspection can control. Shares of variance refer
+// to them.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ struct Feature {
 ///   KEY                         for keys drawn from the noise of the run
 std::vector<Feature> cage_features(const StudyData& study);
 
-/// Deviation of each single pocket of the key, one feature for each pocket.
+/// Deviation of each pocket, one feature per pocket.
 std::vector<Feature> pocket_features(const StudyData& study, const InputColumns& input);
 
 /// "cage.pocket_width_mm" -> "pocket width".

@@ -3,8 +3,8 @@
 //
 // With the runs in the order of X, the last one followed by the first,
 //   S = (1/N sum_i Y_(i) Y_(i+1) - mean^2) / Var(Y)
-// It needs independent rows: on scrambled Sobol' points neighbours in X are not random in the other
-// inputs and the estimate does not converge. Used as a second opinion beside the binned share.
+// The estimate needs independent rows. With scrambled Sobol' points, neighbours in X are not random
+// in the other inputs, and it does not converge. It is used to check the binned share.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace cagetol {
 
-/// Throws Refused for every design but `random`.
+/// Throws Refused for all designs except `random`.
 double rank_share(const StudyDesign& design, std::span<const double> feature,
                   std::span<const double> output);
 

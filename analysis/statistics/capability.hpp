@@ -7,9 +7,9 @@
 //     Pp  = (USL - LSL) / (X99.865 - X0.135)
 //     Ppk = min((USL - X50) / (X99.865 - X50), (X50 - LSL) / (X50 - X0.135))
 //
-// Cp and Pp need both limits; with one limit Cpk and Ppk take that side. The outer percentiles are
-// read from the sorted runs and need at least 1 / 0.00135 = 741 of them to lie inside the sample;
-// with fewer Pp and Ppk are refused.
+// Cp and Pp need both limits. With one limit, Cpk and Ppk use that side only. The outer percentiles
+// are read from the sorted runs. They need at least 1 / 0.00135 = 741 runs; with fewer, Pp and Ppk
+// are refused.
 #pragma once
 
 #include <optional>
