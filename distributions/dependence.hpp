@@ -1,11 +1,13 @@
 // Dependent inputs by a Gaussian copula (Nataf's model; Liu & Der Kiureghian 1986,
-// doi:10.1016/0266-8920(86)90033-0): each coordinate becomes a standard normal number z =
-// Phi^-1(u), the vector z is given a correlation matrix by its Cholesky factor, and Phi takes it
-// back to uniform coordinates, so that every law keeps its marginal exactly.
+// doi:10.1016/0266-8920(86)90033-0):
+//   z = Phi^-1(u)    each coordinate becomes a standard normal number
+//   z -> L z         L the Cholesky factor of the correlation matrix
+//   u = Phi(z)       back to uniform coordinates
+// Every law keeps its marginal exactly.
 //
-// Two correlations must not be mixed up. The copula takes the correlation of z. A study states
-// the Pearson correlation of the deviations themselves; normal_correlation() converts it. Between
-// normal laws both are the same number.
+// Do not confuse two correlations. The copula takes the correlation of z. A study states the
+// Pearson correlation of the deviations themselves, which normal_correlation() converts. Between
+// normal laws both are equal.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +18,8 @@
 
 namespace cagetol {
 
-/// Correlation of the underlying normal numbers that gives the two laws the Pearson correlation
-/// rho. Throws std::invalid_argument, with the range that can be reached, when no Gaussian copula
-/// gives it.
+/// Correlation of the normal numbers for which the two laws have the Pearson correlation rho. If no
+/// Gaussian copula has it, throws std::invalid_argument with the possible range.
 double normal_correlation(const Law& first, const Law& second, double rho);
 
 /// One correlated pair of coordinates.
@@ -29,14 +30,14 @@ struct CorrelatedPair {
 
 class GaussianCopula {
  public:
-  /// Pairs that are not named are independent. Throws std::invalid_argument when the matrix is not
+  /// Coordinates without a pair are independent. Throws std::invalid_argument if the matrix is not
   /// positive definite.
   GaussianCopula(std::size_t dimensions, std::span<const CorrelatedPair> pairs);
 
   std::size_t dimensions() const;
 
-  /// Turns independent uniform coordinates into dependent ones, in place. Coordinate i depends on
-  /// coordinates 0 .. i only; coordinates without a partner are left untouched to the bit.
+  /// Makes independent uniform coordinates dependent, in place. Coordinate i depends on coordinates
+  /// 0 .. i only. Coordinates without a partner keep their bits.
   void correlate(std::span<double> u) const;
 
  private:

@@ -27,14 +27,21 @@ struct Of {
 
 /// Calls the action with Of<the class of the design> and returns its result.
 template <class Action>
-auto with_kind(const std::string& kind, const Action& action) {
-  if (kind == "random") return action(Of<RandomDesign>{});
-  if (kind == "lhs") return action(Of<LatinHypercube>{});
-  if (kind == "sobol") return action(Of<ScrambledSobol>{});
-  if (kind == "grid") return action(Of<Grid>{});
-  if (kind == "pick-freeze") return action(Of<PickFreeze>{});
-  require(kind == "morris", "there is no design \"", kind,
-          "\"; use random, lhs, sobol, grid, pick-freeze or morris");
+auto with_kind(DesignKind kind, const Action& action) {
+  switch (kind) {
+    case DesignKind::random:
+      return action(Of<RandomDesign>{});
+    case DesignKind::lhs:
+      return action(Of<LatinHypercube>{});
+    case DesignKind::sobol:
+      return action(Of<ScrambledSobol>{});
+    case DesignKind::grid:
+      return action(Of<Grid>{});
+    case DesignKind::pick_freeze:
+      return action(Of<PickFreeze>{});
+    case DesignKind::morris:
+      break;
+  }
   return action(Of<Morris>{});
 }
 
@@ -42,8 +49,9 @@ void check_numbers(const DesignSpec& spec) {
   require(spec.rows >= 1, "a design needs at least one row");
   require(spec.rows <= most_rows, spec.rows, " rows are more than 2^40; ask for fewer");
   require(spec.cages_per_lot >= 1, "a lot holds at least one cage");
-  require(spec.cages_per_lot == 1 || spec.kind == "random", "cages_per_lot = ", spec.cages_per_lot,
-          " needs design random: ", spec.kind, " spreads each column over all rows");
+  require(spec.cages_per_lot == 1 || spec.kind == DesignKind::random,
+          "cages_per_lot = ", spec.cages_per_lot, " needs design random: ", design_name(spec.kind),
+          " spreads each column over all rows");
   require(spec.scrambles >= 1, "a sobol design needs at least one scramble; 8 to 16 are common");
   require(spec.classes >= 1, "rows fall into at least one class");
   require(spec.trim >= 0 && spec.trim < 0.5, "trim = ", spec.trim, " lies outside 0 <= trim < 0.5");
@@ -69,13 +77,19 @@ AnyDesign make_design(const DesignSpec& spec) {
   check_addresses(spec);
   return with_kind(spec.kind, [&]<class Kind>(Of<Kind>) -> AnyDesign {
     const std::uint64_t complete = Kind::complete_rows(spec);
-    require(spec.rows == complete, "a ", spec.kind, " design of ", spec.rows,
+    require(spec.rows == complete, "a ", design_name(spec.kind), " design of ", spec.rows,
             " rows is not complete: rows are ", Kind::row_rule(spec), "; use ", complete);
     return Kind(spec);
   });
 }
 
 }  // namespace
+
+const char* design_name(DesignKind kind) {
+  for (const DesignName& name : spellings(kind))
+    if (name.value == kind) return name.text;
+  return "";
+}
 
 struct Design::Implementation {
   DesignSpec spec;

@@ -1,7 +1,7 @@
 // Sampling designs: which points of the unit cube [0,1]^d a study runs.
 //
-// A design is a pure function of its specification: point(row) costs O(d), in any order, and gives
-// the same bits each time.
+// A design is a pure function of its specification: point(row) can be called in any order, takes
+// O(d) time and always gives the same bits.
 //
 //   kind         rows                         block_of(row)                base_of(row)
 //   random       any                          0                            row
@@ -11,23 +11,41 @@
 //   pick-freeze  bases * (groups + 2)         0: A, 1: B, 2+g: A, g of B   base point
 //   morris       trajectories * (groups + 1)  step of the trajectory       trajectory
 //
-// pick-freeze and morris rows run block by block within a base, so that an interrupted study holds
-// whole bases.
+// In pick-freeze and morris designs the rows of a base follow each other, so that an interrupted
+// study contains complete bases.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "distributions/random_stream.hpp"
 
 namespace cagetol {
 
-/// One coordinate: where its random numbers live, and the group it moves with in grouped designs.
+enum class DesignKind { random, lhs, sobol, grid, pick_freeze, morris };
+
+/// A design and its name in study files.
+struct DesignName {
+  DesignKind value;
+  const char* text;
+};
+constexpr std::array<DesignName, 6> spellings(DesignKind) {
+  using enum DesignKind;
+  return {{{random, "random"},
+           {lhs, "lhs"},
+           {sobol, "sobol"},
+           {grid, "grid"},
+           {pick_freeze, "pick-freeze"},
+           {morris, "morris"}}};
+}
+const char* design_name(DesignKind kind);
+
+/// One coordinate: the address of its random numbers, and its group in grouped designs.
 struct DesignColumn {
   Purpose purpose = Purpose::lot;
   std::uint32_t stream = 0;  ///< stream_address(name of the input)
@@ -36,12 +54,12 @@ struct DesignColumn {
 };
 
 struct DesignSpec {
-  std::string kind = "random";
+  DesignKind kind = DesignKind::random;
   std::uint64_t rows = 0;
   std::uint64_t seed = 1;
   std::vector<DesignColumn> columns;
 
-  /// 0: as many as the columns name. More: the last ones have no columns (noise).
+  /// 0: the number of groups in `columns`. A larger number adds groups without columns (noise).
   std::uint32_t groups = 0;
 
   /// random only: the rows of one lot share their columns of Purpose::lot.
@@ -50,7 +68,7 @@ struct DesignSpec {
   /// sobol: independent replicates.
   std::uint64_t scrambles = 8;
 
-  /// sobol: rows r, r + classes, r + 2 classes, ... of a scramble are a net of their own.
+  /// sobol: rows r, r + classes, r + 2 classes, ... of a scramble form a net of their own.
   std::uint64_t classes = 1;
 
   /// grid: number of levels of each group.
@@ -63,13 +81,13 @@ struct DesignSpec {
   double trim = 0;
 };
 
-/// The smallest number of rows >= spec.rows (grid: the number) with which the design is complete.
+/// The smallest number of rows >= spec.rows of a complete design. A grid has exactly one such
+/// number.
 std::uint64_t complete_rows(const DesignSpec& spec);
 
 class Design {
  public:
-  /// Throws std::invalid_argument with the reason and the remedy when the specification makes no
-  /// design.
+  /// Throws std::invalid_argument with reason and remedy if the specification is not valid.
   explicit Design(DesignSpec spec);
 
   const DesignSpec& spec() const;
@@ -77,7 +95,7 @@ class Design {
   std::size_t dimensions() const;
   std::uint32_t groups() const;
 
-  /// Writes the row's point; u has dimensions() elements.
+  /// Writes the point of a row to u, which has dimensions() elements.
   void point(std::uint64_t row, std::span<double> u) const;
 
   std::uint64_t blocks() const;
@@ -88,12 +106,12 @@ class Design {
   /// row / cages_per_lot.
   std::uint64_t lot_of(std::uint64_t row) const;
 
-  /// Rows with equal sources have equal values in the columns of the group. Noise as a group
-  /// without columns is drawn with this as id.
+  /// Rows with equal sources have equal values in the columns of the group. For noise, a group
+  /// without columns, the source is the id of the draw.
   std::uint64_t source_of(std::uint64_t row, std::uint32_t group) const;
 
-  /// morris: the group that moved between row - 1 and row; none in the first row of a trajectory
-  /// and in other designs.
+  /// morris: the group that changes from row - 1 to row. Empty for the first row of a trajectory
+  /// and for other designs.
   std::optional<std::uint32_t> moved_group(std::uint64_t row) const;
 
  private:

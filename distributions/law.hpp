@@ -1,8 +1,8 @@
-// A probability law of one number, and what can be asked of it. Sampling is by quantile only, so
-// that one law serves every design.
+// Probability laws of one number. Sampling uses the quantile function only, so that a law works
+// with every design.
 //
-// Laws are in the unit of the key they belong to. check() comes first: the other functions may
-// assume a law that it accepts. A law of zero width (sigma = 0) is legal and means a plain number.
+// A law is in the unit of its key. Call check() first: the other functions assume a law that it
+// accepts. A law of zero width (sigma = 0) is valid and means a constant.
 #pragma once
 
 #include <string_view>
@@ -26,23 +26,23 @@ namespace cagetol {
 using Law = std::variant<Normal, TruncatedNormal, Uniform, Triangular, Lognormal, Beta, Weibull,
                          Gamma, Histogram, Empirical, Capability>;
 
-/// Throws std::invalid_argument with the reason and the remedy when the parameters make no law.
+/// Throws std::invalid_argument with reason and remedy if the parameters are not valid.
 void check(const Law& law);
 
-/// The smallest x with cdf(x) >= p. quantile(0) and quantile(1) are the ends of the support,
-/// possibly infinite. Throws std::domain_error unless 0 <= p <= 1.
+/// The smallest x with cdf(x) >= p. quantile(0) and quantile(1) are the ends of the support and may
+/// be infinite. Throws std::domain_error unless 0 <= p <= 1.
 double quantile(const Law& law, double p);
 
 /// P(X <= x).
 double cdf(const Law& law, double x);
 
-/// Density. Throws std::domain_error where there is none: empirical laws and laws of zero width.
+/// Density. Throws std::domain_error for laws without one: empirical laws and laws of zero width.
 double pdf(const Law& law, double x);
 
 double mean(const Law& law);
 double standard_deviation(const Law& law);
 
-/// The smallest closed interval that holds all of the probability.
+/// The smallest closed interval with probability 1.
 Interval support(const Law& law);
 
 /// The name in study files: "normal", "truncated_normal", ...

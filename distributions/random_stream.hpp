@@ -1,5 +1,5 @@
-// Addressed random numbers: every draw is a pure function of where it is used, never of what was
-// drawn before.
+// Addressed random numbers: every draw is a pure function of its address and does not depend on
+// earlier draws.
 //
 // The generator is Philox4x32-10 (Salmon, Moraes, Dror, Shaw: Parallel random numbers: as easy as
 // 1, 2, 3. SC11, doi:10.1145/2063384.2063405), a keyed bijection of 128-bit counters. Words, least
@@ -9,9 +9,9 @@
 //   counter  4 words  {id low, id high, stream, draw}
 //   result   4 words  words 0 and 1 make one uniform number; words 2 and 3 stay unused
 //
-// All 64 bits of seed and id enter. Two draws of one seed and purpose that differ in id, stream or
-// draw use different counters, so nothing that is added elsewhere (a pocket, an input, an output)
-// moves an existing draw.
+// All 64 bits of seed and id are used. Two draws with the same seed and purpose but different id,
+// stream or draw have different counters. Adding a pocket, an input or an output therefore does not
+// change any existing draw.
 #pragma once
 
 #include <array>
@@ -26,7 +26,8 @@ using PhiloxKey = std::array<std::uint32_t, 2>;
 /// Ten rounds of Philox4x32.
 PhiloxCounter philox(PhiloxCounter counter, PhiloxKey key);
 
-/// What a draw is for. The numbers are part of every stored study: add, never renumber.
+/// Purpose of a draw. Stored studies depend on these numbers: new ones may be added, existing ones
+/// must not change.
 enum class Purpose : std::uint32_t {
   lot = 1,        ///< deviations shared by the cages of a lot; id = lot
   pocket = 2,     ///< deviations of single pockets; id = design row, draw = pocket
@@ -38,18 +39,18 @@ enum class Purpose : std::uint32_t {
 
 PhiloxKey stream_key(std::uint64_t seed, Purpose purpose);
 
-/// Words 0 and 1 as one number.
+/// Words 0 and 1 as one 64-bit number.
 std::uint64_t bits_of(const PhiloxCounter& block);
 
-/// 32-bit FNV-1a hash of a name: an input's stream does not depend on the other inputs of the
-/// study. Designs refuse two columns with one address, so that a collision (chance 1e-7 for 30
-/// inputs) is reported and never silent.
+/// 32-bit FNV-1a hash of a name: the stream of an input does not depend on the other inputs of the
+/// study. Designs refuse two columns with the same address, so a collision (probability 1e-7 for 30
+/// inputs) is an error and not silent.
 std::uint32_t stream_address(std::string_view name);
 
-/// 64 random bits to 0 .. count-1, each equally likely to one part in 2^64 / count; count > 0.
+/// Maps 64 random bits to 0 .. count-1, count > 0. Probabilities are equal within count/2^64.
 std::uint64_t index_of(std::uint64_t bits, std::uint64_t count);
 
-/// The upper 52 bits as an odd multiple of 2^-53: inside the open interval (0,1), exact in double,
+/// The upper 52 bits as an odd multiple of 2^-53: in the open interval (0,1), exact in double,
 /// symmetric about 1/2.
 double open_unit(std::uint64_t bits);
 

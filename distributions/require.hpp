@@ -6,8 +6,7 @@
 
 namespace cagetol {
 
-/// Throws std::invalid_argument with the parts written one after the other, unless the condition
-/// holds.
+/// Throws std::invalid_argument unless the condition holds. The message is the parts in sequence.
 template <class... Parts>
 void require(bool condition, const Parts&... parts) {
   if (condition) return;
@@ -16,7 +15,7 @@ void require(bool condition, const Parts&... parts) {
   throw std::invalid_argument(message.str());
 }
 
-/// Laws without a density end up here.
+/// Throws the error of laws without a density.
 [[noreturn]] inline void refuse_density(const char* reason) {
   throw std::domain_error(std::string("no density: ") + reason +
                           "; use a law with a spread, or draw from it only");

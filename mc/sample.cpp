@@ -121,7 +121,7 @@ DesignSpec spec_of(const Study& study, const SampleColumns& columns) {
                                  [](const auto& input) { return input.noise.has_value(); });
   std::uint32_t groups = 0;
   for (const auto& column : columns.design) groups = std::max(groups, column.group + 1);
-  if (noise && (study.design == "pick-freeze" || study.design == "morris"))
+  if (noise && (study.design == DesignKind::pick_freeze || study.design == DesignKind::morris))
     spec.groups = groups + 1;
   spec.grid_levels.assign(study.grid_levels.begin(), study.grid_levels.end());
   if (spec.grid_levels.size() == 1) spec.grid_levels.resize(groups, spec.grid_levels[0]);
@@ -129,6 +129,10 @@ DesignSpec spec_of(const Study& study, const SampleColumns& columns) {
   spec.trim = has_endless_law(study) ? 0.00135 : 0;
   spec.rows = static_cast<std::uint64_t>(study.samples);
   return spec;
+}
+
+std::string quoted_design(const Study& study) {
+  return std::string("\"") + design_name(study.design) + "\"";
 }
 
 // Refusals of the distributions room name no file; the study's key is what the user can change.
@@ -190,7 +194,7 @@ struct Sampler::Implementation {
   explicit Implementation(const Study& given)
       : study(given),
         columns(make_columns(study)),
-        design(refused_as_input("design", "\"" + study.design + "\"",
+        design(refused_as_input("design", quoted_design(study),
                                 [&] { return Design(spec_of(study, columns)); })),
         copula(make_copula(study, columns)) {
     study.resolved_toml.clear();
@@ -209,7 +213,7 @@ struct Sampler::Implementation {
     const bool in_design = design.spec().groups > 0 && sample.replicate == 0;
     // In a grid every row meets the same noise in its k-th run: differences between rows are
     // paired.
-    const std::uint64_t id = study.design == "grid" ? sample.replicate
+    const std::uint64_t id = study.design == DesignKind::grid ? sample.replicate
                              : in_design ? design.source_of(sample.row, design.groups() - 1)
                                          : sample.id;
     return quantile(*input.noise,
@@ -285,8 +289,7 @@ DesignColumns design_columns(const Study& study) {
 
 DesignSpec design_spec(const Study& study) {
   auto spec = spec_of(study, make_columns(study));
-  spec.rows =
-      refused_as_input("design", "\"" + study.design + "\"", [&] { return complete_rows(spec); });
+  spec.rows = refused_as_input("design", quoted_design(study), [&] { return complete_rows(spec); });
   return spec;
 }
 

@@ -77,14 +77,15 @@ void complete_rows(Study& study, const toml::table& root, const std::string& fil
   const auto most =
       static_cast<std::uint64_t>(info_of(key_infos(study_keys()), "samples").range.maximum);
   if (rows > most) {
-    const bool grid = study.design == "grid";
+    const bool grid = study.design == DesignKind::grid;
     const char* name = grid ? "grid_levels" : "samples";
     const auto* node = find_node(root, name);
-    throw InputError(
-        node ? place_of(*node, file) : SourcePlace{file, 0}, name, node ? shown(*node) : "",
-        "design \"" + study.design + "\" has " + std::to_string(rows) + " rows" +
-            (grid ? "" : " when it is complete") + "; a study has at most " + std::to_string(most),
-        grid ? "use fewer levels" : "ask for fewer rows");
+    throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, name,
+                     node ? shown(*node) : "",
+                     std::string("design \"") + design_name(study.design) + "\" has " +
+                         std::to_string(rows) + " rows" + (grid ? "" : " when it is complete") +
+                         "; a study has at most " + std::to_string(most),
+                     grid ? "use fewer levels" : "ask for fewer rows");
   }
   study.samples = static_cast<long>(rows);
 }
@@ -111,7 +112,7 @@ void check_multifidelity(const Study& study, const toml::table& root, const std:
   const auto refuse = [&](const char* why, const char* remedy) {
     throw InputError(place_of(*node, file), "multifidelity", shown(*node), why, remedy);
   };
-  if (study.design != "random" || study.cages_per_lot != 1)
+  if (study.design != DesignKind::random || study.cages_per_lot != 1)
     refuse("more samples of the same kind are drawn only by the design random, one cage of a lot",
            "set design = \"random\" and cages_per_lot = 1, or leave multifidelity out");
   if (study.limits.empty())
@@ -204,7 +205,7 @@ std::vector<std::string> model_notes(const Study& study) {
         notes.push_back(std::string(key) +
                         " does nothing to planar rollers (scene.model.rollers = \"planar\")");
     }
-  if (has_planar_rollers(study.scene) && study.scene.model.ring_tilt == "free")
+  if (has_planar_rollers(study.scene) && study.scene.model.ring_tilt == TiltModel::free)
     notes.push_back(
         "a free tilt of the inner ring (scene.model.ring_tilt) does nothing to planar rollers");
   for (const std::string& key : idle_oil_keys(study.scene))

@@ -8,14 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "distributions/design.hpp"
 #include "distributions/law.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
 
-/// A scene key that is a distribution. Deviations add up: value = nominal + scale * (lot + pocket)
-/// + noise, in the key's unit. Laws describe deviations from the nominal value, not the value
-/// itself.
+/// A scene key that is a distribution. Deviations add up, in the key's unit:
+///   value = nominal + scale * (lot + pocket) + noise
+/// Laws describe deviations from the nominal value, not the value itself.
 struct UncertainInput {
   std::string key;
   std::string unit;
@@ -121,7 +122,7 @@ struct Study {
   long samples = 256;  ///< design rows
   double extra_replicates =
       0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
-  std::string design = "random";
+  DesignKind design = DesignKind::random;
   long scrambles = 8;
   long cages_per_lot = 1;
   double allowed_failure_share = 0.02;

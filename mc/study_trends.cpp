@@ -124,7 +124,7 @@ std::vector<Trend> read_trends(const toml::table& root, const std::string& file,
                                const Study& study) {
   std::vector<Trend> trends;
   for (const auto* entry : table_entries(root, "trend", trend_keys(), file)) {
-    if (study.design != "grid")
+    if (study.design != DesignKind::grid)
       throw InputError(place_of(*entry, file), "trend", shown(*entry),
                        "trends compare levels, and this design has none",
                        "write design = \"grid\" and grid_levels");

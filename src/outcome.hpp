@@ -1,4 +1,4 @@
-// What one simulated bearing gives back: an outcome of a stated kind, never a silent number.
+// The outcome of one simulated bearing. Its status says what the numbers are worth.
 #pragma once
 
 #include <limits>
@@ -7,15 +7,15 @@
 
 namespace cagetol {
 
-/// How a run ended. Numbers are those stored in study.h5.
+/// How a run ended, numbered as in study.h5.
 enum class Status : int {
-  ok = 0,      ///< simulated, every watch within its bound
-  jammed = 1,  ///< a roller does not fit its pocket, or the geometry is impossible: not simulated
-  failed = 2,  ///< the integration failed, a watch (static consistency, energy) is outside its
-               ///< bound, or a quantity is impossible
+  ok = 0,        ///< simulated, every watch within its bound
+  jammed = 1,    ///< not simulated: a roller does not fit its pocket, or impossible geometry
+  failed = 2,    ///< the integration failed, a watch (static consistency, energy) is outside its
+                 ///< bound, or a quantity is impossible
   censored = 3,  ///< the step budget ran out before the window was complete
-  not_run = 4,   ///< aborted by a wall-clock limit or an interruption; never counted as an outcome
-  poisoned = 5,  ///< the process running this sample died of it, alone, twice
+  not_run = 4,   ///< stopped by a wall-clock limit or an interruption; not counted as an outcome
+  poisoned = 5,  ///< the sample killed its process twice while it ran alone
 };
 
 /// "ok", "jammed", ... as printed in reports and --json output.
@@ -33,9 +33,10 @@ struct RunRecord {
   double smallest_step_s = 0;
   double energy_residual = 0;  ///< |work in - dissipation - change of stored energy| / dissipation
   double static_consistency_error = 0;  ///< see quantities/
-  /// Of the roller positions at which it was to be measured: without a static solution.
+  /// Roller positions of the static comparison that have no static solution.
   double static_positions_missed = 0;
-  /// Of the flexible cage's model against a full solve, largest relative; NaN where not checked.
+  /// Largest relative frequency error of the flexible cage's model against a full solve; NaN if not
+  /// checked.
   double cage_frequency_error = std::numeric_limits<double>::quiet_NaN();
   double wall_s = 0;
 };
@@ -49,27 +50,25 @@ struct RunField {
 const std::vector<RunField>& run_fields();
 std::vector<double> run_values(const RunRecord& run);
 
-/// The instant of the largest stress in a flexible cage, enough to recover the whole field
-/// (src/cage). Empty vectors where there is none.
+/// The state of a flexible cage at the instant of its largest stress, from which src/cage recovers
+/// the whole stress field. Without one the vectors are empty.
 struct CagePeak {
   double time = 0;                ///< [s]
-  int pocket = -1, station = -1;  ///< where, as in cage_stress_peak_pocket and _station
+  int pocket = -1, station = -1;  ///< as in cage_stress_peak_pocket and cage_stress_peak_station
   std::vector<double> modes;      ///< modal coordinates
-  std::vector<double> bar_force;  ///< on the cage: per pocket the stations of the trailing, then of
-                                  ///< the leading face, towards larger theta [N]
-  double spin = 0;                ///< whose centrifugal load acts, 0: none [rad/s]
+  std::vector<double> bar_force;  ///< on the cage towards larger theta, per pocket the stations of
+                                  ///< the trailing face, then of the leading face [N]
+  double spin = 0;                ///< spin of the centrifugal load, 0: none [rad/s]
 };
 
-/// Result of one sample. `quantities` follows the order of quantity_table()
-/// (src/quantities/quantity_table.hpp); NaN where the scene does not define a quantity (no cage
-/// stress on a rigid cage) or the run has none (jammed).
+/// Result of one sample. `quantities` are in the order of quantity_table()
+/// (src/quantities/quantity_table.hpp). NaN: the scene does not define the quantity (stress of a
+/// rigid cage) or the run has no value (jammed).
 struct Outcome {
   Status status = Status::not_run;
-  std::string
-      reason;  ///< empty when ok; otherwise what happened, with numbers and units, for people
-  int pocket =
-      -1;  ///< the pocket that jams (or, with allow_interference, pinches), 0-based; -1: none
-  double interference_um = 0;  ///< how much the roller is too large for it
+  std::string reason;  ///< what happened, with numbers and units; empty when ok
+  int pocket = -1;     ///< pocket that jams (with allow_interference: pinches), from 0; -1: none
+  double interference_um = 0;  ///< excess of the roller over that pocket, in width or length
   std::vector<double> quantities;
   RunRecord run;
   CagePeak cage_peak;

@@ -45,7 +45,7 @@ Positions positions_in_window(const Scene& scene, const BearingModel& model, dou
 
 Outcome quasi_static_outcome(const Scene& scene) {
   Scene dry = scene;
-  dry.film.model = "none";
+  dry.film.model = FilmModel::none;
   const BearingModel model = make_bearing_model(dry);
   Outcome outcome;
   outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());

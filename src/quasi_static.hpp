@@ -1,5 +1,5 @@
-// A bearing without inertia: equilibria of inner ring and rollers over the cage's turn, instead of
-// integrated motion.
+// Quasi-static runs: equilibria of inner ring and rollers at positions over one turn of the cage,
+// without integration in time.
 #pragma once
 
 #include <string>
@@ -9,19 +9,20 @@
 
 namespace cagetol {
 
-/// The outcome of a scene whose `model.motion` is "quasi-static". Rollers stand in the middle of
-/// their pockets and go round with the cage at its kinematic speed w_i R_i/(R_i + R_o), rolling
-/// without slip; load and speed are the full ones, whatever the ramps. At every position the ring
-/// and the rollers on the races balance load, weight, centrifugal force and the normal law's
-/// damping (src/dynamics/static_equilibrium.hpp), without an oil film. Positions end with the
-/// window; more than one turn repeats the first.
+/// The outcome of a scene with model.motion = "quasi-static". The rollers are in the middle of
+/// their pockets, roll without slip and orbit with the cage at its kinematic speed
+///   w_c = w_i R_i/(R_i + R_o)
+/// Load and speed have their full values; ramps are ignored. At every position the ring and the
+/// rollers balance load, weight, centrifugal force and the damping of the normal law
+/// (src/dynamics/static_equilibrium.hpp), without an oil film. The positions cover the window, but
+/// not more than one turn, and end with it.
 ///
-/// Defines the ring's displacements, orbit and tilt, and the tilt of spatial rollers; all other
-/// quantities are NaN, slip too: it is assumed, not found. `run.steps` counts positions. Fails
-/// where a position has no equilibrium.
+/// Defined are displacement, orbit and tilt of the ring, and the tilt of spatial rollers. All other
+/// quantities are NaN, slip included, because it is an assumption here. `run.steps` counts
+/// positions. The run fails if a position has no equilibrium.
 Outcome quasi_static_outcome(const Scene& scene);
 
-/// Whether a quasi-static run may define the quantity of that key.
+/// True if a quasi-static run may define the quantity `key`.
 bool is_quasi_static_quantity(const std::string& key);
 
 }  // namespace cagetol

@@ -1,5 +1,5 @@
-// The one door to the physics: a scene in, an outcome out. Deterministic: same scene, same build,
-// same bits.
+// The entry point of the physics: a scene in, an outcome out. The same scene and the same build
+// give the same bits.
 #pragma once
 
 #include <functional>
@@ -14,25 +14,25 @@ namespace cagetol {
 struct System;
 struct CageTable;
 
-/// What a run may be given beside its scene.
+/// Optional inputs of a run.
 struct SimulateOptions {
-  /// Of the flexible cage (src/cage/scene_cage.hpp). Without one it is made from the scene's own
-  /// pockets, which takes some seconds; samples of a study share the tables of the nominal scene.
+  /// Table of the flexible cage (src/cage/scene_cage.hpp), which the samples of a study share. If
+  /// null, one is made from the pockets of the scene, which takes some seconds.
   std::shared_ptr<const CageTable> cage_table = {};
-  /// Why there is no table for this sample's flexible cage: the run fails with this reason.
+  /// If not empty: why this sample's flexible cage has no table. The run fails with this reason.
   std::string why_no_cage = {};
-  /// Called at every accepted state, linearised (src/integration/system.hpp): time histories,
-  /// tests.
+  /// Called at every accepted state, after its linearisation (src/integration/system.hpp). For time
+  /// histories and tests.
   std::function<void(double t, const double* y, const System& system)> on_state = {};
-  /// Called before on_state where the measuring window begins anew, because settling is extended.
+  /// Called before on_state when settling is extended and the measuring window starts again.
   std::function<void(double begin)> on_window = {};
-  /// Asked every few hundred steps; true ends the run as `not_run`. For signals and wall limits
-  /// only.
+  /// Called every few hundred steps; true ends the run as not_run. For signals and wall-clock
+  /// limits only.
   std::function<bool()> stop_requested = {};
 };
 
-/// Simulates one bearing. Never throws for what a sample may meet (jam, failed integration): that
-/// is the outcome's status.
+/// Simulates one bearing. A jam or a failed integration is a status of the outcome, not an
+/// exception.
 Outcome simulate(const Scene& scene, const SimulateOptions& options = {});
 
 }  // namespace cagetol

@@ -8,10 +8,10 @@ namespace cagetol {
 struct WindowTimes {
   double settle;          ///< before the measuring window [s]
   double measure;         ///< length of the measuring window [s]
-  double longest_settle;  ///< to which settling is extended where a motion drifts [s]
+  double longest_settle;  ///< limit of settling for a motion that drifts [s]
 };
 
-/// Windows given in cage revolutions are taken at the kinematic cage speed.
+/// Cage revolutions are converted to time with the kinematic cage speed.
 WindowTimes window_times(const Scene& scene, const BearingModel& model);
 
 }  // namespace cagetol

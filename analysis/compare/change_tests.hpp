@@ -1,10 +1,9 @@
-// Is one statistic of a study another one than before?
+// Tests whether a statistic of a study has changed.
 //
-// Runs come in clusters within which they depend on each other: cages of a lot, points of a Sobol'
-// scramble. A smooth statistic is linearised; the sums of its influence over the clusters give its
-// variance, and Student's t the p-value (degrees of freedom: clusters - 1, Welch for two samples).
-// A share of independent runs has an exact test instead: Fisher's, or McNemar's where the same rows
-// were run twice.
+// Runs within a cluster are dependent: cages of a lot, points of a Sobol' scramble. A smooth
+// statistic is linearised; the sums of its influence over the clusters give its variance, and
+// Student's t gives the p-value (degrees of freedom: clusters - 1, Welch for two samples). A share
+// of independent runs has an exact test: Fisher's, or McNemar's if the same rows were run twice.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +11,28 @@
 
 namespace cagetol {
 
-/// One sample of a statistic: the influence of each cluster on it (they sum to zero), by the
-/// cluster's label.
+/// One sample of a statistic: the influence of each run (sum zero) and the cluster of each run.
 struct Linearised {
   double value = 0;
   std::vector<std::int64_t> cluster;  ///< of each run
-  std::vector<double> influence;      ///< of each run; 0 where the run does not enter
+  std::vector<double> influence;      ///< of each run; 0 for a run that does not count
 };
 
-/// Two-sided p-value of a change. `paired`: equal labels are the same cages, run again.
+/// Two-sided p-value of a change. `paired`: clusters with equal labels are the same cages, run
+/// again.
 double change_p_value(const Linearised& before, const Linearised& after, bool paired);
 
-/// Runs that have a property, of all.
+/// Number of runs with a property, and of all runs.
 struct Share {
   std::size_t count = 0, runs = 0;
 };
 
-/// Fisher's exact test, two-sided: all tables at most as probable as the one seen.
+/// Fisher's exact test, two-sided: sums all tables that are not more probable than the observed
+/// one.
 double fisher_p_value(const Share& before, const Share& after);
 
-/// McNemar's exact test, two-sided, from the rows that changed: `gained` and `lost` the property.
+/// McNemar's exact test, two-sided, from the numbers of rows that gained and that lost the
+/// property.
 double mcnemar_p_value(std::size_t gained, std::size_t lost);
 
 }  // namespace cagetol

@@ -1,12 +1,15 @@
-// Two runs of one study, by two builds or on two nights: has anything changed?
+// Compares two runs of one study, by two builds or on two nights, and tests every statistic for
+// change.
 //
-// Tested for every quantity: mean, standard deviation, and the quantiles of 5, 50 and 95 %; for the
-// limits: joint yield and the yield of each limit, runs without a result failing; and the shares of
-// jams and of failed runs. A quantile is tested by the share of runs beyond the quantile of both
-// samples together; the standard deviation by the distances of runs from the median of both
-// samples, permuted: the variance of a variance says nothing where tails are heavy. Means of
-// few runs and of a quantity that hardly ever varies are permuted too. Studies with the same seed
-// ran the same cages: these are compared pair by pair.
+// Statistics of every quantity: mean, standard deviation, quantiles of 5, 50 and 95 %. Statistics
+// of the limits: joint yield and yield of each limit, where runs without a result fail. Also the
+// shares of jammed and of failed runs.
+//
+// A quantile is tested by the share of runs beyond the quantile of both samples together. A
+// standard deviation is tested by permuting the distances from the median of both samples, because
+// the variance of a variance is meaningless for heavy tails. Means of few runs, and of quantities
+// that rarely vary, are tested by permutation too. Studies with the same seed have the same cages
+// and are compared pair by pair.
 #pragma once
 
 #include <string>
@@ -31,17 +34,17 @@ struct Comparison {
   bool same() const;
 };
 
-/// Notes what the two have apart; throws Refused with the reason where they are not runs of one
-/// study, `despite_keys` notes keys that differ instead.
+/// Notes the differences of the two files. Throws Refused with the reason if they are not runs of
+/// one study; with `despite_keys`, keys that differ are noted instead.
 void require_comparable(const StudyData& before, const StudyData& after, bool despite_keys,
                         std::vector<std::string>& notes);
 
-/// Same seed and design: the same rows are the same cages.
+/// True if seed and design are equal, so that equal rows are the same cages.
 bool same_cages(const StudyData& before, const StudyData& after);
 
-/// Throws Refused with the reason where the two are not runs of one study: another scene, other
-/// laws, limits, candidates, design or units. `despite_keys` notes keys that differ instead: what
-/// did a change of the scene change?
+/// Throws Refused with the reason if the two are not runs of one study: different scene, laws,
+/// limits, candidates, design or units. `despite_keys` notes keys that differ instead, to compare
+/// runs before and after a change of the scene.
 Comparison compare_studies(const StudyData& before, const StudyData& after, double error_rate,
                            bool despite_keys = false);
 

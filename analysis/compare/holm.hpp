@@ -1,11 +1,12 @@
-// Many tests at once, with few false alarms.
+// Holm's correction for multiple tests (Holm 1979, Scand. J. Stat. 6, 65-70).
 //
-// Holm 1979, Scand. J. Stat. 6, 65-70: with the p-values in ascending order,
-//   adjusted p_(i) = max_{j <= i} min(1, (m - j + 1) p_(j)).
-// The probability that any statistic is called changed although none is stays at most the error
-// rate, however the statistics depend on each other - and those of one run depend strongly. A false
-// discovery rate (Benjamini-Hochberg) would let a night with one true change raise several false
-// ones; an alarm is read by people, so each one has to count.
+// With m p-values in ascending order,
+//   adjusted p_(i) = max_{j <= i} min(1, (m - j + 1) p_(j))
+//
+// The probability of any false alarm is at most the error rate, for any dependence between the
+// statistics. (Those of one run are strongly dependent.) The false discovery rate of Benjamini and
+// Hochberg would allow false alarms beside a true change. People read these alarms, so every single
+// one must be reliable.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Runs of the same cages by two sweeps, side by side: what a cage does to both cancels in their
+// Pairs of runs of the same cages from two sweeps. The effect of the cage cancels in the
 // differences.
 #pragma once
 
@@ -11,15 +11,14 @@ namespace cagetol {
 
 struct MatchedRuns {
   std::string quantity, unit;
-  std::vector<double> reference, values;  ///< one element for each pair; NaN: no value on that side
+  std::vector<double> reference, values;  ///< one element per pair; NaN: no value
 };
 
-/// First runs of the same row, for every quantity of both. A row that only the reference has stands
-/// there with NaN beside it.
+/// Pairs of the first runs of each row, for every quantity that both sweeps have. A row that only
+/// the reference has is paired with NaN.
 std::vector<MatchedRuns> matched_runs(const StudyData& reference, const StudyData& runs);
 
-/// Whether cages share lots and so depend on each other: errors of means over runs are too small
-/// then.
+/// True if cages share lots. They are dependent then, and standard errors over runs are too small.
 bool share_lots(const StudyData& study);
 
 }  // namespace cagetol

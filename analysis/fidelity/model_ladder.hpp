@@ -1,5 +1,4 @@
-// A climbed model ladder: every quantity of interest on every rung, from the study files of the
-// rungs.
+// Results of a model ladder: every quantity of interest on every rung, from the rungs' study files.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,41 +14,42 @@ struct LadderRung {
   std::string name;
   std::string meaning = {};
   std::vector<std::string> settings = {};  ///< "dotted.key=value"
-  double cost_ratio = kUndefined;  ///< wall time over the reference's, median of the samples
-  std::size_t ok = 0;              ///< runs that gave a result
+  double cost_ratio = kUndefined;  ///< wall time over that of the reference, median of the samples
+  std::size_t ok = 0;              ///< runs with a result
 };
 
 struct LadderQuantity {
   std::string name, unit;
-  std::vector<LimitPlan> limits = {};  ///< of the study on it
+  std::vector<LimitPlan> limits = {};  ///< limits of the study on this quantity
   QuantityLadder ladder;
-  /// Predicted for a mean that takes cheaper rungs to help (multifidelity.hpp), measured costs; 1:
-  /// the reference alone.
+  /// Predicted gain of a mean with the help of cheaper rungs (multifidelity.hpp), from measured
+  /// costs; 1: the reference alone.
   double multifidelity_gain = 1;
   bool limited() const { return !limits.empty(); }
 };
 
 struct ModelLadder {
   std::string study;
-  std::string build;                      ///< of the program that climbed it
-  nlohmann::ordered_json resolved_study;  ///< for which (mc/README.md lists the keys)
-  /// Rungs refine the reference, the scene as it is, so that no least one is sought: a shift is
-  /// what refining adds to the mean, and the reference errs by its opposite.
+  std::string build;                      ///< of the program that ran it
+  nlohmann::ordered_json resolved_study;  ///< mc/README.md lists the keys
+  /// True if the rungs refine the reference, which is the scene as given. A shift is then the
+  /// change of the mean by refining, the error of the reference is minus the shift, and no cheapest
+  /// rung is sought.
   bool refining = false;
   LadderRule rule;
   std::size_t samples = 0;
   std::vector<LadderRung> rungs;          ///< cheapest first, the last one is the reference
-  std::vector<std::string> not_run = {};  ///< rungs that were not climbed: nothing is known of them
+  std::vector<std::string> not_run = {};  ///< rungs without runs
   std::vector<LadderQuantity> quantities;
 };
 
-/// `runs[r]` are the same samples on rung r; target yield, candidates and limits are those of the
-/// study in their files. Throws StudyFileError where the samples differ.
+/// Judges a ladder. `runs[r]` are the same samples on rung r; target yield, candidates and limits
+/// come from the study in their files. Throws StudyFileError if the samples differ.
 ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<StudyData>& runs,
                               const LadderRule& rule);
 
-/// The rung that `fidelity = "auto"` takes: the cheapest one that will do for every limited
-/// quantity, the reference where no other one does.
+/// The rung for `fidelity = "auto"`: the cheapest one that is sufficient for every limited
+/// quantity, or the reference if there is none.
 std::size_t chosen_rung(const ModelLadder& ladder);
 
 /// "limit at least 1, at most 2".

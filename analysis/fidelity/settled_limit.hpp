@@ -1,6 +1,6 @@
-// Whether a limit is settled on two models: all of either's values lie so far on one side of it
-// that the share on the other side is certainly too small to move a yield. Then no difference
-// between the models can move the verdict on that limit, however their means differ.
+// Settled limits. A limit is settled on two models if all values of both lie on one side of it, and
+// so far away that the share on the other side is too small to change a yield. The verdict on this
+// limit is then the same for both models, even if their means differ.
 #pragma once
 
 #include <cstddef>
@@ -11,32 +11,33 @@
 
 namespace cagetol {
 
-/// Where all values lie: between the limit's bounds, above or below them; both: here and there.
+/// Side on which all values lie: between the limit's bounds, above or below them; both: on more
+/// than one side.
 enum class LimitSide { within, above, below, both };
 
 struct SettledLimit {
   LimitSide side = LimitSide::both;
-  /// Largest share of a model's law on the other side, of both models the larger (tail_bounds.hpp).
-  /// The confidence holds for both models and both tails together: each has its part of the error.
+  /// Upper bound of the share on the other side, the larger of both models (tail_bounds.hpp). The
+  /// confidence holds for both models and both tails together.
   double wrong_share = 1;
 };
 
-/// What "settled" rests on, to be shown with it.
+/// Assumption behind "settled", shown with the result.
 inline constexpr const char* kSettledAssumption =
     "that values scatter normally, or that their tail towards the limit falls at least as fast as "
     "an exponential beyond the outer quarter";
 
-/// Fewer pairs than this settle nothing.
+/// Smallest number of pairs for a settled limit.
 inline constexpr std::size_t kFewestSettledPairs = 8;
 
-/// `values` and `reference` have one element for each sample, NaN where a run gave none; samples
-/// count with a value on both.
+/// `values` and `reference` have one element per sample, NaN: no value. Only samples with both
+/// values count.
 SettledLimit settled_limit(std::span<const double> values, std::span<const double> reference,
                            const LimitPlan& limit, double confidence);
 
-/// Share on the wrong side of a limit below which it is settled: with K candidates p_k <= K p, and
-/// a yield of candidate k has the standard error sqrt(Y (1 - Y) K / N), so that
-///   p <= budget_share sqrt(Y (1 - Y) / (N K)).
+/// Largest share p on the wrong side of a settled limit. With K candidates, p_k <= K p for
+/// candidate k, and its yield has the standard error sqrt(Y (1 - Y) K / N). Therefore
+///   p <= budget_share sqrt(Y (1 - Y) / (N K))
 double allowed_wrong_share(double budget_share, double target_yield, double study_samples,
                            double candidates);
 

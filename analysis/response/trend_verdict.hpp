@@ -1,10 +1,11 @@
-// Does a claimed trend show in the runs? Decided by the interval of the paired difference alone:
-//   rises  agrees where the whole interval lies above the change claimed (0 unless by_share or
-//          by_value ask for more), disagrees where it lies at or below it, else undecided
-//   falls  the same mirrored
-//   level  agrees where the whole interval lies within -+ the change that counts as none, disagrees
-//          where it lies outside
-//   unclear  no claim to judge: what these runs do is reported
+// Verdict on a claimed trend, from the interval of the paired difference:
+//
+//   rises    agrees if the whole interval is above the claimed change (0 unless by_share or
+//            by_value give one), disagrees if all of it is at or below, otherwise undecided
+//   falls    the same with the opposite sign
+//   level    agrees if the whole interval is within -+ the allowed change, disagrees if all of it
+//            is outside, otherwise undecided
+//   unclear  no claim; the result is only reported
 #pragma once
 
 #include <string>
@@ -19,8 +20,8 @@ const char* trend_verdict_name(TrendVerdict verdict);
 
 struct TrendFinding {
   TrendVerdict verdict = TrendVerdict::no_values;
-  double change = 0;   ///< that the claim asks for (or, for level, allows), in the quantity's unit
-  std::string reason;  ///< why this verdict, in words
+  double change = 0;   ///< claimed (for level: allowed) change in the quantity's unit
+  std::string reason;  ///< reason for the verdict, in words
 };
 
 TrendFinding judge_trend(const TrendPlan& trend, const PairedDifference& seen);

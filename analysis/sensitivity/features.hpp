@@ -1,5 +1,5 @@
-// Scalar features of a cage: what a tolerance or an inspection could act on. Shares of variance are
-// given for these.
+// Scalar features of a cage that a tolerance or an inspection can control. Shares of variance refer
+// to them.
 #pragma once
 
 #include <string>
@@ -20,13 +20,14 @@ struct Feature {
 /// Every feature that varies in the study:
 ///   KEY: lot                    deviation shared by the cage
 ///   KEY: within-cage scatter    standard deviation over the cage's pockets
-///   KEY: smallest pocket        smallest value of the cage (keys with nominal 0: largest
-///   deviation, in magnitude) KEY: pocket in load zone    value of the pocket nearest to the load's
-///   direction when the run starts KEY                         for keys drawn from the noise of the
-///   run
+///   KEY: smallest pocket        smallest value of the cage (keys with nominal 0: the deviation of
+///                               largest magnitude)
+///   KEY: pocket in load zone    value of the pocket nearest to the load's direction when the run
+///                               starts
+///   KEY                         for keys drawn from the noise of the run
 std::vector<Feature> cage_features(const StudyData& study);
 
-/// Deviation of each single pocket of the key, one feature for each pocket.
+/// Deviation of each pocket, one feature per pocket.
 std::vector<Feature> pocket_features(const StudyData& study, const InputColumns& input);
 
 /// "cage.pocket_width_mm" -> "pocket width".

@@ -1,9 +1,10 @@
 // Screening by elementary effects (Morris 1991, doi:10.1080/00401706.1991.10484804; Campolongo et
 // al. 2007).
 //
-// A trajectory moves one group at each step by delta in the unit cube. Effect d = (f(after) -
-// f(before)) / delta, in the unit of the output per full range of the input. mean |d| tells how
-// much a group matters, the scatter of d how nonlinear it is or how much it interacts.
+// A trajectory moves one group at each step by delta in the unit cube. The elementary effect
+//   d = (f(after) - f(before)) / delta
+// is in the unit of the output per full range of the input. mean |d| measures how much a group
+// matters, the scatter of d how nonlinear it is or how much it interacts.
 #pragma once
 
 #include <span>

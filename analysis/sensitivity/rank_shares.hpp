@@ -1,10 +1,10 @@
 // First-order share by ranks (Chatterjee 2021, doi:10.1080/01621459.2020.1758115; Gamboa et al.
 // 2022, doi:10.3150/21-BEJ1400).
 //
-// Runs are put in the order of X; S = (1/N sum Y_(i) Y_(i+1) - mean^2) / Var(Y), the last neighbour
-// being the first. It needs independent rows: on scrambled Sobol' points neighbours in X are not
-// random in the other inputs and the estimate does not converge. Used as a second opinion beside
-// the binned share.
+// With the runs in the order of X, the last one followed by the first,
+//   S = (1/N sum_i Y_(i) Y_(i+1) - mean^2) / Var(Y)
+// The estimate needs independent rows. With scrambled Sobol' points, neighbours in X are not random
+// in the other inputs, and it does not converge. It is used to check the binned share.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace cagetol {
 
-/// Throws Refused for every design but `random`.
+/// Throws Refused for all designs except `random`.
 double rank_share(const StudyDesign& design, std::span<const double> feature,
                   std::span<const double> output);
 

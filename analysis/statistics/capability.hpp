@@ -1,11 +1,15 @@
 // Process capability of a quantity against its limits (ISO 22514-2).
 //
-//   Cp  = (USL - LSL) / (6 s)            Cpk = min(USL - mean, mean - LSL) / (3 s)          as if
-//   normal Pp  = (USL - LSL) / (X99.865 - X0.135) Ppk = min((USL - X50) / (X99.865 - X50), (X50 -
-//   LSL) / (X50 - X0.135))                  percentile form, any law
-// Cp and Pp need both limits; with one limit Cpk and Ppk take that side. The outer percentiles are
-// read from the sorted runs and need at least 1 / 0.00135 = 741 of them to lie inside the sample;
-// with fewer Pp and Ppk are refused.
+//   as if normal:
+//     Cp  = (USL - LSL) / (6 s)
+//     Cpk = min(USL - mean, mean - LSL) / (3 s)
+//   percentile form, any law:
+//     Pp  = (USL - LSL) / (X99.865 - X0.135)
+//     Ppk = min((USL - X50) / (X99.865 - X50), (X50 - LSL) / (X50 - X0.135))
+//
+// Cp and Pp need both limits. With one limit, Cpk and Ppk use that side only. The outer percentiles
+// are read from the sorted runs. They need at least 1 / 0.00135 = 741 runs; with fewer, Pp and Ppk
+// are refused.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// Mean difference between two conditions whose k-th runs belong together, with Student's t interval
-// of the paired differences: d_k = second_k - first_k, mean(d) -+ t(n-1) s(d) / sqrt(n). Holds for
-// differences that are about normal, and for any law as n grows.
+// Mean difference between two conditions with paired runs, and its Student's t interval:
+//   d_k = second_k - first_k,   mean(d) -+ t(n-1) s(d) / sqrt(n)
+// Valid for approximately normal differences, and for any law if n is large.
 #pragma once
 
 #include <span>
@@ -10,14 +10,14 @@
 namespace cagetol {
 
 struct PairedDifference {
-  std::size_t pairs = 0;                                     ///< with a value on both sides
-  std::size_t missing = 0;                                   ///< pairs without
-  Estimate difference;                                       ///< no interval below two pairs
+  std::size_t pairs = 0;                                     ///< pairs with both values
+  std::size_t missing = 0;                                   ///< pairs without one
+  Estimate difference;                                       ///< needs two pairs for an interval
   double first_mean = kUndefined, second_mean = kUndefined;  ///< over the pairs
-  bool identical = false;                                    ///< every pair agrees to the last bit
+  bool identical = false;  ///< the values of every pair have equal bits
 };
 
-/// NaN stands for a run without a value. Both spans have one element for each pair.
+/// NaN: a run without a value. Both spans have one element per pair.
 PairedDifference paired_difference(std::span<const double> first, std::span<const double> second,
                                    double confidence);
 

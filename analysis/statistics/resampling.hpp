@@ -1,12 +1,12 @@
-// Intervals from the study's own runs, by the way its rows were chosen.
+// Intervals from the runs of a study, depending on its design.
 //
-// Runs that share a lot are not independent, and the repeated runs of one row neither: what is
-// drawn again, with replacement, are whole lots (cluster bootstrap). A scrambled Sobol' design
-// holds R independent scrambles: its statistics are computed per scramble and their scatter gives a
-// Student t interval. Grids have no interval: nothing in them is random but the noise.
+// Runs of a lot are dependent, and so are repeated runs of a row. The bootstrap therefore draws
+// whole lots with replacement (cluster bootstrap). A scrambled Sobol' design consists of R
+// independent scrambles; the scatter of a statistic between scrambles gives a Student t interval. A
+// grid has no interval, because only the noise is random.
 //
-// A resample is a weight for every sample: how often its lot was drawn. A statistic is a function
-// of such weights.
+// A resample is a weight for every sample: the number of times that its lot was drawn. A statistic
+// is a function of these weights.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Resampling {
   Resampling(const StudyData& study, std::size_t resamples);
 
   IntervalKind kind() const { return kind_; }
-  /// How intervals come about, in words for the report.
+  /// How intervals are computed, in words for the report.
   std::string description() const;
   std::size_t lots() const { return lots_; }
   std::size_t resamples() const { return weights_.size(); }
@@ -46,12 +46,12 @@ class Resampling {
                      std::span<const double> base = {}) const;
 
   /// Standard error of the value with unit weights (or `base`), from its scatter over resamples.
-  /// NaN where there is no interval.
+  /// NaN if there is no interval.
   double standard_error(const WeightedStatistic& statistic,
                         std::span<const double> base = {}) const;
 
  private:
-  /// Over the resamples of `base` that define it; empty where too few do.
+  /// Values for the resamples of `base` that define the statistic; empty if there are too few.
   std::vector<double> resampled(const WeightedStatistic& statistic,
                                 std::span<const double> base) const;
   Estimate interval(const WeightedStatistic& statistic, double tail,
@@ -63,8 +63,8 @@ class Resampling {
   std::vector<std::vector<double>> weights_;
 };
 
-/// True where rows are drawn independently and every row has a lot of its own: what exact binomial
-/// and order-statistic bounds need. `why_not` then says what stands in the way.
+/// True if rows are drawn independently and every row has its own lot, as exact binomial and
+/// order-statistic bounds require. Otherwise `why_not` is the reason.
 bool independent_runs(const StudyData& study, std::string* why_not = nullptr);
 
 /// Throws Refused with `what` and the reason unless independent_runs().

@@ -12,8 +12,8 @@ struct ValueHistogram {
       counts;  ///< runs in [edge i, edge i+1); the last class holds its upper edge too
 };
 
-/// Class width by Freedman and Diaconis, 2 IQR / n^(1/3), between 8 and 40 classes over the range
-/// of the values. NaN is left out. All values equal: one class around them.
+/// Class width of Freedman and Diaconis, 2 IQR / n^(1/3), but 8 to 40 classes over the range of the
+/// values. NaN is left out. Equal values are in one class.
 ValueHistogram value_histogram(std::span<const double> values);
 
 }  // namespace cagetol

@@ -1,4 +1,4 @@
-// Yield: the probability that one run of a random cage meets its limits.
+// Yield: the probability that a run of a random cage meets its limits.
 #pragma once
 
 #include <span>
@@ -10,27 +10,27 @@
 
 namespace cagetol {
 
-/// Shares are weighted; with equal weights they are plain counts divided by the runs.
+/// Shares are weighted. With equal weights they are counts divided by the number of runs.
 struct Yield {
   double runs = 0;             ///< samples with an outcome
   double ess = 0;              ///< effective number of runs, (sum w)^2 / sum w^2
   double missing_runs = 0;     ///< samples that miss a limit or jam, counted without weights
   double unknown_runs = 0;     ///< samples without a judgement, counted without weights
-  double if_unknown_fail = 0;  ///< the yield when every unknown sample is counted as failing
-  double if_unknown_pass = 0;  ///< the yield when every unknown sample is counted as passing
+  double if_unknown_fail = 0;  ///< yield if all unknown samples fail
+  double if_unknown_pass = 0;  ///< yield if all unknown samples pass
   double lower_bound = 0;      ///< one-sided bound of `if_unknown_fail`
   double upper_bound = 1;      ///< one-sided bound of `if_unknown_pass`
-  std::string method;          ///< how the bounds come about
+  std::string method;          ///< how the bounds were computed
 };
 
 /// (sum w)^2 / sum w^2; 0 without weight.
 double effective_sample_size(std::span<const double> weights);
 
-/// Independent runs of equal weight have exact Clopper-Pearson bounds. All others have the wider of
-/// two: bootstrap over lots, and Clopper-Pearson with the effective number of runs n* = y (1 - y) /
-/// Var(y), Var linearised over lots. With fewer than five effective failures, (1 - y) ESS < 5, Var
-/// says too little and n* is not taken above the effective sample size: runs without any failure
-/// never have the bound 1.
+/// Independent runs of equal weight have exact Clopper-Pearson bounds. Other runs have the wider of
+/// two bounds: bootstrap over lots, and Clopper-Pearson with the effective number of runs
+///   n* = y (1 - y) / Var(y),   Var linearised over lots
+/// With fewer than five effective failures, (1 - y) ESS < 5, Var is unreliable, and n* is limited
+/// to the effective sample size. Runs without any failure thus never have the bound 1.
 Yield estimate_yield(const StudyData& runs, std::span<const Judgement> judgements,
                      std::span<const double> weights, const Resampling& resampling,
                      double confidence);

@@ -5,14 +5,12 @@
 // combinations among which the decision lies: those that meet the target with at least one band of
 // the dimension tested (hopelessly wide ones would only add noise). Three answers:
 //   binding      some difference is significant. Two-sided normal test, family error 1 - confidence
-//   over all comparisons of all
-//                dimensions (Bonferroni).
+//                over all comparisons of all dimensions (Bonferroni).
 //   not binding  no difference is significant, AND the loss of yield from the narrowest to any
-//   wider candidate is, with that
-//                confidence, below the share of failures that the target allows (1 - target yield).
-//                Absence of evidence alone is not taken for an answer. With fewer than five
-//                effective failures at the wider candidate the loss is bounded by these failures
-//                (Clopper-Pearson at the effective sample size).
+//                wider candidate is, with that confidence, below the share of failures that the
+//                target allows (1 - target yield). Absence of evidence alone is not taken for an
+//                answer. With fewer than five effective failures at the wider candidate the loss is
+//                bounded by these failures (Clopper-Pearson at the effective sample size).
 //   undecided    neither: too few runs. Such a dimension is treated as binding.
 #pragma once
 

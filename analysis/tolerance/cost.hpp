@@ -1,8 +1,9 @@
 // What a tolerance costs to make, where the study says so.
 //
-// The reciprocal power law (Sutherland & Roth 1975, J. Eng. Ind. 97, 283-286), cost = a + b / t^k
-// with t the full width in mm, or straight lines through a table, flat beyond its ends. Costs of
-// dimensions add up; the currency is the user's.
+// The reciprocal power law (Sutherland & Roth 1975, J. Eng. Ind. 97, 283-286),
+//   cost = a + b / t^k,   t the full width in mm
+// or straight lines through a table, flat beyond its ends. Costs of dimensions add up; the currency
+// is the user's.
 #pragma once
 
 #include <optional>

@@ -4,8 +4,9 @@
 // Candidate j was used for the share a_j of the runs (1/K when complete): the runs have the density
 // sum_j a_j p_j. A run x counts
 //   w_k(x) = p_k(x) / sum_j a_j p_j(x)  <=  1 / a_k   (= K)
-// for candidate k. The mean weight is 1 up to sampling; the effective sample size (sum w)^2 / sum
-// w^2 is at least about N/K.
+// for candidate k. The mean weight is 1 up to sampling. The effective sample size
+//   ESS = (sum w)^2 / sum w^2
+// is at least about N/K.
 #pragma once
 
 #include <span>

@@ -1,7 +1,9 @@
-// Full factorial: every combination of the groups' levels, first group slowest; the columns of a
-// group share its level. Levels are equally spaced and include the ends: level i of n lies at u =
-// trim + (1 - 2 trim) i / (n - 1), so that a uniform law is met from its lower to its upper limit.
-// One level lies at u = 1/2, the median.
+// Full factorial design: every combination of the groups' levels. The first group varies slowest.
+// The columns of a group share its level. Levels are equally spaced and include the ends: level i
+// of n lies at
+//   u = trim + (1 - 2 trim) i / (n - 1)
+// so that a uniform law is covered from its lower to its upper limit. A single level lies at
+// u = 1/2, the median.
 #pragma once
 
 #include <cstdint>

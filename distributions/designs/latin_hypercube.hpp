@@ -1,6 +1,6 @@
-// Latin hypercube: each column cuts [0,1] into as many equal cells as there are rows and puts one
-// point, at a random place, into each cell; the order of the cells is a permutation of its own for
-// every column. (McKay, Beckman, Conover 1979, doi:10.1080/00401706.1979.10489755)
+// Latin hypercube (McKay, Beckman, Conover 1979, doi:10.1080/00401706.1979.10489755). Each column
+// divides [0,1] into as many equal cells as there are rows and has one point at a random position
+// in each cell. Every column has its own permutation of the cells.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 namespace cagetol {
 
-/// How the rows of a design fall into blocks of equal size.
+/// How the rows of a design are divided into blocks of equal size.
 struct Layout {
   std::uint64_t blocks = 1;
   std::uint64_t bases = 0;
@@ -31,8 +31,7 @@ inline constexpr std::uint64_t most_rows = std::uint64_t{1} << 40;
 /// Groups of a specification, with and without columns.
 std::uint32_t group_count(const DesignSpec& spec);
 
-/// Value of level 0 .. levels-1, equally spaced over [trim, 1 - trim]; a single level lies in the
-/// middle.
+/// Value of level 0 .. levels-1, equally spaced over [trim, 1 - trim]. A single level is at 1/2.
 double level_value(std::uint64_t level, std::uint64_t levels, double trim);
 
 inline std::uint64_t divided_up(std::uint64_t value, std::uint64_t unit) {
@@ -42,11 +41,11 @@ inline std::uint64_t divided_up(std::uint64_t value, std::uint64_t unit) {
 /// units * unit rows. Throws std::invalid_argument beyond most_rows.
 std::uint64_t rows_of(std::uint64_t units, std::uint64_t unit);
 
-/// Key of a column's own randomness (permutation, scramble, jitter, trajectories): depends on its
-/// address, not on its position.
+/// Key of a column's random numbers (permutation, scramble, jitter, trajectories). It depends on
+/// the address of the column, not on its position.
 PhiloxKey column_key(std::uint64_t seed, const DesignColumn& column);
 
-/// Key of randomness that belongs to the design as a whole.
+/// Key of random numbers of the design as a whole.
 PhiloxKey design_key(std::uint64_t seed);
 
 }  // namespace cagetol

@@ -1,7 +1,8 @@
 // Morris trajectories over groups (Morris 1991, doi:10.1080/00401706.1991.10484804; groups:
 // Campolongo, Cariboni, Saltelli 2007, doi:10.1016/j.envsoft.2006.10.004). Every column starts at a
-// random level; then one group after the other, in random order, has its columns moved by delta = p
-// / (2 (p - 1)) of the range, each up or down at random. p levels span [trim, 1 - trim].
+// random level; then one group after the other, in random order, has its columns moved by
+//   delta = p / (2 (p - 1))
+// of the range, each up or down at random. p levels span [trim, 1 - trim].
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,7 @@ class Morris {
   Layout layout() const { return {groups_ + std::uint64_t{1}, rows_ / (groups_ + 1), true}; }
   void point(std::uint64_t row, std::span<double> u) const;
 
-  /// 2 trajectory before the group moves, 2 trajectory + 1 from then on.
+  /// 2 trajectory before the group moves, 2 trajectory + 1 afterwards.
   std::uint64_t source_of(std::uint64_t row, std::uint32_t group) const;
 
   std::optional<std::uint32_t> moved_group(std::uint64_t row) const;

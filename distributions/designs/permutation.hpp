@@ -1,4 +1,4 @@
-// A random permutation of 0 .. size-1 of which any element is computed alone, without a table.
+// A random permutation of 0 .. size-1. Each element is computed on its own, without a table.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 namespace cagetol {
 
 /// Generalised Feistel cipher on a x b >= size cells (Black & Rogaway 2002,
-/// doi:10.1007/3-540-45760-7_9, method 3): an index l + a r has its two parts shifted in turn, each
-/// by a Philox number of the other part; results beyond the size are sent through again, which
-/// keeps it a bijection.
+/// doi:10.1007/3-540-45760-7_9, method 3). The two parts of an index l + a r are shifted
+/// alternately, each by a Philox number of the other part. A result >= size is encrypted again, so
+/// that the map remains a bijection.
 class Permutation {
  public:
   /// size < 2^64 / 4.

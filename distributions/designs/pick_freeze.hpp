@@ -1,7 +1,7 @@
-// Pick-freeze by groups, for total indices by Jansen's estimator (1999,
-// doi:10.1016/S0010-4655(98)00154-4): two independent random points A and B, and for each group the
-// point A with this group's columns taken from B. Rows of a base: A, B, A with group 0 from B, A
-// with group 1 from B, ...
+// Pick-freeze design by groups, for total indices by Jansen's estimator (1999,
+// doi:10.1016/S0010-4655(98)00154-4). A base has two independent random points A and B, and for
+// each group the point A with the columns of this group taken from B. Rows of a base: A, B, A with
+// group 0 from B, A with group 1 from B, ...
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class PickFreeze {
   Layout layout() const { return {blocks_, rows_ / blocks_, true}; }
   void point(std::uint64_t row, std::span<double> u) const;
 
-  /// 2 base for values of A, 2 base + 1 for values of B: the id at which the group is drawn.
+  /// The id at which the group is drawn: 2 base for values of A, 2 base + 1 for values of B.
   std::uint64_t source_of(std::uint64_t row, std::uint32_t group) const;
 
  private:

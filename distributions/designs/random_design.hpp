@@ -1,5 +1,5 @@
-// Independent points. Every coordinate is the uniform number at its own address: id = row, or the
-// lot for columns of Purpose::lot, which the cages of a lot share.
+// Independent points. Every coordinate is the uniform number at its own address. The id is the row,
+// or the lot for columns of Purpose::lot, whose values the cages of a lot share.
 #pragma once
 
 #include <cstdint>

@@ -1,14 +1,14 @@
-// Sobol' points with the direction numbers of Joe & Kuo (2008, doi:10.1137/070709359; by
-// Boost.Random), scrambled by Owen's nested uniform scrambling (1995,
-// doi:10.1007/978-1-4612-2552-2_19): the flip of each binary digit is a random bit that depends on
-// all digits before it. The points of a scramble remain a net, each is uniform on the cube, and the
-// spread of the estimates of the scrambles is an honest error. The first point, zero before
-// scrambling, is kept: without it there is no net.
+// Sobol' points with the direction numbers of Joe & Kuo (2008, doi:10.1137/070709359; from
+// Boost.Random) and Owen's nested uniform scrambling (1995, doi:10.1007/978-1-4612-2552-2_19): each
+// binary digit is flipped by a random bit that depends on all digits before it. The points of a
+// scramble are still a net, each point is uniform on the cube, and the scatter between scrambles is
+// a valid error estimate. The first point, zero before scrambling, is used: without it the points
+// are not a net.
 //
-// Rows r, r + classes, r + 2 classes, ... of a scramble walk through one aligned stretch of the
-// sequence and are therefore a net of their own. A study that gives row r the candidate r modulo K
-// sets classes = K: in the natural order the candidate would be the leading digits of the first
-// column whenever K is a power of two.
+// Rows r, r + classes, r + 2 classes, ... of a scramble are consecutive points of one aligned part
+// of the sequence, so they form a net of their own. A study with K candidates, in which row r has
+// the candidate r modulo K, sets classes = K. In the natural order, if K is a power of two, the
+// candidate would be determined by the leading digits of the first column.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// x = lower + (upper - lower) t, where t has the density t^(alpha-1) (1-t)^(beta-1) / B(alpha,
-// beta) on [0,1].
+// Beta law between two limits: x = lower + (upper - lower) t, where t has on [0,1] the density
+//   t^(alpha-1) (1-t)^(beta-1) / B(alpha, beta)
 #pragma once
 
 #include "distributions/laws/interval.hpp"

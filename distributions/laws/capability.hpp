@@ -1,10 +1,11 @@
-// Normal law given as a process capability with respect to limits:
+// Normal law given by process capability and limits:
+//
 //   sigma = (upper - lower) / (6 cp)
 //   mean  = (lower + upper) / 2 + (upper - lower) / 2 (1 - cpk / cp)
-// cpk is defined by the nearer limit only; here the nearer limit is always the UPPER one. A process
-// that sits low is written as a normal law. Without cpk the process is centred (cpk = cp). Parts
-// beyond the limits are produced at the rate that cpk implies; sorted parts are a truncated normal
-// law.
+//
+// cpk refers to the nearer limit, which is here always the UPPER one. A process with its mean below
+// the middle is given as a normal law. Without cpk the process is centred (cpk = cp). Parts outside
+// the limits occur at the rate that cpk implies; sorted parts have a truncated normal law.
 #pragma once
 
 #include <optional>
@@ -21,7 +22,7 @@ struct Capability {
   std::optional<double> cpk;
 };
 
-/// The normal law that it stands for.
+/// The equivalent normal law.
 Normal normal_of(const Capability& law);
 
 void check(const Capability& law);

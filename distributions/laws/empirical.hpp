@@ -1,6 +1,6 @@
-// Measured values, each equally likely: the distribution function is their step function, and
-// quantile(p) is the smallest value x with cdf(x) >= p, so only measured values are drawn. A law
-// made of points has no density: pdf throws std::domain_error.
+// Measured values with equal probability. The distribution function is a step function, and
+// quantile(p) is the smallest value x with cdf(x) >= p, so only measured values are drawn. The law
+// has no density: pdf throws std::domain_error.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Density t^(shape-1) exp(-t) / (scale Gamma(shape)) with t = (x - shift) / scale >= 0.
+// Gamma law, with t = (x - shift) / scale >= 0:
+//   pdf(x) = t^(shape-1) exp(-t) / (scale Gamma(shape))
 #pragma once
 
 #include "distributions/laws/interval.hpp"

@@ -1,4 +1,5 @@
-// Constant density in each bin edges[i] .. edges[i+1], with probability proportional to weights[i].
+// Histogram law: constant density in each bin edges[i] .. edges[i+1], whose probability is
+// proportional to weights[i].
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Inverse of a distribution function on x >= 0 for laws whose closed or tabulated inverse is
-// missing or not reliable.
+// Numerical inverse of a distribution function on x >= 0, for laws without a reliable inverse in
+// GSL.
 #pragma once
 
 #include <bit>
@@ -7,9 +7,10 @@
 
 namespace cagetol {
 
-/// The smallest double x in [0, upper] with cdf(x) >= p, by bisection of the bit pattern: at most
-/// 64 steps wherever x lies, and never decreasing in p even where rounding makes cdf itself waver.
-/// The upper half compares the survival function with 1 - p, so that both tails keep their digits.
+/// The smallest double x in [0, upper] with cdf(x) >= p, by bisection of the bit pattern. Takes at
+/// most 64 steps for any x. The result does not decrease with p, even if rounding errors make cdf
+/// not monotonic. For p > 1/2 the survival function is compared with 1 - p, which keeps the
+/// accuracy of the upper tail.
 template <class Cdf, class Survival>
 double invert_cdf(const Cdf& cdf, const Survival& survival, double p, double upper) {
   const auto reached = [&](double x) { return p <= 0.5 ? cdf(x) >= p : survival(x) <= 1 - p; };

@@ -1,11 +1,11 @@
-// log(x - shift) is normal with mean log_mean and standard deviation log_sigma.
+// Lognormal law: log(x - shift) is normal with mean log_mean and standard deviation log_sigma.
 #pragma once
 
 #include "distributions/laws/interval.hpp"
 
 namespace cagetol {
 
-/// log_sigma = 0 is a plain number.
+/// log_sigma = 0: a constant.
 struct Lognormal {
   double log_mean = 0;
   double log_sigma = 0;

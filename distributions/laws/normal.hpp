@@ -1,11 +1,12 @@
-// Normal law: density exp(-z^2 / 2) / (sigma sqrt(2 pi)) with z = (x - mean) / sigma.
+// Normal law, with z = (x - mean) / sigma:
+//   pdf(x) = exp(-z^2 / 2) / (sigma sqrt(2 pi))
 #pragma once
 
 #include "distributions/laws/interval.hpp"
 
 namespace cagetol {
 
-/// sigma = 0 is a plain number.
+/// sigma = 0: a constant.
 struct Normal {
   double mean = 0;
   double sigma = 0;

@@ -1,4 +1,5 @@
-// Density rising linearly from lower to mode and falling linearly to upper; the mode may be an end.
+// Triangular law: the density rises linearly from `lower` to `mode` and falls linearly to `upper`.
+// `mode` may equal `lower` or `upper`.
 #pragma once
 
 #include "distributions/laws/interval.hpp"

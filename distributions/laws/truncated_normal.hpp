@@ -1,6 +1,6 @@
-// Normal law conditioned on lower <= x <= upper: what a sorting gauge leaves of a normal process.
-// `mean` and `sigma` are those of the process before sorting; mean(law) and standard_deviation(law)
-// are those of the parts that remain.
+// Normal law conditioned on lower <= x <= upper: a normal process after sorting by a gauge. `mean`
+// and `sigma` are those of the process before sorting; mean(law) and standard_deviation(law) are
+// those of the accepted parts.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace cagetol {
 
-/// Either limit may be infinite. sigma = 0 is a plain number, which must lie within the limits.
+/// Either limit may be infinite. sigma = 0: a constant, which must lie within the limits.
 struct TruncatedNormal {
   double mean = 0;
   double sigma = 0;

@@ -1,5 +1,4 @@
-// Every value of lower .. upper is equally likely. quantile(0) = lower and quantile(1) = upper
-// exactly.
+// Uniform law on [lower, upper]. quantile(0) = lower and quantile(1) = upper exactly.
 #pragma once
 
 #include "distributions/laws/interval.hpp"

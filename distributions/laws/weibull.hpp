@@ -1,4 +1,5 @@
-// P(X <= x) = 1 - exp(-((x - shift) / scale)^shape) for x >= shift.
+// Weibull law, for x >= shift:
+//   cdf(x) = 1 - exp(-((x - shift) / scale)^shape)
 #pragma once
 
 #include "distributions/laws/interval.hpp"

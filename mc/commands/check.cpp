@@ -34,10 +34,11 @@ std::string limit_text(const Limit& limit) {
 std::string summary(const Study& study) {
   const auto columns = design_columns(study);
   const std::set<std::string> groups(columns.groups.begin(), columns.groups.end());
-  std::string text = fmt::format("study {}: {} rows ({}), {} samples in all, hash {}\n", study.name,
-                                 study.samples, study.design, sample_count(study), study.hash);
+  std::string text =
+      fmt::format("study {}: {} rows ({}), {} samples in all, hash {}\n", study.name, study.samples,
+                  design_name(study.design), sample_count(study), study.hash);
   text += fmt::format("scene {}: {} rollers, {} cage, {:.6g} N, {:.6g} rpm\n", study.scene.name,
-                      study.scene.bearing.roller_count, study.scene.cage.model,
+                      study.scene.bearing.roller_count, spelled(study.scene.cage.model),
                       study.scene.operation.radial_load,
                       study.scene.operation.inner_speed / 0.10471975511965977);
   if (!study.inputs.empty())

@@ -10,7 +10,6 @@
 #include "analysis/report/figure_set.hpp"
 #include "analysis/report/report.hpp"
 #include "src/input/input_error.hpp"
-#include "src/integration/integrator.hpp"
 
 namespace cagetol {
 
@@ -35,13 +34,16 @@ void add_progress_option(CLI::App& command, ProgressStyle& style) {
       ->option_text("auto|line|plain|off");
 }
 
-void add_methods_option(CLI::App& command, std::vector<std::string>& methods) {
-  std::vector<std::string> known;
-  for (const MethodName& method : integration_methods()) known.push_back(method.name);
+void add_methods_option(CLI::App& command, std::vector<IntegrationMethod>& methods) {
+  const auto set = [&methods](const std::vector<std::string>& names) {
+    methods.clear();
+    for (const std::string& name : names) methods.push_back(choice_of<IntegrationMethod>(name));
+  };
   command
-      .add_option("--methods", methods, "Integration methods, separated by commas; all if absent")
+      .add_option_function<std::vector<std::string>>(
+          "--methods", set, "Integration methods, separated by commas; all if absent")
       ->delimiter(',')
-      ->check(CLI::IsMember(known))
+      ->check(CLI::IsMember(choice_texts<IntegrationMethod>()))
       ->type_name("NAME,NAME")
       ->allow_extra_args(false);
 }

@@ -41,7 +41,7 @@ void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
 void add_progress_option(CLI::App& command, ProgressStyle& style);
 
 /// The option --methods a,b: names of integration methods, checked.
-void add_methods_option(CLI::App& command, std::vector<std::string>& methods);
+void add_methods_option(CLI::App& command, std::vector<IntegrationMethod>& methods);
 
 /// Throws InputError where the scene is quasi-static; `option` with `value` asks for what only an
 /// integrated motion has, `what`.

@@ -29,7 +29,7 @@ Study stage_study(const Study& base, const Stage& stage) {
     study.seed = stage_seed(base.seed, stage.name);
     study.samples = static_cast<long>(stage.rows);
     if (stage.bands.empty()) return;
-    study.design = "random";
+    study.design = DesignKind::random;
     study.cages_per_lot = 1;
     study.extra_replicates = 0;
     for (std::size_t d = 0; d < stage.bands.size(); ++d) {
@@ -50,8 +50,9 @@ void check_study(const Study& study) {
   if (study.candidates.empty())
     refuse("tolerance.dimension", "", "the study has no candidate tolerances",
            "add [[tolerance.dimension]] with key, band_mm and candidates");
-  if (study.design != "random" && study.design != "lhs" && study.design != "sobol")
-    refuse("design", study.design, "this design does not sample tolerances",
+  if (study.design != DesignKind::random && study.design != DesignKind::lhs &&
+      study.design != DesignKind::sobol)
+    refuse("design", design_name(study.design), "this design does not sample tolerances",
            "use random, lhs or sobol");
   if (study.tolerance.target_yield >= 1)
     refuse("tolerance.target_yield", number_text(study.tolerance.target_yield),

@@ -20,7 +20,7 @@ namespace {
 
 struct StabilityArguments {
   std::string directory, suite = CAGETOL_SUITE_FILE;
-  std::vector<std::string> methods;
+  std::vector<IntegrationMethod> methods;
   bool fast = false;
   int threads = 1;
 };

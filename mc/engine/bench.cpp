@@ -13,7 +13,6 @@
 #include "mc/engine/statistics.hpp"
 #include "mc/json_number.hpp"
 #include "src/dynamics/newton_matrix.hpp"
-#include "src/integration/integrator.hpp"
 #include "src/simulate.hpp"
 
 namespace cagetol {
@@ -47,14 +46,13 @@ void measure_kernels(const Scene& scene, SimulateOptions options, BenchResult& r
   simulate(scene, options);
 }
 
-std::vector<std::string> methods_to_run(const Scene& scene, const BenchOptions& options) {
-  std::vector<std::string> methods = {scene.integration.method};
-  const auto add = [&](const std::string& name) {
-    if (std::find(methods.begin(), methods.end(), name) == methods.end()) methods.push_back(name);
+std::vector<IntegrationMethod> methods_to_run(const Scene& scene, const BenchOptions& options) {
+  std::vector<IntegrationMethod> methods = {scene.integration.method};
+  const auto add = [&](IntegrationMethod method) {
+    if (std::ranges::find(methods, method) == methods.end()) methods.push_back(method);
   };
-  for (const std::string& name : options.methods) add(name);
-  if (options.methods.empty())
-    for (const MethodName& known : integration_methods()) add(known.name);
+  for (const IntegrationMethod method : options.methods.empty() ? all_methods() : options.methods)
+    add(method);
   add(kBaselineMethod);
   return methods;
 }
@@ -73,8 +71,8 @@ BenchResult bench(const Scene& scene, const BenchOptions& options) {
   const SimulateOptions shared = with_cage_table(scene);
   BenchResult result{scene.name, scene.integration.method, {}, {}, {}};
   measure_kernels(scene, shared, result);
-  for (const std::string& name : methods_to_run(scene, options))
-    result.methods.push_back({.method = name, .reason = {}, .rtf_runs = {}, .run = {}});
+  for (const IntegrationMethod method : methods_to_run(scene, options))
+    result.methods.push_back({.method = method, .reason = {}, .rtf_runs = {}, .run = {}});
   for (int repeat = 0; repeat < options.repeats; ++repeat)
     for (MethodCost& cost : result.methods) {
       Scene one = scene;
@@ -98,10 +96,10 @@ BenchResult bench(const Scene& scene, const BenchOptions& options) {
   return result;
 }
 
-const MethodCost& cost_of(const BenchResult& result, const std::string& method) {
+const MethodCost& cost_of(const BenchResult& result, IntegrationMethod method) {
   for (const MethodCost& cost : result.methods)
     if (cost.method == method) return cost;
-  throw std::logic_error("method was not measured: " + method);
+  throw std::logic_error(std::string("method was not measured: ") + spelled(method));
 }
 
 std::vector<CostPart> run_parts(const BenchResult& result) {
@@ -126,8 +124,8 @@ nlohmann::ordered_json bench_json(const BenchResult& result) {
   const MethodCost& own = cost_of(result, result.default_method);
   nlohmann::ordered_json json = {
       {"scene", result.scene},
-      {"default", {{"method", own.method}, {"rtf", json_number(own.rtf)}}},
-      {"baseline", kBaselineMethod},
+      {"default", {{"method", spelled(own.method)}, {"rtf", json_number(own.rtf)}}},
+      {"baseline", spelled(kBaselineMethod)},
       {"kernels_us",
        {{"rhs", json_number(result.kernels.rhs_us)},
         {"linearise", json_number(result.kernels.linearise_us)},
@@ -143,7 +141,7 @@ nlohmann::ordered_json bench_json(const BenchResult& result) {
   for (const MethodCost& cost : result.methods) {
     const double simulated = cost.run.simulated_s;
     methods.push_back(
-        {{"method", cost.method},
+        {{"method", spelled(cost.method)},
          {"status", status_name(cost.status)},
          {"reason", cost.reason},
          {"rtf", json_number(cost.rtf)},
@@ -169,8 +167,8 @@ std::string bench_text(const BenchResult& result) {
       result.kernels.solve_us, "method", "RTF", "/ baseline", "steps", "rejected", "rhs",
       "factored");
   for (const MethodCost& cost : result.methods) {
-    const std::string name =
-        cost.method + (cost.method == result.default_method ? " (default)" : "");
+    const std::string name = std::string(spelled(cost.method)) +
+                             (cost.method == result.default_method ? " (default)" : "");
     if (cost.status != Status::ok) {
       text += fmt::format("{:<22} {}: {}\n", name, status_name(cost.status), cost.reason);
       continue;

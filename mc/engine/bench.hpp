@@ -13,10 +13,11 @@
 namespace cagetol {
 
 /// The honest explicit baseline every method is paired with.
-inline constexpr const char* kBaselineMethod = "semi-implicit-euler";
+inline constexpr IntegrationMethod kBaselineMethod = IntegrationMethod::semi_implicit_euler;
 
 struct BenchOptions {
-  std::vector<std::string> methods;  ///< empty: all; the scene's own and the baseline always run
+  std::vector<IntegrationMethod>
+      methods;  ///< empty: all; the scene's own and the baseline always run
   int repeats = 3;
 };
 
@@ -30,7 +31,7 @@ struct KernelTimes {
 
 /// One method. RTF: wall seconds per simulated second.
 struct MethodCost {
-  std::string method;
+  IntegrationMethod method = IntegrationMethod::rodas3;
   Status status = Status::not_run;
   std::string reason;           ///< why it is not ok
   double rtf = 0;               ///< median of the repeats; NaN where the method is not ok
@@ -41,7 +42,7 @@ struct MethodCost {
 
 struct BenchResult {
   std::string scene;
-  std::string default_method;  ///< the scene's own
+  IntegrationMethod default_method = IntegrationMethod::rodas3;  ///< the scene's own
   KernelTimes kernels;
   /// Mechanisms that the scene has: by how much of itself a right-hand side gets cheaper without
   /// each, at the last state of the scene's run (noise may make little of it negative).
@@ -60,6 +61,6 @@ nlohmann::ordered_json bench_json(const BenchResult& result);
 std::string bench_text(const BenchResult& result);
 
 /// The cost of `method` in a result.
-const MethodCost& cost_of(const BenchResult& result, const std::string& method);
+const MethodCost& cost_of(const BenchResult& result, IntegrationMethod method);
 
 }  // namespace cagetol

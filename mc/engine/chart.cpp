@@ -79,12 +79,13 @@ std::array<double, 2> median_error(const std::vector<Trajectory>& runs,
 
 void measure_trajectories(const Scene& scene, const SimulateOptions& options, Chart& chart) {
   const std::vector<Scene> starts = starts_of(scene, chart.options.starts);
-  std::map<std::string, std::vector<Trajectory>> references;
-  for (const char* method : {"rodasp", "arkode-erk"}) {
+  std::map<IntegrationMethod, std::vector<Trajectory>> references;
+  for (const IntegrationMethod method : kReferenceMethods) {
     const Setting setting = reference_setting(method);
     references[setting.method] = follow_all(starts, setting, chart.options.horizon, options);
   }
-  chart.reference_gap = median_error(references["rodasp"], references["arkode-erk"]);
+  chart.reference_gap =
+      median_error(references[kReferenceMethods[0]], references[kReferenceMethods[1]]);
   for (ChartPoint& p : chart.points) {
     const auto runs = follow_all(starts, p.setting, chart.options.horizon, options);
     p.trajectory_error = median_error(runs, references[reference_setting(p.setting.method).method]);
@@ -142,7 +143,7 @@ void measure_biases(const Study& study, const SimulateOptions& options, Chart& c
                     const std::function<void(const std::string&)>& say) {
   // Settings and references see the same replicas: what their deviations do to a quantity cancels.
   const std::vector<Scene> scenes = replica_scenes(study, chart.options.replicas);
-  std::map<std::string, std::vector<Outcome>> references;
+  std::map<IntegrationMethod, std::vector<Outcome>> references;
   for (ChartPoint& p : chart.points) {
     const Setting reference = reference_setting(p.setting.method);
     auto& known = references[reference.method];
@@ -170,7 +171,7 @@ std::vector<Outcome> run_rung(const std::vector<Scene>& scenes, const Rung& rung
 /// The highest rung, integrated tightly by a method of another kind.
 Rung tight(Rung rung) {
   const Setting setting = reference_setting(setting_of(on_rung({}, rung)).method);
-  rung.settings.push_back("integration.method='" + setting.method + "'");
+  rung.settings.push_back(fmt::format("integration.method='{}'", spelled(setting.method)));
   rung.settings.push_back("integration.tolerance=" + fmt::format("{}", setting.accuracy));
   return rung;
 }

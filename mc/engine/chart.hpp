@@ -18,12 +18,12 @@
 namespace cagetol {
 
 struct ChartOptions {
-  std::vector<std::string> methods;  ///< empty: all
-  double horizon = 2e-3;             ///< of trajectories [s]
-  int replicas = 4;                  ///< of the long horizon; 0: short horizon only
-  int starts = 64;                   ///< of short runs: places of the rollers within one pitch
-  int threads = 1;                   ///< replicas at a time
-  bool rungs = false;                ///< the model ladder beside the settings
+  std::vector<IntegrationMethod> methods;  ///< empty: all
+  double horizon = 2e-3;                   ///< of trajectories [s]
+  int replicas = 4;                        ///< of the long horizon; 0: short horizon only
+  int starts = 64;     ///< of short runs: places of the rollers within one pitch
+  int threads = 1;     ///< replicas at a time
+  bool rungs = false;  ///< the model ladder beside the settings
 };
 
 /// One setting over one horizon.

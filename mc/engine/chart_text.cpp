@@ -91,7 +91,7 @@ Json chart_json(const Chart& chart) {
   auto& points = json["points"] = Json::array();
   for (const ChartPoint& p : chart.points) {
     Json point = {{"label", setting_label(p.setting)},
-                  {"method", p.setting.method},
+                  {"method", spelled(p.setting.method)},
                   {"accuracy", p.setting.accuracy},
                   {"default", &p == &chart.points.front()},
                   {"reference", setting_label(reference_setting(p.setting.method))}};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "mc/cage_cache.hpp"
-#include "src/integration/integrator.hpp"
 
 namespace cagetol {
 namespace {
@@ -14,13 +13,14 @@ constexpr double kTight = 1e-5;
 
 }  // namespace
 
-bool has_fixed_step(const std::string& method) {
-  return method == "semi-implicit-euler";
+bool has_fixed_step(IntegrationMethod method) {
+  return method == IntegrationMethod::semi_implicit_euler;
 }
 
 std::string setting_label(const Setting& s) {
-  return has_fixed_step(s.method) ? fmt::format("{} at {:.3g} us", s.method, 1e6 * s.accuracy)
-                                  : fmt::format("{} at {:.3g}", s.method, s.accuracy);
+  return has_fixed_step(s.method)
+             ? fmt::format("{} at {:.3g} us", spelled(s.method), 1e6 * s.accuracy)
+             : fmt::format("{} at {:.3g}", spelled(s.method), s.accuracy);
 }
 
 Setting setting_of(const Scene& scene) {
@@ -36,20 +36,24 @@ Scene with_setting(const Scene& scene, const Setting& setting) {
   return set;
 }
 
-std::vector<Setting> setting_ladder(const Scene& scene, const std::vector<std::string>& methods) {
+std::vector<IntegrationMethod> all_methods() {
+  std::vector<IntegrationMethod> methods;
+  for (const auto& [method, text] : spellings(IntegrationMethod{})) methods.push_back(method);
+  return methods;
+}
+
+std::vector<Setting> setting_ladder(const Scene& scene,
+                                    const std::vector<IntegrationMethod>& methods) {
   const Setting own = setting_of(scene);
   std::vector<Setting> ladder = {own};
-  const auto add = [&](const std::string& method, double accuracy) {
+  const auto add = [&](IntegrationMethod method, double accuracy) {
     if (method != own.method || accuracy != own.accuracy) ladder.push_back({method, accuracy});
   };
-  std::vector<std::string> names = methods;
-  if (names.empty())
-    for (const MethodName& known : integration_methods()) names.push_back(known.name);
-  for (const std::string& name : names) {
-    if (has_fixed_step(name))
-      for (double step : kSteps) add(name, step);
+  for (const IntegrationMethod method : methods.empty() ? all_methods() : methods) {
+    if (has_fixed_step(method))
+      for (double step : kSteps) add(method, step);
     else
-      for (double tolerance : kTolerances) add(name, tolerance);
+      for (double tolerance : kTolerances) add(method, tolerance);
   }
   return ladder;
 }
@@ -60,8 +64,14 @@ SimulateOptions with_cage_table(const Scene& scene) {
   return options;
 }
 
-Setting reference_setting(const std::string& method) {
-  return {method.starts_with("rodas") ? "arkode-erk" : "rodasp", kTight};
+Setting reference_setting(IntegrationMethod method) {
+  switch (method) {
+    case IntegrationMethod::rodas3:
+    case IntegrationMethod::rodasp:
+      return {IntegrationMethod::arkode_erk, kTight};
+    default:
+      return {IntegrationMethod::rodasp, kTight};
+  }
 }
 
 }  // namespace cagetol

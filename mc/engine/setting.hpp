@@ -10,12 +10,12 @@
 namespace cagetol {
 
 struct Setting {
-  std::string method;
+  IntegrationMethod method = IntegrationMethod::rodas3;
   double accuracy =
       0;  ///< tolerance as a multiple of the error scales; a fixed-step method's step [s]
 };
 
-bool has_fixed_step(const std::string& method);
+bool has_fixed_step(IntegrationMethod method);
 
 /// "rodas3 at 0.001", "semi-implicit-euler at 1 us".
 std::string setting_label(const Setting& setting);
@@ -26,14 +26,21 @@ Setting setting_of(const Scene& scene);
 /// The scene, integrated that way.
 Scene with_setting(const Scene& scene, const Setting& setting);
 
+/// Every method there is, in the order of their spellings.
+std::vector<IntegrationMethod> all_methods();
+
 /// Each method (all if none is named) at a ladder of accuracies, the scene's own setting first.
-std::vector<Setting> setting_ladder(const Scene& scene, const std::vector<std::string>& methods);
+std::vector<Setting> setting_ladder(const Scene& scene,
+                                    const std::vector<IntegrationMethod>& methods);
 
 /// Options for runs of that scene: the table of its flexible cage, made once for all of them.
 SimulateOptions with_cage_table(const Scene& scene);
 
 /// A tight setting of a method of another kind, to hold `method` against: explicit Runge-Kutta for
 /// linearly implicit methods, RODASP for all others.
-Setting reference_setting(const std::string& method);
+Setting reference_setting(IntegrationMethod method);
+/// The two methods that reference_setting() chooses from.
+inline constexpr IntegrationMethod kReferenceMethods[] = {IntegrationMethod::rodasp,
+                                                          IntegrationMethod::arkode_erk};
 
 }  // namespace cagetol

@@ -11,7 +11,6 @@
 #include "mc/engine/statistics.hpp"
 #include "mc/engine/trajectory.hpp"
 #include "mc/json_number.hpp"
-#include "src/integration/integrator.hpp"
 
 namespace cagetol {
 namespace {
@@ -33,7 +32,7 @@ std::string brief(const SuiteCell& cell) {
 }
 
 /// A setting of a method on a scene of the suite: the default tolerance, the default step.
-Scene by_method(const Scene& scene, const std::string& method) {
+Scene by_method(const Scene& scene, IntegrationMethod method) {
   Scene set = scene;
   set.integration.method = method;
   return set;
@@ -46,22 +45,23 @@ constexpr double kInstants[] = {0.92, 0.96, 1};
 /// How far a start's trajectories are apart.
 struct StartErrors {
   double reference_gap = 0;
-  std::map<std::string, double> by_method;
+  std::map<IntegrationMethod, double> by_method;
 };
 
-StartErrors errors_from(const Scene& start, const std::vector<std::string>& methods,
+StartErrors errors_from(const Scene& start, const std::vector<IntegrationMethod>& methods,
                         const SimulateOptions& options) {
   std::vector<double> gaps;
-  std::map<std::string, std::vector<double>> errors;
+  std::map<IntegrationMethod, std::vector<double>> errors;
   for (const double share : kInstants) {
     const double horizon = share * kSuiteHorizon;
-    std::map<std::string, Trajectory> references;
-    for (const char* method : {"rodasp", "arkode-erk"}) {
+    std::map<IntegrationMethod, Trajectory> references;
+    for (const IntegrationMethod method : kReferenceMethods) {
       const Setting setting = reference_setting(method);
       references[setting.method] = follow(with_setting(start, setting), horizon, options);
     }
-    gaps.push_back(trajectory_error(references["rodasp"], references["arkode-erk"])[1]);
-    for (const std::string& method : methods)
+    gaps.push_back(
+        trajectory_error(references[kReferenceMethods[0]], references[kReferenceMethods[1]])[1]);
+    for (const IntegrationMethod method : methods)
       errors[method].push_back(trajectory_error(follow(by_method(start, method), horizon, options),
                                                 references[reference_setting(method).method])[1]);
   }
@@ -72,10 +72,11 @@ StartErrors errors_from(const Scene& start, const std::vector<std::string>& meth
 
 /// From one start alone chance decides: where rollers rattle, a step that ends otherwise moves the
 /// error of the rest of the horizon two- to tenfold.
-void judge_trajectories(const std::vector<Scene>& starts, const std::vector<std::string>& methods,
+void judge_trajectories(const std::vector<Scene>& starts,
+                        const std::vector<IntegrationMethod>& methods,
                         const SimulateOptions& options, SuiteRow& row) {
   std::vector<double> gaps;
-  std::map<std::string, std::vector<double>> errors;
+  std::map<IntegrationMethod, std::vector<double>> errors;
   for (const Scene& start : starts) {
     const StartErrors from = errors_from(start, methods, options);
     gaps.push_back(from.reference_gap);
@@ -129,16 +130,14 @@ Soundness judge_soundness(Status status, double trajectory_error, double referen
 }
 
 StabilityMap run_stability(const std::vector<SuiteScene>& suite,
-                           const std::vector<std::string>& methods, int threads,
+                           const std::vector<IntegrationMethod>& methods, int threads,
                            const std::function<void(const SuiteRow&)>& on_row) {
-  StabilityMap map{Scene{}.integration.method, methods, {}};
-  if (methods.empty())
-    for (const MethodName& known : integration_methods()) map.methods.push_back(known.name);
+  StabilityMap map{Integration{}.method, methods.empty() ? all_methods() : methods, {}};
   for (const SuiteScene& entry : suite) {
     const std::vector<Scene> starts = starts_of(entry.scene, kSuiteStarts);
     const SimulateOptions shared = with_cage_table(entry.scene);
     SuiteRow row{entry.name, 0, {}};
-    for (const std::string& method : map.methods) {
+    for (const IntegrationMethod method : map.methods) {
       std::vector<Scene> scenes;
       for (const Scene& start : starts) scenes.push_back(by_method(start, method));
       row.cells[method].outcome = speaking_for(simulate_all(scenes, threads, shared));
@@ -161,9 +160,11 @@ bool is_sound(const StabilityMap& map) {
 }
 
 Json stability_json(const StabilityMap& map) {
+  Json methods = Json::array();
+  for (const IntegrationMethod method : map.methods) methods.push_back(spelled(method));
   Json json = {{"kind", "stability"},
-               {"default_method", map.default_method},
-               {"methods", map.methods},
+               {"default_method", spelled(map.default_method)},
+               {"methods", methods},
                {"horizon_s", kSuiteHorizon},
                {"starts", kSuiteStarts},
                {"right_error", kRightError},
@@ -173,15 +174,16 @@ Json stability_json(const StabilityMap& map) {
     Json results;
     for (const auto& [method, cell] : row.cells) {
       const RunRecord& run = cell.outcome.run;
-      results[method] = {{"verdict", soundness_name(cell.soundness)},
-                         {"brief", brief(cell)},
-                         {"status", status_name(cell.outcome.status)},
-                         {"reason", cell.outcome.reason},
-                         {"trajectory_error", json_number(cell.trajectory_error)},
-                         {"worst_trajectory_error", json_number(cell.worst_trajectory_error)},
-                         {"static_consistency_error", json_number(run.static_consistency_error)},
-                         {"energy_residual", json_number(run.energy_residual)},
-                         {"rtf", json_number(run.wall_s / run.simulated_s)}};
+      results[spelled(method)] = {
+          {"verdict", soundness_name(cell.soundness)},
+          {"brief", brief(cell)},
+          {"status", status_name(cell.outcome.status)},
+          {"reason", cell.outcome.reason},
+          {"trajectory_error", json_number(cell.trajectory_error)},
+          {"worst_trajectory_error", json_number(cell.worst_trajectory_error)},
+          {"static_consistency_error", json_number(run.static_consistency_error)},
+          {"energy_residual", json_number(run.energy_residual)},
+          {"rtf", json_number(run.wall_s / run.simulated_s)}};
     }
     scenes.push_back({{"name", row.scene},
                       {"reference_gap", json_number(row.reference_gap)},
@@ -193,8 +195,8 @@ Json stability_json(const StabilityMap& map) {
 std::string stability_text(const StabilityMap& map) {
   std::vector<std::vector<std::string>> columns = {{"scene"}};  // heading first
   for (const SuiteRow& row : map.rows) columns.front().push_back(row.scene);
-  for (const std::string& method : map.methods) {
-    columns.push_back({method});
+  for (const IntegrationMethod method : map.methods) {
+    columns.push_back({spelled(method)});
     for (const SuiteRow& row : map.rows) {
       const SuiteCell& cell = row.cells.at(method);
       columns.back().push_back(std::string(soundness_name(cell.soundness)) + " " + brief(cell));
@@ -214,11 +216,11 @@ std::string stability_text(const StabilityMap& map) {
       "watch that spoke.\n",
       1e3 * kSuiteHorizon, kSuiteStarts);
   for (const SuiteRow& row : map.rows)
-    for (const std::string& method : map.methods) {
+    for (const IntegrationMethod method : map.methods) {
       const SuiteCell& cell = row.cells.at(method);
       if (cell.soundness == Soundness::wrong)
-        text += fmt::format("SILENTLY WRONG: {} on {}, off by {:.3g} error scales\n", method,
-                            row.scene, cell.trajectory_error);
+        text += fmt::format("SILENTLY WRONG: {} on {}, off by {:.3g} error scales\n",
+                            spelled(method), row.scene, cell.trajectory_error);
       else if (method == map.default_method && cell.soundness != Soundness::right)
         text +=
             fmt::format("the default is {} on {}{}{}\n", soundness_name(cell.soundness), row.scene,

@@ -49,12 +49,12 @@ struct SuiteCell {
 struct SuiteRow {
   std::string scene;
   double reference_gap = 0;  ///< of the two references' trajectories, median; NaN: one is missing
-  std::map<std::string, SuiteCell> cells;  ///< by method
+  std::map<IntegrationMethod, SuiteCell> cells;  ///< by method
 };
 
 struct StabilityMap {
-  std::string default_method;
-  std::vector<std::string> methods;
+  IntegrationMethod default_method = IntegrationMethod::rodas3;
+  std::vector<IntegrationMethod> methods;
   std::vector<SuiteRow> rows;
 };
 
@@ -62,7 +62,7 @@ Soundness judge_soundness(Status status, double trajectory_error, double referen
 
 /// Runs the suite, `threads` cells at a time; `on_row` sees each scene when it is done.
 StabilityMap run_stability(const std::vector<SuiteScene>& suite,
-                           const std::vector<std::string>& methods, int threads,
+                           const std::vector<IntegrationMethod>& methods, int threads,
                            const std::function<void(const SuiteRow&)>& on_row = {});
 
 /// No method is silently wrong on any scene, and the default, if it was run, is right on all.

@@ -86,7 +86,7 @@ const std::vector<Rung>& climbing_rungs() {
       {"rotating", "modes feel the rotation", {"cage.centrifugal=true", "cage.coriolis=true"}},
       {"full",
        "integration as by default",
-       {"integration.method='" + Integration{}.method + "'",
+       {fmt::format("integration.method='{}'", spelled(Integration{}.method)),
         fmt::format("integration.tolerance={}", Integration{}.tolerance)}},
   });
   return rungs;
@@ -103,8 +103,9 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
       {"modes-6", "6 modes", {"cage.modes=6"}},
       {"at-rest", "modes without rotation", {"cage.centrifugal=false", "cage.coriolis=false"}},
   };
-  if (scene.film.model != "none") less.push_back({"no-film", "no oil film", {"film.model='none'"}});
-  if (scene.cage.guide_film.model != "none")
+  if (scene.film.model != FilmModel::none)
+    less.push_back({"no-film", "no oil film", {"film.model='none'"}});
+  if (scene.cage.guide_film.model != GuideFilmModel::none)
     less.push_back({"no-guide-film", "dry guide lands", {"cage.guide_film='none'"}});
   if (is_lubricated(scene)) {
     const Lubrication& on = scene.lubrication;
@@ -135,15 +136,15 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
 }
 
 std::vector<Rung> refining_rungs(const Scene& scene) {
-  const bool flexible = scene.cage.model == "flexible";
+  const bool flexible = is_flexible(scene);
   std::vector<Rung> rungs;
   const double tolerance = scene.integration.tolerance / 10;
   Rung& integrator = rungs.emplace_back(Rung{"integrator",
                                              fmt::format("integration tolerance {:g}", tolerance),
                                              {fmt::format("integration.tolerance={}", tolerance)}});
-  if (const std::string usual = Integration{}.method; scene.integration.method != usual) {
-    integrator.meaning += ", method " + usual;
-    integrator.settings.push_back("integration.method='" + usual + "'");
+  if (const IntegrationMethod usual = Integration{}.method; scene.integration.method != usual) {
+    integrator.meaning += fmt::format(", method {}", spelled(usual));
+    integrator.settings.push_back(fmt::format("integration.method='{}'", spelled(usual)));
   }
   if (!flexible)
     rungs.push_back(
@@ -196,7 +197,7 @@ Study rung_study(const Study& study, const Rung& rung, long samples) {
     changed.fidelity_decision = {};
     changed.multifidelity = "off";
     changed.samples = samples;
-    changed.design = "random";
+    changed.design = DesignKind::random;
     changed.cages_per_lot = 1;
     changed.extra_replicates = 0;
     changed.grid_levels.clear();

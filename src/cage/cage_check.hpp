@@ -1,4 +1,4 @@
-// A full finite element solve of one sample's cage, to see what the per-sample model leaves out.
+// Checks the per-sample model of one cage against a full finite element solution.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,20 +8,20 @@
 
 namespace cagetol {
 
-/// Up to this frequency the per-sample model answers for its accuracy [Hz].
+/// Highest frequency for which the per-sample model is checked [Hz].
 inline constexpr double kCheckedFrequency = 20e3;
 
 struct CageCheck {
   long nodes = 0;
   long elements = 0;
-  Eigen::VectorXd frequency;  ///< by the full solve, as many as the model keeps [Hz]
-  double largest_error = 0;   ///< relative, model against full solve, up to kCheckedFrequency
-  double seconds = 0;         ///< the full solve, from deviations to modes, processor time
+  Eigen::VectorXd frequency;  ///< of the full solution, as many as the model has [Hz]
+  double largest_error = 0;   ///< relative error of the model's frequencies up to kCheckedFrequency
+  double seconds = 0;         ///< processor time of the full solution, from deviations to modes [s]
 };
 
-/// Meshes and solves the deviated cage from which `model` was made. The same bits every time, but
-/// for the seconds. Throws UnsolvedCage where no valid mesh or no solution exists, which a
-/// cage with a model never meets.
+/// Meshes and solves the deviated cage from which `model` was made. The result has the same bits
+/// every time, except for `seconds`. Throws UnsolvedCage if there is no valid mesh or no solution,
+/// which does not happen for a cage that has a model.
 CageCheck check_cage_model(const CageTable& table, const std::vector<PocketDeviation>& deviations,
                            const CageModel& model);
 

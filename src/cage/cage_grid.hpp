@@ -1,6 +1,6 @@
-// Which table serves a cage. A table is exact for its undeviated pocket and loses accuracy with the
-// distance from it, so cages whose pockets deviate alike have tables of their own: the undeviated
-// pockets of a scene's tables are the points of a grid around the scene's pocket.
+// Which cage table a sample uses. A table is exact for its own undeviated pocket and becomes less
+// accurate with the distance from it. A scene therefore has several tables: their undeviated
+// pockets form a grid around the pocket of the scene.
 #pragma once
 
 #include <compare>
@@ -10,20 +10,20 @@
 
 namespace cagetol {
 
-/// Steps of the grid from the scene's pocket.
+/// Position in the grid, in steps from the scene's pocket.
 struct GridPoint {
   long width = 0;
   long length = 0;
   auto operator<=>(const GridPoint&) const = default;
 };
 
-/// The cage of a grid point: that of the scene, `nominal`, with all pockets wider and longer by a
-/// number of steps.
+/// The cage of a grid point: the scene's cage `nominal` with all pockets widened and lengthened by
+/// the steps of the point.
 CageDimensions cage_at(const CageDimensions& nominal, const GridPoint& point);
 
-/// The grid point next to the mean of a cage's pockets; deviations are from those of `nominal`. The
-/// grid ends at the range of the nominal table. An impossible cage is given the nominal point,
-/// whose table says why it is none.
+/// The grid point nearest to the mean pocket of a cage, given by its deviations from `nominal`. The
+/// grid ends at the range of the nominal table. An impossible cage gets the nominal point, whose
+/// table reports why the cage is impossible.
 GridPoint nearest_point(const CageDimensions& nominal,
                         const std::vector<PocketDeviation>& deviations);
 

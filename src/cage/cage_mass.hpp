@@ -1,6 +1,6 @@
-// Mass, mass centre and inertia of a rigid window cage: a hollow cylinder less Z pockets whose
-// faces are parallel to the pocket's own central radial plane. Exact for that shape; squareness
-// moves no mass.
+// Mass, mass centre and inertia of a rigid window cage: a hollow cylinder minus Z pockets with
+// faces parallel to the central radial plane of the pocket. Exact for this shape. Squareness has no
+// effect on the mass.
 #pragma once
 
 #include "src/scene/scene.hpp"

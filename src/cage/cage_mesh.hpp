@@ -1,14 +1,15 @@
-// Structured hexahedral mesh of a window cage: two side rings joined by Z bars, built from its
-// dimensions.
+// Structured hexahedral mesh of a window cage: two side rings joined by Z bars.
 //
 // Frame of the cage: x along the axis, angle theta from y towards z. The nominal centre of pocket j
-// is at theta = 2 pi j / Z. Sector j reaches from the middle plane of the bar before pocket j to
-// the middle plane of the bar after it; these planes stay where they are, so everything inside a
-// sector depends on the deviations of its own pocket only.
+// is at theta = 2 pi j / Z. Sector j extends from the middle plane of the bar before pocket j to
+// the middle plane of the bar after it. These planes do not move, so a sector depends on the
+// deviations of its own pocket only.
 //
-// Faces of pocket j, in its own frame turned to 2 pi j / Z + pitch: leading face u = +S/2 + x
-// gamma, trailing face u = -S/2 + x gamma, end walls x = +-L/2; u is the tangential offset from the
-// pocket's central radial plane, so bars are wedges.
+// Faces of pocket j, in its own frame, turned to 2 pi j / Z + pitch:
+//   leading face   u = +S/2 + x gamma
+//   trailing face  u = -S/2 + x gamma
+//   end walls      x = +-L/2
+// u is the tangential offset from the pocket's central radial plane, so bars are wedges.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,14 +23,14 @@
 
 namespace cagetol {
 
-/// A mesh of 8-node hexahedra. Corners in the order of Abaqus, CalculiX and VTK: four around the
-/// lower face, four around the upper.
+/// A mesh of 8-node hexahedra. Corners are ordered as in Abaqus, CalculiX and VTK: four around the
+/// lower face, then four around the upper face.
 struct HexMesh {
   Eigen::Matrix3Xd nodes;  ///< [m]
   std::vector<std::array<int, 8>> elements;
 };
 
-/// What all sectors of a cage share.
+/// Dimensions common to all sectors of a cage.
 struct CageDimensions {
   long pocket_count = 13;
   double inner_radius = 18.5e-3;   ///< [m]
@@ -56,8 +57,8 @@ struct MeshCounts {
   long length = 8;    ///< along a pocket
 };
 
-/// `density` elements through the thickness, a little finer along the bars and across bars and side
-/// rings, coarser across the pocket, where the side ring only bends.
+/// Counts for `density` elements through the thickness. Elements are slightly finer along the bars
+/// and across bars and side rings, and coarser across the pocket, where the side ring only bends.
 MeshCounts mesh_counts(const CageDimensions& cage, long density);
 
 enum class CageFaultKind {
@@ -65,14 +66,14 @@ enum class CageFaultKind {
   outside_table  ///< a valid cage perhaps, but beyond the deviations the cage table covers
 };
 
-/// Why a cage cannot be built; an outcome of a sample, not an error of the program.
+/// Why a cage cannot be built. This is an outcome of a sample, not an error of the program.
 struct CageFault {
   CageFaultKind kind = CageFaultKind::geometry;
   int pocket = -1;  ///< 0-based
   std::string reason;
 };
 
-/// Where a node or station sits in its sector, independent of deviations.
+/// Position of a node or station in its sector, independent of the deviations.
 struct SectorPoint {
   double radial = 0;  ///< 0 at the inner, 1 at the outer surface
   double around = 0;  ///< -1, 1: trailing, leading pocket face; -2, 2: middle planes of the bars
@@ -80,7 +81,7 @@ struct SectorPoint {
 };
 
 /// Position in the sector's own frame (nominal pocket centre at theta = 0) [m]. Linear in each
-/// deviation but for the curvature of the cage (second order in deviation / radius).
+/// deviation, except for the curvature of the cage (second order in deviation / radius).
 Eigen::Vector3d sector_position(const CageDimensions& cage, const PocketDeviation& deviation,
                                 const SectorPoint& point);
 
@@ -109,24 +110,24 @@ struct CageMesh {
   std::vector<std::vector<int>> sector_node;
 };
 
-/// Impossible geometry, found from the dimensions alone: a pocket that breaks through a side ring,
-/// into its neighbour, or past the middle of a bar. Nothing where the cage is possible.
+/// Impossible geometry, from the dimensions alone: a pocket that breaks through a side ring, into
+/// its neighbour, or past the middle of a bar. Empty if the cage is possible.
 std::optional<CageFault> cage_fault(const CageDimensions& cage,
                                     const std::vector<PocketDeviation>& deviations);
 
-/// Meshes a deviated cage; a fault where the geometry is impossible or an element is inverted.
+/// Meshes a deviated cage. Returns a fault if the geometry is impossible or an element is inverted.
 std::variant<CageMesh, CageFault> make_cage_mesh(const CageDimensions& cage,
                                                  const std::vector<PocketDeviation>& deviations,
                                                  const MeshCounts& counts);
 
-/// Dimensions of a scene's cage, the undeviated pocket being the mean of its pockets.
+/// Dimensions of a scene's cage. Its undeviated pocket is the mean of its pockets.
 CageDimensions cage_dimensions(const CageGeometry& geometry, long pocket_count);
 
 /// Deviations of a scene's pockets from the undeviated pocket of `cage`.
 std::vector<PocketDeviation> pocket_deviations(const CageGeometry& geometry,
                                                const CageDimensions& cage);
 
-/// Gives a scene's pockets these deviations from the undeviated pocket of `cage`.
+/// Sets the pockets of a scene to these deviations from the undeviated pocket of `cage`.
 void deviate_pockets(CageGeometry& geometry, const CageDimensions& cage,
                      const std::vector<PocketDeviation>& deviations);
 

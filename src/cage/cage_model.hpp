@@ -1,15 +1,18 @@
-// The flexible cage of one sample: mass properties, elastic modes, and everything read from them.
+// The flexible cage of one sample: mass properties, elastic modes, displacement and stress rows.
 //
 // Frame: the cage's own (see cage_mesh.hpp), origin at the geometric centre. Elastic modes are
-// mass-normalised and mass-orthogonal to all rigid motions (mean axes), so that with modal
-// coordinates q
-//   q_k'' + 2 zeta_k omega_k q_k' + omega_k^2 q_k = sum over forces f of rows(f) . f
-// and a spin Omega about x adds, on the left, 2 Omega gyroscopic q' - Omega^2 in_plane q and, on
-// the right, Omega^2 centrifugal. (in_plane is the spin softening; without the centrifugal stress
-// stiffening, which the model does not hold, it has the wrong sign: use both or neither.)
+// mass-normalised and mass-orthogonal to all rigid motions (mean axes). With modal coordinates q
+// and a spin Omega about x:
 //
-// Stress at a station: modes q plus the quasi-static rest of what the kept modes do not carry, of
-// the contact forces (residual attachment) and of the centrifugal load.
+//   q_k'' + 2 zeta_k omega_k q_k' + omega_k^2 q_k
+//       + (2 Omega gyroscopic q' - Omega^2 in_plane q)_k
+//       = sum over forces f of rows(f) . f + Omega^2 centrifugal_k
+//
+// in_plane is the spin softening. The model has no centrifugal stress stiffening, which outweighs
+// it: use both or neither.
+//
+// Stress at a station: modes q plus the static residual of the contact forces and of the
+// centrifugal load, that is, the part which the kept modes do not carry.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,33 +25,34 @@ namespace cagetol {
 
 struct CageModelOptions {
   long modes = 20;     ///< elastic modes kept
-  bool stress = true;  ///< stress rows too
+  bool stress = true;  ///< with stress rows
 };
 
 struct CageModel {
   MassProperties body;        ///< of the deviated cage
-  Eigen::VectorXd frequency;  ///< elastic modes, rising [Hz]
+  Eigen::VectorXd frequency;  ///< elastic modes, ascending [Hz]
   long points = 0;            ///< contact points per pocket, in the order of cage_stations.hpp
   long bar_stations = 0;      ///< per face
   /// Displacement per modal coordinate: row 3 (points j + point) + (0 radial, 1 tangential, 2
   /// axial).
   Eigen::MatrixXd contact;
-  /// Tangential displacement at the bar stations of bar j (after pocket j) per tangential force
-  /// there, beyond what the kept modes give [m/N]: columns (2n) j + (leading stations of pocket j,
-  /// trailing of pocket j+1).
+  /// Residual flexibility of bar j (after pocket j): tangential displacement at its bar stations
+  /// per tangential force there, without the part of the kept modes [m/N]. Columns (2n) j +
+  /// (leading stations of pocket j, trailing stations of pocket j+1).
   Eigen::MatrixXd residual_compliance;
   /// Stress per modal coordinate, and in the last column per square of the spin: row stations (6 j
   /// + component) + station, axes of sector j's frame [Pa].
   Eigen::MatrixXf stress;
-  /// Stress per tangential force on bar stations near by: same rows; column 2n (o + span) + station
-  /// for pocket j + o, o = -span ... span; trailing stations first, then leading [Pa/N].
+  /// Residual stress per tangential force on bar stations up to `span` sectors away [Pa/N]: same
+  /// rows; column 2n (o + span) + station for pocket j + o, o = -span ... span; trailing stations
+  /// first, then leading.
   Eigen::MatrixXf stress_residual;
   /// The same for all sectors, of forces farther away, as on the undeviated cage: row stations
   /// component + station; column 2n o + station for pocket j + o, o = span + 1 ... Z - span - 1,
   /// others zero.
   Eigen::MatrixXf far_residual;
   long stress_stations = 0;  ///< per sector
-  long span = 0;             ///< how many sectors away a force is near by
+  long span = 0;             ///< reach of stress_residual in sectors
   Eigen::MatrixXd gyroscopic;
   Eigen::MatrixXd in_plane;
   Eigen::VectorXd centrifugal;
@@ -65,14 +69,14 @@ inline Eigen::Index near_place(Eigen::Index offset, Eigen::Index sectors, Eigen:
   return place <= 2 * span ? place : -1;
 }
 
-/// The cage with these deviations, or why there is none. At most a few milliseconds.
+/// The cage with these deviations, or the fault that prevents it. Takes a few milliseconds at most.
 std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
                                                    const std::vector<PocketDeviation>& deviations,
                                                    const CageModelOptions& options = {});
 
-/// Von Mises stress at every station: modal coordinates q, tangential forces on the bar stations in
-/// the order pocket, trailing stations, leading stations (on the cage, towards larger theta), and
-/// the spin whose centrifugal load acts (0: none) [Pa].
+/// Von Mises stress at every station [Pa] from modal coordinates q, tangential forces on the cage
+/// at the bar stations (towards larger theta; per pocket trailing, then leading stations) and the
+/// spin of the centrifugal load (0: none).
 Eigen::VectorXd station_stress(const CageModel& model, const Eigen::VectorXd& q,
                                const Eigen::VectorXd& bar_forces, double spin = 0);
 

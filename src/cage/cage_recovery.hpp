@@ -1,12 +1,12 @@
-// The whole deviated cage in states of the per-sample model, by full finite elements: what the
-// model's stations are held against, and what a snapshot shows.
+// Displacement and stress of the whole deviated cage in states of the per-sample model, by full
+// finite elements. Used to check the model's stress stations and for snapshots.
 //
 //   u = Phi q + (K^+ f - Phi Lambda^-1 Phi^T f)
-// Phi the modes of the full solve, f the forces on the bar stations and the centrifugal load, K^+
-// the static response with inertia relief; the bracket is the static correction, what the kept
-// modes leave out of the response to f (mode acceleration). The modes of the full solve come in any
-// sign and any mixture of a pair; they are combined so that they move the contact points as the
-// model's do.
+//
+// Phi: modes of the full solution; f: forces on the bar stations and centrifugal load; K^+: static
+// response with inertia relief. The bracket is the static correction, the part of the response to f
+// that the kept modes leave out (mode acceleration). Sign and, within a pair, orientation of the
+// full modes are arbitrary; they are combined to match the model's modes at the contact points.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,11 +17,11 @@
 
 namespace cagetol {
 
-/// States of a cage, a column each.
+/// States of a cage, one column each.
 struct CageStates {
   Eigen::MatrixXd q;          ///< modal coordinates of make_cage_model with as many modes as rows
   Eigen::MatrixXd bar_force;  ///< tangential forces as station_stress takes them [N]
-  Eigen::VectorXd spin;       ///< whose centrifugal load acts, 0: none [rad/s]
+  Eigen::VectorXd spin;       ///< spin of the centrifugal load, 0: none [rad/s]
 };
 
 struct CageRecovery {
@@ -29,7 +29,7 @@ struct CageRecovery {
   Eigen::MatrixXd displacement;  ///< elastic, cage frame; row 3 n + d, a column per state [m]
 };
 
-/// Recovers states; one full solve for all.
+/// Recovers all states with one full solution.
 std::variant<CageRecovery, CageFault> recover_cage(const CageTable& table,
                                                    const std::vector<PocketDeviation>& deviations,
                                                    const CageStates& states);
@@ -39,19 +39,19 @@ Eigen::VectorXd bar_forces_on_nodes(const CageMesh& mesh, const CageStations& st
                                     const std::vector<PocketDeviation>& deviations,
                                     const Eigen::VectorXd& bar_forces);
 
-/// Stress of a displacement field at every node, averaged over the elements that meet there: rows
-/// xx, yy, zz, xy, yz, zx, one column per node [Pa].
+/// Stress of a displacement field at every node, averaged over the adjacent elements: rows xx, yy,
+/// zz, xy, yz, zx, one column per node [Pa].
 Eigen::Matrix<double, 6, Eigen::Dynamic> stress_everywhere(const HexMesh& mesh,
                                                            const Material& material,
                                                            const Eigen::VectorXd& displacement);
 
-/// Largest von Mises stress of a state both ways [Pa].
+/// Largest von Mises stress of a state, from the per-sample model and from the full recovery [Pa].
 struct PeakStress {
-  double stations = 0;  ///< station_stress of the per-sample model
+  double stations = 0;  ///< station_stress() of the per-sample model
   double full = 0;      ///< over all nodes of the full recovery
-  int node = -1;        ///< where in the mesh the full recovery has it
+  int node = -1;        ///< node of `full`
 };
-/// One entry per state.
+/// One entry for each state.
 std::variant<std::vector<PeakStress>, CageFault> compare_peak_stress(
     const CageTable& table, const std::vector<PocketDeviation>& deviations,
     const CageStates& states);

@@ -1,5 +1,4 @@
-// What `cagetol cage` tells about a cage: size of the model, mass, modes by family, accuracy and
-// cost.
+// The report of `cagetol cage`: size of the model, mass, modes by family, accuracy and cost.
 #pragma once
 
 #include <string>
@@ -12,9 +11,9 @@ namespace cagetol {
 
 struct ReportedMode {
   double undeviated_hz = 0;
-  double sample_hz = 0;  ///< by the per-sample model, with deviating pockets
-  double full_hz = 0;    ///< by a full solve with deviating pockets
-  std::string family;    ///< of the undeviated cage's mode of the same number
+  double sample_hz = 0;  ///< per-sample model with deviating pockets
+  double full_hz = 0;    ///< full solution with deviating pockets
+  std::string family;    ///< of the undeviated cage's mode with the same number
 };
 
 struct CageReport {
@@ -23,16 +22,16 @@ struct CageReport {
   long dofs = 0;
   MassProperties body;  ///< with deviating pockets
   std::vector<ReportedMode> modes;
-  double largest_error = 0;  ///< relative, sample against full, up to 20 kHz
-  double seconds_table = 0;  ///< once per scene, when the table was made
-  double seconds_full = 0;   ///< one full solve of the deviated cage, processor time
+  double largest_error = 0;  ///< relative, per-sample model against full solution, up to 20 kHz
+  double seconds_table = 0;  ///< time to make the table, once per scene
+  double seconds_full = 0;   ///< processor time of a full solution of the deviated cage
   double seconds_sample =
       0;  ///< one per-sample model, stress rows included, likewise, median of many
 };
 
-/// Solves the cage with these pockets both ways and keeps `modes` elastic modes. `undeviated` is
-/// the table of the scene, `table` the one that serves the cage, from which `deviations` are. A
-/// fault where the pockets leave no valid cage.
+/// Solves the cage with these pockets in both ways, with `modes` elastic modes. `undeviated` is the
+/// table of the scene, `table` the one used for this cage; `deviations` are relative to `table`.
+/// Returns a fault if the pockets leave no valid cage.
 std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, const CageTable& table,
                                                 const std::vector<PocketDeviation>& deviations,
                                                 long modes);

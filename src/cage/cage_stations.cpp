@@ -60,7 +60,7 @@ CageStations cage_stations(const Scene& scene) {
   stations.pitch_radius =
       0.25 * (scene.bearing.inner_raceway_diameter + scene.bearing.outer_raceway_diameter);
   stations.end_offset = 0.4 * diameter;
-  stations.outer_guided = cage.guidance != "inner";
+  stations.outer_guided = cage.guidance != Guidance::inner;
   double length = 0;
   for (double l : cage.pocket_length) length += l / static_cast<double>(cage.pocket_length.size());
   stations.land_offset =

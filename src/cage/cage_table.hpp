@@ -1,8 +1,10 @@
-// What a scene tabulates once so that the cage of every sample costs about a millisecond.
+// The table of a flexible cage, made once per scene. With it the cage of a sample takes about a
+// millisecond.
 //
-// A sector's share of the projected stiffness and mass, its contact rows and its stress rows depend
-// on the deviations of its own pocket only (sector_carry.hpp). They are fitted by polynomials
-// (sector_polynomial.hpp), for one sector: the basis looks the same from all (sector_turn.hpp).
+// The share of a sector in the projected stiffness and mass, its contact rows and its stress rows
+// depend on the deviations of its own pocket only (sector_carry.hpp). They are fitted by
+// polynomials (sector_polynomial.hpp), once for all sectors, because the basis looks the same from
+// each of them (sector_turn.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +22,7 @@ struct CageTable {
   Material material;
   CageStations stations;
   MeshCounts counts;
-  PocketDeviation range;  ///< deviations covered
+  PocketDeviation range;  ///< largest deviations of the fit
   SectorTurn turn;
   Eigen::VectorXd frequency;       ///< elastic modes of the undeviated cage [Hz]
   std::vector<ModeFamily> family;  ///< of these
@@ -28,11 +30,11 @@ struct CageTable {
   CageProjection undeviated;   ///< projections of the undeviated cage
   Eigen::MatrixXd projection;  ///< change of a packed share (sector_share.hpp) x terms
   Eigen::MatrixXd contact;     ///< (3 contact points, seen columns) x terms
-  /// (component, stress station, seen columns but the rigid ones) x terms, the station running
-  /// first.
+  /// (component, stress station, seen columns without the rigid ones) x terms; the station index
+  /// runs fastest.
   Eigen::MatrixXf stress;
-  /// Undeviated, of attachments of all sectors: (component, stress station) x (sectors 0 ... Z-1,
-  /// bar stations of each), seen from sector 0.
+  /// Stress of the attachments of all sectors in sector 0 of the undeviated cage: (component,
+  /// stress station) x (sectors 0 ... Z-1, bar stations of each).
   Eigen::MatrixXf attachment_stress;
   std::vector<SectorPoint> stress_points;
 
@@ -45,17 +47,17 @@ struct CageTable {
   double seconds_table = 0;  ///< making the table
 };
 
-/// Hears which share of a table is made: 0 first, 1 last. May be empty.
+/// Called with the fraction of a table that is done, from 0 to 1. May be empty.
 using TableProgress = std::function<void(double)>;
 
-/// The table whose undeviated pocket is that of `options.point`, on the grid around the pocket of
-/// `cage`. All points have the elements of `cage`, lest stresses at corners step from one to the
-/// next. Throws UnsolvedCage where the undeviated cage cannot be meshed or its modes not be found.
+/// The table for the pocket at `options.point` of the grid around the pocket of `cage`. All points
+/// use the element counts of `cage`, so that stresses at corners do not jump from point to point.
+/// Throws UnsolvedCage if the undeviated cage cannot be meshed or its modes are not found.
 CageTable make_cage_table(const CageDimensions& cage, const Material& material,
                           const CageStations& stations, const CageTableOptions& options = {},
                           const TableProgress& progress = {});
 
-/// Sets what follows from the dimensions alone: counts, range, stress points.
+/// Sets counts, range and stress points, which follow from the dimensions alone.
 void complete_cage_table(CageTable& table, const CageDimensions& cage, const Material& material,
                          const CageStations& stations, const CageTableOptions& options);
 

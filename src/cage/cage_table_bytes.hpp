@@ -1,4 +1,4 @@
-// A cage table as bytes, to be kept between runs, and what identifies it.
+// A cage table as bytes for storage between runs, and the key that identifies it.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace cagetol {
 
-/// Identifies everything of a scene that a table depends on: 16 hex digits. The program that makes
-/// a table is no part of it.
+/// Key of everything in a scene that a table depends on: 16 hex digits. The version of the program
+/// is not part of it.
 std::string cage_table_key(const CageDimensions& cage, const Material& material,
                            const CageStations& stations, const CageTableOptions& options);
 
-/// Everything of a table that is computed; the rest follows from what the key covers.
+/// The computed part of a table; the rest follows from the dimensions.
 std::string cage_table_bytes(const CageTable& table);
 
-/// Fills what `cage_table_bytes` wrote; complete_cage_table() sets the rest. False where the bytes
-/// have not the form of a table: too short, too long, sizes that cannot be. Whether they are those
-/// that were written is for a checksum to say.
+/// Fills the computed part of a table from cage_table_bytes(); complete_cage_table() sets the rest.
+/// False if the bytes do not have the form of a table: too short, too long, impossible sizes.
+/// Changed bytes are not detected; that needs a checksum.
 bool read_cage_table_bytes(std::string_view bytes, CageTable& table);
 
 }  // namespace cagetol

@@ -1,5 +1,5 @@
-// An unsupported linear elastic body: its matrices, rigid-body motions, mass properties, and static
-// response to loads it is not held against.
+// An unsupported linear elastic body: matrices, rigid motions, mass properties, and static response
+// with inertia relief.
 #pragma once
 
 #include <Eigen/Core>
@@ -58,10 +58,10 @@ class ShiftedFactor {
 /// above.
 double ring_shift(const HexMesh& mesh, const BodyMatrices& body);
 
-/// Static elastic displacement under each column of `loads`, inertia relief: the rigid-body
-/// acceleration balances the load, and the displacement holds no rigid motion (mass-orthogonal to
-/// all six). Iterates with the shifted factor, whose error shrinks by shift / (shift + first
-/// eigenvalue) each time.
+/// Static elastic displacement under each column of `loads` with inertia relief: rigid-body
+/// acceleration balances the load, and the displacement is mass-orthogonal to all six rigid
+/// motions. Iterates with the shifted factor; each iteration reduces the error by
+///   shift / (shift + first eigenvalue)
 Eigen::MatrixXd free_static_response(const BodyMatrices& body, const ShiftedFactor& factor,
                                      const RigidMotions& rigid_orthonormal,
                                      const Eigen::MatrixXd& loads);

@@ -12,8 +12,8 @@
 namespace cagetol {
 
 /// Stress of each field at chosen nodes: rows 6 i + (xx, yy, zz, xy, yz, zx) for node `nodes[i]`.
-/// Values extrapolated from the Gauss points and averaged over the elements that meet at the node
-/// [Pa per unit].
+/// Values are extrapolated from the Gauss points and averaged over the elements at the node [Pa per
+/// unit].
 Eigen::MatrixXd nodal_stress(const HexMesh& mesh, const Material& material,
                              const Eigen::MatrixXd& fields, const std::vector<int>& nodes);
 

@@ -1,5 +1,6 @@
-// 8-node hexahedron with incompatible modes (the class of C3D8I): the three bending modes 1 -
-// xi_i^2 that the plain element lacks, without which a bar one element thick is a third too stiff.
+// 8-node hexahedron with incompatible modes (the class of C3D8I): the three bending modes
+//   1 - xi_i^2,   i = 1, 2, 3
+// that the plain element lacks. Without them a bar one element thick is a third too stiff.
 //
 // Wilson et al., Incompatible displacement models (1973), with the correction of Taylor, Beresford
 // and Wilson, IJNME 10 (1976) 1211, doi 10.1002/nme.1620100602: derivatives of the incompatible
@@ -26,7 +27,7 @@ using Hex8Derivatives = Eigen::Matrix<double, 3, 11>;
 
 Hex8Nodes element_nodes(const HexMesh& mesh, const std::array<int, 8>& element);
 
-/// Smallest Jacobian determinant over the corners: positive for a usable element [m^3].
+/// Smallest Jacobian determinant of the corners [m^3]; positive for a valid element.
 double hex8_smallest_jacobian(const Hex8Nodes& nodes);
 
 /// Elasticity matrix [Pa].
@@ -35,7 +36,7 @@ Eigen::Matrix<double, 6, 6> elasticity(const Material& material);
 struct Hex8 {
   Hex8Matrix
       stiffness;  ///< incompatible modes eliminated; unknown 3 a + d: corner a, direction d [N/m]
-  Hex8Internal internal;  ///< incompatible parameters that go with corner displacements
+  Hex8Internal internal;  ///< incompatible parameters per corner displacement
 };
 Hex8 hex8_stiffness(const Hex8Nodes& nodes, const Material& material);
 

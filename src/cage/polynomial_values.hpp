@@ -8,8 +8,8 @@
 
 namespace cagetol {
 
-/// Values of a strip of polynomials for `count` sectors from the k-th on: as many sums in flight as
-/// hide the latency of multiplying, all of them in registers.
+/// Values of a strip of polynomials for `count` sectors from the k-th on. Enough sums run side by
+/// side to hide the latency of multiplications, and all of them stay in registers.
 template <int count, Eigen::Index strip, typename Matrix>
 void strip_values(const Matrix& coefficients, const Matrix& terms,
                   const std::vector<Eigen::Index>& acting, Eigen::Index from, Eigen::Index k,
@@ -28,7 +28,7 @@ void strip_values(const Matrix& coefficients, const Matrix& terms,
   for (int i = 0; i < count; ++i) values.template block<strip, 1>(to, k + i) = sum[i];
 }
 
-/// Terms that some sector has.
+/// Terms that are not zero in at least one sector.
 template <typename Matrix>
 std::vector<Eigen::Index> acting_terms(const Matrix& terms) {
   std::vector<Eigen::Index> acting;
@@ -37,10 +37,10 @@ std::vector<Eigen::Index> acting_terms(const Matrix& terms) {
   return acting;
 }
 
-/// Values of polynomials at the deviations of every sector, coefficients x terms: those of `rows`
-/// polynomials from the `from`-th on, to row `to` of the values. A general matrix product would
-/// spend more on packing than on multiplying, and most of the time goes into reading coefficients:
-/// those of deviations that no pocket has (terms not `acting`) stay unread.
+/// Values of polynomials at the deviations of every sector (coefficients times terms): `rows`
+/// polynomials from number `from` on, written to row `to` of the values and below. A general matrix
+/// product would spend more time on packing than on multiplying. Most of the time goes into reading
+/// coefficients, so those of terms that are not `acting` are skipped.
 template <typename Matrix>
 void put_values(const Matrix& coefficients, const Matrix& terms,
                 const std::vector<Eigen::Index>& acting, Eigen::Index from, Eigen::Index rows,
@@ -72,7 +72,7 @@ void put_values(const Matrix& coefficients, const Matrix& terms,
   }
 }
 
-/// All of them.
+/// Values of all polynomials.
 template <typename Matrix>
 Matrix polynomial_values(const Matrix& coefficients, const Matrix& terms) {
   Matrix values(coefficients.rows(), terms.cols());

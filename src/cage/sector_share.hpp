@@ -1,8 +1,9 @@
-// A sector's share of the cage's projected stiffness and mass, packed for the table, and their sum.
+// The share of a sector in the cage's projected stiffness and mass, packed for the table, and the
+// sum of the shares.
 //
-// Kept: stiffness of elastic modes and local fields (rigid motions have none, exactly); mass of all
-// modes, and of local fields with rigid motions. The mass of local fields otherwise is left out:
-// they follow statically.
+// Included: stiffness of elastic modes and local fields (exactly zero for rigid motions); mass of
+// all modes; mass coupling of local fields with rigid motions. The remaining mass of local fields
+// is left out: they follow statically.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +12,7 @@
 
 namespace cagetol {
 
-/// Sizes of the parts of a packed share, in their order.
+/// Sizes of the parts of a packed share, in this order.
 struct ShareLayout {
   Eigen::Index modal_stiffness = 0;  ///< elastic x elastic, lower triangle by columns
   Eigen::Index cross_stiffness = 0;  ///< seen local x elastic
@@ -35,9 +36,10 @@ struct CageProjection {
   Eigen::MatrixXd cross_mass;       ///< l x rigid
 };
 
-/// Adds the change of each sector's share (columns of `changes`), turned to its place. Only changes
-/// may be summed this way: the small parts beyond the reach of local fields, left out here, cancel
-/// in the projections of the undeviated cage, where local fields are orthogonal to modes.
+/// Adds the change of each sector's share (columns of `changes`), rotated to its sector. Only
+/// changes may be summed in this way. The parts beyond the reach of local fields are left out here;
+/// in the projections of the undeviated cage they cancel, because local fields are orthogonal to
+/// modes there.
 void add_shares(const SectorTurn& turn, const Eigen::MatrixXd& changes, CageProjection& projection);
 
 }  // namespace cagetol

@@ -1,10 +1,9 @@
 // The basis of the cage table as seen from each sector.
 //
-// The undeviated cage looks the same from every sector. Its modes (rigid motions included) seen
-// from sector k, in that sector's axes, are those seen from sector 0 times R^k: mode pairs turn by
-// k times an angle, single modes keep or change their sign. Local fields belong to a sector each,
-// `per_sector` of them; sector k sees those of sectors k - reach ... k + reach, the others have
-// died away.
+// The undeviated cage looks the same from every sector. Its modes (rigid motions included) in the
+// axes of sector k are those of sector 0 times R^k: mode pairs rotate by k times an angle, single
+// modes keep or change their sign. Each sector has `per_sector` local fields. Sector k sees the
+// local fields of sectors k - reach ... k + reach; those of the others have decayed.
 //
 // "Seen" columns: modes, then local fields of sectors -reach ... reach relative to the viewer.
 // "All" columns: modes, then local fields of sectors 0 ... Z-1.
@@ -26,30 +25,30 @@ struct SectorTurn {
 
   Eigen::Index seen() const { return modes + (2 * reach + 1) * per_sector; }
   Eigen::Index all() const { return modes + sectors * per_sector; }
-  /// First column, among all, of the local fields of the sector `offset` away from k.
+  /// First of all columns for the local fields of the sector `offset` away from k.
   Eigen::Index local_column(Eigen::Index k, Eigen::Index offset) const {
     return modes + (k + offset + sectors) % sectors * per_sector;
   }
-  /// First column, among the seen, of the local fields at `offset`.
+  /// First seen column of the local fields at `offset`.
   Eigen::Index seen_column(Eigen::Index offset) const {
     return modes + (offset + reach) * per_sector;
   }
 };
 
-/// Sets all that belongs to modes from `turn`, the matrix P with (modes turned forward by one
-/// sector) = modes P. Throws UnsolvedCage where P is not made of single +-1 and 2 x 2
-/// rotations.
+/// Sets the members about modes from the matrix P = `turn`, defined by
+///   (modes rotated forward by one sector) = modes P
+/// Throws UnsolvedCage if P does not consist of single +-1 and 2 x 2 rotations.
 void find_turn(SectorTurn& sector, const Eigen::MatrixXd& turn);
 
-/// Adds the lower triangle of (R^k)^T matrix R^k to `sum`: what sector 0 projects on the modes,
-/// turned to sector k.
+/// Adds the lower triangle of (R^k)^T matrix R^k to `sum`: rotates a projection of sector 0 on the
+/// modes to sector k.
 void add_turned(const SectorTurn& sector, const Eigen::MatrixXd& matrix, Eigen::Index k,
                 Eigen::MatrixXd& sum);
 
-/// Mode columns times R^k: rows that read modes in sector k, from rows that read them in sector 0.
+/// Mode columns times R^k: rows for modes in sector k from the rows for sector 0.
 Eigen::MatrixXd turn_modes(const SectorTurn& sector, const Eigen::MatrixXd& rows, Eigen::Index k);
 
-/// Coefficients of all columns as sector k sees them: one combination of fields a row.
+/// Coefficients of all columns as seen from sector k; each row is one combination of fields.
 Eigen::MatrixXd seen_coefficients(const SectorTurn& sector, const Eigen::MatrixXd& coefficients,
                                   Eigen::Index k);
 

@@ -1,5 +1,5 @@
-// The finite elements of a cage have no solution that can be trusted: a property of the cage and
-// its mesh, which the user can change, not of the program.
+// The exception for a cage whose finite elements have no reliable solution. The cause is the cage
+// or its mesh, which the user can change, not the program.
 #pragma once
 
 #include <stdexcept>

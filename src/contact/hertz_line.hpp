@@ -1,10 +1,15 @@
 // Hertz's line contact: what a force makes of the contact's strip. Not used by the dynamics; for
 // stresses, reports and tests.
-//   b = sqrt(8 Q R / (pi l E')),   p = 2 Q / (pi b l),   E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2]
-// Q normal force [N], l length of the contact [m], R effective radius of curvature [m], 1/R = 1/R_1
-// + 1/R_2 with concave radii negative, b half width [m], p peak pressure [Pa]. Valid for b << R and
-// a contact long against b, elastic, without friction. Source: K. L. Johnson, Contact Mechanics
-// (1985), eqs. (4.43), (4.45), there with E* = E'/2 and P = Q/l (doi 10.1017/CBO9781139171731).
+//
+//   b  = sqrt(8 Q R/(pi l E'))
+//   p  = 2 Q/(pi b l)
+//   E' = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2]
+//   1/R = 1/R1 + 1/R2                           concave radii negative
+//
+// Q normal force [N], l length of the contact [m], R effective radius of curvature [m], b half
+// width [m], p peak pressure [Pa]. Valid for b << R and a contact long against b, elastic, without
+// friction. Source: K. L. Johnson, Contact Mechanics (1985), eqs. (4.43), (4.45), there with
+// E* = E'/2 and P = Q/l (doi 10.1017/CBO9781139171731).
 #pragma once
 
 #include "src/scene/scene.hpp"

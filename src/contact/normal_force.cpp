@@ -9,7 +9,7 @@ namespace cagetol {
 NormalLaw make_normal_law(const ContactParameters& parameters, double length, long shares) {
   NormalLaw law;
   const double share = 1.0 / static_cast<double>(shares);
-  law.hertz = parameters.law == "hertz";
+  law.hertz = parameters.law == ForceLaw::hertz;
   if (law.hertz) {
     law.exponent = 10.0 / 9.0;
     law.stiffness =

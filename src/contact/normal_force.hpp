@@ -1,14 +1,16 @@
 // Normal force of one contact point, slice or station.
 //
-//   impact:  Q = max(0, K p^e + c_max S(p/d) p')          Adams IMPACT; Xin et al. 2024
-//   (doi 10.3390/app14209433) eq. (5) hertz:   Q = K p^e max(0, 1 + chi p')                 line
-//   contact, e = 10/9, K = 77,652 L^(8/9) N/mm^(10/9) (L in mm, one
-//                                                          contact, steel on steel: 2^(10/9) times
-//                                                          ISO/TS 16281's c_L of the pair;
-//                                                          Palmgren's delta = 3.84e-5 Q^0.9 / L^0.8
-//                                                          is 3.8 % stiffer)
-// with p > 0 the penetration [m] and p' > 0 while approaching [m/s]; Q = 0 for p <= 0. The clamp at
-// zero belongs to the law: without it the damper would pull bodies together on separation.
+//   impact:  Q = max(0, K p^e + c_max S(p/d) p')
+//   hertz:   Q = K p^e max(0, 1 + chi p'),   e = 10/9,   K = 77,652 L^(8/9) N/mm^(10/9)
+//
+// p penetration [m], p' its rate [m/s], positive while the bodies approach; Q = 0 for p <= 0. The
+// clamp at zero is part of the law: without it the damper would pull the bodies together as they
+// separate.
+//
+// Sources. impact: Adams IMPACT; Xin et al. 2024 (doi 10.3390/app14209433) eq. (5). hertz: line
+// contact of steel on steel, L in mm, K of one contact, which is 2^(10/9) times c_L of ISO/TS 16281
+// (of the roller's two contacts in series). Palmgren's formula is 3.8 % stiffer:
+//   delta = 3.84e-5 Q^0.9/L^0.8
 //
 // Penetrations are scaled by 1 um inside, so that the power is taken of numbers near one.
 #pragma once
@@ -34,9 +36,10 @@ struct NormalLaw {
 /// coefficient is not in (0, 1].
 NormalLaw make_normal_law(const ContactParameters& parameters, double length, long shares);
 
-/// chi of the Hunt-Crossley damper that gives restitution `restitution` at approach speed `speed`
-/// [m/s]: with u = chi v_in and w = chi v_out = e u, energy gives exactly u - ln(1 + u) = -w - ln(1
-/// - w), whatever the exponent.
+/// chi of the Hunt-Crossley damper that gives the coefficient `restitution` e at approach speed
+/// `speed` v_in [m/s]. With u = chi v_in and w = chi v_out = e u, the energy balance is exactly
+///   u - ln(1 + u) = -w - ln(1 - w)
+/// whatever the exponent.
 double hunt_crossley_chi(double restitution, double speed);
 
 template <class T>

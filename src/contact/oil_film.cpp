@@ -40,9 +40,9 @@ FilmStart make_start(double decay) {
 FilmLaw make_film_law(const OilFilm& film, double modulus, double radius, double length,
                       long slices, const NormalLaw& normal) {
   FilmLaw law;
-  law.on = film.model != "none";
+  law.on = film.model != FilmModel::none;
   if (!law.on) return law;
-  law.bounded = film.model == "series-bounded";
+  law.bounded = film.model == FilmModel::series_bounded;
   const double slice = length / static_cast<double>(slices);
   law.elastic = 2.65 * std::pow(film.pressure_viscosity, 0.54) *
                 std::pow(film.viscosity, kFilmSpeedExponent) * std::pow(radius, 0.43) *

@@ -1,6 +1,8 @@
 // The cubic step of the Adams contact and friction laws.
-//   STEP(x, x0, h0, x1, h1) = h0 + (h1 - h0) S((x - x0)/(x1 - x0)),   S(z) = z^2 (3 - 2 z), z
-//   clamped to [0, 1]
+//
+//   STEP(x, x0, h0, x1, h1) = h0 + (h1 - h0) S((x - x0)/(x1 - x0))
+//   S(z) = z^2 (3 - 2 z),   z clamped to [0, 1]
+//
 // Continuous with its first derivative. Source: MSC Adams function reference, STEP.
 #pragma once
 

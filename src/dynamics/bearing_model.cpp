@@ -28,8 +28,8 @@ double ring_mass(const BearingGeometry& b, double inner_race_diameter) {
 
 /// ISO/TS 16281 logarithmic profile drop at axial position x of a roller of diameter D and length L
 /// [m].
-double profile_drop(const std::string& profile, double x, double diameter, double length) {
-  if (profile == "none") return 0;
+double profile_drop(RollerProfile profile, double x, double diameter, double length) {
+  if (profile == RollerProfile::none) return 0;
   const double s = 2 * x / length;
   return 0.00035 * diameter * std::log(1 / (1 - s * s));
 }
@@ -196,7 +196,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.nominal_diameter /= static_cast<double>(b.roller_count);
   const double length = scene.roller.length;
   // Slices of a cylinder that stays parallel to its race are alike: one does the work of all.
-  const bool alike = m.planar && scene.roller.profile == "none";
+  const bool alike = m.planar && scene.roller.profile == RollerProfile::none;
   const long slices = alike ? 1 : scene.discretisation.race_slices,
              stations = scene.discretisation.bar_stations;
   if (slices > kMostSlices) throw std::domain_error("bearing model: too many race slices");
@@ -250,9 +250,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.unbalance_y = cage.centre_y;
   m.unbalance_z = cage.centre_z;
   const auto& c = scene.cage;
-  m.guidance = c.guidance == "inner"    ? Guidance::inner
-               : c.guidance == "roller" ? Guidance::roller
-                                        : Guidance::outer;
+  m.guidance = c.guidance;
   m.land_radius = (m.guidance == Guidance::inner ? c.inner_diameter : c.outer_diameter) / 2;
   m.guide_ring_radius = m.guidance == Guidance::inner ? m.inner_radius : b.shoulder_diameter / 2;
   m.guide_clearance = given_or(c.guide_clearance, std::abs(m.guide_ring_radius - m.land_radius));
@@ -262,7 +260,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.land_offset = given_or(c.land_offset, (c.width + mean_length) / 4);
   m.land_clearance = m.guide_clearance;
   const GuideFilm film = land_film(scene);
-  if (film.model != "none" && m.guidance != Guidance::roller) {
+  if (film.model != GuideFilmModel::none && m.guidance != Guidance::roller) {
     const double radius = (m.land_radius + m.guide_ring_radius) / 2,
                  width = given_or(film.width, (c.width - mean_length) / 2);
     const double viscosity =

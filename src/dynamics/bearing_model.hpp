@@ -46,8 +46,6 @@ struct EndPoint {
 /// What rubs on what, each pair with its friction; kEndPair: roller end on pocket end wall.
 enum FrictionPair { kRacePair, kBarPair, kEndPair, kFlangePair, kLandPair, kFrictionPairs };
 
-enum class Guidance { outer, inner, roller };
-
 /// What acts on the inner ring from outside: a force along -z [N], and a moment [N m] conjugate to
 /// its tilt (B_y, B_z): moment_y tilts the centre line towards +y (a vector along +z), moment_z
 /// towards +z (a vector along -y). The shaft takes the moment where the tilt is prescribed.

@@ -1,8 +1,8 @@
 // Derivatives of all generalised forces at one state, stored the way the bearing couples: a roller
 // with itself, with the inner ring, and - only while it touches its pocket - with the cage. In
 // local directions of each roller, frozen at the state:
-//   velocities V = (r', r theta', x', a_r', a_t', w_s), positions P = (dr, r dtheta, dx, da_r,
-//   da_t).
+//   velocities  V = (r', r theta', x', a_r', a_t', w_s)
+//   positions   P = (dr, r dtheta, dx, da_r, da_t)
 // Border directions are the inertial ones of enum Border, the cage about its mass centre.
 #pragma once
 

@@ -3,7 +3,7 @@
 // cage, so the contact travels with the roller's axis:
 //
 //   v_c = speed of the roller's axis along e_R relative to the cage
-//   u   = v_1/2 - v_c                                       entrainment along e_R, v_1 sliding speed
+//   u   = v_1/2 - v_c                        entrainment along e_R, v_1 sliding speed
 //   F_1 = -ratio v_1 - F_r on the roller's surface,   F_c = 2 F_r on its axis, both along e_R
 //
 // and the bar feels the opposite forces along the same lines.

@@ -1,8 +1,8 @@
 // The matrix (1/beta - J) of every implicit method here, beta = gamma h, factored along the arrow
 // that a bearing is: each roller couples to the border (inner ring, cage, modes) only. Positions
 // are eliminated (q' = v), which leaves 6 unknowns a roller:
-//   A_j = M_j/beta - dF/dV - beta dF/dP,   Schur complement  S = B - sum_j T_j A_j^-1 N_j  on the
-//   border.
+//   A_j = M_j/beta - dF/dV - beta dF/dP
+//   S   = B - sum_j T_j A_j^-1 N_j         Schur complement on the border
 // Roller blocks are inverted side by side across the lanes, then the border, all without pivoting:
 // mass, damping and stiffness keep the symmetric part positive definite as long as beta is not
 // absurdly large; a vanishing pivot is reported, not divided by.

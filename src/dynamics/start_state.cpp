@@ -64,8 +64,9 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   const StateLayout& l = m.layout;
   std::vector<double> y(static_cast<std::size_t>(l.size()), 0.0);
   const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
-  const bool settled = start.state != "centred";
-  const bool seeks = start.state == "steady" || (start.state == "auto" && m.lubricated);
+  const bool settled = start.state != StartState::centred;
+  const bool seeks =
+      start.state == StartState::steady || (start.state == StartState::automatic && m.lubricated);
   const SteadyStart steady = seeks ? find_steady_start(m) : SteadyStart{};
   const double inner_speed = inner_speed_at(m, 0),
                cage_speed =

@@ -1,10 +1,10 @@
-// Keys of an input file as a table: each key is declared once, with its unit, range, meaning and
-// the place in a plain struct that it fills. Reading, --dump-default, --set, error messages and the
-// tables of inputs/README.md all come from it.
+// The keys of an input file as a table. Each key is declared once, with its unit, its range, its
+// meaning and the member of a plain struct that it fills. The reader, --dump-default, --set, error
+// messages and the tables of inputs/README.md are all made from it.
 //
 //   const KeyTable<Scene> table = {
-//       {"cage.width_mm", above(0), [](Scene& s) -> auto& { return s.cage.width; }, "axial width of
-//       the cage"},
+//       {"cage.width_mm", above(0), [](Scene& s) -> auto& { return s.cage.width; },
+//        "axial width of the cage"},
 //   };
 #pragma once
 
@@ -15,14 +15,15 @@
 #include <variant>
 #include <vector>
 
+#include "src/input/choice.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/input/unit.hpp"
 
 namespace cagetol {
 
-/// What a key holds. `numbers` is one number for all pockets (or rollers), or an array with one
-/// each.
+/// Type of a key's value. `numbers`: one number for all pockets (or rollers), or an array with one
+/// for each.
 enum class KeyKind { number, numbers, integer, boolean, choice, text };
 
 /// Values a key may take, in the key's unit.
@@ -30,11 +31,11 @@ struct KeyRange {
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   bool open_minimum = false;  ///< the minimum itself is not allowed
-  bool may_be_auto =
-      false;  ///< "auto" is allowed: computed from the rest of the scene (stored as NaN)
-  bool required = false;  ///< the key must be given: no default would make sense
-  /// "model.motion = \"dynamic\"": the key must be given where another key has this value; empty:
-  /// no such condition.
+  /// "auto" is allowed: computed from the rest of the scene, stored as NaN.
+  bool may_be_auto = false;
+  bool required = false;  ///< the key has no default and must be given
+  /// The key must be given if another key has this value, for example "model.motion = \"dynamic\"".
+  /// Empty: no such condition.
   std::string required_where;
   std::vector<std::string> choices;
 };
@@ -47,7 +48,7 @@ KeyRange or_auto(KeyRange range);
 KeyRange required(KeyRange range);
 KeyRange required_where(std::string condition, KeyRange range);
 
-/// What is known of a key apart from the struct it fills.
+/// A key without the struct that it fills.
 struct KeyInfo {
   std::string name;  ///< dotted, with its unit as suffix: "cage.pocket_width_mm"
   KeyRange range;
@@ -59,15 +60,23 @@ struct KeyInfo {
   KeyInfo(std::string key_name, KeyRange allowed, std::string key_meaning, KeyKind key_kind);
 };
 
+/// A member whose type is a closed set (choice.hpp), read and written as text.
+template <class T>
+struct ChoicePlace {
+  std::function<std::string(T&)> text;
+  std::function<void(T&, const std::string&)> set;
+};
+
 /// One key of an input file that fills a struct of type T.
 template <class T>
 struct Key : KeyInfo {
   using Place = std::variant<std::function<double&(T&)>, std::function<std::vector<double>&(T&)>,
                              std::function<long&(T&)>, std::function<bool&(T&)>,
-                             std::function<std::string&(T&)>>;
+                             std::function<std::string&(T&)>, ChoicePlace<T>>;
   Place place;
 
-  /// The unit follows from the name's suffix, the kind from what `accessor` returns.
+  /// The unit follows from the suffix of the name, the kind from the type that `accessor` returns.
+  /// A closed set allows all of its values unless `allowed` lists some.
   template <class Accessor>
   Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning);
 };
@@ -85,8 +94,8 @@ std::vector<KeyInfo> key_infos(const KeyTable<T>& table);
 /// The known name nearest to `name` by edit distance, for "did you mean".
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// The error for a leaf that is no key: says whether its unit is the wrong one (and converts), or
-/// names the nearest key.
+/// The error for an unknown key. If only the unit is wrong it names the right one and converts the
+/// value, otherwise it names the nearest key.
 InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
                        const std::vector<KeyInfo>& known);
 
@@ -110,8 +119,8 @@ template <class T>
 void read_key(const Key<T>& key, const toml::node& node, const std::string& file, std::size_t count,
               T& target);
 
-/// Sets a number (or, for `numbers` keys, one per pocket) given in the key's unit. The caller
-/// answers for the range.
+/// Sets a number (or, for `numbers` keys, one per pocket) given in the key's unit. Does not check
+/// the range.
 template <class T>
 void set_key_numbers(const Key<T>& key, const std::vector<double>& values, T& target);
 
@@ -123,17 +132,17 @@ std::vector<double> key_numbers(const Key<T>& key, const T& source);
 template <class T>
 std::string key_text(const Key<T>& key, const T& source);
 
-/// Puts the value at a key into a TOML table, in the section that the key's name says.
+/// Inserts the value at a key into a TOML table, in the section that the key belongs to.
 template <class T>
 void insert_key(const Key<T>& key, const T& source, toml::table& root);
 
-/// The table as TOML text with the values of `source`, grouped by section, each key commented with
-/// unit, range and meaning. `prefix` ("scene.") stands before every section.
+/// The table as TOML text with the values of `source`, grouped by section. A comment gives unit,
+/// range and meaning of each key. `prefix` ("scene.") is put in front of every section.
 template <class T>
 std::string dump_keys(const KeyTable<T>& table, const T& source, const std::string& prefix = "");
 
-/// The table in Markdown: key, unit, default (from `defaults`) or that the key is required, range,
-/// meaning.
+/// The table in Markdown with the columns key, unit, default (from `defaults`, or "required"),
+/// range and meaning.
 template <class T>
 std::string key_table_markdown(const KeyTable<T>& table, const T& defaults);
 

@@ -1,4 +1,4 @@
-// Templates of key_table.hpp. What does not depend on the struct is in key_table.cpp.
+// Templates of key_table.hpp. Code that does not depend on the struct is in key_table.cpp.
 #pragma once
 
 #include <cmath>
@@ -17,19 +17,68 @@ constexpr KeyKind kind_of() {
   if constexpr (std::is_same_v<Value, std::vector<double>>) return KeyKind::numbers;
   if constexpr (std::is_same_v<Value, long>) return KeyKind::integer;
   if constexpr (std::is_same_v<Value, bool>) return KeyKind::boolean;
+  if constexpr (std::is_enum_v<Value>) return KeyKind::choice;
   return KeyKind::text;
+}
+
+template <class T, class Accessor>
+using PlaceType = std::remove_cvref_t<std::invoke_result_t<Accessor, T&>>;
+
+/// `allowed`, completed by all spellings of a closed set of type Value if it lists none.
+template <class Value>
+KeyRange with_choices(KeyRange allowed) {
+  if constexpr (std::is_enum_v<Value>)
+    if (allowed.choices.empty()) allowed.choices = choice_texts<Value>();
+  return allowed;
+}
+
+template <class T, class Accessor>
+typename Key<T>::Place make_place(Accessor accessor) {
+  using Value = PlaceType<T, Accessor>;
+  if constexpr (std::is_enum_v<Value>) {
+    return ChoicePlace<T>{[accessor](T& source) { return std::string(spelled(accessor(source))); },
+                          [accessor](T& target, const std::string& text) {
+                            accessor(target) = choice_of<Value>(text);
+                          }};
+  } else {
+    return std::function<Value&(T&)>(std::move(accessor));
+  }
+}
+
+template <class Value>
+void read_value(const KeyInfo& key, const toml::node& node, const std::string& file,
+                std::size_t count, Value& value) {
+  if constexpr (std::is_same_v<Value, double>) {
+    value = to_si(number_value(key, node, file), key.to_si);
+  } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+    value = numbers_value(key, node, file, count);
+    for (double& each_value : value) each_value = to_si(each_value, key.to_si);
+  } else if constexpr (std::is_same_v<Value, long>) {
+    value = integer_value(key, node, file);
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    value = boolean_value(key, node, file);
+  } else {
+    value = text_value(key, node, file);
+  }
+}
+
+/// The text at a key that holds a text or a closed set.
+template <class T>
+std::string text_at(const Key<T>& key, T& source) {
+  if (const auto* choice = std::get_if<ChoicePlace<T>>(&key.place)) return choice->text(source);
+  return std::get<std::function<std::string&(T&)>>(key.place)(source);
 }
 
 /// One line of a dump: "pocket_width_mm = 7.65  # [mm] above 0: opening ...".
 std::string dump_line(const KeyInfo& key, const std::string& value);
-/// "[section]" where the section of `name` differs from that of `previous`, else nothing.
+/// "[section]" if the section of `name` differs from that of `previous`, otherwise empty.
 std::string section_header(const std::string& name, const std::string& previous,
                            const std::string& prefix);
 std::string markdown_row(const KeyInfo& key, const std::string& value);
 std::string numbers_text(const std::vector<double>& values);
 std::string quoted(const std::string& text);
-/// The table of `root` in which a dotted name stands, made where it is missing, and the name's last
-/// part; nullptr where something other than a table is in its place.
+/// The table of `root` that holds a dotted name, created if missing, and the last part of the name.
+/// nullptr if a value other than a table is in the way.
 std::pair<toml::table*, std::string> section_of(toml::table& root, const std::string& name);
 void insert_numbers(toml::table& table, const std::string& name, const std::vector<double>& values);
 
@@ -38,9 +87,10 @@ void insert_numbers(toml::table& table, const std::string& name, const std::vect
 template <class T>
 template <class Accessor>
 Key<T>::Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning)
-    : KeyInfo(std::move(key_name), std::move(allowed), std::move(key_meaning),
-              key_detail::kind_of<std::remove_cvref_t<std::invoke_result_t<Accessor, T&>>>()),
-      place(std::function<std::invoke_result_t<Accessor, T&>(T&)>(std::move(accessor))) {}
+    : KeyInfo(std::move(key_name),
+              key_detail::with_choices<key_detail::PlaceType<T, Accessor>>(std::move(allowed)),
+              std::move(key_meaning), key_detail::kind_of<key_detail::PlaceType<T, Accessor>>()),
+      place(key_detail::make_place<T>(std::move(accessor))) {}
 
 template <class T>
 const Key<T>* find_key(const KeyTable<T>& table, std::string_view name) {
@@ -59,20 +109,10 @@ void read_key(const Key<T>& key, const toml::node& node, const std::string& file
               T& target) {
   std::visit(
       [&](const auto& place) {
-        auto& value = place(target);
-        using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, double>) {
-          value = to_si(number_value(key, node, file), key.to_si);
-        } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-          value = numbers_value(key, node, file, count);
-          for (double& each_value : value) each_value = to_si(each_value, key.to_si);
-        } else if constexpr (std::is_same_v<Value, long>) {
-          value = integer_value(key, node, file);
-        } else if constexpr (std::is_same_v<Value, bool>) {
-          value = boolean_value(key, node, file);
-        } else {
-          value = text_value(key, node, file);
-        }
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(place)>, ChoicePlace<T>>)
+          place.set(target, text_value(key, node, file));
+        else
+          key_detail::read_value(key, node, file, count, place(target));
       },
       key.place);
 }
@@ -111,7 +151,7 @@ std::string key_text(const Key<T>& key, const T& source) {
     case KeyKind::boolean:
       return std::get<std::function<bool&(T&)>>(key.place)(readable) ? "true" : "false";
     default:
-      return key_detail::quoted(std::get<std::function<std::string&(T&)>>(key.place)(readable));
+      return key_detail::quoted(key_detail::text_at(key, readable));
   }
 }
 
@@ -132,8 +172,7 @@ void insert_key(const Key<T>& key, const T& source, toml::table& root) {
       section->insert_or_assign(name, std::get<std::function<bool&(T&)>>(key.place)(readable));
       break;
     default:
-      section->insert_or_assign(name,
-                                std::get<std::function<std::string&(T&)>>(key.place)(readable));
+      section->insert_or_assign(name, key_detail::text_at(key, readable));
   }
 }
 

@@ -1,5 +1,5 @@
-// Text from files and command lines, fit for a terminal or a log: what such a text holds must not
-// move a cursor, hide a line or look like a message of the program's own.
+// Makes text from files and command lines safe to print. Such text must not move the cursor, hide a
+// line or imitate a message of the program.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@ namespace cagetol {
 
 enum class LineBreaks { kept, escaped };
 
-/// `text` with control characters, marks of writing direction and bytes that are not UTF-8 as
-/// \xNN. Line breaks and tabs stay where they are `kept`, as in a message of several lines.
+/// `text` with control characters, marks of writing direction and bytes that are not UTF-8 written
+/// as \xNN. `kept` leaves line breaks and tabs as they are, for messages of several lines.
 std::string printable(std::string_view text, LineBreaks breaks = LineBreaks::escaped);
 
-/// Length of the UTF-8 character at the start of `text`; 0 where none stands there.
+/// Length of the UTF-8 character at the start of `text`; 0 if there is none.
 std::size_t utf8_length(std::string_view text);
 
-/// At most `longest` bytes of `text`, cut between characters and ended by "..." where something is
-/// left out; printable.
+/// `text` made printable and limited to `longest` bytes. A longer text is cut between characters
+/// and ends in "...".
 std::string excerpt(std::string_view text, std::size_t longest);
 
 }  // namespace cagetol

@@ -1,5 +1,5 @@
-// A TOML file on its way in: parsed with messages for people, settings applied, leaves listed with
-// their places.
+// Reads TOML files: parses them with readable messages, applies settings (--set) and lists all
+// leaves with their places in the file.
 #pragma once
 
 #include <toml++/toml.h>
@@ -29,14 +29,14 @@ void apply_setting(toml::table& root, const std::string& setting);
 /// The dotted key of a setting "dotted.key=value". Throws InputError where there is none.
 std::string setting_key(const std::string& setting);
 
-/// Moves every value of `overrides` into `base`, table by table; a table for which `stop_at` says
-/// true is a value: it replaces what was there.
+/// Merges `overrides` into `base`, table by table. A table for which `stop_at` is true counts as a
+/// value and replaces the old value as a whole.
 void merge_tables(toml::table& base, toml::table&& overrides,
                   const std::function<bool(const toml::table&)>& stop_at);
 
-/// One leaf of a TOML document: its dotted name and node. Arrays are leaves; tables are walked
-/// into, unless `stop_at` says that a table is itself a value (a distribution). An empty table is a
-/// leaf too: nothing in a file is passed over in silence.
+/// One leaf of a TOML document: its dotted name and its node. Arrays are leaves, and so are tables
+/// for which `stop_at` is true (distributions) and empty tables: every entry of a file is either
+/// read or reported as an error.
 struct TomlLeaf {
   std::string name;
   const toml::node* node;
@@ -47,8 +47,8 @@ std::vector<TomlLeaf> toml_leaves(const toml::table& root,
 /// The node at a dotted name, or nullptr.
 const toml::node* find_node(const toml::table& root, std::string_view name);
 
-/// Place of a node: the file it was read from (`file` where it was not read from one); settings are
-/// called "--set".
+/// Place of a node: the file that it was read from, or "--set" for a setting; `file` if neither is
+/// known.
 SourcePlace place_of(const toml::node& node, const std::string& file);
 
 /// A node's value as TOML text for messages, shortened where it is long.

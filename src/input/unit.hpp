@@ -1,5 +1,5 @@
-// Units that input files carry as the suffix of their keys ("cage.pocket_width_mm"): the only place
-// where they become SI.
+// Units of input files. The suffix of a key is its unit ("cage.pocket_width_mm"). Conversion to SI
+// happens here and nowhere else.
 #pragma once
 
 #include <string>
@@ -15,27 +15,26 @@ struct Unit {
   double to_si = 1;
 };
 
-/// The unit in which `key` is given: the longest known suffix after an underscore; a pure number if
-/// there is none.
+/// The unit of `key`: the longest known suffix after an underscore, or a pure number without one.
 const Unit& unit_of(std::string_view key);
 
 /// `key` without its unit: "cage.pocket_width" of "cage.pocket_width_mm".
 std::string_view without_unit(std::string_view key);
 
-/// The unit that people write as `text`, or nullptr: "mm", "N/mm^e", also "µm", "micron", "cm",
-/// "inch" and others that keys do not know.
+/// The unit written as `text`, or nullptr: "mm", "N/mm^e", and units that no key has, such as "µm",
+/// "micron", "cm" and "inch".
 const Unit* find_unit(std::string_view text);
 
-/// A value in SI, and back. Powers of ten move the decimal point instead of multiplying, so
-/// that 7.65 mm has the bits of 7.65e-3 m.
+/// Converts a value to SI, and back. Powers of ten move the decimal point instead of multiplying:
+/// 7.65 mm has the same bits as 7.65e-3 m.
 double to_si(double value, double factor);
 double from_si(double value, double factor);
 
 /// The shortest decimal text that reads back as `value`.
 std::string number_text(double value);
 
-/// The shortest decimal in a unit whose conversion gives exactly `si` (the nearest one if no
-/// decimal does).
+/// The shortest decimal number in a unit that converts to exactly `si`, or to the nearest value if
+/// none does.
 double unit_value(double si, double factor);
 
 }  // namespace cagetol

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "src/integration/system.hpp"
 
@@ -26,13 +25,6 @@ class Integrator {
  protected:
   std::string failure_;
 };
-
-/// Names of all methods, the default first, each with one line of description.
-struct MethodName {
-  const char* name;
-  const char* description;
-};
-const std::vector<MethodName>& integration_methods();
 
 /// Makes the method named in the scene's integration keys.
 std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system,

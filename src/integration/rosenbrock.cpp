@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "src/integration/step_control.hpp"
+
 namespace cagetol {
 
 const RosenbrockTable kRodas3 = {
@@ -43,8 +45,6 @@ const RosenbrockTable kRodasP = {
 
 namespace {
 
-constexpr double kFirstStep = 1e-7, kSmallestStep = 1e-12;
-
 /// to = from + sum of weights times terms, in one pass over n numbers in whole packs.
 template <int terms>
 void add_up(const double* from, const double* const* term, const double* weight, double* to,
@@ -62,7 +62,7 @@ Rosenbrock::Rosenbrock(const RosenbrockTable& table, const Integration& keys, co
     : table_(table),
       keys_(keys),
       newton_(system.model),
-      next_step_(kFirstStep),
+      next_step_(kStepControl.first_step),
       stage_(static_cast<std::size_t>(table.stages),
              PackVector(static_cast<std::size_t>(system.size))),
       rates_(static_cast<std::size_t>(system.size)),
@@ -131,23 +131,25 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       if (!std::isfinite(error)) error = 1e6;
     }
     const double log_error = std::log(std::clamp(error, 1e-6, 1e6));
-    const double log_factor = std::log(0.9) - log_error / table_.error_order;
+    const double log_factor = std::log(kStepControl.safety) - log_error / table_.error_order;
     if (error <= 1) {
-      // Gustafsson's predictive part; no growth right after a rejection.
-      const double predicted = log_factor + std::min(0.0, 0.08 * (last_log_error_ - log_error));
-      const double factor = std::clamp(std::exp(predicted), 0.2, rejected ? 1.0 : 4.0);
+      // No growth right after a rejection.
+      const double predicted =
+          log_factor + std::min(0.0, kStepControl.memory * (last_log_error_ - log_error));
+      const double factor = std::clamp(std::exp(predicted), kStepControl.shortest,
+                                       rejected ? 1.0 : kStepControl.longest);
       advance(y, table_.m, table_.stages, y);
       t = last ? t_end : t + h;
       ++system.counts.steps;
       if (!last) system.counts.smallest_step = std::min(system.counts.smallest_step, h);
-      last_log_error_ = std::max(log_error, std::log(1e-2));
+      last_log_error_ = std::max(log_error, std::log(kStepControl.least_error));
       next_step_ = last ? std::max(next_step_, h * factor) : h * factor;
       return StepStatus::accepted;
     }
     ++system.counts.rejected;
     rejected = true;
-    h *= std::clamp(std::exp(log_factor), 0.1, 0.7);
-    if (h < kSmallestStep) {
+    h *= std::clamp(std::exp(log_factor), kStepControl.shortest_again, kStepControl.longest_again);
+    if (h < kStepControl.smallest_step) {
       failure_ = "the step fell below 1e-12 s at t = " + std::to_string(t) + " s";
       return StepStatus::failed;
     }

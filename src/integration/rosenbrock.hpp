@@ -9,8 +9,9 @@
 namespace cagetol {
 
 /// Coefficients in the transformed variables U of Hairer & Wanner II, eq. (IV.7.25):
-///   (1/(gamma h) - J) U_i = f(t + alpha_i h, y + sum_j a_ij U_j) + sum_j (c_ij/h) U_j + gamma_i h
-///   f_t,   y_new = y + sum_i m_i U_i
+///   (1/(gamma h) - J) U_i
+///       = f(t + alpha_i h, y + sum_j a_ij U_j) + sum_j (c_ij/h) U_j + gamma_i h f_t
+///   y_new = y + sum_i m_i U_i
 /// The methods here are stiffly accurate: the last stage's argument is the solution of lower order
 /// that the error is told by, so that the last stage is the error's estimate.
 struct RosenbrockTable {

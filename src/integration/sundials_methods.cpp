@@ -12,11 +12,10 @@
 
 #include "src/dynamics/newton_matrix.hpp"
 #include "src/integration/state_vector.hpp"
+#include "src/integration/step_control.hpp"
 
 namespace cagetol {
 namespace {
-
-constexpr double kFirstStep = 1e-7;
 
 /// What the C callbacks reach: evaluations are counted in the run's system, derivatives kept apart
 /// from what the run observes.
@@ -197,7 +196,7 @@ class SundialsIntegrator : public Integrator {
       require(library_.set_linear_solver(memory_, handles_.solver, handles_.matrix),
               "the linear solver");
     require(library_.set_max_step(memory_, problem_.keys.max_step), "the maximum step");
-    require(library_.set_first_step(memory_, kFirstStep), "the first step");
+    require(library_.set_first_step(memory_, kStepControl.first_step), "the first step");
     require(library_.set_error_file(memory_, nullptr), "silence");
   }
 

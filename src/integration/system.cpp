@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/integration/step_control.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -71,7 +73,7 @@ void System::rates_by_time(double t, const double* y, double* out) {
 }
 
 double speed_scale(const BearingModel& m) {
-  return std::min(kSpeedScale, least_static_speed(m));
+  return std::min(kStepControl.speed_unit, least_static_speed(m));
 }
 
 PackVector error_scales(const BearingModel& m) {
@@ -82,23 +84,23 @@ PackVector error_scales(const BearingModel& m) {
   for (int j = 0; j < l.rollers; ++j) {
     const double lever[kRollerPositions] = {1, m.pitch_radius, 1, half, half};
     for (int slot = 0; slot < kRollerPositions; ++slot) {
-      set(l.position(static_cast<RollerPosition>(slot), j), kLengthScale / lever[slot]);
+      set(l.position(static_cast<RollerPosition>(slot), j), kStepControl.length_unit / lever[slot]);
       set(l.velocity(static_cast<RollerVelocity>(slot), j), speed / lever[slot]);
     }
     set(l.velocity(kSpin, j), speed / (m.nominal_diameter / 2));
   }
   const double lever[kRigidBorder] = {1, 1, 1, 1, 1, m.pitch_radius, m.land_offset, m.land_offset};
   for (int i = 0; i < kRigidBorder; ++i) {
-    set(l.border_position(i), kLengthScale / lever[i]);
+    set(l.border_position(i), kStepControl.length_unit / lever[i]);
     set(l.border_velocity(i), speed / lever[i]);
   }
   for (int k = 0; k < l.ring_tilt; ++k) {
-    set(l.border_position(l.ring_tilt_slot() + k), kLengthScale / half);
+    set(l.border_position(l.ring_tilt_slot() + k), kStepControl.length_unit / half);
     set(l.border_velocity(l.ring_tilt_slot() + k), speed / half);
   }
   for (int k = 0; k < l.modes; ++k) {
     const double moved = m.flexible.scale[static_cast<std::size_t>(k)];
-    set(l.border_position(kModes + k), kLengthScale / moved);
+    set(l.border_position(kModes + k), kStepControl.length_unit / moved);
     set(l.border_velocity(kModes + k), speed / moved);
   }
   return scale;

@@ -7,8 +7,6 @@
 
 namespace cagetol {
 
-inline constexpr double kLengthScale = 1e-6;  ///< one unit of error of a length [m]
-inline constexpr double kSpeedScale = 1e-2;   ///< of a speed, at most [m/s]
 /// One unit of error of a speed [m/s]: none coarser than the speed at which friction sets in, or
 /// the power that it dissipates is not known.
 double speed_scale(const BearingModel& model);

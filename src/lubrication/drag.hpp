@@ -3,9 +3,11 @@
 //   rho = fill rho_oil + (1 - fill) rho_air,   eta likewise
 //   F   = 1/2 rho C_d D L v^2                     roller across its axis [N]
 //   M   = 1/2 rho w^2 (r_o^5 - r_i^5) C_n         one face of a disc or ring [N m]
-//         C_n = 1.935/sqrt(Re) laminar, 0.073 Re^-0.2 turbulent, about Re = 3e5; Re = rho r_o^2 w/eta
+//         Re  = rho r_o^2 w/eta
+//         C_n = 1.935/sqrt(Re) laminar, 0.073 Re^-0.2 turbulent, transition about Re = 3e5
 //   tau = 1/2 f rho (w r)^2                       cylinder in a gap c [Pa]
-//         f = 2/Re laminar, 0.0791 Re^-0.25 turbulent, about Re = 2000; Re = rho w r c/eta
+//         Re  = rho w r c/eta
+//         f   = 2/Re laminar, 0.0791 Re^-0.25 turbulent, transition about Re = 2000
 //
 // v speed relative to the fluid [m/s], w likewise [rad/s]; the fluid is carried along with a share
 // of the cage's speed. `fill` is an assumption: in the literature a calibration constant. The

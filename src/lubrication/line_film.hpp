@@ -7,13 +7,15 @@
 //   g   = h(q, u) - delta(q),   delta = a q^0.9 + c q              gap of the undeformed bodies [m]
 //   s   = 3 sqrt(2) pi eta (R/h)^1.5 (-dh/dt),   dh/dt = h_g dg/dt     squeeze
 //   q_f = (s + sqrt(s^2 + 4 q_w^2))/2                             film force
+//   E'  = 2/[(1 - nu1^2)/E1 + (1 - nu2^2)/E2]                     effective modulus [Pa]
 //
 // q load per length [N/m], q_w the steady one that follows from g, u entrainment speed (mean of
-// both surface speeds as seen from the contact) [m/s], R reduced radius [m], E' = 2/[(1 - nu1^2)/E1
-// + (1 - nu2^2)/E2] [Pa], eta viscosity at ambient pressure [Pa s], alpha pressure-viscosity
-// coefficient [1/Pa], a elastic approach of the line contact [m (m/N)^0.9], c local compliance of a
-// body [m2/N]. g < 0 is penetration. h_g = dh/dg of the steady law: most of a loaded contact's
-// approach goes into the bodies, whose own damping acts on d delta/dt = -(1 - h_g) dg/dt.
+// both surface speeds as seen from the contact) [m/s], R reduced radius [m], eta viscosity at
+// ambient pressure [Pa s], alpha pressure-viscosity coefficient [1/Pa], a elastic approach of the
+// line contact [m (m/N)^0.9], c local compliance of a body [m2/N]. g < 0 is penetration.
+// h_g = dh/dg of the steady law: most of a loaded contact's approach goes into the bodies, whose
+// own damping acts on
+//   d delta/dt = -(1 - h_g) dg/dt
 //
 // With q* and h* where h_E = h_I, y = ln(q/q*), D = a q*^0.9/h*, C = c q*/h*, two numbers are left:
 //

@@ -5,9 +5,12 @@
 //   Q   = L max(0, q_f + q_w chi d delta/dt)            normal force [N]
 //   q_f = (s + sqrt(s^2 + 4 q_w^2))/2,   s squeeze      (line_film.hpp), with dh/dt = h_g dg/dt
 //   q_w = q (1 - (1 - W) (h_I/h)^4)                     W the layer's factor of the wedge
-//   d delta/dt = -(1 - h_g) dg/dt                       chi Hunt-Crossley (src/contact/normal_force.hpp)
-//   F_t = -ratio du                                     traction (traction.hpp) at the load as it acts
-//   F_r = f L (u/u_s) R                                 rolling force (rolling_resistance.hpp), along u
+//   d delta/dt = -(1 - h_g) dg/dt                       approach of the bodies
+//   F_t = -ratio du                                     traction at the load as it acts
+//   F_r = f L (u/u_s) R                                 rolling force, along u
+//
+// chi of Hunt and Crossley (src/contact/normal_force.hpp), ratio of traction.hpp, f of
+// rolling_resistance.hpp.
 //
 // Powers, each what the bodies lose to the contact: sliding ratio |du|^2, rolling 2 F_r u, normal
 // Q (-dg/dt), of which squeeze (q_f - q_w) L (-dg/dt) and damping (Q - q_f L)(-dg/dt) are lost for

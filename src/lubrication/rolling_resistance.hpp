@@ -9,9 +9,9 @@
 //         ln K = (0.658228 + 0.0106383 L^0.3174603) ln D - (0.162625 + ln(1 + 0.411483 L^0.707071))
 //         D    = 11.81220746 alpha E' (eta u/(E' R))/W^1.5,   L = eta beta u^2/k
 //
-// q steady load of a flooded gap, without squeeze [N/m], u entrainment speed [m/s], beta = -d ln
-// nu/dT [1/K], k conductivity of the oil [W/(m K)]; the rest as in line_film.hpp. At L = 0 the line
-// with K is the one above it.
+// q steady load of a flooded gap, without squeeze [N/m], u entrainment speed [m/s],
+// beta = -d ln nu/dT [1/K], k conductivity of the oil [W/(m K)]; the rest as in line_film.hpp. At
+// L = 0 the line with K is the one above it.
 //
 // The pressure is not symmetric about the contact, so each body also feels a force through its own
 // axis. A roller gets f (2 R/R_roller - 1) along the surfaces' motion and the moment f R_roller

@@ -1,8 +1,9 @@
 // A number with its derivatives by n variables: a law written once for T gives its force for T =
 // double or Pack, and force and derivatives for T = Dual<double, n> or Dual<Pack, n>.
 //
-//   (a, a') + (b, b') = (a + b, a' + b'),   (a, a') (b, b') = (a b, a' b + a b'),   f((a, a')) =
-//   (f(a), f'(a) a')
+//   (a, a') + (b, b') = (a + b, a' + b')
+//   (a, a') (b, b')   = (a b, a' b + a b')
+//   f((a, a'))        = (f(a), f'(a) a')
 //
 // Comparisons look at values alone. select() chooses values and derivatives together, so a law that
 // is C1 where its branches meet has continuous derivatives here. Source: Griewank and Walther,

@@ -1,7 +1,7 @@
-// Von Mises stress of a flexible cage at its stress stations, fast enough for every accepted step:
-// elastic modes plus the static rest of bar forces and turning (station_stress in
-// src/cage/cage_model.hpp, in single precision), and bounds that tell without looking when no
-// station can exceed a known value, or has changed since one looked.
+// Von Mises stress of a flexible cage at its stress stations, fast enough for every accepted step.
+// The stress is that of station_stress() in src/cage/cage_model.hpp (elastic modes plus the static
+// residual of bar forces and rotation), in single precision. Cheap bounds avoid most evaluations:
+// one for the largest stress, one for its change since the last evaluation.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,29 +13,30 @@ namespace cagetol {
 
 class CageStress {
  public:
-  explicit CageStress(const CageModel& model);  ///< which must live as long
+  explicit CageStress(const CageModel& model);  ///< keeps a reference to `model`
 
   struct Largest {
     double stress = 0;  ///< [Pa]
     long sector = 0, station = 0;
   };
-  /// Over all stations. `q`: modal coordinates; `bar_force` as in Observation [N]; `spin` whose
-  /// centrifugal load acts, 0: none [rad/s]. Relative error 1e-5.
+  /// Largest stress of all stations. `q`: modal coordinates; `bar_force` as in Observation [N];
+  /// `spin` of the centrifugal load, 0: none [rad/s]. Relative error 1e-5.
   Largest largest(const double* q, const Eigen::VectorXd& bar_force, double spin);
 
-  /// No station's stress exceeds this: von Mises stress is a norm, so parts add up at most [Pa].
+  /// Upper bound of the stress at all stations [Pa]. Von Mises stress is a norm, so the stress of a
+  /// sum is at most the sum of the stresses.
   double bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const;
 
-  /// What largest() said last, and the most by which any station's stress can be off it now [Pa].
+  /// The last result of largest(), and a bound of the change since then at any station [Pa].
   const Largest& last() const { return last_; }
   double change_bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const;
 
  private:
-  /// Bound of modal coordinates, bar forces and the square of a spin.
+  /// Bound of the stress from modal coordinates, bar forces and the square of the spin.
   template <class Modes, class Forces>
   double bound_of(const Modes& q, const Forces& force, double spin_squared) const;
 
-  /// A force that acts: its pocket, its place in the pocket.
+  /// A bar force that is not zero.
   struct ActingForce {
     long pocket, place;
     float value;
@@ -43,12 +44,12 @@ class CageStress {
 
   const CageModel& model_;
   long stations_, sectors_, per_pocket_;
-  Eigen::VectorXd mode_norm_;  ///< largest stress of a unit of each mode, of a unit spin
-  Eigen::VectorXd
-      force_norm_;  ///< largest residual stress of a unit force, by its place in a pocket
+  Eigen::VectorXd mode_norm_;  ///< largest stress per unit of each mode, then of the squared spin
+  /// Largest residual stress per unit force at each station of a pocket.
+  Eigen::VectorXd force_norm_;
   Eigen::VectorXf q_, components_;
   Largest last_;
-  Eigen::VectorXd last_q_, last_force_;  ///< of which largest() was asked, zero at first
+  Eigen::VectorXd last_q_, last_force_;  ///< arguments of the last largest(), zero before
   double last_spin_ = 0;
   std::vector<ActingForce> acting_;
 };

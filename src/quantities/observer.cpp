@@ -1,15 +1,18 @@
 #include "src/quantities/observer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "src/quantities/quantity_table.hpp"
+#include "src/integration/step_control.hpp"
+#include "src/quantities/quantity_rows.hpp"
 
 namespace cagetol {
 namespace {
@@ -30,6 +33,34 @@ bool should_be_stationary(const BearingModel& m, double begin, double end) {
   const double turns =
       std::abs(kinematic_cage_speed(m, m.inner_speed)) * (end - begin) / (2 * std::numbers::pi);
   return m.lubricated && std::max(m.load_ramp, m.speed_ramp) <= begin && turns >= kTurnsToDrift;
+}
+
+/// Values by row of quantity_table(); all() throws where one was never set.
+class QuantityValues {
+ public:
+  double& operator[](std::size_t row) {
+    set_[row] = true;
+    return values_[row];
+  }
+  std::vector<double> all() const {
+    for (std::size_t row = 0; row < set_.size(); ++row)
+      if (!set_[row])
+        throw std::logic_error(std::string("quantity without a value: ") + kQuantityRows[row].key);
+    return {values_.begin(), values_.end()};
+  }
+
+ private:
+  std::array<double, kQuantityRows.size()> values_{};
+  std::array<bool, kQuantityRows.size()> set_{};
+};
+
+/// Rows of the quantities of one contact kind's force.
+struct ForceRows {
+  std::size_t rms, p99, peak, impacts;
+};
+consteval ForceRows force_rows(std::string_view kind) {
+  return {quantity_row(kind, "_force_rms_N"), quantity_row(kind, "_force_p99_N"),
+          quantity_row(kind, "_force_peak_N"), quantity_row(kind, "_impacts_per_revolution")};
 }
 
 }  // namespace
@@ -163,14 +194,14 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
     const int j = group * kLanes;
     const auto k = static_cast<std::size_t>(group);
     const Mask here = model_.groups[k].exists > 0.0;
-    const GroupLinear& turned = system.linear.groups[k];
+    const GroupLinear& linear = system.linear.groups[k];
     const auto force = [&](const PackVector& of) { return load(of.data() + j); };
     const Pack spin = load(y + l.velocity(kSpin, j)), orbit = load(y + l.velocity(kOrbitRate, j));
     const Pack ay = load(y + l.position(kAxisY, j)), az = load(y + l.position(kAxisZ, j));
     largest_lean_squared_ =
         std::max(largest_lean_squared_, largest(select(here, ay * ay + az * az, Pack{})));
-    skew_.add(k, abs(turned.cosine * az - turned.sine * ay), here, step);
-    tilt_.add(k, abs(turned.cosine * ay + turned.sine * az), here, step);
+    skew_.add(k, abs(linear.cosine * az - linear.sine * ay), here, step);
+    tilt_.add(k, abs(linear.cosine * ay + linear.sine * az), here, step);
     roller_speed_.add(k, spin, here, step);
     const Pack slip = rolls > 0 ? 1.0 - abs(spin - orbit) * rolls : Pack{};
     slip_all_.add(k, slip, here, step);
@@ -230,7 +261,7 @@ double Observer::energy_resolution(double tolerance) const {
   const double force = std::max(std::abs(load_at(model_, end_).radial), carried);
   // Momentum is at most the root of twice mass times energy.
   const double energy = std::max(std::abs(first_energy_), std::abs(last_energy_));
-  const double by_scale = force * kLengthScale + std::sqrt(2 * mass * energy) * speed_scale(model_);
+  const double by_scale = force * kStepControl.length_unit + std::sqrt(2 * mass * energy) * speed_scale(model_);
   const double components =
       (int{kRollerPositions} + int{kRollerVelocities}) * l.rollers + 2 * l.border();
   // A tolerance looser than the default's is what the watch is there to find.
@@ -281,91 +312,85 @@ double Observer::static_consistency_error() const {
 
 std::vector<double> Observer::quantities() const {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  std::map<std::string, double> q;
+  QuantityValues q;
   const double cage_speed = cage_speed_.mean(), inner_speed = inner_speed_.mean();
   const double clearance = model_.guide_clearance, duration = end_ - begin_;
   const double revolutions = std::max(revolutions_, 1e-12);
-  q["cage_slip_ratio"] =
+  q[quantity_row("cage_slip_ratio")] =
       inner_speed != 0 ? 1 - cage_speed / kinematic_cage_speed(model_, inner_speed) : none;
-  q["orbit_slip_ratio"] =
+  q[quantity_row("orbit_slip_ratio")] =
       inner_speed != 0 ? 1 - orbit_slip_.rate_ratio() / kinematic_cage_speed(model_, 1) : none;
   const double carried = carried_.all().mean();
-  q["orbit_slip_ratio_loaded"] =
+  q[quantity_row("orbit_slip_ratio_loaded")] =
       inner_speed != 0 && carried > 0
           ? 1 - carried_orbit_.all().mean() / carried / kinematic_cage_speed(model_, inner_speed)
           : none;
-  q["roller_slip_ratio_loaded"] = slip_loaded_.all().mean();
-  q["roller_slip_ratio_all"] = slip_all_.all().mean();
+  q[quantity_row("roller_slip_ratio_loaded")] = slip_loaded_.all().mean();
+  q[quantity_row("roller_slip_ratio_all")] = slip_all_.all().mean();
   const Series sliding = sliding_.all(), skew = skew_.all(), speeds = roller_speed_.all();
-  q["race_sliding_speed_rms"] = sliding.rms();
-  q["race_sliding_speed_peak"] = sliding.peak();
-  q["whirl_radius_ratio_mean"] = whirl_radius_.mean() / clearance;
-  q["whirl_radius_ratio_p95"] = whirl_radius_.quantile(0.95) / clearance;
-  q["whirl_radius_ratio_peak"] = whirl_radius_.peak() / clearance;
-  q["whirl_speed_deviation_ratio"] = whirl_speed_.standard_deviation() / whirl_speed_.mean();
+  q[quantity_row("race_sliding_speed_rms")] = sliding.rms();
+  q[quantity_row("race_sliding_speed_peak")] = sliding.peak();
+  q[quantity_row("whirl_radius_ratio_mean")] = whirl_radius_.mean() / clearance;
+  q[quantity_row("whirl_radius_ratio_p95")] = whirl_radius_.quantile(0.95) / clearance;
+  q[quantity_row("whirl_radius_ratio_peak")] = whirl_radius_.peak() / clearance;
+  q[quantity_row("whirl_speed_deviation_ratio")] =
+      whirl_speed_.standard_deviation() / whirl_speed_.mean();
   const double frequency = orbit_turned_ / duration / cage_speed;
-  q["whirl_frequency_ratio"] = frequency;
+  q[quantity_row("whirl_frequency_ratio")] = frequency;
   const bool centred = whirl_radius_.mean() < 0.1 * clearance;
   const bool circling =
       whirl_radius_.standard_deviation() < 0.25 * whirl_radius_.mean() && std::abs(frequency) > 0.1;
-  q["orbit_class"] = centred ? 0 : circling ? 1 : 2;
-  const auto force = [&](const std::string& name, const Series& series, const Impacts& impacts) {
-    q[name + "_force_rms_N"] = series.rms();
-    q[name + "_force_p99_N"] = series.quantile(0.99);
-    q[name + "_force_peak_N"] = series.peak();
-    q[name + "_impacts_per_revolution"] = static_cast<double>(impacts.count) / revolutions;
+  q[quantity_row("orbit_class")] = centred ? 0 : circling ? 1 : 2;
+  const auto force = [&](const ForceRows& rows, const Series& series, const Impacts& impacts) {
+    q[rows.rms] = series.rms();
+    q[rows.p99] = series.quantile(0.99);
+    q[rows.peak] = series.peak();
+    q[rows.impacts] = static_cast<double>(impacts.count) / revolutions;
   };
-  force("pocket", pocket_force_.all(), pocket_impacts_);
-  force("guide", guide_force_, guide_impacts_);
-  force("end", wall_force_.all(), wall_impacts_);
-  q["cage_speed_std_ratio"] = cage_speed_.standard_deviation() / std::abs(cage_speed);
-  q["cage_axial_std_um"] = 1e6 * cage_axial_.standard_deviation();
-  q["cage_tilt_std_mrad"] =
+  force(force_rows("pocket"), pocket_force_.all(), pocket_impacts_);
+  force(force_rows("guide"), guide_force_, guide_impacts_);
+  force(force_rows("end"), wall_force_.all(), wall_impacts_);
+  q[quantity_row("cage_speed_std_ratio")] = cage_speed_.standard_deviation() / std::abs(cage_speed);
+  q[quantity_row("cage_axial_std_um")] = 1e6 * cage_axial_.standard_deviation();
+  q[quantity_row("cage_tilt_std_mrad")] =
       1e3 * std::hypot(cage_lean_y_.standard_deviation(), cage_lean_z_.standard_deviation());
-  q["ring_displacement_mean_um"] = -1e6 * ring_z_.mean();
-  q["ring_displacement_end_um"] = 1e6 * end_displacement_;
-  q["ring_orbit_p95_um"] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
-  q["ring_acceleration_rms_m_s2"] = ring_acceleration_.rms();
-  q["ring_acceleration_peak_m_s2"] = ring_acceleration_.peak();
+  q[quantity_row("ring_displacement_mean_um")] = -1e6 * ring_z_.mean();
+  q[quantity_row("ring_displacement_end_um")] = 1e6 * end_displacement_;
+  q[quantity_row("ring_orbit_p95_um")] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
+  q[quantity_row("ring_acceleration_rms_m_s2")] = ring_acceleration_.rms();
+  q[quantity_row("ring_acceleration_peak_m_s2")] = ring_acceleration_.peak();
   const bool lean = !model_.planar, tilts = model_.layout.ring_tilt > 0;
   const double held = std::hypot(model_.misalignment_y, model_.misalignment_z);
-  q["ring_tilt_mean_mrad"] = lean ? 1e3 * (tilts ? ring_tilt_.mean() : held) : none;
-  q["ring_tilt_std_mrad"] =
+  q[quantity_row("ring_tilt_mean_mrad")] = lean ? 1e3 * (tilts ? ring_tilt_.mean() : held) : none;
+  q[quantity_row("ring_tilt_std_mrad")] =
       tilts ? 1e3 * std::hypot(tilt_y_.standard_deviation(), tilt_z_.standard_deviation()) : none;
-  q["roller_speed_std_ratio"] = speeds.standard_deviation() / std::abs(speeds.mean());
-  q["roller_skew_rms_mrad"] = lean ? 1e3 * skew.rms() : none;
-  q["roller_skew_p95_mrad"] = lean ? 1e3 * skew.quantile(0.95) : none;
-  q["roller_tilt_p95_mrad"] = lean ? 1e3 * tilt_.all().quantile(0.95) : none;
-  q["power_loss_W"] = dissipation_.mean();
+  q[quantity_row("roller_speed_std_ratio")] = speeds.standard_deviation() / std::abs(speeds.mean());
+  q[quantity_row("roller_skew_rms_mrad")] = lean ? 1e3 * skew.rms() : none;
+  q[quantity_row("roller_skew_p95_mrad")] = lean ? 1e3 * skew.quantile(0.95) : none;
+  q[quantity_row("roller_tilt_p95_mrad")] = lean ? 1e3 * tilt_.all().quantile(0.95) : none;
+  q[quantity_row("power_loss_W")] = dissipation_.mean();
   const auto lost = [&](Mechanism of) { return lost_[of].mean(); };
-  q["power_race_sliding_W"] = lost(kRaceSliding);
-  q["power_rolling_W"] = lost(kRollingResistance);
-  q["power_pocket_W"] = lost(kPocketFriction);
-  q["power_end_W"] = lost(kEndFriction);
-  q["power_flange_W"] = lost(kFlangeFriction);
-  q["power_land_W"] = lost(kLandFriction);
-  q["power_churning_W"] = lost(kChurning);
-  q["power_squeeze_W"] = lost(kSqueeze);
-  q["power_damping_W"] = lost(kDamping);
-  q["power_film_W"] = lost(kFilm);
-  q["friction_torque_Nmm"] = inner_speed != 0 ? 1e3 * drive_.mean() / inner_speed : 0;
-  q["cage_stress_peak_MPa"] = stress_ ? 1e-6 * cage_stress_.peak() : none;
-  q["cage_stress_p99_MPa"] = stress_ ? 1e-6 * cage_stress_.quantile(0.99) : none;
-  q["cage_stress_rms_MPa"] = stress_ ? 1e-6 * cage_stress_.rms() : none;
-  q["cage_stress_peak_pocket"] = stress_ ? cage_peak_.pocket : none;
-  q["cage_stress_peak_station"] = stress_ ? cage_peak_.station : none;
-  q["film_min_um"] = (model_.inner_film.on || model_.lubricated) && thinnest_film_ < kNoFilm
-                         ? 1e6 * thinnest_film_
-                         : none;
-  q["static_consistency_error"] = static_consistency_error();
-  std::vector<double> values;
-  for (const Quantity& row : quantity_table()) {
-    const auto found = q.find(row.key);
-    if (found == q.end())
-      throw std::logic_error(std::string("quantity without a value: ") + row.key);
-    values.push_back(found->second);
-  }
-  return values;
+  q[quantity_row("power_race_sliding_W")] = lost(kRaceSliding);
+  q[quantity_row("power_rolling_W")] = lost(kRollingResistance);
+  q[quantity_row("power_pocket_W")] = lost(kPocketFriction);
+  q[quantity_row("power_end_W")] = lost(kEndFriction);
+  q[quantity_row("power_flange_W")] = lost(kFlangeFriction);
+  q[quantity_row("power_land_W")] = lost(kLandFriction);
+  q[quantity_row("power_churning_W")] = lost(kChurning);
+  q[quantity_row("power_squeeze_W")] = lost(kSqueeze);
+  q[quantity_row("power_damping_W")] = lost(kDamping);
+  q[quantity_row("power_film_W")] = lost(kFilm);
+  q[quantity_row("friction_torque_Nmm")] = inner_speed != 0 ? 1e3 * drive_.mean() / inner_speed : 0;
+  q[quantity_row("cage_stress_peak_MPa")] = stress_ ? 1e-6 * cage_stress_.peak() : none;
+  q[quantity_row("cage_stress_p99_MPa")] = stress_ ? 1e-6 * cage_stress_.quantile(0.99) : none;
+  q[quantity_row("cage_stress_rms_MPa")] = stress_ ? 1e-6 * cage_stress_.rms() : none;
+  q[quantity_row("cage_stress_peak_pocket")] = stress_ ? cage_peak_.pocket : none;
+  q[quantity_row("cage_stress_peak_station")] = stress_ ? cage_peak_.station : none;
+  q[quantity_row("film_min_um")] =
+      (model_.inner_film.on || model_.lubricated) && thinnest_film_ < kNoFilm ? 1e6 * thinnest_film_
+                                                                              : none;
+  q[quantity_row("static_consistency_error")] = static_consistency_error();
+  return q.all();
 }
 
 }  // namespace cagetol

@@ -1,5 +1,5 @@
-// Watches a run through its window and says in the end what it amounted to: the quantities of
-// interest, the energy account and the consistency with statics.
+// Observes a run through its measuring window and computes its results: quantities of interest,
+// energy account, consistency with statics.
 #pragma once
 
 #include <cmath>
@@ -21,39 +21,40 @@ class Observer {
   /// The window is [begin, end] in seconds.
   Observer(const BearingModel& model, double begin, double end);
 
-  /// One accepted state inside the window, with system.linearise_at() done for it.
+  /// Records an accepted state inside the window. Expects system.linearise_at() at this state.
   void record(double t, const double* y, const System& system);
 
   /// All quantities in the order of quantity_table().
   std::vector<double> quantities() const;
-  /// |work in - dissipation - change of stored energy| over the dissipation, or over a thousandth
-  /// of the stored energy where a run dissipates less than that.
+  /// Relative error of the energy account:
+  ///   |work in - dissipation - change of stored energy| / max(dissipation, stored energy/1000)
   double energy_residual() const;
-  /// Of it, what steps to a tolerance do not resolve: the energy by which two states differ that
-  /// are a step's largest error apart. The error's norm is a mean over components: one alone may be
-  /// the root of their number larger.
+  /// The part of energy_residual() that steps with this tolerance cannot resolve: the energy
+  /// difference of two states that differ by the largest error of a step. The error norm is a mean
+  /// over n components, so a single component may be sqrt(n) times larger.
   double energy_resolution(double tolerance) const;
   double static_consistency_error() const;
-  /// Of it, what statics cannot tell: the ring's change of momentum over the window's length, and
-  /// the force of a cage that the inner ring guides.
+  /// The part of static_consistency_error() that statics leaves out: the ring's change of momentum
+  /// over the window, and the force of a cage guided by the inner ring.
   double static_resolution() const;
-  /// Roller positions compared with statics, and those of them at which statics failed.
+  /// Number of roller positions compared with statics, and how many of them have no static
+  /// solution.
   long static_positions() const { return static_positions_; }
   long static_positions_missed() const { return static_positions_missed_; }
-  /// Whether the motion drifts through the window; none where that cannot be told or is meant: a
-  /// dry bearing, a ramp or less than two turns of the cage within the window, standstill.
+  /// Whether the motion drifts through the window. None if this is not judged: dry bearing,
+  /// standstill, ramp within the window, or less than two turns of the cage.
   const std::optional<Stationarity>& stationarity() const { return stationarity_; }
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
-  /// Largest angle between a roller's axis and the bearing's [rad].
+  /// Largest angle between the axes of a roller and of the bearing [rad].
   double largest_lean() const { return std::sqrt(largest_lean_squared_); }
-  /// Likewise of the inner ring's centre line where its tilt is free, else 0.
+  /// Largest tilt of a free inner ring; 0 if the tilt is prescribed [rad].
   double largest_tilt() const { return ring_tilt_.empty() ? 0 : ring_tilt_.peak(); }
-  /// Of a flexible cage; empty of a rigid one.
+  /// State of the largest stress; empty for a rigid cage.
   const CagePeak& cage_peak() const { return cage_peak_; }
 
  private:
-  /// Touches that begin, of packs of contacts: one seen closed at first is not one.
+  /// Counts contacts that close. A contact closed in the first state is not counted.
   struct Impacts {
     std::vector<Mask> open;
     long count = 0;
@@ -63,11 +64,11 @@ class Observer {
   void record_statics(double t, const double* y);
   /// The centrifugal force of one roller [N].
   double light_force() const;
-  /// What the consistency of forces is relative to [N].
+  /// Reference force of static_consistency_error() [N].
   double static_scale() const;
-  /// Likewise the energy account [J].
+  /// Reference energy of energy_residual() [J].
   double energy_scale() const;
-  /// What the shaft leaves of the moment to the rollers, as a couple at their ends [N].
+  /// Moment on the ring that the rollers carry, not the shaft, as a couple at the roller ends [N].
   double rollers_couple(const RingLoad& load) const;
   void record_stress(double t, const double* y, const Observation& seen);
 

@@ -11,7 +11,7 @@ void OrbitSlip::record(double t, double cage_angle, double roller_angle, double 
     time_ = t, cage_ = cage_angle, rollers_ = roller_angle, inner_speed_ = inner_speed;
     return;
   }
-  const Turned before = last_;
+  const Angles before = last_;
   last_ = {cage_angle - cage_, roller_angle - rollers_,
            before.inner + (t - time_) * (inner_speed_ + inner_speed) / 2};
   time_ = t, inner_speed_ = inner_speed;
@@ -27,7 +27,7 @@ void OrbitSlip::record(double t, double cage_angle, double roller_angle, double 
 }
 
 double OrbitSlip::rate_ratio() const {
-  const Turned& turned = turns_ > 0 ? whole_ : last_;
+  const Angles& turned = turns_ > 0 ? whole_ : last_;
   return turned.rollers / turned.inner;
 }
 

@@ -83,7 +83,7 @@ PlausibleRange lean(Reach) {
 }
 
 constexpr const char* kTighten =
-    "tighten integration.tolerance (method rodas4s), and check the scene's stiffnesses and speeds";
+    "tighten integration.tolerance, and check the scene's stiffnesses and speeds";
 constexpr const char* kGuide =
     "set cage.guidance = \"outer\" or \"inner\": the straight bars of this model do not hold a "
     "cage "

@@ -1,5 +1,5 @@
-// What a quantity of interest cannot be, whatever the motion. A run outside these bounds is a
-// failed sample: its number is no result, however well the watches look.
+// Bounds of the quantities of interest that hold for any motion. A run outside its bounds is a
+// failed sample, even if all watches are satisfied.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ struct PlausibleRange {
 /// One row for each quantity of quantity_table(), in any order.
 struct PlausibleRow {
   const char* key;
-  /// Whether a run of this kind must give a number: without one it has failed.
+  /// True if a run of this kind must give a number. A run without one has failed.
   bool (*expected)(const PlausibleReach& reach);
   PlausibleRange (*range)(const PlausibleReach& reach);
-  const char* reason;  ///< why nothing lies beyond, following "impossible: "
+  const char* reason;  ///< why larger values cannot occur; follows "impossible: " in the message
   const char* remedy;
 };
 const std::vector<PlausibleRow>& plausible_rows();
@@ -31,8 +31,8 @@ struct PlausibleOrder {
 };
 const std::vector<PlausibleOrder>& plausible_orders();
 
-/// Empty, or the first impossible value of `quantities` (in the order of quantity_table()): its
-/// name, value and bound, why it is impossible, and a remedy.
+/// A message about the first impossible value of `quantities` (in the order of quantity_table())
+/// with name, value, bound, reason and remedy; empty if all values are possible.
 std::string find_implausible(const PlausibleReach& reach, const std::vector<double>& quantities);
 
 }  // namespace cagetol

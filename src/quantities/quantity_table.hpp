@@ -1,4 +1,4 @@
-// The quantities of interest a run yields, in the order in which every file and table lists them.
+// The quantities of interest of a run, in the order of all files and tables.
 #pragma once
 
 #include <string>

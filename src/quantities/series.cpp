@@ -22,10 +22,10 @@ template <class T>
 T value_before(const SeenStep& step, T first, T middle, T last, double time) {
   if (!(step.length > 0)) return last;
   if (!(step.length_before > 0)) return last - (last - middle) * (time * step.per_length);
-  return Bow(step, first, middle, last).before_last(step, last, time);
+  return Parabola(step, first, middle, last).before_last(step, last, time);
 }
 
-/// a(u) = first + (last - first) u + bow u (1 - u) + skew u (1 - u) (1 - 2u), u = 0 to 1 over a
+/// a(u) = first + (last - first) u + q u (1 - u) + c u (1 - u) (1 - 2u), u = 0 to 1 over a
 /// step of which the integral and the integral's integral are known.
 class Cubic {
  public:
@@ -33,25 +33,26 @@ class Cubic {
       : first_(first), last_(last) {
     const double mean = gained * step.per_length;
     const double twice = moved * step.per_length * step.per_length;
-    bow_ = 6 * (mean - (first + last) / 2);
-    skew_ = kSkewPerMove * (twice - (2 * first + last) / 6 - bow_ / 12);
+    quadratic_ = 6 * (mean - (first + last) / 2);
+    cubic_ = kCubicPerMove * (twice - (2 * first + last) / 6 - quadratic_ / 12);
   }
-  static constexpr double kSkewPerMove = 60;
+  static constexpr double kCubicPerMove = 60;
   double at(double u) const {
-    return first_ + (last_ - first_) * u + u * (1 - u) * (bow_ + skew_ * (1 - 2 * u));
+    return first_ + (last_ - first_) * u + u * (1 - u) * (quadratic_ + cubic_ * (1 - 2 * u));
   }
-  /// Without the skew, to which a step's error adds (tests/ACCURACY.md).
+  /// Without the cubic term, to which a step's error adds (tests/ACCURACY.md).
   double mean_square() const {
-    return (first_ * first_ + first_ * last_ + last_ * last_) / 3 + bow_ * (first_ + last_) / 6 +
-           bow_ * bow_ / 30;
+    return (first_ * first_ + first_ * last_ + last_ * last_) / 3 +
+           quadratic_ * (first_ + last_) / 6 + quadratic_ * quadratic_ / 30;
   }
   /// No smaller than its largest magnitude.
   double most() const {
-    return std::max(std::abs(first_), std::abs(last_)) + std::abs(bow_) / 4 + std::abs(skew_) / 10;
+    return std::max(std::abs(first_), std::abs(last_)) + std::abs(quadratic_) / 4 +
+           std::abs(cubic_) / 10;
   }
 
  private:
-  double first_, last_, bow_, skew_;
+  double first_, last_, quadratic_, cubic_;
 };
 
 constexpr int kParts = 8;  ///< of a step at whose ends an acceleration is looked at for its peak
@@ -135,12 +136,12 @@ void StepSeries::add(double value, const SeenStep& step) {
     });
   if (step.length_before > 0 && step.length > 0) {
     const double first = before_ - shift_, middle = last_ - shift_, last = value - shift_;
-    const auto lack = bowed_.missing(step, first, middle, last, true);
-    sum_ += lack.value;
-    squares_ += lack.square;
+    const auto correction = correction_.next(step, first, middle, last, true);
+    sum_ += correction.value;
+    squares_ += correction.square;
     if (asked_ & kPeak)
-      peak_ =
-          std::max(peak_, Bow(step, std::abs(before_), std::abs(last_), std::abs(value)).top(step));
+      peak_ = std::max(
+          peak_, Parabola(step, std::abs(before_), std::abs(last_), std::abs(value)).top(step));
   }
   before_ = last_;
   last_ = value;
@@ -153,7 +154,7 @@ void RollerSeries::add(std::size_t group, Pack value, Mask counts, const SeenSte
     shifted_ = true;
   }
   if (group >= seen_.size()) seen_.resize(group + 1);
-  auto& [before, last, gate, bowed] = seen_[group];
+  auto& [before, last, gate, corrections] = seen_[group];
   const State now{value, counts};
   const Pack first = before.value - shift_, middle = last.value - shift_, x = value - shift_;
   const Pack half = splat(step.length / 2);
@@ -163,17 +164,17 @@ void RollerSeries::add(std::size_t group, Pack value, Mask counts, const SeenSte
     sum_ += weight * at;
     squares_ += weight * at * at;
   }
-  const bool bows = step.length_before > 0;
+  const bool has_parabola = step.length_before > 0;
   const Mask all = before.counts & last.counts & counts;
-  if (bows) {
-    const auto lack = bowed.missing(step, first, middle, x, all);
-    sum_ += lack.value;
-    squares_ += lack.square;
+  if (has_parabola) {
+    const auto correction = corrections.next(step, first, middle, x, all);
+    sum_ += correction.value;
+    squares_ += correction.square;
   }
   if (asked_ & kPeak) {
     peak_ = max(peak_, select(counts, abs(value), Pack{}));
-    const Bow bow(step, abs(before.value), abs(last.value), abs(value));
-    if (bows) peak_ = max(peak_, select(all, bow.top(step), Pack{}));
+    const Parabola parabola(step, abs(before.value), abs(last.value), abs(value));
+    if (has_parabola) peak_ = max(peak_, select(all, parabola.top(step), Pack{}));
   }
   if (asked_ & kQuantiles) {
     const Mask known = step.length > 0 ? last.counts & counts : counts;
@@ -224,7 +225,7 @@ void PlaneAcceleration::add(Plane acceleration, Plane velocity, Plane position,
                             step.per_length;
     const double known = std::max(square(last_.y, last_.z), square(acceleration.y, acceleration.z));
     if (square(y.most(), z.most()) > largest_square_ &&
-        Cubic::kSkewPerMove * Cubic::kSkewPerMove * rounding * rounding <= known)
+        Cubic::kCubicPerMove * Cubic::kCubicPerMove * rounding * rounding <= known)
       for (int k = 1; k < kParts; ++k) {
         const double u = static_cast<double>(k) / kParts;
         largest_square_ = std::max(largest_square_, square(y.at(u), z.at(u)));

@@ -1,5 +1,5 @@
-// What a quantity amounts to over a window, seen at instants or at the accepted steps of a run, and
-// integrals over such steps.
+// Mean, rms, peak and quantiles of a quantity over a window, from samples at instants or at the
+// accepted steps of a run, and integrals over these steps.
 #pragma once
 
 #include <cmath>
@@ -10,18 +10,18 @@
 
 namespace cagetol {
 
-/// Values with weights. Means and peaks use them all, quantiles those that were recorded.
+/// Weighted values. Means and peaks use all values, quantiles only those in the record.
 class Series {
  public:
   Series() = default;
-  /// Of sums over other values: their weights, weighted values and squares less `shift`.
+  /// From sums over values less `shift`: weights, weighted values, weighted squares.
   struct Sums {
     long count;
     double shift, weight, values, squares, peak;
   };
   Series(const Sums& sums, std::vector<double> record);
 
-  /// The value enters the record for quantiles so many times.
+  /// Adds a value, `recorded` times to the record.
   void add(double value, double weight, int recorded = 0) {
     if (count_++ == 0) shift_ = value;
     const double x = value - shift_;
@@ -38,13 +38,13 @@ class Series {
   double rms() const;
   double standard_deviation() const;
   double peak() const;  ///< largest magnitude
-  /// Smallest recorded value with at least the share `p` of the record at or below it.
+  /// Smallest recorded value such that at least the fraction `p` of the record is not above it.
   double quantile(double p) const;
 
  protected:
   friend double distance_quantile(const Series& x, const Series& y, double p);
   long count_ = 0;
-  double shift_ = 0;  ///< the first value: keeps the variance of nearly constant series
+  double shift_ = 0;  ///< the first value, subtracted from all: accurate variances of small scatter
   double weight_ = 0, sum_ = 0, squares_ = 0, peak_ = 0;
   std::vector<double> record_;
 };
@@ -52,20 +52,20 @@ class Series {
 /// Quantile of the distance of the recorded points (x, y) from their mean.
 double distance_quantile(const Series& x, const Series& y, double p);
 
-/// A step between two accepted states, as the series that follow a run see it.
+/// A step between two accepted states.
 struct SeenStep {
-  double length = 0;         ///< [s], 0: there is no state before this one
-  double length_before = 0;  ///< of the step before it [s], likewise
-  /// 1 over each of these and over their sum, 0 where there is none.
+  double length = 0;         ///< 0 at the first state [s]
+  double length_before = 0;  ///< length of the previous step, 0 if there is none [s]
+  /// Reciprocals of the two lengths and of their sum; 0 for a length of 0.
   double per_length = 0, per_length_before = 0, per_both = 0;
-  int instants = 0;         ///< of the record that lie in (start, end]
-  double last_instant = 0;  ///< how far before the end the last of them lies [s]
-  double interval = 0;      ///< between two of them [s]
+  int instants = 0;         ///< instants of the record in (start, end]
+  double last_instant = 0;  ///< time from the last of them to the end of the step [s]
+  double interval = 0;      ///< time between two instants [s]
 };
 
-/// Divides time into steps and the instants of a record, one every `interval` seconds. Values at an
-/// instant are read between states: were they those of the nearest state, forces that grow while
-/// steps do would be read too low (tests/ACCURACY.md).
+/// Divides time into steps and into the instants of a record, one every `interval` seconds. Values
+/// at an instant are interpolated. Values of the nearest state would be biased: forces that grow
+/// while steps grow would be too low (tests/ACCURACY.md).
 class StepClock {
  public:
   StepClock(double begin, double interval) : next_(begin), interval_(interval) {}
@@ -76,72 +76,76 @@ class StepClock {
   double last_ = 0, length_ = 0, next_, interval_;
 };
 
-/// The parabola through three states on end, the last step's and the one's before it.
+/// Parabola through three consecutive states: the last step and the one before it.
 template <class T>
-class Bow {
+class Parabola {
  public:
-  Bow(const SeenStep& step, T first, T middle, T last)
+  Parabola(const SeenStep& step, T first, T middle, T last)
       : middle_(middle),
         before_((middle - first) * step.per_length_before),
         after_((last - middle) * step.per_length),
-        bend_((after_ - before_) * step.per_both) {}
-  /// Half its second derivative.
-  T bend() const { return bend_; }
-  /// Its value a time before the last state [s].
+        curvature_((after_ - before_) * step.per_both) {}
+  /// Half the second derivative.
+  T curvature() const { return curvature_; }
+  /// Value at a time before the last state [s].
   T before_last(const SeenStep& step, T last, double time) const {
-    return last - time * (after_ + (step.length - time) * bend_);
+    return last - time * (after_ + (step.length - time) * curvature_);
   }
-  /// Its top where the middle is the largest of the three, else the middle.
+  /// Maximum, if the middle state is the largest of the three; otherwise the middle state.
   T top(const SeenStep& step) const {
     const auto inside = (before_ > 0.0) & (after_ < 0.0);
     const T slope = (before_ * step.length + after_ * step.length_before) * step.per_both;
-    return middle_ - select(inside, slope * slope / (4 * select(inside, bend_, T{} - 1.0)), T{});
+    return middle_ -
+           select(inside, slope * slope / (4 * select(inside, curvature_, T{} - 1.0)), T{});
   }
 
  private:
-  T middle_, before_, after_, bend_;
+  T middle_, before_, after_, curvature_;
 };
 
-/// What trapeziums lack of the integrals of a value and of its square: half of each step's is due
-/// to the bow at either end, which makes them of order 4 where the value is smooth. Where a step is
-/// kShorter times shorter than the one before it, it may begin a contact (step_limit.hpp): if the
-/// bow between them is sharper than the one before by kCorner times, it is a corner and says
-/// nothing of the longer step.
+/// Corrections of the trapezium rule for the integrals of a value and of its square, of order 4 for
+/// smooth values. Half of a step's correction comes from the parabola at either end of it. A step
+/// that is kShorter times shorter than the previous one may begin a contact (step_limit.hpp): if
+/// the curvature between the two is kCorner times that before, the value has a corner there, and
+/// the curvature is not used for the longer step.
 template <class T>
-class BowedSteps {
+class TrapeziumCorrection {
  public:
-  struct Lack {
+  struct Pair {
     T value, square;
   };
-  /// Due to the bow through `first`, `middle`, `last`; none where not all three `count`.
+  /// From the parabola through `first`, `middle` and `last`; zero unless all three `count`.
   template <class M>
-  Lack missing(const SeenStep& step, T first, T middle, T last, M count) {
-    const Lack bow = {
-        select(count, Bow(step, first, middle, last).bend(), T{}),
-        select(count, Bow(step, first * first, middle * middle, last * last).bend(), T{})};
-    const bool shorter = bows_++ > 0 && kShorter * step.length < step.length_before;
-    const auto corner = abs(bow.value) > (shorter ? kCorner * abs(before_.value) : T{} + kNever);
+  Pair next(const SeenStep& step, T first, T middle, T last, M count) {
+    const Pair curvature = {
+        select(count, Parabola(step, first, middle, last).curvature(), T{}),
+        select(count, Parabola(step, first * first, middle * middle, last * last).curvature(),
+               T{})};
+    const bool shorter = parabolas_++ > 0 && kShorter * step.length < step.length_before;
+    const auto corner =
+        abs(curvature.value) > (shorter ? kCorner * abs(before_.value) : T{} + kNever);
     const auto cube = [](double h) { return h * h * h / 12; };
     const double h1 = cube(step.length_before), h2 = cube(step.length);
     const auto due = [&](T before, T at) { return -h1 * select(corner, before, at) - h2 * at; };
-    const Lack lack = {due(before_.value, bow.value), due(before_.square, bow.square)};
-    before_ = bow;
-    return lack;
+    const Pair correction = {due(before_.value, curvature.value),
+                             due(before_.square, curvature.square)};
+    before_ = curvature;
+    return correction;
   }
 
  private:
   // By measurement: tests/ACCURACY.md.
   static constexpr double kShorter = 4, kCorner = 10, kNever = 1e300;
-  Lack before_{};  ///< halves of second derivatives
-  long bows_ = 0;
+  Pair before_{};  ///< curvatures
+  long parabolas_ = 0;
 };
 
-/// What is asked of a series beside its means: the rest is not worked out, and is no number.
+/// What a series computes besides its means. Anything else is NaN.
 enum Asked : unsigned { kMeans = 0, kPeak = 1, kQuantiles = 2 };
 
-/// A quantity seen at the accepted steps of a run: means are integrals over bowed steps, of squares
-/// for the rms; a peak may lie between states, and so do the instants of the record, on the
-/// parabola through the last three states.
+/// A quantity at the accepted steps of a run. Means are integrals by the corrected trapezium rule,
+/// for the rms of the squares. Peaks and recorded values between states lie on the parabola through
+/// the last three states.
 class StepSeries : public Series {
  public:
   explicit StepSeries(unsigned asked = kMeans);
@@ -149,19 +153,20 @@ class StepSeries : public Series {
 
  private:
   unsigned asked_;
-  double before_ = 0, last_ = 0;  ///< values at the two states before
-  BowedSteps<double> bowed_;
+  double before_ = 0, last_ = 0;  ///< values at the two previous states
+  TrapeziumCorrection<double> correction_;
 };
 
-/// Likewise one of every roller, a pack of them at a time: all rollers' values are one series.
+/// The same for a quantity of every roller, one pack at a time. The values of all rollers form one
+/// series.
 class RollerSeries {
  public:
   explicit RollerSeries(unsigned asked = kMeans) : asked_(asked) {}
-  /// `counts`: lanes where the quantity exists just now, not padding, nor, say, the slip of an
-  /// unloaded roller.
+  /// `counts`: lanes in which the quantity exists now. It does not in padding, nor, for example,
+  /// for the slip of an unloaded roller.
   void add(std::size_t group, Pack value, Mask counts, const SeenStep& step);
-  /// Likewise one that exists while `gate` exceeds `threshold`, >= 0. It may be largest where the gate
-  /// opens or closes: there it lies on the chord between states whose gates are both above zero.
+  /// For a quantity that exists while `gate` exceeds `threshold` (>= 0). Its peak may lie where the
+  /// gate crosses the threshold: there it is interpolated between two states with gates above zero.
   void add_above(std::size_t group, Pack value, Pack gate, double threshold, Mask here,
                  const SeenStep& step);
   Series all() const;
@@ -172,9 +177,9 @@ class RollerSeries {
     Mask counts{};
   };
   struct Seen {
-    State before, last;  ///< the two states before
-    Pack gate{};         ///< of the last state
-    BowedSteps<Pack> bowed;
+    State before, last;  ///< the two previous states
+    Pack gate{};         ///< at the last state
+    TrapeziumCorrection<Pack> correction;
   };
   unsigned asked_;
   std::vector<Seen> seen_;  ///< of each pack
@@ -184,10 +189,10 @@ class RollerSeries {
   std::vector<double> record_;
 };
 
-/// Mean square and peak of an acceleration in the plane seen at the accepted steps with velocity and
-/// position: over a step each component is the parabola between both ends that makes the velocity's
-/// change, for the peak the cubic that makes the position's, too, however sharply the step before it
-/// ended.
+/// Mean square and peak of a plane acceleration, from acceleration, velocity and position at the
+/// accepted steps. Within a step each component is a parabola between its two end values that
+/// integrates to the change of velocity. For the peak it is a cubic that also integrates to the
+/// change of position.
 class PlaneAcceleration {
  public:
   struct Plane {
@@ -202,8 +207,8 @@ class PlaneAcceleration {
   double duration_ = 0, squares_ = 0, largest_square_ = 0;
 };
 
-/// Integral of a function known with its derivative at the accepted steps: Hermite's corrected
-/// trapezium, order 4 within each step.
+/// Integral of a function from its values and derivatives at the accepted steps: trapezium rule
+/// with Hermite's correction, order 4.
 class HermiteQuadrature {
  public:
   void add(double t, double f, double slope) {

@@ -1,5 +1,5 @@
-// Whether a motion repeats itself from one part of a window to the next, or still drifts: the speed
-// of the cage, the energy of motion, and with it the balance of power.
+// Whether a motion is stationary over a window or still drifts: cage speed, kinetic energy and the
+// balance of power are compared between equal parts of the window.
 #pragma once
 
 #include <array>
@@ -10,46 +10,46 @@ namespace cagetol {
 
 inline constexpr std::size_t kDriftBlocks = 12;  ///< equal parts of the window
 
-/// How far the means over the blocks of a window drift from its one end to the other.
+/// Drift of the block means from one end of the window to the other.
 struct Drift {
-  double value = 0;    ///< slope of the line through the means, times the window's length
-  double scatter = 0;  ///< what chance alone makes of it: see block_drift
-  /// More than chance, and more than `most`.
+  double value = 0;    ///< slope of a straight line through the means, times the window's length
+  double scatter = 0;  ///< standard deviation of `value` due to chance, see block_drift
+  /// True if the drift exceeds both `most` and chance.
   bool exceeds(double most) const;
 };
 
-/// The least-squares line through `means`; its scatter is that of independent means that differ
-/// from one to the next as these do, in the middle. A transient at the window's beginning, or the
-/// drift itself, does not count as scatter.
+/// Drift of the least-squares line through `means`. The scatter is that of independent means with
+/// the median difference between neighbours that is seen here. The median keeps the drift itself
+/// and a transient at the start of the window out of the scatter.
 Drift block_drift(const std::array<double, kDriftBlocks>& means);
 
-/// What a motion may drift by and still be called stationary.
+/// Largest drift of a stationary motion.
 struct DriftBounds {
   double kinematic_speed;    ///< of the cage [rad/s]
-  double cage_drift_max;     ///< change of the cage's speed over the window, over that speed
+  double cage_drift_max;     ///< change of cage speed over the window, over kinematic_speed
   double power_surplus_max;  ///< of the power dissipated
 };
 
-/// Means over the blocks of a window of what is seen at a run's accepted states.
+/// Block means of a window from the accepted states of a run.
 class Stationarity {
  public:
   struct Seen {
     double cage_speed = 0;  ///< [rad/s]
-    double energy = 0;      ///< of motion [J]
-    double drive = 0;       ///< power that drive and load give [W]
-    double loss = 0;        ///< power that is dissipated [W]
+    double energy = 0;      ///< kinetic [J]
+    double drive = 0;       ///< power of drive and load [W]
+    double loss = 0;        ///< dissipated power [W]
   };
 
   /// The window [s].
   Stationarity(double begin, double end) : begin_(begin), length_(end - begin) {}
 
-  /// The state at time t, from the window's beginning on.
+  /// Records the state at time t inside the window.
   void record(double t, const Seen& seen);
 
   Drift speed_drift() const;   ///< of the cage [rad/s]
   Drift energy_drift() const;  ///< [J]
   Seen mean() const;           ///< over the window
-  /// Empty, or what is not stationary: numbers and bounds, for people.
+  /// A message with numbers and bounds if the motion is not stationary; otherwise empty.
   std::string find_drift(const DriftBounds& bounds) const;
 
  private:

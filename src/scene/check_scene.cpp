@@ -96,13 +96,13 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "the guide lands lie outside the cage (" + check.with_value("cage.width_mm") + ")",
                 "give at most half the cage's width");
   const GuideFilm film = land_film(scene);
-  if (film.model == "none") return;
+  if (film.model == GuideFilmModel::none) return;
   const bool oil = is_lubricated(scene);
   check.require(
-      cage.guidance != "roller", "cage.guide_film",
+      cage.guidance != Guidance::roller, "cage.guide_film",
       "rollers guide this cage (" + check.with_value("cage.guidance") + "): no land carries a film",
       "set cage.guide_film = \"none\", or guide the cage by a ring");
-  const double on_diameter = cage.guidance == "inner"
+  const double on_diameter = cage.guidance == Guidance::inner
                                  ? cage.inner_diameter - scene.bearing.inner_raceway_diameter
                                  : scene.bearing.shoulder_diameter - cage.outer_diameter;
   const double clearance =
@@ -155,7 +155,8 @@ void check_pockets(const Scene& scene, const SceneCheck& check) {
 }
 
 void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
-  check.require(!has_free_ring_tilt(scene) || scene.cage.guidance != "inner", "model.ring_tilt",
+  check.require(!has_free_ring_tilt(scene) || scene.cage.guidance != Guidance::inner,
+                "model.ring_tilt",
                 "the lands of a cage do not follow the free tilt of the ring that guides it (" +
                     check.with_value("cage.guidance") + ")",
                 "set model.ring_tilt = \"prescribed\", or guide the cage by the outer ring or the "
@@ -163,7 +164,7 @@ void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
   const auto& load = scene.operation;
   for (const auto& [key, moment] : {std::pair{"load.tilting_moment_y_N_m", load.tilting_moment_y},
                                     std::pair{"load.tilting_moment_z_N_m", load.tilting_moment_z}})
-    check.require(scene.model.ring_tilt == "free" || moment == 0, key,
+    check.require(scene.model.ring_tilt == TiltModel::free || moment == 0, key,
                   "a ring whose tilt is prescribed hands any moment on to its shaft (" +
                       check.with_value("model.ring_tilt") + ")",
                   "set model.ring_tilt = \"free\", or leave the moment out");
@@ -198,7 +199,7 @@ void check_filmed_contacts(const Scene& scene, const SceneCheck& check) {
   const auto& contact = scene.contact;
   for (const auto& [key, law] : {std::pair{"contact.race.force_law", contact.race.law},
                                  std::pair{"contact.bar.force_law", contact.bar.law}})
-    check.require(law == "hertz", key,
+    check.require(law == ForceLaw::hertz, key,
                   "the film at this contact (" + check.with_value("lubrication.model") +
                       ") needs the bodies' elastic approach, which the impact law does not give",
                   std::string("set ") + key +
@@ -219,11 +220,11 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
                 "friction must peak at a lower speed than that of full sliding (" +
                     check.with_value("friction.dynamic_speed_m_s") + ")",
                 "give a smaller static_speed or a larger dynamic_speed");
-  check.require(!is_quasi_static(scene) || scene.cage.model == "rigid", "cage.model",
+  check.require(!is_quasi_static(scene) || scene.cage.model == CageKind::rigid, "cage.model",
                 "no force bends the cage while model.motion = \"quasi-static\"",
                 "set cage.model = \"rigid\", or model.motion = \"dynamic\"");
   check_ring_tilt(scene, check);
-  check.require(scene.start.state != "steady" || is_lubricated(scene), "start.state",
+  check.require(scene.start.state != StartState::steady || is_lubricated(scene), "start.state",
                 "only a lubricated bearing has the steady state that is sought (" +
                     check.with_value("lubrication.model") + ")",
                 "set start.state = \"equilibrium\" or \"auto\", or lubrication.model = \"film\"");

@@ -1,6 +1,6 @@
-// What lubrication.model makes of the other keys about oil. "film" has films of its own at every
-// contact: it refuses the keys film.* and cage.guide_film*, and names the successor of each. With
-// "none" the other keys of lubrication do nothing.
+// How lubrication.model affects the other keys about oil. "film" brings its own films at every
+// contact: the older keys film.* and cage.guide_film* are then errors that name their successors.
+// With "none" the other keys of lubrication have no effect.
 #pragma once
 
 #include <string>
@@ -13,19 +13,18 @@
 
 namespace cagetol {
 
-/// The error for a scene without lubrication.model: `who` must say whether there is oil in the
-/// bearing.
+/// The error for a scene without lubrication.model. The message begins with `who`, for example "a
+/// dynamic scene must say".
 InputError no_word_of_oil(const std::string& who, const std::string& file);
 
-/// What to give instead of a key that `scene` refuses because of its lubrication.model; empty: the
-/// key is not refused.
+/// The successor of `key` if the lubrication.model of `scene` does not allow it; empty if it does.
 std::string successor_of(const Scene& scene, std::string_view key);
 
-/// Throws InputError where `root`, the file of `scene`, gives a key that has a successor; the
-/// remedy names all of them.
+/// Throws InputError if `root`, the file of `scene`, contains keys that have a successor. The
+/// remedy lists all of them.
 void refuse_replaced_keys(const Scene& scene, const toml::table& root, const std::string& file);
 
-/// The keys of a dry scene's lubrication that differ from their default and do nothing.
+/// Keys of a dry scene's lubrication that differ from their default but have no effect.
 std::vector<std::string> idle_oil_keys(const Scene& scene);
 
 }  // namespace cagetol

@@ -1,15 +1,17 @@
-// A scene: everything that determines one bearing run, in SI units. Immutable input of the physics;
-// plain data with defaults. Defaults are the reference bearing NU 205 ECP with a machined steel
-// window cage (inputs/README.md lists every key).
+// A scene: everything that determines the run of one bearing, in SI units. Plain data, not changed
+// by the physics. The defaults are the reference bearing NU 205 ECP with a machined steel window
+// cage. inputs/README.md lists every key.
 #pragma once
 
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "src/scene/choices.hpp"
+
 namespace cagetol {
 
-/// "auto": computed from the rest of the scene.
+/// "auto" in input files: computed from the rest of the scene.
 inline constexpr double kAuto = std::numeric_limits<double>::quiet_NaN();
 
 struct Material {
@@ -18,11 +20,11 @@ struct Material {
   double density = 7810;  ///< rho [kg/m^3]
 };
 
-/// How much of the motion is modelled.
+/// Which motions are modelled.
 struct Simplification {
-  std::string rollers = "spatial";  ///< "spatial" or "planar": no tilt, skew or axial motion
-  std::string motion = "dynamic";   ///< "dynamic" or "quasi-static": equilibria, no integration
-  std::string ring_tilt = "prescribed";  ///< of the inner ring: "prescribed" or "free"
+  RollerModel rollers = RollerModel::spatial;
+  MotionModel motion = MotionModel::dynamic;
+  TiltModel ring_tilt = TiltModel::prescribed;  ///< of the inner ring
 };
 
 struct BearingGeometry {
@@ -32,57 +34,57 @@ struct BearingGeometry {
   double width = 15e-3;                     ///< [m]
   double inner_raceway_diameter = 31.5e-3;  ///< F, catalogue [m]
   double outer_raceway_diameter = 46.5e-3;  ///< E, catalogue [m]
-  double shoulder_diameter =
-      43.8e-3;  ///< outer-ring shoulders: flange face and guiding surface [m]
-  double internal_clearance =
-      30e-6;  ///< diametral, beyond what the catalogue diameters leave; half on each raceway [m]
-  double flange_clearance = 0.08e-3;  ///< roller to both flanges, axial, total [m]
+  /// Shoulders of the outer ring: flange face and guiding surface [m].
+  double shoulder_diameter = 43.8e-3;
+  /// Diametral clearance added to that of the catalogue diameters, half on each raceway [m].
+  double internal_clearance = 30e-6;
+  double flange_clearance = 0.08e-3;  ///< axial clearance of a roller between its flanges [m]
   Material ring_material;
   double inner_ring_mass = kAuto;                                                  ///< [kg]
   double inner_ring_polar_inertia = kAuto, inner_ring_transverse_inertia = kAuto;  ///< [kg m^2]
-  double misalignment_y = 0;  ///< centre line of the inner ring: y_i + misalignment_y x [rad]
-  double misalignment_z = 0;  ///< likewise in z [rad]
-  double tilt_stiffness = 0;  ///< of the shaft, against a free tilt of the ring [N m/rad]
+  double misalignment_y = 0;  ///< slope of the inner ring's centre line in y [rad]
+  double misalignment_z = 0;  ///< slope in z [rad]
+  double tilt_stiffness = 0;  ///< of the shaft against the tilt of a free ring [N m/rad]
 };
 
 struct RollerGeometry {
-  std::vector<double> diameter = {7.5e-3};  ///< D, one for all or one each [m]
+  std::vector<double> diameter = {7.5e-3};  ///< D, one value for all rollers or one for each [m]
   double length = 9e-3;                     ///< L_w [m]
   std::vector<double> taper = {0};  ///< diameter at the +x end minus diameter at the -x end [m]
-  std::string profile = "none";     ///< "none" or "logarithmic" (ISO/TS 16281)
+  RollerProfile profile = RollerProfile::none;
   Material material;
 };
 
 /// Oil film between the cage's lands and their guiding ring (src/contact/short_bearing.hpp).
 struct GuideFilm {
-  std::string model = "none";  ///< "none" or "short-bearing"
-  double viscosity = 0.02;     ///< eta [Pa s]
-  double width = kAuto;        ///< of a land, axial [m]
-  double least = 1e-6;         ///< gap at which roughness ends the film and the lands touch [m]
+  GuideFilmModel model = GuideFilmModel::none;
+  double viscosity = 0.02;  ///< eta [Pa s]
+  double width = kAuto;     ///< of a land, axial [m]
+  double least = 1e-6;      ///< smallest film, limited by roughness: below it the lands touch [m]
 };
 
 struct CageGeometry {
-  std::string model = "rigid";                    ///< "rigid" or "flexible"
+  CageKind model = CageKind::rigid;
   double inner_diameter = 37.0e-3;                ///< [m]
   double outer_diameter = 43.4e-3;                ///< [m]
   double width = 14e-3;                           ///< axial [m]
   std::vector<double> pocket_width = {7.65e-3};   ///< S_j, circumferential opening [m]
   std::vector<double> pocket_length = {9.25e-3};  ///< L_j, axial opening [m]
-  std::vector<double> pocket_pitch = {
-      0};  ///< dpsi_j, angular deviation of the pocket's centre [rad]
-  std::vector<double> pocket_squareness = {
-      0};  ///< dgamma_j, angle of the bar faces to the bearing axis [rad]
+  /// dpsi_j, angular deviation of the pocket's centre [rad].
+  std::vector<double> pocket_pitch = {0};
+  /// dgamma_j, angle between bar faces and bearing axis [rad].
+  std::vector<double> pocket_squareness = {0};
   Material material{206e9, 0.30, 7850};
   double yield_stress = 235e6;        ///< [Pa]
   double mass = kAuto;                ///< [kg]
   double polar_inertia = kAuto;       ///< about the bearing axis [kg m^2]
   double transverse_inertia = kAuto;  ///< about a diameter [kg m^2]
-  std::string guidance = "outer";     ///< "outer", "inner" or "roller"
-  double guide_clearance = kAuto;     ///< radial [m]
-  double land_offset = kAuto;         ///< lands at x = +-land_offset [m]
+  Guidance guidance = Guidance::outer;
+  double guide_clearance = kAuto;  ///< radial [m]
+  double land_offset = kAuto;      ///< lands at x = +-land_offset [m]
   GuideFilm guide_film;
-  long mesh_density = 4;       ///< of a flexible cage: elements through the thickness
-  long modes = 20;             ///< elastic modes kept of a flexible cage
+  long mesh_density = 4;       ///< finite elements through the thickness of a flexible cage
+  long modes = 20;             ///< number of elastic modes of a flexible cage
   double mode_damping = 0.01;  ///< damping ratio of elastic modes
   bool centrifugal = true;     ///< centrifugal loading of the elastic modes
   bool coriolis = true;        ///< Coriolis coupling of the elastic modes
@@ -90,46 +92,46 @@ struct CageGeometry {
 
 /// Parameters of one contact kind.
 struct ContactParameters {
-  std::string law =
-      "impact";  ///< "impact" (Adams IMPACT) or "hertz" (line contact, Hunt-Crossley damping)
-  double stiffness =
-      1.5e5;  ///< K of `impact`, N/mm^e as [P] Table 1 prints it; converted where the law is made
+  ForceLaw law = ForceLaw::impact;
+  /// K of `impact` in N/mm^e, as in [P] Table 1; make_normal_law() converts it.
+  double stiffness = 1.5e5;
   double exponent = 10.0 / 9.0;    ///< e
   double damping = 750e3;          ///< c_max [N s/m]
-  double damping_depth = 0.1e-3;   ///< d, depth at which the damping is full [m]
-  double restitution = 0.9;        ///< of `hertz`, at the reference speed
+  double damping_depth = 0.1e-3;   ///< d, penetration at which damping reaches c_max [m]
+  double restitution = 0.9;        ///< coefficient of `hertz` at restitution_speed
   double restitution_speed = 0.1;  ///< [m/s]
-  /// Friction (src/contact/friction.hpp); kAuto: those of all contacts.
+  /// Friction (src/contact/friction.hpp); kAuto: the values of Contacts.
   double friction_static = kAuto, friction_dynamic = kAuto, static_speed = kAuto,
          dynamic_speed = kAuto;
-  double roughness = kAuto;  ///< composite, rms; kAuto: that of Lubrication [m]
+  double roughness = kAuto;  ///< composite, rms; kAuto: the value of Lubrication [m]
 };
 
 struct Contacts {
-  ContactParameters race{.law = "hertz"};  ///< roller-inner race and roller-outer race
-  ContactParameters bar{.law = "hertz"};   ///< roller-pocket bar
-  ContactParameters end;                   ///< roller end-pocket end wall
-  ContactParameters flange;                ///< roller end-ring flange
-  ContactParameters land;                  ///< cage land-ring shoulder
-  double friction_static = 0.07;           ///< mu_s
-  double friction_dynamic = 0.06;          ///< mu_d
-  double static_speed = 0.1;               ///< v_s [m/s]
-  double dynamic_speed = 1.0;              ///< v_d [m/s]
+  ContactParameters race{.law = ForceLaw::hertz};  ///< roller-inner race and roller-outer race
+  ContactParameters bar{.law = ForceLaw::hertz};   ///< roller-pocket bar
+  ContactParameters end;                           ///< roller end-pocket end wall
+  ContactParameters flange;                        ///< roller end-ring flange
+  ContactParameters land;                          ///< cage land-ring shoulder
+  double friction_static = 0.07;                   ///< mu_s
+  double friction_dynamic = 0.06;                  ///< mu_d
+  double static_speed = 0.1;                       ///< v_s [m/s]
+  double dynamic_speed = 1.0;                      ///< v_d [m/s]
 };
 
 /// Oil film of the roller-race contacts (src/contact/oil_film.hpp).
 struct OilFilm {
-  std::string model = "none";         ///< "none", "series" or "series-bounded"
+  FilmModel model = FilmModel::none;
   double viscosity = 0.02;            ///< eta0 [Pa s]
   double pressure_viscosity = 18e-9;  ///< alpha [1/Pa]
-  double least_force =
-      1;  ///< of a whole contact; below it the film grows no thicker than along the tangent [N]
+  /// Force of a whole contact below which the film thickness follows its tangent [N].
+  double least_force = 1;
 };
 
-/// Oil in the bearing: films, rolling resistance, traction and drag (src/lubrication). `kAuto`
-/// stands for what the named lubricant gives.
+/// Oil in the bearing: films, rolling resistance, traction and drag (src/lubrication). kAuto: the
+/// value of the named lubricant.
 struct Lubrication {
-  std::string model = "none";           ///< "none" (dry, or the films of OilFilm) or "film"
+  /// none: dry, or the films of OilFilm and GuideFilm.
+  LubricationModel model = LubricationModel::none;
   std::string lubricant = "iso-vg-68";  ///< a name of lubricant_presets()
   double temperature = 70;              ///< of the oil in the bearing [degC]
   double viscosity_40 = kAuto;          ///< kinematic, at 40 degC [mm2/s]
@@ -141,46 +143,46 @@ struct Lubrication {
   double eyring_stress = 5e6;           ///< tau_E [Pa]
   double limiting_shear = 0.06;         ///< Lambda
   double race_roughness = 0.2e-6;       ///< composite, rms [m]
-  double race_layer = 20e-6;            ///< oil at the inner race [m]
+  double race_layer = 20e-6;            ///< oil layer at the inner race [m]
   double pocket_roughness = 0.5e-6;     ///< composite, rms [m]
-  double pocket_layer = 20e-6;          ///< oil at bars and ends of pockets [m]
+  double pocket_layer = 20e-6;          ///< oil layer at bars and ends of pockets [m]
   bool squeeze = true, rolling_resistance = true, inlet_heating = true;
-  bool film_traction = true;  ///< false: what slides in a contact rubs as without oil
-  bool pocket_film = true;    ///< at the pockets' bars
-  bool end_film = true;       ///< at roller ends, against pockets and flanges
+  bool film_traction = true;  ///< false: sliding contacts have the friction of a dry bearing
+  bool pocket_film = true;    ///< film between rollers and pocket bars
+  bool end_film = true;       ///< film at roller ends, against pockets and flanges
   bool churning = true;
-  double oil_share = 0.02;         ///< of the free space that is oil
+  double oil_share = 0.02;         ///< volume fraction of oil in the free space
   double roller_drag = 1;          ///< C_d of a roller in its orbit
-  double carried_along = 0.5;      ///< share of the cage's speed at which oil and air turn
+  double carried_along = 0.5;      ///< speed of oil and air over the cage's speed
   bool land_film = true;           ///< short-bearing film at the lands of a guided cage
   double land_film_width = kAuto;  ///< of a land, axial [m]
-  double land_film_least = 1e-6;   ///< gap at which roughness ends the film and the lands touch [m]
+  double land_film_least = 1e-6;   ///< smallest film: below it the lands touch [m]
 };
 
 struct Operation {
   double radial_load = 1000;    ///< on the inner ring, along -z [N]
-  double tilting_moment_y = 0;  ///< on an inner ring whose tilt is free, towards +y [N m]
-  double tilting_moment_z = 0;  ///< likewise towards +z [N m]
-  double load_ramp = 0;         ///< time over which load and moment rise from zero by STEP [s]
+  double tilting_moment_y = 0;  ///< on a free inner ring: tilts its centre line to +y [N m]
+  double tilting_moment_z = 0;  ///< tilts it to +z [N m]
+  double load_ramp = 0;         ///< rise time of load and moment from zero, by STEP [s]
   double inner_speed = 6000 * 0.10471975511965977;  ///< about +x [rad/s]
-  double speed_ramp_from = kAuto;                   ///< speed at t = 0; auto: no ramp [rad/s]
-  double speed_ramp = 0;                            ///< time of the ramp by STEP [s]
+  double speed_ramp_from = kAuto;                   ///< speed at t = 0; kAuto: no ramp [rad/s]
+  double speed_ramp = 0;                            ///< duration of the ramp, by STEP [s]
   double gravity = 9.81;                            ///< along -z [m/s^2]
 };
 
 struct Start {
-  std::string state = "auto";  ///< "steady", "equilibrium" or "centred"; auto: steady where
-                               ///< lubricated, else equilibrium
-  double cage_offset_y = 0;    ///< [m]
-  double cage_offset_z = 0;    ///< [m]
-  double cage_offset_x = 0;    ///< [m]
-  double cage_phase = 0;       ///< rollers and cage turned together about the bearing axis [rad]
+  /// automatic: steady where lubricated, else equilibrium.
+  StartState state = StartState::automatic;
+  double cage_offset_y = 0;  ///< [m]
+  double cage_offset_z = 0;  ///< [m]
+  double cage_offset_x = 0;  ///< [m]
+  double cage_phase = 0;     ///< initial angle of cage and rollers about the bearing axis [rad]
 };
 
 struct Window {
-  double settle_revolutions = 2;           ///< cage revolutions before measuring
+  double settle_revolutions = 2;           ///< cage revolutions before the measurement
   double measure_revolutions = 6;          ///< cage revolutions measured
-  double longest_settle_revolutions = 60;  ///< of a lubricated bearing whose motion drifts
+  double longest_settle_revolutions = 60;  ///< limit of settling for lubricated bearings that drift
   double settle_time = kAuto;              ///< overrides settle_revolutions [s]
   double measure_time = kAuto;             ///< overrides measure_revolutions [s]
 };
@@ -191,24 +193,23 @@ struct Discretisation {
 };
 
 struct Integration {
-  std::string method = "rodas3";
-  double tolerance = 0.001;     ///< multiple of the error scales (1 um, 1 cm/s and kin)
+  IntegrationMethod method = IntegrationMethod::rodas3;
+  double tolerance = 0.001;     ///< multiple of the error scales (system.hpp: 1 um, 1 cm/s, ...)
   double max_step = 50e-6;      ///< [s]
   double fixed_step = 1e-6;     ///< of fixed-step methods [s]
-  long max_order = 2;           ///< cap of cvode-bdf
+  long max_order = 2;           ///< highest order of cvode_bdf
   long step_budget = 20000000;  ///< attempted steps before the run is censored
-  double wall_budget =
-      0;  ///< wall-clock limit [s], 0: none; ends a run as not_run, never as a result
+  double wall_budget = 0;       ///< wall-clock limit, 0: none; a run beyond it is not_run [s]
 };
 
 struct Watch {
   double static_consistency_max = 0.02;
   double energy_residual_max = 0.05;
-  double cage_drift_max = 0.001;    ///< of lubricated bearings (quantities/stationarity.hpp)
-  double power_surplus_max = 0.02;  ///< likewise
+  double cage_drift_max = 0.001;    ///< lubricated bearings only (quantities/stationarity.hpp)
+  double power_surplus_max = 0.02;  ///< lubricated bearings only
 };
 
-/// A value of the scene that nobody measured, and why it is what it is. Reports print them.
+/// An assumed value of the scene and the reason for it. Reports print them.
 struct Assumption {
   std::string key, note;
 };
@@ -229,34 +230,35 @@ struct Scene {
   Discretisation discretisation;
   Integration integration;
   Watch watch;
-  bool allow_interference =
-      false;  ///< simulate a jammed pocket's elastic pinch instead of reporting the jam
+  /// Simulate the elastic pinch of a jammed pocket instead of reporting the jam.
+  bool allow_interference = false;
   double history_interval = 20e-6;  ///< [s]
 };
 
 inline bool has_planar_rollers(const Scene& scene) {
-  return scene.model.rollers == "planar";
+  return scene.model.rollers == RollerModel::planar;
 }
-/// Planar rollers see every section of the bearing alike: none is tilted.
+/// False for planar rollers, on which a tilt of the ring has no effect.
 inline bool has_free_ring_tilt(const Scene& scene) {
-  return scene.model.ring_tilt == "free" && !has_planar_rollers(scene);
+  return scene.model.ring_tilt == TiltModel::free && !has_planar_rollers(scene);
 }
 inline bool is_lubricated(const Scene& scene) {
-  return scene.lubrication.model == "film";
+  return scene.lubrication.model == LubricationModel::film;
 }
-/// The film at the cage's lands, by whichever model of lubrication there is; that of `lubrication`
-/// has the viscosity of its oil, kAuto included.
+/// The film at the cage's lands: the one of `lubrication` in a lubricated scene, with a viscosity
+/// that may be kAuto, otherwise cage.guide_film.
 inline GuideFilm land_film(const Scene& scene) {
   if (!is_lubricated(scene)) return scene.cage.guide_film;
   const Lubrication& l = scene.lubrication;
-  const bool on = l.land_film && scene.cage.guidance != "roller";
-  return {on ? "short-bearing" : "none", l.viscosity, l.land_film_width, l.land_film_least};
+  const bool on = l.land_film && scene.cage.guidance != Guidance::roller;
+  return {on ? GuideFilmModel::short_bearing : GuideFilmModel::none, l.viscosity, l.land_film_width,
+          l.land_film_least};
 }
 inline bool is_quasi_static(const Scene& scene) {
-  return scene.model.motion == "quasi-static";
+  return scene.model.motion == MotionModel::quasi_static;
 }
 
-/// Element j of a per-pocket list that may hold one value for all.
+/// Element j of a per-pocket list, which may hold a single value for all pockets.
 inline double each(const std::vector<double>& values, long j) {
   return values.size() == 1 ? values[0] : values[static_cast<std::size_t>(j)];
 }

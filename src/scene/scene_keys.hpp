@@ -8,29 +8,28 @@
 
 namespace cagetol {
 
-/// All keys, in the order in which they are dumped and listed.
+/// All keys, in the order of --dump-default and of inputs/README.md.
 const KeyTable<Scene>& scene_keys();
 
-/// A scene with every key: the defaults of those that may be left out, and the NU 205 for those
-/// that are required.
+/// A scene with a value for every key: defaults for optional keys, the NU 205 for required ones.
 Scene example_scene();
 
-/// Reads a scene from TOML. Keys not given keep their defaults; those that are required
-/// (KeyRange::required: geometry, load and speed, whatever the model, because rungs of the model
-/// ladder change the model of a scene) are named in one error when they are left out. Unknown keys
-/// are errors that name the nearest known key. Where a key holds a distribution, its `nominal` is
-/// read (absent: as if not given); drawing from it is the business of mc. `file` names the source
-/// in messages. Checks ranges and the scene as a whole (check_scene). Throws InputError.
+/// Reads a scene from TOML. Optional keys that are missing keep their defaults. Missing required
+/// keys are listed in one error. Geometry, load and speed are required for every model, because the
+/// model ladder changes the model of a scene. Unknown keys are errors that name the nearest key. If
+/// a key holds a distribution its `nominal` is read; without one the key counts as missing. `file`
+/// names the source in messages. Checks ranges and the scene as a whole (check_scene). Throws
+/// InputError.
 Scene read_scene(const toml::table& root, const std::string& file);
 
-/// Whether a table in a scene is a distribution: it holds at least one of `law`, `lot`, `pocket`,
-/// `noise`, `nominal`.
+/// True if a table of a scene is a distribution: it has at least one of the entries `law`, `lot`,
+/// `pocket`, `noise` and `nominal`.
 bool is_distribution(const toml::table& table);
 
-/// Consistency beyond single keys: nominal roller fits nominal pocket, cage fits between the rings,
-/// pockets fit the pitch. Throws InputError naming `file`, the keys that disagree and their values;
-/// `root` gives the line of the first of them. Skipped for samples: there a pocket too small is a
-/// jam outcome.
+/// Checks the scene as a whole: the nominal roller fits the nominal pocket, the cage fits between
+/// the rings, the pockets fit the pitch. Throws InputError with `file`, the conflicting keys and
+/// their values; `root` gives the line of the first one. Not used for samples, where a pocket that
+/// is too small is an outcome (jammed).
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root = nullptr);
 
 }  // namespace cagetol

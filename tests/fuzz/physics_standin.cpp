@@ -2,19 +2,10 @@
 #include <sundials/sundials_version.h>
 
 #include "mc/history_channels.hpp"
-#include "src/integration/integrator.hpp"
 #include "src/quasi_static.hpp"
 #include "src/window_times.hpp"
 
 namespace cagetol {
-
-const std::vector<MethodName>& integration_methods() {
-  static const std::vector<MethodName> methods = {
-      {"rodas3", ""},        {"rodasp", ""},     {"cvode-bdf", ""},
-      {"arkode-esdirk", ""}, {"arkode-erk", ""}, {"semi-implicit-euler", ""},
-  };
-  return methods;
-}
 
 bool is_quasi_static_quantity(const std::string& key) {
   return key == "ring_displacement_mean_um";

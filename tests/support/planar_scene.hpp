@@ -9,7 +9,7 @@ namespace cagetol {
 
 inline Scene planar_scene(const PlanarBearing& bearing) {
   Scene scene;  // NU 205 with straight rollers and one slice
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   scene.operation.gravity = 0;
   scene.operation.radial_load = bearing.load;
   scene.operation.inner_speed = bearing.inner_speed;
@@ -26,7 +26,7 @@ inline Scene planar_scene(const PlanarBearing& bearing) {
   scene.contact.static_speed = bearing.friction.static_speed;
   scene.contact.dynamic_speed = bearing.friction.dynamic_speed;
   Lubrication& oil = scene.lubrication;
-  oil.model = "film";
+  oil.model = LubricationModel::film;
   oil.viscosity = bearing.oil.viscosity;
   oil.pressure_viscosity = bearing.oil.pressure_viscosity;
   oil.eyring_stress = bearing.oil.eyring;

@@ -54,12 +54,12 @@ Scene random_scene(unsigned seed, double lean) {
     s.cage.pocket_pitch[j] = draw.about(2e-3);
     s.cage.pocket_squareness[j] = lean * draw.about(3e-3);
   }
-  s.roller.profile = draw.coin() ? "logarithmic" : "none";
-  const char* guidances[] = {"outer", "inner", "roller"};
+  s.roller.profile = draw.coin() ? RollerProfile::logarithmic : RollerProfile::none;
+  const Guidance guidances[] = {Guidance::outer, Guidance::inner, Guidance::roller};
   s.cage.guidance = guidances[seed / 2 % 3];
   s.cage.guide_clearance = 0.15e-3;
-  s.contact.race.law = draw.coin() ? "hertz" : "impact";
-  s.contact.bar.law = draw.coin() ? "hertz" : "impact";
+  s.contact.race.law = draw.coin() ? ForceLaw::hertz : ForceLaw::impact;
+  s.contact.bar.law = draw.coin() ? ForceLaw::hertz : ForceLaw::impact;
   s.discretisation.race_slices = seed / 6 % 2 == 0 ? 5 : 1;
   s.discretisation.bar_stations = seed / 12 % 2 == 0 ? 3 : 2;
   s.operation.radial_load = 1000;
@@ -97,8 +97,8 @@ const char* freedom_name(Freedom freedom) {
 /// Lets the inner ring tilt, held by a shaft, under a moment.
 void free_the_ring(unsigned seed, Scene& scene) {
   Draw draw(seed + 3000017);
-  scene.model.ring_tilt = "free";
-  if (scene.cage.guidance == "inner") scene.cage.guidance = "roller";
+  scene.model.ring_tilt = TiltModel::free;
+  if (scene.cage.guidance == Guidance::inner) scene.cage.guidance = Guidance::roller;
   scene.bearing.tilt_stiffness = draw.between(0, 2e4);
   scene.operation.tilting_moment_y = draw.about(10);
   scene.operation.tilting_moment_z = draw.about(10);
@@ -106,12 +106,12 @@ void free_the_ring(unsigned seed, Scene& scene) {
 
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
-  if (options.freedom == Freedom::planar) b.scene.model.rollers = "planar";
+  if (options.freedom == Freedom::planar) b.scene.model.rollers = RollerModel::planar;
   if (options.freedom == Freedom::tilting) free_the_ring(seed, b.scene);
   b.scene.film.model = options.film;
   if (options.lubricated) {
-    b.scene.lubrication.model = "film";
-    b.scene.contact.race.law = b.scene.contact.bar.law = "hertz";
+    b.scene.lubrication.model = LubricationModel::film;
+    b.scene.contact.race.law = b.scene.contact.bar.law = ForceLaw::hertz;
   }
   b.scene.cage.guide_film.model = options.guide_film;
   Draw shapes(seed + 2000003), draw(seed + 1000003);

@@ -28,9 +28,9 @@ struct RandomBearingOptions {
   double depth = 30e-6;                ///< typical penetration and gap [m]
   int modes = 0;                       ///< elastic modes of the cage, of random shape
   Freedom freedom = Freedom::spatial;  ///< tilting: no cage is guided by the inner ring
-  const char* guide_film = "none";     ///< cage.guide_film
-  const char* film = "none";           ///< film.model
-  bool lubricated = false;             ///< lubrication.model = "film"
+  GuideFilmModel guide_film = GuideFilmModel::none;
+  FilmModel film = FilmModel::none;
+  bool lubricated = false;  ///< lubrication.model = LubricationModel::film
 };
 
 /// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered,

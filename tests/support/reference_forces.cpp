@@ -81,13 +81,13 @@ struct Borders {
 };
 
 double elastic_force(const ContactParameters& law, double length, double p) {
-  if (law.law == "hertz")
+  if (law.law == ForceLaw::hertz)
     return 77652 * std::pow(length * 1e3, 8.0 / 9.0) * std::pow(p * 1e3, 10.0 / 9.0);
   return law.stiffness * std::pow(p * 1e3, law.exponent);
 }
 
 double exponent(const ContactParameters& law) {
-  return law.law == "hertz" ? 10.0 / 9.0 : law.exponent;
+  return law.law == ForceLaw::hertz ? 10.0 / 9.0 : law.exponent;
 }
 
 class Bearing {
@@ -245,7 +245,7 @@ class Bearing {
       const double xi =
           ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
       double radius = roller.radius + xi / length * each(scene_.roller.taper, j) / 2;
-      if (scene_.roller.profile == "logarithmic")
+      if (scene_.roller.profile == RollerProfile::logarithmic)
         radius -= 0.00035 * mean_diameter * std::log(1 / (1 - std::pow(2 * xi / length, 2)));
       const double place = roller.centre.x() + xi;
       const Vector3d on_axis = radial(roller.centre + xi * roller.axis);
@@ -409,8 +409,8 @@ class Bearing {
 
   void lands() {
     const auto& c = scene_.cage;
-    if (c.guidance == "roller") return;
-    const bool inner = c.guidance == "inner";
+    if (c.guidance == Guidance::roller) return;
+    const bool inner = c.guidance == Guidance::inner;
     const auto& b = scene_.bearing;
     const double land_radius = (inner ? c.inner_diameter : c.outer_diameter) / 2;
     const double ring_radius =
@@ -510,7 +510,7 @@ StateLayout reference_layout(const Scene& scene) {
   StateLayout layout;
   layout.rollers = static_cast<int>(scene.bearing.roller_count);
   layout.groups = (layout.rollers + kLanes - 1) / kLanes;
-  if (scene.model.ring_tilt == "free") layout.ring_tilt = 2;
+  if (scene.model.ring_tilt == TiltModel::free) layout.ring_tilt = 2;
   return layout;
 }
 
@@ -529,7 +529,7 @@ double reference_normal_force(const ContactParameters& law, double length, doubl
                               double rate) {
   if (penetration <= 0) return 0;
   const double elastic = elastic_force(law, length, penetration);
-  if (law.law == "hertz") {
+  if (law.law == ForceLaw::hertz) {
     const double chi = hunt_crossley_chi(law.restitution, law.restitution_speed);
     return elastic * std::max(0.0, 1 + chi * rate);
   }

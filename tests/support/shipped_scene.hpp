@@ -22,7 +22,7 @@ inline Scene shipped_scene(const std::string& name) {
 /// The same with dry contacts.
 inline Scene dry_scene(const std::string& name) {
   Scene scene = shipped_scene(name);
-  scene.lubrication.model = "none";
+  scene.lubrication.model = LubricationModel::none;
   return scene;
 }
 

@@ -51,9 +51,9 @@ void rates(benchmark::State& state) {
 }
 BENCHMARK(rates)->Arg(1)->Arg(5)->ArgName("slices");
 
-void rates_with_film(benchmark::State& state, const char* film) {
+void rates_with_film(benchmark::State& state, FilmModel film) {
   Scene scene = speed_scene(state.range(0));
-  scene.start.state = "equilibrium";
+  scene.start.state = StartState::equilibrium;
   scene.operation.load_ramp = 0;
   scene.film.model = film;
   const BearingModel model = make_bearing_model(scene);
@@ -61,9 +61,9 @@ void rates_with_film(benchmark::State& state, const char* film) {
   std::vector<double> rate(y.size());
   for (auto _ : state) evaluate_rates(model, 0, y.data(), rate.data());
 }
-BENCHMARK_CAPTURE(rates_with_film, none, "none")->Arg(5)->ArgName("slices");
-BENCHMARK_CAPTURE(rates_with_film, series, "series")->Arg(5)->ArgName("slices");
-BENCHMARK_CAPTURE(rates_with_film, bounded, "series-bounded")->Arg(5)->ArgName("slices");
+BENCHMARK_CAPTURE(rates_with_film, none, FilmModel::none)->Arg(5)->ArgName("slices");
+BENCHMARK_CAPTURE(rates_with_film, series, FilmModel::series)->Arg(5)->ArgName("slices");
+BENCHMARK_CAPTURE(rates_with_film, bounded, FilmModel::series_bounded)->Arg(5)->ArgName("slices");
 
 void derivatives(benchmark::State& state) {
   Loaded bearing(state);
@@ -87,7 +87,7 @@ void solution(benchmark::State& state) {
 }
 BENCHMARK(solution)->Arg(5)->ArgName("slices");
 
-void step(benchmark::State& state, const char* method) {
+void step(benchmark::State& state, IntegrationMethod method) {
   Loaded bearing(state);
   Integration keys = bearing.scene.integration;
   keys.method = method;
@@ -98,9 +98,11 @@ void step(benchmark::State& state, const char* method) {
     system.linearise_at(bearing.t, bearing.y.data());
   }
 }
-BENCHMARK_CAPTURE(step, rodas3, "rodas3")->Arg(5)->ArgName("slices");
-BENCHMARK_CAPTURE(step, cvode_bdf, "cvode-bdf")->Arg(5)->ArgName("slices");
-BENCHMARK_CAPTURE(step, semi_implicit_euler, "semi-implicit-euler")->Arg(5)->ArgName("slices");
+BENCHMARK_CAPTURE(step, rodas3, IntegrationMethod::rodas3)->Arg(5)->ArgName("slices");
+BENCHMARK_CAPTURE(step, cvode_bdf, IntegrationMethod::cvode_bdf)->Arg(5)->ArgName("slices");
+BENCHMARK_CAPTURE(step, semi_implicit_euler, IntegrationMethod::semi_implicit_euler)
+    ->Arg(5)
+    ->ArgName("slices");
 
 }  // namespace
 }  // namespace cagetol

@@ -21,7 +21,7 @@ Scene lonely_scene(double gravity) {
   scene.bearing.internal_clearance = 20e-3;
   scene.operation = {.radial_load = 0, .inner_speed = 0, .gravity = gravity};
   scene.operation.radial_load = -make_bearing_model(scene).ring_mass * gravity;  // carries the ring
-  scene.cage.guidance = "roller";
+  scene.cage.guidance = Guidance::roller;
   scene.contact.friction_static = scene.contact.friction_dynamic = 0;
   scene.discretisation.race_slices = 1;
   return scene;
@@ -35,7 +35,7 @@ struct LonelyRollers {
   double t = 0;
   std::unique_ptr<Integrator> integrator;
 
-  LonelyRollers(const Scene& scene, const std::string& method, double angle, double gap)
+  LonelyRollers(const Scene& scene, IntegrationMethod method, double angle, double gap)
       : model(wide(make_bearing_model(scene))),
         system(model),
         y(static_cast<std::size_t>(model.layout.size()), 0.0) {
@@ -48,7 +48,7 @@ struct LonelyRollers {
     Integration keys = scene.integration;
     keys.method = method;
     // Multistep: at the default tolerance it may run over an impact (1.3 % of the sixth bounce).
-    if (method == "cvode-bdf") keys.tolerance /= 2;
+    if (method == IntegrationMethod::cvode_bdf) keys.tolerance /= 2;
     integrator = make_integrator(keys, system, t, y.data());
   }
   static BearingModel wide(BearingModel m) {
@@ -82,7 +82,7 @@ TEST_P(ClosedFormMotion, BouncesToRest) {
   const double mass = any.model.groups[0].mass[0];
   const double omega0 = std::sqrt(stiffness / mass), beta = zeta * omega0;
   const double omega = std::sqrt(omega0 * omega0 - beta * beta);
-  scene.contact.race = {.law = "impact",
+  scene.contact.race = {.law = ForceLaw::impact,
                         .stiffness = stiffness * 1e-3,  // of the scene: N/mm
                         .exponent = 1,
                         .damping = 2 * beta * mass,
@@ -131,16 +131,16 @@ TEST_P(ClosedFormMotion, StiffPendulumKeepsItsPeriod) {
   }
 }
 
-std::vector<std::string> sound_methods() {
-  std::vector<std::string> names;
-  for (const MethodName& method : integration_methods())
-    if (std::string(method.name) != "semi-implicit-euler") names.emplace_back(method.name);
-  return names;
+std::vector<IntegrationMethod> sound_methods() {
+  std::vector<IntegrationMethod> methods;
+  for (const auto& [method, text] : spellings(IntegrationMethod{}))
+    if (method != IntegrationMethod::semi_implicit_euler) methods.push_back(method);
+  return methods;
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, ClosedFormMotion, testing::ValuesIn(sound_methods()),
                          [](const auto& test) {
-                           std::string name = test.param;
+                           std::string name = spelled(test.param);
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

@@ -15,8 +15,7 @@ struct Impact {
 };
 
 /// All rollers fly radially at `speed` from a gap; nothing else moves, turns or weighs.
-Impact throw_rollers(const Scene& scene, double speed, double tolerance,
-                     const std::string& method) {
+Impact throw_rollers(const Scene& scene, double speed, double tolerance, IntegrationMethod method) {
   const BearingModel model = make_bearing_model(scene);
   const StateLayout& l = model.layout;
   const double gap = 1e-6, touch = model.outer_radius - model.nominal_diameter / 2;
@@ -63,10 +62,11 @@ TEST(HertzImpact, ElasticContactTimeAndRestitution) {
   // T = 2 p_max/v int_0^1 du/sqrt(1 - u^n).
   const double time = 2 * deepest / speed * std::sqrt(std::numbers::pi) * std::tgamma(1 + 1 / n) /
                       std::tgamma(0.5 + 1 / n);
-  for (const char* method : {"rodas3", "rodasp"}) {
+  using enum IntegrationMethod;
+  for (const IntegrationMethod method : {rodas3, rodasp}) {
     const Impact impact = throw_rollers(scene, speed, 1e-5, method);
-    EXPECT_NEAR(impact.contact_time / time, 1, 1e-3) << method;
-    EXPECT_NEAR(impact.restitution, 1, 1e-3) << method;
+    EXPECT_NEAR(impact.contact_time / time, 1, 1e-3) << spelled(method);
+    EXPECT_NEAR(impact.restitution, 1, 1e-3) << spelled(method);
   }
 }
 
@@ -74,7 +74,8 @@ TEST(HertzImpact, RestitutionAtItsReferenceSpeedAndItsErrorFallsWithTolerance) {
   const Scene scene = thrown_scene(0.9);
   double last = 1;
   for (double tolerance : {1e-2, 1e-4, 1e-6}) {
-    const double error = std::abs(throw_rollers(scene, 0.1, tolerance, "rodas3").restitution - 0.9);
+    const double error =
+        std::abs(throw_rollers(scene, 0.1, tolerance, IntegrationMethod::rodas3).restitution - 0.9);
     EXPECT_LT(error, last);
     last = error;
   }

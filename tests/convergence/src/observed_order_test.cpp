@@ -51,7 +51,7 @@ std::vector<double> runge_kutta(const BearingModel& model, std::vector<double> y
 }
 
 std::vector<double> fixed_steps(const BearingModel& model, std::vector<double> y,
-                                const std::string& method, double h) {
+                                IntegrationMethod method, double h) {
   Integration keys;
   keys.method = method;
   keys.tolerance = 1e12;  // every step is good enough: max_step fixes it after a few short ones
@@ -76,7 +76,7 @@ double apart(const System& system, const std::vector<double>& a, const std::vect
 }
 
 struct Order {
-  std::string method;
+  IntegrationMethod method;
   double order;
   double coarse;  ///< largest step [s]
 };
@@ -104,8 +104,9 @@ TEST_P(ObservedOrder, IsTheMethodsOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rosenbrock, ObservedOrder,
-                         testing::Values(Order{"rodas3", 3, 2e-6}, Order{"rodasp", 4, 8e-6}),
-                         [](const auto& test) { return test.param.method; });
+                         testing::Values(Order{IntegrationMethod::rodas3, 3, 2e-6},
+                                         Order{IntegrationMethod::rodasp, 4, 8e-6}),
+                         [](const auto& test) { return std::string(spelled(test.param.method)); });
 
 }  // namespace
 }  // namespace cagetol

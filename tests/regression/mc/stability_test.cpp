@@ -15,19 +15,20 @@ std::vector<SuiteScene> fast_suite() {
 }
 
 TEST(StabilitySuite, TheDefaultIsRightAndNothingSilentlyWrong) {
-  const StabilityMap map = run_stability(fast_suite(), {"rodas3", "semi-implicit-euler"}, 2);
+  const StabilityMap map = run_stability(
+      fast_suite(), {IntegrationMethod::rodas3, IntegrationMethod::semi_implicit_euler}, 2);
   ASSERT_GE(map.rows.size(), 8u);
   for (const SuiteRow& row : map.rows) {
     EXPECT_EQ(row.cells.at(map.default_method).soundness, Soundness::right)
         << row.scene << ": " << row.cells.at(map.default_method).outcome.reason;
     for (const auto& [method, cell] : row.cells)
       EXPECT_NE(cell.soundness, Soundness::wrong)
-          << method << " on " << row.scene << ", off by " << cell.trajectory_error;
+          << spelled(method) << " on " << row.scene << ", off by " << cell.trajectory_error;
   }
   // The suite can tell: explicit steps of one microsecond do not carry 3 kN.
   for (const SuiteRow& row : map.rows)
     if (row.scene == "3 kN") {
-      EXPECT_EQ(row.cells.at("semi-implicit-euler").soundness, Soundness::failed);
+      EXPECT_EQ(row.cells.at(IntegrationMethod::semi_implicit_euler).soundness, Soundness::failed);
     }
 }
 

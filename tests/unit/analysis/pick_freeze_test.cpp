@@ -17,7 +17,7 @@ namespace cagetol {
 namespace {
 
 /// A study whose rows are those of the design, one column a group.
-StudyData study_of_design(const std::string& kind, std::uint64_t bases, std::uint32_t columns,
+StudyData study_of_design(DesignKind kind, std::uint64_t bases, std::uint32_t columns,
                           bool noise_group = false) {
   DesignSpec spec;
   spec.kind = kind;
@@ -25,9 +25,9 @@ StudyData study_of_design(const std::string& kind, std::uint64_t bases, std::uin
   for (std::uint32_t c = 0; c < columns; ++c) spec.columns.push_back({Purpose::lot, 100 + c, 0, c});
   if (noise_group) spec.groups = columns + 1;
   const std::uint64_t groups = noise_group ? columns + 1 : columns;
-  spec.rows = bases * (kind == "morris" ? groups + 1 : groups + 2);
+  spec.rows = bases * (kind == DesignKind::morris ? groups + 1 : groups + 2);
   const Design design(spec);
-  StudyData study = plain_study(static_cast<std::int64_t>(design.rows()), kind);
+  StudyData study = plain_study(static_cast<std::int64_t>(design.rows()), design_name(kind));
   std::vector<double> u(columns);
   for (std::uint64_t row = 0; row < design.rows(); ++row) {
     design.point(row, u);
@@ -50,7 +50,7 @@ std::vector<double> outputs_of(const StudyData& study, const Function& function)
 }
 
 TEST(PickFreeze, IshigamiFirstOrderAndTotals) {
-  const StudyData study = study_of_design("pick-freeze", 16384, 3);
+  const StudyData study = study_of_design(DesignKind::pick_freeze, 16384, 3);
   const auto shares = pick_freeze_shares(study, outputs_of(study, ishigami), 0, 0.95, 100);
   const double first[] = {0.313905, 0.442411, 0}, total[] = {0.557589, 0.442411, 0.243684};
   ASSERT_EQ(shares.size(), 3u);
@@ -63,7 +63,7 @@ TEST(PickFreeze, IshigamiFirstOrderAndTotals) {
 }
 
 TEST(PickFreeze, GFunctionTotals) {
-  const StudyData study = study_of_design("pick-freeze", 8192, 8);
+  const StudyData study = study_of_design(DesignKind::pick_freeze, 8192, 8);
   const auto shares = pick_freeze_shares(study, outputs_of(study, g_function), 0, 0.95, 20);
   const double first[] = {0.716193, 0.179048, 0.023676, 0.007162},
                total[] = {0.787144, 0.242198, 0.034317, 0.010460};
@@ -75,7 +75,7 @@ TEST(PickFreeze, GFunctionTotals) {
 
 TEST(PickFreeze, NoiseIsTakenOut) {
   // Y = x0 + x1 + noise of the same variance as both together: half of the variance is noise.
-  const StudyData study = study_of_design("pick-freeze", 8192, 2);
+  const StudyData study = study_of_design(DesignKind::pick_freeze, 8192, 2);
   auto outputs = outputs_of(study, [](std::span<const double> u) { return u[0] + u[1]; });
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     RandomStream stream(3, Purpose::noise, i);
@@ -88,12 +88,12 @@ TEST(PickFreeze, NoiseIsTakenOut) {
 }
 
 TEST(PickFreeze, GroupOfNoiseHasItsOwnRows) {
-  const StudyData study = study_of_design("pick-freeze", 16, 2, true);
+  const StudyData study = study_of_design(DesignKind::pick_freeze, 16, 2, true);
   EXPECT_THAT(design_blocks(study).groups, testing::ElementsAre("x0:lot", "x1:lot", "noise"));
 }
 
 TEST(PickFreeze, CorrelatedGroupsAreRefused) {
-  StudyData study = study_of_design("pick-freeze", 16, 2);
+  StudyData study = study_of_design(DesignKind::pick_freeze, 16, 2);
   const auto outputs = outputs_of(study, [](std::span<const double> u) { return u[0]; });
   study.plan.correlations = {{"x0:lot", "x1:lot", 0.5}};
   EXPECT_THROW(pick_freeze_shares(study, outputs, 0, 0.95, 10), Refused);
@@ -106,14 +106,14 @@ TEST(PickFreeze, OtherDesignsAreRefused) {
   const std::vector<double> outputs(20, 1.0);
   EXPECT_THROW(pick_freeze_shares(study, outputs, 0, 0.95, 10), Refused);
   EXPECT_THROW(elementary_effects(study, outputs), Refused);
-  StudyData random_points = study_of_design("pick-freeze", 16, 2);
+  StudyData random_points = study_of_design(DesignKind::pick_freeze, 16, 2);
   for (std::size_t i = 0; i < random_points.design.point.size(); ++i)
     random_points.design.point[i] = static_cast<double>(i);
   EXPECT_THROW(design_blocks(random_points), Refused);
 }
 
 TEST(Morris, LinearFunctionHasConstantEffects) {
-  const StudyData study = study_of_design("morris", 12, 3);
+  const StudyData study = study_of_design(DesignKind::morris, 12, 3);
   const auto effects = elementary_effects(
       study, outputs_of(study, [](std::span<const double> u) { return 3 * u[0] - 2 * u[1]; }));
   ASSERT_EQ(effects.size(), 3u);

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "distributions/design.hpp"
@@ -18,9 +17,9 @@ inline std::vector<DesignColumn> single_columns(std::uint32_t count) {
   return columns;
 }
 
-inline DesignSpec spec_of(std::string kind, std::uint64_t rows, std::uint32_t columns) {
+inline DesignSpec spec_of(DesignKind kind, std::uint64_t rows, std::uint32_t columns) {
   DesignSpec spec;
-  spec.kind = std::move(kind);
+  spec.kind = kind;
   spec.rows = rows;
   spec.seed = 2024;
   spec.columns = single_columns(columns);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -13,7 +14,7 @@
 namespace cagetol {
 namespace {
 
-DesignSpec small_spec(const std::string& kind, std::uint32_t columns) {
+DesignSpec small_spec(DesignKind kind, std::uint32_t columns) {
   DesignSpec spec = spec_of(kind, 32, columns);
   spec.scrambles = 2;
   // A grid of many columns varies few of them.
@@ -32,7 +33,7 @@ std::string refusal(const DesignSpec& spec) {
   return "accepted";
 }
 
-class EveryDesign : public testing::TestWithParam<std::string> {};
+class EveryDesign : public testing::TestWithParam<DesignKind> {};
 
 TEST_P(EveryDesign, HasTheSameBitsInAnyOrder) {
   const Design design(small_spec(GetParam(), 5)), other(small_spec(GetParam(), 5));
@@ -71,13 +72,15 @@ TEST_P(EveryDesign, DependsOnItsSeed) {
   DesignSpec spec = small_spec(GetParam(), 5);
   const auto points = points_of(Design(spec));
   spec.seed += std::uint64_t{1} << 40;
-  EXPECT_EQ(points_of(Design(spec)) == points, GetParam() == "grid");
+  EXPECT_EQ(points_of(Design(spec)) == points, GetParam() == DesignKind::grid);
 }
 
 // Appending an input leaves what the earlier inputs were given. (A grid has more rows; groups
 // appended to pick-freeze and morris change the rows.)
 TEST_P(EveryDesign, KeepsItsColumnsWhenOneIsAppended) {
-  if (GetParam() != "random" && GetParam() != "lhs" && GetParam() != "sobol") return;
+  if (GetParam() != DesignKind::random && GetParam() != DesignKind::lhs &&
+      GetParam() != DesignKind::sobol)
+    return;
   const Design small(small_spec(GetParam(), 5)), large(small_spec(GetParam(), 6));
   for (std::uint64_t row = 0; row < small.rows(); ++row) {
     std::vector<double> u = point_of(large, row);
@@ -94,27 +97,31 @@ TEST_P(EveryDesign, RefusesRowsBeyondItsEndAndWrongSizes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryDesign,
-                         testing::Values("random", "lhs", "sobol", "grid", "pick-freeze", "morris"),
+                         testing::Values(DesignKind::random, DesignKind::lhs, DesignKind::sobol,
+                                         DesignKind::grid, DesignKind::pick_freeze,
+                                         DesignKind::morris),
                          [](const auto& of) {
-                           return of.param == "pick-freeze" ? "pick_freeze" : of.param;
+                           std::string name = design_name(of.param);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
                          });
 
 TEST(CompleteRows, RoundUpToTheNextWholeDesign) {
-  DesignSpec spec = spec_of("random", 1000, 3);
+  DesignSpec spec = spec_of(DesignKind::random, 1000, 3);
   EXPECT_EQ(complete_rows(spec), 1000u);
-  spec.kind = "lhs";
+  spec.kind = DesignKind::lhs;
   EXPECT_EQ(complete_rows(spec), 1000u);
-  spec.kind = "sobol";
+  spec.kind = DesignKind::sobol;
   EXPECT_EQ(complete_rows(spec), 1024u);  // 8 * 2^7
   spec.classes = 3;
   EXPECT_EQ(complete_rows(spec), 1536u);  // 8 * 3 * 2^6
-  spec.kind = "pick-freeze";
+  spec.kind = DesignKind::pick_freeze;
   EXPECT_EQ(complete_rows(spec), 1000u);  // 200 * (3 + 2)
   spec.groups = 4;
   EXPECT_EQ(complete_rows(spec), 1002u);  // 167 * (4 + 2)
-  spec.kind = "morris";
+  spec.kind = DesignKind::morris;
   EXPECT_EQ(complete_rows(spec), 1000u);  // 200 * (4 + 1)
-  spec.kind = "grid";
+  spec.kind = DesignKind::grid;
   spec.grid_levels = {3, 4, 5, 1};
   EXPECT_EQ(complete_rows(spec), 60u);
 }
@@ -129,23 +136,24 @@ TEST(CompleteRows, RefuseWhatTheyCannotCount) {
     }
   };
   constexpr std::uint64_t huge = ~std::uint64_t{0};
-  for (const char* kind : {"random", "lhs", "sobol", "pick-freeze", "morris"}) {
-    EXPECT_THAT(problem(spec_of(kind, huge, 2)), HasSubstr("more than 2^40; ")) << kind;
-    EXPECT_THAT(problem(spec_of(kind, (1ull << 40) + 1, 2)), HasSubstr("more than 2^40")) << kind;
+  for (const auto& [kind, name] : spellings(DesignKind{})) {
+    if (kind == DesignKind::grid) continue;  // counts its levels, below
+    EXPECT_THAT(problem(spec_of(kind, huge, 2)), HasSubstr("more than 2^40; ")) << name;
+    EXPECT_THAT(problem(spec_of(kind, (1ull << 40) + 1, 2)), HasSubstr("more than 2^40")) << name;
   }
-  EXPECT_EQ(problem(spec_of("random", 1ull << 40, 2)), "1099511627776 rows");
-  EXPECT_THAT(problem(spec_of("lhs", 1000000000, 2)),
+  EXPECT_EQ(problem(spec_of(DesignKind::random, 1ull << 40, 2)), "1099511627776 rows");
+  EXPECT_THAT(problem(spec_of(DesignKind::lhs, 1000000000, 2)),
               HasSubstr("a latin hypercube of 1000000000 rows has too many: at most 2^28"));
-  EXPECT_EQ(problem(spec_of("lhs", 1u << 28, 2)), "268435456 rows");
+  EXPECT_EQ(problem(spec_of(DesignKind::lhs, 1u << 28, 2)), "268435456 rows");
 
-  DesignSpec sobol = spec_of("sobol", 1, 2);
+  DesignSpec sobol = spec_of(DesignKind::sobol, 1, 2);
   sobol.scrambles = huge / 2;
   sobol.classes = 3;
   EXPECT_THAT(problem(sobol), HasSubstr("more than 2^40"));
-  sobol = spec_of("sobol", (1ull << 36) + 1, 2);  // 2^33 in each of 8 scrambles
+  sobol = spec_of(DesignKind::sobol, (1ull << 36) + 1, 2);  // 2^33 in each of 8 scrambles
   EXPECT_THAT(problem(sobol), HasSubstr("longer than the sequence, 2^32 points"));
 
-  DesignSpec grid = spec_of("grid", 1, 2);
+  DesignSpec grid = spec_of(DesignKind::grid, 1, 2);
   grid.grid_levels = {huge, huge};
   EXPECT_THAT(problem(grid), HasSubstr("18446744073709551615 x 18446744073709551615 rows"));
   grid.grid_levels = {1u << 20, 1u << 20};
@@ -154,27 +162,28 @@ TEST(CompleteRows, RefuseWhatTheyCannotCount) {
 
 TEST(DesignRefusal, NamesTheReasonAndTheRemedy) {
   using testing::HasSubstr;
-  EXPECT_THAT(refusal(spec_of("sobel", 8, 2)), HasSubstr("no design \"sobel\"; use random, lhs"));
-  EXPECT_THAT(refusal(spec_of("random", 0, 2)), HasSubstr("at least one row"));
-  EXPECT_THAT(refusal(spec_of("sobol", 1000, 2)),
+  EXPECT_THAT(refusal(spec_of(DesignKind::random, 0, 2)), HasSubstr("at least one row"));
+  EXPECT_THAT(refusal(spec_of(DesignKind::sobol, 1000, 2)),
               HasSubstr("1000 rows is not complete: rows are 8 scrambles of a power of two; use "
                         "1024"));
-  EXPECT_THAT(refusal(spec_of("pick-freeze", 10, 2)), HasSubstr("groups + 2 = 4; use 12"));
-  EXPECT_THAT(refusal(spec_of("morris", 10, 2)), HasSubstr("groups + 1 = 3; use 12"));
-  EXPECT_THAT(refusal(spec_of("lhs", (1u << 28) + 1, 2)), HasSubstr("at most 2^28"));
-  EXPECT_THAT(refusal(spec_of("grid", 9, 2)), HasSubstr("a grid of 2 groups needs as many"));
+  EXPECT_THAT(refusal(spec_of(DesignKind::pick_freeze, 10, 2)),
+              HasSubstr("groups + 2 = 4; use 12"));
+  EXPECT_THAT(refusal(spec_of(DesignKind::morris, 10, 2)), HasSubstr("groups + 1 = 3; use 12"));
+  EXPECT_THAT(refusal(spec_of(DesignKind::lhs, (1u << 28) + 1, 2)), HasSubstr("at most 2^28"));
+  EXPECT_THAT(refusal(spec_of(DesignKind::grid, 9, 2)),
+              HasSubstr("a grid of 2 groups needs as many"));
 
-  DesignSpec spec = spec_of("lhs", 16, 2);
+  DesignSpec spec = spec_of(DesignKind::lhs, 16, 2);
   spec.cages_per_lot = 4;
   EXPECT_THAT(refusal(spec), HasSubstr("cages_per_lot = 4 needs design random"));
   spec.cages_per_lot = 0;
   EXPECT_THAT(refusal(spec), HasSubstr("at least one cage"));
 
-  spec = spec_of("random", 16, 2);
+  spec = spec_of(DesignKind::random, 16, 2);
   spec.columns[1] = spec.columns[0];
   EXPECT_THAT(refusal(spec), HasSubstr("two columns have one address"));
 
-  spec = spec_of("grid", 9, 2);
+  spec = spec_of(DesignKind::grid, 9, 2);
   spec.grid_levels = {3, 3};
   spec.trim = 0.5;
   EXPECT_THAT(refusal(spec), HasSubstr("trim = 0.5"));
@@ -186,10 +195,10 @@ TEST(DesignRefusal, NamesTheReasonAndTheRemedy) {
   spec.grid_levels = {1u << 30, 1u << 30};
   EXPECT_THAT(refusal(spec), HasSubstr("more than 2^40"));
 
-  spec = spec_of("morris", 3, 2);
+  spec = spec_of(DesignKind::morris, 3, 2);
   spec.morris_levels = 5;
   EXPECT_THAT(refusal(spec), HasSubstr("even number of levels, not 5"));
-  EXPECT_THAT(refusal(spec_of("sobol", 8, 3668)), HasSubstr("at most 3667 columns"));
+  EXPECT_THAT(refusal(spec_of(DesignKind::sobol, 8, 3668)), HasSubstr("at most 3667 columns"));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 TEST(LatinHypercube, HasOnePointInEveryCellOfEveryColumn) {
   for (const std::uint64_t rows : {1, 2, 7, 64, 1000, 12345}) {
-    const Design design(spec_of("lhs", rows, 4));
+    const Design design(spec_of(DesignKind::lhs, rows, 4));
     std::vector<std::set<std::uint64_t>> cells(4);
     for (const auto& u : points_of(design)) {
       for (std::size_t i = 0; i < 4; ++i) {
@@ -29,7 +29,7 @@ TEST(LatinHypercube, HasOnePointInEveryCellOfEveryColumn) {
 // 24 bits of jitter in the last cell of the largest design: still one cell, still below 1.
 TEST(LatinHypercube, KeepsItsCellsInTheLargestDesign) {
   const std::uint64_t rows = std::uint64_t{1} << 28;
-  const Design design(spec_of("lhs", rows, 1));
+  const Design design(spec_of(DesignKind::lhs, rows, 1));
   std::set<std::uint64_t> cells;
   for (std::uint64_t row = 0; row < 1000; ++row) {
     const double u = point_of(design, row)[0];
@@ -42,7 +42,7 @@ TEST(LatinHypercube, KeepsItsCellsInTheLargestDesign) {
 
 TEST(LatinHypercube, ColumnsAreUncorrelated) {
   constexpr std::uint64_t rows = 4096;
-  const Design design(spec_of("lhs", rows, 3));
+  const Design design(spec_of(DesignKind::lhs, rows, 3));
   double first = 0, second = 0;
   for (const auto& u : points_of(design)) {
     first += (u[0] - 0.5) * (u[1] - 0.5);
@@ -55,7 +55,7 @@ TEST(LatinHypercube, ColumnsAreUncorrelated) {
 
 TEST(LatinHypercube, PlaceWithinTheCellIsUniform) {
   constexpr std::uint64_t rows = 4096;
-  const Design design(spec_of("lhs", rows, 1));
+  const Design design(spec_of(DesignKind::lhs, rows, 1));
   double sum = 0, squares = 0;
   for (const auto& u : points_of(design)) {
     const double cell = u[0] * rows, place = cell - std::floor(cell);

@@ -16,7 +16,7 @@ constexpr std::uint64_t trajectories = 300;
 
 /// Group 0: columns 0 and 3; groups 1 and 2: columns 1 and 2.
 DesignSpec grouped_spec() {
-  DesignSpec spec = spec_of("morris", trajectories * 4, 4);
+  DesignSpec spec = spec_of(DesignKind::morris, trajectories * 4, 4);
   spec.columns[3].group = 0;
   return spec;
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// Group 0: columns 0 and 2; group 1: column 1; group 2: noise, without columns.
 DesignSpec grouped_spec(std::uint64_t bases) {
-  DesignSpec spec = spec_of("pick-freeze", bases * 5, 3);
+  DesignSpec spec = spec_of(DesignKind::pick_freeze, bases * 5, 3);
   spec.columns[2].group = 0;
   spec.groups = 3;
   return spec;
@@ -52,7 +52,7 @@ TEST(PickFreeze, SourceTellsWhoseValuesAGroupHas) {
 // Jansen: T_g = mean((f(A) - f(A with g of B))^2) / (2 Var f). f = u0 + 2 u1 has T = 1/5 and 4/5.
 TEST(PickFreeze, GivesTotalIndicesOfALinearFunction) {
   constexpr std::uint64_t bases = 4000;
-  const Design design(spec_of("pick-freeze", bases * 4, 2));
+  const Design design(spec_of(DesignKind::pick_freeze, bases * 4, 2));
   const auto f = [&](std::uint64_t block, std::uint64_t base) {
     const auto u = point_of(design, design.row_of(block, base));
     return u[0] + 2 * u[1];

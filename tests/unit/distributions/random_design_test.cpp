@@ -10,7 +10,7 @@ namespace {
 const std::uint32_t width = stream_address("cage.pocket_width_mm");
 
 DesignSpec cage_spec(std::uint32_t pockets) {
-  DesignSpec spec = spec_of("random", 60, 0);
+  DesignSpec spec = spec_of(DesignKind::random, 60, 0);
   spec.columns.push_back({Purpose::lot, width, 0, 0});
   for (std::uint32_t j = 0; j < pockets; ++j) {
     spec.columns.push_back({Purpose::pocket, width, j, 1});

@@ -50,7 +50,7 @@ std::uint64_t digits_of(double u) {
 // The quality parameter t of the first columns is the sum of (degree - 1) of their primitive
 // polynomials: 0, 0, 0, 1, 2.
 TEST(ScrambledSobol, EveryScrambleIsANet) {
-  DesignSpec spec = spec_of("sobol", 4 * 256, 300);
+  DesignSpec spec = spec_of(DesignKind::sobol, 4 * 256, 300);
   spec.scrambles = 4;
   const Design design(spec);
   const Points all = points_of(design);
@@ -65,7 +65,7 @@ TEST(ScrambledSobol, EveryScrambleIsANet) {
 }
 
 TEST(ScrambledSobol, EveryLeadingPowerOfTwoIsANet) {
-  DesignSpec spec = spec_of("sobol", 256, 2);
+  DesignSpec spec = spec_of(DesignKind::sobol, 256, 2);
   spec.scrambles = 1;
   Points points = points_of(Design(spec));
   for (const std::size_t size : {128, 64, 32, 2, 1}) {
@@ -78,7 +78,7 @@ TEST(ScrambledSobol, EveryLeadingPowerOfTwoIsANet) {
 // scipy.stats.qmc.Sobol(d=300, scramble=False, bits=30): leading zeros of point i (natural order),
 // 1 <= i <= 15, in columns 0, 1, 2, 9, 99 and 299.
 TEST(ScrambledSobol, KeepsTheDistancesOfJoeAndKuosPoints) {
-  DesignSpec spec = spec_of("sobol", 16, 300);
+  DesignSpec spec = spec_of(DesignKind::sobol, 16, 300);
   spec.scrambles = 1;
   const Design design(spec);
   const std::map<std::size_t, std::array<int, 15>> shared = {
@@ -102,7 +102,7 @@ TEST(ScrambledSobol, KeepsTheDistancesOfJoeAndKuosPoints) {
 // below, the halves are independent.
 TEST(ScrambledSobol, FlipsDependOnTheDigitsBefore) {
   constexpr std::uint64_t scrambles = 4096;
-  DesignSpec spec = spec_of("sobol", 2 * scrambles, 1);
+  DesignSpec spec = spec_of(DesignKind::sobol, 2 * scrambles, 1);
   spec.scrambles = scrambles;
   const Design design(spec);
   std::array<int, 32> differing{};
@@ -122,7 +122,7 @@ TEST(ScrambledSobol, FlipsDependOnTheDigitsBefore) {
 // is uniform.
 TEST(ScrambledSobol, IsUnbiased) {
   constexpr std::uint64_t scrambles = 2000;
-  DesignSpec spec = spec_of("sobol", 4 * scrambles, 3);
+  DesignSpec spec = spec_of(DesignKind::sobol, 4 * scrambles, 3);
   spec.scrambles = scrambles;
   const Design design(spec);
   const auto f = [](const std::vector<double>& u) { return std::exp(u[0] + u[1]) * u[2] * u[2]; };
@@ -144,7 +144,7 @@ TEST(ScrambledSobol, IsUnbiased) {
 // Variance of a scramble's estimate for a smooth function falls like N^-3 against N^-1 of
 // independent points.
 TEST(ScrambledSobol, BeatsIndependentPointsOnASmoothFunction) {
-  const auto spread = [](const std::string& kind, std::uint64_t points) {
+  const auto spread = [](DesignKind kind, std::uint64_t points) {
     constexpr std::uint64_t replicates = 64;
     DesignSpec spec = spec_of(kind, replicates * points, 4);
     spec.scrambles = replicates;
@@ -161,15 +161,15 @@ TEST(ScrambledSobol, BeatsIndependentPointsOnASmoothFunction) {
     }
     return std::sqrt(squares / replicates - sum * sum / (replicates * replicates));
   };
-  EXPECT_LT(spread("sobol", 256), 0.1 * spread("random", 256));
-  EXPECT_LT(spread("sobol", 256), 0.25 * spread("sobol", 64));
+  EXPECT_LT(spread(DesignKind::sobol, 256), 0.1 * spread(DesignKind::random, 256));
+  EXPECT_LT(spread(DesignKind::sobol, 256), 0.25 * spread(DesignKind::sobol, 64));
 }
 
 // Three classes of 64 points, and four, where the natural order would give each class a quarter of
 // the first column.
 TEST(ScrambledSobol, EveryClassIsANet) {
   for (const std::uint64_t classes : {3, 4}) {
-    DesignSpec spec = spec_of("sobol", 2 * classes * 64, 2);
+    DesignSpec spec = spec_of(DesignKind::sobol, 2 * classes * 64, 2);
     spec.scrambles = 2;
     spec.classes = classes;
     const Design design(spec);
@@ -191,7 +191,8 @@ TEST(ScrambledSobol, EveryClassIsANet) {
 }
 
 TEST(ScrambledSobol, ScramblesDifferAndDoNotDependOnTheirNumber) {
-  DesignSpec few = spec_of("sobol", 2 * 8, 3), many = spec_of("sobol", 4 * 8, 3);
+  DesignSpec few = spec_of(DesignKind::sobol, 2 * 8, 3),
+             many = spec_of(DesignKind::sobol, 4 * 8, 3);
   few.scrambles = 2;
   many.scrambles = 4;
   const Design design(few), larger(many);
@@ -202,7 +203,7 @@ TEST(ScrambledSobol, ScramblesDifferAndDoNotDependOnTheirNumber) {
 }
 
 TEST(ScrambledSobol, MorePointsExtendAScramble) {
-  DesignSpec spec = spec_of("sobol", 64, 3);
+  DesignSpec spec = spec_of(DesignKind::sobol, 64, 3);
   spec.scrambles = 1;
   const Design design(spec);
   spec.rows = 1024;

@@ -28,7 +28,8 @@ TEST(Median, OfOddEvenAndNone) {
 
 // Not a second clock beside it: the very time that a run states, per simulated second.
 TEST(Bench, MeasuresSimulateItself) {
-  const BenchResult result = bench(short_scene(), {.methods = {"rodas3"}, .repeats = 3});
+  const BenchResult result =
+      bench(short_scene(), {.methods = {IntegrationMethod::rodas3}, .repeats = 3});
   for (const MethodCost& cost : result.methods) {
     ASSERT_EQ(cost.rtf_runs.size(), 3u);
     EXPECT_EQ(cost.rtf, median(cost.rtf_runs));
@@ -39,18 +40,18 @@ TEST(Bench, MeasuresSimulateItself) {
 
 TEST(Bench, CountsAndKernelsAreThoseOfTheRun) {
   const Scene scene = short_scene();
-  const BenchResult result = bench(scene, {.methods = {"rodas3"}, .repeats = 1});
+  const BenchResult result = bench(scene, {.methods = {IntegrationMethod::rodasp}, .repeats = 1});
   ASSERT_EQ(result.methods.size(), 3u);  // the scene's own, the one asked for, the baseline
-  EXPECT_EQ(result.methods[0].method, "rodas3");
+  EXPECT_EQ(result.methods[0].method, IntegrationMethod::rodas3);
   EXPECT_EQ(result.methods[2].method, kBaselineMethod);
-  EXPECT_EQ(cost_of(result, "rodas3").run.steps, simulate(scene).run.steps);
+  EXPECT_EQ(cost_of(result, IntegrationMethod::rodas3).run.steps, simulate(scene).run.steps);
   const KernelTimes& k = result.kernels;
   for (double time : {k.rhs_us, k.linearise_us, k.factorise_us, k.solve_us}) EXPECT_GT(time, 0.01);
   EXPECT_GT(k.linearise_us, k.rhs_us);
   const auto json = bench_json(result);
   EXPECT_EQ(json["default"]["method"], "rodas3");
-  EXPECT_EQ(json["default"]["rtf"].get<double>(), cost_of(result, "rodas3").rtf);
-  EXPECT_EQ(json["methods"][1]["method"], "rodas3");
+  EXPECT_EQ(json["default"]["rtf"].get<double>(), cost_of(result, IntegrationMethod::rodas3).rtf);
+  EXPECT_EQ(json["methods"][1]["method"], "rodasp");
   EXPECT_NEAR(json["methods"][0]["steps_per_s"].get<double>() * 6e-3, result.methods[0].run.steps,
               1e-6);
 }
@@ -64,7 +65,7 @@ TEST(Bench, SharesAreOfTheWholeRunAndOfWhatTheBearingHas) {
     for (const CostPart& part : parts) all.push_back(part.name);
     return all;
   };
-  const BenchResult oiled = bench(scene, {.methods = {"rodas3"}, .repeats = 1});
+  const BenchResult oiled = bench(scene, {.methods = {IntegrationMethod::rodas3}, .repeats = 1});
   double sum = 0;
   for (const CostPart& part : run_parts(oiled)) sum += part.share;
   EXPECT_NEAR(sum, 1, 1e-12);
@@ -74,8 +75,10 @@ TEST(Bench, SharesAreOfTheWholeRunAndOfWhatTheBearingHas) {
   EXPECT_GT(oiled.mechanisms[0].share, 0.02);  // measured 0.2
   EXPECT_THAT(bench_text(oiled), testing::HasSubstr("cheaper without: traction of films"));
   scene.lubrication.churning = false;
-  EXPECT_EQ(bench(scene, {.methods = {"rodas3"}, .repeats = 1}).mechanisms.size(), 4u);
-  EXPECT_TRUE(bench(short_scene(), {.methods = {"rodas3"}, .repeats = 1}).mechanisms.empty());
+  EXPECT_EQ(bench(scene, {.methods = {IntegrationMethod::rodas3}, .repeats = 1}).mechanisms.size(),
+            4u);
+  EXPECT_TRUE(bench(short_scene(), {.methods = {IntegrationMethod::rodas3}, .repeats = 1})
+                  .mechanisms.empty());
 }
 
 TEST(Bench, AMethodThatFailsSaysSo) {

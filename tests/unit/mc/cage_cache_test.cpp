@@ -201,7 +201,7 @@ TEST(CageCache, AFileThatIsNotOursIsReplaced) {
 /// The largest stress in a short run.
 double peak_stress(const std::shared_ptr<const CageTable>& table) {
   Scene scene = coarse_scene();
-  scene.cage.model = "flexible";
+  scene.cage.model = CageKind::flexible;
   scene.window.settle_revolutions = 0.1;
   scene.window.measure_revolutions = 0.1;
   return simulate(scene, {.cage_table = table})
@@ -285,7 +285,7 @@ TEST(CageCache, MoreTablesThanStayInMemoryAreReadAgain) {
 
 TEST(CageCache, ACageWithoutASolutionIsBadInputOrAFailedRun) {
   Scene scene = coarse_scene();
-  scene.cage.model = "flexible";
+  scene.cage.model = CageKind::flexible;
   scene.cage.material.density = 1e-300;
   testing::internal::CaptureStderr();
   try {

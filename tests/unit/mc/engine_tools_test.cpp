@@ -87,11 +87,12 @@ TEST(Replicas, AreAddressedAndDoNotDependOnThreads) {
 
 TEST(Trajectory, MethodsOfDifferentKindsAgreeAndTighterIsNearer) {
   const Scene scene = shipped_scene("speed-z16");
-  const Trajectory reference = follow(with_setting(scene, reference_setting("rodas3")), 0.4e-3);
+  const Trajectory reference =
+      follow(with_setting(scene, reference_setting(IntegrationMethod::rodasp)), 0.4e-3);
   double last = 10;
   for (double tolerance : {1e-2, 5e-4, 2e-5}) {
-    const auto error =
-        trajectory_error(follow(with_setting(scene, {"rodas3", tolerance}), 0.4e-3), reference);
+    const auto error = trajectory_error(
+        follow(with_setting(scene, {IntegrationMethod::rodasp, tolerance}), 0.4e-3), reference);
     EXPECT_LT(error[1], last);
     last = error[1];
   }
@@ -102,9 +103,13 @@ TEST(Trajectory, MethodsOfDifferentKindsAgreeAndTighterIsNearer) {
 TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
   const Study study =
       read_study(scene_file(), {"window.settle_time_s = 0.003", "window.measure_time_s = 0.001"});
-  const Chart chart = make_chart(
-      study, {.methods = {"rodas3"}, .horizon = 0.4e-3, .replicas = 1, .starts = 2, .threads = 1},
-      [](const std::string&) {});
+  const Chart chart = make_chart(study,
+                                 {.methods = {IntegrationMethod::rodasp},
+                                  .horizon = 0.4e-3,
+                                  .replicas = 1,
+                                  .starts = 2,
+                                  .threads = 1},
+                                 [](const std::string&) {});
   ASSERT_EQ(chart.points.size(), 6u);  // the scene's own tolerance and five
   EXPECT_EQ(chart.points[0].setting.accuracy, 0.001);
   EXPECT_LT(chart.reference_gap[1], 1e-2);
@@ -124,7 +129,7 @@ TEST(Chart, RungsStandBesideTheSettings) {
       {"window.settle_revolutions=0.3", "window.measure_revolutions=0.3", "cage.mesh_density=2",
        "watch.energy_residual_max=1000", "watch.static_consistency_max=1000"});
   const Chart chart = make_chart(study,
-                                 {.methods = {"rodas3"},
+                                 {.methods = {IntegrationMethod::rodasp},
                                   .horizon = 0.1e-3,
                                   .replicas = 2,
                                   .starts = 1,
@@ -163,9 +168,10 @@ TEST(Stability, Judgement) {
 TEST(Stability, IsSoundWithTheDefaultRightAndNothingSilentlyWrong) {
   const auto map = [](Soundness default_method, Soundness other) {
     SuiteRow row{"scene", 0, {}};
-    row.cells["rodas3"].soundness = default_method;
-    row.cells["rodasp"].soundness = other;
-    return StabilityMap{"rodas3", {"rodas3", "rodasp"}, {row}};
+    row.cells[IntegrationMethod::rodas3].soundness = default_method;
+    row.cells[IntegrationMethod::rodasp].soundness = other;
+    return StabilityMap{
+        IntegrationMethod::rodas3, {IntegrationMethod::rodas3, IntegrationMethod::rodasp}, {row}};
   };
   EXPECT_TRUE(is_sound(map(Soundness::right, Soundness::failed)));
   EXPECT_TRUE(is_sound(map(Soundness::right, Soundness::unresolved)));
@@ -173,7 +179,7 @@ TEST(Stability, IsSoundWithTheDefaultRightAndNothingSilentlyWrong) {
   EXPECT_FALSE(is_sound(map(Soundness::degraded, Soundness::right)));
   EXPECT_FALSE(is_sound(map(Soundness::failed, Soundness::right)));
   StabilityMap without_default = map(Soundness::right, Soundness::degraded);
-  without_default.rows[0].cells.erase("rodas3");
+  without_default.rows[0].cells.erase(IntegrationMethod::rodas3);
   EXPECT_TRUE(is_sound(without_default));
 }
 
@@ -198,11 +204,14 @@ TEST(Stability, ABadSuiteSaysWhatIsWrong) {
 }
 
 TEST(StabilityText, ColumnsAreAsWideAsTheirText) {
-  StabilityMap map{"rodas3", {"rodas3", "semi-implicit-euler"}, {}};
+  StabilityMap map{IntegrationMethod::rodasp,
+                   {IntegrationMethod::rodasp, IntegrationMethod::semi_implicit_euler},
+                   {}};
   const std::string longest = "a scene whose name is longer than that of any other scene";
   for (const std::string& scene : {std::string("short"), longest}) {
     SuiteRow row{scene, 0, {}};
-    for (const std::string& method : map.methods) row.cells[method].soundness = Soundness::right;
+    for (const IntegrationMethod method : map.methods)
+      row.cells[method].soundness = Soundness::right;
     map.rows.push_back(row);
   }
   std::istringstream text(stability_text(map));

@@ -41,8 +41,10 @@ TEST(PocketCsv, ErrorsNameFileLineAndColumn) {
     return "no error";
   };
   const std::string head = "width_mm,length_mm,pitch_mrad,squareness_mrad\n";
-  EXPECT_THAT(message(head + "0,0,0,0\n0,0,x,0\n"), HasSubstr("p.csv:3: column 3 (pitch_mrad) = 'x'"));
-  EXPECT_THAT(message(head + "0,0,0,0\n0,nan,0,0\n"), HasSubstr("p.csv:3: column 2 (length_mm) = 'nan'"));
+  EXPECT_THAT(message(head + "0,0,0,0\n0,0,x,0\n"),
+              HasSubstr("p.csv:3: column 3 (pitch_mrad) = 'x'"));
+  EXPECT_THAT(message(head + "0,0,0,0\n0,nan,0,0\n"),
+              HasSubstr("p.csv:3: column 2 (length_mm) = 'nan'"));
   EXPECT_THAT(message(head + "0,0,0,0\n0,0,0\n"), HasSubstr("p.csv:3: 3 fields"));
   EXPECT_THAT(message("width_mm,length_mm,pitch_mrad\n0,0,0\n0,0,0\n"),
               HasSubstr("p.csv:1: there is no column 'squareness'"));

@@ -26,7 +26,7 @@ using testing::Not;
 TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   const auto& rungs = climbing_rungs();
   const Scene bottom = on_rung(Scene{}, rungs.front()), top = on_rung(Scene{}, rungs.back());
-  EXPECT_EQ(bottom.cage.model, "rigid");
+  EXPECT_EQ(bottom.cage.model, CageKind::rigid);
   EXPECT_TRUE(is_quasi_static(bottom));
   EXPECT_EQ(bottom.discretisation.race_slices, 5);
   const Scene plane = on_rung(Scene{}, rungs[1]);
@@ -36,7 +36,7 @@ TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   EXPECT_EQ(on_rung(plane, rungs[2]).integration.tolerance, 0.02);
   EXPECT_FALSE(has_planar_rollers(on_rung(plane, rungs[2])));
   EXPECT_FALSE(has_planar_rollers(top) || is_quasi_static(top));
-  EXPECT_EQ(top.cage.model, "flexible");
+  EXPECT_EQ(top.cage.model, CageKind::flexible);
   EXPECT_EQ(top.cage.modes, 20);
   EXPECT_TRUE(top.cage.centrifugal && top.cage.coriolis);
   EXPECT_EQ(top.discretisation.race_slices, 5);
@@ -71,7 +71,7 @@ std::vector<std::string> names_of(const std::vector<Rung>& rungs) {
 
 TEST(Rungs, EachRefinesOneThingOfTheScene) {
   Scene rigid;
-  rigid.integration = {.method = "rodas3", .tolerance = 0.005};
+  rigid.integration = {.method = IntegrationMethod::rodas3, .tolerance = 0.005};
   const auto rungs = refining_rungs(rigid);
   EXPECT_EQ(names_of(rungs),
             (std::vector<std::string>{"integrator", "modes", "slices", "window", "as-run"}));
@@ -79,8 +79,8 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
               slices = on_rung(rigid, rungs[2]), window = on_rung(rigid, rungs[3]);
   EXPECT_EQ(integrator.integration.method, Integration{}.method);
   EXPECT_DOUBLE_EQ(integrator.integration.tolerance, 0.0005);
-  EXPECT_EQ(integrator.cage.model, "rigid");
-  EXPECT_EQ(modes.cage.model, "flexible");
+  EXPECT_EQ(integrator.cage.model, CageKind::rigid);
+  EXPECT_EQ(modes.cage.model, CageKind::flexible);
   EXPECT_EQ(modes.cage.modes, 20);
   EXPECT_EQ(modes.integration.tolerance, 0.005);
   EXPECT_EQ(slices.discretisation.race_slices, 11);
@@ -89,7 +89,7 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
   EXPECT_EQ(rungs[0].settings.size(), 2u);
 
   Scene flexible = rigid;
-  flexible.cage.model = "flexible";
+  flexible.cage.model = CageKind::flexible;
   flexible.integration = {};
   flexible.window.measure_time = 0.0125;
   const auto more = refining_rungs(flexible);
@@ -105,7 +105,7 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
 
 TEST(Rungs, WhatCannotBeRefinedIsLeftOut) {
   Scene finest;
-  finest.cage.model = "flexible";
+  finest.cage.model = CageKind::flexible;
   finest.cage.modes = 36;
   finest.cage.mesh_density = 12;
   finest.discretisation.race_slices = 100;
@@ -126,26 +126,27 @@ TEST(Rungs, AFilmIsTakenAwayWhereTheSceneHasOneAndNeverAdded) {
     return all;
   };
   EXPECT_THAT(names(), Not(Contains("no-film")));
-  scene.film.model = "series";
+  scene.film.model = FilmModel::series;
   EXPECT_THAT(names(), Contains("no-film"));
   for (const Rung& rung : separate_rungs(scene))
-    EXPECT_EQ(on_rung(scene, rung).film.model, rung.name == "no-film" ? "none" : "series");
+    EXPECT_EQ(on_rung(scene, rung).film.model,
+              rung.name == "no-film" ? FilmModel::none : FilmModel::series);
   EXPECT_THAT(names(), Not(Contains("no-guide-film")));
-  scene.cage.guide_film.model = "short-bearing";
+  scene.cage.guide_film.model = GuideFilmModel::short_bearing;
   EXPECT_THAT(names(), Contains("no-guide-film"));
   for (const Rung& rung : separate_rungs(scene))
     EXPECT_EQ(on_rung(scene, rung).cage.guide_film.model,
-              rung.name == "no-guide-film" ? "none" : "short-bearing");
+              rung.name == "no-guide-film" ? GuideFilmModel::none : GuideFilmModel::short_bearing);
   for (const Rung& rung : climbing_rungs()) {
-    EXPECT_EQ(on_rung(scene, rung).film.model, "series");
-    EXPECT_EQ(on_rung(Scene{}, rung).film.model, "none");
+    EXPECT_EQ(on_rung(scene, rung).film.model, FilmModel::series);
+    EXPECT_EQ(on_rung(Scene{}, rung).film.model, FilmModel::none);
   }
 }
 
 TEST(Rungs, EachMechanismOfTheOilIsTakenAwayAlone) {
   Scene scene;
   EXPECT_THAT(names_of(separate_rungs(scene)), Not(Contains("no-rolling")));
-  scene.lubrication.model = "film";
+  scene.lubrication.model = LubricationModel::film;
   const auto switches = [](const Lubrication& l) {
     return std::vector<bool>{l.rolling_resistance, l.inlet_heating, l.film_traction, l.squeeze,
                              l.pocket_film,        l.end_film,      l.land_film,     l.churning};
@@ -164,17 +165,19 @@ TEST(Rungs, EachMechanismOfTheOilIsTakenAwayAlone) {
 TEST(Rungs, AFreeRingIsHeldWhereTheSceneHasOne) {
   Scene scene;
   EXPECT_THAT(names_of(separate_rungs(scene)), Not(Contains("held-ring")));
-  scene.model.ring_tilt = "free";
+  scene.model.ring_tilt = TiltModel::free;
   scene.operation.tilting_moment_z = 2;
   for (const Rung& rung : separate_rungs(scene)) {
     const Scene on = on_rung(scene, rung);
-    EXPECT_EQ(on.model.ring_tilt, rung.name == "held-ring" ? "prescribed" : "free") << rung.name;
+    EXPECT_EQ(on.model.ring_tilt,
+              rung.name == "held-ring" ? TiltModel::prescribed : TiltModel::free)
+        << rung.name;
     EXPECT_EQ(on.operation.tilting_moment_z, rung.name == "held-ring" ? 0 : 2) << rung.name;
     EXPECT_NO_THROW(check_scene(on, "rung"));
   }
   EXPECT_THAT(names_of(separate_rungs(scene)), Contains("held-ring"));
   for (const Rung& rung : climbing_rungs()) {
-    EXPECT_EQ(on_rung(scene, rung).model.ring_tilt, "free");
+    EXPECT_EQ(on_rung(scene, rung).model.ring_tilt, TiltModel::free);
     EXPECT_NO_THROW(check_scene(on_rung(scene, rung), "rung"));
   }
 }
@@ -201,8 +204,8 @@ TEST(Rungs, AllSeeTheSameSamples) {
     EXPECT_EQ(a.scene.cage.pocket_width, own.scene.cage.pocket_width);
     EXPECT_EQ(a.scene.start.cage_offset_y, b.scene.start.cage_offset_y);
     EXPECT_EQ(a.scene.start.cage_phase, own.scene.start.cage_phase);
-    EXPECT_EQ(a.scene.cage.model, "rigid");
-    EXPECT_EQ(b.scene.cage.model, "flexible");
+    EXPECT_EQ(a.scene.cage.model, CageKind::rigid);
+    EXPECT_EQ(b.scene.cage.model, CageKind::flexible);
   }
   for (const Rung& rung : refining_rungs(study.scene)) {
     const Sample own = draw_sample(study, 7), refined = draw_sample(rung_study(study, rung, 24), 7);
@@ -214,9 +217,9 @@ TEST(Rungs, AllSeeTheSameSamples) {
 
 TEST(Rungs, AGridBecomesRandomAndLosesItsClaims) {
   const Study grid = read_study(shipped("studies/paper-length.toml"));
-  ASSERT_EQ(grid.design, "grid");
+  ASSERT_EQ(grid.design, DesignKind::grid);
   const Study rung = rung_study(grid, climbing_rungs().front(), 5);
-  EXPECT_EQ(rung.design, "random");
+  EXPECT_EQ(rung.design, DesignKind::random);
   EXPECT_EQ(sample_count(rung), 5u);
 }
 

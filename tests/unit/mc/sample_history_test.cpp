@@ -121,14 +121,14 @@ TEST_F(SampleHistoryTest, ARunThatEndsEarlyLeavesTheRestUndefined) {
 // A lubricated bearing without load, whose cage slows down for many turns: windows of two turns
 // begin at 0, 2 and 4 of them.
 TEST_F(SampleHistoryTest, IsThatOfTheLastWindowWhereSettlingIsExtended) {
-  scene_.lubrication.model = "film";
+  scene_.lubrication.model = LubricationModel::film;
   scene_.operation.radial_load = 0;
-  scene_.model.rollers = "planar";
+  scene_.model.rollers = RollerModel::planar;
   scene_.discretisation = {.race_slices = 1, .bar_stations = 1};
   scene_.window.settle_revolutions = 0;
   scene_.window.measure_revolutions = 2;
   scene_.window.longest_settle_revolutions = 4;
-  scene_.start.state = "equilibrium";
+  scene_.start.state = StartState::equilibrium;
   const SampleRun extended = run(kPoints);
   const double end = extended.outcome.run.simulated_s;
   const auto time = column(extended, "time");

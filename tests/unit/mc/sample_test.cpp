@@ -68,7 +68,8 @@ void expect_identical(const Sample& a, const Sample& b) {
 }
 
 TEST(Sample, IsAPureFunctionOfStudyAndId) {
-  for (const char* design : {"random", "lhs", "sobol", "pick-freeze", "morris"}) {
+  using enum DesignKind;
+  for (const DesignKind design : {random, lhs, sobol, pick_freeze, morris}) {
     Study study = base_study();
     study.design = design;
     study.extra_replicates = 1;
@@ -134,7 +135,7 @@ TEST(Sample, InAGridEveryRowMeetsTheSameNoiseInItsKthRun) {
   study.inputs.erase(study.inputs.begin() + 1, study.inputs.begin() + 3);
   study.inputs[0].lot = Uniform{-0.1, 0.1};
   study.inputs[0].pocket.reset();
-  study.design = "grid";
+  study.design = DesignKind::grid;
   study.grid_levels = {4};
   study.samples = 4;
   study.extra_replicates = 2;
@@ -229,7 +230,7 @@ TEST(Sample, CorrelatedInputsMoveTogetherAndShareAGroup) {
 
 TEST(Sample, PickFreezeSharesNoiseAsAGroupOfItsOwn) {
   Study study = base_study();
-  study.design = "pick-freeze";
+  study.design = DesignKind::pick_freeze;
   study.samples = 8;
   const auto spec = design_spec(study);
   EXPECT_EQ(spec.groups, 4u + 1u);
@@ -246,7 +247,7 @@ TEST(Sample, PickFreezeSharesNoiseAsAGroupOfItsOwn) {
 TEST(Sample, AGridHasTheLevelsAskedFor) {
   Study study = base_study();
   study.inputs = {study.inputs[2]};
-  study.design = "grid";
+  study.design = DesignKind::grid;
   study.grid_levels = {5};
   EXPECT_EQ(design_spec(study).rows, 5u);
   study.samples = 5;
@@ -259,7 +260,7 @@ TEST(Sample, AGridHasTheLevelsAskedFor) {
 // Generous: the bound is there to catch a design or a factorisation made anew for every draw.
 TEST(Sample, ADrawCostsMicroseconds) {
   Study study = base_study();
-  study.design = "sobol";
+  study.design = DesignKind::sobol;
   study.samples = static_cast<long>(design_spec(study).rows);
   study.correlations = {{"cage.pocket_width_mm:pocket", "cage.pocket_pitch_mrad:pocket", 0.8}};
   const Sampler sampler(study);

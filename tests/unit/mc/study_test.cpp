@@ -531,7 +531,8 @@ TEST_F(StudyFile, ALubricatedStudyResolvesWithoutTheKeysThatItRefuses) {
   EXPECT_THAT(study.resolved_toml,
               AllOf(HasSubstr("eyring_stress_MPa"), Not(HasSubstr("guide_film"))));
   EXPECT_THAT(study_of("samples = 5\n").resolved_toml, HasSubstr("guide_film"));
-  const Study dry = changed_study(study, [](Study& s) { s.scene.lubrication.model = "none"; });
+  const Study dry =
+      changed_study(study, [](Study& s) { s.scene.lubrication.model = LubricationModel::none; });
   EXPECT_FALSE(is_lubricated(dry.scene));
   EXPECT_THAT(problem_of(text + "film.viscosity_Pa_s = 0.03\n"),
               AllOf(HasSubstr("study.toml:4: film.viscosity_Pa_s = 0.03"),

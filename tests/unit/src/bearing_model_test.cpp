@@ -61,7 +61,7 @@ TEST(BearingModel, StartIsInBalance) {
     Scene scene;
     scene.bearing.internal_clearance = clearance;
     scene.bearing.misalignment_z = 0.3e-3;
-    scene.roller.profile = "logarithmic";
+    scene.roller.profile = RollerProfile::logarithmic;
     const BearingModel model = make_bearing_model(scene);
     const std::vector<double> y = start_state(model, scene.start);
     System system(model);

@@ -35,7 +35,7 @@ ContactParameters impact() {
 }
 ContactParameters hertz() {
   ContactParameters p;
-  p.law = "hertz";
+  p.law = ForceLaw::hertz;
   return p;
 }
 

@@ -28,9 +28,10 @@ double rate_along_motion(const RandomBearing& b, const PackVector& rates, double
 
 /// Rigid and flexible cages, dry and oiled lands by turns.
 RandomBearing bearing(unsigned seed, Freedom freedom) {
-  return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
-                               .freedom = freedom,
-                               .guide_film = seed % 3 == 0 ? "short-bearing" : "none"});
+  return random_bearing(
+      seed, {.modes = seed % 2 == 0 ? 0 : 5,
+             .freedom = freedom,
+             .guide_film = seed % 3 == 0 ? GuideFilmModel::short_bearing : GuideFilmModel::none});
 }
 
 /// Net power into the bearing, and its rate along the motion by differences.

@@ -19,7 +19,7 @@ namespace {
 
 Scene coarse_scene() {
   Scene s;
-  s.cage.model = "flexible";
+  s.cage.model = CageKind::flexible;
   s.cage.mesh_density = 2;
   return s;
 }
@@ -43,12 +43,12 @@ struct LooseCage {
   BearingModel model;
   std::vector<double> y;
   explicit LooseCage(double phase, bool spin_terms = true) {
-    scene.cage.guidance = "roller";
+    scene.cage.guidance = Guidance::roller;
     scene.cage.mode_damping = 0;
     scene.cage.centrifugal = scene.cage.coriolis = spin_terms;
     scene.operation.gravity = 0;
     scene.start.cage_phase = phase;
-    scene.integration.method = "rodasp";
+    scene.integration.method = IntegrationMethod::rodasp;
     scene.integration.tolerance = 1e-7;
     auto made = scene_cage_model(scene, *coarse_table());
     model = make_bearing_model(scene, std::get<std::shared_ptr<const CageModel>>(made));
@@ -124,7 +124,7 @@ TEST(FlexibleCage, ABearingTurnedByOnePocketIsTheSame) {
   scene.window.measure_time = 0.25e-3;
   scene.cage.pocket_width = {7.55e-3};
   scene.start.cage_offset_z = -0.15e-3;
-  scene.integration.method = "semi-implicit-euler";
+  scene.integration.method = IntegrationMethod::semi_implicit_euler;
   scene.integration.fixed_step = 0.005e-6;
   scene.watch.static_consistency_max = 1;
   const Outcome one = run(scene);
@@ -145,7 +145,7 @@ TEST(FlexibleCage, WithoutModesItMovesAsARigidCageDoes) {
   scene.cage.pocket_width = {7.51e-3};
   scene.watch.static_consistency_max = 1;
   const Outcome flexible = run(scene);
-  scene.cage.model = "rigid";
+  scene.cage.model = CageKind::rigid;
   const Outcome rigid = run(scene);
   EXPECT_EQ(quantity(flexible, "pocket_force_rms_N"), quantity(rigid, "pocket_force_rms_N"));
   EXPECT_EQ(quantity(flexible, "cage_slip_ratio"), quantity(rigid, "cage_slip_ratio"));

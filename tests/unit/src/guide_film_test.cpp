@@ -154,17 +154,17 @@ TEST(GuideFilm, EndsAtItsLeastHeight) {
   }
 }
 
-Scene oiled(const char* guidance = "outer") {
+Scene oiled(Guidance guidance = Guidance::outer) {
   Scene scene = dry_scene("nu205");
-  scene.cage.guide_film.model = "short-bearing";
+  scene.cage.guide_film.model = GuideFilmModel::short_bearing;
   scene.cage.guidance = guidance;
-  if (guidance == std::string("inner")) scene.cage.guide_clearance = 0.2e-3;
+  if (guidance == Guidance::inner) scene.cage.guide_clearance = 0.2e-3;
   return scene;
 }
 
 // Nothing else touches the cage: its rows of the Newton matrix are the film's alone.
 TEST(GuideFilm, NewtonMatrixIsThatOfDifferences) {
-  for (const char* guidance : {"outer", "inner"}) {
+  for (const Guidance guidance : {Guidance::outer, Guidance::inner}) {
     Scene scene = oiled(guidance);
     scene.start.cage_offset_y = 60e-6;
     scene.start.cage_offset_z = -30e-6;
@@ -193,7 +193,7 @@ TEST(GuideFilm, NewtonMatrixIsThatOfDifferences) {
         }
       EXPECT_GT(size, 0) << i;
       // Left out: the mass centre turns about the middle, some nanometres.
-      EXPECT_LT(apart, 1e-5 * size) << guidance << ", row " << i;
+      EXPECT_LT(apart, 1e-5 * size) << spelled(guidance) << ", row " << i;
     }
   }
 }
@@ -227,7 +227,7 @@ TEST(GuideFilm, CarriesTheCageOfARun) {
 }
 
 TEST(GuideFilm, WantsALandAndRoom) {
-  EXPECT_THROW(check_scene(oiled("roller"), "scene.toml"), InputError);
+  EXPECT_THROW(check_scene(oiled(Guidance::roller), "scene.toml"), InputError);
   Scene rough = oiled();
   check_scene(rough, "scene.toml");
   rough.cage.guide_film.least = 60e-6;

@@ -153,12 +153,12 @@ TEST_P(Linearisation, AgreesWithDifferencesButForStatedTerms) {
 }
 
 /// Loaded races, the ring moving, rollers slipping a little.
-RandomBearing loaded_races(const char* law, const char* film, Freedom freedom) {
+RandomBearing loaded_races(ForceLaw law, FilmModel film, Freedom freedom) {
   RandomBearing b;
   b.scene.contact.race.law = law;
   b.scene.film.model = film;
-  if (freedom == Freedom::planar) b.scene.model.rollers = "planar";
-  if (freedom == Freedom::tilting) b.scene.model.ring_tilt = "free";
+  if (freedom == Freedom::planar) b.scene.model.rollers = RollerModel::planar;
+  if (freedom == Freedom::tilting) b.scene.model.ring_tilt = TiltModel::free;
   b.model = make_bearing_model(b.scene);
   const StateLayout& l = b.model.layout;
   b.y = start_state(b.model, b.scene.start);
@@ -169,11 +169,11 @@ RandomBearing loaded_races(const char* law, const char* film, Freedom freedom) {
 }
 
 TEST_P(Linearisation, LoadedRacesAreExact) {
-  for (const char* law : {"hertz", "impact"}) {
-    const RandomBearing b = loaded_races(law, "none", GetParam());
+  for (const ForceLaw law : {ForceLaw::hertz, ForceLaw::impact}) {
+    const RandomBearing b = loaded_races(law, FilmModel::none, GetParam());
     // What differencing can tell: the error of its own falls with the step squared, down to 1e-7 at
     // this one.
-    EXPECT_LT(relative_difference(b, 1e-4), 2e-7) << law;
+    EXPECT_LT(relative_difference(b, 1e-4), 2e-7) << spelled(law);
   }
 }
 
@@ -181,8 +181,8 @@ TEST_P(Linearisation, LoadedRacesAreExact) {
 // of the ring's velocity against the roller's direction as the roller goes on: h/u times the speed
 // of approach over the radius, some 1e-7 of the stiffness.
 TEST_P(Linearisation, LoadedRacesWithAFilmAreExact) {
-  for (const char* film : {"series", "series-bounded"})
-    for (const char* law : {"hertz", "impact"})
+  for (const FilmModel film : {FilmModel::series, FilmModel::series_bounded})
+    for (const ForceLaw law : {ForceLaw::hertz, ForceLaw::impact})
       for (const double speed : {1.0, 1e-3, 0.0}) {
         RandomBearing b = loaded_races(law, film, GetParam());
         const StateLayout& l = b.model.layout;
@@ -190,14 +190,15 @@ TEST_P(Linearisation, LoadedRacesWithAFilmAreExact) {
         for (int j = 0; j < l.rollers; ++j)
           for (const RollerVelocity slot : {kOrbitRate, kSpin})
             b.y[static_cast<std::size_t>(l.velocity(slot, j))] *= speed;
-        EXPECT_LT(relative_difference(b, 1e-4), 1e-6) << film << ", " << law << ", " << speed;
+        EXPECT_LT(relative_difference(b, 1e-4), 1e-6)
+            << spelled(film) << ", " << spelled(law) << ", " << speed;
       }
 }
 
 TEST_P(Linearisation, AgreesWithDifferencesWhereEverythingIsOiled) {
   double worst = 0;
   for (unsigned seed = 0; seed < 48; ++seed)
-    for (const char* film : {"series", "series-bounded"})
+    for (const FilmModel film : {FilmModel::series, FilmModel::series_bounded})
       worst = std::max(
           worst,
           relative_difference(random_bearing(seed, {.freedom = GetParam(), .film = film}), 1e-4));
@@ -207,8 +208,8 @@ TEST_P(Linearisation, AgreesWithDifferencesWhereEverythingIsOiled) {
 
 /// A bearing full of oil, as loaded_races.
 RandomBearing lubricated_races(Freedom freedom) {
-  RandomBearing b = loaded_races("hertz", "none", freedom);
-  b.scene.lubrication.model = "film";
+  RandomBearing b = loaded_races(ForceLaw::hertz, FilmModel::none, freedom);
+  b.scene.lubrication.model = LubricationModel::film;
   b.model = make_bearing_model(b.scene);
   return b;
 }

@@ -280,7 +280,7 @@ std::vector<double> rates_with(double width) {
   Scene scene = shipped_scene("nu205");
   scene.cage.pocket_width.assign(13, 7.65e-3);
   scene.cage.pocket_width[3] = width;
-  scene.start.state = "equilibrium";
+  scene.start.state = StartState::equilibrium;
   const BearingModel model = make_bearing_model(scene);
   std::vector<double> y = start_state(model, scene.start), rates(y.size());
   for (int j = 0; j < 13; ++j)

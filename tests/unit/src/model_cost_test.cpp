@@ -29,7 +29,7 @@ Bearing loaded(const Scene& scene) {
 
 Scene speed_scene() {
   Scene scene = shipped_scene("speed-z16");
-  scene.start.state = "equilibrium";
+  scene.start.state = StartState::equilibrium;
   scene.operation.load_ramp = 0;
   return scene;
 }
@@ -82,7 +82,7 @@ TEST(ModelCost, PlanarRollersAreNotDearerThanSpatialOnes) {
     Scene scene = speed_scene();
     scene.discretisation.race_slices = slices;
     const Bearing spatial = loaded(scene);
-    scene.model.rollers = "planar";
+    scene.model.rollers = RollerModel::planar;
     expect_not_dearer(loaded(scene), spatial);
   }
 }
@@ -90,21 +90,21 @@ TEST(ModelCost, PlanarRollersAreNotDearerThanSpatialOnes) {
 TEST(ModelCost, NoFilmIsNotDearerThanAFilm) {
   Scene scene = speed_scene();
   const Bearing dry = loaded(scene);
-  scene.film.model = "series";
+  scene.film.model = FilmModel::series;
   expect_not_dearer(dry, loaded(scene));
 }
 
 TEST(ModelCost, DryLandsAreNotDearerThanOiledOnes) {
   Scene scene = speed_scene();
   const Bearing dry = loaded(scene);
-  scene.cage.guide_film.model = "short-bearing";
+  scene.cage.guide_film.model = GuideFilmModel::short_bearing;
   expect_not_dearer(dry, loaded(scene));
 }
 
 TEST(ModelCost, APrescribedTiltOfTheRingIsNotDearerThanAFreeOne) {
   Scene scene = speed_scene();
   const Bearing prescribed = loaded(scene);
-  scene.model.ring_tilt = "free";
+  scene.model.ring_tilt = TiltModel::free;
   expect_not_dearer(prescribed, loaded(scene));
 }
 

@@ -19,15 +19,15 @@ double radius(double race_radius) {
 }
 NormalLaw contact(double exponent = 0) {
   if (exponent > 0)
-    return make_normal_law({.law = "impact", .exponent = exponent}, kRollerLength, 1);
-  return make_normal_law({.law = "hertz"}, kRollerLength, 1);
+    return make_normal_law({.law = ForceLaw::impact, .exponent = exponent}, kRollerLength, 1);
+  return make_normal_law({.law = ForceLaw::hertz}, kRollerLength, 1);
 }
-FilmLaw film(double race_radius, OilFilm keys = {.model = "series"},
+FilmLaw film(double race_radius, OilFilm keys = {.model = FilmModel::series},
              const NormalLaw& normal = contact()) {
   return make_film_law(keys, effective_modulus(kRollerSteel, kRollerSteel), radius(race_radius),
                        kRollerLength, 1, normal);
 }
-const OilFilm kSeries{.model = "series"}, kBounded{.model = "series-bounded"};
+const OilFilm kSeries{.model = FilmModel::series}, kBounded{.model = FilmModel::series_bounded};
 
 /// h_R of the inner race.
 double martin(double Q, double u) {
@@ -159,7 +159,7 @@ TEST(OilFilm, PartsMeetWithTheirSlopes) {
                   1, 1e-7);
     }
     const double least = film_thickness(law, at, law.least_force);
-    EXPECT_NEAR(thickest_film(law, at) / least, keys.model == "series" ? 1.13 : 2, 1e-8);
+    EXPECT_NEAR(thickest_film(law, at) / least, keys.model == FilmModel::series ? 1.13 : 2, 1e-8);
     const auto slow = film_at_speed(law, kSlowEntrainment * (1 - 1e-9)),
                fast = film_at_speed(law, kSlowEntrainment * (1 + 1e-9));
     EXPECT_NEAR(film_thickness(law, slow, 50.0) / film_thickness(law, fast, 50.0), 1, 1e-8);

@@ -61,7 +61,7 @@ TEST(OrbitSlip, TakesAllOfAWindowWithoutAWholeTurn) {
 // slip of orbits 0.15 but for an odd roller, slip of the cage 0.05, and no roller bears a load.
 TEST(OrbitSlip, OfARunIsThatOfItsRollersNotOfItsCage) {
   Scene scene = shipped_scene("nu205");
-  scene.start.state = "centred";
+  scene.start.state = StartState::centred;
   const BearingModel model = make_bearing_model(scene);
   const StateLayout& l = model.layout;
   const double kinematic = kinematic_cage_speed(model, model.inner_speed);

@@ -13,7 +13,7 @@ namespace cagetol {
 namespace {
 
 Scene planar(Scene scene) {
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   return scene;
 }
 
@@ -37,7 +37,7 @@ Scene brief_scene(long slices) {
   Scene scene = shipped_scene("speed-z16");
   scene.discretisation.race_slices = slices;
   scene.operation.load_ramp = 0;
-  scene.start.state = "equilibrium";
+  scene.start.state = StartState::equilibrium;
   scene.start.cage_offset_y = 0.1e-3;  // so that the cage drives some rollers
   scene.window.settle_time = 0;
   scene.window.measure_time = 2e-3;
@@ -84,7 +84,7 @@ TEST(PlanarRoller, StaysStraightWhateverWouldTiltIt) {
 TEST(PlanarRoller, KeepsTheSlicesOfAProfiledRollerOnly) {
   Scene scene = planar(brief_scene(5));
   EXPECT_EQ(make_bearing_model(scene).race_slices.size(), 1u);
-  scene.roller.profile = "logarithmic";
+  scene.roller.profile = RollerProfile::logarithmic;
   EXPECT_EQ(make_bearing_model(scene).race_slices.size(), 5u);
 }
 

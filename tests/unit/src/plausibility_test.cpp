@@ -136,7 +136,7 @@ TEST(Plausibility, BoundsOfTheReferenceBearing) {
 // Straight bars do not hold a cage that rollers guide: it whirls out of the bearing.
 TEST(Plausibility, ACageOutsideItsGuideIsAFailedRun) {
   Scene scene = shipped_scene("nu205");
-  scene.cage.guidance = "roller";
+  scene.cage.guidance = Guidance::roller;
   scene.window.settle_time = 0;
   scene.window.measure_time = 2e-3;
   scene.start.cage_offset_y = 0.5e-3;  // the shoulders are 0.2 mm away
@@ -149,7 +149,7 @@ TEST(Plausibility, ACageOutsideItsGuideIsAFailedRun) {
 
 TEST(Plausibility, AQuasiStaticRunIsJudgedToo) {
   Scene scene = shipped_scene("nu205");
-  scene.model.motion = "quasi-static";
+  scene.model.motion = MotionModel::quasi_static;
   const Outcome outcome = simulate(scene);
   ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
   const PlausibleReach reach = reach_of(scene, outcome);
@@ -170,11 +170,12 @@ TEST(Plausibility, RandomScenesAreNeverImpossible) {
     scene.integration.tolerance = 0.01;
     if (seed % 5 == 1) scene.operation.inner_speed = scene.operation.speed_ramp = 0;
     if (seed % 5 == 2) scene.operation.radial_load = 0;
-    if (seed % 5 == 3) scene.model.rollers = "planar";
-    if (seed % 5 == 4) scene.film.model = "series-bounded";
+    if (seed % 5 == 3) scene.model.rollers = RollerModel::planar;
+    if (seed % 5 == 4) scene.film.model = FilmModel::series_bounded;
     const Outcome outcome = simulate(scene);
     // A cage that rollers guide does leave its guide: no false alarm.
-    const bool left = scene.cage.guidance == "roller" && outcome.reason.starts_with("whirl");
+    const bool left =
+        scene.cage.guidance == Guidance::roller && outcome.reason.starts_with("whirl");
     EXPECT_TRUE(left || outcome.reason.find("impossible") == std::string::npos)
         << seed << ": " << outcome.reason;
     if (outcome.status != Status::ok) continue;

@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 
 Scene quasi_static(Scene scene) {
-  scene.model.motion = "quasi-static";
+  scene.model.motion = MotionModel::quasi_static;
   return scene;
 }
 
@@ -86,9 +86,9 @@ TEST(QuasiStatic, DefinesWhatEquilibriaDefineAndNothingElse) {
     }
   };
   expect_defined({});
-  scene.film.model = "series";  // is left out
+  scene.film.model = FilmModel::series;  // is left out
   expect_defined({});
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   expect_defined({"roller_tilt_p95_mrad", "ring_tilt_mean_mrad"});
   EXPECT_FALSE(is_quasi_static_quantity("cage_slip_ratio"));
 }

@@ -5,18 +5,20 @@
 
 #include <cmath>
 
+#include "src/dynamics/race_contacts.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
 namespace {
 
-class NormalsOfARace : public testing::TestWithParam<const char*> {
+class NormalsOfARace : public testing::TestWithParam<FilmModel> {
  protected:
   NormalsOfARace() {
     Scene scene = dry_scene("nu205");
     scene.film.model = GetParam();
     model_ = make_bearing_model(scene);
-    model_.friction[kRacePair].static_coefficient = model_.friction[kRacePair].dynamic_coefficient = 0;
+    model_.friction[kRacePair].static_coefficient = model_.friction[kRacePair].dynamic_coefficient =
+        0;
     q_.r = splat(model_.inner_radius + model_.nominal_diameter / 2 - 3e-6);
     q_.a_r = splat(2e-4);
     q_.vt = splat(9);
@@ -48,17 +50,16 @@ TEST_P(NormalsOfARace, AreThoseOfItsContactsWithoutFriction) {
     if (sign < 0) q_.r = splat(model_.outer_radius - model_.nominal_diameter / 2 + 2e-6);
     const RaceSide side = race(sign, 4e-6 * sign, 7e-6, 1e-4, 3e-4);
     RollerLoads loads;
-    Pack total{}, sliding{}, elastic_r{}, elastic_t{}, drive{};
+    RaceTotals sums;
     GroupLinear linear{};
     Observation seen(model_);
-    race_contacts<true, true>(model_, model_.groups[0], q_, side, loads, &linear, &seen, total,
-                              sliding, elastic_r, elastic_t, drive);
+    race_contacts<true, true>(model_, model_.groups[0], q_, side, loads, &linear, &seen, sums);
     const RaceNormals on = normals(side);
     ASSERT_GT(on.total[0], 10);
     const auto same = [](Pack a, Pack b) { EXPECT_NEAR(a[0], b[0], 1e-12 * std::abs(b[0])); };
-    same(on.total, total);
-    same(on.elastic[0], elastic_r);
-    same(on.elastic[1], elastic_t);
+    same(on.total, sums.normal);
+    same(on.elastic[0], sums.normal_r);
+    same(on.elastic[1], sums.normal_t);
     same(on.force[0][0], loads.f[kLr]);
     same(on.force[0][1], loads.f[kLt]);
     same(on.force[1][0], loads.f[kLar]);
@@ -87,7 +88,8 @@ TEST_P(NormalsOfARace, HaveTheSlopesOfTheirForces) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Films, NormalsOfARace, testing::Values("none", "series"));
+INSTANTIATE_TEST_SUITE_P(Films, NormalsOfARace,
+                         testing::Values(FilmModel::none, FilmModel::series));
 
 }  // namespace
 }  // namespace cagetol

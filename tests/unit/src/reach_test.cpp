@@ -6,8 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "src/dynamics/end_contacts.hpp"
+#include "src/dynamics/flange_contacts.hpp"
 #include "src/dynamics/pocket_contacts.hpp"
+#include "src/dynamics/wall_contacts.hpp"
 #include "tests/support/random_bearing.hpp"
 
 namespace cagetol {

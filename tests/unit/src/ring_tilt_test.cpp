@@ -19,7 +19,7 @@ using std::numbers::pi;
 using Tilt = std::complex<double>;  // B_y + i B_z
 
 Scene free_ring(Scene scene) {
-  scene.model.ring_tilt = "free";
+  scene.model.ring_tilt = TiltModel::free;
   return scene;
 }
 
@@ -27,7 +27,7 @@ Scene free_ring(Scene scene) {
 Scene lonely_ring() {
   Scene scene = free_ring({});
   scene.bearing.internal_clearance = 4e-3;
-  scene.cage.guidance = "roller";
+  scene.cage.guidance = Guidance::roller;
   scene.operation = {.radial_load = 0, .inner_speed = 2000, .gravity = 0};
   scene.bearing.tilt_stiffness = 50;
   scene.bearing.misalignment_y = 0.4e-3;
@@ -48,12 +48,13 @@ TEST(RingTilt, OfALonelyRingNutatesAndPrecesses) {
   const StateLayout& l = model.layout;
   const int at = l.border_position(l.ring_tilt_slot()),
             rate = l.border_velocity(l.ring_tilt_slot());
-  for (const char* method : {"rodasp", "cvode-bdf", "arkode-esdirk", "arkode-erk"}) {
+  using enum IntegrationMethod;
+  for (const IntegrationMethod method : {rodas3, rodasp, cvode_bdf, arkode_esdirk, arkode_erk}) {
     Integration keys = scene.integration;
     keys.method = method;
     keys.max_order = 5;
     System system(model);
-    std::vector<double> y = start_state(model, {.state = "centred"});
+    std::vector<double> y = start_state(model, {.state = StartState::centred});
     const auto slot = [&](int k) -> double& { return y[static_cast<std::size_t>(k)]; };
     EXPECT_EQ(Tilt(slot(at), slot(at + 1)), Tilt(0.4e-3, 0));  // as the shaft would have it
     const Tilt rest(0.4e-3, 0), first(1e-3, -0.5e-3), speed(2, 1);
@@ -70,7 +71,8 @@ TEST(RingTilt, OfALonelyRingNutatesAndPrecesses) {
         ASSERT_EQ(integrator->step(system, t, y.data(), end), StepStatus::accepted);
       }
       const Tilt due = rest + a * std::exp(i * (nutation * t)) + b * std::exp(i * (precession * t));
-      EXPECT_LT(std::abs(Tilt(slot(at), slot(at + 1)) - due), 1e-4 * std::abs(first)) << method;
+      EXPECT_LT(std::abs(Tilt(slot(at), slot(at + 1)) - due), 1e-4 * std::abs(first))
+          << spelled(method);
     }
   }
 }
@@ -157,7 +159,7 @@ TEST(RingTilt, OfARunIsThatOfStatics) {
   ASSERT_EQ(motion.status, Status::ok) << motion.reason;
   EXPECT_LT(quantity(motion, "static_consistency_error"), 2e-3);
   EXPECT_LT(motion.run.energy_residual, 2e-3);
-  scene.model.motion = "quasi-static";
+  scene.model.motion = MotionModel::quasi_static;
   const Outcome statics = simulate(scene);
   ASSERT_EQ(statics.status, Status::ok) << statics.reason;
   const double tilt = quantity(statics, "ring_tilt_mean_mrad");
@@ -170,7 +172,7 @@ TEST(RingTilt, OfARunIsThatOfStatics) {
 
 TEST(RingTilt, OfAStiffShaftIsThePrescribedMisalignment) {
   Scene scene = brief(shipped_scene("nu205"));
-  scene.start.state = "centred";
+  scene.start.state = StartState::centred;
   scene.operation.load_ramp = 1e-3;
   const Outcome prescribed = simulate(scene);
   scene.bearing.tilt_stiffness = 1e8;
@@ -213,7 +215,7 @@ TEST(RingTilt, MayNotGrowBeyondSmallAngles) {
   Scene scene = lonely_ring();
   scene.bearing.tilt_stiffness = 10;
   scene.operation.tilting_moment_y = 1.5;
-  scene.start.state = "centred";
+  scene.start.state = StartState::centred;
   scene.window.settle_time = 0;
   scene.window.measure_time = 2e-3;
   scene.watch.static_consistency_max = 10;
@@ -224,7 +226,7 @@ TEST(RingTilt, MayNotGrowBeyondSmallAngles) {
 
 TEST(RingTilt, IsNotThereForPlanarRollers) {
   Scene scene = free_ring({});
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   EXPECT_EQ(make_bearing_model(scene).layout.ring_tilt, 0);
 }
 

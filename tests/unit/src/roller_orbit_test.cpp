@@ -16,11 +16,11 @@ constexpr int kRollers = 8;  // whose angles are those of a turn, at as many pha
 
 Scene orbit_scene(double load, double rpm) {
   Scene scene = shipped_scene("nu205");
-  scene.lubrication.model = "film";
+  scene.lubrication.model = LubricationModel::film;
   scene.lubrication.viscosity = 0.02;
   scene.lubrication.land_film = false;  // the orbit is the rollers', and so is its torque
   scene.lubrication.churning = false;
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   scene.bearing.roller_count = kRollers;
   scene.operation.radial_load = load;
   scene.operation.inner_speed = rpm * 2 * std::numbers::pi / 60;

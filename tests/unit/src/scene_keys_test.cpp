@@ -158,8 +158,8 @@ TEST(SceneKeys, SpeedSceneIsTheOneThatSpeedsAreMeasuredOn) {
               0.06 * (3 * (inner * inner + outer * outer) + 16e-3 * 16e-3) / 12, 1e-14);
   EXPECT_NEAR((scene.bearing.shoulder_diameter - scene.cage.outer_diameter) / 2,
               scene.cage.guide_clearance, 1e-15);
-  EXPECT_EQ(scene.contact.bar.law, "impact");
-  EXPECT_EQ(scene.contact.race.law, "impact");
+  EXPECT_EQ(scene.contact.bar.law, ForceLaw::impact);
+  EXPECT_EQ(scene.contact.race.law, ForceLaw::impact);
   EXPECT_DOUBLE_EQ(scene.window.settle_time, 5e-3);
   EXPECT_DOUBLE_EQ(scene.window.measure_time, 15e-3);
   EXPECT_DOUBLE_EQ(scene.operation.load_ramp, 1e-3);
@@ -187,6 +187,35 @@ TEST(SceneKeys, TheRingTiltsWhereItIsFreeTo) {
   EXPECT_EQ(model.tilt_stiffness, 2e4);
   EXPECT_DOUBLE_EQ(model.ring_polar, 9e-6);
   EXPECT_DOUBLE_EQ(model.ring_transverse, 6e-6);
+}
+
+TEST(SceneKeys, EveryChoiceIsReadAndWrittenAsItIsSpelled) {
+  int choices = 0;
+  for (const auto& key : scene_keys()) {
+    if (key.kind != KeyKind::choice) continue;
+    for (const std::string& text : key.range.choices) {
+      Scene scene;
+      const toml::table root = parse_toml("v = '" + text + "'", "t.toml");
+      read_key(key, *root.get("v"), "t.toml", 1, scene);
+      EXPECT_EQ(key_text(key, scene), '"' + text + '"') << key.name;
+      toml::table written;
+      insert_key(key, scene, written);
+      EXPECT_EQ(find_node(written, key.name)->value<std::string>(), text) << key.name;
+      ++choices;
+    }
+    Scene scene;
+    const toml::table root = parse_toml("v = 'of wood'", "t.toml");
+    EXPECT_THROW(read_key(key, *root.get("v"), "t.toml", 1, scene), InputError) << key.name;
+  }
+  EXPECT_GT(choices, 40);
+}
+
+TEST(SceneKeys, AContactMayHaveSomeOfTheForceLaws) {
+  const auto laws = [](const char* key) {
+    return find_key(scene_keys(), std::string("contact.") + key + ".force_law")->range.choices;
+  };
+  EXPECT_THAT(laws("race"), testing::ElementsAre("impact", "hertz"));
+  EXPECT_THAT(laws("flange"), testing::ElementsAre("impact"));
 }
 
 TEST(SceneMessages, ARingTiltThatTheModelDoesNotHave) {

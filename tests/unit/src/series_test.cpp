@@ -144,7 +144,8 @@ TEST(PlaneAcceleration, FollowsAWaveThatStatesSample) {
 }
 
 TEST(PlaneAcceleration, PeaksBetweenStates) {
-  constexpr double turn = std::numbers::pi / 3;  // a step; no state lies nearer a peak than half of it
+  // One step; no state lies nearer to a peak than half of it.
+  constexpr double turn = std::numbers::pi / 3;
   StepClock clock(0, kInterval);
   PlaneAcceleration swinging;
   for (int k = 0; k < 12; ++k) {

@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(IsoLineContact, LoadDistribution,
 
 // Eight positions to each pitch of the rollers.
 TEST(StaticEquilibrium, IsFoundAtEveryPositionOfTheReferenceBearing) {
-  for (const char* film : {"none", "series", "series-bounded"})
+  for (const FilmModel film : {FilmModel::none, FilmModel::series, FilmModel::series_bounded})
     for (const double viscosity : {0.02, 1.0})
       for (const double load : {1.0, 1000.0, 10000.0})
         for (const RollerMotion motion : {RollerMotion::at_rest, RollerMotion::orbiting}) {
@@ -74,7 +74,7 @@ TEST(StaticEquilibrium, IsFoundAtEveryPositionOfTheReferenceBearing) {
             const StaticState& rest = equilibrium.solve(
                 angle.data(), kinematic_cage_speed(model, model.inner_speed), {load}, motion);
             EXPECT_TRUE(rest.converged)
-                << film << ", " << viscosity << " Pa s, " << load << " N, position " << k;
+                << spelled(film) << ", " << viscosity << " Pa s, " << load << " N, position " << k;
           }
         }
 }
@@ -108,13 +108,13 @@ TEST(StaticEquilibrium, IsFoundWhateverTheClearanceAndTheLoad) {
 // Going round, ring and rollers are found in one iteration from where they were; from nowhere, the
 // rollers settle for each place of the ring. Both are the same balance.
 TEST(StaticEquilibrium, FollowsTheRollersAsTheyGoRound) {
-  for (const char* film : {"none", "series"})
+  for (const FilmModel film : {FilmModel::none, FilmModel::series})
     for (const double stiffness : {0.0, 50.0})
       for (const double load : {1000.0, 10000.0}) {
         Scene scene = dry_scene("nu205");
         scene.film.model = film;
         if (stiffness > 0) {
-          scene.model.ring_tilt = "free";
+          scene.model.ring_tilt = TiltModel::free;
           scene.bearing.tilt_stiffness = stiffness;
         }
         const BearingModel model = make_bearing_model(scene);
@@ -148,7 +148,7 @@ TEST(StaticEquilibrium, RestsOnTheFilmsOfTheLoadedRoller) {
   scene.bearing.roller_count = 3;
   scene.operation.gravity = 0;
   scene.discretisation.race_slices = 1;
-  const auto rest = [&](const char* film) {
+  const auto rest = [&](FilmModel film) {
     scene.film.model = film;
     const BearingModel model = make_bearing_model(scene);
     std::vector<double> angle(static_cast<std::size_t>(model.layout.padded()));
@@ -158,7 +158,7 @@ TEST(StaticEquilibrium, RestsOnTheFilmsOfTheLoadedRoller) {
     return equilibrium.solve(angle.data(), 250, {1000}).ring_z;
   };
   const BearingModel model = make_bearing_model(scene);
-  scene.film.model = "series";
+  scene.film.model = FilmModel::series;
   const BearingModel oiled = make_bearing_model(scene);
   // Rolling: seen from the contact, which goes round with the roller, all surfaces move like the
   // outer race.
@@ -169,7 +169,7 @@ TEST(StaticEquilibrium, RestsOnTheFilmsOfTheLoadedRoller) {
     const double force = 1000 + (law == &oiled.outer_film ? centrifugal : 0);
     lift += film_thickness(*law, film_at_speed(*law, speed), force);
   }
-  EXPECT_NEAR(rest("series") - rest("none"), lift, 0.002 * lift);
+  EXPECT_NEAR(rest(FilmModel::series) - rest(FilmModel::none), lift, 0.002 * lift);
 }
 
 // At 20,000 rpm rollers approach and leave the inner race at some metres a second: a film squeezed

@@ -15,7 +15,7 @@ constexpr double kPerRpm = 2 * std::numbers::pi / 60;
 
 Scene oiled(double load) {
   Scene scene = shipped_scene("nu205");
-  scene.lubrication.model = "film";
+  scene.lubrication.model = LubricationModel::film;
   scene.lubrication.viscosity = 0.02;
   scene.operation.radial_load = load;
   return scene;
@@ -42,7 +42,7 @@ TEST(CageRest, OnDryLandsLeansByTheAngleOfFriction) {
 
 TEST(CageRest, NowhereWhereRollersGuide) {
   Scene scene = oiled(1000);
-  scene.cage.guidance = "roller";
+  scene.cage.guidance = Guidance::roller;
   const CageRest rest = cage_rest(make_bearing_model(scene), 250, 0, 1, 1);
   EXPECT_EQ(rest.torque, 0);
   EXPECT_EQ(rest.y, 0);
@@ -83,7 +83,7 @@ TEST(SteadyStart, SlipFallsWithTheLoad) {
 
 TEST(SteadyStart, OfASkiddingBearingStaysWhereItStarts) {
   Scene scene = oiled(100);
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   scene.window.settle_revolutions = 1;
   scene.window.measure_revolutions = 3;
   const BearingModel m = make_bearing_model(scene);
@@ -93,7 +93,7 @@ TEST(SteadyStart, OfASkiddingBearingStaysWhereItStarts) {
   const Outcome run = simulate(scene);
   ASSERT_EQ(run.status, Status::ok) << run.reason;
   EXPECT_NEAR(quantity(run, "cage_slip_ratio"), slip(m, start), 0.03);
-  scene.start.state = "equilibrium";            // takes longer
+  scene.start.state = StartState::equilibrium;  // takes longer
   scene.window.longest_settle_revolutions = 0;  // and is not waited for
   EXPECT_LT(quantity(simulate(scene), "cage_slip_ratio"), 0.95 * slip(m, start));
 }
@@ -103,8 +103,8 @@ TEST(SteadyStart, IsWhatLubricatedBearingsStartFrom) {
   const SteadyStart start = find_steady_start(m);
   ASSERT_TRUE(start.found);
   const std::vector<double> by_itself = start_state(m, {}),
-                            steady = start_state(m, {.state = "steady"}),
-                            rolling = start_state(m, {.state = "equilibrium"});
+                            steady = start_state(m, {.state = StartState::steady}),
+                            rolling = start_state(m, {.state = StartState::equilibrium});
   EXPECT_EQ(by_itself, steady);
   const auto speed = [&](const std::vector<double>& y) {
     return y[static_cast<std::size_t>(m.layout.border_velocity(kCagePhi))];
@@ -114,7 +114,7 @@ TEST(SteadyStart, IsWhatLubricatedBearingsStartFrom) {
 
   const BearingModel dry = make_bearing_model(dry_scene("nu205"));
   EXPECT_FALSE(find_steady_start(dry).found);
-  EXPECT_EQ(start_state(dry, {}), start_state(dry, {.state = "equilibrium"}));
+  EXPECT_EQ(start_state(dry, {}), start_state(dry, {.state = StartState::equilibrium}));
 }
 
 TEST(SteadyStart, LeavesRollersInTheirPockets) {
@@ -155,7 +155,7 @@ TEST(SteadyStart, NeverFails) {
     scene.operation.inner_speed = e.rpm * kPerRpm;
     scene.operation.gravity = e.gravity;
     scene.lubrication.viscosity = e.viscosity;
-    for (const char* guidance : {"outer", "inner", "roller"}) {
+    for (const Guidance guidance : {Guidance::outer, Guidance::inner, Guidance::roller}) {
       scene.cage.guidance = guidance;
       const BearingModel m = make_bearing_model(scene);
       for (const double y : start_state(m, scene.start)) ASSERT_TRUE(std::isfinite(y)) << e.name;
@@ -176,7 +176,7 @@ TEST(SteadyStart, BelongsToTheSpeedAtWhichARampBegins) {
 
 TEST(SteadyStart, OfADryBearingIsRefused) {
   Scene scene = dry_scene("nu205");
-  scene.start.state = "steady";
+  scene.start.state = StartState::steady;
   try {
     check_scene(scene, "dry.toml", nullptr);
     FAIL();
@@ -185,7 +185,7 @@ TEST(SteadyStart, OfADryBearingIsRefused) {
     EXPECT_NE(text.find("start.state"), std::string::npos) << text;
     EXPECT_NE(text.find("lubrication.model"), std::string::npos) << text;
   }
-  scene.lubrication.model = "film";
+  scene.lubrication.model = LubricationModel::film;
   EXPECT_NO_THROW(check_scene(scene, "oiled.toml", nullptr));
 }
 

@@ -22,7 +22,7 @@ std::vector<PocketDeviation> scattered_pockets() {
 
 TEST(BarForceStress, IsThatOfTheWholeCageAtEveryStation) {
   Scene scene;
-  scene.cage.model = "flexible";
+  scene.cage.model = CageKind::flexible;
   const auto table = make_scene_cage_table(scene);
   const auto deviations = scattered_pockets();
   const CageModel model = std::get<CageModel>(make_cage_model(*table, deviations));
@@ -57,7 +57,7 @@ TEST(BarForceStress, IsThatOfTheWholeCageAtEveryStation) {
 /// stations miss some of a peak half as large.
 TEST(BarForceStress, OfABarThatIsPinchedHasItsPeakAtAStation) {
   Scene scene;
-  scene.cage.model = "flexible";
+  scene.cage.model = CageKind::flexible;
   const auto table = make_scene_cage_table(scene);
   const auto deviations = scattered_pockets();
   CageStates states{Eigen::MatrixXd::Zero(20, 39), Eigen::MatrixXd::Zero(13 * 6, 39),

@@ -17,7 +17,7 @@ namespace {
 /// `measured`: length of the run, `apart`: time between instants [s].
 std::vector<PeakStress> peaks(Scene scene, const PocketDeviation& all = {}, double measured = 50e-3,
                               double apart = 1e-3) {
-  scene.cage.model = "flexible";
+  scene.cage.model = CageKind::flexible;
   scene.window.settle_time = 1e-3;
   scene.window.measure_time = measured;
   scene.watch.static_consistency_max = 1;

@@ -19,7 +19,7 @@ Scene free_scene() {
   Scene scene;
   scene.bearing.internal_clearance = 4e-3;  // the races are 1 mm away
   scene.bearing.flange_clearance = 4e-3;
-  scene.cage.guidance = "roller";
+  scene.cage.guidance = Guidance::roller;
   scene.operation = {.radial_load = 0, .inner_speed = 0, .gravity = 0};
   scene.integration.tolerance = 5e-8;
   return scene;
@@ -166,7 +166,7 @@ TEST(FreeSystem, KeepsThemAtTheEndWallsToo) {
 // does no work, and nothing in the plane, whatever the cage does beside turning.
 TEST(FreeSystem, PlanarRollersKeepTheMomentumInThePlaneAndTheEnergy) {
   Scene scene = free_scene();
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   const BearingModel model = make_bearing_model(scene);
   const StateLayout& l = model.layout;
   std::vector<double> start = free_start(model, 0, 0);

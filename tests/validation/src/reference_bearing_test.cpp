@@ -118,7 +118,7 @@ double quantity(const Outcome& outcome, const char* key) {
 /// run says so instead of passing unwatched.
 TEST(ReferenceBearing, SaysWhereStaticsFindNothing) {
   Scene scene = short_run();
-  scene.lubrication.model = "none";
+  scene.lubrication.model = LubricationModel::none;
   scene.contact.race.restitution = 0.01;
   scene.contact.race.restitution_speed = 5e-4;
   const Outcome outcome = simulate(scene);
@@ -132,9 +132,9 @@ TEST(ReferenceBearing, SaysWhereStaticsFindNothing) {
 /// um under load) and carries the same load.
 TEST(ReferenceBearing, RunsOnItsOilFilm) {
   Scene scene = short_run();
-  scene.lubrication.model = "none";
+  scene.lubrication.model = LubricationModel::none;
   const Outcome dry = simulate(scene);
-  scene.film.model = "series";
+  scene.film.model = FilmModel::series;
   const Outcome oiled = simulate(scene);
   ASSERT_EQ(oiled.status, Status::ok) << oiled.reason;
   const double lifted =

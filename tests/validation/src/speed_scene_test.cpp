@@ -46,7 +46,7 @@ TEST_P(SpeedScene, EquilibriaPutTheRingWhereItsMotionKeepsIt) {
   scene.window.settle_time = 5e-3;
   scene.window.measure_time = 15e-3;
   const double moving = quantity(simulate(scene), "ring_displacement_mean_um");
-  scene.model.motion = "quasi-static";
+  scene.model.motion = MotionModel::quasi_static;
   const double still = quantity(simulate(scene), "ring_displacement_mean_um");
   EXPECT_NEAR(still / moving, 1, 1e-3);
   scene.window.settle_time = 3e-3;
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Loads, SpeedScene,
 
 TEST(SpeedScene, ExplicitStepsTooLongAreCaughtByStatics) {
   Scene scene = one_slice(3000);
-  scene.integration.method = "semi-implicit-euler";
+  scene.integration.method = IntegrationMethod::semi_implicit_euler;
   scene.integration.fixed_step = 1e-6;
   const Outcome wrong = simulate(scene);
   EXPECT_EQ(wrong.status, Status::failed);

@@ -15,7 +15,7 @@ namespace {
 
 Scene oiled(double load) {
   Scene scene = shipped_scene("nu205");
-  scene.lubrication.model = "film";
+  scene.lubrication.model = LubricationModel::film;
   scene.lubrication.viscosity = 0.02;
   scene.operation.radial_load = load;
   return scene;
@@ -26,7 +26,7 @@ Scene oiled(double load) {
 double cage_speed_ratio(const Scene& scene, double share, double from, double to) {
   const BearingModel model = make_bearing_model(scene);
   const StateLayout& l = model.layout;
-  const std::vector<double> start = start_state(model, {.state = "equilibrium"});
+  const std::vector<double> start = start_state(model, {.state = StartState::equilibrium});
   PackVector y(start.begin(), start.end());
   const auto slow = [&](int slot) { y[static_cast<std::size_t>(slot)] *= share; };
   for (int j = 0; j < l.padded(); ++j) {

@@ -71,7 +71,7 @@ TEST(Watches, Standstill) {
   Scene scene = watched_run(6e-3, 6e-3);
   scene.operation.inner_speed = 0;
   expect_ok(scene);
-  scene.lubrication.model = "none";
+  scene.lubrication.model = LubricationModel::none;
   expect_ok(scene);
   scene.integration.tolerance = 10;  // not resolved: wrong
   expect_failed(scene, "energy residual");
@@ -88,7 +88,7 @@ TEST(Watches, ShortWindows) {
 
 TEST(Watches, LargeBearingsWithoutLoad) {
   Scene scene = large_bearing();
-  scene.cage.guidance = "inner";
+  scene.cage.guidance = Guidance::inner;
   scene.operation.gravity = 0;
   expect_ok(scene);
   scene.operation.gravity = 9.81;  // the cage hangs on the ring: statics does not know it
@@ -98,7 +98,7 @@ TEST(Watches, LargeBearingsWithoutLoad) {
 // Steps too long for 3 kN, or for a ring without load.
 TEST(Watches, StillFindStepsThatAreTooLong) {
   Scene scene = watched_run();
-  scene.integration.method = "semi-implicit-euler";
+  scene.integration.method = IntegrationMethod::semi_implicit_euler;
   scene.operation.radial_load = 3000;
   expect_failed(scene, "energy residual");
 }
@@ -107,7 +107,7 @@ TEST(Watches, StillFindStepsThatAreTooLong) {
 // still falls on it.
 TEST(Watches, StillFindAWindowThatHasNotSettled) {
   Scene scene = watched_run(0, 0.2e-3);
-  scene.start.state = "centred";
+  scene.start.state = StartState::centred;
   expect_failed(scene, "static consistency error");
 }
 
@@ -115,12 +115,12 @@ TEST(Watches, StillFindAWindowThatHasNotSettled) {
 /// to slow down.
 Scene skidding_bearing() {
   Scene scene = shipped_scene("nu205");
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   scene.discretisation = {.race_slices = 1, .bar_stations = 1};
-  scene.lubrication.model = "film";
+  scene.lubrication.model = LubricationModel::film;
   scene.lubrication.viscosity = 0.02;
   scene.operation.radial_load = 20;
-  scene.start.state = "equilibrium";
+  scene.start.state = StartState::equilibrium;
   return scene;
 }
 double turns(const Outcome& outcome) {
@@ -184,7 +184,7 @@ TEST(Watches, NotEveryDriftIsAFault) {
   brief.window.measure_revolutions = 1.9;
   expect_unjudged(brief, 2);
   Scene dry = skidding_bearing();
-  dry.lubrication.model = "none";
+  dry.lubrication.model = LubricationModel::none;
   dry.operation.radial_load = 0;
   dry.window.measure_revolutions = 2.5;
   expect_unjudged(dry, 2);
@@ -193,7 +193,7 @@ TEST(Watches, NotEveryDriftIsAFault) {
 // Its first window says 4 % of slip, three hundred turns later it is 90 %.
 TEST(Watches, ASkiddingAeroBearingIsNotStationary) {
   Scene scene = aero_bearing(100);
-  scene.start.state = "equilibrium";
+  scene.start.state = StartState::equilibrium;
   scene.window.longest_settle_revolutions = 0;
   const Outcome outcome = simulate(scene);
   EXPECT_EQ(outcome.status, Status::failed);

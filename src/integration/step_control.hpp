@@ -1,0 +1,35 @@
+// All settings of the step control that are not keys of the scene (integration.tolerance,
+// integration.max_step_us, integration.step_budget). Bearing model and contacts know none of them.
+#pragma once
+
+namespace cagetol {
+
+struct StepControl {
+  // One unit of error. A step is taken while the root mean square of its error over these, lever
+  // arms included, is below integration.tolerance. Speeds take the finer of speed_unit and the
+  // least speed at which friction sets in, or the power that it dissipates is not known.
+  double length_unit = 1e-6;  ///< [m]
+  double speed_unit = 1e-2;   ///< [m/s]
+
+  double first_step = 1e-7;  ///< of a run [s]; a tenth of a usual step, so that it costs nothing
+  double smallest_step = 1e-12;  ///< below which a run fails [s]
+
+  // The next step is h safety (1/error)^(1/order) (last error/error)^memory, within bounds: the
+  // last factor, where below 1, foresees an error that grows (Gustafsson's predictive control,
+  // Hairer & Wanner II, IV.8).
+  double safety = 0.9;
+  double memory = 0.08;
+  double least_error = 1e-2;                         ///< smaller last errors count as this
+  double shortest = 0.2, longest = 4;                ///< of the step just taken
+  double shortest_again = 0.1, longest_again = 0.7;  ///< of the step just rejected
+};
+
+inline constexpr StepControl kStepControl;
+static_assert(kStepControl.smallest_step < kStepControl.first_step);
+static_assert(0 < kStepControl.safety && kStepControl.safety < 1);
+static_assert(kStepControl.shortest < 1 && 1 < kStepControl.longest);
+static_assert(kStepControl.shortest_again < kStepControl.longest_again &&
+              kStepControl.longest_again < 1);
+static_assert(0 < kStepControl.least_error && kStepControl.least_error < 1);
+
+}  // namespace cagetol

@@ -1,0 +1,140 @@
+// The rows of the table of quantities as a constant: quantity_row("KEY") is an index known at
+// compile time, and an unknown key does not compile. Only the code that computes the quantities
+// needs this; all other code uses quantity_table.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <string_view>
+
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+
+inline constexpr auto kQuantityRows = std::to_array<Quantity>({
+    {"cage_slip_ratio", "-",
+     "1 - w_c/(w_i R_i/(R_i + R_o)), w_c the mean cage speed, R the actual race radii; none at "
+     "standstill"},
+    {"orbit_slip_ratio", "-",
+     "the same with the mean orbital rate of all rollers in place of w_c, over the whole turns of "
+     "the cage in the window"},
+    {"orbit_slip_ratio_loaded", "-",
+     "the same with the mean orbital rate of rollers weighted by their inner-race force: the slip "
+     "of those that drive, which a cage that hangs off centre does not touch"},
+    {"roller_slip_ratio_loaded", "-",
+     "mean of 1 - |w_s - theta'|/w_kin over rollers whose inner-race force exceeds 1 % of the "
+     "load; "
+     "w_kin = w_i (d_m/2D)(1 - (D/d_m)^2), spin relative to the cage's orbit"},
+    {"roller_slip_ratio_all", "-", "the same mean over all rollers"},
+    {"race_sliding_speed_rms", "m/s", "rms sliding speed at loaded inner-race contacts"},
+    {"race_sliding_speed_peak", "m/s",
+     "largest sliding speed at loaded inner-race contacts over every accepted step, where they "
+     "come to bear load or cease to, too"},
+    {"whirl_radius_ratio_mean", "-",
+     "mean radius of the cage centre over the radial guide clearance"},
+    {"whirl_radius_ratio_p95", "-", "95 % quantile over time of the same ratio"},
+    {"whirl_radius_ratio_peak", "-", "largest value of the same ratio over every accepted step"},
+    {"whirl_speed_deviation_ratio", "-",
+     "standard deviation over mean of the cage centre's speed (smaller is steadier)"},
+    {"whirl_frequency_ratio", "-",
+     "mean angular rate of the cage centre's orbit over the mean cage speed"},
+    {"orbit_class", "-",
+     "0 centred (mean whirl radius below 0.1 of the clearance), 1 circling (radius scatter below "
+     "a quarter of its mean and "
+     "the centre turns at more than 0.1 of the cage speed), 2 irregular (all else)"},
+    {"pocket_force_rms_N", "N",
+     "rms over time and rollers of the normal force of a roller on its pocket's bars"},
+    {"pocket_force_p99_N", "N",
+     "99 % quantile over time and rollers of the same force, zeros included"},
+    {"pocket_force_peak_N", "N", "largest value of the same force over every accepted step"},
+    {"pocket_impacts_per_revolution", "1/rev",
+     "closings of roller-bar contacts per cage revolution"},
+    {"guide_force_rms_N", "N",
+     "rms over time of the normal force between cage lands and guiding ring, both lands; where a "
+     "guide film is modelled, of its pressure and the contact's force together"},
+    {"guide_force_p99_N", "N", "99 % quantile over time of the same force"},
+    {"guide_force_peak_N", "N", "largest value of the same force over every accepted step"},
+    {"guide_impacts_per_revolution", "1/rev", "closings of land contacts per cage revolution"},
+    {"end_force_rms_N", "N",
+     "rms over time and rollers of the force of a roller's ends on its pocket's end walls"},
+    {"end_force_p99_N", "N",
+     "99 % quantile over time and rollers of the same force, zeros included"},
+    {"end_force_peak_N", "N", "largest value of the same force over every accepted step"},
+    {"end_impacts_per_revolution", "1/rev", "closings of end-wall contacts per cage revolution"},
+    {"cage_speed_std_ratio", "-", "standard deviation over mean of the cage's rotational speed"},
+    {"cage_axial_std_um", "um", "standard deviation of the cage's axial place"},
+    {"cage_tilt_std_mrad", "mrad",
+     "root of the summed variances of the cage axis' two lean angles"},
+    {"ring_displacement_mean_um", "um", "mean displacement of the inner ring along the load"},
+    {"ring_displacement_end_um", "um",
+     "displacement of the inner ring along the load at the end of the window"},
+    {"ring_orbit_p95_um", "um",
+     "95 % quantile over time of the inner ring's distance from its mean place"},
+    {"ring_acceleration_rms_m_s2", "m/s2", "rms of the inner ring's acceleration"},
+    {"ring_acceleration_peak_m_s2", "m/s2",
+     "largest acceleration of the inner ring over every accepted step"},
+    {"ring_tilt_mean_mrad", "mrad",
+     "mean angle between the inner ring's centre line and the bearing's axis; the misalignment "
+     "where the tilt is prescribed"},
+    {"ring_tilt_std_mrad", "mrad",
+     "root of the summed variances of the slopes of the inner ring's centre line; where its tilt "
+     "is free"},
+    {"roller_speed_std_ratio", "-",
+     "standard deviation over mean of the rollers' absolute spin, over time and rollers"},
+    {"roller_skew_rms_mrad", "mrad", "rms over time and rollers of the skew a.e_t"},
+    {"roller_skew_p95_mrad", "mrad", "95 % quantile over time and rollers of |skew|"},
+    {"roller_tilt_p95_mrad", "mrad", "95 % quantile over time and rollers of |tilt|, tilt = a.e_r"},
+    {"power_loss_W", "W",
+     "dissipation of all contacts, films and churning over the window's length; the sum of the "
+     "rows that follow"},
+    {"power_race_sliding_W", "W", "of it, sliding of rollers on races"},
+    {"power_rolling_W", "W", "of it, hydrodynamic rolling resistance of the races"},
+    {"power_pocket_W", "W", "of it, sliding and rolling of rollers on the bars of their pockets"},
+    {"power_end_W", "W", "of it, sliding of roller ends on the end walls of their pockets"},
+    {"power_flange_W", "W", "of it, sliding of roller ends on the ring's flanges"},
+    {"power_land_W", "W", "of it, friction and guide film of the cage's lands"},
+    {"power_churning_W", "W", "of it, drag of oil and air on rollers and cage"},
+    {"power_squeeze_W", "W", "of it, squeezing oil out of contacts"},
+    {"power_damping_W", "W", "of it, damping in contacts and in a flexible cage"},
+    {"power_film_W", "W",
+     "of it, what steady films and the bodies' elasticity in series with them take: of either "
+     "sign, because a film's force follows the speed of its surfaces"},
+    {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
+    {"cage_stress_peak_MPa", "MPa",
+     "largest von Mises stress of a flexible cage over its stress stations and every accepted "
+     "step; modes and the static rest of bar forces and turning. Pocket corners are modelled "
+     "sharp: "
+     "it grows as the mesh gets finer (by 30 % from 4 to 6 elements), so it compares between "
+     "cages of one cage.mesh_density, not with a strength"},
+    {"cage_stress_p99_MPa", "MPa",
+     "99 % quantile over time (every 100 us) of the largest stress over the cage"},
+    {"cage_stress_rms_MPa", "MPa",
+     "rms over time (every 100 us) of the largest stress over the cage"},
+    {"cage_stress_peak_pocket", "-",
+     "pocket beside which the peak stress sits, counted from 0 (sector from bar middle to bar "
+     "middle)"},
+    {"cage_stress_peak_station", "-",
+     "stress station of the peak in its sector; `cagetol cage` names the stations"},
+    {"film_min_um", "um",
+     "thinnest oil film of loaded race contacts over every accepted step; where a film is "
+     "modelled"},
+    {"static_consistency_error", "-",
+     "the larger of: mean elastic force on the ring against the quasi-static one (the load, less "
+     "what the normal law's damping carries as rollers go round; relative to the load, or to the "
+     "couple at the rollers' ends that rights a ring whose tilt is free, or to a roller's mean "
+     "force under preload, if that is more); mean "
+     "ring displacement against the quasi-static one over the same roller positions (relative; "
+     "below the centrifugal force of one roller only the force counts, relative to it)"},
+});
+
+/// Row of the quantity whose key is `key` followed by `suffix`.
+consteval std::size_t quantity_row(std::string_view key, std::string_view suffix = "") {
+  for (std::size_t i = 0; i < kQuantityRows.size(); ++i) {
+    const std::string_view known = kQuantityRows[i].key;
+    if (known.starts_with(key) && known.substr(key.size()) == suffix) return i;
+  }
+  throw std::logic_error("no such quantity");
+}
+
+}  // namespace cagetol

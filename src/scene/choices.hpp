@@ -1,0 +1,105 @@
+// The closed sets of a scene and their spellings in input files (src/input/choice.hpp). scene.hpp
+// has the defaults.
+#pragma once
+
+#include "src/input/choice.hpp"
+
+namespace cagetol {
+
+/// Motion of the rollers; planar: no tilt, skew or axial motion.
+enum class RollerModel { spatial, planar };
+constexpr auto spellings(RollerModel) {
+  using enum RollerModel;
+  return std::array{Spelling{spatial, "spatial"}, Spelling{planar, "planar"}};
+}
+
+/// Equations of motion, or equilibria without integration.
+enum class MotionModel { dynamic, quasi_static };
+constexpr auto spellings(MotionModel) {
+  using enum MotionModel;
+  return std::array{Spelling{dynamic, "dynamic"}, Spelling{quasi_static, "quasi-static"}};
+}
+
+/// Tilt of the inner ring.
+enum class TiltModel { prescribed, free };
+constexpr auto spellings(TiltModel) {
+  using enum TiltModel;
+  return std::array{Spelling{prescribed, "prescribed"}, Spelling{free, "free"}};
+}
+
+/// Axial profile of the rollers; logarithmic: ISO/TS 16281.
+enum class RollerProfile { none, logarithmic };
+constexpr auto spellings(RollerProfile) {
+  using enum RollerProfile;
+  return std::array{Spelling{none, "none"}, Spelling{logarithmic, "logarithmic"}};
+}
+
+/// Oil film at the guide lands.
+enum class GuideFilmModel { none, short_bearing };
+constexpr auto spellings(GuideFilmModel) {
+  using enum GuideFilmModel;
+  return std::array{Spelling{none, "none"}, Spelling{short_bearing, "short-bearing"}};
+}
+
+/// Cage without or with elastic modes.
+enum class CageKind { rigid, flexible };
+constexpr auto spellings(CageKind) {
+  using enum CageKind;
+  return std::array{Spelling{rigid, "rigid"}, Spelling{flexible, "flexible"}};
+}
+
+/// What guides the cage: shoulders of the outer ring, inner ring, or rollers.
+enum class Guidance { outer, inner, roller };
+constexpr auto spellings(Guidance) {
+  using enum Guidance;
+  return std::array{Spelling{outer, "outer"}, Spelling{inner, "inner"}, Spelling{roller, "roller"}};
+}
+
+/// Normal force law; impact: Adams IMPACT, hertz: line contact with Hunt-Crossley damping.
+enum class ForceLaw { impact, hertz };
+constexpr auto spellings(ForceLaw) {
+  using enum ForceLaw;
+  return std::array{Spelling{impact, "impact"}, Spelling{hertz, "hertz"}};
+}
+
+/// Oil film at the races of a bearing without LubricationModel::film (src/contact/oil_film.hpp).
+enum class FilmModel { none, series, series_bounded };
+constexpr auto spellings(FilmModel) {
+  using enum FilmModel;
+  return std::array{Spelling{none, "none"}, Spelling{series, "series"},
+                    Spelling{series_bounded, "series-bounded"}};
+}
+
+/// Oil in the whole bearing (src/lubrication).
+enum class LubricationModel { none, film };
+constexpr auto spellings(LubricationModel) {
+  using enum LubricationModel;
+  return std::array{Spelling{none, "none"}, Spelling{film, "film"}};
+}
+
+/// State from which a run starts (src/dynamics/start_state.hpp).
+enum class StartState { automatic, steady, equilibrium, centred };
+constexpr auto spellings(StartState) {
+  using enum StartState;
+  return std::array{Spelling{automatic, "auto"}, Spelling{steady, "steady"},
+                    Spelling{equilibrium, "equilibrium"}, Spelling{centred, "centred"}};
+}
+
+/// Time integration methods (src/integration/integrator.hpp).
+enum class IntegrationMethod {
+  rodas3,              ///< linearly implicit (Rosenbrock), 4 stages, order 3(2), L-stable
+  rodasp,              ///< the same with 6 stages, order 4(3): for tight tolerances
+  cvode_bdf,           ///< CVODE, BDF with its order capped by integration.max_order
+  arkode_esdirk,       ///< ARKODE, diagonally implicit, order 3, L-stable
+  arkode_erk,          ///< ARKODE, explicit, order 3: limited by stability
+  semi_implicit_euler  ///< fixed step, order 1: the explicit baseline
+};
+constexpr auto spellings(IntegrationMethod) {
+  using enum IntegrationMethod;
+  return std::array{
+      Spelling{rodas3, "rodas3"},         Spelling{rodasp, "rodasp"},
+      Spelling{cvode_bdf, "cvode-bdf"},   Spelling{arkode_esdirk, "arkode-esdirk"},
+      Spelling{arkode_erk, "arkode-erk"}, Spelling{semi_implicit_euler, "semi-implicit-euler"}};
+}
+
+}  // namespace cagetol
