@@ -77,7 +77,7 @@ TEST_P(ReferenceForces, AgreeInRandomStatesOfEveryKind) {
       // An angle is known to 4e-16, a bar's gap of some 10 um on a radius of 20 to 33 mm therefore
       // to 1e-12 of itself.
       EXPECT_LT(apart, 1e-11) << kinds[k].name << ", seed " << seed << ", guidance "
-                              << b.scene.cage.guidance;
+                              << spelled(b.scene.cage.guidance);
     }
   }
   for (int k = 0; k < kContactKinds; ++k) {
