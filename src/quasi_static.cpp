@@ -5,11 +5,11 @@
 #include <iterator>
 #include <numbers>
 
-#include "src/dynamics/start_state.hpp"
-#include "src/dynamics/static_equilibrium.hpp"
 #include "src/quantities/plausibility.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quantities/series.hpp"
+#include "src/statics/start_state.hpp"
+#include "src/statics/static_equilibrium.hpp"
 #include "src/window_times.hpp"
 
 namespace cagetol {

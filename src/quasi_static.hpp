@@ -14,7 +14,7 @@ namespace cagetol {
 ///   w_c = w_i R_i/(R_i + R_o)
 /// Load and speed have their full values; ramps are ignored. At every position the ring and the
 /// rollers balance load, weight, centrifugal force and the damping of the normal law
-/// (src/dynamics/static_equilibrium.hpp), without an oil film. The positions cover the window, but
+/// (src/statics/static_equilibrium.hpp), without an oil film. The positions cover the window, but
 /// not more than one turn, and end with it.
 ///
 /// Defined are displacement, orbit and tilt of the ring, and the tilt of spatial rollers. All other

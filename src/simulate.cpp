@@ -7,12 +7,12 @@
 
 #include "src/cage/scene_cage.hpp"
 #include "src/cage/unsolved_cage.hpp"
-#include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quantities/observer.hpp"
 #include "src/quantities/plausibility.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
+#include "src/statics/start_state.hpp"
 #include "src/window_times.hpp"
 
 namespace cagetol {

@@ -1,7 +1,7 @@
 // How long a run settles and measures: the scene's window in seconds.
 #pragma once
 
-#include "src/dynamics/bearing_model.hpp"
+#include "src/model/bearing_model.hpp"
 
 namespace cagetol {
 

@@ -12,7 +12,7 @@
 #include "mc/engine/setting.hpp"
 #include "mc/engine/statistics.hpp"
 #include "mc/json_number.hpp"
-#include "src/dynamics/newton_matrix.hpp"
+#include "src/newton/newton_matrix.hpp"
 #include "src/simulate.hpp"
 
 namespace cagetol {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/dynamics/flexible_cage.hpp"
+#include "src/model/flexible_cage.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {

@@ -1,7 +1,7 @@
 // Rates of the state from the loads on the bodies (Newton and Euler; src/NOTATION.md).
 #pragma once
 
-#include "src/dynamics/contact_frame.hpp"
+#include "src/contacts/contact_frame.hpp"
 
 namespace cagetol {
 namespace {  // each source compiles its own

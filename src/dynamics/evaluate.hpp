@@ -7,17 +7,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/contacts/churning_loads.hpp"
+#include "src/contacts/flange_contacts.hpp"
+#include "src/contacts/land_contacts.hpp"
+#include "src/contacts/lubricated_pocket.hpp"
+#include "src/contacts/lubricated_race.hpp"
+#include "src/contacts/pocket_contacts.hpp"
+#include "src/contacts/race_contacts.hpp"
+#include "src/contacts/wall_contacts.hpp"
 #include "src/dynamics/accelerations.hpp"
-#include "src/dynamics/churning_loads.hpp"
 #include "src/dynamics/finish_derivatives.hpp"
-#include "src/dynamics/flange_contacts.hpp"
-#include "src/dynamics/land_contacts.hpp"
-#include "src/dynamics/lubricated_pocket.hpp"
-#include "src/dynamics/lubricated_race.hpp"
-#include "src/dynamics/pocket_contacts.hpp"
-#include "src/dynamics/race_contacts.hpp"
 #include "src/dynamics/unpack.hpp"
-#include "src/dynamics/wall_contacts.hpp"
 
 namespace cagetol {
 

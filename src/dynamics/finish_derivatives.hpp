@@ -2,7 +2,7 @@
 // what the rollers' share in the inner race means for the ring, and the own terms of ring and cage.
 #pragma once
 
-#include "src/dynamics/contact_frame.hpp"
+#include "src/contacts/contact_frame.hpp"
 
 namespace cagetol {
 namespace {  // forces.cpp alone uses these, and inlines what pays

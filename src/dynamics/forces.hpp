@@ -2,9 +2,9 @@
 // what a run observes. Equations, frames and signs: src/NOTATION.md.
 #pragma once
 
-#include "src/dynamics/bearing_model.hpp"
-#include "src/dynamics/linearisation.hpp"
-#include "src/dynamics/observation.hpp"
+#include "src/model/bearing_model.hpp"
+#include "src/model/observation.hpp"
+#include "src/newton/linearisation.hpp"
 
 namespace cagetol {
 

@@ -2,7 +2,7 @@
 // ring and cage.
 #pragma once
 
-#include "src/dynamics/contact_frame.hpp"
+#include "src/contacts/contact_frame.hpp"
 
 namespace cagetol {
 namespace {  // each source compiles its own

@@ -3,8 +3,8 @@
 // failed Newton.
 #pragma once
 
-#include "src/dynamics/newton_matrix.hpp"
 #include "src/integration/integrator.hpp"
+#include "src/newton/newton_matrix.hpp"
 
 namespace cagetol {
 

@@ -10,9 +10,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "src/dynamics/newton_matrix.hpp"
 #include "src/integration/state_vector.hpp"
 #include "src/integration/step_control.hpp"
+#include "src/newton/newton_matrix.hpp"
 
 namespace cagetol {
 namespace {

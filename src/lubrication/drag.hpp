@@ -21,7 +21,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/contact/step.hpp"
+#include "src/contact_laws/step.hpp"
 #include "src/numerics/dual.hpp"
 
 namespace cagetol {

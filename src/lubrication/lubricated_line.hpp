@@ -9,7 +9,7 @@
 //   F_t = -ratio du                                     traction at the load as it acts
 //   F_r = f L (u/u_s) R                                 rolling force, along u
 //
-// chi of Hunt and Crossley (src/contact/normal_force.hpp), ratio of traction.hpp, f of
+// chi of Hunt and Crossley (src/contact_laws/normal_force.hpp), ratio of traction.hpp, f of
 // rolling_resistance.hpp.
 //
 // Powers, each what the bodies lose to the contact: sliding ratio |du|^2, rolling 2 F_r u, normal

@@ -10,7 +10,7 @@
 //
 // q load per length as it acts, squeeze included [N/m], h film thickness [m], tau_E Eyring stress
 // [Pa], Lambda limiting shear ratio, c the layer's factor (oil_layer.hpp), mu_b the law of boundary
-// friction (src/contact/friction.hpp), the rest as in line_film.hpp. The exponent a is Barus' with
+// friction (src/contact_laws/friction.hpp), the rest as in line_film.hpp. The exponent a is Barus' with
 // a smooth cap at 15. Isothermal: heating in the contact, which lowers traction at metres a second,
 // is not modelled.
 //
@@ -21,7 +21,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/contact/friction.hpp"
+#include "src/contact_laws/friction.hpp"
 #include "src/lubrication/line_film.hpp"
 
 namespace cagetol {

@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "src/dynamics/static_equilibrium.hpp"
 #include "src/integration/system.hpp"
 #include "src/outcome.hpp"
 #include "src/quantities/cage_stress.hpp"
 #include "src/quantities/orbit_slip.hpp"
 #include "src/quantities/series.hpp"
 #include "src/quantities/stationarity.hpp"
+#include "src/statics/static_equilibrium.hpp"
 
 namespace cagetol {
 

@@ -3,7 +3,7 @@
 // are wide on purpose: values beyond them are impossible.
 #pragma once
 
-#include "src/dynamics/bearing_model.hpp"
+#include "src/model/bearing_model.hpp"
 
 namespace cagetol {
 

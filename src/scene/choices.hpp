@@ -62,7 +62,7 @@ constexpr auto spellings(ForceLaw) {
   return std::array{Spelling{impact, "impact"}, Spelling{hertz, "hertz"}};
 }
 
-/// Oil film at the races of a bearing without LubricationModel::film (src/contact/oil_film.hpp).
+/// Oil film at the races of a bearing without LubricationModel::film (src/contact_laws/oil_film.hpp).
 enum class FilmModel { none, series, series_bounded };
 constexpr auto spellings(FilmModel) {
   using enum FilmModel;
@@ -77,7 +77,7 @@ constexpr auto spellings(LubricationModel) {
   return std::array{Spelling{none, "none"}, Spelling{film, "film"}};
 }
 
-/// State from which a run starts (src/dynamics/start_state.hpp).
+/// State from which a run starts (src/statics/start_state.hpp).
 enum class StartState { automatic, steady, equilibrium, centred };
 constexpr auto spellings(StartState) {
   using enum StartState;

@@ -55,7 +55,7 @@ struct RollerGeometry {
   Material material;
 };
 
-/// Oil film between the cage's lands and their guiding ring (src/contact/short_bearing.hpp).
+/// Oil film between the cage's lands and their guiding ring (src/contact_laws/short_bearing.hpp).
 struct GuideFilm {
   GuideFilmModel model = GuideFilmModel::none;
   double viscosity = 0.02;  ///< eta [Pa s]
@@ -100,7 +100,7 @@ struct ContactParameters {
   double damping_depth = 0.1e-3;   ///< d, penetration at which damping reaches c_max [m]
   double restitution = 0.9;        ///< coefficient of `hertz` at restitution_speed
   double restitution_speed = 0.1;  ///< [m/s]
-  /// Friction (src/contact/friction.hpp); kAuto: the values of Contacts.
+  /// Friction (src/contact_laws/friction.hpp); kAuto: the values of Contacts.
   double friction_static = kAuto, friction_dynamic = kAuto, static_speed = kAuto,
          dynamic_speed = kAuto;
   double roughness = kAuto;  ///< composite, rms; kAuto: the value of Lubrication [m]
@@ -118,7 +118,7 @@ struct Contacts {
   double dynamic_speed = 1.0;                      ///< v_d [m/s]
 };
 
-/// Oil film of the roller-race contacts (src/contact/oil_film.hpp).
+/// Oil film of the roller-race contacts (src/contact_laws/oil_film.hpp).
 struct OilFilm {
   FilmModel model = FilmModel::none;
   double viscosity = 0.02;            ///< eta0 [Pa s]

@@ -17,6 +17,16 @@ check src/input 'src/input/' $(sources src/input)
 check src/numerics 'src/numerics/' $(sources src/numerics)
 check src/scene 'src/(scene|input|lubrication)/' $(sources src/scene)
 check src/cage 'src/(cage|scene)/' $(sources src/cage)
+# The way of a state, and no arrow runs back up: model -> contacts -> dynamics -> integration, with the matrix beside.
+laws='numerics|scene|cage|contact_laws|lubrication'
+check src/contact_laws 'src/(contact_laws|numerics|scene)/' $(sources src/contact_laws)
+check src/lubrication 'src/(lubrication|contact_laws|numerics|scene)/' $(sources src/lubrication)
+check src/model "src/($laws|model)/" $(sources src/model)
+check src/newton "src/($laws|model|newton)/" $(sources src/newton)
+check src/contacts "src/($laws|model|newton|contacts)/" $(sources src/contacts)
+check src/dynamics "src/($laws|model|newton|contacts|dynamics)/" $(sources src/dynamics)
+check src/statics "src/($laws|model|newton|contacts|statics)/" $(sources src/statics)
+check src/integration "src/($laws|model|newton|dynamics|integration)/" $(sources src/integration)
 # What a run amounts to stands above how it is computed.
 check 'what is below src/quantities' 'src/[a-pr-z][a-z_]*/' $(find src -mindepth 2 -name '*.?pp' ! -path 'src/quantities/*')
 check distributions 'distributions/' $(sources distributions)

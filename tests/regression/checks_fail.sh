@@ -7,7 +7,7 @@ tree=$(mktemp -d); trap 'rm -rf "$tree" "$tree.out"' EXIT
 status=0
 fresh() {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/{src/{input,numerics,scene,cage,dynamics,quantities},distributions,mc/commands,analysis/{format,statistics},tests}
+  mkdir -p "$tree"/{src/{input,numerics,scene,cage,model,contacts,dynamics,statics,quantities},distributions,mc/commands,analysis/{format,statistics},tests}
   for folder in $(cd "$tree" && find src distributions mc analysis tests -type d); do
     printf '#include "%s/own.hpp"\n' "$folder" > "$tree/$folder/own.cpp"
     printf '#pragma once\n' > "$tree/$folder/own.hpp"
@@ -35,6 +35,9 @@ rooms '^src/input includes' src/input/own.cpp '#include "src/scene/own.hpp"'
 rooms '^src/numerics includes' src/numerics/own.hpp '#include "src/input/own.hpp"'
 rooms '^src/scene includes' src/scene/own.cpp '#include "src/dynamics/own.hpp"'
 rooms '^src/cage includes' src/cage/own.cpp '#include "src/dynamics/own.hpp"'
+rooms '^src/model includes' src/model/own.hpp '#include "src/contacts/own.hpp"'
+rooms '^src/contacts includes' src/contacts/own.hpp '#include "src/dynamics/own.hpp"'
+rooms '^src/dynamics includes' src/dynamics/own.cpp '#include "src/statics/own.hpp"'
 rooms 'below src/quantities includes' src/dynamics/own.cpp '#include "src/quantities/own.hpp"'
 rooms '^distributions includes' distributions/own.cpp '#include "src/own.hpp"'
 rooms '^analysis includes' analysis/statistics/own.cpp '#include "src/own.hpp"'

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "src/dynamics/bearing_model.hpp"
+#include "src/model/bearing_model.hpp"
 
 namespace cagetol {
 

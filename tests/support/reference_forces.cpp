@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "src/cage/cage_mass.hpp"
-#include "src/contact/normal_force.hpp"
+#include "src/contact_laws/normal_force.hpp"
 
 namespace cagetol {
 namespace {

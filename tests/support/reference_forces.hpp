@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "src/dynamics/state.hpp"
+#include "src/model/state.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "src/dynamics/newton_matrix.hpp"
-#include "src/dynamics/start_state.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/integration/integrator.hpp"
+#include "src/newton/newton_matrix.hpp"
 #include "src/scene/scene_keys.hpp"
+#include "src/statics/start_state.hpp"
 
 namespace cagetol {
 namespace {

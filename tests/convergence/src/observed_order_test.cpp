@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
+#include "src/statics/start_state.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,13 +1,13 @@
 // Kinematics of the NU 205 at 6000 rpm without clearance (the model, the start state and the forces
 // at it), and jams.
-#include "src/dynamics/bearing_model.hpp"
+#include "src/model/bearing_model.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>
 #include <numbers>
 
-#include "src/dynamics/start_state.hpp"
 #include "src/integration/system.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "src/contact/friction.hpp"
-#include "src/contact/normal_force.hpp"
+#include "src/contact_laws/friction.hpp"
+#include "src/contact_laws/normal_force.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,6 +1,6 @@
 // The flexible cage within the bearing: what must hold whatever the modes, and a steel cage of the
 // NU 205.
-#include "src/dynamics/flexible_cage.hpp"
+#include "src/model/flexible_cage.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <random>
 
 #include "src/cage/scene_cage.hpp"
-#include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quantities/cage_stress.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/simulate.hpp"
+#include "src/statics/start_state.hpp"
 
 namespace cagetol {
 namespace {

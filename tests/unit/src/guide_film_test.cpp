@@ -5,11 +5,11 @@
 #include <numbers>
 #include <random>
 
-#include "src/contact/short_bearing.hpp"
-#include "src/dynamics/start_state.hpp"
+#include "src/contact_laws/short_bearing.hpp"
 #include "src/input/input_error.hpp"
 #include "src/integration/system.hpp"
 #include "src/simulate.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/dense_jacobian.hpp"
 #include "tests/support/shipped_scene.hpp"
 

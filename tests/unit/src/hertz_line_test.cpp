@@ -1,4 +1,4 @@
-#include "src/contact/hertz_line.hpp"
+#include "src/contact_laws/hertz_line.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Derivatives of the right-hand side, and the structured solver built on them, against dense
 // references.
-#include "src/dynamics/linearisation.hpp"
+#include "src/newton/linearisation.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <random>
 
-#include "src/dynamics/newton_matrix.hpp"
-#include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
+#include "src/newton/newton_matrix.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/dense_jacobian.hpp"
 #include "tests/support/random_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"

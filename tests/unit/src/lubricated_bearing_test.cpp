@@ -7,10 +7,10 @@
 #include <numbers>
 #include <random>
 
-#include "src/contact/normal_force.hpp"
-#include "src/dynamics/start_state.hpp"
+#include "src/contact_laws/normal_force.hpp"
 #include "src/integration/system.hpp"
 #include "src/lubrication/lubricated_line.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/planar_scene.hpp"
 #include "tests/support/shipped_scene.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "src/dynamics/newton_matrix.hpp"
-#include "src/dynamics/start_state.hpp"
 #include "src/integration/system.hpp"
+#include "src/newton/newton_matrix.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/instruction_count.hpp"
 #include "tests/support/random_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"

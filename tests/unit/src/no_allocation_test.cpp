@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdlib>
 
-#include "src/dynamics/newton_matrix.hpp"
 #include "src/integration/system.hpp"
+#include "src/newton/newton_matrix.hpp"
 #include "tests/support/random_bearing.hpp"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

@@ -1,12 +1,12 @@
 // The oil film in series with the contact: published numbers, limits, identities.
-#include "src/contact/oil_film.hpp"
+#include "src/contact_laws/oil_film.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/contact/film_contact.hpp"
-#include "src/contact/hertz_line.hpp"
+#include "src/contact_laws/film_contact.hpp"
+#include "src/contact_laws/hertz_line.hpp"
 
 namespace cagetol {
 namespace {

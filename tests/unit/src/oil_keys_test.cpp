@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "src/dynamics/bearing_model.hpp"
 #include "src/lubrication/lubricant.hpp"
+#include "src/model/bearing_model.hpp"
 #include "src/scene/scene_keys.hpp"
 #include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_scene.hpp"

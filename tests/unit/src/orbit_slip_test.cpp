@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/dynamics/start_state.hpp"
 #include "src/quantities/observer.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/dynamics/start_state.hpp"
 #include "src/integration/system.hpp"
 #include "src/simulate.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

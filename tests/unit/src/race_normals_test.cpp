@@ -1,11 +1,11 @@
 // Normal forces of the races, as statics takes them, against the contacts of the moving bearing.
-#include "src/dynamics/race_normals.hpp"
+#include "src/statics/race_normals.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/dynamics/race_contacts.hpp"
+#include "src/contacts/race_contacts.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

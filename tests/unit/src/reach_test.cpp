@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "src/dynamics/flange_contacts.hpp"
-#include "src/dynamics/pocket_contacts.hpp"
-#include "src/dynamics/wall_contacts.hpp"
+#include "src/contacts/flange_contacts.hpp"
+#include "src/contacts/pocket_contacts.hpp"
+#include "src/contacts/wall_contacts.hpp"
 #include "tests/support/random_bearing.hpp"
 
 namespace cagetol {

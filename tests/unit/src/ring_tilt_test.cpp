@@ -6,10 +6,10 @@
 #include <complex>
 #include <numbers>
 
-#include "src/dynamics/start_state.hpp"
-#include "src/dynamics/static_equilibrium.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/simulate.hpp"
+#include "src/statics/start_state.hpp"
+#include "src/statics/static_equilibrium.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -1,6 +1,6 @@
 // The periodic motion of a roller holds the equations of motion of the whole bearing, computed by
 // forces.hpp at the same places and speeds.
-#include "src/dynamics/roller_orbit.hpp"
+#include "src/statics/roller_orbit.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "src/dynamics/bearing_model.hpp"
+#include "src/model/bearing_model.hpp"
 #include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_input.hpp"
 

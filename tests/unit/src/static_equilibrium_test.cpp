@@ -1,12 +1,12 @@
 // Static load distribution against closed numbers: ISO/TS 16281 line stiffness, l = 10 mm, F = 1000
 // N, a roller under the load.
-#include "src/dynamics/static_equilibrium.hpp"
+#include "src/statics/static_equilibrium.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <numbers>
 
-#include "src/dynamics/start_state.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/aero_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"
 

@@ -1,11 +1,11 @@
-#include "src/dynamics/steady_start.hpp"
+#include "src/statics/steady_start.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>
 #include <numbers>
 
-#include "src/dynamics/start_state.hpp"
 #include "src/simulate.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

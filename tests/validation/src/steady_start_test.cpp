@@ -1,13 +1,13 @@
 // Long runs end where the steady start begins, from wherever they set out.
-#include "src/dynamics/steady_start.hpp"
+#include "src/statics/steady_start.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 
-#include "src/dynamics/start_state.hpp"
 #include "src/integration/integrator.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

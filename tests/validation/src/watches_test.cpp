@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "src/dynamics/bearing_model.hpp"
+#include "src/model/bearing_model.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/aero_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"

@@ -1,0 +1,176 @@
+// Roller against the bars of its pocket through oil (src/lubrication/lubricated_line.hpp): the
+// kinematics of pocket_contacts.hpp with another law. The bar's face is flat and at rest in the
+// cage, so the contact travels with the roller's axis:
+//
+//   v_c = speed of the roller's axis along e_R relative to the cage
+//   u   = v_1/2 - v_c                        entrainment along e_R, v_1 sliding speed
+//   F_1 = -ratio v_1 - F_r on the roller's surface,   F_c = 2 F_r on its axis, both along e_R
+//
+// and the bar feels the opposite forces along the same lines.
+#pragma once
+
+#include "src/contacts/pocket_contacts.hpp"
+#include "src/lubrication/lubricated_line.hpp"
+
+namespace cagetol {
+
+/// Slopes of one lane from the law's derivatives by (p, p', u, |v|^2). `f`: forces of a station.
+inline FilmContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack v1, Pack v2,
+                                        Pack rate, Pack u, int lane) {
+  const int i = lane;
+  const double s1 = v1[i], s2 = v2[i], ratio = f.ratio.value[i], roll = f.rolling.value[i];
+  const double squared = s1 * s1 + s2 * s2, bend = 2 * f.ratio.slope[3][i];
+  FilmContactSlopes to;
+  using F = FilmContactSlopes;
+  enum { kN, k1, k2, kC };
+  const auto& N = f.at.normal.slope;
+  const auto& G = f.ratio.slope;
+  const auto& R = f.rolling.slope;
+  double by_u[ContactRows::kMostChannels], power_u = 0;
+  for (int z = 0; z < 3; ++z) {  // p, p', u
+    double* by = z < 2 ? to.force[z] : by_u;
+    by[kN] = N[z][i];
+    by[k1] = -G[z][i] * s1 - R[z][i];
+    by[k2] = -G[z][i] * s2;
+    by[kC] = 2 * R[z][i];
+    (z < 2 ? to.power[z] : power_u) = -N[z][i] * rate[i] - G[z][i] * squared - 2 * R[z][i] * u[i];
+  }
+  to.power[F::kRate] -= f.at.normal.value[i];
+  power_u -= 2 * roll;
+  to.force[F::kV1][k1] = -ratio - bend * s1 * s1;
+  to.force[F::kV1][k2] = to.force[F::kV2][k1] = -bend * s1 * s2;
+  to.force[F::kV2][k2] = -ratio - bend * s2 * s2;
+  to.power[F::kV1] = -(2 * ratio + bend * squared) * s1;
+  to.power[F::kV2] = -(2 * ratio + bend * squared) * s2;
+  for (int m = 0; m < ContactRows::kMostChannels; ++m) {  // u = v1/2 - v_c
+    to.force[F::kV1][m] += 0.5 * by_u[m];
+    to.force[F::kAxis][m] -= by_u[m];
+  }
+  to.power[F::kV1] += 0.5 * power_u;
+  to.power[F::kAxis] -= power_u;
+  return to;
+}
+
+/// Both bars at one station, as a pack of rollers meets them with oil.
+struct OiledStation {
+  int points[2];  ///< contact points of the cage at the bar ahead and at the one behind
+  Pack depth[2];  ///< penetration of either bar [m]
+  Mask oiled[2];
+  bool near = false;  ///< a lane has oil at a bar
+};
+inline OiledStation oiled_station(const BearingModel& model, const RollerGroup& roller,
+                                  const AxisPlace& at, Pack kappa, const ModalState& modal,
+                                  int group, int k) {
+  const double layer = model.bar_line.layer;
+  OiledStation station{{static_cast<int>(model.bar_stations.size()) + k, k}, {}, {}, false};
+  const Pack shift = at.D_T - kappa * at.X, least = roller.radius - roller.half_width;
+  station.depth[0] = least + shift;
+  station.depth[1] = least - shift;
+  const Mask here = roller.exists > 0.0;
+  if (!any((max(station.depth[0], station.depth[1]) > -modal.farthest - layer) & here))
+    return station;
+  for (int side = 0; side < 2; ++side) {
+    if (modal.flexible())
+      station.depth[side] -=
+          (side == 0 ? 1.0 : -1.0) * modal.along(group, station.points[side], 1, modal.q);
+    station.oiled[side] = (station.depth[side] > -layer) & here;
+  }
+  station.near = any(station.oiled[0] | station.oiled[1]);
+  return station;
+}
+
+/// The bar that each lane takes: rollers hardly ever have oil at both bars, so that one evaluation
+/// serves all; else each bar is taken alone.
+struct ChosenBar {
+  bool apart;  ///< one bar, `side`, for all lanes
+  int side;
+  Mask wet, lead;  ///< lanes with oil; lanes that take the bar ahead
+};
+inline ChosenBar choose_bar(const OiledStation& station, bool apart, int side) {
+  if (apart) return {true, side, station.oiled[side], side == 0 ? Mask{} == 0 : Mask{} != 0};
+  return {false, 0, station.oiled[0] | station.oiled[1], ~station.oiled[1]};
+}
+
+/// Forces of the oil at the chosen bars, T = Dual<Pack, 4> by (p, p', u, |v|^2) or Pack.
+template <class T>
+LineForces<T> oil_forces(const LubricatedLine& law, Mask wet, Pack p, Pack rate, Pack u,
+                         Pack squared) {
+  // Lanes without oil take part with an open gap, whose forces are set to nothing.
+  const Pack place = select(wet, p, splat(-0.5 * law.layer)), one = select(wet, splat(1.0), Pack{});
+  LineForces<T> forces;
+  if constexpr (std::is_same_v<T, Pack>)
+    forces = line_forces<T>(law, line_speed<T>(law, u), -place, -rate, squared);
+  else
+    forces = line_forces<T>(law, line_speed<T>(law, variable<T>(u, 2)), -variable<T>(place, 0),
+                            -variable<T>(rate, 1), variable<T>(squared, 3));
+  forces.at.normal = forces.at.normal * one;
+  forces.at.film = forces.at.film * one;
+  forces.at.steady = forces.at.steady * one;
+  forces.ratio = forces.ratio * one;
+  forces.rolling = forces.rolling * one;
+  return forces;
+}
+
+template <bool linear>
+void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
+                       const PocketFrame& f, const BorderState& b, const ModalState& modal,
+                       int group, RollerLoads& loads, BorderLoads& border, ContactRows* rows,
+                       Linearisation* jac, Observation* seen) {
+  const Pack kappa = f.A_T + roller.squareness;
+  const int stations = static_cast<int>(model.bar_stations.size());
+  PocketLoads on;
+  bool touched = false;
+  for (int k = 0; k < stations; ++k) {
+    const AxisPlace at = axis_place(f, model.bar_stations[static_cast<std::size_t>(k)]);
+    const OiledStation station = oiled_station(model, roller, at, kappa, modal, group, k);
+    if (!station.near) continue;
+    touched = true;
+    const bool apart = any(station.oiled[0] & station.oiled[1]);
+    for (int side = 0; side < (apart ? 2 : 1); ++side) {
+      const ChosenBar bar = choose_bar(station, apart, side);
+      if (!any(bar.wet)) continue;
+      const Pack s = select(bar.lead, splat(1.0), splat(-1.0));
+      const PocketLevers levers = bar_levers(f, at, kappa, s, roller.radius);
+      const auto speed = [&](int c) {
+        const Pack rigid = rigid_speed(levers, c, f, q, b);
+        if (!modal.flexible()) return rigid;
+        const auto moved = [&](int which) {
+          return modal.along(group, station.points[which], levers.elastic[c], modal.rate);
+        };
+        return rigid +
+               levers.sign[c] * (apart ? moved(side) : select(bar.lead, moved(0), moved(1)));
+      };
+      const Pack p = select(bar.lead, station.depth[0], station.depth[1]);
+      const Pack rate = -speed(0), v1 = speed(1), v2 = speed(2), u = 0.5 * v1 - speed(3);
+      const Pack squared = v1 * v1 + v2 * v2;
+      using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
+      const LineForces<D> forces = oil_forces<D>(model.bar_line, bar.wet, p, rate, u, squared);
+      const Pack normal = value_of(forces.at.normal), ratio = value_of(forces.ratio),
+                 roll = value_of(forces.rolling);
+      const Pack force[4] = {normal, -ratio * v1 - roll, -ratio * v2, 2.0 * roll};
+      add_channel_forces(levers, force, on);
+      if (modal.flexible())
+        for (int which = 0; which < 2; ++which) {
+          if (apart && which != side) continue;
+          const Pack mine = select(which == 0 ? bar.lead : ~bar.lead, splat(1.0), Pack{});
+          const Pack own[4] = {force[0] * mine, force[1] * mine, force[2] * mine, force[3] * mine};
+          push_modes(levers, own, modal, group, station.points[which]);
+        }
+      if constexpr (linear) {
+        const Pack film = value_of(forces.at.film), steady = value_of(forces.at.steady);
+        seen->rub(kPocketFriction, sum(ratio * squared + 2.0 * roll * u));
+        seen->damp(kSqueeze, sum((film - steady) * rate));
+        seen->damp(kDamping, sum((normal - film) * rate));
+        seen->damp(kFilm, sum(steady * rate));
+        observe_bar<4>(levers, q, f, b, modal, roller, group, stations, station.points, normal,
+                       bar.wet, bar.lead, *rows, *seen, [&](int i) {
+                         add_film_contact(*rows, film_slopes_of(forces, v1, v2, rate, u, i),
+                                          group * kLanes + i, *jac);
+                       });
+      }
+    }
+  }
+  if (touched) add_pocket_loads(f, on, loads, border);
+}
+
+}  // namespace cagetol

@@ -1,0 +1,96 @@
+// Roller against a raceway with oil (src/lubrication/lubricated_line.hpp), sliced along the roller
+// (race_slice.hpp). Beside normal force and traction there is rolling resistance, whose pressure
+// pulls on the roller's axis; the power that the contact takes is
+//   P = Q p' + ratio |v|^2 + 2 F_r u
+#pragma once
+
+#include "src/contacts/race_slice.hpp"
+#include "src/lubrication/lubricated_line.hpp"
+
+namespace cagetol {
+
+/// Forces of the oil at one slice, T = Dual<Pack, 4> by z or Pack; nothing in lanes without oil.
+template <class T>
+LineForces<T> oil_forces(const LubricatedLine& law, const LineSpeed<T>& speed, Mask wet,
+                         const SliceMotion& m) {
+  // Lanes without a contact take part with an open gap.
+  const Pack p = select(wet, m.p, splat(law.starved ? -0.5 * law.layer : -1e-5));
+  const Pack squared = m.v1 * m.v1 + m.v2 * m.v2, one = select(wet, splat(1.0), Pack{});
+  LineForces<T> f;
+  if constexpr (std::is_same_v<T, Pack>)
+    f = line_forces<T>(law, speed, -p, -m.rate, squared);
+  else
+    f = line_forces<T>(law, speed, -variable<T>(p, 0), -variable<T>(m.rate, 1),
+                       variable<T>(squared, 3));
+  f.at.normal = f.at.normal * one;
+  f.ratio = f.ratio * one;
+  f.rolling = f.rolling * one;
+  return f;
+}
+
+/// Powers, energy and sums of one slice, and its derivatives.
+template <bool moving, bool tilting>
+void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
+                           const RollerPack& q, const RaceSide& race, const SliceMotion& m,
+                           const SliceForces& on, const LineForces<Dual<Pack, 4>>& f,
+                           const Entrainment& u, Pack axis_share, Mask wet, GroupLinear& jac,
+                           Observation& seen, RaceTotals& totals, RingTilt* tilt) {
+  using D = Dual<Pack, 4>;
+  const Pack p = select(wet, m.p, splat(law.starved ? -0.5 * law.layer : -1e-5));
+  const Pack squared = m.v1 * m.v1 + m.v2 * m.v2, one = select(wet, splat(1.0), Pack{});
+  totals.normal += on.normal;
+  totals.sliding += on.normal * sqrt(squared);
+  totals.normal_r += on.normal * m.n_r;
+  totals.normal_t += on.normal * m.n_t;
+  if constexpr (moving)
+    totals.drive += (on.rolling - on.ratio * m.v1) * race.surface() + on.f2 * m.drift;
+  const Pack film = value_of(f.at.film) * one, steady = value_of(f.at.steady) * one;
+  seen.rub(kRaceSliding, sum(on.ratio * squared));
+  seen.rub(kRollingResistance, sum(2.0 * on.rolling * u.speed));
+  seen.damp(kSqueeze, sum((film - steady) * m.rate));
+  seen.damp(kDamping, sum((on.normal - film) * m.rate));
+  const auto [energy, pushing] = elastic_store(law, f.at, variable<D>(p, 0));
+  const D storing = pushing * one;
+  seen.elastic_energy += sum(energy.value * one);
+  totals.energy_by_vt += energy.slope[2] * one * u.by_vt;
+  totals.energy_by_spin += energy.slope[2] * one * u.by_spin;
+  seen.damp(kFilm, sum((steady - storing.value) * m.rate));
+  const Pack thickness =
+      select(on.normal > model.film_watch, value_of(f.at.state.thickness), splat(kNoFilm));
+  seen.thinnest_film = std::min(seen.thinnest_film, smallest(thickness));
+  add_slice_slopes<moving, tilting>(q, race, m, on, {f.at.normal, f.ratio, f.rolling, storing}, u,
+                                    axis_share, jac, tilt);
+}
+
+/// `moving`, `tilting` as of slice_gap. `law`: of one slice.
+template <bool linear, bool moving, bool tilting = false>
+void lubricated_race(const BearingModel& model, const LubricatedLine& law,
+                     const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
+                     RollerLoads& loads, GroupLinear* jac, Observation* seen, RaceTotals& totals,
+                     RingTilt* tilt = nullptr) {
+  const Entrainment u = entrainment(race, roller, q);
+  // 2 R/R_roller: with that of the race it adds up to two, so that the forces of a pair vanish.
+  const Pack axis_share = 2.0 * race.radius / (race.radius + race.sign * roller.radius);
+  using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
+  LineSpeed<D> speed;
+  if constexpr (linear)
+    speed = line_speed<D>(law, variable<D>(u.speed, 2));
+  else
+    speed = line_speed<Pack>(law, u.speed);
+  for (const Slice& slice : model.race_slices) {
+    const SliceGap gap = slice_gap<moving>(roller, q, race, slice);
+    Mask wet = roller.exists > 0.0;
+    if (law.starved) wet &= -gap.p < law.layer;
+    if (!any(wet)) continue;
+    const SliceMotion m = slice_motion<moving, tilting>(slice, gap, roller, q, race, tilt);
+    const LineForces<D> f = oil_forces<D>(law, speed, wet, m);
+    const SliceForces on =
+        slice_forces(m, value_of(f.at.normal), value_of(f.ratio), value_of(f.rolling), axis_share);
+    add_slice_loads<moving, tilting>(q, race, m, on, loads, tilt);
+    if constexpr (linear)
+      linearise_oiled_slice<moving, tilting>(model, law, q, race, m, on, f, u, axis_share, wet,
+                                             *jac, *seen, totals, tilt);
+  }
+}
+
+}  // namespace cagetol

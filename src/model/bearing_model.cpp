@@ -1,0 +1,322 @@
+#include "src/model/bearing_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "src/cage/cage_mass.hpp"
+#include "src/contact_laws/hertz_line.hpp"
+#include "src/lubrication/lubricant.hpp"
+
+namespace cagetol {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kWatchedShare = 0.01;  ///< of the load (of 1 N at least): a film that bears load
+
+double given_or(double value, double computed) {
+  return std::isnan(value) ? computed : value;
+}
+
+/// Mass of the inner ring as a plain hollow cylinder [kg].
+double ring_mass(const BearingGeometry& b, double inner_race_diameter) {
+  return b.ring_material.density * b.width * pi / 4 *
+         (inner_race_diameter * inner_race_diameter - b.bore_diameter * b.bore_diameter);
+}
+
+/// ISO/TS 16281 logarithmic profile drop at axial position x of a roller of diameter D and length L
+/// [m].
+double profile_drop(RollerProfile profile, double x, double diameter, double length) {
+  if (profile == RollerProfile::none) return 0;
+  const double s = 2 * x / length;
+  return 0.00035 * diameter * std::log(1 / (1 - s * s));
+}
+
+RollerGroup make_group(const Scene& scene, int group) {
+  RollerGroup g;
+  const long z = scene.bearing.roller_count;
+  const bool planar = has_planar_rollers(scene);  // every section of the bearing is alike
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const long j = group * kLanes + lane;
+    g.exists[lane] = j < z;
+    const long k = j < z ? j : 0;  // padding copies roller 0; `exists` keeps it out of every sum
+    const double radius = each(scene.roller.diameter, k) / 2, length = scene.roller.length;
+    const double mass = scene.roller.material.density * pi * radius * radius * length;
+    g.mass[lane] = mass;
+    g.polar[lane] = mass * radius * radius / 2;
+    g.transverse[lane] = mass * (3 * radius * radius + length * length) / 12;
+    g.inverse_mass[lane] = 1 / g.mass[lane];
+    g.inverse_polar[lane] = 1 / g.polar[lane];
+    g.inverse_transverse[lane] = 1 / g.transverse[lane];
+    g.radius[lane] = radius;
+    g.taper_slope[lane] = planar ? 0 : each(scene.roller.taper, k) / (2 * length);
+    const double angle =
+        2 * pi * static_cast<double>(j) / static_cast<double>(z) + each(scene.cage.pocket_pitch, k);
+    g.pocket_cos[lane] = std::cos(angle);
+    g.pocket_sin[lane] = std::sin(angle);
+    g.half_width[lane] = each(scene.cage.pocket_width, k) / 2;
+    g.half_length[lane] = each(scene.cage.pocket_length, k) / 2;
+    g.squareness[lane] = planar ? 0 : each(scene.cage.pocket_squareness, k);
+  }
+  return g;
+}
+
+/// Two points of the roller's end face at +-0.8 R tangentially, kept inside the face at radial
+/// offset `radial`.
+std::array<EndPoint, 2> end_points(double radius, double radial) {
+  const double inside = std::sqrt(std::max(0.0, radius * radius - radial * radial));
+  const double t = std::min(0.8 * radius, inside);
+  return {EndPoint{radial, -t}, EndPoint{radial, t}};
+}
+
+std::array<FrictionLaw, kFrictionPairs> friction_laws(const Contacts& c) {
+  const auto law = [&](const ContactParameters& of) {
+    return FrictionLaw{
+        given_or(of.friction_static, c.friction_static),
+        given_or(of.friction_dynamic, c.friction_dynamic),
+        given_or(of.static_speed, c.static_speed),
+        given_or(of.dynamic_speed, c.dynamic_speed),
+    };
+  };
+  return {law(c.race), law(c.bar), law(c.end), law(c.flange), law(c.land)};
+}
+
+/// Of a disc, what lies within `height` of its rim [m2].
+double segment_area(double radius, double height) {
+  const double h = std::clamp(height, 0.0, 2 * radius), inside = radius - h;
+  return radius * radius * std::acos(inside / radius) - inside * std::sqrt(h * (2 * radius - h));
+}
+
+/// Oil of a scene at its operating temperature.
+struct OperatingOil {
+  double viscosity, pressure_viscosity, fall, density;  ///< [Pa s], [1/Pa], beta [1/K], [kg/m3]
+};
+OperatingOil operating_oil(const Lubrication& l) {
+  const Oil& named = lubricant_named(l.lubricant).oil;
+  const ViscosityCurve curve = viscosity_curve(given_or(l.viscosity_40, named.viscosity_40),
+                                               given_or(l.viscosity_100, named.viscosity_100));
+  const double density = oil_density(given_or(l.density, named.density_15), l.temperature);
+  return {given_or(l.viscosity, 1e-6 * kinematic_viscosity(curve, l.temperature) * density),
+          given_or(l.pressure_viscosity, named.pressure_viscosity),
+          viscosity_fall(curve, l.temperature), density};
+}
+
+/// Film of one of `slices` slices or stations of a roller of `length`; `radius` reduced.
+LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
+                       const OperatingOil& oil, const FrictionLaw& boundary, double modulus,
+                       double radius, double roughness, double length, long slices) {
+  const Lubrication& l = scene.lubrication;
+  LubricatedLine line;
+  line.squeeze = l.squeeze;
+  line.rolls = l.rolling_resistance;
+  line.shears = l.film_traction;
+  line.length = length / static_cast<double>(slices);
+  // Of the whole contact: its share of the length bears the same load per length.
+  const NormalLaw whole = make_normal_law(contact, length, 1);
+  line.chi = whole.chi;
+  const double approach = elastic_penetration(whole, length);  // at 1 N/m
+  line.film = make_line_film(oil.viscosity, oil.pressure_viscosity, radius, modulus, approach);
+  line.rolling = make_rolling_resistance(oil.viscosity, oil.pressure_viscosity, radius, modulus,
+                                         l.inlet_heating, oil.fall, l.conductivity);
+  line.traction = make_traction(oil.viscosity, oil.pressure_viscosity, radius, modulus,
+                                l.eyring_stress, l.limiting_shear, roughness);
+  line.boundary = boundary;
+  return line;
+}
+
+/// Fills the model with oil. To be called when its geometry is there.
+void lubricate(const Scene& scene, BearingModel& m) {
+  const Lubrication& l = scene.lubrication;
+  const auto& b = scene.bearing;
+  const auto& cage = scene.cage;
+  const Contacts& contact = scene.contact;
+  const OperatingOil oil = operating_oil(l);
+  const double roller = m.nominal_diameter / 2, length = scene.roller.length;
+  const auto race = [&](double curvature) {
+    return line_of(scene, contact.race, oil, m.friction[kRacePair],
+                   effective_modulus(scene.roller.material, b.ring_material),
+                   1 / (1 / roller + curvature), given_or(contact.race.roughness, l.race_roughness),
+                   length, static_cast<long>(m.race_slices.size()));
+  };
+  m.lubricated = true;
+  m.inner_line = race(1 / m.inner_radius);
+  m.inner_line.starved = true;
+  m.inner_line.layer = l.race_layer;
+  m.outer_line = race(-1 / m.outer_radius);
+  m.film_watch =
+      kWatchedShare * std::max(m.load.radial, 1.0) / static_cast<double>(m.race_slices.size());
+  m.oiled_bars = l.pocket_film;
+  m.bar_line = line_of(scene, contact.bar, oil, m.friction[kBarPair],
+                       effective_modulus(scene.roller.material, cage.material), roller,
+                       given_or(contact.bar.roughness, l.pocket_roughness), length,
+                       static_cast<long>(m.bar_stations.size()));
+  m.bar_line.starved = true;
+  m.bar_line.layer = l.pocket_layer;
+  if (l.end_film) {
+    const auto flat = [&](const ContactParameters& of, double area) {
+      return make_flat_film(oil.viscosity, area, l.pocket_layer,
+                            given_or(of.roughness, l.pocket_roughness), 2, l.squeeze);
+    };
+    const double face = pi * roller * roller,
+                 wall = m.nominal_diameter * (cage.outer_diameter - cage.inner_diameter) / 2;
+    m.wall_film = flat(contact.end, std::min(face, wall));
+    m.flange_film =
+        flat(contact.flange, segment_area(roller, m.outer_radius - b.shoulder_diameter / 2));
+  }
+  if (!l.churning) return;
+  Churning& c = m.churning;
+  c.on = true;
+  c.fluid = free_space_fluid(l.oil_share, oil.density, oil.viscosity);
+  c.roller = 0.5 * c.fluid.density * l.roller_drag * m.nominal_diameter * length;
+  c.carried_along = l.carried_along;
+  c.inner_radius = cage.inner_diameter / 2;
+  c.outer_radius = cage.outer_diameter / 2;
+  c.width = cage.width;
+  if (m.guidance != Guidance::inner) c.bore_gap = std::max(0.0, c.inner_radius - m.inner_radius);
+  if (m.guidance != Guidance::outer)
+    c.outer_gap = std::max(0.0, b.shoulder_diameter / 2 - c.outer_radius);
+}
+
+}  // namespace
+
+BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> flexible) {
+  BearingModel m;
+  const auto& b = scene.bearing;
+  m.layout.rollers = static_cast<int>(b.roller_count);
+  m.layout.groups = (m.layout.rollers + kLanes - 1) / kLanes;
+  m.planar = has_planar_rollers(scene);
+  m.layout.ring_tilt = has_free_ring_tilt(scene) ? 2 : 0;
+  for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
+  if (flexible) m.flexible = make_flexible_cage(std::move(flexible), scene.cage, m.layout.groups);
+  m.layout.modes = m.flexible.modes;
+
+  for (long j = 0; j < b.roller_count; ++j) m.nominal_diameter += each(scene.roller.diameter, j);
+  m.nominal_diameter /= static_cast<double>(b.roller_count);
+  const double length = scene.roller.length;
+  // Slices of a cylinder that stays parallel to its race are alike: one does the work of all.
+  const bool alike = m.planar && scene.roller.profile == RollerProfile::none;
+  const long slices = alike ? 1 : scene.discretisation.race_slices,
+             stations = scene.discretisation.bar_stations;
+  if (slices > kMostSlices) throw std::domain_error("bearing model: too many race slices");
+  for (long k = 0; k < slices; ++k) {
+    const double x = ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
+    m.race_slices.push_back({x, profile_drop(scene.roller.profile, x, m.nominal_diameter, length)});
+  }
+  for (long k = 0; k < stations; ++k)  // from -0.4 L to 0.4 L
+    m.bar_stations.push_back(
+        stations == 1
+            ? 0.0
+            : (-0.4 + 0.8 * static_cast<double>(k) / static_cast<double>(stations - 1)) * length);
+  m.roller_half_length = length / 2;
+  m.flange_half_clearance = b.flange_clearance / 2;
+
+  m.race = make_normal_law(scene.contact.race, length, slices);
+  m.bar = make_normal_law(scene.contact.bar, length, stations);
+  m.wall = make_normal_law(scene.contact.end, length, 2);
+  m.flange = make_normal_law(scene.contact.flange, length, 2);
+  m.land = make_normal_law(scene.contact.land, length, 2);
+  m.friction = friction_laws(scene.contact);
+
+  m.inner_radius = b.inner_raceway_diameter / 2 - b.internal_clearance / 4;
+  m.outer_radius = b.outer_raceway_diameter / 2 + b.internal_clearance / 4;
+  const double modulus = effective_modulus(scene.roller.material, b.ring_material);
+  const double roller = m.nominal_diameter / 2;
+  m.inner_film = make_film_law(scene.film, modulus, 1 / (1 / roller + 1 / m.inner_radius), length,
+                               slices, m.race);
+  m.outer_film = make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length,
+                               slices, m.race);
+  m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
+  m.wall_points = end_points(m.nominal_diameter / 2, 0);
+  m.flange_points = end_points(m.nominal_diameter / 2, b.shoulder_diameter / 2 - m.pitch_radius);
+  if (!m.planar) {
+    m.misalignment_y = b.misalignment_y;
+    m.misalignment_z = b.misalignment_z;
+  }
+  m.ring_mass = given_or(b.inner_ring_mass, ring_mass(b, 2 * m.inner_radius));
+  // Of a hollow cylinder of that mass.
+  const double bore = b.bore_diameter / 2;
+  const double radii = m.inner_radius * m.inner_radius + bore * bore;
+  m.ring_polar = given_or(b.inner_ring_polar_inertia, m.ring_mass * radii / 2);
+  m.ring_transverse =
+      given_or(b.inner_ring_transverse_inertia, m.ring_mass * (3 * radii + b.width * b.width) / 12);
+  m.tilt_stiffness = b.tilt_stiffness;
+
+  const CageMass cage = cage_mass(scene.cage, b.roller_count);
+  m.cage_mass = given_or(scene.cage.mass, cage.mass);
+  m.cage_polar = given_or(scene.cage.polar_inertia, cage.polar_inertia);
+  m.cage_transverse = given_or(scene.cage.transverse_inertia, cage.transverse_inertia);
+  m.unbalance_y = cage.centre_y;
+  m.unbalance_z = cage.centre_z;
+  const auto& c = scene.cage;
+  m.guidance = c.guidance;
+  m.land_radius = (m.guidance == Guidance::inner ? c.inner_diameter : c.outer_diameter) / 2;
+  m.guide_ring_radius = m.guidance == Guidance::inner ? m.inner_radius : b.shoulder_diameter / 2;
+  m.guide_clearance = given_or(c.guide_clearance, std::abs(m.guide_ring_radius - m.land_radius));
+  double mean_length = 0;
+  for (long j = 0; j < b.roller_count; ++j) mean_length += each(c.pocket_length, j);
+  mean_length /= static_cast<double>(b.roller_count);
+  m.land_offset = given_or(c.land_offset, (c.width + mean_length) / 4);
+  m.land_clearance = m.guide_clearance;
+  const GuideFilm film = land_film(scene);
+  if (film.model != GuideFilmModel::none && m.guidance != Guidance::roller) {
+    const double radius = (m.land_radius + m.guide_ring_radius) / 2,
+                 width = given_or(film.width, (c.width - mean_length) / 2);
+    const double viscosity =
+        is_lubricated(scene) ? operating_oil(scene.lubrication).viscosity : film.viscosity;
+    const double turned = 2 * pi * viscosity * radius * width;
+    m.guide_film = {true,
+                    viscosity * radius * width * width * width,
+                    turned * radius * radius,
+                    turned,
+                    m.guide_clearance,
+                    film.least};
+    m.land_clearance -= film.least;
+  }
+
+  const auto& o = scene.operation;
+  m.load = {o.radial_load, o.tilting_moment_y, o.tilting_moment_z};
+  if (is_lubricated(scene)) lubricate(scene, m);
+  m.load_ramp = o.load_ramp;
+  m.gravity = o.gravity;
+  m.inner_speed = o.inner_speed;
+  m.speed_from = given_or(o.speed_ramp_from, o.inner_speed);
+  m.speed_ramp = o.speed_ramp;
+  return m;
+}
+
+RingLoad load_at(const BearingModel& m, double t) {
+  if (!(m.load_ramp > 0)) return m.load;
+  const double share = smooth_step(t / m.load_ramp);
+  return {m.load.radial * share, m.load.moment_y * share, m.load.moment_z * share};
+}
+
+double inner_speed_at(const BearingModel& m, double t) {
+  if (!(m.speed_ramp > 0)) return m.inner_speed;
+  return m.speed_from + (m.inner_speed - m.speed_from) * smooth_step(t / m.speed_ramp);
+}
+
+double kinematic_cage_speed(const BearingModel& m, double inner_speed) {
+  return inner_speed * m.inner_radius / (m.inner_radius + m.outer_radius);
+}
+
+double least_static_speed(const BearingModel& m) {
+  double least = m.friction.front().static_speed;
+  for (const FrictionLaw& law : m.friction) least = std::min(least, law.static_speed);
+  return least;
+}
+
+Jam find_jam(const Scene& scene) {
+  Jam worst;
+  for (long j = 0; j < scene.bearing.roller_count; ++j) {
+    const double in_width = each(scene.roller.diameter, j) - each(scene.cage.pocket_width, j);
+    const double in_length = scene.roller.length - each(scene.cage.pocket_length, j);
+    const double larger = std::max(in_width, in_length);
+    if (larger < 0 || (worst.pocket >= 0 && larger <= worst.interference)) continue;
+    worst = {static_cast<int>(j), in_width >= in_length, larger};
+  }
+  return worst;
+}
+
+}  // namespace cagetol

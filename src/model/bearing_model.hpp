@@ -1,0 +1,132 @@
+// The immutable bearing model of one sample: what the right-hand side reads, computed once from the
+// scene.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "src/contact_laws/friction.hpp"
+#include "src/contact_laws/normal_force.hpp"
+#include "src/contact_laws/oil_film.hpp"
+#include "src/contact_laws/short_bearing.hpp"
+#include "src/lubrication/churning.hpp"
+#include "src/lubrication/flat_film.hpp"
+#include "src/lubrication/lubricated_line.hpp"
+#include "src/model/flexible_cage.hpp"
+#include "src/model/state.hpp"
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+/// Constants of a pack of rollers and their pockets.
+struct RollerGroup {
+  Pack exists;                   ///< 1 for a roller, 0 for padding
+  Pack mass, polar, transverse;  ///< [kg], [kg m^2]
+  Pack inverse_mass, inverse_polar, inverse_transverse;
+  Pack radius;                   ///< [m]
+  Pack taper_slope;              ///< change of radius with position along the axis [-]
+  Pack pocket_cos, pocket_sin;   ///< of the pocket centre's angle in the cage, deviation included
+  Pack half_width, half_length;  ///< of the pocket [m]
+  Pack squareness;               ///< angle of the bar faces to the bearing axis [rad]
+};
+
+inline constexpr int kMostSlices = 100;  ///< of a race: bounds scratch that lives on the stack
+
+/// A slice of a roller: position along its axis and the drop of its profile [m].
+struct Slice {
+  double position;
+  double drop;
+};
+
+/// A point of a roller's end face, relative to the centre of that face [m].
+struct EndPoint {
+  double radial, tangential;
+};
+
+/// What rubs on what, each pair with its friction; kEndPair: roller end on pocket end wall.
+enum FrictionPair { kRacePair, kBarPair, kEndPair, kFlangePair, kLandPair, kFrictionPairs };
+
+/// What acts on the inner ring from outside: a force along -z [N], and a moment [N m] conjugate to
+/// its tilt (B_y, B_z): moment_y tilts the centre line towards +y (a vector along +z), moment_z
+/// towards +z (a vector along -y). The shaft takes the moment where the tilt is prescribed.
+struct RingLoad {
+  double radial = 0, moment_y = 0, moment_z = 0;
+};
+
+struct BearingModel {
+  StateLayout layout;
+  bool planar = false;  ///< rollers keep their axes parallel to the bearing's, and x = 0
+  std::vector<RollerGroup> groups;
+  std::vector<Slice> race_slices;
+  std::vector<double> bar_stations;       ///< positions along the roller's axis [m]
+  std::array<EndPoint, 2> wall_points;    ///< where a roller end meets the pocket's end wall
+  std::array<EndPoint, 2> flange_points;  ///< where it meets the ring's flange
+  double roller_half_length = 0;
+  double flange_half_clearance = 0;
+
+  NormalLaw race, bar, wall, flange,
+      land;  ///< each already the share of one slice, station, point or land
+  std::array<FrictionLaw, kFrictionPairs> friction;
+  FilmLaw inner_film, outer_film;  ///< of one slice
+  bool lubricated = false;         ///< races by the laws below instead of `race` and these films
+  LubricatedLine inner_line, outer_line;  ///< of one slice
+  LubricatedLine bar_line;                ///< of one station
+  double film_watch = 0;    ///< normal force of a slice from which its film counts as loaded [N]
+  bool oiled_bars = false;  ///< bars by bar_line, instead of `bar`
+  FlatFilm wall_film, flange_film;  ///< of one point
+  Churning churning;
+
+  double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]
+  double misalignment_y = 0,
+         misalignment_z = 0;  ///< tilt of the ring, or what its shaft would give it
+  double ring_mass = 0, ring_polar = 0, ring_transverse = 0;
+  double tilt_stiffness = 0;  ///< of the shaft, against the free tilt of the ring [N m/rad]
+  double cage_mass = 0, cage_polar = 0, cage_transverse = 0;
+  double unbalance_y = 0,
+         unbalance_z = 0;  ///< mass centre minus geometric centre in the cage frame [m]
+  FlexibleCage flexible;   ///< no modes: a rigid cage
+  Guidance guidance = Guidance::outer;
+  double guide_clearance = 0, land_radius = 0, land_offset = 0;
+  double land_clearance = 0;  ///< at which lands touch: less than guide_clearance under a film [m]
+  ShortBearing guide_film;    ///< of one land
+  double guide_ring_radius = 0;
+
+  RingLoad load;
+  double load_ramp = 0, gravity = 0;
+  double inner_speed = 0, speed_from = 0, speed_ramp = 0;
+
+  double pitch_radius = 0;      ///< (F + E)/4 of the actual raceways [m]
+  double nominal_diameter = 0;  ///< roller diameter, mean of all [m]
+};
+
+/// Builds the model, with the elastic modes of `cage` where given. Throws std::domain_error for
+/// what cannot be built (the reader checks scenes before).
+BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> cage = {});
+
+/// Mass centre minus geometric centre of the cage in inertial directions (y, z) [m], at the cosine
+/// and sine of its angle.
+inline void turned_unbalance(const BearingModel& m, double cosine, double sine, double (&to)[2]) {
+  to[0] = cosine * m.unbalance_y - sine * m.unbalance_z;
+  to[1] = sine * m.unbalance_y + cosine * m.unbalance_z;
+}
+
+/// Load on the inner ring at time t, and its speed [rad/s].
+RingLoad load_at(const BearingModel& model, double t);
+double inner_speed_at(const BearingModel& model, double t);
+
+/// Kinematic cage speed w_i R_i / (R_i + R_o) at inner speed w_i [rad/s].
+double kinematic_cage_speed(const BearingModel& model, double inner_speed);
+
+/// The least of the contacts' static speeds [m/s].
+double least_static_speed(const BearingModel& model);
+
+/// A pocket whose roller does not fit: clearance <= 0.
+struct Jam {
+  int pocket = -1;  ///< -1: none
+  bool in_width = true;
+  double interference = 0;  ///< [m], >= 0
+};
+/// The worst jam of the scene.
+Jam find_jam(const Scene& scene);
+
+}  // namespace cagetol
