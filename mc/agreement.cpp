@@ -48,7 +48,7 @@ Problem problem_of(const std::function<void()>& work) {
   } catch (const WriteError& problem) {
     return {problem.what(), problem.can_go_on() ? kInterrupted : kBadInput};
   } catch (const std::exception& problem) {
-    return {failure_text(problem), kBadInput};
+    return {ending_text(problem), exit_code_for(problem)};
   }
 }
 

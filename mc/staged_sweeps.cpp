@@ -113,8 +113,8 @@ int run_staged(const MakePlan& make_plan, ProgressStyle progress,
     fmt::print(stderr, "cagetol: {}\n", problem.what());
     code = problem.can_go_on() ? kInterrupted : kBadInput;
   } catch (const std::exception& problem) {
-    fmt::print(stderr, "cagetol: {}\n", failure_text(problem));
-    if (is_want_of_resources(problem)) code = kInterrupted;
+    fmt::print(stderr, "cagetol: {}\n", ending_text(problem));
+    code = is_want_of_resources(problem) ? kInterrupted : exit_code_for(problem);
   }
   const int refused = stages.end();
   return refused != kDone ? refused : code;

@@ -300,9 +300,10 @@ int Sweep::run(const Team& team) {
   } catch (const std::exception& problem) {
     // The other ranks wait for answers that nobody gives: an orderly end of MPI would wait for
     // them. Journals are complete.
-    spdlog::error("{}; rank {} ends: start the same command again to go on", failure_text(problem),
-                  launch_.rank);
-    ::_exit(kInterrupted);
+    const bool fault = exit_code_for(problem) == kUnexpected;
+    spdlog::error("{}; rank {} ends{}", ending_text(problem), launch_.rank,
+                  fault ? "" : ": start the same command again to go on");
+    ::_exit(fault ? kUnexpected : kInterrupted);
   }
   team.meet();
   return code;

@@ -78,6 +78,16 @@ TEST(HandOutTest, ABadStudyIsReportedOnceWithCode2) {
   }
 }
 
+TEST(ExitCodeTest, AFaultOfTheProgramEndsWith70) {
+  const ScratchDirectory scratch;
+  for (const bool mpi : {false, true}) {
+    auto command = standin(scratch / "out", {"--fault"});
+    const Ended ended = run(mpi ? with_mpirun(2, command) : command);
+    EXPECT_EQ(ended.code, 70);
+    EXPECT_THAT(ended.output, HasSubstr("cagetol: unexpected: no such row"));
+  }
+}
+
 TEST(ExitCodeTest, ThreeWhenMoreSamplesFailThanTheStudyAllows) {
   const ScratchDirectory scratch;
   const Ended ended = run(with_mpirun(2, standin(scratch / "out", {"--failure-share", "0.3"})));
