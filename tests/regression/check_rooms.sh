@@ -1,16 +1,24 @@
 #!/usr/bin/env bash
-# Which room may include which: check_rooms.sh SOURCE_DIR. The roof, mc/commands and mc/main.cpp, may use every room.
+# Which room, and which folder of src, may include which: check_rooms.sh SOURCE_DIR. The roof, mc/commands and
+# mc/main.cpp, may use every room.
 set -u
 cd "$1" || exit 2
 status=0
-check() { # ROOM ALLOWED-REGEX FILES...
-  local room=$1 allowed=$2; shift 2
+ours='(src|distributions|mc|analysis|tests)/' # in angle brackets, too: the project's root is an include directory
+check() { # WHO ALLOWED-REGEX FILES...
+  local who=$1 allowed=$2; shift 2
   local bad
-  bad=$(grep -nE '^#include "' "$@" | grep -vE "#include .($allowed)")
-  [ -z "$bad" ] || { echo "$room includes what it must not know:"; echo "$bad"; status=1; }
+  bad=$(grep -HnE "^[[:space:]]*#[[:space:]]*include[[:space:]]*(\"|<$ours)" "$@" | grep -vE "include[[:space:]]*[\"<]($allowed)")
+  [ -z "$bad" ] || { echo "$who includes what it must not know:"; echo "$bad"; status=1; }
 }
 sources() { find "$@" -name '*.?pp' ! -path 'mc/commands/*' ! -path 'mc/main.cpp'; }
 check src 'src/' $(sources src)
+check src/input 'src/input/' $(sources src/input)
+check src/numerics 'src/numerics/' $(sources src/numerics)
+check src/scene 'src/(scene|input|lubrication|integration)/' $(sources src/scene)
+check src/cage 'src/(cage|scene)/' $(sources src/cage)
+# What a run amounts to stands above how it is computed.
+check 'what is below src/quantities' 'src/[a-pr-z][a-z_]*/' $(find src -mindepth 2 -name '*.?pp' ! -path 'src/quantities/*')
 check distributions 'distributions/' $(sources distributions)
 check analysis/format 'analysis/format/' $(sources analysis/format)
 check analysis 'analysis/|distributions/' $(sources analysis)

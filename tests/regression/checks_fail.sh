@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# The checks of rooms and of format find what they are there for: checks_fail.sh SOURCE_DIR. Each is provoked in a
+# small tree of its own.
+set -u
+source=$1
+tree=$(mktemp -d); trap 'rm -rf "$tree" "$tree.out"' EXIT
+status=0
+fresh() {
+  rm -rf "${tree:?}"/*
+  mkdir -p "$tree"/{src/{input,numerics,scene,cage,dynamics,quantities},distributions,mc/commands,analysis/{format,statistics},tests}
+  for folder in $(cd "$tree" && find src distributions mc analysis tests -type d); do
+    printf '#include "%s/own.hpp"\n' "$folder" > "$tree/$folder/own.cpp"
+    printf '#pragma once\n' > "$tree/$folder/own.hpp"
+  done
+  cp "$source/.clang-format" "$tree"
+}
+passes() { # CHECK: it finds nothing, or nothing in what it can check
+  local code=0
+  "$source/tests/regression/$1" "$tree" > "$tree.out" 2>&1 || code=$?
+  [ $code -eq 0 ] || [ $code -eq 77 ]
+}
+expect_failure() { # CHECK WORDS FILE LINE: the check passes, and fails with these words once FILE has LINE
+  fresh
+  passes "$1" || { echo "$1 fails on a sound tree:"; cat "$tree.out"; status=1; }
+  printf '%s\n' "$4" >> "$tree/$3"
+  if passes "$1"; then echo "$1 lets pass, in $3: $4"; status=1
+  elif ! grep -q "$2" "$tree.out" || ! grep -q "$3" "$tree.out"; then echo "$1 does not name $2 and $3:"; cat "$tree.out"; status=1
+  fi
+}
+rooms() { expect_failure check_rooms.sh "$@"; }
+rooms '^src includes' src/dynamics/own.cpp '#include "mc/own.hpp"'
+rooms '^src includes' src/own.hpp '#include "distributions/own.hpp"'
+rooms '^src includes' src/own.hpp '#  include <mc/own.hpp>'
+rooms '^src/input includes' src/input/own.cpp '#include "src/scene/own.hpp"'
+rooms '^src/numerics includes' src/numerics/own.hpp '#include "src/input/own.hpp"'
+rooms '^src/scene includes' src/scene/own.cpp '#include "src/dynamics/own.hpp"'
+rooms '^src/cage includes' src/cage/own.cpp '#include "src/dynamics/own.hpp"'
+rooms 'below src/quantities includes' src/dynamics/own.cpp '#include "src/quantities/own.hpp"'
+rooms '^distributions includes' distributions/own.cpp '#include "src/own.hpp"'
+rooms '^analysis includes' analysis/statistics/own.cpp '#include "src/own.hpp"'
+rooms '^analysis/format includes' analysis/format/own.cpp '#include "analysis/statistics/own.hpp"'
+rooms '^mc includes' mc/own.cpp '#include "analysis/statistics/own.hpp"'
+rooms '^MPI belongs' src/own.cpp '#include <mpi.h>'
+rooms '^MPI belongs' analysis/statistics/own.cpp '#include <hdf5.h>'
+format() { expect_failure check_format.sh "$@"; }
+format 'over 100 columns' src/own.hpp "// $(printf 'word %.0s' {1..20})"
+if command -v clang-format-14 >/dev/null; then
+  format 'clang-format-violations' mc/own.cpp 'int  spaced_out = 1;'
+  format 'clang-format-violations' tests/own.hpp 'inline int f() { int long_name = 1; return long_name + long_name + long_name + long_name + 1; }'
+else
+  fresh
+  code=0; "$source/tests/regression/check_format.sh" "$tree" > /dev/null || code=$?
+  [ $code -eq 77 ] || { echo "check_format.sh ends with $code, not 77, without clang-format-14"; status=1; }
+fi
+exit $status
