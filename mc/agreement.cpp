@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "mc/byte_stream.hpp"
-#include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
 #include "mc/file_write.hpp"
+#include "mc/study_file/exit_code.hpp"
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 

@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "mc/exit_code.hpp"
+#include "mc/study_file/exit_code.hpp"
 
 namespace cagetol {
 

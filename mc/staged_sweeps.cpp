@@ -6,11 +6,11 @@
 
 #include <filesystem>
 
-#include "analysis/format/study_file_error.hpp"
-#include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
 #include "mc/signals.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
+#include "mc/study_file/exit_code.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "mc/sweep.hpp"
 #include "mc/sweep_directory.hpp"
 

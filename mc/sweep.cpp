@@ -10,12 +10,12 @@
 #include <optional>
 
 #include "mc/alone.hpp"
-#include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
 #include "mc/forecast.hpp"
 #include "mc/hand_out.hpp"
 #include "mc/signals.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
+#include "mc/study_file/exit_code.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {

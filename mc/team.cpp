@@ -10,10 +10,10 @@
 #include <cstdlib>
 #include <thread>
 
-#include "mc/exit_code.hpp"
 #include "mc/process_limits.hpp"
 #include "mc/pulse.hpp"
 #include "mc/signals.hpp"
+#include "mc/study_file/exit_code.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {

@@ -42,7 +42,7 @@ struct HelpedEstimate {
 /// The yield needs `limits` on the quantity; a mean and a deviation have none. Undefined with fewer
 /// than kFewestPilotSamples pairs or without scatter.
 HelpedEstimate helped_estimate(HelpedStatistic statistic, const PairedRuns& runs,
-                               std::span<const LimitPlan> limits);
+                               std::span<const Limit> limits);
 
 /// At equal cost, by the formula above; 0 for a correlation that is not known.
 double gain_at_cost(double correlation, double samples, double cheap_samples, double cost);
@@ -55,7 +55,7 @@ double best_cheap_ratio(double correlation, double cost);
 /// themselves: variance of the plain statistic over `resamples` resamples, for the same cost, over
 /// that of the helped one, each time fitted anew.
 double resampled_gain(HelpedStatistic statistic, const PairedRuns& runs,
-                      std::span<const LimitPlan> limits, double cost, std::uint64_t seed,
+                      std::span<const Limit> limits, double cost, std::uint64_t seed,
                       int resamples);
 
 }  // namespace cagetol

@@ -60,7 +60,7 @@ struct QuantityLadder {
 /// is the cheapest rung that will do; the reference only where every other one is biased or
 /// unusable.
 QuantityLadder least_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
-                          std::span<const LimitPlan> limits = {});
+                          std::span<const Limit> limits = {});
 
 /// Whether the reference itself leaves a limit on the quantity open, so that only its mean is left
 /// to judge rungs by.

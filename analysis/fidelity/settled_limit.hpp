@@ -32,7 +32,7 @@ inline constexpr std::size_t kFewestSettledPairs = 8;
 /// `values` and `reference` have one element for each sample, NaN where a run gave none; samples
 /// count with a value on both.
 SettledLimit settled_limit(std::span<const double> values, std::span<const double> reference,
-                           const LimitPlan& limit, double confidence);
+                           const Limit& limit, double confidence);
 
 /// Share on the wrong side of a limit below which it is settled: with K candidates p_k <= K p, and
 /// a yield of candidate k has the standard error sqrt(Y (1 - Y) K / N), so that

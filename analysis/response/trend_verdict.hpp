@@ -23,6 +23,6 @@ struct TrendFinding {
   std::string reason;  ///< why this verdict, in words
 };
 
-TrendFinding judge_trend(const TrendPlan& trend, const PairedDifference& seen);
+TrendFinding judge_trend(const Trend& trend, const PairedDifference& seen);
 
 }  // namespace cagetol

@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "analysis/report/cage_peak.hpp"
-#include "analysis/study/study_file_error.hpp"
 #include "mc/cage_cache.hpp"
 #include "mc/commands/peak_snapshot.hpp"
 #include "mc/file_write.hpp"
 #include "mc/replay.hpp"
 #include "mc/sample_run.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "src/cage/cage_surface.hpp"
 #include "src/cage/field_recovery.hpp"
 #include "src/quantities/quantity_table.hpp"

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "analysis/report/report.hpp"
-#include "analysis/study/study_file_error.hpp"
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "src/input/printable.hpp"
 
 namespace cagetol {
@@ -30,7 +30,7 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
         return run_report(arguments->directory, arguments->options);
       } catch (const StudyFileError& error) {
         std::fprintf(stderr, "cagetol: %s\n", printable(error.what(), LineBreaks::kept).c_str());
-        return static_cast<int>(kBadInput);
+        return kBadInput;
       }
     };
   });

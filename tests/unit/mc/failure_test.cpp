@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "analysis/format/study_file_error.hpp"
 #include "mc/file_write.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {
