@@ -13,12 +13,15 @@ namespace cagetol {
 
 struct System;
 struct CageTable;
+struct CageModel;
 
 /// What a run may be given beside its scene.
 struct SimulateOptions {
   /// Of the flexible cage (src/cage/scene_cage.hpp). Without one it is made from the scene's own
   /// pockets, which takes some seconds; samples of a study share the tables of the nominal scene.
   std::shared_ptr<const CageTable> cage_table = {};
+  /// The flexible cage of this very scene, where the caller has made it already.
+  std::shared_ptr<const CageModel> cage_model = {};
   /// Why there is no table for this sample's flexible cage: the run fails with this reason.
   std::string why_no_cage = {};
   /// Called at every accepted state, linearised (src/integration/system.hpp): time histories,

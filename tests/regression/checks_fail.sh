@@ -13,6 +13,7 @@ fresh() {
     printf '#pragma once\n' > "$tree/$folder/own.hpp"
   done
   printf '#include "mc/study_file/own.hpp"\n' >> "$tree/analysis/statistics/own.cpp" # all of mc that analysis may use
+  printf '#include "analysis/own.hpp"\n' > "$tree/mc/commands/report.cpp"
   cp "$source/.clang-format" "$tree"
 }
 passes() { # CHECK: it finds nothing, or nothing in what it can check
@@ -44,6 +45,7 @@ rooms '^mc/study_file includes' mc/study_file/own.cpp '#include "analysis/statis
 rooms '^mc/study_file includes' mc/study_file/own.hpp '#include "mc/own.hpp"'
 rooms '^mc/study_file includes' mc/study_file/own.cpp '#include "src/own.hpp"'
 rooms '^mc includes' mc/own.cpp '#include "analysis/statistics/own.hpp"'
+rooms '^mc/commands/report.cpp includes' mc/commands/report.cpp '#include "src/own.hpp"'
 rooms '^MPI belongs' src/own.cpp '#include <mpi.h>'
 rooms '^MPI belongs' analysis/statistics/own.cpp '#include <hdf5.h>'
 format() { expect_failure check_format.sh "$@"; }
