@@ -4,7 +4,7 @@
 
 #include "mc/build_info.hpp"
 #include "mc/sample.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 #include "mc/sweep_directory.hpp"
 
 namespace cagetol {

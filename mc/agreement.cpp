@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "mc/byte_stream.hpp"
-#include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
 #include "mc/file_write.hpp"
+#include "mc/study_file/exit_code.hpp"
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 
@@ -48,7 +48,7 @@ Problem problem_of(const std::function<void()>& work) {
   } catch (const WriteError& problem) {
     return {problem.what(), problem.can_go_on() ? kInterrupted : kBadInput};
   } catch (const std::exception& problem) {
-    return {failure_text(problem), kBadInput};
+    return {ending_text(problem), exit_code_for(problem)};
   }
 }
 

@@ -18,7 +18,7 @@ struct Problem {
 };
 
 /// Calls `work` and turns what it throws into a problem: code 75 when writing failed for a passing
-/// reason, 2 otherwise.
+/// reason, else that of exit_code_for().
 Problem problem_of(const std::function<void()>& work);
 
 /// The exit code that all ranks agree on: 0 when none has a problem. The first rank that has one

@@ -5,6 +5,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "mc/file_write.hpp"
+#include "mc/study_file/study_file_error.hpp"
+#include "src/input/input_error.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -50,6 +54,18 @@ std::string failure_text(const std::exception& problem) {
       break;
   }
   return problem.what();
+}
+
+ExitCode exit_code_for(const std::exception& problem) {
+  const bool known = dynamic_cast<const InputError*>(&problem) != nullptr ||
+                     dynamic_cast<const StudyFileError*>(&problem) != nullptr ||
+                     dynamic_cast<const WriteError*>(&problem) != nullptr ||
+                     is_want_of_resources(problem);
+  return known ? kBadInput : kUnexpected;
+}
+
+std::string ending_text(const std::exception& problem) {
+  return (exit_code_for(problem) == kUnexpected ? "unexpected: " : "") + failure_text(problem);
 }
 
 }  // namespace cagetol

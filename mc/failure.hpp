@@ -1,9 +1,11 @@
-// What an exception that is nobody's bad input says to people: memory, threads and open files that
-// the system refuses become a message with a remedy.
+// What an exception that ends a command becomes: a message for people and an exit code. Memory,
+// threads and open files that the system refuses become a message with a remedy.
 #pragma once
 
 #include <exception>
 #include <string>
+
+#include "mc/study_file/exit_code.hpp"
 
 namespace cagetol {
 
@@ -14,5 +16,12 @@ bool is_want_of_resources(const std::exception& problem);
 
 /// "out of memory\n  remedy: ..." and the like for those, else what the exception says.
 std::string failure_text(const std::exception& problem);
+
+/// Exit code of a command that `problem` ends: kBadInput where the user has a remedy (InputError,
+/// StudyFileError, WriteError, want of resources), kUnexpected for anything else.
+ExitCode exit_code_for(const std::exception& problem);
+
+/// failure_text, preceded by "unexpected: " where the program is at fault.
+std::string ending_text(const std::exception& problem);
 
 }  // namespace cagetol

@@ -3,96 +3,92 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "mc/measurement_csv.hpp"
+#include "mc/study_file/named_law.hpp"
 #include "src/input/key_table.hpp"
 
 namespace cagetol {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// Every parameter that some law has.
-struct Parameters {
+// A law as a study states it: with the source of its measurements.
+struct StatedLaw : LawParameters {
   std::string law, file, column, decimal = ".";
-  double mean = 0, sigma = 0, lower = -kInfinity, mode = 0, upper = kInfinity;
-  double log_mean = 0, log_sigma = 0, shift = 0, alpha = 1, beta = 1, shape = 1, scale = 1;
-  double cp = 1, cpk = std::numeric_limits<double>::quiet_NaN();
   bool centred = false;
-  std::vector<double> edges, weights, values;
 };
 
-// clang-format off
-#define AT(member) [](Parameters& p) -> auto& { return p.member; }
-const KeyTable<Parameters>& parameter_keys() {
-  static const KeyTable<Parameters> keys = {
+KeyRange range_of(LawRange range) {
+  switch (range) {
+    case LawRange::not_negative:
+      return at_least(0);
+    case LawRange::positive:
+      return above(0);
+    case LawRange::any:
+      break;
+  }
+  return any_value();
+}
+
+KeyTable<StatedLaw> make_parameter_keys() {
+#define AT(member)               \
+  [](StatedLaw & law) -> auto& { \
+    return law.member;           \
+  }
+  KeyTable<StatedLaw> keys = {
       {"law", any_value(), AT(law), "name of the law"},
-      {"mean", any_value(), AT(mean), "mean deviation from the nominal value"},
-      {"sigma", at_least(0), AT(sigma), "standard deviation"},
-      {"lower", any_value(), AT(lower), "lower end"},
-      {"mode", any_value(), AT(mode), "most likely deviation"},
-      {"upper", any_value(), AT(upper), "upper end"},
-      {"log_mean", any_value(), AT(log_mean), "mean of the logarithm"},
-      {"log_sigma", at_least(0), AT(log_sigma), "standard deviation of the logarithm"},
-      {"shift", any_value(), AT(shift), "where the law begins"},
-      {"alpha", above(0), AT(alpha), "first shape parameter"},
-      {"beta", above(0), AT(beta), "second shape parameter"},
-      {"shape", above(0), AT(shape), "shape parameter"},
-      {"scale", above(0), AT(scale), "scale parameter"},
-      {"cp", above(0), AT(cp), "capability index Cp of the limits"},
-      {"cpk", any_value(), AT(cpk), "capability index Cpk towards the upper limit"},
-      {"edges", any_value(), AT(edges), "ends of the bins, ascending"},
-      {"weights", at_least(0), AT(weights), "weight of each bin"},
-      {"values", any_value(), AT(values), "measured deviations"},
       {"file", any_value(), AT(file), "CSV file of measurements, beside this file"},
       {"column", any_value(), AT(column), "column of the CSV file"},
       {"decimal", one_of({".", ","}), AT(decimal), "decimal mark of the numbers in the CSV file"},
       {"centred", any_value(), AT(centred), "subtract the mean of the measurements"},
   };
+#undef AT
+  for (const LawParameter& parameter : law_parameters())
+    std::visit(
+        [&](auto member) {
+          keys.emplace_back(
+              parameter.name,
+              range_of(parameter.range), [member](StatedLaw & law) -> auto& { return law.*member; },
+              parameter.meaning);
+        },
+        parameter.member);
   return keys;
 }
-#undef AT
 
-// A law's name, the parameters it must have, those it may have, and how it is made.
-struct LawForm {
-  std::string name;
-  std::vector<std::string> required, optional;
-  Law (*make)(const Parameters&);
-};
+const KeyTable<StatedLaw>& parameter_keys() {
+  static const KeyTable<StatedLaw> keys = make_parameter_keys();
+  return keys;
+}
 
-const std::vector<LawForm>& law_forms() {
-  static const std::vector<LawForm> forms = {
-      {"normal", {"sigma"}, {"mean"}, [](const Parameters& p) -> Law { return Normal{p.mean, p.sigma}; }},
-      {"truncated_normal", {"sigma"}, {"mean", "lower", "upper"}, [](const Parameters& p) -> Law { return TruncatedNormal{p.mean, p.sigma, p.lower, p.upper}; }},
-      {"uniform", {"lower", "upper"}, {}, [](const Parameters& p) -> Law { return Uniform{p.lower, p.upper}; }},
-      {"triangular", {"lower", "mode", "upper"}, {}, [](const Parameters& p) -> Law { return Triangular{p.lower, p.mode, p.upper}; }},
-      {"lognormal", {"log_mean", "log_sigma"}, {"shift"}, [](const Parameters& p) -> Law { return Lognormal{p.log_mean, p.log_sigma, p.shift}; }},
-      {"beta", {"alpha", "beta", "lower", "upper"}, {}, [](const Parameters& p) -> Law { return Beta{p.alpha, p.beta, p.lower, p.upper}; }},
-      {"weibull", {"shape", "scale"}, {"shift"}, [](const Parameters& p) -> Law { return Weibull{p.shape, p.scale, p.shift}; }},
-      {"gamma", {"shape", "scale"}, {"shift"}, [](const Parameters& p) -> Law { return Gamma{p.shape, p.scale, p.shift}; }},
-      {"histogram", {"edges", "weights"}, {}, [](const Parameters& p) -> Law { return Histogram{p.edges, p.weights}; }},
-      {"empirical", {}, {"file", "column", "decimal", "centred", "values"}, [](const Parameters& p) -> Law { return make_empirical(p.values); }},
-      {"capability", {"lower", "upper", "cp"}, {"cpk"}, [](const Parameters& p) -> Law { return Capability{p.lower, p.upper, p.cp, std::isnan(p.cpk) ? std::nullopt : std::optional(p.cpk)}; }},
-  };
+// The forms of a study file, but measurements may stand in a file of their own.
+std::vector<LawForm> make_stated_forms() {
+  std::vector<LawForm> forms = law_forms();
+  for (LawForm& form : forms)
+    if (form.name == "empirical") {
+      form.required.clear();
+      form.optional = {"file", "column", "decimal", "centred", "values"};
+    }
   return forms;
 }
-// clang-format on
+
+const std::vector<LawForm>& stated_forms() {
+  static const std::vector<LawForm> forms = make_stated_forms();
+  return forms;
+}
 
 const LawForm& form_of(const toml::table& table, const std::string& key, const std::string& file) {
   std::vector<std::string> names;
-  for (const auto& form : law_forms()) names.push_back(form.name);
+  for (const auto& form : stated_forms()) names.push_back(form.name);
   const auto* node = table.get("law");
   if (!node)
     throw InputError(
         place_of(table, file), key, shown(table), "a distribution needs a law",
         "add law = \"normal\" or another of: " + fmt::format("{}", fmt::join(names, ", ")));
   const auto name = node->value<std::string>();
-  for (const auto& form : law_forms())
+  for (const auto& form : stated_forms())
     if (name == form.name) return form;
   throw InputError(place_of(*node, file), key + ".law", shown(*node), "there is no such law",
                    (name ? "did you mean " + nearest_name(*name, names) + "? " : std::string()) +
@@ -100,14 +96,14 @@ const LawForm& form_of(const toml::table& table, const std::string& key, const s
 }
 
 // The parameter's key under the law's full name, so that messages name it whole.
-Key<Parameters> named_below(Key<Parameters> parameter, const std::string& key) {
+Key<StatedLaw> named_below(Key<StatedLaw> parameter, const std::string& key) {
   parameter.name = key + "." + parameter.name;
   return parameter;
 }
 
 void read_measurements(const toml::table& table, const std::string& key, const std::string& unit,
                        const std::string& file, MeasurementFiles& measurements,
-                       Parameters& parameters) {
+                       StatedLaw& parameters) {
   const bool from_file = table.contains("file");
   if (from_file == table.contains("values"))
     throw InputError(place_of(table, file), key, shown(table),
@@ -144,7 +140,7 @@ void read_measurements(const toml::table& table, const std::string& key, const s
 }
 
 void read_parameters(const toml::table& table, const LawForm& form, const std::string& key,
-                     const std::string& file, Parameters& parameters) {
+                     const std::string& file, StatedLaw& parameters) {
   std::vector<std::string> names = form.required;
   names.insert(names.end(), form.optional.begin(), form.optional.end());
   for (const auto& [name, node] : table) {
@@ -172,7 +168,7 @@ void read_parameters(const toml::table& table, const LawForm& form, const std::s
 Law read_law(const toml::table& table, const std::string& key, const std::string& unit,
              const std::string& file, MeasurementFiles& measurements) {
   const auto& form = form_of(table, key, file);
-  Parameters parameters;
+  StatedLaw parameters;
   read_parameters(table, form, key, file, parameters);
   if (form.name == "empirical") read_measurements(table, key, unit, file, measurements, parameters);
   Law law = form.make(parameters);
@@ -197,62 +193,24 @@ toml::array array_of(const std::vector<double>& values) {
   return array;
 }
 
-void add_parameters(toml::table& t, const Normal& law) {
-  t.insert("mean", law.mean);
-  t.insert("sigma", law.sigma);
+void insert(toml::table& table, const std::string& name, double value) {
+  if (std::isfinite(value)) table.insert(name, value);
 }
-void add_parameters(toml::table& t, const TruncatedNormal& law) {
-  t.insert("mean", law.mean);
-  t.insert("sigma", law.sigma);
-  if (std::isfinite(law.lower)) t.insert("lower", law.lower);
-  if (std::isfinite(law.upper)) t.insert("upper", law.upper);
-}
-void add_parameters(toml::table& t, const Uniform& law) {
-  t.insert("lower", law.lower);
-  t.insert("upper", law.upper);
-}
-void add_parameters(toml::table& t, const Triangular& law) {
-  t.insert("lower", law.lower);
-  t.insert("mode", law.mode);
-  t.insert("upper", law.upper);
-}
-void add_parameters(toml::table& t, const Lognormal& law) {
-  t.insert("log_mean", law.log_mean);
-  t.insert("log_sigma", law.log_sigma);
-  t.insert("shift", law.shift);
-}
-void add_parameters(toml::table& t, const Beta& law) {
-  t.insert("alpha", law.alpha);
-  t.insert("beta", law.beta);
-  t.insert("lower", law.lower);
-  t.insert("upper", law.upper);
-}
-template <class ShapeScaleShift>  // Weibull and Gamma
-void add_parameters(toml::table& t, const ShapeScaleShift& law) {
-  t.insert("shape", law.shape);
-  t.insert("scale", law.scale);
-  t.insert("shift", law.shift);
-}
-void add_parameters(toml::table& t, const Histogram& law) {
-  t.insert("edges", array_of(law.edges));
-  t.insert("weights", array_of(law.weights));
-}
-void add_parameters(toml::table& t, const Empirical& law) {
-  t.insert("values", array_of(law.values));
-}
-void add_parameters(toml::table& t, const Capability& law) {
-  t.insert("lower", law.lower);
-  t.insert("upper", law.upper);
-  t.insert("cp", law.cp);
-  if (law.cpk) t.insert("cpk", *law.cpk);
+void insert(toml::table& table, const std::string& name, const std::vector<double>& values) {
+  table.insert(name, array_of(values));
 }
 
 }  // namespace
 
 toml::table law_table(const Law& law) {
+  const LawForm& form = *find_law_form(law_name(law));
+  const LawParameters parameters = parameters_of(law);
   toml::table table;
-  table.insert("law", std::string(law_name(law)));
-  std::visit([&](const auto& form) { add_parameters(table, form); }, law);
+  table.insert("law", form.name);
+  for (const auto& names : {form.required, form.optional})
+    for (const std::string& name : names)
+      std::visit([&](auto member) { insert(table, name, parameters.*member); },
+                 law_parameter(name).member);
   return table;
 }
 

@@ -1,33 +1,24 @@
-// The program: parses the command line, runs the command chosen, turns what it meets into an exit
-// code.
-#include <malloc.h>
-#include <sys/mman.h>
+// The program: parses the command line, runs the command chosen, returns its exit code.
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <memory>
 #include <sstream>
 
-#include "analysis/format/study_file_error.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/failure.hpp"
-#include "mc/file_write.hpp"
 #include "mc/log.hpp"
+#include "mc/page_faults.hpp"
 #include "mc/process_limits.hpp"
-#include "src/input/input_error.hpp"
 #include "src/input/printable.hpp"
-
-extern char __executable_start, etext;  // the linker's: where the program's code begins and ends
 
 namespace {
 
 constexpr const char* kExamples =
     "Exit codes: 0 done, 1 limits not met (compare: changed) where asked to judge, 2 bad input,\n"
-    "3 samples failed beyond the allowed share, 75 interrupted: start the same command again to\n"
-    "go on.\n\n"
+    "3 samples failed beyond the allowed share, 70 a fault of the program, 75 interrupted: start\n"
+    "the same command again to go on.\n\n"
     "Examples:\n"
     "  cagetol check inputs/studies/nu205.toml\n"
     "  cagetol simulate inputs/scenes/nu205.toml --json\n"
@@ -41,68 +32,12 @@ constexpr const char* kExamples =
     "  cagetol stability -o out/stability\n"
     "  cagetol --dump-default scene";
 
-/// Every sample of a flexible cage takes some megabytes and frees them. Giving them back to the
-/// system in between would cost as much again in page faults as computing what they hold.
-void keep_freed_memory() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 256 << 20);
-}
-
-constexpr std::size_t kPage = 4096;
-
-/// Gives `advice` of madvise for whole pages within [from, from + size).
-void advise(void* from, std::size_t size, int advice) {
-  if (std::align(kPage, kPage, from, size)) madvise(from, size - size % kPage, advice);
-}
-
-/// Maps pages at once, with `advice` of madvise, and touches each: a virtual machine may have page
-/// tables of its own behind the system's, which only a touch fills.
-void map_pages(void* from, std::size_t size, int advice) {
-  advise(from, size, advice);
-  const volatile char* const bytes = static_cast<const char*>(from);
-  for (std::size_t k = 0; k < size; k += kPage) static_cast<void>(bytes[k]);
-}
-
-/// Takes the first megabytes that a run needs at once, in large pages where they fit, and the
-/// program's code: one by one, as they are touched, pages cost a fault each, which a short run
-/// would notice (tests/ACCURACY.md).
-void take_memory() {
-  constexpr std::size_t size = 16 << 20;
-  if (void* const memory = std::malloc(size)) {
-    advise(memory, size, MADV_HUGEPAGE);
-    map_pages(memory, size, MADV_POPULATE_WRITE);
-    std::free(memory);
-  }
-  map_pages(&__executable_start, static_cast<std::size_t>(&etext - &__executable_start),
-            MADV_POPULATE_READ);
-}
-
-/// Likewise of the stack.
-[[gnu::noinline]] void take_stack() {
-  volatile char room[128 << 10];
-  for (std::size_t k = 0; k < sizeof room; k += 1024) room[k] = 0;
-}
-
-/// The exit code for an exception that ends a command, after its message.
-int code_of(const std::exception& error) {
-  using namespace cagetol;
-  const bool known = dynamic_cast<const InputError*>(&error) != nullptr ||
-                     dynamic_cast<const StudyFileError*>(&error) != nullptr ||
-                     dynamic_cast<const WriteError*>(&error) != nullptr ||
-                     is_want_of_resources(error);
-  std::fprintf(stderr, "cagetol: %s%s\n", known ? "" : "unexpected: ",
-               printable(failure_text(error), LineBreaks::kept).c_str());
-  return known ? kBadInput : kSamplesFailed;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) try {
   using namespace cagetol;
   require_process_limits();
-  keep_freed_memory();
-  take_memory();
-  take_stack();
+  avoid_page_faults();
   log_to_stderr();        // stdout is for results alone, whatever the command
   Eigen::initParallel();  // asks for the caches' sizes, which takes a virtual machine 60 us
   CLI::App app{
@@ -138,5 +73,7 @@ int main(int argc, char** argv) try {
     return kBadInput;
   }
 } catch (const std::exception& error) {
-  return code_of(error);
+  std::fprintf(stderr, "cagetol: %s\n",
+               cagetol::printable(cagetol::ending_text(error), cagetol::LineBreaks::kept).c_str());
+  return cagetol::exit_code_for(error);
 }

@@ -7,6 +7,8 @@
 
 #include <cstring>
 
+#include "mc/study_file/exit_code.hpp"
+
 #if defined(__x86_64__) && defined(__GLIBC__)
 #include <sys/platform/x86.h>
 
@@ -58,7 +60,7 @@ void print(const char* text) {
   print(
       "\n  remedy: build it on this machine, or for any x86-64 with AVX2: cmake -S . -B build "
       "-DCAGETOL_PORTABLE=ON\n");
-  ::_exit(2);
+  ::_exit(cagetol::kBadInput);
 }
 
 }  // namespace

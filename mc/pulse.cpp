@@ -11,9 +11,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "mc/exit_code.hpp"
 #include "mc/launch.hpp"
 #include "mc/signals.hpp"
+#include "mc/study_file/exit_code.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {

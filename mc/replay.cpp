@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "mc/build_info.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 

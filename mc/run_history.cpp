@@ -1,7 +1,7 @@
 #include "mc/run_history.hpp"
 
-#include "analysis/format/h5.hpp"
 #include "mc/file_write.hpp"
+#include "mc/study_file/h5.hpp"
 
 namespace cagetol {
 

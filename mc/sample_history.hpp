@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/format/h5.hpp"
 #include "mc/history_channels.hpp"
 #include "mc/study.hpp"
+#include "mc/study_file/h5.hpp"
 #include "src/window_times.hpp"
 
 namespace cagetol {

@@ -17,13 +17,19 @@ bool cage_is_checked(const Study& study, std::uint64_t id) {
          study.cage_check_share;
 }
 
+/// The cage of a sample that is checked, made before its run; nullptr where there is none.
+std::shared_ptr<const CageModel> checked_cage(const Scene& scene, const SimulateOptions& options) {
+  if (!options.cage_table) return nullptr;
+  const auto made = scene_cage_model(scene, *options.cage_table);
+  const auto* model = std::get_if<std::shared_ptr<const CageModel>>(&made);
+  return model == nullptr ? nullptr : *model;
+}
+
 /// Largest frequency error of the sample's cage model against a full solve; NaN where that has no
 /// solution.
-double cage_error(const Scene& scene, const CageTable& table) {
-  const auto made = scene_cage_model(scene, table);
-  const auto& model = std::get<std::shared_ptr<const CageModel>>(made);
+double cage_error(const Scene& scene, const CageTable& table, const CageModel& model) {
   try {
-    return check_cage_model(table, pocket_deviations(scene.cage, table.cage), *model).largest_error;
+    return check_cage_model(table, pocket_deviations(scene.cage, table.cage), model).largest_error;
   } catch (const UnsolvedCage&) {
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -47,9 +53,12 @@ SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions o
       if (history) history->record(at);
       if (on_instant) on_instant(at);
     };
+  if (is_flexible(scene) && cage_is_checked(study, sample.id))
+    options.cage_model = checked_cage(scene, options);
   SampleRun run{simulate(scene, options), {}};
-  if (is_flexible(scene) && run.outcome.status == Status::ok && cage_is_checked(study, sample.id))
-    run.outcome.run.cage_frequency_error = cage_error(scene, *options.cage_table);
+  if (options.cage_model && run.outcome.status == Status::ok)
+    run.outcome.run.cage_frequency_error =
+        cage_error(scene, *options.cage_table, *options.cage_model);
   if (history) run.history = history->take();
   return run;
 }

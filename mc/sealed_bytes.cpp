@@ -1,7 +1,7 @@
 #include "mc/sealed_bytes.hpp"
 
-#include "analysis/format/checksum.hpp"
 #include "mc/byte_stream.hpp"
+#include "mc/study_file/checksum.hpp"
 
 namespace cagetol {
 namespace {

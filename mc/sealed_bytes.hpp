@@ -1,7 +1,7 @@
 // Bytes that prove themselves: any flipped bit, cut-off or added byte is found.
 //
 // "CAGETOLT", length of the head (8 bytes), length of the content (8), head, content, checksum of
-// all that (8). CRC-64 (analysis/format/checksum.hpp) finds every single flipped bit and every
+// all that (8). CRC-64 (mc/study_file/checksum.hpp) finds every single flipped bit and every
 // burst of up to 64 bits; other damage passes it once in 2^64. Numbers are in the machine's own
 // byte order.
 #pragma once

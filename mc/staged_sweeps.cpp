@@ -6,11 +6,11 @@
 
 #include <filesystem>
 
-#include "analysis/format/study_file_error.hpp"
-#include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
 #include "mc/signals.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
+#include "mc/study_file/exit_code.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "mc/sweep.hpp"
 #include "mc/sweep_directory.hpp"
 
@@ -113,8 +113,8 @@ int run_staged(const MakePlan& make_plan, ProgressStyle progress,
     fmt::print(stderr, "cagetol: {}\n", problem.what());
     code = problem.can_go_on() ? kInterrupted : kBadInput;
   } catch (const std::exception& problem) {
-    fmt::print(stderr, "cagetol: {}\n", failure_text(problem));
-    if (is_want_of_resources(problem)) code = kInterrupted;
+    fmt::print(stderr, "cagetol: {}\n", ending_text(problem));
+    code = is_want_of_resources(problem) ? kInterrupted : exit_code_for(problem);
   }
   const int refused = stages.end();
   return refused != kDone ? refused : code;

@@ -10,6 +10,10 @@
 
 #include "distributions/design.hpp"
 #include "distributions/law.hpp"
+#include "mc/study_file/correlation.hpp"
+#include "mc/study_file/limit.hpp"
+#include "mc/study_file/tolerance.hpp"
+#include "mc/study_file/trend.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -27,29 +31,6 @@ struct UncertainInput {
   std::optional<Law> noise;  ///< drawn from the sample's own noise stream: not part of the design
 };
 
-/// A bound on a quantity of interest that every cage must keep; at least one of minimum and maximum
-/// is given.
-struct Limit {
-  std::string quantity;
-  std::optional<double> minimum, maximum;  ///< in the quantity's unit
-  std::string source;                      ///< where the bound comes from
-  double cage_revolutions = 0;             ///< of the window it is meant for; 0: not stated
-};
-
-/// What a tolerance costs, in any one currency: a + b / band^k (band in mm), or the straight lines
-/// through a table.
-struct CostCurve {
-  double a = 0, b = 0, k = 1;
-  std::vector<std::pair<double, double>> table;  ///< band in mm and cost, bands ascending; or empty
-};
-
-struct ToleranceDimension {
-  std::string key;
-  double band_mm = 0;                   ///< full width to which the laws of the study belong
-  std::vector<std::string> candidates;  ///< "IT9", or a band in mm
-  std::optional<CostCurve> cost;
-};
-
 /// How `cagetol recommend` goes about it: pilot, mixture of all candidates, confirmations.
 struct RecommendPlan {
   long pilot_samples = 128;
@@ -65,35 +46,10 @@ struct TolerancePlan {
   std::vector<ToleranceDimension> dimensions;
 };
 
-/// One combination of candidate bands, in the order of TolerancePlan::dimensions.
-struct Candidate {
-  std::vector<double> bands_mm;
-  std::vector<std::string> grades;  ///< "" where the band was given in mm
-  std::vector<double> scales;       ///< band / band_mm
-};
-
-/// What a source claims about a quantity between two levels of a dimension.
-struct Trend {
-  std::string claim;        ///< in words
-  std::string quantity;     ///< of interest
-  std::string key;          ///< scene key that varies by lot
-  double from = 0, to = 0;  ///< lot deviations, in the key's unit
-  std::string expected;     ///< of the quantity on the way: rises, falls, level, unclear
-  double by_share = 0;      ///< by how much, as a share of its mean at `from`
-  double by_value = 0;      ///< by how much, in its unit
-  std::string source;       ///< where the claim is made
-};
-
 /// The time histories that a sweep keeps of each sample (sample_history.hpp).
 struct HistoryPlan {
   long points = 0;  ///< instants; 0: none are kept
   long roller = 0;  ///< whose spin is kept, from 0
-};
-
-/// Gaussian-copula correlation between two inputs of one scope ("cage.pocket_width_mm:lot").
-struct Correlation {
-  std::string first, second;
-  double rho = 0;
 };
 
 /// What a rung of the model ladder does to the mean of a limited quantity, in the quantity's unit

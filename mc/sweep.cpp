@@ -10,12 +10,12 @@
 #include <optional>
 
 #include "mc/alone.hpp"
-#include "mc/exit_code.hpp"
 #include "mc/failure.hpp"
 #include "mc/forecast.hpp"
 #include "mc/hand_out.hpp"
 #include "mc/signals.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
+#include "mc/study_file/exit_code.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {
@@ -300,9 +300,10 @@ int Sweep::run(const Team& team) {
   } catch (const std::exception& problem) {
     // The other ranks wait for answers that nobody gives: an orderly end of MPI would wait for
     // them. Journals are complete.
-    spdlog::error("{}; rank {} ends: start the same command again to go on", failure_text(problem),
-                  launch_.rank);
-    ::_exit(kInterrupted);
+    const bool fault = exit_code_for(problem) == kUnexpected;
+    spdlog::error("{}; rank {} ends{}", ending_text(problem), launch_.rank,
+                  fault ? "" : ": start the same command again to go on");
+    ::_exit(fault ? kUnexpected : kInterrupted);
   }
   team.meet();
   return code;

@@ -24,8 +24,9 @@ struct SweepOptions {
 
 /// `make_plan` reads the study; every rank calls it. Returns the exit code of the program on rank
 /// 0, and 0 on other ranks: 0 done, 2 bad input or unusable directory, 3 more samples failed than
-/// the study allows, 75 interrupted: start again to go on. Problems are printed by one rank only.
-/// May end the process itself with 75 when a signal leaves no time for an orderly end.
+/// the study allows, 70 a fault of the program, 75 interrupted: start again to go on. Problems are
+/// printed by one rank only. May end the process itself with 75 when a signal leaves no time for an
+/// orderly end.
 int run_sweep(const std::function<SweepPlan()>& make_plan, const SweepOptions& options);
 
 /// One sweep in two steps, for programs that run several below one MPI; run_sweep does both. A

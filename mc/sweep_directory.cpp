@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "analysis/format/study_file_error.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "src/input/toml_file.hpp"
 
 namespace cagetol {

@@ -8,7 +8,7 @@
 
 #include "mc/file_write.hpp"
 #include "mc/journal.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 
 namespace cagetol {
 

@@ -8,13 +8,13 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
 #include <thread>
 
-#include "mc/exit_code.hpp"
 #include "mc/process_limits.hpp"
 #include "mc/pulse.hpp"
 #include "mc/signals.hpp"
+#include "mc/study_file/exit_code.hpp"
+#include "src/input/input_error.hpp"
 
 namespace cagetol {
 namespace {
@@ -44,8 +44,8 @@ Team::Team(const Launch& launch) : under_mpi_(launch.under_mpi), hosts_{host_nam
   int provided = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
   if (provided < MPI_THREAD_SERIALIZED)
-    throw std::runtime_error(
-        "this MPI library allows no threads: build Open MPI with thread support");
+    throw InputError({}, "", "", "this MPI library allows no threads",
+                     "build Open MPI with thread support");
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
   try {

@@ -59,6 +59,7 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> elastic_cage(
                      "its finite elements cannot be solved: " + why +
                          "; choose another cage.mesh_density, or a cage less slender"};
   };
+  if (options.cage_model) return options.cage_model;
   if (options.cage_table) return scene_cage_model(scene, *options.cage_table);
   if (!options.why_no_cage.empty()) return unsolved(options.why_no_cage);
   try {

@@ -13,12 +13,15 @@ namespace cagetol {
 
 struct System;
 struct CageTable;
+struct CageModel;
 
 /// Optional inputs of a run.
 struct SimulateOptions {
   /// Table of the flexible cage (src/cage/scene_cage.hpp), which the samples of a study share. If
   /// null, one is made from the pockets of the scene, which takes some seconds.
   std::shared_ptr<const CageTable> cage_table = {};
+  /// The flexible cage of this very scene, where the caller has made it already.
+  std::shared_ptr<const CageModel> cage_model = {};
   /// If not empty: why this sample's flexible cage has no table. The run fails with this reason.
   std::string why_no_cage = {};
   /// Called at every accepted state, after its linearisation (src/integration/system.hpp). For time

@@ -13,7 +13,7 @@
 #include "analysis/statistics/order_statistics.hpp"
 #include "analysis/statistics/summary.hpp"
 #include "analysis/study/judgement.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "distributions/random_stream.hpp"
 
 namespace cagetol {
@@ -246,7 +246,7 @@ void Comparer::compare_outcomes() {
   };
   if (!before_.data.plan.limits.empty())
     add_share("all limits", "yield", meets(judge_all(before_.data)), meets(judge_all(after_.data)));
-  for (const LimitPlan& limit : before_.data.plan.limits)
+  for (const Limit& limit : before_.data.plan.limits)
     add_share(limit.quantity, "yield of its limit", meets(judge(before_.data, limit)),
               meets(judge(after_.data, limit)));
   const auto with_status = [](const StudyData& data, bool jams) {

@@ -42,8 +42,8 @@ double known_mean(std::span<const double> values) {
   return sum / count;
 }
 
-bool meets(double value, std::span<const LimitPlan> limits) {
-  return std::all_of(limits.begin(), limits.end(), [value](const LimitPlan& limit) {
+bool meets(double value, std::span<const Limit> limits) {
+  return std::all_of(limits.begin(), limits.end(), [value](const Limit& limit) {
     return !(limit.minimum && value < *limit.minimum) && !(limit.maximum && value > *limit.maximum);
   });
 }
@@ -53,9 +53,9 @@ struct Interval {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 };
-Interval allowed(std::span<const LimitPlan> limits) {
+Interval allowed(std::span<const Limit> limits) {
   Interval interval;
-  for (const LimitPlan& limit : limits) {
+  for (const Limit& limit : limits) {
     if (limit.minimum) interval.lower = std::max(interval.lower, *limit.minimum);
     if (limit.maximum) interval.upper = std::min(interval.upper, *limit.maximum);
   }
@@ -73,7 +73,7 @@ Terms squares(const PairedRuns& runs) {
   return terms;
 }
 
-Terms passes(const PairedRuns& runs, std::span<const LimitPlan> limits) {
+Terms passes(const PairedRuns& runs, std::span<const Limit> limits) {
   Terms terms;
   for (const double x : runs.dear) terms.h.push_back(std::isnan(x) ? x : meets(x, limits));
   const Pairs pairs = known_pairs(runs.dear, runs.cheap);
@@ -95,8 +95,7 @@ Terms passes(const PairedRuns& runs, std::span<const LimitPlan> limits) {
   return terms;
 }
 
-Terms terms_of(HelpedStatistic statistic, const PairedRuns& runs,
-               std::span<const LimitPlan> limits) {
+Terms terms_of(HelpedStatistic statistic, const PairedRuns& runs, std::span<const Limit> limits) {
   switch (statistic) {
     case HelpedStatistic::deviation:
       return squares(runs);
@@ -129,7 +128,7 @@ const char* helped_statistic_name(HelpedStatistic statistic) {
 }
 
 HelpedEstimate helped_estimate(HelpedStatistic statistic, const PairedRuns& runs,
-                               std::span<const LimitPlan> limits) {
+                               std::span<const Limit> limits) {
   HelpedEstimate estimate;
   if (known_pairs(runs.dear, runs.cheap).first.size() < kFewestPilotSamples) return estimate;
   const Terms terms = terms_of(statistic, runs, limits);
@@ -174,7 +173,7 @@ double best_cheap_ratio(double correlation, double cost) {
 }
 
 double resampled_gain(HelpedStatistic statistic, const PairedRuns& runs,
-                      std::span<const LimitPlan> limits, double cost, std::uint64_t seed,
+                      std::span<const Limit> limits, double cost, std::uint64_t seed,
                       int resamples) {
   const std::size_t n = runs.dear.size(), m = runs.cheap.size();
   std::vector<double> dear(n), cheap(m), plain, helped;

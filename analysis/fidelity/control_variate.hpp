@@ -51,7 +51,7 @@ struct HelpedEstimate {
 /// The statistic with the control variate. `limits` are for the yield only. Undefined with fewer
 /// than kFewestPilotSamples pairs or without scatter.
 HelpedEstimate helped_estimate(HelpedStatistic statistic, const PairedRuns& runs,
-                               std::span<const LimitPlan> limits);
+                               std::span<const Limit> limits);
 
 /// Gain for the same cost, by the formula above; 0 if the correlation is unknown.
 double gain_at_cost(double correlation, double samples, double cheap_samples, double cost);
@@ -64,7 +64,7 @@ double best_cheap_ratio(double correlation, double cost);
 /// the statistic with control variate, from `resamples` resamples. Pairs and the additional cheap
 /// runs are resampled separately, and a is fitted again for each resample.
 double resampled_gain(HelpedStatistic statistic, const PairedRuns& runs,
-                      std::span<const LimitPlan> limits, double cost, std::uint64_t seed,
+                      std::span<const Limit> limits, double cost, std::uint64_t seed,
                       int resamples);
 
 }  // namespace cagetol

@@ -33,9 +33,9 @@ bool is_defined(const LadderQuantity& quantity) {
   return std::isfinite(quantity.ladder.budget);
 }
 
-Json limits_json(const std::vector<LimitPlan>& limits) {
+Json limits_json(const std::vector<Limit>& limits) {
   Json list = Json::array();
-  for (const LimitPlan& limit : limits)
+  for (const Limit& limit : limits)
     list.push_back({{"minimum", limit.minimum ? Json(*limit.minimum) : Json()},
                     {"maximum", limit.maximum ? Json(*limit.maximum) : Json()}});
   return list;
@@ -84,12 +84,12 @@ std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quan
 
 }  // namespace
 
-std::string limits_text(const std::vector<LimitPlan>& limits) {
+std::string limits_text(const std::vector<Limit>& limits) {
   std::string text;
   const auto add = [&](const char* what, const std::optional<double>& bound) {
     if (bound) text += fmt::format("{}{} {:g}", text.empty() ? "limit " : ", ", what, *bound);
   };
-  for (const LimitPlan& limit : limits) {
+  for (const Limit& limit : limits) {
     add("at least", limit.minimum);
     add("at most", limit.maximum);
   }

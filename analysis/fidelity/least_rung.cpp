@@ -36,15 +36,15 @@ double allowed_share(const LadderRule& rule) {
 }
 
 double wrong_share(const std::vector<double>& values, const std::vector<double>& reference,
-                   std::span<const LimitPlan> limits, const LadderRule& rule) {
+                   std::span<const Limit> limits, const LadderRule& rule) {
   double share = kUndefined;
-  for (const LimitPlan& limit : limits)
+  for (const Limit& limit : limits)
     share = std::fmax(share, settled_limit(values, reference, limit, rule.confidence).wrong_share);
   return share;
 }
 
 RungShift judged(const std::vector<double>& values, const std::vector<double>& reference,
-                 double budget, const LadderRule& rule, std::span<const LimitPlan> limits) {
+                 double budget, const LadderRule& rule, std::span<const Limit> limits) {
   const PairedDifference paired = paired_difference(reference, values, rule.confidence);
   RungShift rung;
   rung.shift = paired.difference;
@@ -96,7 +96,7 @@ bool will_do(RungVerdict verdict) {
 }
 
 QuantityLadder least_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
-                          std::span<const LimitPlan> limits) {
+                          std::span<const Limit> limits) {
   QuantityLadder ladder;
   if (!limits.empty()) ladder.allowed_wrong_share = allowed_share(rule);
   const std::vector<double>& reference = values.back();

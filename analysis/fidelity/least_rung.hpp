@@ -64,7 +64,7 @@ struct QuantityLadder {
 /// `least` is the cheapest sufficient rung. It is the reference only if all others are biased or
 /// unusable.
 QuantityLadder least_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
-                          std::span<const LimitPlan> limits = {});
+                          std::span<const Limit> limits = {});
 
 /// True if a limit on the quantity is not settled on the reference itself. Rungs can then be judged
 /// by the mean only.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/fidelity/multifidelity.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
 namespace {
@@ -37,9 +37,9 @@ double predicted_gain(const std::vector<std::vector<double>>& values,
   return pilot.size() > 1 ? plan_multifidelity(pilot, costs).gain : 1;
 }
 
-std::vector<LimitPlan> limits_on(const std::string& quantity, const StudyPlan& plan) {
-  std::vector<LimitPlan> limits;
-  for (const LimitPlan& limit : plan.limits)
+std::vector<Limit> limits_on(const std::string& quantity, const StudyPlan& plan) {
+  std::vector<Limit> limits;
+  for (const Limit& limit : plan.limits)
     if (limit.quantity == quantity) limits.push_back(limit);
   return limits;
 }

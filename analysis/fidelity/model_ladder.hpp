@@ -20,7 +20,7 @@ struct LadderRung {
 
 struct LadderQuantity {
   std::string name, unit;
-  std::vector<LimitPlan> limits = {};  ///< limits of the study on this quantity
+  std::vector<Limit> limits = {};  ///< limits of the study on this quantity
   QuantityLadder ladder;
   /// Predicted gain of a mean with the help of cheaper rungs (multifidelity.hpp), from measured
   /// costs; 1: the reference alone.
@@ -53,7 +53,7 @@ ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<S
 std::size_t chosen_rung(const ModelLadder& ladder);
 
 /// "limit at least 1, at most 2".
-std::string limits_text(const std::vector<LimitPlan>& limits);
+std::string limits_text(const std::vector<Limit>& limits);
 
 nlohmann::ordered_json ladder_json(const ModelLadder& ladder);
 std::string ladder_csv(const ModelLadder& ladder);

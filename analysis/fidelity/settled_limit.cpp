@@ -9,7 +9,7 @@
 namespace cagetol {
 namespace {
 
-LimitSide side_of(double value, const LimitPlan& limit) {
+LimitSide side_of(double value, const Limit& limit) {
   if (limit.maximum && value > *limit.maximum) return LimitSide::above;
   if (limit.minimum && value < *limit.minimum) return LimitSide::below;
   return LimitSide::within;
@@ -22,7 +22,7 @@ double lower_tail_bound(std::vector<double> values, double limit, double confide
 }
 
 /// `error` is the chance that this bound may fail.
-double wrong_share(const std::vector<double>& values, LimitSide side, const LimitPlan& limit,
+double wrong_share(const std::vector<double>& values, LimitSide side, const Limit& limit,
                    double error) {
   if (side == LimitSide::above) return lower_tail_bound(values, *limit.maximum, 1 - error);
   if (side == LimitSide::below) return tail_bound(values, *limit.minimum, 1 - error);
@@ -36,7 +36,7 @@ double wrong_share(const std::vector<double>& values, LimitSide side, const Limi
 }  // namespace
 
 SettledLimit settled_limit(std::span<const double> values, std::span<const double> reference,
-                           const LimitPlan& limit, double confidence) {
+                           const Limit& limit, double confidence) {
   std::vector<double> own, others;
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (std::isnan(values[k]) || std::isnan(reference[k])) continue;

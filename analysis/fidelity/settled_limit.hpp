@@ -33,7 +33,7 @@ inline constexpr std::size_t kFewestSettledPairs = 8;
 /// `values` and `reference` have one element per sample, NaN: no value. Only samples with both
 /// values count.
 SettledLimit settled_limit(std::span<const double> values, std::span<const double> reference,
-                           const LimitPlan& limit, double confidence);
+                           const Limit& limit, double confidence);
 
 /// Largest share p on the wrong side of a settled limit. With K candidates, p_k <= K p for
 /// candidate k, and its yield has the standard error sqrt(Y (1 - Y) K / N). Therefore

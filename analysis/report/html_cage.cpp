@@ -29,8 +29,8 @@ std::string accuracy_text(const Json& accuracy) {
 std::string peak_text(const Json& peak, const FigureSet& figures) {
   if (peak.is_null())
     return note(
-        "No stress field is drawn: no sample has a stress yet, or its run could not be "
-        "repeated when this report was made.");
+        "No stress field is drawn: no sample has a stress yet, or the last step of the sweep, "
+        "which stores the field, is missing. Start the same sweep again to make it.");
   const Json& at = peak["full"];
   return paragraph(fmt::format(
              "The largest stress of all samples: <b>{} MPa</b> at a stress station of sample {}, "

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analysis/report/json_parts.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "analysis/tolerance/campaign.hpp"
 #include "analysis/tolerance/centre_curve.hpp"
 
@@ -17,7 +17,7 @@ constexpr std::size_t kResamples = 500;
 Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t number) {
   const auto rules = confirmation_rules(mixture.plan, 0);
   const Confirmation result = judge_confirmation(runs, rules);
-  const CandidatePlan& tolerance = runs.plan.candidates.front();
+  const Candidate& tolerance = runs.plan.candidates.front();
   Json bands = Json::array();
   for (std::size_t d = 0; d < tolerance.bands_mm.size(); ++d)
     bands.push_back({{"name", dimension_name(runs.plan.dimensions[d].key)},

@@ -9,7 +9,7 @@
 #include "analysis/sensitivity/noise_share.hpp"
 #include "analysis/sensitivity/pick_freeze.hpp"
 #include "analysis/sensitivity/rank_shares.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 namespace {

@@ -32,7 +32,7 @@ std::size_t pilot_pairs(const StudyData& runs) {
 
 struct Helped {
   const std::vector<double>&dear, &cheap;
-  const std::vector<LimitPlan>& limits;
+  const std::vector<Limit>& limits;
   std::size_t pilot = 0;
   double cost = 0;  ///< of a cheap run over that of a dear one
   std::uint64_t seed = 0;
@@ -66,8 +66,8 @@ Json statistic_json(HelpedStatistic statistic, const Helped& helped) {
 
 Json quantity_json(const ReportBasis& basis, const StudyData& companion, const Column& column,
                    double cost) {
-  std::vector<LimitPlan> limits;
-  for (const LimitPlan& limit : basis.runs.plan.limits)
+  std::vector<Limit> limits;
+  for (const Limit& limit : basis.runs.plan.limits)
     if (limit.quantity == column.name) limits.push_back(limit);
   const auto dear = ok_values(basis.runs, column.values),
              cheap = ok_values(companion, find_quantity(companion, column.name)->values);

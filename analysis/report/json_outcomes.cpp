@@ -18,7 +18,7 @@ std::string replay_command(const ReportBasis& basis, std::int64_t id) {
   return fmt::format("cagetol replay {} --sample {}", basis.directory, id);
 }
 
-std::string limit_text(const LimitPlan& limit, const std::string& unit) {
+std::string limit_text(const Limit& limit, const std::string& unit) {
   const std::string suffix = unit.empty() || unit == "-" ? "" : " " + unit;
   std::string text;
   if (limit.minimum) text += fmt::format("at least {:.4g}{}", *limit.minimum, suffix);
@@ -28,7 +28,7 @@ std::string limit_text(const LimitPlan& limit, const std::string& unit) {
 }
 
 /// How far beyond the nearer limit, relative to the limit's size; negative inside.
-double excess(double value, const LimitPlan& limit) {
+double excess(double value, const Limit& limit) {
   double largest = -std::numeric_limits<double>::infinity();
   if (limit.maximum) largest = std::max(largest, value - *limit.maximum);
   if (limit.minimum) largest = std::max(largest, *limit.minimum - value);
@@ -93,7 +93,7 @@ Json limits_json(const ReportBasis& basis) {
   const std::vector<double> equal(basis.runs.size(), 1.0);
   Json limits;
   Json single = Json::array();
-  for (const LimitPlan& limit : basis.study.plan.limits) {
+  for (const Limit& limit : basis.study.plan.limits) {
     const Column* column = find_quantity(basis.runs, limit.quantity);
     const std::string unit = column == nullptr ? "" : column->unit;
     const Yield yield = estimate_yield(basis.runs, judge(basis.runs, limit), equal,
@@ -143,7 +143,7 @@ Json failures_json(const ReportBasis& basis) {
 Json worst_samples_json(const ReportBasis& basis) {
   Json worst = Json::array();
   const StudyData& runs = basis.runs;
-  for (const LimitPlan& limit : basis.study.plan.limits) {
+  for (const Limit& limit : basis.study.plan.limits) {
     const Column* column = find_quantity(runs, limit.quantity);
     if (column == nullptr || (!limit.maximum && !limit.minimum)) continue;
     std::vector<std::size_t> order;

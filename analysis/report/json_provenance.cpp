@@ -18,7 +18,7 @@ Json provenance_json(const StudyData& study) {
                       {"pocket", input.pocket},
                       {"noise", input.noise}});
   Json correlations = Json::array();
-  for (const CorrelationPlan& pair : study.plan.correlations)
+  for (const Correlation& pair : study.plan.correlations)
     correlations.push_back({{"first", pair.first}, {"second", pair.second}, {"rho", pair.rho}});
   return {{"study_name", from.study_name},
           {"study_hash", from.study_hash},

@@ -20,8 +20,8 @@ constexpr std::size_t kFewestForLook = 32;
 constexpr std::size_t kResamplesOfLook = 300;
 constexpr std::size_t kResamplesOfNoise = 500;
 
-const LimitPlan* limit_of(const StudyPlan& plan, const std::string& quantity) {
-  for (const LimitPlan& limit : plan.limits)
+const Limit* limit_of(const StudyPlan& plan, const std::string& quantity) {
+  for (const Limit& limit : plan.limits)
     if (limit.quantity == quantity) return &limit;
   return nullptr;
 }
@@ -70,7 +70,7 @@ Json look_json(const ReportBasis& basis, const StudyData& results, std::size_t c
   look["yield"] =
       to_json(estimate_yield(part, judge_all(part), equal, resampling, basis.confidence));
   Json quantiles = Json::object();
-  for (const LimitPlan& limit : part.plan.limits) {
+  for (const Limit& limit : part.plan.limits) {
     const Column* column = find_quantity(part, limit.quantity);
     if (column == nullptr) continue;
     const auto order = ascending_order(column->values);
@@ -94,7 +94,7 @@ Json quantities_json(const ReportBasis& basis) {
     const NoiseShare noise =
         noise_share(basis.study, find_quantity(basis.study, column.name)->values, basis.confidence,
                     kResamplesOfNoise);
-    const LimitPlan* limit = limit_of(basis.study.plan, column.name);
+    const Limit* limit = limit_of(basis.study.plan, column.name);
     Json entry{
         {"quantity", column.name}, {"unit", column.unit}, {"definition", column.description}};
     entry["limit"] = limit == nullptr
@@ -113,7 +113,7 @@ Json quantities_json(const ReportBasis& basis) {
 
 Json capability_json(const ReportBasis& basis) {
   Json list = Json::array();
-  for (const LimitPlan& limit : basis.study.plan.limits) {
+  for (const Limit& limit : basis.study.plan.limits) {
     const Column* column = find_quantity(basis.runs, limit.quantity);
     if (column == nullptr) continue;
     const ProcessCapability result = process_capability(

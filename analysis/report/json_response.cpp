@@ -66,7 +66,7 @@ Json quantities_of(const StudyData& study, const GridCells& cells) {
     if (!has_values(column.values)) continue;
     const bool claimed =
         std::any_of(study.plan.trends.begin(), study.plan.trends.end(),
-                    [&](const TrendPlan& trend) { return trend.quantity == column.name; });
+                    [&](const Trend& trend) { return trend.quantity == column.name; });
     list.push_back({{"quantity", column.name},
                     {"unit", column.unit},
                     {"claimed", claimed},

@@ -29,7 +29,7 @@ bool shown(const Yield& yield) {
 Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
   Json list = Json::array();
   for (std::size_t k = 0; k < curves.candidates.size(); ++k) {
-    const CandidatePlan& plan = basis.study.plan.candidates[k];
+    const Candidate& plan = basis.study.plan.candidates[k];
     list.push_back({{"candidate", k},
                     {"bands_mm", plan.bands_mm},
                     {"grades", plan.grades},

@@ -26,7 +26,7 @@ Json relative(const Estimate& estimate, double reference) {
   return to_json(Estimate{estimate.value / scale, estimate.lower / scale, estimate.upper / scale});
 }
 
-Json trend_json(const TrendPlan& trend, const ReportBasis& basis, const GridCells& cells,
+Json trend_json(const Trend& trend, const ReportBasis& basis, const GridCells& cells,
                 std::size_t setting) {
   const Column* column = find_quantity(basis.study, trend.quantity);
   const auto from = cells.find_level(trend.from), to = cells.find_level(trend.to);
@@ -56,7 +56,7 @@ Json trend_json(const TrendPlan& trend, const ReportBasis& basis, const GridCell
 Json trends_json(const ReportBasis& basis) {
   Json rows = Json::array();
   std::map<std::string, int> verdicts;
-  for (const TrendPlan& trend : basis.study.plan.trends) {
+  for (const Trend& trend : basis.study.plan.trends) {
     const auto cells = grid_cells(basis.study, trend.key);
     if (!cells) continue;
     const Column* column = find_quantity(basis.study, trend.quantity);

@@ -35,7 +35,7 @@ std::filesystem::path study_file_in(const std::filesystem::path& directory) {
   return std::filesystem::exists(mixture) ? mixture : directory / "study.h5";
 }
 
-int run_report(const std::filesystem::path& study_dir, const ReportOptions& options) {
+ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions& options) {
   const auto file = study_file_in(study_dir);
   const bool staged = file.parent_path() != study_dir;
   const StudyData study = read_study_data(file);
@@ -57,7 +57,7 @@ int run_report(const std::filesystem::path& study_dir, const ReportOptions& opti
   }
   if (!figures.problem.empty())
     fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
-  return 0;
+  return kDone;
 }
 
 }  // namespace cagetol

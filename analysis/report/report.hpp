@@ -8,6 +8,7 @@
 #include <string>
 
 #include "analysis/study/study_data.hpp"
+#include "mc/study_file/exit_code.hpp"
 
 namespace cagetol {
 
@@ -37,7 +38,7 @@ std::filesystem::path study_file_in(const std::filesystem::path& directory);
 /// Reads DIR/study.h5, or DIR/mixture/study.h5 and the confirmations beside it, and writes
 /// report.json, report.html, samples.csv, quantities.csv, error_budget.csv, contributors.csv,
 /// yield.csv and figures/ beside it. Figures that cannot be drawn are replaced by the reason.
-/// Prints the verdict. Returns 0; throws StudyFileError.
-int run_report(const std::filesystem::path& study_dir, const ReportOptions& options = {});
+/// Prints the verdict. Returns kDone; throws StudyFileError.
+ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions& options = {});
 
 }  // namespace cagetol

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "analysis/study/study_file_error.hpp"
+#include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
 

@@ -72,7 +72,7 @@ const char* trend_verdict_name(TrendVerdict verdict) {
   return "unknown";
 }
 
-TrendFinding judge_trend(const TrendPlan& trend, const PairedDifference& seen) {
+TrendFinding judge_trend(const Trend& trend, const PairedDifference& seen) {
   if (seen.pairs == 0)
     return {TrendVerdict::no_values, 0, "no pair of runs has a value of this quantity"};
   const double change =

@@ -24,6 +24,6 @@ struct TrendFinding {
   std::string reason;  ///< reason for the verdict, in words
 };
 
-TrendFinding judge_trend(const TrendPlan& trend, const PairedDifference& seen);
+TrendFinding judge_trend(const Trend& trend, const PairedDifference& seen);
 
 }  // namespace cagetol

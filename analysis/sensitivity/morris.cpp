@@ -4,7 +4,7 @@
 #include <map>
 
 #include "analysis/study/design_blocks.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "analysis/statistics/order_statistics.hpp"
 #include "analysis/study/design_blocks.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "distributions/random_stream.hpp"
 
 namespace cagetol {
@@ -23,7 +23,7 @@ std::string group_column(const StudyDesign& design, const std::string& input) {
 }
 
 void require_independent_groups(const StudyData& runs) {
-  for (const CorrelationPlan& pair : runs.plan.correlations)
+  for (const Correlation& pair : runs.plan.correlations)
     if (pair.rho != 0 &&
         group_column(runs.design, pair.first) != group_column(runs.design, pair.second))
       throw Refused(

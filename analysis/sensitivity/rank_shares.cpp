@@ -4,7 +4,7 @@
 
 #include "analysis/statistics/estimate.hpp"
 #include "analysis/statistics/order_statistics.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 

@@ -10,7 +10,7 @@
 
 #include "analysis/statistics/order_statistics.hpp"
 #include "analysis/study/design_blocks.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "distributions/random_stream.hpp"
 
 namespace cagetol {

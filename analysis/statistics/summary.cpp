@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analysis/statistics/order_statistics.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 

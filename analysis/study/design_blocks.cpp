@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 namespace {

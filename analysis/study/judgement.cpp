@@ -5,7 +5,7 @@
 namespace cagetol {
 namespace {
 
-Judgement judge_value(double value, const LimitPlan& limit) {
+Judgement judge_value(double value, const Limit& limit) {
   if (std::isnan(value)) return Judgement::unknown;
   if (limit.minimum && value < *limit.minimum) return Judgement::misses;
   if (limit.maximum && value > *limit.maximum) return Judgement::misses;
@@ -20,7 +20,7 @@ Judgement judge_status(RunStatus status) {
 
 }  // namespace
 
-std::vector<Judgement> judge(const StudyData& study, const LimitPlan& limit) {
+std::vector<Judgement> judge(const StudyData& study, const Limit& limit) {
   const Column* column = find_quantity(study, limit.quantity);
   std::vector<Judgement> judgements(study.size());
   for (std::size_t i = 0; i < study.size(); ++i) {
@@ -35,7 +35,7 @@ std::vector<Judgement> judge(const StudyData& study, const LimitPlan& limit) {
 std::vector<Judgement> judge_all(const StudyData& study) {
   std::vector<Judgement> joint(study.size());
   for (std::size_t i = 0; i < study.size(); ++i) joint[i] = judge_status(study.status[i]);
-  for (const LimitPlan& limit : study.plan.limits) {
+  for (const Limit& limit : study.plan.limits) {
     const auto single = judge(study, limit);
     for (std::size_t i = 0; i < study.size(); ++i) {
       if (single[i] == Judgement::misses) joint[i] = Judgement::misses;

@@ -14,7 +14,7 @@ namespace cagetol {
 enum class Judgement { meets, misses, unknown };
 
 /// Judgement of every sample by one limit.
-std::vector<Judgement> judge(const StudyData& study, const LimitPlan& limit);
+std::vector<Judgement> judge(const StudyData& study, const Limit& limit);
 
 /// Judgement by all limits together: one miss decides; otherwise one unknown makes it unknown.
 std::vector<Judgement> judge_all(const StudyData& study);

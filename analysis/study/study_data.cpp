@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "analysis/format/hdf5_reader.hpp"
-#include "analysis/format/study_bytes.hpp"
 #include "analysis/statistics/estimate.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "mc/study_file/hdf5_reader.hpp"
+#include "mc/study_file/study_bytes.hpp"
+#include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,6 +1,8 @@
 #include "analysis/study/study_plan.hpp"
 
-#include "analysis/study/study_file_error.hpp"
+#include <fmt/format.h>
+
+#include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
 namespace {
@@ -34,8 +36,8 @@ InputPlan read_input(const Json& object) {
   return input;
 }
 
-LimitPlan read_limit(const Json& object) {
-  LimitPlan limit;
+Limit read_limit(const Json& object) {
+  Limit limit;
   limit.quantity = object.at("quantity").get<std::string>();
   limit.minimum = optional_number(object, "min");
   limit.maximum = optional_number(object, "max");
@@ -44,18 +46,18 @@ LimitPlan read_limit(const Json& object) {
   return limit;
 }
 
-CandidatePlan read_candidate(const Json& object) {
+Candidate read_candidate(const Json& object) {
   return {object.at("bands_mm").get<std::vector<double>>(),
           object.at("grades").get<std::vector<std::string>>(),
           object.at("scales").get<std::vector<double>>()};
 }
 
-CorrelationPlan read_correlation(const Json& object) {
+Correlation read_correlation(const Json& object) {
   const auto between = object.at("between").get<std::vector<std::string>>();
   return {between.at(0), between.at(1), object.at("rho").get<double>()};
 }
 
-TrendPlan read_trend(const Json& object) {
+Trend read_trend(const Json& object) {
   const auto between = object.at("between").get<std::vector<double>>();
   return {object.at("claim").get<std::string>(),
           object.at("quantity").get<std::string>(),
@@ -68,8 +70,8 @@ TrendPlan read_trend(const Json& object) {
           object.value("source", "")};
 }
 
-std::optional<CostPlan> read_cost(const Json& dimension) {
-  CostPlan cost;
+std::optional<CostCurve> read_cost(const Json& dimension) {
+  CostCurve cost;
   if (dimension.contains("cost_table")) {
     for (const Json& point : dimension.at("cost_table"))
       cost.table.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
@@ -80,6 +82,18 @@ std::optional<CostPlan> read_cost(const Json& dimension) {
   cost.b = dimension.at("cost_b").get<double>();
   cost.k = dimension.value("cost_k", 1.0);
   return cost;
+}
+
+ToleranceDimension read_dimension(const Json& object) {
+  ToleranceDimension dimension;
+  dimension.key = object.at("key").get<std::string>();
+  dimension.band_mm = object.at("band_mm").get<double>();
+  for (const Json& candidate : part(object, "candidates"))
+    dimension.candidates.push_back(candidate.is_string()
+                                       ? candidate.get<std::string>()
+                                       : fmt::format("{}", candidate.get<double>()));
+  dimension.cost = read_cost(object);
+  return dimension;
 }
 
 CampaignSettings read_campaign(const Json& object) {
@@ -121,9 +135,7 @@ StudyPlan read_study_plan(const std::string& text, const std::string& file) {
     if (!tolerance.is_null()) {
       plan.target_yield = tolerance.value("target_yield", 0.95);
       plan.confidence = tolerance.value("confidence", 0.95);
-      for (const Json& object : part(tolerance, "dimension"))
-        plan.dimensions.push_back({object.at("key").get<std::string>(),
-                                   object.at("band_mm").get<double>(), read_cost(object)});
+      plan.dimensions = read_list(tolerance, "dimension", read_dimension);
     }
     return plan;
   } catch (const std::exception& error) {

@@ -14,7 +14,7 @@ namespace {
 constexpr double kFewFailing = 5;
 
 /// The candidate's bands without those of dimension d.
-std::vector<double> rest_of(const CandidatePlan& candidate, std::size_t d) {
+std::vector<double> rest_of(const Candidate& candidate, std::size_t d) {
   auto bands = candidate.bands_mm;
   bands.erase(bands.begin() + static_cast<std::ptrdiff_t>(d));
   return bands;

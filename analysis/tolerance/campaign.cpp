@@ -7,7 +7,7 @@
 
 #include "analysis/sensitivity/noise_share.hpp"
 #include "analysis/statistics/summary.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 namespace {
@@ -50,7 +50,7 @@ std::string duration(double seconds) {
 
 std::string noise_text(const StudyData& pilot) {
   std::string text;
-  for (const LimitPlan& limit : pilot.plan.limits) {
+  for (const Limit& limit : pilot.plan.limits) {
     const Column* column = find_quantity(pilot, limit.quantity);
     if (column == nullptr) continue;
     const NoiseShare noise = noise_share(pilot, column->values, pilot.plan.confidence, kResamples);

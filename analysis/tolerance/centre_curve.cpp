@@ -1,6 +1,6 @@
 #include "analysis/tolerance/centre_curve.hpp"
 
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 namespace {

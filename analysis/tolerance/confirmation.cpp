@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "analysis/statistics/binomial_bounds.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace cagetol {
 
-double cost_of_band(const CostPlan& cost, double band_mm) {
+double cost_of_band(const CostCurve& cost, double band_mm) {
   if (cost.table.empty()) return cost.a + cost.b / std::pow(band_mm, cost.k);
   const auto above = std::find_if(cost.table.begin(), cost.table.end(),
                                   [&](const auto& point) { return point.first >= band_mm; });

@@ -13,7 +13,7 @@
 
 namespace cagetol {
 
-double cost_of_band(const CostPlan& cost, double band_mm);
+double cost_of_band(const CostCurve& cost, double band_mm);
 
 /// Sum over the dimensions; nothing where the study states no costs.
 std::optional<double> cost_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm);

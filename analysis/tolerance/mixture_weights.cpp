@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "analysis/tolerance/tolerance_density.hpp"
 
 namespace cagetol {
@@ -37,7 +37,7 @@ MixtureWeights mixture_weights(const StudyData& runs) {
   try {
     const ToleranceDensity density(runs);
     std::vector<std::vector<double>> log_densities;
-    for (const CandidatePlan& candidate : runs.plan.candidates) {
+    for (const Candidate& candidate : runs.plan.candidates) {
       std::vector<double> column(runs.size());
       for (std::size_t i = 0; i < runs.size(); ++i)
         column[i] = density.log_density(i, candidate.scales);

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "analysis/sensitivity/features.hpp"
-#include "analysis/study/study_file_error.hpp"
 #include "analysis/tolerance/cost.hpp"
 #include "distributions/iso286.hpp"
 
@@ -17,7 +16,7 @@ namespace {
 constexpr double kRounding = 1e-9;
 
 /// Product of the bands of the dimensions that matter, each relative to its widest candidate.
-double width_of(const CandidatePlan& candidate, const YieldCurves& curves,
+double width_of(const Candidate& candidate, const YieldCurves& curves,
                 const std::vector<BindingTest>& tests) {
   double product = 1;
   for (std::size_t d = 0; d < tests.size(); ++d)
@@ -27,7 +26,7 @@ double width_of(const CandidatePlan& candidate, const YieldCurves& curves,
 }
 
 /// Dimensions that are not binding stay at their widest candidate.
-bool eligible(const CandidatePlan& candidate, const Yield& yield, const YieldCurves& curves,
+bool eligible(const Candidate& candidate, const Yield& yield, const YieldCurves& curves,
               const std::vector<BindingTest>& tests) {
   for (std::size_t d = 0; d < tests.size(); ++d)
     if (tests[d].answer == Binding::not_binding &&
@@ -81,7 +80,7 @@ Snapped snap(const StudyData& runs, const std::string& key, double band_mm) {
 bool set_bands(const StudyData& runs, const YieldCurves& curves,
                const std::vector<BindingTest>& tests, Recommendation& result) {
   bool moved = false;
-  const CandidatePlan& chosen = runs.plan.candidates[result.candidate];
+  const Candidate& chosen = runs.plan.candidates[result.candidate];
   for (std::size_t d = 0; d < tests.size(); ++d) {
     const auto& key = runs.plan.dimensions[d].key;
     RecommendedBand band{key,
@@ -175,7 +174,7 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
   return result;
 }
 
-std::vector<double> snapped_bands(const StudyData& runs, const CandidatePlan& candidate) {
+std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate) {
   auto bands = candidate.bands_mm;
   for (std::size_t d = 0; d < bands.size(); ++d)
     if (candidate.grades[d].empty())

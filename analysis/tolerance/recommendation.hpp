@@ -61,7 +61,7 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
                                    const CandidateFilter& allowed = {});
 
 /// Bands of a candidate in mm, those without a grade snapped down to one where there is one.
-std::vector<double> snapped_bands(const StudyData& runs, const CandidatePlan& candidate);
+std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate);
 
 /// "cage.pocket_width_mm" -> "width".
 std::string dimension_name(const std::string& key);

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/study/study_file_error.hpp"
-#include "analysis/tolerance/law_json.hpp"
+#include "analysis/study/refused.hpp"
 #include "distributions/dependence.hpp"
+#include "mc/study_file/named_law.hpp"
 
 namespace cagetol {
 namespace {
@@ -74,7 +74,7 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
   std::vector<double> matrix(names.size() * names.size(), 0.0);
   for (std::size_t i = 0; i < names.size(); ++i) matrix[i * names.size() + i] = 1;
   bool any = false;
-  for (const CorrelationPlan& pair : runs.plan.correlations) {
+  for (const Correlation& pair : runs.plan.correlations) {
     const auto first = std::find(names.begin(), names.end(), pair.first) - names.begin();
     const auto second = std::find(names.begin(), names.end(), pair.second) - names.begin();
     const auto count = static_cast<std::ptrdiff_t>(names.size());

@@ -6,12 +6,13 @@
 #include <numbers>
 
 #include "analysis/report/cage_peak.hpp"
-#include "analysis/study/study_file_error.hpp"
 #include "mc/cage_cache.hpp"
 #include "mc/commands/peak_snapshot.hpp"
 #include "mc/file_write.hpp"
 #include "mc/replay.hpp"
 #include "mc/sample_run.hpp"
+#include "mc/signals.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "src/cage/cage_surface.hpp"
 #include "src/cage/field_recovery.hpp"
 #include "src/quantities/quantity_table.hpp"
@@ -78,7 +79,10 @@ Json peak_json(const std::filesystem::path& sweep_directory, const StudyData& st
       read_stored_sample(sweep_directory.string(), static_cast<std::uint64_t>(sample));
   SimulateOptions options;
   options.cage_table = CageTables(stored.study.scene).of(stored.sample.scene);
+  options.stop_requested = SignalWatch::stopping;
   const SampleRun again = run_sample(stored.study, stored.sample, options);
+  if (again.outcome.status == Status::not_run)
+    throw std::runtime_error("interrupted; start the same command again to make it");
   if (!outcome_differences(stored.stored.value(),
                            make_stored_outcome(stored.sample.id, again, 0, 0))
            .empty())
@@ -106,6 +110,7 @@ void update_cage_peak(const std::filesystem::path& sweep_directory) {
     const StudyData study = read_study_data(sweep_directory / "study.h5");
     const auto sample = most_stressed_sample(study);
     if (!sample || !read_cage_peak(sweep_directory, study).is_null()) return;
+    if (SignalWatch::draining()) return;  // the same command makes it when it goes on
     replace_file(cage_peak_file(sweep_directory).string(),
                  peak_json(sweep_directory, study, *sample).dump() + "\n");
   } catch (const StudyFileError&) {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "mc/exit_code.hpp"
 #include "mc/progress.hpp"
+#include "mc/study_file/exit_code.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {

@@ -51,7 +51,7 @@ std::vector<double> first_values(const StudyData& runs, const std::string& quant
 
 Offer best_offer(const Helper& helper, const StudyData& runs, const StudyData& pilot) {
   Offer best{helper, "", 1, 0};
-  for (const LimitPlan& limit : runs.plan.limits) {
+  for (const Limit& limit : runs.plan.limits) {
     const auto dear = first_values(runs, limit.quantity, pilot.size()),
                cheap = first_values(pilot, limit.quantity, pilot.size());
     const double correlation =

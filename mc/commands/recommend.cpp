@@ -9,6 +9,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/recommend_stages.hpp"
+#include "mc/signals.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
 
@@ -22,6 +23,7 @@ struct RecommendArguments {
 };
 
 int run_recommend(const RecommendArguments& options) {
+  const SignalWatch signals;
   const auto read = [&] {
     const Study study = read_study(options.file, options.settings);
     for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);

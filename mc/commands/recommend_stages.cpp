@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "analysis/tolerance/campaign.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"

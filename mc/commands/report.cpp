@@ -3,10 +3,9 @@
 #include <memory>
 
 #include "analysis/report/report.hpp"
-#include "analysis/study/study_file_error.hpp"
-#include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "src/input/printable.hpp"
 
 namespace cagetol {
@@ -26,11 +25,10 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
   command->callback([arguments, &chosen] {
     chosen = [arguments] {
       try {
-        update_cage_peak(study_file_in(arguments->directory).parent_path());
         return run_report(arguments->directory, arguments->options);
       } catch (const StudyFileError& error) {
         std::fprintf(stderr, "cagetol: %s\n", printable(error.what(), LineBreaks::kept).c_str());
-        return static_cast<int>(kBadInput);
+        return kBadInput;
       }
     };
   });

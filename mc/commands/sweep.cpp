@@ -3,9 +3,11 @@
 
 #include <spdlog/spdlog.h>
 
+#include <exception>
 #include <memory>
 
 #include "mc/adopted_runs.hpp"
+#include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/companion_stages.hpp"
 #include "mc/commands/ladder_stages.hpp"
@@ -32,21 +34,13 @@ Study read_with_notes(const SweepArguments& options) {
 }
 
 /// Whether there is more to run than one sweep: a pilot that chooses the model, cheap runs that
-/// help. Every rank finds the same; a file that cannot be read is left to the sweep, which has the
-/// messages.
-bool is_staged(const SweepArguments& options) {
-  try {
-    const Study study = read_study(options.file, options.settings);
-    const bool open = study.fidelity == "auto" && study.fidelity_decision.rung.empty();
-    return open || study.multifidelity == "auto";
-  } catch (const std::exception&) {
-    return false;
-  }
+/// help.
+bool is_staged(const Study& study) {
+  const bool open = study.fidelity == "auto" && study.fidelity_decision.rung.empty();
+  return open || study.multifidelity == "auto";
 }
 
-int run_stages(const SweepArguments& options, StagedSweeps& stages) {
-  const std::string& directory = options.sweep.directory;
-  const Study given = read_with_notes(options);
+int run_stages(const Study& given, const std::string& directory, StagedSweeps& stages) {
   require_memory(forecast_sweep(given), ranks_on_this_machine());
   require_disk(forecast_sweep(given), directory);
   const auto climbed = with_fidelity(given, directory, stages);
@@ -62,12 +56,33 @@ int run_stages(const SweepArguments& options, StagedSweeps& stages) {
   return run_companion(study, directory, stages);
 }
 
+/// All sweeps of the study. A study that cannot be read becomes the problem of a sweep, which makes
+/// all ranks end and says it once.
+int run_sweeps(const SweepArguments& options) {
+  Study study;
+  std::exception_ptr unread;
+  try {
+    study = read_with_notes(options);
+  } catch (const std::exception&) {
+    unread = std::current_exception();
+  }
+  if (is_staged(study))
+    return run_staged(make_sweep_plan, options.sweep.progress, [&](StagedSweeps& stages) {
+      return run_stages(study, options.sweep.directory, stages);
+    });
+  const auto make_plan = [&] {
+    if (unread) std::rethrow_exception(unread);
+    return make_sweep_plan(study);
+  };
+  return run_sweep(make_plan, options.sweep);
+}
+
 int run_sweep(const SweepArguments& options) {
   const SignalWatch signals;  // before a large study is read
-  if (is_staged(options))
-    return run_staged(make_sweep_plan, options.sweep.progress,
-                      [&](StagedSweeps& stages) { return run_stages(options, stages); });
-  return run_sweep([&] { return make_sweep_plan(read_with_notes(options)); }, options.sweep);
+  const int code = run_sweeps(options);
+  const bool complete = code == kDone || code == kSamplesFailed;
+  if (complete && launch_from_environment().rank == 0) update_cage_peak(options.sweep.directory);
+  return code;
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
 }
 
 std::vector<Rung> refining_rungs(const Scene& scene) {
-  const bool flexible = is_flexible(scene);
+  const bool flexible = scene.cage.model == CageKind::flexible;
   std::vector<Rung> rungs;
   const double tolerance = scene.integration.tolerance / 10;
   Rung& integrator = rungs.emplace_back(Rung{"integrator",

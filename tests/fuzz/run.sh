@@ -14,11 +14,11 @@ declare -A sources=(
   [study]="mc/study.cpp mc/study_inputs.cpp mc/study_layers.cpp mc/study_limits.cpp mc/study_trends.cpp mc/law_reader.cpp"
   [resolved]="mc/study.cpp mc/resolved_study.cpp" [settings]="src/input/toml_file.cpp mc/study_layers.cpp"
   [csv]="mc/csv_records.cpp mc/csv_heading.cpp mc/measurement_csv.cpp" [journal]="mc/journal.cpp mc/byte_stream.hpp"
-  [study_file]="mc/study_file.cpp analysis/format/file_seal.cpp analysis/format/hdf5_reader.cpp"
-  [study_data]="analysis/study/study_data.cpp analysis/study/study_plan.cpp analysis/format/hdf5_reader.cpp"
+  [study_file]="mc/stored_study.cpp mc/study_file/file_seal.cpp mc/study_file/hdf5_reader.cpp"
+  [study_data]="analysis/study/study_data.cpp analysis/study/study_plan.cpp mc/study_file/hdf5_reader.cpp"
   [cage_table]="src/cage/cage_table_bytes.cpp")
 all=(scene study resolved settings csv journal)
-[ -e analysis/format/file_seal.cpp ] && all+=(study_file study_data)
+[ -e mc/study_file/file_seal.cpp ] && all+=(study_file study_data)
 [ -e src/cage/cage_table_bytes.cpp ] && all+=(cage_table)
 for tool in clang++-14 llvm-profdata-14 llvm-cov-14; do
   command -v $tool >/dev/null || { echo "$tool is missing: apt-get install clang-14 libclang-rt-14-dev llvm-14" >&2; exit 2; }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tests/mpi/standin.hpp"
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/study_compare.hpp"
 
 namespace cagetol {
@@ -84,6 +85,20 @@ TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
     EXPECT_THAT(replay.output, HasSubstr("reproduced to the bit"));
     EXPECT_THAT(replay.output, HasSubstr("making a cage table"));
   }
+  const std::string peak = scratch / "1/cage_peak.json";
+  EXPECT_EQ(file_bytes(peak), file_bytes(scratch / "2/cage_peak.json"));
+  const auto report =
+      cached(scratch / "none", {CAGETOL_BINARY_DIR "/cagetol", "report", scratch / "1"});
+  const Ended drawn = run(report);
+  EXPECT_EQ(drawn.code, 0) << drawn.output;
+  EXPECT_THAT(file_bytes(scratch / "1/report.html"),
+              HasSubstr("The largest stress of all samples"));
+  std::filesystem::remove(peak);
+  EXPECT_EQ(run(report).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(peak)) << "a report runs no sample";
+  EXPECT_FALSE(std::filesystem::exists(scratch / "none"));
+  EXPECT_EQ(run(cached(scratch / "cache-1", sweep(scratch / "1"))).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(peak)) << "a finished sweep makes up for what is missing";
 }
 
 TEST(ProgramTest, AnotherSeedIsRefusedWithKeyAndBothValues) {

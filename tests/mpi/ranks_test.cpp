@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/study_compare.hpp"
 
@@ -75,6 +75,16 @@ TEST(HandOutTest, ABadStudyIsReportedOnceWithCode2) {
     const auto first = ended.output.find("cagetol: study.toml:3: sigma = -1: must not be negative");
     ASSERT_NE(first, std::string::npos) << ended.output;
     EXPECT_EQ(ended.output.find("must not be negative", first + 50), std::string::npos);
+  }
+}
+
+TEST(ExitCodeTest, AFaultOfTheProgramEndsWith70) {
+  const ScratchDirectory scratch;
+  for (const bool mpi : {false, true}) {
+    auto command = standin(scratch / "out", {"--fault"});
+    const Ended ended = run(mpi ? with_mpirun(2, command) : command);
+    EXPECT_EQ(ended.code, 70);
+    EXPECT_THAT(ended.output, HasSubstr("cagetol: unexpected: no such row"));
   }
 }
 

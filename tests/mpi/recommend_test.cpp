@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 #include "mc/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/study_compare.hpp"

@@ -10,7 +10,7 @@
 
 #include "mc/hand_out.hpp"
 #include "mc/journal.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 #include "tests/mpi/hand_out_simulation.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/standin_study.hpp"

@@ -4,7 +4,7 @@
 #include <signal.h>
 
 #include "mc/journal.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 #include "mc/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/study_compare.hpp"

@@ -12,7 +12,7 @@
 int main(int argc, char** argv) {
   cagetol::StandinOptions standin;
   cagetol::SweepOptions sweep;
-  bool bad_study = false;
+  bool bad_study = false, fault = false;
   CLI::App app{"sweep of a stand-in study"};
   app.add_option("directory", sweep.directory)->required();
   app.add_option("--samples", standin.samples);
@@ -27,12 +27,16 @@ int main(int argc, char** argv) {
   app.add_option("--late-id", standin.late_id);
   app.add_option("--rebuild", sweep.rebuild_interval_s);
   app.add_flag("--bad-study", bad_study);
+  app.add_flag("--fault", fault);
   CLI11_PARSE(app, argc, argv);
   cagetol::log_to_stderr();
   try {
     return cagetol::run_sweep(
         [&] {
-          if (bad_study) throw std::runtime_error("study.toml:3: sigma = -1: must not be negative");
+          if (bad_study)
+            throw cagetol::InputError({"study.toml", 3}, "sigma", "-1", "must not be negative",
+                                      "give another");
+          if (fault) throw std::logic_error("no such row");
           return cagetol::make_standin_plan(standin);
         },
         sweep);

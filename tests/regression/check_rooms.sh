@@ -30,10 +30,12 @@ check src/integration "src/($laws|model|newton|dynamics|integration)/" $(sources
 # What a run amounts to stands above how it is computed.
 check 'what is below src/quantities' 'src/[a-pr-z][a-z_]*/' $(find src -mindepth 2 -name '*.?pp' ! -path 'src/quantities/*')
 check distributions 'distributions/' $(sources distributions)
-check analysis/format 'analysis/format/' $(sources analysis/format)
-check analysis 'analysis/|distributions/' $(sources analysis)
-check mc 'mc/|src/|distributions/|analysis/format/|cagetol_build.hpp' $(sources mc)
+check mc/study_file 'mc/study_file/|distributions/' $(sources mc/study_file)
+check analysis 'analysis/|distributions/|mc/study_file/' $(sources analysis)
+check mc 'mc/|src/|distributions/|cagetol_build.hpp' $(sources mc)
+# A report comes from study files alone.
+check mc/commands/report.cpp 'analysis/|mc/study_file/|mc/commands/(command|output_path)\.hpp|src/input/' mc/commands/report.cpp
 outside=$(grep -nE '#include <(mpi|hdf5)' -r src distributions; grep -nE '#include <mpi' -r analysis
-          grep -nE '#include <hdf5' -r mc analysis | grep -vE '^(analysis/format|mc/build_info.cpp)')
-[ -z "$outside" ] || { echo "MPI belongs to mc, HDF5 to analysis/format (its version to mc/build_info.cpp):"; echo "$outside"; status=1; }
+          grep -nE '#include <hdf5' -r mc analysis | grep -vE '^(mc/study_file|mc/build_info.cpp)')
+[ -z "$outside" ] || { echo "MPI belongs to mc, HDF5 to mc/study_file (its version to mc/build_info.cpp):"; echo "$outside"; status=1; }
 exit $status

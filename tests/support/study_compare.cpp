@@ -5,8 +5,8 @@
 #include <cstring>
 #include <map>
 
-#include "analysis/format/h5.hpp"
-#include "analysis/format/study_bytes.hpp"
+#include "mc/study_file/h5.hpp"
+#include "mc/study_file/study_bytes.hpp"
 
 namespace cagetol {
 namespace {

@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/format/file_seal.hpp"
-#include "analysis/format/h5.hpp"
-#include "analysis/format/study_file_error.hpp"
 #include "analysis/study/study_data.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
+#include "mc/study_file/file_seal.hpp"
+#include "mc/study_file/h5.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "tests/support/probe_folder.hpp"
 #include "tests/support/standin_study.hpp"
 

@@ -1,7 +1,7 @@
 // The synthetic study as a study file.
 #include <fstream>
 
-#include "analysis/format/h5.hpp"
+#include "mc/study_file/h5.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {

@@ -21,7 +21,7 @@ nlohmann::json law(double sigma) {
 void add_candidates(StudyPlan& plan, const std::vector<StandinDimension>& dimensions,
                     std::vector<double> scales) {
   if (scales.size() == dimensions.size()) {
-    CandidatePlan candidate{{}, std::vector<std::string>(scales.size()), scales};
+    Candidate candidate{{}, std::vector<std::string>(scales.size()), scales};
     for (const double scale : scales) candidate.bands_mm.push_back(0.1 * scale);
     plan.candidates.push_back(std::move(candidate));
     return;

@@ -71,7 +71,7 @@ struct LonelyRollers {
   }
 };
 
-class ClosedFormMotion : public testing::TestWithParam<std::string> {};
+class ClosedFormMotion : public testing::TestWithParam<IntegrationMethod> {};
 
 // A linear spring and damper that never pulls keeps the share e of every speed (Schwager and
 // Poeschel, Granular Matter 9 (2007) 465, eq. 17): speeds fall like e^n, flights last 2 v/g each.

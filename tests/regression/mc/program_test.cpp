@@ -38,8 +38,8 @@ Ended run(std::vector<std::string> arguments, const std::function<void()>& prepa
 TEST(Program, HelpHasAnExampleForEachCommand) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.code, 0);
-  for (const char* part : {"Exit codes: 0 done", "75 interrupted", "check", "simulate",
-                           "cagetol simulate inputs/scenes/nu205.toml"})
+  for (const char* part : {"Exit codes: 0 done", "70 a fault of the program", "75 interrupted",
+                           "check", "simulate", "cagetol simulate inputs/scenes/nu205.toml"})
     EXPECT_THAT(help.output, HasSubstr(part));
   for (const char* command : {"check", "simulate", "cage", "bench", "chart", "ladder"}) {
     const auto own = run({command, "--help"});

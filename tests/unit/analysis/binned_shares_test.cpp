@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "analysis/sensitivity/rank_shares.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "distributions/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 #include "tests/support/test_functions.hpp"

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "tests/support/tolerance_standin.hpp"
 
 namespace cagetol {

@@ -12,7 +12,7 @@
 #include "analysis/compare/change_tests.hpp"
 #include "analysis/compare/holm.hpp"
 #include "analysis/compare/matched_runs.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "distributions/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/statistics/binomial_bounds.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {

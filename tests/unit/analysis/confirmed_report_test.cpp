@@ -7,7 +7,6 @@
 
 #include "analysis/report/report.hpp"
 #include "analysis/statistics/binomial_bounds.hpp"
-#include "analysis/study/study_file_error.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/synthetic_study.hpp"
 

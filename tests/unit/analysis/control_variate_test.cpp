@@ -13,7 +13,7 @@ namespace cagetol {
 namespace {
 
 constexpr double kMean = 3, kDeviation = 2;
-const std::vector<LimitPlan> kLimits = {
+const std::vector<Limit> kLimits = {
     {.quantity = "q", .minimum = {}, .maximum = kMean + kDeviation, .source = "test"}};
 
 /// Two normal models with this correlation; the dear one has mean 3 and standard deviation 2.

@@ -12,7 +12,7 @@ namespace {
 
 TEST(Cost, IsAReciprocalPowerOrATable) {
   EXPECT_DOUBLE_EQ(cost_of_band({2, 0.5, 2, {}}, 0.5), 4);
-  const CostPlan table{0, 0, 1, {{0.1, 10}, {0.2, 6}, {0.4, 5}}};
+  const CostCurve table{0, 0, 1, {{0.1, 10}, {0.2, 6}, {0.4, 5}}};
   EXPECT_DOUBLE_EQ(cost_of_band(table, 0.1), 10);
   EXPECT_DOUBLE_EQ(cost_of_band(table, 0.15), 8);
   EXPECT_DOUBLE_EQ(cost_of_band(table, 0.3), 5.5);
@@ -41,8 +41,8 @@ Recommendation recommendation_of(const StudyData& study) {
 TEST(Cost, TheCheapestTakesThePlaceOfTheWidest) {
   StudyData study = two_that_matter();
   for (const std::size_t dear : {0, 1}) {
-    study.plan.dimensions[dear].cost = CostPlan{1, 1, 1, {}};
-    study.plan.dimensions[1 - dear].cost = CostPlan{1, 0.1, 1, {}};
+    study.plan.dimensions[dear].cost = CostCurve{1, 1, 1, {}};
+    study.plan.dimensions[1 - dear].cost = CostCurve{1, 0.1, 1, {}};
     const Recommendation result = recommendation_of(study);
     ASSERT_TRUE(result.meets_target);
     EXPECT_NEAR(result.bands[dear].band_mm, 0.09, 1e-12) << dear;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/study/study_file_error.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "tests/support/not_a_number.hpp"
 #include "tests/support/synthetic_study.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analysis/statistics/summary.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {

@@ -8,7 +8,7 @@
 #include "analysis/sensitivity/morris.hpp"
 #include "analysis/sensitivity/noise_share.hpp"
 #include "analysis/study/design_blocks.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
 #include "distributions/design.hpp"
 #include "tests/support/synthetic_study.hpp"
 #include "tests/support/test_functions.hpp"

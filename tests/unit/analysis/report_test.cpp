@@ -12,7 +12,7 @@
 #include "analysis/report/figure_set.hpp"
 #include "analysis/report/html_report.hpp"
 #include "analysis/report/html_text.hpp"
-#include "analysis/study/study_file_error.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {
@@ -156,7 +156,7 @@ TEST_F(Report, TextsOfAStudyAreNoMarkup) {
   study.provenance.build += markup;
   study.provenance.study_hash += markup;
   study.provenance.files.push_back(markup);
-  for (LimitPlan& limit : study.plan.limits) limit.source += markup;
+  for (Limit& limit : study.plan.limits) limit.source += markup;
   for (Column& column : study.quantities) column.unit += markup, column.description += markup;
   for (InputColumns& input : study.inputs) input.unit += markup;
   for (std::string& reason : study.reason) reason += markup;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSamples = 24;  // of a usual pilot
 
-LimitPlan at_most(double maximum) {
+Limit at_most(double maximum) {
   return {.quantity = "q", .minimum = {}, .maximum = maximum, .source = "test"};
 }
 
@@ -49,7 +49,7 @@ std::vector<std::vector<double>> runs_of(const std::vector<PlantedRung>& rungs,
 const LadderRule kRule{.study_samples = 300, .budget_share = 0.1, .target_yield = 0.95};
 
 /// In how many of the repeats the ladder calls this rung the least.
-int found(const std::vector<PlantedRung>& rungs, const LimitPlan& limit, std::size_t planted,
+int found(const std::vector<PlantedRung>& rungs, const Limit& limit, std::size_t planted,
           int repeats = 200) {
   int count = 0;
   for (int repeat = 0; repeat < repeats; ++repeat) {
@@ -76,7 +76,7 @@ TEST(SettledLimit, KnowsTheSideOfBothModels) {
   EXPECT_LT(settled_limit(low, low, at_most(20), 0.95).wrong_share, 1e-3);
   EXPECT_EQ(settled_limit(high, high, at_most(20), 0.95).side, LimitSide::above);
   EXPECT_LT(settled_limit(high, high, at_most(20), 0.95).wrong_share, 1e-3);
-  LimitPlan band = at_most(20);
+  Limit band = at_most(20);
   band.minimum = -20;
   EXPECT_EQ(settled_limit(high, high, band, 0.95).side, LimitSide::above);
   EXPECT_GT(settled_limit(low, low, band, 0.95).wrong_share,
@@ -111,7 +111,7 @@ TEST(SettledLimit, TheLadderRecoversThePlantedRung) {
   // Nothing is settled on the reference: limit at its mean.
   EXPECT_EQ(found({{.shift = -1}, {}}, at_most(0), 0), 0);
   // Two limits on the quantity: both must be settled.
-  const std::vector<LimitPlan> near_and_far = {at_most(25), at_most(2)};
+  const std::vector<Limit> near_and_far = {at_most(25), at_most(2)};
   const auto values = runs_of({{}, {}}, 1);
   EXPECT_NE(least_rung(values, kRule, near_and_far).rungs[0].verdict, RungVerdict::settled);
   EXPECT_EQ(least_rung(values, kRule, std::vector{at_most(25)}).rungs[0].verdict,
@@ -119,7 +119,7 @@ TEST(SettledLimit, TheLadderRecoversThePlantedRung) {
 }
 
 TEST(SettledLimit, NothingMoreIsClimbedWhereNoRungCanDo) {
-  const auto hopeless = [](const LimitPlan& limit, const LadderRule& rule) {
+  const auto hopeless = [](const Limit& limit, const LadderRule& rule) {
     const QuantityLadder ladder =
         least_rung(runs_of({{.shift = 2}, {}, {}}, 1), rule, std::vector{limit});
     return leaves_limit_open(ladder) && is_out_of_reach(ladder.rungs[0], rule);

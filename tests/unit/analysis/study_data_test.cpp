@@ -5,7 +5,8 @@
 
 #include <fstream>
 
-#include "analysis/study/study_file_error.hpp"
+#include "analysis/study/refused.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {

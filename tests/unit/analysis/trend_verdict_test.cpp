@@ -17,15 +17,15 @@ PairedDifference seen(double lower, double upper, double first_mean = 10) {
   return d;
 }
 
-TrendPlan claim(const std::string& expected, double by_share = 0, double by_value = 0) {
-  TrendPlan trend;
+Trend claim(const std::string& expected, double by_share = 0, double by_value = 0) {
+  Trend trend;
   trend.expected = expected;
   trend.by_share = by_share;
   trend.by_value = by_value;
   return trend;
 }
 
-TrendVerdict verdict(const TrendPlan& trend, const PairedDifference& d) {
+TrendVerdict verdict(const Trend& trend, const PairedDifference& d) {
   return judge_trend(trend, d).verdict;
 }
 

@@ -9,6 +9,10 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "mc/file_write.hpp"
+#include "mc/study_file/study_file_error.hpp"
+#include "src/input/input_error.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -34,6 +38,21 @@ TEST(Failure, OtherProblemsKeepTheirWords) {
   EXPECT_FALSE(is_want_of_resources(singular));
   EXPECT_EQ(failure_text(singular), "the matrix is singular");
   EXPECT_FALSE(is_want_of_resources(std::system_error(ENOENT, std::generic_category())));
+}
+
+TEST(Failure, OnlyWhatNoUserCanMendIsUnexpected) {
+  const InputError bad({"study.toml", 3}, "sigma", "-1", "must not be negative", "give another");
+  const StudyFileError damaged("study.h5", "it is empty", "build it again");
+  const WriteError full("out/report.json", "write", ENOSPC);
+  for (const std::exception* problem :
+       {static_cast<const std::exception*>(&bad), static_cast<const std::exception*>(&damaged),
+        static_cast<const std::exception*>(&full)}) {
+    EXPECT_EQ(exit_code_for(*problem), kBadInput) << problem->what();
+    EXPECT_EQ(ending_text(*problem), problem->what());
+  }
+  EXPECT_EQ(exit_code_for(std::bad_alloc()), kBadInput);
+  EXPECT_EQ(exit_code_for(std::logic_error("no such row")), kUnexpected);
+  EXPECT_EQ(ending_text(std::logic_error("no such row")), "unexpected: no such row");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "mc/journal.hpp"
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/process.hpp"

@@ -1,4 +1,4 @@
-#include "analysis/format/study_bytes.hpp"
+#include "mc/study_file/study_bytes.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -9,9 +9,9 @@
 #include <cstring>
 #include <new>
 
-#include "analysis/format/file_seal.hpp"
-#include "analysis/format/study_file_error.hpp"
-#include "analysis/format/unsealed_file.hpp"
+#include "mc/study_file/file_seal.hpp"
+#include "mc/study_file/study_file_error.hpp"
+#include "mc/study_file/unsealed_file.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/format/unsealed_file.hpp"
+#include "mc/study_file/unsealed_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,8 +16,8 @@
 #include <fstream>
 #include <new>
 
-#include "analysis/format/hdf5_reader.hpp"
-#include "analysis/format/study_file_error.hpp"
+#include "mc/study_file/hdf5_reader.hpp"
+#include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
 namespace {

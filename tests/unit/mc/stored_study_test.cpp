@@ -1,4 +1,4 @@
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,11 +10,11 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/format/h5.hpp"
-#include "analysis/format/hdf5_reader.hpp"
-#include "analysis/format/study_bytes.hpp"
-#include "analysis/format/study_file_error.hpp"
 #include "mc/file_write.hpp"
+#include "mc/study_file/h5.hpp"
+#include "mc/study_file/hdf5_reader.hpp"
+#include "mc/study_file/study_bytes.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/standin_study.hpp"

@@ -1,6 +1,6 @@
 // schema1_study.h5: six quasi-static samples of inputs/studies/nu205.toml, written by commit
 // 40abf54 with strings of variable length and no seal.
-#include "analysis/format/study_bytes.hpp"
+#include "mc/study_file/study_bytes.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -13,11 +13,11 @@
 #include <fstream>
 #include <random>
 
-#include "analysis/format/file_seal.hpp"
-#include "analysis/format/hdf5_reader.hpp"
-#include "analysis/format/study_file_error.hpp"
-#include "analysis/format/unsealed_file.hpp"
 #include "analysis/study/study_data.hpp"
+#include "mc/study_file/file_seal.hpp"
+#include "mc/study_file/hdf5_reader.hpp"
+#include "mc/study_file/study_file_error.hpp"
+#include "mc/study_file/unsealed_file.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/process.hpp"
 

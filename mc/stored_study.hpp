@@ -16,7 +16,7 @@ inline constexpr int kStudySchema = 2;
 
 using OutcomesById = std::map<std::uint64_t, StoredOutcome>;
 
-/// The bytes of the study file, sealed (analysis/format/file_seal.hpp). The same outcomes give the
+/// The bytes of the study file, sealed (mc/study_file/file_seal.hpp). The same outcomes give the
 /// same bytes, wall clock and ranks (below /timing) apart.
 std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
                             const BuildInfo& build);

@@ -1,10 +1,7 @@
-// One type for everything that keeps a study file from being read, and one for estimators that
-// decline.
+// One type for estimators that decline.
 #pragma once
 
 #include <stdexcept>
-
-#include "analysis/format/study_file_error.hpp"
 
 namespace cagetol {
 

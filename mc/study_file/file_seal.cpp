@@ -1,8 +1,8 @@
-#include "analysis/format/file_seal.hpp"
+#include "mc/study_file/file_seal.hpp"
 
 #include <fmt/format.h>
 
-#include "analysis/format/checksum.hpp"
+#include "mc/study_file/checksum.hpp"
 
 namespace cagetol {
 namespace {

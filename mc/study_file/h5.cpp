@@ -1,10 +1,10 @@
-#include "analysis/format/h5.hpp"
+#include "mc/study_file/h5.hpp"
 
 #include <hdf5_hl.h>
 
 #include <algorithm>
 
-#include "analysis/format/file_seal.hpp"
+#include "mc/study_file/file_seal.hpp"
 
 namespace cagetol {
 namespace {

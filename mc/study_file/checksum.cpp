@@ -1,4 +1,4 @@
-#include "analysis/format/checksum.hpp"
+#include "mc/study_file/checksum.hpp"
 
 #include <boost/crc.hpp>
 

@@ -1,8 +1,8 @@
-#include "analysis/format/hdf5_reader.hpp"
+#include "mc/study_file/hdf5_reader.hpp"
 
 #include <algorithm>
 
-#include "analysis/format/study_file_error.hpp"
+#include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
 namespace {

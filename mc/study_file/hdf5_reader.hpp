@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/format/h5.hpp"
+#include "mc/study_file/h5.hpp"
 
 namespace cagetol {
 

@@ -9,6 +9,7 @@ enum ExitCode : int {
   kLimitsNotMet = 1,
   kBadInput = 2,
   kSamplesFailed = 3,
+  kUnexpected = 70,  ///< a fault of the program
   kInterrupted = 75,
 };
 

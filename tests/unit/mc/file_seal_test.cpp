@@ -1,10 +1,10 @@
-#include "analysis/format/file_seal.hpp"
+#include "mc/study_file/file_seal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/format/checksum.hpp"
-#include "analysis/format/h5.hpp"
+#include "mc/study_file/checksum.hpp"
+#include "mc/study_file/h5.hpp"
 
 namespace cagetol {
 namespace {

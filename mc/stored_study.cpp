@@ -1,4 +1,4 @@
-#include "mc/study_file.hpp"
+#include "mc/stored_study.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "analysis/format/h5.hpp"
-#include "analysis/format/hdf5_reader.hpp"
-#include "analysis/format/study_bytes.hpp"
-#include "analysis/format/study_file_error.hpp"
 #include "mc/file_write.hpp"
 #include "mc/sample_history.hpp"
+#include "mc/study_file/h5.hpp"
+#include "mc/study_file/hdf5_reader.hpp"
+#include "mc/study_file/study_bytes.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {

@@ -1,0 +1,17 @@
+// A bound on a quantity of interest that every cage must keep.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace cagetol {
+
+/// At least one of minimum and maximum is given.
+struct Limit {
+  std::string quantity;
+  std::optional<double> minimum = {}, maximum = {};  ///< in the quantity's unit
+  std::string source = {};                           ///< where the bound comes from
+  double cage_revolutions = 0;  ///< of the window it is meant for; 0: not stated
+};
+
+}  // namespace cagetol

@@ -1,0 +1,32 @@
+// The tolerances in question: dimensions, what their bands cost, and candidates.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cagetol {
+
+/// What a tolerance costs, in any one currency: a + b / band^k (band in mm), or the straight lines
+/// through a table.
+struct CostCurve {
+  double a = 0, b = 0, k = 1;
+  std::vector<std::pair<double, double>> table;  ///< band in mm and cost, bands ascending; or empty
+};
+
+struct ToleranceDimension {
+  std::string key;
+  double band_mm = 0;                        ///< full width to which the laws of the study belong
+  std::vector<std::string> candidates = {};  ///< "IT9", or a band in mm
+  std::optional<CostCurve> cost = {};
+};
+
+/// One combination of candidate bands, in the order of the study's dimensions.
+struct Candidate {
+  std::vector<double> bands_mm;
+  std::vector<std::string> grades;  ///< "" where the band was given in mm
+  std::vector<double> scales;       ///< band / band_mm
+};
+
+}  // namespace cagetol
