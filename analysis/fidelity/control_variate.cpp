@@ -62,21 +62,21 @@ Interval allowed(std::span<const Limit> limits) {
   return interval;
 }
 
-/// The mean of f is known as well as help makes it: centred by the dear runs' own, squares of both
-/// models would correlate less.
+/// Squares are centred by the mean of f with control variate. With the mean of the expensive runs
+/// alone the squares of both models would correlate less.
 Terms squares(const PairedRuns& runs) {
   Terms terms;
   const double f = helped_estimate(HelpedStatistic::mean, runs, {}).value,
                g = known_mean(runs.cheap);
-  for (const double x : runs.dear) terms.h.push_back((x - f) * (x - f));
+  for (const double x : runs.expensive) terms.h.push_back((x - f) * (x - f));
   for (const double x : runs.cheap) terms.c.push_back((x - g) * (x - g));
   return terms;
 }
 
 Terms passes(const PairedRuns& runs, std::span<const Limit> limits) {
   Terms terms;
-  for (const double x : runs.dear) terms.h.push_back(std::isnan(x) ? x : meets(x, limits));
-  const Pairs pairs = known_pairs(runs.dear, runs.cheap);
+  for (const double x : runs.expensive) terms.h.push_back(std::isnan(x) ? x : meets(x, limits));
+  const Pairs pairs = known_pairs(runs.expensive, runs.cheap);
   double at_zero, slope, cov00, cov01, cov11, rest;
   gsl_fit_linear(pairs.second.data(), 1, pairs.first.data(), 1, pairs.first.size(), &at_zero,
                  &slope, &cov00, &cov01, &cov11, &rest);
@@ -104,7 +104,7 @@ Terms terms_of(HelpedStatistic statistic, const PairedRuns& runs, std::span<cons
     case HelpedStatistic::mean:
       break;
   }
-  return {{runs.dear.begin(), runs.dear.end()}, {runs.cheap.begin(), runs.cheap.end()}};
+  return {{runs.expensive.begin(), runs.expensive.end()}, {runs.cheap.begin(), runs.cheap.end()}};
 }
 
 /// Of a root, where the statistic is one.
@@ -130,16 +130,17 @@ const char* helped_statistic_name(HelpedStatistic statistic) {
 HelpedEstimate helped_estimate(HelpedStatistic statistic, const PairedRuns& runs,
                                std::span<const Limit> limits) {
   HelpedEstimate estimate;
-  if (known_pairs(runs.dear, runs.cheap).first.size() < kFewestPilotSamples) return estimate;
+  if (known_pairs(runs.expensive, runs.cheap).first.size() < kFewestPilotSamples) return estimate;
   const Terms terms = terms_of(statistic, runs, limits);
   const Pairs pairs = known_pairs(terms.h, terms.c);
   const std::size_t count = pairs.first.size();
   if (count < kFewestPilotSamples) return estimate;
   const double variance = gsl_stats_variance(pairs.second.data(), 1, count);
-  const Pairs dear = known_pairs(terms.h, terms.h);
-  const auto n = static_cast<double>(dear.first.size());
-  estimate.plain = gsl_stats_mean(dear.first.data(), 1, dear.first.size());
-  estimate.plain_error = gsl_stats_sd(dear.first.data(), 1, dear.first.size()) / std::sqrt(n);
+  const Pairs expensive = known_pairs(terms.h, terms.h);
+  const auto n = static_cast<double>(expensive.first.size());
+  estimate.plain = gsl_stats_mean(expensive.first.data(), 1, expensive.first.size());
+  estimate.plain_error =
+      gsl_stats_sd(expensive.first.data(), 1, expensive.first.size()) / std::sqrt(n);
   if (variance > 0 && estimate.plain_error > 0) {
     const double weight =
         gsl_stats_covariance(pairs.first.data(), 1, pairs.second.data(), 1, count) / variance;
@@ -154,7 +155,7 @@ HelpedEstimate helped_estimate(HelpedStatistic statistic, const PairedRuns& runs
   }
   if (statistic == HelpedStatistic::deviation) {
     take_root(estimate.plain, estimate.plain_error);  // for the error; the value has n - 1
-    const Pairs values = known_pairs(runs.dear, runs.dear);
+    const Pairs values = known_pairs(runs.expensive, runs.expensive);
     estimate.plain = gsl_stats_sd(values.first.data(), 1, values.first.size());
     take_root(estimate.value, estimate.standard_error);
   }
@@ -175,8 +176,8 @@ double best_cheap_ratio(double correlation, double cost) {
 double resampled_gain(HelpedStatistic statistic, const PairedRuns& runs,
                       std::span<const Limit> limits, double cost, std::uint64_t seed,
                       int resamples) {
-  const std::size_t n = runs.dear.size(), m = runs.cheap.size();
-  std::vector<double> dear(n), cheap(m), plain, helped;
+  const std::size_t n = runs.expensive.size(), m = runs.cheap.size();
+  std::vector<double> expensive(n), cheap(m), plain, helped;
   for (int b = 0; b < resamples; ++b) {
     RandomStream draws(seed, Purpose::bootstrap, static_cast<std::uint64_t>(b),
                        stream_address("multifidelity"));
@@ -188,9 +189,9 @@ double resampled_gain(HelpedStatistic statistic, const PairedRuns& runs,
     for (std::size_t k = 0; k < m; ++k) {
       const std::size_t from = k < n ? one_of(0, n) : one_of(n, m);
       cheap[k] = runs.cheap[from];
-      if (k < n) dear[k] = runs.dear[from];
+      if (k < n) expensive[k] = runs.expensive[from];
     }
-    const HelpedEstimate estimate = helped_estimate(statistic, {dear, cheap}, limits);
+    const HelpedEstimate estimate = helped_estimate(statistic, {expensive, cheap}, limits);
     if (std::isnan(estimate.value) || std::isnan(estimate.plain)) continue;
     plain.push_back(estimate.plain);
     helped.push_back(estimate.value);

@@ -36,9 +36,9 @@ enum class HelpedStatistic { mean, deviation, yield };
 const char* helped_statistic_name(HelpedStatistic statistic);
 
 /// Runs of both models. NaN: no value; the sample is left out of the terms that need it. The
-/// samples of `dear` are the first samples of `cheap`.
+/// samples of `expensive` are the first samples of `cheap`.
 struct PairedRuns {
-  std::span<const double> dear, cheap;
+  std::span<const double> expensive, cheap;
 };
 
 struct HelpedEstimate {

@@ -9,7 +9,7 @@ namespace cagetol {
 namespace {
 
 struct Pilot {
-  std::vector<double> deviation, correlation;  ///< the latter with the dear model
+  std::vector<double> deviation, correlation;  ///< the latter with the expensive model
 };
 
 Pilot pilot_of(std::span<const std::vector<double>> values) {

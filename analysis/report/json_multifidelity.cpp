@@ -31,22 +31,23 @@ std::size_t pilot_pairs(const StudyData& runs) {
 }
 
 struct Helped {
-  const std::vector<double>&dear, &cheap;
+  const std::vector<double>&expensive, &cheap;
   const std::vector<Limit>& limits;
   std::size_t pilot = 0;
-  double cost = 0;  ///< of a cheap run over that of a dear one
+  double cost = 0;  ///< of a cheap run over that of an expensive one
   std::uint64_t seed = 0;
 };
 
 /// Null where nothing can be said.
 Json statistic_json(HelpedStatistic statistic, const Helped& helped) {
-  const PairedRuns runs{helped.dear, helped.cheap};
+  const PairedRuns runs{helped.expensive, helped.cheap};
   const HelpedEstimate estimate = helped_estimate(statistic, runs, helped.limits);
   if (std::isnan(estimate.value)) return {};
-  const std::vector<double> dear(helped.dear.begin(), helped.dear.begin() + helped.pilot),
+  const std::vector<double> expensive(helped.expensive.begin(),
+                                      helped.expensive.begin() + helped.pilot),
       cheap(helped.cheap.begin(), helped.cheap.begin() + helped.pilot);
-  const double seen = helped_estimate(statistic, {dear, cheap}, helped.limits).correlation;
-  const double predicted = gain_at_cost(seen, static_cast<double>(runs.dear.size()),
+  const double seen = helped_estimate(statistic, {expensive, cheap}, helped.limits).correlation;
+  const double predicted = gain_at_cost(seen, static_cast<double>(runs.expensive.size()),
                                         static_cast<double>(runs.cheap.size()), helped.cost);
   const bool pays = predicted >= kLeastMultifidelityGain;
   const double achieved = pays ? resampled_gain(statistic, runs, helped.limits, helped.cost,
@@ -69,11 +70,11 @@ Json quantity_json(const ReportBasis& basis, const StudyData& companion, const C
   std::vector<Limit> limits;
   for (const Limit& limit : basis.runs.plan.limits)
     if (limit.quantity == column.name) limits.push_back(limit);
-  const auto dear = ok_values(basis.runs, column.values),
+  const auto expensive = ok_values(basis.runs, column.values),
              cheap = ok_values(companion, find_quantity(companion, column.name)->values);
-  const Helped helped{dear,   cheap,
-                      limits, pilot_pairs(basis.runs),
-                      cost,   static_cast<std::uint64_t>(basis.runs.provenance.seed)};
+  const Helped helped{expensive, cheap,
+                      limits,    pilot_pairs(basis.runs),
+                      cost,      static_cast<std::uint64_t>(basis.runs.provenance.seed)};
   Json list = Json::array();
   for (const HelpedStatistic statistic :
        {HelpedStatistic::mean, HelpedStatistic::deviation, HelpedStatistic::yield}) {

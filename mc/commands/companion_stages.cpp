@@ -52,10 +52,10 @@ std::vector<double> first_values(const StudyData& runs, const std::string& quant
 Offer best_offer(const Helper& helper, const StudyData& runs, const StudyData& pilot) {
   Offer best{helper, "", 1, 0};
   for (const Limit& limit : runs.plan.limits) {
-    const auto dear = first_values(runs, limit.quantity, pilot.size()),
+    const auto expensive = first_values(runs, limit.quantity, pilot.size()),
                cheap = first_values(pilot, limit.quantity, pilot.size());
     const double correlation =
-        helped_estimate(HelpedStatistic::mean, {dear, cheap}, {}).correlation;
+        helped_estimate(HelpedStatistic::mean, {expensive, cheap}, {}).correlation;
     if (std::isnan(correlation)) continue;
     const double ratio =
         std::min(best_cheap_ratio(correlation, helper.cost), kLargestCost / helper.cost);

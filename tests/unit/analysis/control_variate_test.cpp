@@ -16,14 +16,14 @@ constexpr double kMean = 3, kDeviation = 2;
 const std::vector<Limit> kLimits = {
     {.quantity = "q", .minimum = {}, .maximum = kMean + kDeviation, .source = "test"}};
 
-/// Two normal models with this correlation; the dear one has mean 3 and standard deviation 2.
+/// Two normal models with this correlation; the expensive one has mean 3 and standard deviation 2.
 struct TwoModels {
   double correlation, cost;
   double lost = 0;  ///< share of runs without a value, on each model by itself
 
   struct Runs {
-    std::vector<double> dear, cheap;
-    operator PairedRuns() const { return {dear, cheap}; }
+    std::vector<double> expensive, cheap;
+    operator PairedRuns() const { return {expensive, cheap}; }
   };
   Runs draw(std::size_t n, std::size_t m, std::uint64_t repeat) const {
     Runs runs;
@@ -32,7 +32,7 @@ struct TwoModels {
       const auto normal = [&] { return gsl_cdf_ugaussian_Pinv(draws.next()); };
       const double f = normal(), own = normal();
       const bool f_lost = draws.next() < lost, g_lost = draws.next() < lost;
-      if (k < n) runs.dear.push_back(f_lost ? kNan : kMean + kDeviation * f);
+      if (k < n) runs.expensive.push_back(f_lost ? kNan : kMean + kDeviation * f);
       const double r = correlation;
       runs.cheap.push_back(g_lost ? kNan : 7 - 5 * (r * f + std::sqrt(1 - r * r) * own));
     }
@@ -123,14 +123,14 @@ TEST(ControlVariate, ByHand) {
   EXPECT_NEAR(best_cheap_ratio(std::sqrt(0.96), 0.01), std::sqrt(0.96 / 0.0004), 1e-9);
   EXPECT_EQ(best_cheap_ratio(0, 0.01), 1);
   // f = 2 g exactly: the mean of f is that of 2 g over all samples.
-  std::vector<double> dear, cheap;
+  std::vector<double> expensive, cheap;
   for (int k = 0; k < 40; ++k) {
     cheap.push_back(k * k % 17);
-    if (k < 20) dear.push_back(2 * cheap.back());
+    if (k < 20) expensive.push_back(2 * cheap.back());
   }
-  const HelpedEstimate mean = helped_estimate(HelpedStatistic::mean, {dear, cheap}, {});
+  const HelpedEstimate mean = helped_estimate(HelpedStatistic::mean, {expensive, cheap}, {});
   EXPECT_NEAR(mean.value, 2 * gsl_stats_mean(cheap.data(), 1, 40), 1e-12);
-  EXPECT_NEAR(mean.plain, gsl_stats_mean(dear.data(), 1, 20), 1e-12);
+  EXPECT_NEAR(mean.plain, gsl_stats_mean(expensive.data(), 1, 20), 1e-12);
   EXPECT_NEAR(mean.correlation, 1, 1e-12);
 }
 
