@@ -9,10 +9,10 @@ namespace cagetol {
 
 /// How a run ended. Numbers are those stored in study.h5.
 enum class Status : int {
-  ok = 0,      ///< simulated, every watch within its bound
-  jammed = 1,  ///< a roller does not fit its pocket, or the geometry is impossible: not simulated
-  failed = 2,  ///< the integration failed, a watch (static consistency, energy) is outside its
-               ///< bound, or a quantity is impossible
+  ok = 0,        ///< simulated, every watch within its bound
+  jammed = 1,    ///< a roller does not fit its pocket, or the geometry is impossible: not simulated
+  failed = 2,    ///< the integration failed, a watch (static consistency, energy) is outside its
+                 ///< bound, or a quantity is impossible
   censored = 3,  ///< the step budget ran out before the window was complete
   not_run = 4,   ///< aborted by a wall-clock limit or an interruption; never counted as an outcome
   poisoned = 5,  ///< the process running this sample died of it, alone, twice
@@ -21,10 +21,22 @@ enum class Status : int {
 /// "ok", "jammed", ... as printed in reports and --json output.
 const char* status_name(Status status);
 
+/// Why the measuring window ended. Numbers are those stored in study.h5.
+enum class WindowEnd : int {
+  fixed = 0,      ///< as long as the scene says
+  converged = 1,  ///< its means had converged (window.measure = "auto")
+  longest = 2,    ///< at its longest, its means had not
+};
+
 /// Numbers about the run itself. Only `wall_s` depends on the machine.
 struct RunRecord {
   double simulated_s = 0;
+  double measured_s = 0;        ///< length of the measuring window
   double cage_revolutions = 0;  ///< revolutions of the cage in the measuring window
+  WindowEnd window_end = WindowEnd::fixed;
+  /// Of the watched mean that is known least (quantities/convergence.hpp); NaN where a window has
+  /// less than two revolutions.
+  double mean_share = std::numeric_limits<double>::quiet_NaN();
   double steps = 0;
   double rejected_steps = 0;
   double rhs_evaluations = 0;
@@ -70,6 +82,7 @@ struct Outcome {
   int pocket =
       -1;  ///< the pocket that jams (or, with allow_interference, pinches), 0-based; -1: none
   double interference_um = 0;  ///< how much the roller is too large for it
+  std::string least_known;     ///< key of the watched mean that is known least, for people
   std::vector<double> quantities;
   RunRecord run;
   CagePeak cage_peak;

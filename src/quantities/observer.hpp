@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,9 +11,11 @@
 #include "src/integration/system.hpp"
 #include "src/outcome.hpp"
 #include "src/quantities/cage_stress.hpp"
+#include "src/quantities/convergence.hpp"
 #include "src/quantities/orbit_slip.hpp"
 #include "src/quantities/series.hpp"
 #include "src/quantities/stationarity.hpp"
+#include "src/window_times.hpp"
 
 namespace cagetol {
 
@@ -20,6 +23,10 @@ class Observer {
  public:
   /// The window is [begin, end] in seconds.
   Observer(const BearingModel& model, double begin, double end);
+  /// The first window that a run has after settling.
+  Observer(const BearingModel& model, const WindowTimes& times);
+  /// The window goes on for another revolution of the cage, and ends there.
+  void extend(double end);
 
   /// One accepted state inside the window, with system.linearise_at() done for it.
   void record(double t, const double* y, const System& system);
@@ -43,6 +50,8 @@ class Observer {
   /// Whether the motion drifts through the window; none where that cannot be told or is meant: a
   /// dry bearing, a ramp or less than two turns of the cage within the window, standstill.
   const std::optional<Stationarity>& stationarity() const { return stationarity_; }
+  /// How well means are known, from whole revolutions of the cage.
+  const Convergence& convergence() const { return convergence_; }
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
   /// Largest angle between a roller's axis and the bearing's [rad].
@@ -50,7 +59,7 @@ class Observer {
   /// Likewise of the inner ring's centre line where its tilt is free, else 0.
   double largest_tilt() const { return ring_tilt_.empty() ? 0 : ring_tilt_.peak(); }
   /// Of a flexible cage; empty of a rigid one.
-  const CagePeak& cage_peak() const { return cage_peak_; }
+  const CagePeak& cage_peak() const { return extremes_.empty() ? cage_peak_ : extreme_peak_; }
 
  private:
   /// Touches that begin, of packs of contacts: one seen closed at first is not one.
@@ -70,9 +79,14 @@ class Observer {
   /// What the shaft leaves of the moment to the rollers, as a couple at their ends [N].
   double rollers_couple(const RingLoad& load) const;
   void record_stress(double t, const double* y, const Observation& seen);
+  void record_revolution(double t, const double* y);
+  /// Of everything that has been recorded so far.
+  std::vector<double> quantities_so_far() const;
 
   const BearingModel& model_;
   double begin_, end_;
+  double revolution_ = std::numeric_limits<double>::infinity();  ///< of the cage [s]
+  double peaks_end_ = std::numeric_limits<double>::infinity();   ///< where peaks end [s]
   StaticEquilibrium statics_;
   std::vector<double> angles_;
   double next_statics_;
@@ -99,6 +113,10 @@ class Observer {
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;
   CagePeak cage_peak_;
+  std::vector<double> extremes_;  ///< quantities where peaks ended; empty: not yet
+  CagePeak extreme_peak_;         ///< likewise
+  Convergence convergence_;
+  double start_orbit_ = 0;          ///< mean angle of all rollers at the first state [rad]
   double thinnest_film_ = kNoFilm;  ///< [m]
   double largest_lean_squared_ = 0;
   double orbit_turned_ = 0, orbit_angle_ = 0;

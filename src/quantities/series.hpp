@@ -18,8 +18,11 @@ class Series {
   struct Sums {
     long count;
     double shift, weight, values, squares, peak;
+    double integral() const { return values + shift * weight; }
+    double square_integral() const { return squares + shift * (2 * values + shift * weight); }
   };
   Series(const Sums& sums, std::vector<double> record);
+  Sums sums() const { return {count_, shift_, weight_, sum_, squares_, peak_}; }
 
   /// The value enters the record for quantiles so many times.
   void add(double value, double weight, int recorded = 0) {
@@ -160,11 +163,13 @@ class RollerSeries {
   /// `counts`: lanes where the quantity exists just now, not padding, nor, say, the slip of an
   /// unloaded roller.
   void add(std::size_t group, Pack value, Mask counts, const SeenStep& step);
-  /// Likewise one that exists while `gate` exceeds `threshold`, >= 0. It may be largest where the gate
-  /// opens or closes: there it lies on the chord between states whose gates are both above zero.
+  /// Likewise one that exists while `gate` exceeds `threshold`, >= 0. It may be largest where the
+  /// gate opens or closes: there it lies on the chord between states whose gates are both above
+  /// zero.
   void add_above(std::size_t group, Pack value, Pack gate, double threshold, Mask here,
                  const SeenStep& step);
-  Series all() const;
+  Series all() const { return {sums(), record_}; }
+  Series::Sums sums() const;
 
  private:
   struct State {
@@ -184,10 +189,10 @@ class RollerSeries {
   std::vector<double> record_;
 };
 
-/// Mean square and peak of an acceleration in the plane seen at the accepted steps with velocity and
-/// position: over a step each component is the parabola between both ends that makes the velocity's
-/// change, for the peak the cubic that makes the position's, too, however sharply the step before it
-/// ended.
+/// Mean square and peak of an acceleration in the plane seen at the accepted steps with velocity
+/// and position: over a step each component is the parabola between both ends that makes the
+/// velocity's change, for the peak the cubic that makes the position's, too, however sharply the
+/// step before it ended.
 class PlaneAcceleration {
  public:
   struct Plane {

@@ -179,7 +179,10 @@ struct Start {
 
 struct Window {
   double settle_revolutions = 2;           ///< cage revolutions before measuring
-  double measure_revolutions = 6;          ///< cage revolutions measured
+  std::string measure = "fixed";           ///< "auto": until the means have converged
+  double measure_revolutions = 6;          ///< cage revolutions measured; auto: at most
+  double measure_share = 0.1;              ///< auto: what the means may be off by, of themselves
+  double peak_revolutions = kAuto;         ///< over which peaks are taken; auto: the whole window
   double longest_settle_revolutions = 60;  ///< of a lubricated bearing whose motion drifts
   double settle_time = kAuto;              ///< overrides settle_revolutions [s]
   double measure_time = kAuto;             ///< overrides measure_revolutions [s]
@@ -234,6 +237,11 @@ struct Scene {
       false;  ///< simulate a jammed pocket's elastic pinch instead of reporting the jam
   double history_interval = 20e-6;  ///< [s]
 };
+
+/// Whether a run ends its measuring window by itself.
+inline bool measures_until_converged(const Scene& scene) {
+  return scene.window.measure == "auto";
+}
 
 inline bool has_planar_rollers(const Scene& scene) {
   return scene.model.rollers == "planar";
