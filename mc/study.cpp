@@ -12,6 +12,7 @@
 #include "mc/study_layers.hpp"
 #include "mc/study_limits.hpp"
 #include "mc/study_trends.hpp"
+#include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
 #include "src/scene/oil_keys.hpp"
 #include "src/scene/scene_keys.hpp"
@@ -223,13 +224,18 @@ std::vector<std::string> model_notes(const Study& study) {
 std::vector<std::string> study_notes(const Study& study) {
   std::vector<std::string> notes = model_notes(study);
   const auto& window = study.scene.window;
-  for (const auto& limit : study.limits)
-    if (limit.cage_revolutions > 0 && std::isnan(window.measure_time) &&
-        limit.cage_revolutions != window.measure_revolutions)
+  for (const auto& limit : study.limits) {
+    const bool in_part = is_extreme(limit.quantity) && !std::isnan(window.peak_revolutions);
+    const double measured = in_part ? window.peak_revolutions : window.measure_revolutions;
+    // A mean is the same whatever time its window took to know it.
+    const bool any = measures_until_converged(study.scene) && !is_extreme(limit.quantity);
+    if (limit.cage_revolutions > 0 && std::isnan(window.measure_time) && !any &&
+        limit.cage_revolutions != measured)
       notes.push_back(
           "limit on " + limit.quantity + " is for " + number_text(limit.cage_revolutions) +
-          " cage revolutions, the window measures " + number_text(window.measure_revolutions) +
-          " (scene.window.measure_revolutions)");
+          " cage revolutions, the window measures " + number_text(measured) + " (scene.window." +
+          (in_part ? "peak_revolutions" : "measure_revolutions") + ")");
+  }
   const auto varied = design_columns(study);
   if (study.inputs.empty())
     notes.push_back("nothing varies: no key of the scene is a distribution");

@@ -138,12 +138,24 @@ void judge(const Scene& scene, const BearingModel& model, const WindowTimes& tim
                      " error scales (1 cm/s and kin), more than " + number(kStepErrorMax) +
                      ": shorten integration.fixed_step_us";
   } else {
-    const PlausibleReach reach(
-        scene, model,
-        {times.settle, times.settle + times.measure, run.cage_revolutions, run.steps});
+    const PlausibleReach reach(scene, model,
+                               {.begin = times.settle,
+                                .end = times.settle + run.measured_s,
+                                .revolutions = run.cage_revolutions,
+                                .steps = run.steps,
+                                .peaks_in_part = times.peaks < run.measured_s});
     outcome.reason = find_implausible(reach, outcome.quantities);
     outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;
   }
+}
+
+/// Whether the means of a window that ends by itself are known well enough, and their motion is the
+/// one that is meant.
+bool has_converged(const Scene& scene, const BearingModel& model, const Observer& observer,
+                   double t) {
+  return t >= std::max(model.load_ramp, model.speed_ramp) &&
+         observer.convergence().worst().share <= scene.window.measure_share &&
+         find_drift(scene, model, observer).empty();
 }
 
 }  // namespace
@@ -181,19 +193,29 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
   double t = 0;
   const auto integrator = make_integrator(scene.integration, system, t, y.data());
   double end = times.settle + times.measure;
-  std::optional<Observer> observer(std::in_place, model, times.settle, end);
+  std::optional<Observer> observer(std::in_place, model, times);
+  const bool open_end = measures_until_converged(scene);
+  WindowEnd window_end = WindowEnd::fixed;
 
   bool finite = system.linearise_at(t, y.data());
   StepStatus status = StepStatus::accepted;
   for (long n = 0; finite && status == StepStatus::accepted; ++n) {
     if (t >= times.settle) observer->record(t, y.data(), system);
-    if (t >= end && times.settle + times.measure <= times.longest_settle &&
-        !find_drift(scene, model, *observer).empty()) {
+    if (t >= end && end <= times.longest_settle && !find_drift(scene, model, *observer).empty()) {
       times.settle = end;
       end += times.measure;
-      observer.emplace(model, times.settle, end);
+      observer.emplace(model, times);
       observer->record(t, y.data(), system);
       if (options.on_window) options.on_window(times.settle);
+    } else if (t >= end && open_end) {
+      if (has_converged(scene, model, *observer, t)) {
+        window_end = WindowEnd::converged;
+      } else if (end < times.settle + (1 - 1e-9) * times.longest) {
+        end += times.revolution;
+        observer->extend(end);
+      } else {
+        window_end = WindowEnd::longest;
+      }
     }
     if (options.on_state) options.on_state(t, y.data(), system);
     if (t >= end) break;
@@ -207,7 +229,11 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
         return outcome;
       }
     }
-    status = integrator->step(system, t, y.data(), t < times.settle ? times.settle : end);
+    const double peaks_end = times.settle + times.peaks;
+    status = integrator->step(system, t, y.data(),
+                              t < times.settle ? times.settle
+                              : t < peaks_end  ? std::min(peaks_end, end)
+                                               : end);
     if (status == StepStatus::accepted) finite = system.linearise_at(t, y.data());
   }
   RunRecord& run = outcome.run;
@@ -219,7 +245,12 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
   run.factorisations = static_cast<double>(system.counts.factorisations);
   run.smallest_step_s = system.counts.smallest_step;
   if (finite && status == StepStatus::accepted) {
+    run.measured_s = end - times.settle;
     run.cage_revolutions = observer->cage_revolutions();
+    run.window_end = window_end;
+    const MeanShare worst = observer->convergence().worst();
+    run.mean_share = worst.share;
+    outcome.least_known = worst.key;
     run.energy_residual = observer->energy_residual();
     run.static_consistency_error = observer->static_consistency_error();
     run.static_positions_missed = static_cast<double>(observer->static_positions_missed());

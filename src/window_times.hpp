@@ -7,9 +7,16 @@ namespace cagetol {
 
 struct WindowTimes {
   double settle;          ///< before the measuring window [s]
-  double measure;         ///< length of the measuring window [s]
+  double measure;         ///< length of the measuring window, the least if it ends by itself [s]
+  double longest;         ///< longest measuring window [s]
+  double peaks;           ///< length over which peaks are taken, from the start of the window [s]
+  double revolution;      ///< of the cage, infinite at standstill [s]
   double longest_settle;  ///< limit of settling for a motion that drifts [s]
 };
+
+/// Fewest cage revolutions before a window may end by itself: one revolution shows neither scatter
+/// nor drift.
+inline constexpr double kLeastRevolutions = 2;
 
 /// Cage revolutions are converted to time with the kinematic cage speed.
 WindowTimes window_times(const Scene& scene, const BearingModel& model);

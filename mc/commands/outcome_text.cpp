@@ -19,7 +19,8 @@ std::string row(const std::string& key, double value, const std::string& unit) {
 
 nlohmann::ordered_json outcome_json(const Outcome& outcome) {
   nlohmann::ordered_json json = {{"status", status_name(outcome.status)},
-                                 {"reason", outcome.reason}};
+                                 {"reason", outcome.reason},
+                                 {"least_known", outcome.least_known}};
   auto& quantities = json["qoi"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < quantity_table().size(); ++i)
     quantities[quantity_table()[i].key] =
@@ -40,6 +41,12 @@ std::string outcome_table(const Outcome& outcome) {
   for (std::size_t i = 0; i < values.size(); ++i)
     text += row(run_fields()[i].key, values[i], run_fields()[i].unit);
   text += row("wall_s", outcome.run.wall_s, "s");
+  if (outcome.run.window_end != WindowEnd::fixed)
+    text +=
+        fmt::format("window.measure = \"auto\": {} after {:.4g} s; known least: {} to {:.2g} %\n",
+                    outcome.run.window_end == WindowEnd::converged ? "the means have converged"
+                                                                   : "the means have NOT converged",
+                    outcome.run.measured_s, outcome.least_known, 100 * outcome.run.mean_share);
   return text;
 }
 

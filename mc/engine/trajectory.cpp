@@ -37,6 +37,7 @@ std::vector<Scene> starts_of(const Scene& scene, int count) {
 
 Trajectory follow(const Scene& scene, double horizon, SimulateOptions options) {
   Scene brief = scene;
+  brief.window = {};
   brief.window.settle_time = brief.window.measure_time = horizon / 2;
   Watch& watch = brief.watch;
   watch.static_consistency_max = watch.energy_residual_max = watch.cage_drift_max =

@@ -86,6 +86,44 @@ Observer::Observer(const BearingModel& model, double begin, double end)
   if (should_be_stationary(model, begin, end)) stationarity_.emplace(begin, end);
 }
 
+Observer::Observer(const BearingModel& model, const WindowTimes& times)
+    : Observer(model, times.settle, times.settle + times.measure) {
+  revolution_ = times.revolution;
+  if (times.peaks < times.longest) peaks_end_ = begin_ + times.peaks;
+  if (times.measure < times.longest && stationarity_)
+    stationarity_ = Stationarity::growing(begin_, revolution_);
+}
+
+void Observer::extend(double end) {
+  end_ = end;
+  if (stationarity_) stationarity_->end_at(end);
+}
+
+void Observer::record_revolution(double t, const double* y) {
+  // Rounding may put the end of a revolution after the state that is meant to be there.
+  const auto ended = static_cast<double>(convergence_.revolutions()) + 1;
+  if (!(t >= begin_ + (ended - 1e-9) * revolution_)) return;
+  const StateLayout& l = model_.layout;
+  const double* angles = y + l.position(kAngle, 0);
+  const double rollers = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
+  const double cage = y[l.border_position(kCagePhi)];
+  const double turned = kinematic_cage_speed(model_, 1) * inner_speed_.sums().integral();
+  const auto mean = [](const Series::Sums& of) { return MeanIntegral{of.integral(), of.weight}; };
+  const auto square = [](const Series::Sums& of) {
+    return MeanIntegral{of.square_integral(), of.weight};
+  };
+  Convergence::Integrals now;
+  now[kMeanCageSlip] = {turned - (cage - start_phase_), turned};
+  now[kMeanOrbitSlip] = {turned - (rollers - start_orbit_), turned};
+  now[kMeanRaceSliding] = square(sliding_.sums());
+  now[kMeanPocketForce] = square(pocket_force_.sums());
+  now[kMeanGuideForce] = square(guide_force_.sums());
+  now[kMeanDisplacement] = mean(ring_z_.sums());
+  now[kMeanTorque] = mean(drive_.sums());
+  if (stress_) now[kMeanStress] = square(cage_stress_.sums());
+  convergence_.add(now);
+}
+
 void Observer::record(double t, const double* y, const System& system) {
   const StateLayout& l = model_.layout;
   const double *q = y + l.border_position(0), *v = y + l.border_velocity(0);
@@ -109,6 +147,8 @@ void Observer::record(double t, const double* y, const System& system) {
     start_phase_ = q[kCagePhi];
     last_stress_ = t;
     orbit_angle_ = std::atan2(cage_z, cage_y);
+    const double* angles = y + l.position(kAngle, 0);
+    start_orbit_ = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
   }
   last_energy_ = energy;
   last_ring_speed_ = v[kRingZ];
@@ -154,6 +194,11 @@ void Observer::record(double t, const double* y, const System& system) {
   record_statics(t, y);
   if (stress_) record_stress(t, y, seen);
   last_time_ = t;
+  record_revolution(t, y);
+  if (t >= peaks_end_ && extremes_.empty()) {
+    extremes_ = quantities_so_far();
+    extreme_peak_ = cage_peak_;
+  }
 }
 
 void Observer::record_stress(double t, const double* y, const Observation& seen) {
@@ -261,7 +306,8 @@ double Observer::energy_resolution(double tolerance) const {
   const double force = std::max(std::abs(load_at(model_, end_).radial), carried);
   // Momentum is at most the root of twice mass times energy.
   const double energy = std::max(std::abs(first_energy_), std::abs(last_energy_));
-  const double by_scale = force * kStepControl.length_unit + std::sqrt(2 * mass * energy) * speed_scale(model_);
+  const double by_scale =
+      force * kStepControl.length_unit + std::sqrt(2 * mass * energy) * speed_scale(model_);
   const double components =
       (int{kRollerPositions} + int{kRollerVelocities}) * l.rollers + 2 * l.border();
   // A tolerance looser than the default's is what the watch is there to find.
@@ -311,6 +357,13 @@ double Observer::static_consistency_error() const {
 }
 
 std::vector<double> Observer::quantities() const {
+  std::vector<double> values = quantities_so_far();
+  for (std::size_t i = 0; i < extremes_.size(); ++i)
+    if (is_extreme(quantity_table()[i].key)) values[i] = extremes_[i];
+  return values;
+}
+
+std::vector<double> Observer::quantities_so_far() const {
   const double none = std::numeric_limits<double>::quiet_NaN();
   QuantityValues q;
   const double cage_speed = cage_speed_.mean(), inner_speed = inner_speed_.mean();

@@ -3,16 +3,19 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "src/integration/system.hpp"
 #include "src/outcome.hpp"
 #include "src/quantities/cage_stress.hpp"
+#include "src/quantities/convergence.hpp"
 #include "src/quantities/orbit_slip.hpp"
 #include "src/quantities/series.hpp"
 #include "src/quantities/stationarity.hpp"
 #include "src/statics/static_equilibrium.hpp"
+#include "src/window_times.hpp"
 
 namespace cagetol {
 
@@ -20,6 +23,10 @@ class Observer {
  public:
   /// The window is [begin, end] in seconds.
   Observer(const BearingModel& model, double begin, double end);
+  /// The first window that a run has after settling.
+  Observer(const BearingModel& model, const WindowTimes& times);
+  /// The window goes on for another revolution of the cage, and ends there.
+  void extend(double end);
 
   /// Records an accepted state inside the window. Expects system.linearise_at() at this state.
   void record(double t, const double* y, const System& system);
@@ -44,6 +51,8 @@ class Observer {
   /// Whether the motion drifts through the window. None if this is not judged: dry bearing,
   /// standstill, ramp within the window, or less than two turns of the cage.
   const std::optional<Stationarity>& stationarity() const { return stationarity_; }
+  /// How well means are known, from whole revolutions of the cage.
+  const Convergence& convergence() const { return convergence_; }
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
   /// Largest angle between the axes of a roller and of the bearing [rad].
@@ -51,7 +60,7 @@ class Observer {
   /// Largest tilt of a free inner ring; 0 if the tilt is prescribed [rad].
   double largest_tilt() const { return ring_tilt_.empty() ? 0 : ring_tilt_.peak(); }
   /// State of the largest stress; empty for a rigid cage.
-  const CagePeak& cage_peak() const { return cage_peak_; }
+  const CagePeak& cage_peak() const { return extremes_.empty() ? cage_peak_ : extreme_peak_; }
 
  private:
   /// Counts contacts that close. A contact closed in the first state is not counted.
@@ -71,9 +80,14 @@ class Observer {
   /// Moment on the ring that the rollers carry, not the shaft, as a couple at the roller ends [N].
   double rollers_couple(const RingLoad& load) const;
   void record_stress(double t, const double* y, const Observation& seen);
+  void record_revolution(double t, const double* y);
+  /// Of everything that has been recorded so far.
+  std::vector<double> quantities_so_far() const;
 
   const BearingModel& model_;
   double begin_, end_;
+  double revolution_ = std::numeric_limits<double>::infinity();  ///< of the cage [s]
+  double peaks_end_ = std::numeric_limits<double>::infinity();   ///< where peaks end [s]
   StaticEquilibrium statics_;
   std::vector<double> angles_;
   double next_statics_;
@@ -100,6 +114,10 @@ class Observer {
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;
   CagePeak cage_peak_;
+  std::vector<double> extremes_;  ///< quantities where peaks ended; empty: not yet
+  CagePeak extreme_peak_;         ///< likewise
+  Convergence convergence_;
+  double start_orbit_ = 0;          ///< mean angle of all rollers at the first state [rad]
   double thinnest_film_ = kNoFilm;  ///< [m]
   double largest_lean_squared_ = 0;
   double orbit_turned_ = 0, orbit_angle_ = 0;

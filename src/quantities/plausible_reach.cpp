@@ -74,6 +74,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
       planar(m.planar),
       tilts(m.layout.ring_tilt > 0),
       quasi_static(run.quasi_static),
+      peaks_in_part(run.peaks_in_part),
       rollers(m.layout.rollers),
       duration(run.end - run.begin),
       revolutions(run.revolutions),

@@ -13,6 +13,7 @@ struct PlausibleRun {
   double revolutions = 0;     ///< of the cage within it
   double steps = 0;           ///< accepted, of the whole run; quasi-static: positions
   bool quasi_static = false;
+  bool peaks_in_part = false;  ///< peaks are taken over a part of the window
 };
 
 /// Largest angle of rollers, rings and cage for which the equations of motion hold [rad]. Supported
@@ -23,6 +24,7 @@ struct PlausibleReach {
   PlausibleReach(const Scene& scene, const BearingModel& model, const PlausibleRun& run);
 
   bool flexible, planar, tilts, quasi_static;
+  bool peaks_in_part;
   bool turns;       ///< the inner ring rotates throughout the window
   int rollers;      ///< Z
   double duration;  ///< of the window [s]

@@ -9,6 +9,12 @@ const std::vector<Quantity>& quantity_table() {
   return table;
 }
 
+bool is_extreme(const std::string& key) {
+  for (const char* part : {"_peak", "_p95", "_p99", "_min_"})
+    if (key.find(part) != std::string::npos) return true;
+  return false;
+}
+
 int quantity_index(const std::string& key) {
   const auto& table = quantity_table();
   for (std::size_t i = 0; i < table.size(); ++i)

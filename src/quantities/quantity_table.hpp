@@ -14,6 +14,10 @@ struct Quantity {
 
 const std::vector<Quantity>& quantity_table();
 
+/// Whether a quantity is a peak, a minimum or a quantile, by its name: it depends on the time that
+/// it is taken over (window.peak_revolutions).
+bool is_extreme(const std::string& key);
+
 /// Position of `key` in quantity_table(), or -1.
 int quantity_index(const std::string& key);
 

@@ -202,9 +202,9 @@ void RollerSeries::add_above(std::size_t group, Pack value, Pack gate, double th
   seen.gate = gate;
 }
 
-Series RollerSeries::all() const {
+Series::Sums RollerSeries::sums() const {
   const double peak = asked_ & kPeak ? largest(peak_) : kNone;
-  return {{shifted_ ? 1 : 0, shift_, sum(weight_), sum(sum_), sum(squares_), peak}, record_};
+  return {shifted_ ? 1 : 0, shift_, sum(weight_), sum(sum_), sum(squares_), peak};
 }
 
 void PlaneAcceleration::add(Plane acceleration, Plane velocity, Plane position,

@@ -18,8 +18,11 @@ class Series {
   struct Sums {
     long count;
     double shift, weight, values, squares, peak;
+    double integral() const { return values + shift * weight; }
+    double square_integral() const { return squares + shift * (2 * values + shift * weight); }
   };
   Series(const Sums& sums, std::vector<double> record);
+  Sums sums() const { return {count_, shift_, weight_, sum_, squares_, peak_}; }
 
   /// Adds a value, `recorded` times to the record.
   void add(double value, double weight, int recorded = 0) {
@@ -169,7 +172,8 @@ class RollerSeries {
   /// gate crosses the threshold: there it is interpolated between two states with gates above zero.
   void add_above(std::size_t group, Pack value, Pack gate, double threshold, Mask here,
                  const SeenStep& step);
-  Series all() const;
+  Series all() const { return {sums(), record_}; }
+  Series::Sums sums() const;
 
  private:
   struct State {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace cagetol {
 
@@ -41,7 +42,20 @@ class Stationarity {
   };
 
   /// The window [s].
-  Stationarity(double begin, double end) : begin_(begin), length_(end - begin) {}
+  Stationarity(double begin, double end)
+      : begin_(begin),
+        length_(end - begin),
+        part_(length_ / static_cast<double>(kDriftBlocks)),
+        parts_(kDriftBlocks) {}
+  /// A window that grows by whole lengths `growth` [s], each of kDriftBlocks parts: a block is as
+  /// many parts as the window has such lengths.
+  static Stationarity growing(double begin, double growth) {
+    Stationarity made(begin, begin + growth);
+    made.grows_ = true;
+    return made;
+  }
+  /// Where a window that grows ends for now [s]: no state beyond has been recorded.
+  void end_at(double end) { length_ = end - begin_; }
 
   /// Records the state at time t inside the window.
   void record(double t, const Seen& seen);
@@ -56,11 +70,12 @@ class Stationarity {
   using Means = std::array<double, kDriftBlocks>;
   Means means(double Seen::*of) const;
 
-  double begin_, length_;
+  double begin_, length_, part_;
+  bool grows_ = false;
   bool started_ = false;
   double time_ = 0;  ///< of the last state [s]
   Seen last_;
-  std::array<Seen, kDriftBlocks> integrals_{};
+  std::vector<Seen> parts_;  ///< integrals
 };
 
 }  // namespace cagetol

@@ -181,7 +181,10 @@ struct Start {
 
 struct Window {
   double settle_revolutions = 2;           ///< cage revolutions before the measurement
-  double measure_revolutions = 6;          ///< cage revolutions measured
+  WindowEnd measure = WindowEnd::fixed;    ///< automatic: until the means have converged
+  double measure_revolutions = 6;          ///< cage revolutions measured; automatic: at most
+  double measure_share = 0.1;              ///< automatic: relative uncertainty of the means
+  double peak_revolutions = kAuto;         ///< over which peaks are taken; kAuto: whole window
   double longest_settle_revolutions = 60;  ///< limit of settling for lubricated bearings that drift
   double settle_time = kAuto;              ///< overrides settle_revolutions [s]
   double measure_time = kAuto;             ///< overrides measure_revolutions [s]
@@ -234,6 +237,11 @@ struct Scene {
   bool allow_interference = false;
   double history_interval = 20e-6;  ///< [s]
 };
+
+/// Whether a run ends its measuring window by itself.
+inline bool measures_until_converged(const Scene& scene) {
+  return scene.window.measure == WindowEnd::automatic;
+}
 
 inline bool has_planar_rollers(const Scene& scene) {
   return scene.model.rollers == RollerModel::planar;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 
 #include "tests/mpi/standin.hpp"
 #include "tests/support/file_bytes.hpp"
@@ -54,6 +55,35 @@ TEST(ProgramTest, AnyNumberOfRanksGivesTheSameFileAndEverySampleReplaysToTheBit)
     EXPECT_EQ(replay.code, 0) << replay.output;
     EXPECT_THAT(replay.output, HasSubstr("reproduced to the bit"));
   }
+}
+
+/// The run alone decides when its window ends: some samples converge, others measure the most.
+TEST(ProgramTest, WindowsThatEndByThemselvesGiveTheSameFileOnAnyRankAndReplay) {
+  const ScratchDirectory scratch;
+  const auto sweep = [&](const std::string& directory) {
+    auto command = sweep_of(kShippedStudy, directory);
+    for (const char* setting :
+         {"scene.window.measure='auto'", "scene.window.measure_revolutions=3",
+          "scene.window.peak_revolutions=1", "scene.window.measure_share=0.07",
+          "scene.window.longest_settle_revolutions=0", "scene.model.rollers='planar'",
+          "scene.discretisation.race_slices=1", "scene.discretisation.bar_stations=1"})
+      command.insert(command.end(), {"--set", setting});
+    return command;
+  };
+  const Ended serial = run(sweep(scratch / "0"));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  ASSERT_EQ(run(with_mpirun(3, sweep(scratch / "3"))).code, 0);
+  EXPECT_THAT(study_file_differences(study_file_of(scratch / "0"), study_file_of(scratch / "3")),
+              IsEmpty());
+  std::set<std::string> ends;
+  for (const char* id : {"0", "1", "2", "3", "4", "5"}) {
+    const Ended replay =
+        run({CAGETOL_BINARY_DIR "/cagetol", "replay", scratch / "3", "--sample", id, "--json"});
+    EXPECT_THAT(replay.output, HasSubstr("\"reproduced\": true"));
+    for (const char* end : {"\"window_end\": 1.0", "\"window_end\": 2.0"})
+      if (replay.output.find(end) != std::string::npos) ends.insert(end);
+  }
+  EXPECT_EQ(ends.size(), 2u);  // else there was nothing to decide
 }
 
 /// Pocket widths of cages from -0.2 to 0.2 mm need several cage tables, which ranks make together.

@@ -592,5 +592,23 @@ TEST_F(StudyFile, NotesSayWhatToKnow) {
   EXPECT_THAT(study_notes(study), testing::Contains(HasSubstr("nothing varies")));
 }
 
+TEST_F(StudyFile, LimitsOnPeaksAreForTheRevolutionsThatPeaksAreTakenOver) {
+  const auto notes_of = [&](const std::string& quantity, int revolutions) {
+    const auto notes = study_notes(study_of(
+        "samples = 5\n[scene.window]\nmeasure = 'auto'\npeak_revolutions = 3\n[[limit]]\n"
+        "quantity = '" +
+        quantity + "'\nmax = 1\nsource = 's'\ncage_revolutions = " + std::to_string(revolutions) +
+        "\n"));
+    std::string all;
+    for (const std::string& note : notes) all += note + "\n";
+    return all;
+  };
+  EXPECT_THAT(notes_of("pocket_force_peak_N", 6),
+              HasSubstr("is for 6 cage revolutions, the window measures 3 "
+                        "(scene.window.peak_revolutions)"));
+  EXPECT_THAT(notes_of("pocket_force_peak_N", 3), testing::Not(HasSubstr("cage revolutions")));
+  EXPECT_THAT(notes_of("pocket_force_rms_N", 6), testing::Not(HasSubstr("cage revolutions")));
+}
+
 }  // namespace
 }  // namespace cagetol

@@ -30,6 +30,13 @@ TEST(StepSeries, MeanOfALineIsExactHoweverUnevenTheSteps) {
   EXPECT_NEAR(line.mean(), 3 + 50, 1e-12);
 }
 
+TEST(Series, IntegralsDoNotDependOnTheFirstValue) {
+  Series series;
+  for (const double x : {7.0, 9.0, 2.0}) series.add(x, 0.5);
+  EXPECT_DOUBLE_EQ(series.sums().integral(), 9);
+  EXPECT_DOUBLE_EQ(series.sums().square_integral(), 67);
+}
+
 // Parabolas and their tops: exact but for the first and the last step, which see half of the bow.
 TEST(StepSeries, FollowsParabolasThroughNeighbouringStates) {
   const auto hill = [](double t) { return 7 - std::pow((t - 51e-6) / 10e-6, 2); };
@@ -188,11 +195,11 @@ TEST(PlaneAcceleration, IsExactForParabolasItsPeakForCubics) {
 TEST(RollerSeries, IsOneStepSeriesOfEveryRoller) {
   std::mt19937 random(1);
   std::normal_distribution<double> value(5, 1);
-  constexpr int kRollers = 11, kPacks = (kRollers + kLanes - 1) / kLanes;  // the last not whole
+  constexpr int kFollowed = 11, kPacks = (kFollowed + kLanes - 1) / kLanes;  // the last not whole
   const std::vector<double> times = uneven_times(7);
   StepClock clock(times.front(), kInterval);
   RollerSeries packs(kPeak | kQuantiles);
-  std::vector<StepSeries> rollers(kRollers, StepSeries(kPeak | kQuantiles));
+  std::vector<StepSeries> rollers(kFollowed, StepSeries(kPeak | kQuantiles));
   for (const double t : times) {
     const SeenStep step = clock.advance(t);
     for (std::size_t pack = 0; pack < kPacks; ++pack) {
@@ -201,7 +208,7 @@ TEST(RollerSeries, IsOneStepSeriesOfEveryRoller) {
       for (int lane = 0; lane < kLanes; ++lane) {
         values[lane] = value(random);
         const std::size_t roller = pack * kLanes + static_cast<std::size_t>(lane);
-        if (roller >= kRollers) continue;
+        if (roller >= kFollowed) continue;
         counts[lane] = -1;
         rollers[roller].add(values[lane], step);
       }
@@ -210,8 +217,8 @@ TEST(RollerSeries, IsOneStepSeriesOfEveryRoller) {
   }
   double mean = 0, square = 0, peak = 0;
   for (const StepSeries& roller : rollers) {
-    mean += roller.mean() / kRollers;
-    square += roller.rms() * roller.rms() / kRollers;
+    mean += roller.mean() / kFollowed;
+    square += roller.rms() * roller.rms() / kFollowed;
     peak = std::max(peak, roller.peak());
   }
   const Series all = packs.all();
