@@ -86,9 +86,9 @@ constexpr auto spellings(StartState) {
 }
 
 /// What ends the measuring window: its length, or that the means have converged.
-enum class WindowEnd { fixed, automatic };
-constexpr auto spellings(WindowEnd) {
-  using enum WindowEnd;
+enum class WindowRule { fixed, automatic };
+constexpr auto spellings(WindowRule) {
+  using enum WindowRule;
   return std::array{Spelling{fixed, "fixed"}, Spelling{automatic, "auto"}};
 }
 

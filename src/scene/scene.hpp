@@ -181,7 +181,7 @@ struct Start {
 
 struct Window {
   double settle_revolutions = 2;           ///< cage revolutions before the measurement
-  WindowEnd measure = WindowEnd::fixed;    ///< automatic: until the means have converged
+  WindowRule measure = WindowRule::fixed;  ///< automatic: until the means have converged
   double measure_revolutions = 6;          ///< cage revolutions measured; automatic: at most
   double measure_share = 0.1;              ///< automatic: relative uncertainty of the means
   double peak_revolutions = kAuto;         ///< over which peaks are taken; kAuto: whole window
@@ -240,7 +240,7 @@ struct Scene {
 
 /// Whether a run ends its measuring window by itself.
 inline bool measures_until_converged(const Scene& scene) {
-  return scene.window.measure == WindowEnd::automatic;
+  return scene.window.measure == WindowRule::automatic;
 }
 
 inline bool has_planar_rollers(const Scene& scene) {

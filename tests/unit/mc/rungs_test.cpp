@@ -105,7 +105,7 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
 
 TEST(Rungs, AWindowThatEndsByItselfIsRefinedBeyondItsLongest) {
   Scene open;
-  open.window.measure = WindowEnd::automatic;
+  open.window.measure = WindowRule::automatic;
   open.window.measure_revolutions = 12;
   open.window.peak_revolutions = 3;
   const auto rungs = refining_rungs(open);

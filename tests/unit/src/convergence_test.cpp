@@ -93,12 +93,12 @@ TEST(QuantityTable, ExtremesAreThoseThatSayPeakOrQuantileOrThinnest) {
 /// A lubricated NU 205 with planar rollers, whose window ends by itself.
 Scene open_ended(double share, double most) {
   Scene scene = shipped_scene("nu205");
-  scene.model.rollers = "planar";
+  scene.model.rollers = RollerModel::planar;
   scene.discretisation = {.race_slices = 1, .bar_stations = 1};
-  scene.integration.method = "rodas3";
+  scene.integration.method = IntegrationMethod::rodas3;
   scene.integration.tolerance = 0.015;
   scene.window = {.settle_revolutions = 1,
-                  .measure = WindowEnd::automatic,
+                  .measure = WindowRule::automatic,
                   .measure_revolutions = most,
                   .measure_share = share,
                   .peak_revolutions = 2};
@@ -124,7 +124,7 @@ TEST(OpenWindow, MeansLieWithinTheShareOfThoseOfFiveTimesTheTime) {
   EXPECT_NEAR(turns, std::round(turns), 1e-6);
   EXPECT_LT(turns, 11.5);
   Scene longer = scene;
-  longer.window.measure = WindowEnd::fixed;
+  longer.window.measure = WindowRule::fixed;
   longer.window.measure_revolutions = 5 * std::round(turns);
   const Outcome late = simulate(longer);
   ASSERT_EQ(late.status, Status::ok) << late.reason;
@@ -156,7 +156,7 @@ TEST(OpenWindow, ARunThatNeverConvergesEndsAtTheMost) {
 TEST(OpenWindow, ADriftingMotionSettlesLongerAndIsNotTakenForConverged) {
   Scene scene = open_ended(0.5, 8);
   scene.operation.radial_load = 0;
-  scene.start.state = "equilibrium";
+  scene.start.state = StartState::equilibrium;
   scene.window.longest_settle_revolutions = 3;
   const Outcome drifting = simulate(scene);
   EXPECT_EQ(drifting.status, Status::failed);
