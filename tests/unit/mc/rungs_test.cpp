@@ -113,7 +113,7 @@ TEST(Rungs, AWindowThatEndsByItselfIsRefinedBeyondItsLongest) {
                                   [](const Rung& rung) { return rung.name == "window"; });
   ASSERT_NE(found, rungs.end());
   const Window refined = on_rung(open, *found).window;
-  EXPECT_EQ(refined.measure, "fixed");
+  EXPECT_EQ(refined.measure, WindowRule::fixed);
   EXPECT_EQ(refined.measure_revolutions, 24);
   EXPECT_EQ(refined.peak_revolutions, 3);  // else their peaks were others
 }
