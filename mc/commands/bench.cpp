@@ -1,5 +1,5 @@
 // cagetol bench SCENE: what a simulated second costs, by integration method.
-#include "mc/engine/bench.hpp"
+#include "mc/benchmark/bench.hpp"
 
 #include <memory>
 #include <nlohmann/json.hpp>

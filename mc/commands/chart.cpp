@@ -1,5 +1,5 @@
 // cagetol chart SCENE -o DIR: error against cost of every integration method and tolerance.
-#include "mc/engine/chart.hpp"
+#include "mc/benchmark/chart.hpp"
 
 #include <fmt/format.h>
 

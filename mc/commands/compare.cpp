@@ -7,13 +7,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "analysis/compare/bias.hpp"
 #include "analysis/compare/comparison.hpp"
 #include "analysis/compare/matched_runs.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/study/refused.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/engine/bias.hpp"
 #include "mc/json_number.hpp"
 #include "mc/study_file/study_file_error.hpp"
 

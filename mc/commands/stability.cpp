@@ -1,5 +1,5 @@
 // cagetol stability -o DIR: every integration method on the scenes in which methods fail.
-#include "mc/engine/stability.hpp"
+#include "mc/benchmark/stability.hpp"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,7 @@ check() { # WHO ALLOWED-REGEX FILES...
   bad=$(grep -HnE "^[[:space:]]*#[[:space:]]*include[[:space:]]*(\"|<$ours)" "$@" | grep -vE "include[[:space:]]*[\"<]($allowed)")
   [ -z "$bad" ] || { echo "$who includes what it must not know:"; echo "$bad"; status=1; }
 }
-sources() { find "$@" -name '*.?pp' ! -path 'mc/commands/*' ! -path 'mc/main.cpp'; }
+sources() { find "$@" -name '*.?pp' ! -path 'mc/commands/*' ! -path 'mc/benchmark/*' ! -path 'mc/main.cpp'; }
 check src 'src/' $(sources src)
 check src/input 'src/input/' $(sources src/input)
 check src/numerics 'src/numerics/' $(sources src/numerics)
@@ -32,7 +32,8 @@ check 'what is below src/quantities' 'src/[a-pr-z][a-z_]*/' $(find src -mindepth
 check distributions 'distributions/' $(sources distributions)
 check mc/study_file 'mc/study_file/|distributions/' $(sources mc/study_file)
 check analysis 'analysis/|distributions/|mc/study_file/' $(sources analysis)
-check mc 'mc/|src/|distributions/|cagetol_build.hpp' $(sources mc)
+check mc 'mc/(study_file/|ladder/)?[a-z_0-9]+\.hpp|src/|distributions/|cagetol_build.hpp' $(sources mc)
+check mc/benchmark 'mc/(study_file/|ladder/|benchmark/)?[a-z_0-9]+\.hpp|src/|distributions/|analysis/' $(find mc/benchmark -name '*.?pp')
 # A report comes from study files alone.
 check mc/commands/report.cpp 'analysis/|mc/study_file/|mc/commands/(command|output_path)\.hpp|src/input/' mc/commands/report.cpp
 outside=$(grep -nE '#include <(mpi|hdf5)' -r src distributions; grep -nE '#include <mpi' -r analysis

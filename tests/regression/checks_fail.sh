@@ -7,12 +7,13 @@ tree=$(mktemp -d); trap 'rm -rf "$tree" "$tree.out"' EXIT
 status=0
 fresh() {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/{src/{input,numerics,scene,cage,model,contacts,dynamics,statics,quantities},distributions,mc/{commands,study_file},analysis/statistics,tests}
+  mkdir -p "$tree"/{src/{input,numerics,scene,cage,model,contacts,dynamics,statics,quantities},distributions,mc/{benchmark,commands,study_file},analysis/statistics,tests}
   for folder in $(cd "$tree" && find src distributions mc analysis tests -type d); do
     printf '#include "%s/own.hpp"\n' "$folder" > "$tree/$folder/own.cpp"
     printf '#pragma once\n' > "$tree/$folder/own.hpp"
   done
   printf '#include "mc/study_file/own.hpp"\n' >> "$tree/analysis/statistics/own.cpp" # all of mc that analysis may use
+  printf '#include "analysis/statistics/own.hpp"\n' >> "$tree/mc/benchmark/own.cpp"
   printf '#include "analysis/own.hpp"\n' > "$tree/mc/commands/report.cpp"
   cp "$source/.clang-format" "$tree"
 }
@@ -48,6 +49,9 @@ rooms '^mc/study_file includes' mc/study_file/own.cpp '#include "analysis/statis
 rooms '^mc/study_file includes' mc/study_file/own.hpp '#include "mc/own.hpp"'
 rooms '^mc/study_file includes' mc/study_file/own.cpp '#include "src/own.hpp"'
 rooms '^mc includes' mc/own.cpp '#include "analysis/statistics/own.hpp"'
+rooms '^mc includes' mc/own.cpp '#include "mc/commands/own.hpp"'
+rooms '^mc includes' mc/own.hpp '#include "mc/benchmark/own.hpp"'
+rooms '^mc/benchmark includes' mc/benchmark/own.cpp '#include "mc/commands/own.hpp"'
 rooms '^mc/commands/report.cpp includes' mc/commands/report.cpp '#include "src/own.hpp"'
 rooms '^MPI belongs' src/own.cpp '#include <mpi.h>'
 rooms '^MPI belongs' analysis/statistics/own.cpp '#include <hdf5.h>'

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "mc/engine/stability.hpp"
+#include "mc/benchmark/stability.hpp"
 #include "tests/support/shipped_input.hpp"
 
 namespace cagetol {

@@ -1,12 +1,12 @@
 // The bench measures `simulate` itself: its RTF is that of a run beside it, and failures are said.
-#include "mc/engine/bench.hpp"
+#include "mc/benchmark/bench.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "mc/engine/statistics.hpp"
+#include "analysis/statistics/median.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/shipped_scene.hpp"
 
@@ -18,12 +18,6 @@ Scene short_scene() {
   scene.window.settle_time = 4e-3;
   scene.window.measure_time = 2e-3;
   return scene;
-}
-
-TEST(Median, OfOddEvenAndNone) {
-  EXPECT_EQ(median({3, 1, 2}), 2);
-  EXPECT_EQ(median({4, 1, 2, 3}), 2.5);
-  EXPECT_TRUE(std::isnan(median({})));
 }
 
 // Not a second clock beside it: the very time that a run states, per simulated second.

@@ -1,4 +1,4 @@
-#include "mc/engine/replicas.hpp"
+#include "mc/benchmark/replicas.hpp"
 
 #include <gsl/gsl_cdf.h>
 

@@ -1,4 +1,4 @@
-#include "mc/engine/statistics.hpp"
+#include "analysis/statistics/median.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "mc/engine/trajectory.hpp"
+#include "mc/benchmark/trajectory.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "mc/engine/bias.hpp"
+#include "analysis/compare/bias.hpp"
 
 #include <gsl/gsl_cdf.h>
 

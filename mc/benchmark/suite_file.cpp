@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "mc/engine/stability.hpp"
+#include "mc/benchmark/stability.hpp"
 #include "mc/sample.hpp"
 #include "src/input/toml_file.hpp"
 

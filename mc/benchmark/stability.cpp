@@ -1,4 +1,4 @@
-#include "mc/engine/stability.hpp"
+#include "mc/benchmark/stability.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "mc/engine/replicas.hpp"
-#include "mc/engine/setting.hpp"
-#include "mc/engine/statistics.hpp"
-#include "mc/engine/trajectory.hpp"
+#include "analysis/statistics/median.hpp"
+#include "mc/benchmark/replicas.hpp"
+#include "mc/benchmark/setting.hpp"
+#include "mc/benchmark/trajectory.hpp"
 #include "mc/json_number.hpp"
 
 namespace cagetol {

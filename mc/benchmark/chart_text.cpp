@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "mc/engine/chart.hpp"
+#include "mc/benchmark/chart.hpp"
 #include "mc/json_number.hpp"
 #include "src/quantities/quantity_table.hpp"
 

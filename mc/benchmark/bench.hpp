@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mc/engine/mechanism_cost.hpp"
+#include "mc/benchmark/mechanism_cost.hpp"
 #include "src/outcome.hpp"
 #include "src/scene/scene.hpp"
 

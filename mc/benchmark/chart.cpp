@@ -1,4 +1,4 @@
-#include "mc/engine/chart.hpp"
+#include "mc/benchmark/chart.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <map>
 #include <numbers>
 
+#include "analysis/statistics/median.hpp"
+#include "mc/benchmark/replicas.hpp"
+#include "mc/benchmark/trajectory.hpp"
 #include "mc/cage_cache.hpp"
-#include "mc/engine/replicas.hpp"
-#include "mc/engine/statistics.hpp"
-#include "mc/engine/trajectory.hpp"
 #include "src/cage/scene_cage.hpp"
 #include "src/quantities/quantity_table.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "mc/engine/bias.hpp"
-#include "mc/engine/setting.hpp"
+#include "analysis/compare/bias.hpp"
+#include "mc/benchmark/setting.hpp"
 #include "mc/ladder/rungs.hpp"
 #include "mc/study.hpp"
 #include "src/outcome.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "mc/engine/statistics.hpp"
+#include "analysis/statistics/median.hpp"
 
 namespace cagetol {
 

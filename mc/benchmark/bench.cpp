@@ -1,4 +1,4 @@
-#include "mc/engine/bench.hpp"
+#include "mc/benchmark/bench.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "mc/engine/call_time.hpp"
-#include "mc/engine/setting.hpp"
-#include "mc/engine/statistics.hpp"
+#include "analysis/statistics/median.hpp"
+#include "mc/benchmark/call_time.hpp"
+#include "mc/benchmark/setting.hpp"
 #include "mc/json_number.hpp"
 #include "src/newton/newton_matrix.hpp"
 #include "src/simulate.hpp"

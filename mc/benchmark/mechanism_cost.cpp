@@ -1,8 +1,8 @@
-#include "mc/engine/mechanism_cost.hpp"
+#include "mc/benchmark/mechanism_cost.hpp"
 
 #include <algorithm>
 
-#include "mc/engine/call_time.hpp"
+#include "mc/benchmark/call_time.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,4 +1,4 @@
-#include "mc/engine/setting.hpp"
+#include "mc/benchmark/setting.hpp"
 
 #include <fmt/format.h>
 
