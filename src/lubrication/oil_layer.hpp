@@ -4,7 +4,7 @@
 //   wedge    (1 - x)^2.3
 //   squeeze  (1 - x^1.5)^1.6
 //   rolling  (1 - sqrt x)^2.1
-//   Couette  sqrt(1 - sqrt x) S(min(1, (1 - x)/0.2)),   S the cubic step (src/contact_laws/step.hpp)
+//   Couette  sqrt(1 - sqrt x) S(min(1, (1 - x)/0.2)),   S cubic (src/contact_laws/step.hpp)
 //
 // and zero from x = 1 on; C1 there. Source: solutions of Reynolds' equation for a cylinder against
 // a plane whose inlet meniscus stands where the gap is `layer` wide, which these follow within

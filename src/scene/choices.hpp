@@ -62,7 +62,7 @@ constexpr auto spellings(ForceLaw) {
   return std::array{Spelling{impact, "impact"}, Spelling{hertz, "hertz"}};
 }
 
-/// Oil film at the races of a bearing without LubricationModel::film (src/contact_laws/oil_film.hpp).
+/// Oil film at the races without LubricationModel::film (src/contact_laws/oil_film.hpp).
 enum class FilmModel { none, series, series_bounded };
 constexpr auto spellings(FilmModel) {
   using enum FilmModel;
