@@ -1,6 +1,7 @@
 // Oil film between the cage's lands and their guiding ring (src/contact_laws/short_bearing.hpp),
 // one bearing a land. Guided outside, the cage is the journal in the ring; guided inside, the
-// ring in the cage. With delta the land's offset from the ring's axis and s = +1 outside, -1 inside,
+// ring in the cage. With delta the land's offset from the ring's axis and s = +1 outside,
+// -1 inside,
 //   D = s delta,   V = s delta' - (phi' + w_ring)/2 e_x x D,
 // are linear in the velocities: forces follow as the transposes of V, of the spins' difference and
 // of the axial speed. Lands stay parallel to their ring: the lean of cage or ring within the width

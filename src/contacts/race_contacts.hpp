@@ -1,6 +1,6 @@
 // Roller against a dry raceway, or one with the films of src/contact_laws/oil_film.hpp, sliced
-// along the roller (race_slice.hpp): a penalty force or a Hertzian contact in series with the film, and
-// friction.
+// along the roller (race_slice.hpp): a penalty force or a Hertzian contact in series with the
+// film, and friction.
 #pragma once
 
 #include "src/contacts/race_slice.hpp"

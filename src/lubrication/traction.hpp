@@ -11,8 +11,8 @@
 // q load per length as it acts, squeeze included [N/m], h film thickness [m], tau_E Eyring stress
 // [Pa], Lambda limiting shear ratio, c the layer's factor (oil_layer.hpp), mu_b the law of boundary
 // friction (src/contact_laws/friction.hpp), the rest as in line_film.hpp. The exponent a is Barus'
-// with a smooth cap at 15. Isothermal: heating in the contact, which lowers traction at metres a second,
-// is not modelled.
+// with a smooth cap at 15. Isothermal: heating in the contact, which lowers traction at metres a
+// second, is not modelled.
 //
 // Sources: Eyring, J. Chem. Phys. 4 (1936) 283 (doi 10.1063/1.1749836); Barus, Am. J. Sci. 45
 // (1893) 87; Couette term: Reynolds' equation.
