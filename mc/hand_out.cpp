@@ -32,7 +32,7 @@ void rest_for(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-std::string encoded(const Report& report) {
+std::string encoded(const RunMessage& report) {
   ByteWriter out;
   out.put(static_cast<std::int32_t>(report.ending));
   out.put(static_cast<std::int32_t>(report.status));
@@ -41,9 +41,9 @@ std::string encoded(const Report& report) {
   return out.bytes();
 }
 
-Report decoded_report(const std::string& bytes) {
+RunMessage decoded_message(const std::string& bytes) {
   ByteReader in(bytes);
-  Report report;
+  RunMessage report;
   report.ending = static_cast<Ending>(in.get<std::int32_t>());
   report.status = static_cast<Status>(in.get<std::int32_t>());
   report.wall_s = in.get<double>();
@@ -77,7 +77,7 @@ WorkList::WorkList(std::vector<std::uint64_t> pending, const Tally& before)
   state_.tally = before;
 }
 
-std::optional<std::uint64_t> WorkList::exchange(const Report& report) {
+std::optional<std::uint64_t> WorkList::exchange(const RunMessage& report) {
   const std::lock_guard lock(mutex_);
   state_.busy_s += report.wall_s;
   if (report.ending != Ending::none) ++state_.reports;
@@ -128,7 +128,7 @@ bool lead_team(const Team& team, WorkList& list, const RunSample& run,
         return false;
       }
       if (const auto message = team.receive()) {
-        const auto next = list.exchange(decoded_report(message->bytes));
+        const auto next = list.exchange(decoded_message(message->bytes));
         team.send(message->rank, encoded(next));
         if (!next) --others;
         continue;
@@ -150,7 +150,7 @@ bool lead_team(const Team& team, WorkList& list, const RunSample& run,
 }
 
 bool work_in_team(const Team& team, const RunSample& run) {
-  Report report;
+  RunMessage report;
   while (true) {
     report.draining = SignalWatch::draining();
     team.send(0, encoded(report));

@@ -24,7 +24,7 @@ enum class Ending : std::int32_t {
   cannot_write,  ///< finished, but the journal could not be written; the rank stops
 };
 
-struct Report {
+struct RunMessage {
   Ending ending = Ending::none;
   Status status = Status::not_run;
   double wall_s = 0;
@@ -38,7 +38,7 @@ class WorkList {
 
   /// Takes what the last sample became and gives the next one; nothing when there is none or the
   /// sweep is to stop.
-  std::optional<std::uint64_t> exchange(const Report& report);
+  std::optional<std::uint64_t> exchange(const RunMessage& report);
   void stop();
 
   struct State {
@@ -58,7 +58,7 @@ class WorkList {
 };
 
 /// Runs one sample and says what became of it.
-using RunSample = std::function<Report(std::uint64_t id)>;
+using RunSample = std::function<RunMessage(std::uint64_t id)>;
 
 /// How long rank 0 sleeps between two looks at its messages [s]. A look takes time from its
 /// computing thread, a sleep lets the `others` wait for an answer, half of it in the mean, once in

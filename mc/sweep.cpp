@@ -55,8 +55,8 @@ StoredOutcome stored_run(const SweepPlan& plan, std::uint64_t id, int rank) {
 }
 
 /// Runs one sample and keeps the journal: what a rank does for each id that it is given.
-Report run_with_journal(const SweepPlan& plan, Journal& journal, std::uint64_t id, int rank) {
-  Report report;
+RunMessage run_with_journal(const SweepPlan& plan, Journal& journal, std::uint64_t id, int rank) {
+  RunMessage report;
   try {
     journal.started(id);
     const StoredOutcome stored = stored_run(plan, id, rank);

@@ -149,124 +149,167 @@ void judge(const Scene& scene, const BearingModel& model, const WindowTimes& tim
   }
 }
 
-/// Whether the means of a window that ends by itself are known well enough, and their motion is the
-/// one that is meant.
-bool has_converged(const Scene& scene, const BearingModel& model, const Observer& observer,
-                   double t) {
-  return t >= std::max(model.load_ramp, model.speed_ramp) &&
-         observer.convergence().worst().share <= scene.window.measure_share &&
-         find_drift(scene, model, observer).empty();
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point began) {
+  return std::chrono::duration<double>(Clock::now() - began).count();
 }
 
-}  // namespace
-
-Outcome simulate(const Scene& scene, const SimulateOptions& options) {
-  const Jam jam = find_jam(scene);
-  if (jam.pocket >= 0 && !scene.allow_interference) return jammed(jam);
-  using Clock = std::chrono::steady_clock;
-  const auto began = Clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
-
-  Outcome outcome;
-  if (jam.pocket >= 0) {  // the pinch is simulated on request, but never passed over in silence
-    outcome.pocket = jam.pocket;
-    outcome.interference_um = 1e6 * jam.interference;
+/// A run in time on its way: bearing, state, method and window.
+struct Motion {
+  Motion(const Scene& scene, std::shared_ptr<const CageModel> cage)
+      : model(make_bearing_model(scene, std::move(cage))),
+        times(window_times(scene, model)),
+        system(model),
+        observer(std::in_place, model, times),
+        end(times.settle + times.measure) {
+    const std::vector<double> start = start_state(model, scene.start);
+    y.assign(start.begin(), start.end());
+    integrator = make_integrator(scene.integration, system, t, y.data());
   }
-  if (is_quasi_static(scene)) {
-    Outcome still = quasi_static_outcome(scene);
-    still.pocket = outcome.pocket;
-    still.interference_um = outcome.interference_um;
-    still.run.wall_s = seconds();
-    return still;
+
+  const BearingModel model;
+  WindowTimes times;
+  System system;
+  std::optional<Observer> observer;
+  PackVector y;
+  double t = 0, end;  ///< now, and end of the window [s]
+  std::unique_ptr<Integrator> integrator;
+  WindowEnd window_end = WindowEnd::fixed;
+  StepStatus status = StepStatus::accepted;
+  bool finite = true;
+};
+
+/// Whether the means of a window that ends by itself are known well enough, and their motion is the
+/// one that is meant.
+bool has_converged(const Scene& scene, const Motion& run) {
+  return run.t >= std::max(run.model.load_ramp, run.model.speed_ramp) &&
+         run.observer->convergence().worst().share <= scene.window.measure_share &&
+         find_drift(scene, run.model, *run.observer).empty();
+}
+
+/// At the end of the window: settles longer where the motion drifts, measures longer where means
+/// have not converged.
+void extend_window(const Scene& scene, const SimulateOptions& options, Motion& run) {
+  WindowTimes& times = run.times;
+  if (run.end <= times.longest_settle && !find_drift(scene, run.model, *run.observer).empty()) {
+    times.settle = run.end;
+    run.end += times.measure;
+    run.observer.emplace(run.model, times);
+    run.observer->record(run.t, run.y.data(), run.system);
+    if (options.on_window) options.on_window(times.settle);
+  } else if (measures_until_converged(scene)) {
+    if (has_converged(scene, run)) {
+      run.window_end = WindowEnd::converged;
+    } else if (run.end < times.settle + (1 - 1e-9) * times.longest) {
+      run.end += times.revolution;
+      run.observer->extend(run.end);
+    } else {
+      run.window_end = WindowEnd::longest;
+    }
   }
+}
+
+/// Why the run ends before its time; empty if it does not.
+std::string stop_reason(const Scene& scene, const SimulateOptions& options,
+                        Clock::time_point began) {
+  if (options.stop_requested && options.stop_requested()) return "stopped on request";
+  const double budget = scene.integration.wall_budget;
+  return budget > 0 && seconds_since(began) > budget ? "aborted by the wall-clock limit" : "";
+}
+
+/// Steps to the end of the window. Returns why the run was stopped; empty if it was not.
+std::string integrate(const Scene& scene, const SimulateOptions& options, Clock::time_point began,
+                      Motion& run) {
+  run.finite = run.system.linearise_at(run.t, run.y.data());
+  for (long n = 0; run.finite && run.status == StepStatus::accepted; ++n) {
+    if (run.t >= run.times.settle) run.observer->record(run.t, run.y.data(), run.system);
+    if (run.t >= run.end) extend_window(scene, options, run);
+    if (options.on_state) options.on_state(run.t, run.y.data(), run.system);
+    if (run.t >= run.end) break;
+    if (n % kStepsBetweenQuestions == 0)
+      if (std::string reason = stop_reason(scene, options, began); !reason.empty()) return reason;
+    const double settle = run.times.settle, peaks_end = settle + run.times.peaks;
+    const double stop = run.t < settle      ? settle
+                        : run.t < peaks_end ? std::min(peaks_end, run.end)
+                                            : run.end;
+    run.status = run.integrator->step(run.system, run.t, run.y.data(), stop);
+    if (run.status == StepStatus::accepted)
+      run.finite = run.system.linearise_at(run.t, run.y.data());
+  }
+  return {};
+}
+
+/// What the run amounts to, into the outcome, and whether it can be trusted.
+void conclude(const Scene& scene, const Motion& run, Outcome& outcome) {
+  RunRecord& record = outcome.run;
+  const Counts& counts = run.system.counts;
+  record.simulated_s = run.t;
+  record.steps = static_cast<double>(counts.steps);
+  record.rejected_steps = static_cast<double>(counts.rejected);
+  record.rhs_evaluations = static_cast<double>(counts.rhs);
+  record.jacobian_evaluations = static_cast<double>(counts.jacobians);
+  record.factorisations = static_cast<double>(counts.factorisations);
+  record.smallest_step_s = counts.smallest_step;
+  if (!run.finite || run.status != StepStatus::accepted) {
+    const bool out_of_budget = run.status == StepStatus::out_of_budget;
+    outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
+    outcome.status = out_of_budget ? Status::censored : Status::failed;
+    outcome.reason =
+        out_of_budget ? "step budget of " + std::to_string(scene.integration.step_budget) +
+                            " ran out at t = " + number(run.t) + " s of " + number(run.end) + " s"
+        : run.finite ? run.integrator->failure()
+                     : "a force is not finite at t = " + number(run.t) + " s";
+    return;
+  }
+  const Observer& observer = *run.observer;
+  record.measured_s = run.end - run.times.settle;
+  record.cage_revolutions = observer.cage_revolutions();
+  record.window_end = run.window_end;
+  const MeanShare worst = observer.convergence().worst();
+  record.mean_share = worst.share;
+  outcome.least_known = worst.key;
+  record.energy_residual = observer.energy_residual();
+  record.static_consistency_error = observer.static_consistency_error();
+  record.static_positions_missed = static_cast<double>(observer.static_positions_missed());
+  outcome.quantities = observer.quantities();
+  outcome.cage_peak = observer.cage_peak();
+  judge(scene, run.model, run.times, counts.largest_step_error, observer, outcome);
+}
+
+/// The run in time of a bearing whose rollers fit, or may pinch.
+Outcome motion_outcome(const Scene& scene, const SimulateOptions& options,
+                       Clock::time_point began) {
   std::shared_ptr<const CageModel> cage;
   if (is_flexible(scene)) {
     auto made = elastic_cage(scene, options);
     if (const auto* fault = std::get_if<CageFault>(&made)) return without_cage(*fault);
     cage = std::get<std::shared_ptr<const CageModel>>(made);
   }
-  const BearingModel model = make_bearing_model(scene, cage);
-  WindowTimes times = window_times(scene, model);
-  const std::vector<double> start = start_state(model, scene.start);
-  PackVector y(start.begin(), start.end());
-  System system(model);
-  double t = 0;
-  const auto integrator = make_integrator(scene.integration, system, t, y.data());
-  double end = times.settle + times.measure;
-  std::optional<Observer> observer(std::in_place, model, times);
-  const bool open_end = measures_until_converged(scene);
-  WindowEnd window_end = WindowEnd::fixed;
+  Motion run(scene, cage);
+  Outcome outcome;
+  if (const std::string stopped = integrate(scene, options, began, run); !stopped.empty()) {
+    outcome.status = Status::not_run;
+    outcome.reason = stopped;
+    return outcome;
+  }
+  conclude(scene, run, outcome);
+  return outcome;
+}
 
-  bool finite = system.linearise_at(t, y.data());
-  StepStatus status = StepStatus::accepted;
-  for (long n = 0; finite && status == StepStatus::accepted; ++n) {
-    if (t >= times.settle) observer->record(t, y.data(), system);
-    if (t >= end && end <= times.longest_settle && !find_drift(scene, model, *observer).empty()) {
-      times.settle = end;
-      end += times.measure;
-      observer.emplace(model, times);
-      observer->record(t, y.data(), system);
-      if (options.on_window) options.on_window(times.settle);
-    } else if (t >= end && open_end) {
-      if (has_converged(scene, model, *observer, t)) {
-        window_end = WindowEnd::converged;
-      } else if (end < times.settle + (1 - 1e-9) * times.longest) {
-        end += times.revolution;
-        observer->extend(end);
-      } else {
-        window_end = WindowEnd::longest;
-      }
-    }
-    if (options.on_state) options.on_state(t, y.data(), system);
-    if (t >= end) break;
-    if (n % kStepsBetweenQuestions == 0) {
-      const bool stop = options.stop_requested && options.stop_requested();
-      if (stop ||
-          (scene.integration.wall_budget > 0 && seconds() > scene.integration.wall_budget)) {
-        outcome.status = Status::not_run;
-        outcome.reason = stop ? "stopped on request" : "aborted by the wall-clock limit";
-        outcome.run.wall_s = seconds();
-        return outcome;
-      }
-    }
-    const double peaks_end = times.settle + times.peaks;
-    status = integrator->step(system, t, y.data(),
-                              t < times.settle ? times.settle
-                              : t < peaks_end  ? std::min(peaks_end, end)
-                                               : end);
-    if (status == StepStatus::accepted) finite = system.linearise_at(t, y.data());
+}  // namespace
+
+Outcome simulate(const Scene& scene, const SimulateOptions& options) {
+  const Clock::time_point began = Clock::now();
+  const Jam jam = find_jam(scene);
+  if (jam.pocket >= 0 && !scene.allow_interference) return jammed(jam);
+  Outcome outcome =
+      is_quasi_static(scene) ? quasi_static_outcome(scene) : motion_outcome(scene, options, began);
+  if (jam.pocket >= 0 && outcome.pocket < 0) {  // the pinch is simulated on request, but never passed over in silence
+    outcome.pocket = jam.pocket;
+    outcome.interference_um = 1e6 * jam.interference;
   }
-  RunRecord& run = outcome.run;
-  run.simulated_s = t;
-  run.steps = static_cast<double>(system.counts.steps);
-  run.rejected_steps = static_cast<double>(system.counts.rejected);
-  run.rhs_evaluations = static_cast<double>(system.counts.rhs);
-  run.jacobian_evaluations = static_cast<double>(system.counts.jacobians);
-  run.factorisations = static_cast<double>(system.counts.factorisations);
-  run.smallest_step_s = system.counts.smallest_step;
-  if (finite && status == StepStatus::accepted) {
-    run.measured_s = end - times.settle;
-    run.cage_revolutions = observer->cage_revolutions();
-    run.window_end = window_end;
-    const MeanShare worst = observer->convergence().worst();
-    run.mean_share = worst.share;
-    outcome.least_known = worst.key;
-    run.energy_residual = observer->energy_residual();
-    run.static_consistency_error = observer->static_consistency_error();
-    run.static_positions_missed = static_cast<double>(observer->static_positions_missed());
-    outcome.quantities = observer->quantities();
-    outcome.cage_peak = observer->cage_peak();
-    judge(scene, model, times, system.counts.largest_step_error, *observer, outcome);
-  } else {
-    outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
-    outcome.status = status == StepStatus::out_of_budget ? Status::censored : Status::failed;
-    outcome.reason = status == StepStatus::out_of_budget
-                         ? "step budget of " + std::to_string(scene.integration.step_budget) +
-                               " ran out at t = " + number(t) + " s of " + number(end) + " s"
-                     : finite ? integrator->failure()
-                              : "a force is not finite at t = " + number(t) + " s";
-  }
-  run.wall_s = seconds();
+  outcome.run.wall_s = seconds_since(began);
   return outcome;
 }
 

@@ -285,30 +285,69 @@ void NewtonMatrix::solve_as(const double* rhs, double* x) {
              [&]<int packs>() { solve_with<planar, vectors, packs>(rhs, x); });
 }
 
-/// `packs` of a vector over the cage's directions; 0 where no roller touches the cage.
-template <bool planar, int vectors, int packs>
-void NewtonMatrix::solve_with(const double* rhs, double* x) {
+/// The border's right-hand side, as it is without rollers, and its positions.
+template <int vectors>
+void NewtonMatrix::start_border(const double* rhs) {
   const StateLayout& layout = model_.layout;
-  const int border = layout.border();
   const double *bq = rhs + layout.border_position(0), *bv = rhs + layout.border_velocity(0);
   for (int i = 0; i < layout.padded_border(); i += kLanes) {
     store(&border_positions_[i], beta_ * load(bq + i));
     store(&border_rhs_[i], load(&border_mass_[i]) * load(bv + i));
   }
   if (linear_->cage_touched) {
-    with_packs(packs_for(border), [&]<int rows>() {
+    with_packs(packs_for(layout.border()), [&]<int rows>() {
       add_product<rows>(linear_->border_position, border_positions_.data(), border_rhs_.data());
     });
-  } else {
-    const Eigen::MatrixXd& stiff = linear_->border_position;
-    for (int v = 0; v < vectors; ++v)
-      for (int w = 0; w < vectors; ++w)
-        border_rhs_.segment<2>(ring_slot(v)) += stiff.block<2, 2>(ring_slot(v), ring_slot(w)) *
-                                                border_positions_.segment<2>(ring_slot(w));
-    for (int k = kModes; k < kModes + layout.modes; ++k)
-      border_rhs_[k] += stiff(k, k) * border_positions_[k];
+    return;
   }
+  const Eigen::MatrixXd& stiff = linear_->border_position;
+  for (int v = 0; v < vectors; ++v)
+    for (int w = 0; w < vectors; ++w)
+      border_rhs_.segment<2>(ring_slot(v)) += stiff.block<2, 2>(ring_slot(v), ring_slot(w)) *
+                                              border_positions_.segment<2>(ring_slot(w));
+  for (int k = kModes; k < kModes + layout.modes; ++k)
+    border_rhs_[k] += stiff(k, k) * border_positions_[k];
+}
 
+/// Right-hand side of a pack of rollers in their directions: positions, and forces with what these
+/// positions and the border's make.
+template <bool planar, int vectors>
+NewtonMatrix::RollerSide NewtonMatrix::roller_side(int n, const double* rhs) const {
+  const StateLayout& layout = model_.layout;
+  const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
+  const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
+  const int j = n * kLanes;
+  const auto q = [&](RollerPosition slot) { return beta_ * load(rhs + layout.position(slot, j)); };
+  const auto velocity = [&](RollerVelocity slot) { return load(rhs + layout.velocity(slot, j)); };
+  const Pack ay = q(kAxisY), az = q(kAxisZ), by = velocity(kAxisRateY), bz = velocity(kAxisRateZ);
+  RollerSide side{{q(kRadius), l.radius * q(kAngle), q(kAxial), l.cosine * ay + l.sine * az,
+                   l.cosine * az - l.sine * ay},
+                  {}};
+  Pack(&force)[kLocalVelocities] = side.force;
+  force[kLr] = roller.mass * velocity(kRadialSpeed);
+  force[kLt] = roller.mass * l.radius * velocity(kOrbitRate);
+  force[kLx] = roller.mass * velocity(kAxialSpeed);
+  force[kLar] = roller.transverse * (l.cosine * by + l.sine * bz);
+  force[kLat] = roller.transverse * (l.cosine * bz - l.sine * by);
+  force[kLs] = roller.polar * velocity(kSpin);
+  const RingVectors<vectors> ring(l, border_positions_, layout);
+  for (int i = 0; i < kLocalVelocities; ++i) {
+    if (held<planar>(i)) continue;
+    for (int k = 0; k < kLocalPositions; ++k)
+      if (!held<planar>(k)) force[i] += l.position[i][k] * side.position[k];
+    for (int v = 0; v < vectors; ++v) {
+      const RingCoupling& with = coupling(n, v);
+      force[i] += with.position[i][0] * ring.r[v] + with.position[i][1] * ring.t[v];
+    }
+  }
+  return side;
+}
+
+/// Eliminates the rollers: what they leave on ring and cage goes to the border's right-hand side.
+/// `packs` of a vector over the cage's directions; 0 where no roller touches the cage.
+template <bool planar, int vectors, int packs>
+void NewtonMatrix::eliminate_rollers(const double* rhs) {
+  const StateLayout& layout = model_.layout;
   Pack on_ring[vectors][2] = {};  // in y, z
   [[maybe_unused]] Pack on_cage[std::max(packs, 1)] = {};
   const double* const cage_positions = border_positions_.data() + kCageY;
@@ -316,44 +355,22 @@ void NewtonMatrix::solve_with(const double* rhs, double* x) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
     Group& f = groups_[static_cast<std::size_t>(n)];
-    const int j = n * kLanes;
-    const auto q = [&](RollerPosition slot) {
-      return beta_ * load(rhs + layout.position(slot, j));
-    };
-    const auto velocity = [&](RollerVelocity slot) { return load(rhs + layout.velocity(slot, j)); };
-    const Pack ay = q(kAxisY), az = q(kAxisZ), by = velocity(kAxisRateY), bz = velocity(kAxisRateZ);
-    const Pack P[kLocalPositions] = {q(kRadius), l.radius * q(kAngle), q(kAxial),
-                                     l.cosine * ay + l.sine * az, l.cosine * az - l.sine * ay};
-    Pack force[kLocalVelocities];
-    force[kLr] = roller.mass * velocity(kRadialSpeed);
-    force[kLt] = roller.mass * l.radius * velocity(kOrbitRate);
-    force[kLx] = roller.mass * velocity(kAxialSpeed);
-    force[kLar] = roller.transverse * (l.cosine * by + l.sine * bz);
-    force[kLat] = roller.transverse * (l.cosine * bz - l.sine * by);
-    force[kLs] = roller.polar * velocity(kSpin);
-    RingVectors<vectors> ring(l, border_positions_, model_.layout);
-    for (int i = 0; i < kLocalVelocities; ++i) {
-      if (held<planar>(i)) continue;
-      for (int k = 0; k < kLocalPositions; ++k)
-        if (!held<planar>(k)) force[i] += l.position[i][k] * P[k];
-      for (int v = 0; v < vectors; ++v) {
-        const RingCoupling& with = coupling(n, v);
-        force[i] += with.position[i][0] * ring.r[v] + with.position[i][1] * ring.t[v];
-      }
-    }
+    auto [P, force] = roller_side<planar, vectors>(n, rhs);
     Pack to_ring[vectors][2] = {};
     for (int v = 0; v < vectors; ++v)
       for (int a = 0; a < 2; ++a)
         for (int k = 0; k < kLocalPositions; ++k)
           to_ring[v][a] += coupling(n, v).to_position[a][k] * P[k];
-    if constexpr (packs > 0)
+    if constexpr (packs > 0) {
+      const Pack* const at = P;
       add_to_lanes(n, force, [&](int lane, std::size_t slot) {
         const CageCoupling& c = linear_->couplings[slot];
         for (int k = 0; k < kLocalPositions; ++k)
           for (int p = 0; p < packs; ++p)
-            on_cage[p] += c.to_position[static_cast<std::size_t>(k * packs + p)] * P[k][lane];
+            on_cage[p] += c.to_position[static_cast<std::size_t>(k * packs + p)] * at[k][lane];
         return weighted_sum(c.position, cage_positions);
       });
+    }
     for (int v = 0; v < vectors; ++v) {
       Pack(&to)[2] = to_ring[v];
       for (int a = 0; a < 2; ++a) to[a] -= product(f.to_ring[v][a], force);
@@ -375,17 +392,18 @@ void NewtonMatrix::solve_with(const double* rhs, double* x) {
   }
   for (int v = 0; v < vectors; ++v)
     for (int a = 0; a < 2; ++a) border_rhs_[ring_slot(v) + a] += sum(on_ring[v][a]);
-  if (linear_->cage_touched)
-    schur_.solve(border_rhs_.data(), border_solution_.data());
-  else
-    solve_free_border<vectors>();
+}
 
+/// Rollers from the border's solution, into x.
+template <int vectors, int packs>
+void NewtonMatrix::substitute_rollers(const double* rhs, double* x) {
+  const StateLayout& layout = model_.layout;
   for (int n = 0; n < layout.groups; ++n) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
     Group& f = groups_[static_cast<std::size_t>(n)];
     const int j = n * kLanes;
-    RingVectors<vectors> ring(l, border_solution_, model_.layout);
+    const RingVectors<vectors> ring(l, border_solution_, layout);
     Pack u[kLocalVelocities];
     for (int i = 0; i < kLocalVelocities; ++i) {
       u[i] = f.rhs[i];
@@ -409,6 +427,18 @@ void NewtonMatrix::solve_with(const double* rhs, double* x) {
     for (int slot = 0; slot < kRollerVelocities; ++slot)
       store(x + layout.positions() + slot * layout.padded() + j, speed[slot] * roller.exists);
   }
+}
+
+template <bool planar, int vectors, int packs>
+void NewtonMatrix::solve_with(const double* rhs, double* x) {
+  const StateLayout& layout = model_.layout;
+  start_border<vectors>(rhs);
+  eliminate_rollers<planar, vectors, packs>(rhs);
+  if (linear_->cage_touched)
+    schur_.solve(border_rhs_.data(), border_solution_.data());
+  else
+    solve_free_border<vectors>();
+  substitute_rollers<vectors, packs>(rhs, x);
   double *xq = x + layout.border_position(0), *xv = x + layout.border_velocity(0);
   for (int i = 0; i < layout.padded_border(); i += kLanes) {
     const Pack velocity = load(&border_solution_[i]);

@@ -42,6 +42,18 @@ class NewtonMatrix {
   void solve_as(const double* rhs, double* x);
   template <bool planar, int vectors, int packs>
   void solve_with(const double* rhs, double* x);
+  // Its steps, in order.
+  struct RollerSide {
+    Pack position[kLocalPositions], force[kLocalVelocities];
+  };
+  template <int vectors>
+  void start_border(const double* rhs);
+  template <bool planar, int vectors>
+  RollerSide roller_side(int group, const double* rhs) const;
+  template <bool planar, int vectors, int packs>
+  void eliminate_rollers(const double* rhs);
+  template <int vectors, int packs>
+  void substitute_rollers(const double* rhs, double* x);
   /// Coupling of a pack of rollers with a vector of the ring, and where the vector stands in the
   /// border.
   const RingCoupling& coupling(int group, int vector) const;

@@ -8,7 +8,7 @@
 namespace cagetol {
 namespace {
 
-Report finished(Status status) {
+RunMessage finished(Status status) {
   return {Ending::finished, status, 0.5, false};
 }
 
