@@ -305,7 +305,8 @@ Outcome simulate(const Scene& scene, const SimulateOptions& options) {
   if (jam.pocket >= 0 && !scene.allow_interference) return jammed(jam);
   Outcome outcome =
       is_quasi_static(scene) ? quasi_static_outcome(scene) : motion_outcome(scene, options, began);
-  if (jam.pocket >= 0 && outcome.pocket < 0) {  // the pinch is simulated on request, but never passed over in silence
+  if (jam.pocket >= 0 &&
+      outcome.pocket < 0) {  // the pinch is simulated on request, but never passed over in silence
     outcome.pocket = jam.pocket;
     outcome.interference_um = 1e6 * jam.interference;
   }

@@ -27,6 +27,7 @@ struct CompareArguments {
   double error_rate = 0.01;
   bool json = false, all = false, despite_keys = false;
   long bias = 0;  ///< samples of the study whose standard error biases are held against; 0: none
+  std::vector<std::string> judged;  ///< quantities whose biases decide; empty: all
 };
 
 /// Unchanged statistics that the table shows without --all: those nearest to a change.
@@ -141,10 +142,26 @@ int run_bias(const CompareArguments& options, const StudyData& before, const Stu
     if (bias.pairs >= 2 && bias.verdict != BiasVerdict::steady)
       biases.push_back({runs.quantity, runs.unit, bias});
   }
+  // Judged quantities first, in the order asked for.
+  const auto rank = [&](const NamedBias& b) {
+    return std::find(options.judged.begin(), options.judged.end(), b.quantity) -
+           options.judged.begin();
+  };
+  for (const std::string& name : options.judged)
+    if (std::none_of(biases.begin(), biases.end(),
+                     [&](const NamedBias& b) { return b.quantity == name; }))
+      throw Refused("--judge " + name + ": no such quantity that scatters in both sweeps");
+  std::stable_sort(biases.begin(), biases.end(),
+                   [&](const NamedBias& a, const NamedBias& b) { return rank(a) < rank(b); });
   print(options.json ? to_json(biases, notes).dump(2) + "\n"
                      : bias_text(biases, notes, options.bias));
+  const std::size_t count = options.judged.empty() ? biases.size() : options.judged.size();
+  const auto judged_end = biases.begin() + static_cast<std::ptrdiff_t>(count);
   const auto unbiased = [](const NamedBias& b) { return b.bias.verdict == BiasVerdict::unbiased; };
-  return std::all_of(biases.begin(), biases.end(), unbiased) ? kDone : kLimitsNotMet;
+  if (!options.judged.empty() && !options.json)
+    print(fmt::format("judged: the first {}, of which {} are unbiased\n", count,
+                      std::count_if(biases.begin(), judged_end, unbiased)));
+  return std::all_of(biases.begin(), judged_end, unbiased) ? kDone : kLimitsNotMet;
 }
 
 int run_compare(const CompareArguments& options) {
@@ -170,7 +187,8 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
       "compare", "Say whether any statistic of a study has changed between two sweeps");
   command->footer(
       "Exit code 0: nothing changed, 1: something did, 2: not comparable, with the reason.\n"
-      "With --bias 0: every limit is below one standard error, 1: some are not.\n\n"
+      "With --bias 0: every limit (of those of --judge) is below one standard error, 1: some are "
+      "not.\n\n"
       "Examples:\n  cagetol compare out/yesterday out/today\n"
       "  cagetol compare out/tight out/default --despite-keys --bias 1000");
   auto options = std::make_shared<CompareArguments>();
@@ -190,6 +208,12 @@ void add_compare_command(CLI::App& app, Chosen& chosen) {
                    "a study of N samples")
       ->check(CLI::Range(2L, 1000000000L))
       ->type_name("N");
+  command
+      ->add_option("--judge", options->judged,
+                   "With --bias: only these quantities decide on the exit code, the others are "
+                   "listed")
+      ->delimiter(',')
+      ->type_name("NAME,NAME");
   command->add_flag("--json", options->json, "Print every statistic as JSON");
   command->callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
 }

@@ -142,9 +142,10 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
   Rung& integrator = rungs.emplace_back(Rung{"integrator",
                                              fmt::format("integration tolerance {:g}", tolerance),
                                              {fmt::format("integration.tolerance={}", tolerance)}});
-  if (const IntegrationMethod usual = Integration{}.method; scene.integration.method != usual) {
-    integrator.meaning += fmt::format(", method {}", spelled(usual));
-    integrator.settings.push_back(fmt::format("integration.method='{}'", spelled(usual)));
+  if (const IntegrationMethod finest = IntegrationMethod::rodasp;
+      scene.integration.method != finest) {
+    integrator.meaning += fmt::format(", method {}", spelled(finest));
+    integrator.settings.push_back(fmt::format("integration.method='{}'", spelled(finest)));
   }
   if (!flexible)
     rungs.push_back(

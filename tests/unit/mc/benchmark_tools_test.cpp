@@ -75,7 +75,7 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
         EXPECT_FALSE(p.brief.on_front);
       }
   EXPECT_THAT(chart_text(chart), HasSubstr("unresolved"));
-  EXPECT_THAT(chart_csv(chart), HasSubstr("rodas3 at 0.1,0,0.4 ms,trajectory,"));
+  EXPECT_THAT(chart_csv(chart), HasSubstr("rodasp at 0.1,0,0.4 ms,trajectory,"));
   EXPECT_TRUE(chart_json(chart)["points"][0]["default"].get<bool>());
 }
 
@@ -173,7 +173,7 @@ TEST(StabilityText, ColumnsAreAsWideAsTheirText) {
   std::istringstream text(stability_text(map));
   std::string heading, line;
   std::getline(text, heading);
-  const std::size_t first = heading.find("rodas3"), second = heading.find("semi-implicit-euler");
+  const std::size_t first = heading.find("rodasp"), second = heading.find("semi-implicit-euler");
   EXPECT_EQ(first, longest.size() + 2);
   for (const std::string& scene : {std::string("short"), longest}) {
     std::getline(text, line);

@@ -77,7 +77,7 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
             (std::vector<std::string>{"integrator", "modes", "slices", "window", "as-run"}));
   const Scene integrator = on_rung(rigid, rungs[0]), modes = on_rung(rigid, rungs[1]),
               slices = on_rung(rigid, rungs[2]), window = on_rung(rigid, rungs[3]);
-  EXPECT_EQ(integrator.integration.method, Integration{}.method);
+  EXPECT_EQ(integrator.integration.method, IntegrationMethod::rodasp);
   EXPECT_DOUBLE_EQ(integrator.integration.tolerance, 0.0005);
   EXPECT_EQ(integrator.cage.model, CageKind::rigid);
   EXPECT_EQ(modes.cage.model, CageKind::flexible);
