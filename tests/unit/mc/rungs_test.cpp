@@ -90,13 +90,13 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
 
   Scene flexible = rigid;
   flexible.cage.model = CageKind::flexible;
-  flexible.integration = {};
+  flexible.integration.method = IntegrationMethod::rodasp;
   flexible.window.measure_time = 0.0125;
   const auto more = refining_rungs(flexible);
   std::vector<std::string> all(kRefinedSettings.begin(), kRefinedSettings.end());
   all.emplace_back("as-run");
   EXPECT_EQ(names_of(more), all);          // the error budget asks for these
-  EXPECT_EQ(more[0].settings.size(), 1u);  // its method is the default already
+  EXPECT_EQ(more[0].settings.size(), 1u);  // its method is the finest already
   EXPECT_EQ(on_rung(flexible, more[1]).cage.modes, 36);
   EXPECT_EQ(on_rung(flexible, more[3]).cage.mesh_density, flexible.cage.mesh_density + 2);
   EXPECT_DOUBLE_EQ(on_rung(flexible, more[4]).window.measure_time, 0.025);
