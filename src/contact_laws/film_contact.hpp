@@ -38,7 +38,8 @@ T halley_step(T x, T f, T slope, T bend) {
   return max(x - f * slope / max(square - 0.5 * f * bend, 0.5 * square), 0.05 * x);
 }
 
-/// delta [m] of p = delta - h, where anything is carried.
+/// delta [m] of p = delta - h, where anything is carried. One function: four branches of one curve,
+/// each with its start and its iteration, of which lanes of a pack take different ones.
 template <class T>
 T film_depth(const NormalLaw& law, const FilmLaw& film, const FilmAtSpeed<T>& at, T penetration) {
   constexpr int most = 20;

@@ -13,7 +13,8 @@
 namespace cagetol {
 
 /// Adds the film of one land, at `delta` from the ring's axis and moving with `rate`; X its axial
-/// place. `on_cage`: force of the pressure [N].
+/// place. `on_cage`: force of the pressure [N]. One function: the derivatives read nearly
+/// all that the forces are made of.
 template <bool linear>
 void guide_film(const BearingModel& model, const BorderState& b, double X, const double delta[2],
                 const double rate[2], BorderLoads& border, double on_cage[2], ContactRows* rows,

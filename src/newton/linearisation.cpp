@@ -96,6 +96,7 @@ struct Mixed {
   T e, by1, by2;
 };
 
+// One function, as the next: its parts are passes over the same mixed channels in registers.
 template <int packs>
 void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
                     Linearisation& linear) {

@@ -204,6 +204,7 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
   return sound;
 }
 
+// One function: what it keeps in registers between its loops would go through memory otherwise.
 template <int vectors, int packs>
 void NewtonMatrix::factor_cage() {
   const int columns = model_.layout.cage();

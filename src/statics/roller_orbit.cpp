@@ -233,7 +233,7 @@ void RollerOrbit::collect(std::size_t pack, Pack r, Pack s, Pack x, double (&on_
 // Upwind differences of first order are stable, however stiff traction is. Newton's method for all
 // angles at once; where traction saturates its slope is too small, so that it would jump to and fro
 // across the steep middle. With a steeper one, of the last move, the sum of all misses cannot grow:
-// the system is monotone.
+// the system is monotone. One function: an iteration with the many numbers that it carries along.
 bool RollerOrbit::solve(double w) {
   speed_ = w;
   const std::size_t packs = r_.size();
