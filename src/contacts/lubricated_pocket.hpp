@@ -58,10 +58,9 @@ struct OiledStation {
   Mask oiled[2];
   bool near = false;  ///< a lane has oil at a bar
 };
-inline OiledStation oiled_station(const PocketView& in, const AxisPlace& at, Pack kappa, int k) {
-  const BearingModel& model = in.model;
-  const RollerGroup& roller = in.roller;
-  const ModalState& modal = in.modal;
+inline OiledStation oiled_station(const BearingModel& model, const RollerGroup& roller,
+                                  const AxisPlace& at, Pack kappa, const ModalState& modal,
+                                  int group, int k) {
   const double layer = model.bar_line.layer;
   OiledStation station{{static_cast<int>(model.bar_stations.size()) + k, k}, {}, {}, false};
   const Pack shift = at.D_T - kappa * at.X, least = roller.radius - roller.half_width;
@@ -73,7 +72,7 @@ inline OiledStation oiled_station(const PocketView& in, const AxisPlace& at, Pac
   for (int side = 0; side < 2; ++side) {
     if (modal.flexible())
       station.depth[side] -=
-          (side == 0 ? 1.0 : -1.0) * modal.along(in.group, station.points[side], 1, modal.q);
+          (side == 0 ? 1.0 : -1.0) * modal.along(group, station.points[side], 1, modal.q);
     station.oiled[side] = (station.depth[side] > -layer) & here;
   }
   station.near = any(station.oiled[0] | station.oiled[1]);
@@ -113,18 +112,17 @@ LineForces<T> oil_forces(const LubricatedLine& law, Mask wet, Pack p, Pack rate,
 }
 
 template <bool linear>
-void lubricated_pocket(const PocketView& in, const PocketSums& sums) {
-  const BearingModel& model = in.model;
-  const RollerGroup& roller = in.roller;
-  const PocketFrame& f = in.f;
-  const ModalState& modal = in.modal;
+void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
+                       const PocketFrame& f, const BorderState& b, const ModalState& modal,
+                       int group, RollerLoads& loads, BorderLoads& border, ContactRows* rows,
+                       Linearisation* jac, Observation* seen) {
   const Pack kappa = f.A_T + roller.squareness;
   const int stations = static_cast<int>(model.bar_stations.size());
   PocketLoads on;
   bool touched = false;
   for (int k = 0; k < stations; ++k) {
     const AxisPlace at = axis_place(f, model.bar_stations[static_cast<std::size_t>(k)]);
-    const OiledStation station = oiled_station(in, at, kappa, k);
+    const OiledStation station = oiled_station(model, roller, at, kappa, modal, group, k);
     if (!station.near) continue;
     touched = true;
     const bool apart = any(station.oiled[0] & station.oiled[1]);
@@ -134,10 +132,10 @@ void lubricated_pocket(const PocketView& in, const PocketSums& sums) {
       const Pack s = select(bar.lead, splat(1.0), splat(-1.0));
       const PocketLevers levers = bar_levers(f, at, kappa, s, roller.radius);
       const auto speed = [&](int c) {
-        const Pack rigid = rigid_speed(levers, c, in);
+        const Pack rigid = rigid_speed(levers, c, f, q, b);
         if (!modal.flexible()) return rigid;
         const auto moved = [&](int which) {
-          return modal.along(in.group, station.points[which], levers.elastic[c], modal.rate);
+          return modal.along(group, station.points[which], levers.elastic[c], modal.rate);
         };
         return rigid +
                levers.sign[c] * (apart ? moved(side) : select(bar.lead, moved(0), moved(1)));
@@ -156,22 +154,23 @@ void lubricated_pocket(const PocketView& in, const PocketSums& sums) {
           if (apart && which != side) continue;
           const Pack mine = select(which == 0 ? bar.lead : ~bar.lead, splat(1.0), Pack{});
           const Pack own[4] = {force[0] * mine, force[1] * mine, force[2] * mine, force[3] * mine};
-          push_modes(levers, own, in, station.points[which]);
+          push_modes(levers, own, modal, group, station.points[which]);
         }
       if constexpr (linear) {
         const Pack film = value_of(forces.at.film), steady = value_of(forces.at.steady);
-        sums.seen->rub(kPocketFriction, sum(ratio * squared + 2.0 * roll * u));
-        sums.seen->damp(kSqueeze, sum((film - steady) * rate));
-        sums.seen->damp(kDamping, sum((normal - film) * rate));
-        sums.seen->damp(kFilm, sum(steady * rate));
-        observe_bar<4>(levers, in, station.points, normal, bar.wet, bar.lead, sums, [&](int i) {
-          add_film_contact(sums.jac->scratch, film_slopes_of(forces, v1, v2, rate, u, i),
-                           in.group * kLanes + i, *sums.jac);
-        });
+        seen->rub(kPocketFriction, sum(ratio * squared + 2.0 * roll * u));
+        seen->damp(kSqueeze, sum((film - steady) * rate));
+        seen->damp(kDamping, sum((normal - film) * rate));
+        seen->damp(kFilm, sum(steady * rate));
+        observe_bar<4>(levers, q, f, b, modal, roller, group, stations, station.points, normal,
+                       bar.wet, bar.lead, *rows, *seen, [&](int i) {
+                         add_film_contact(*rows, film_slopes_of(forces, v1, v2, rate, u, i),
+                                          group * kLanes + i, *jac);
+                       });
       }
     }
   }
-  if (touched) add_pocket_loads(f, on, sums.loads, sums.border);
+  if (touched) add_pocket_loads(f, on, loads, border);
 }
 
 }  // namespace cagetol

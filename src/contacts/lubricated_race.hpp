@@ -30,12 +30,11 @@ LineForces<T> oil_forces(const LubricatedLine& law, const LineSpeed<T>& speed, M
 
 /// Powers, energy and sums of one slice, and its derivatives.
 template <bool moving, bool tilting>
-void linearise_oiled_slice(const RaceView& at, const LubricatedLine& law, const SliceMotion& m,
+void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
+                           const RollerPack& q, const RaceSide& race, const SliceMotion& m,
                            const SliceForces& on, const LineForces<Dual<Pack, 4>>& f,
-                           const Entrainment& u, Pack axis_share, Mask wet, const RaceSums& sums) {
-  const RaceSide& race = at.race;
-  Observation& seen = *sums.seen;
-  RaceTotals& totals = sums.totals;
+                           const Entrainment& u, Pack axis_share, Mask wet, GroupLinear& jac,
+                           Observation& seen, RaceTotals& totals, RingTilt* tilt) {
   using D = Dual<Pack, 4>;
   const Pack p = select(wet, m.p, splat(law.starved ? -0.5 * law.layer : -1e-5));
   const Pack squared = m.v1 * m.v1 + m.v2 * m.v2, one = select(wet, splat(1.0), Pack{});
@@ -57,19 +56,18 @@ void linearise_oiled_slice(const RaceView& at, const LubricatedLine& law, const 
   totals.energy_by_spin += energy.slope[2] * one * u.by_spin;
   seen.damp(kFilm, sum((steady - storing.value) * m.rate));
   const Pack thickness =
-      select(on.normal > at.model.film_watch, value_of(f.at.state.thickness), splat(kNoFilm));
+      select(on.normal > model.film_watch, value_of(f.at.state.thickness), splat(kNoFilm));
   seen.thinnest_film = std::min(seen.thinnest_film, smallest(thickness));
-  add_slice_slopes<moving, tilting>(at.q, race, m, on, {f.at.normal, f.ratio, f.rolling, storing},
-                                    u, axis_share, *sums.jac, sums.tilt);
+  add_slice_slopes<moving, tilting>(q, race, m, on, {f.at.normal, f.ratio, f.rolling, storing}, u,
+                                    axis_share, jac, tilt);
 }
 
 /// `moving`, `tilting` as of slice_gap. `law`: of one slice.
 template <bool linear, bool moving, bool tilting = false>
-void lubricated_race(const RaceView& at, const LubricatedLine& law, const RaceSums& sums) {
-  const BearingModel& model = at.model;
-  const RollerGroup& roller = at.roller;
-  const RollerPack& q = at.q;
-  const RaceSide& race = at.race;
+void lubricated_race(const BearingModel& model, const LubricatedLine& law,
+                     const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
+                     RollerLoads& loads, GroupLinear* jac, Observation* seen, RaceTotals& totals,
+                     RingTilt* tilt = nullptr) {
   const Entrainment u = entrainment(race, roller, q);
   // 2 R/R_roller: with that of the race it adds up to two, so that the forces of a pair vanish.
   const Pack axis_share = 2.0 * race.radius / (race.radius + race.sign * roller.radius);
@@ -84,13 +82,14 @@ void lubricated_race(const RaceView& at, const LubricatedLine& law, const RaceSu
     Mask wet = roller.exists > 0.0;
     if (law.starved) wet &= -gap.p < law.layer;
     if (!any(wet)) continue;
-    const SliceMotion m = slice_motion<moving, tilting>(slice, gap, roller, q, race, sums.tilt);
+    const SliceMotion m = slice_motion<moving, tilting>(slice, gap, roller, q, race, tilt);
     const LineForces<D> f = oil_forces<D>(law, speed, wet, m);
     const SliceForces on =
         slice_forces(m, value_of(f.at.normal), value_of(f.ratio), value_of(f.rolling), axis_share);
-    add_slice_loads<moving, tilting>(q, race, m, on, sums.loads, sums.tilt);
+    add_slice_loads<moving, tilting>(q, race, m, on, loads, tilt);
     if constexpr (linear)
-      linearise_oiled_slice<moving, tilting>(at, law, m, on, f, u, axis_share, wet, sums);
+      linearise_oiled_slice<moving, tilting>(model, law, q, race, m, on, f, u, axis_share, wet,
+                                             *jac, *seen, totals, tilt);
   }
 }
 

@@ -30,13 +30,12 @@ inline bool bars_in_reach(const BearingModel& model, const RollerGroup& roller,
 /// One touch of a bar: what it adds to observation and derivatives. `force`: of the bar on the
 /// roller along -s e_T.
 template <int channels, class AddLane>
-void observe_bar(const PocketLevers& levers, const PocketView& in, const int (&points)[2],
-                 Pack force, Mask wet, Mask lead, const PocketSums& sums, const AddLane& add_lane) {
-  const int group = in.group, stations = static_cast<int>(in.model.bar_stations.size());
-  Observation& seen = *sums.seen;
-  ContactRows& rows = sums.jac->scratch;
-  const auto add = [&](PackVector& forces, Mask mine) {
-    double* const at = forces.data() + group * kLanes;
+void observe_bar(const PocketLevers& levers, const RollerPack& q, const PocketFrame& f,
+                 const BorderState& b, const ModalState& modal, const RollerGroup& roller,
+                 int group, int stations, const int (&points)[2], Pack force, Mask wet, Mask lead,
+                 ContactRows& rows, Observation& seen, const AddLane& add_lane) {
+  const auto add = [&](PackVector& sums, Mask mine) {
+    double* const at = sums.data() + group * kLanes;
     store(at, load(at) + select(mine, force, Pack{}));
   };
   add(seen.leading_force, lead);
@@ -45,22 +44,20 @@ void observe_bar(const PocketLevers& levers, const PocketView& in, const int (&p
     if (!wet[i]) continue;
     const double s = levers.sign[0][i];
     const int point = points[s > 0 ? 0 : 1];
-    if (in.modal.cage->model)
+    if (modal.cage->model)
       seen.bar_force[2 * stations * (group * kLanes + i) + point] = s * force[i];
-    fill_rows<channels>(levers, in, point, i, rows);
-    set_bar_lean(in, levers.sign[0], i, rows);
+    fill_rows<channels>(levers, f, b, modal, group, point, i, rows);
+    set_bar_lean(f, q, levers.sign[0], roller.radius, i, rows);
     add_lane(i);
     clear_bar_lean(rows);
   }
 }
 
 template <bool linear>
-void pocket_contacts(const PocketView& in, const PocketSums& sums) {
-  const BearingModel& model = in.model;
-  const RollerGroup& roller = in.roller;
-  const PocketFrame& f = in.f;
-  const ModalState& modal = in.modal;
-  const int group = in.group;
+void pocket_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
+                     const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
+                     RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
+                     Observation* seen) {
   const Pack kappa = f.A_T + roller.squareness, least = roller.radius - roller.half_width;
   const int stations = static_cast<int>(model.bar_stations.size());
   PocketLoads on;
@@ -79,24 +76,26 @@ void pocket_contacts(const PocketView& in, const PocketSums& sums) {
       if (!any(touching)) continue;
       touched = true;
       const PocketLevers levers = bar_levers(f, at, kappa, splat(s), roller.radius);
-      const auto speed = [&](int c) { return channel_speed(levers, c, in, point); };
+      const auto speed = [&](int c) {
+        return channel_speed(levers, c, f, q, b, modal, group, point);
+      };
       touch.rate = -speed(0), touch.v1 = speed(1), touch.v2 = speed(2);
       const Answer<Pack> contact = answer_to(touch, touching, model.bar, model.friction[kBarPair]);
       const Pack force[3] = {contact.normal.force, -contact.drag * touch.v1,
                              -contact.drag * touch.v2};
       add_channel_forces(levers, force, on);
-      if (modal.flexible()) push_modes(levers, force, in, point);
+      if (modal.flexible()) push_modes(levers, force, modal, group, point);
       if constexpr (linear) {
-        account(touch, contact, model.bar, kPocketFriction, *sums.seen);
+        account(touch, contact, model.bar, kPocketFriction, *seen);
         const Mask lead = side == 0 ? Mask{} == 0 : Mask{} != 0;
-        observe_bar<3>(levers, in, points, contact.normal.force, touching, lead, sums, [&](int i) {
-          add_contact(sums.jac->scratch, slopes_of(touch, contact, i), group * kLanes + i,
-                      *sums.jac);
-        });
+        observe_bar<3>(levers, q, f, b, modal, roller, group, stations, points,
+                       contact.normal.force, touching, lead, *rows, *seen, [&](int i) {
+                         add_contact(*rows, slopes_of(touch, contact, i), group * kLanes + i, *jac);
+                       });
       }
     }
   }
-  if (touched) add_pocket_loads(f, on, sums.loads, sums.border);
+  if (touched) add_pocket_loads(f, on, loads, border);
 }
 
 }  // namespace cagetol

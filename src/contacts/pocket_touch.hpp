@@ -13,25 +13,6 @@
 
 namespace cagetol {
 
-/// A pack of rollers and its pockets, as the contacts there see them.
-struct PocketView {
-  const BearingModel& model;
-  const RollerGroup& roller;
-  const RollerPack& q;
-  const PocketFrame& f;
-  const BorderState& b;
-  const ModalState& modal;
-  int group;
-};
-
-/// Where results go: loads, and with derivatives the linearisation and what is seen.
-struct PocketSums {
-  RollerLoads& loads;
-  BorderLoads& border;
-  Linearisation* jac;
-  Observation* seen;
-};
-
 struct PocketLevers {
   static constexpr int kChannels = ContactRows::kMostChannels;
   Pack roller[kChannels][kLocalVelocities];  ///< over (R, T, x, a_R, a_T, spin)
@@ -50,19 +31,21 @@ inline AxisPlace axis_place(const PocketFrame& f, double xi) {
 }
 
 /// Speed of channel c between rigid bodies.
-inline Pack rigid_speed(const PocketLevers& levers, int c, const PocketView& in) {
-  const PocketFrame& f = in.f;
+inline Pack rigid_speed(const PocketLevers& levers, int c, const PocketFrame& f,
+                        const RollerPack& q, const BorderState& b) {
   const Pack* g = levers.roller[c];
   const Pack* k = levers.cage[c];
-  return g[0] * f.v_R + g[1] * f.v_T + g[2] * f.v_x + g[3] * f.b_R + g[4] * f.b_T +
-         g[5] * in.q.spin + k[0] * in.b.phi_rate + k[1] * f.dA_R + k[2] * f.dA_T;
+  return g[0] * f.v_R + g[1] * f.v_T + g[2] * f.v_x + g[3] * f.b_R + g[4] * f.b_T + g[5] * q.spin +
+         k[0] * b.phi_rate + k[1] * f.dA_R + k[2] * f.dA_T;
 }
 
 /// The same with the motion of the bent cage at contact point `point`.
-inline Pack channel_speed(const PocketLevers& levers, int c, const PocketView& in, int point) {
-  const Pack speed = rigid_speed(levers, c, in);
-  if (!in.modal.flexible()) return speed;
-  return speed + levers.sign[c] * in.modal.along(in.group, point, levers.elastic[c], in.modal.rate);
+inline Pack channel_speed(const PocketLevers& levers, int c, const PocketFrame& f,
+                          const RollerPack& q, const BorderState& b, const ModalState& modal,
+                          int group, int point) {
+  const Pack speed = rigid_speed(levers, c, f, q, b);
+  if (!modal.flexible()) return speed;
+  return speed + levers.sign[c] * modal.along(group, point, levers.elastic[c], modal.rate);
 }
 
 /// Adds the channels' forces [N] on roller and cage.
@@ -79,19 +62,17 @@ void add_channel_forces(const PocketLevers& levers, const Pack (&force)[channels
 
 /// And on the elastic modes, at contact point `point`.
 template <int channels>
-void push_modes(const PocketLevers& levers, const Pack (&force)[channels], const PocketView& in,
-                int point) {
+void push_modes(const PocketLevers& levers, const Pack (&force)[channels], const ModalState& modal,
+                int group, int point) {
   Pack along[3] = {};
   for (int c = 0; c < channels; ++c) along[levers.elastic[c]] += levers.sign[c] * force[c];
-  in.modal.push(in.group, point, along[0], along[1], along[2]);
+  modal.push(group, point, along[0], along[1], along[2]);
 }
 
 /// Rows of one lane's contact over the directions of roller, cage and modes.
 template <int channels>
-void fill_rows(const PocketLevers& levers, const PocketView& in, int point, int lane,
-               ContactRows& rows) {
-  const PocketFrame& f = in.f;
-  const ModalState& modal = in.modal;
+void fill_rows(const PocketLevers& levers, const PocketFrame& f, const BorderState& b,
+               const ModalState& modal, int group, int point, int lane, ContactRows& rows) {
   const double cb = f.cos_b[lane], sb = f.sin_b[lane], cp = f.cos_p[lane], sp = f.sin_p[lane];
   for (int c = 0; c < channels; ++c) {
     const auto g = [&](int i) { return levers.roller[c][i][lane]; };
@@ -106,10 +87,10 @@ void fill_rows(const PocketLevers& levers, const PocketView& in, int point, int 
     const double at_centre[kCageRigid] = {
         sp * g(1) - cp * g(0), -sp * g(0) - cp * g(1), -g(2), k(0),
         cp * k(1) - sp * k(2), sp * k(1) + cp * k(2)};
-    fill_cage_row(at_centre, in.b, rows.border[c]);
+    fill_cage_row(at_centre, b, rows.border[c]);
     const double sign = levers.sign[c][lane];
     const Pack* moved =
-        modal.flexible() ? modal.cage->row(in.group, point, levers.elastic[c]) : nullptr;
+        modal.flexible() ? modal.cage->row(group, point, levers.elastic[c]) : nullptr;
     for (int m = 0; m < modal.cage->modes; ++m)
       rows.border[c][static_cast<std::size_t>(kModes + m)] = sign * moved[m][lane];
   }
@@ -134,10 +115,11 @@ inline PocketLevers bar_levers(const PocketFrame& f, const AxisPlace& at, Pack k
 
 /// How the second sliding speed of a bar follows the lean of the roller's axis, one lane's: as the
 /// surface's direction of motion turns with it.
-inline void set_bar_lean(const PocketView& in, Pack s, int lane, ContactRows& rows) {
-  const double turning = s[lane] * in.roller.radius[lane] * in.q.spin[lane];
-  rows.lean[kLar] = turning * in.f.cos_b[lane];
-  rows.lean[kLat] = -turning * in.f.sin_b[lane];
+inline void set_bar_lean(const PocketFrame& f, const RollerPack& q, Pack s, Pack R, int lane,
+                         ContactRows& rows) {
+  const double turning = s[lane] * R[lane] * q.spin[lane];
+  rows.lean[kLar] = turning * f.cos_b[lane];
+  rows.lean[kLat] = -turning * f.sin_b[lane];
 }
 inline void clear_bar_lean(ContactRows& rows) {
   rows.lean[kLar] = rows.lean[kLat] = 0;

@@ -37,13 +37,9 @@ inline RaceFilm race_film(const RaceSide& race, const RollerGroup& roller, const
 
 /// Powers, energy and sums of one slice.
 template <bool moving>
-void observe_slice(const RaceView& at, const SliceMotion& m, const SliceForces& on,
-                   const FilmContact<Pack>& contact, const RaceFilm& film, Mask touching,
-                   const RaceSums& sums) {
-  const BearingModel& model = at.model;
-  const RaceSide& race = at.race;
-  Observation& seen = *sums.seen;
-  RaceTotals& totals = sums.totals;
+void observe_slice(const BearingModel& model, const RaceSide& race, const SliceMotion& m,
+                   const SliceForces& on, const FilmContact<Pack>& contact, const RaceFilm& film,
+                   Mask touching, Observation& seen, RaceTotals& totals) {
   const NormalForce<Pack>& normal = contact.normal;
   const Pack squared = m.v1 * m.v1 + m.v2 * m.v2;
   totals.normal += normal.force;
@@ -62,13 +58,11 @@ void observe_slice(const RaceView& at, const SliceMotion& m, const SliceForces& 
   }
 }
 
-/// `moving`, `tilting` as of slice_gap.
+/// `moving`, `tilting` as of slice_gap; `tilt`: where `tilting`.
 template <bool linear, bool moving, bool tilting = false>
-void race_contacts(const RaceView& at, const RaceSums& sums) {
-  const BearingModel& model = at.model;
-  const RollerGroup& roller = at.roller;
-  const RollerPack& q = at.q;
-  const RaceSide& race = at.race;
+void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
+                   const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
+                   RaceTotals& totals, RingTilt* tilt = nullptr) {
   const RaceFilm film = race_film(race, roller, q);
   const FrictionLaw rubbing =
       model.friction[kRacePair];  // a copy, so that its constants are made once
@@ -82,7 +76,7 @@ void race_contacts(const RaceView& at, const RaceSums& sums) {
     const Mask touching = (gaps[n].p + film.thickest > 0.0) & (roller.exists > 0.0);
     if (!any(touching)) continue;
     const Slice& slice = model.race_slices[static_cast<std::size_t>(n)];
-    const SliceMotion m = slice_motion<moving, tilting>(slice, gaps[n], roller, q, race, sums.tilt);
+    const SliceMotion m = slice_motion<moving, tilting>(slice, gaps[n], roller, q, race, tilt);
     const Pack reached = select(touching, m.p, splat(-1.0));
     FilmContact<Pack> contact{};
     if (race.film.on) {
@@ -94,11 +88,11 @@ void race_contacts(const RaceView& at, const RaceSums& sums) {
     const auto fr = friction(rubbing, m.v1 * m.v1 + m.v2 * m.v2);
     const Pack normal = contact.normal.force;
     const SliceForces on = slice_forces(m, normal, fr.ratio * normal, Pack{}, Pack{});
-    add_slice_loads<moving, tilting>(q, race, m, on, sums.loads, sums.tilt);
+    add_slice_loads<moving, tilting>(q, race, m, on, loads, tilt);
     if constexpr (linear) {
-      observe_slice<moving>(at, m, on, contact, film, touching, sums);
+      observe_slice<moving>(model, race, m, on, contact, film, touching, *seen, totals);
       add_slice_slopes<moving, tilting>(q, race, m, on, dry_law(contact, fr), film.speed, Pack{},
-                                        *sums.jac, sums.tilt);
+                                        *jac, tilt);
     }
   }
 }

@@ -71,22 +71,6 @@ struct RaceTotals {
   Pack energy_by_vt{}, energy_by_spin{};
 };
 
-/// A pack of rollers at a race.
-struct RaceView {
-  const BearingModel& model;
-  const RollerGroup& roller;
-  const RollerPack& q;
-  const RaceSide& race;
-};
-/// Where results go: `jac` and `seen` with derivatives, `tilt` where the ring's is free.
-struct RaceSums {
-  RollerLoads& loads;
-  RaceTotals& totals;
-  GroupLinear* jac = nullptr;
-  Observation* seen = nullptr;
-  RingTilt* tilt = nullptr;
-};
-
 /// A slice's penetration, its normal, and s over the distance of the axes.
 struct SliceGap {
   Pack p, n_r, n_t, inverse;

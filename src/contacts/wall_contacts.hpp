@@ -48,12 +48,10 @@ inline WallPoint wall_point(const PocketFrame& f, const RollerGroup& roller, dou
 }
 
 template <bool linear>
-void wall_contacts(const PocketView& in, const PocketSums& sums) {
-  const BearingModel& model = in.model;
-  const RollerGroup& roller = in.roller;
-  const PocketFrame& f = in.f;
-  const ModalState& modal = in.modal;
-  const int group = in.group;
+void wall_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
+                   const PocketFrame& f, const BorderState& b, const ModalState& modal, int group,
+                   RollerLoads& loads, BorderLoads& border, ContactRows* rows, Linearisation* jac,
+                   Observation* seen) {
   PocketLoads on;
   bool touched = false;
   for (int end = 0; end < 2; ++end) {
@@ -71,30 +69,31 @@ void wall_contacts(const PocketView& in, const PocketSums& sums) {
       const Mask wet = (touch.p > -layer) & here;
       if (!any(wet)) continue;
       touched = true;
-      const auto speed = [&](int c) { return channel_speed(levers, c, in, point); };
+      const auto speed = [&](int c) {
+        return channel_speed(levers, c, f, q, b, modal, group, point);
+      };
       touch.rate = -speed(0), touch.v1 = speed(1), touch.v2 = speed(2);
       const EndForces forces =
           end_forces<linear>(model.wall, model.friction[kEndPair], model.wall_film, touch, wet);
       const Pack force[3] = {forces.normal, -forces.drag * touch.v1, -forces.drag * touch.v2};
       add_channel_forces(levers, force, on);
-      if (modal.flexible()) push_modes(levers, force, in, point);
+      if (modal.flexible()) push_modes(levers, force, modal, group, point);
       if constexpr (linear) {
         observe_end(forces, model.wall, model.wall_film, touch, kEndFriction,
-                    sums.seen->wall_force.data() + group * kLanes, *sums.seen);
-        ContactRows& rows = sums.jac->scratch;
+                    seen->wall_force.data() + group * kLanes, *seen);
         for (int i = 0; i < kLanes; ++i) {
           if (!wet[i]) continue;
-          fill_rows<3>(levers, in, point, i, rows);
+          fill_rows<3>(levers, f, b, modal, group, point, i, *rows);
           if (touch.p[i] > 0)
-            add_contact(rows, slopes_of(touch, forces.contact, i), group * kLanes + i, *sums.jac);
+            add_contact(*rows, slopes_of(touch, forces.contact, i), group * kLanes + i, *jac);
           if (model.wall_film.on)
-            add_film_contact(rows, end_film_slopes(forces.film, touch, i), group * kLanes + i,
-                             *sums.jac);
+            add_film_contact(*rows, end_film_slopes(forces.film, touch, i), group * kLanes + i,
+                             *jac);
         }
       }
     }
   }
-  if (touched) add_pocket_loads(f, on, sums.loads, sums.border);
+  if (touched) add_pocket_loads(f, on, loads, border);
 }
 
 }  // namespace cagetol

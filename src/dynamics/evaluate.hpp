@@ -99,12 +99,13 @@ void inner_race(Pass& pass, Shared& all) {
     if constexpr (linear) tilt.linear = &all.jac->tilts[static_cast<std::size_t>(pass.group)];
   }
   RaceTotals on;
-  const RaceView at{m, pass.roller, q, race};
-  const RaceSums sums{pass.loads, on, pass.linear, all.seen, tilting ? &tilt : nullptr};
+  RingTilt* const free_tilt = tilting ? &tilt : nullptr;
   if constexpr (lubricated)
-    lubricated_race<linear, true, tilting>(at, m.inner_line, sums);
+    lubricated_race<linear, true, tilting>(m, m.inner_line, pass.roller, q, race, pass.loads,
+                                           pass.linear, all.seen, on, free_tilt);
   else
-    race_contacts<linear, true, tilting>(at, sums);
+    race_contacts<linear, true, tilting>(m, pass.roller, q, race, pass.loads, pass.linear, all.seen,
+                                         on, free_tilt);
   const RollerLoads& loads = pass.loads;
   all.loads.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
   all.loads.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
@@ -128,12 +129,12 @@ void outer_race(Pass& pass, Shared& all) {
   const BearingModel& m = all.model;
   const RaceSide race{-1, m.outer_radius, 0, m.outer_film, {}, {}, {}, {}, {}, {}};
   RaceTotals on;
-  const RaceView at{m, pass.roller, pass.q, race};
-  const RaceSums sums{pass.loads, on, pass.linear, all.seen};
   if constexpr (lubricated)
-    lubricated_race<linear, false>(at, m.outer_line, sums);
+    lubricated_race<linear, false>(m, m.outer_line, pass.roller, pass.q, race, pass.loads,
+                                   pass.linear, all.seen, on);
   else
-    race_contacts<linear, false>(at, sums);
+    race_contacts<linear, false>(m, pass.roller, pass.q, race, pass.loads, pass.linear, all.seen,
+                                 on);
   if constexpr (linear) {
     pass.energy_by_vt += on.energy_by_vt;
     pass.energy_by_spin += on.energy_by_spin;
@@ -156,13 +157,16 @@ void pocket(Pass& pass, Shared& all) {
              walls = walls_in_reach(m, pass.roller, f, splat(modal.farthest + wall_layer));
   if (!bars && !walls) return;
   add_rates(pass.q, b, f);
-  const PocketView in{m, pass.roller, pass.q, f, b, modal, pass.group};
-  const PocketSums sums{pass.loads, all.loads, all.jac, all.seen};
+  ContactRows* const rows = linear ? &all.jac->scratch : nullptr;
   if (bars && oiled_bars)
-    lubricated_pocket<linear>(in, sums);
+    lubricated_pocket<linear>(m, pass.roller, pass.q, f, b, modal, pass.group, pass.loads,
+                              all.loads, rows, all.jac, all.seen);
   else if (bars)
-    pocket_contacts<linear>(in, sums);
-  if (walls) wall_contacts<linear>(in, sums);
+    pocket_contacts<linear>(m, pass.roller, pass.q, f, b, modal, pass.group, pass.loads, all.loads,
+                            rows, all.jac, all.seen);
+  if (walls)
+    wall_contacts<linear>(m, pass.roller, pass.q, f, b, modal, pass.group, pass.loads, all.loads,
+                          rows, all.jac, all.seen);
 }
 
 /// Derivatives of what is not a contact, once all contacts are there.

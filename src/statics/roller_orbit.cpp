@@ -180,7 +180,8 @@ void bars_on(const BearingModel& model, const RollerGroup& roller, const RollerP
   f.v_T = q.omega * f.D_R;
   BorderState b{};
   b.phi_rate = q.omega[0];
-  lubricated_pocket<false>({model, roller, q, f, b, modal, 0}, {loads, border, nullptr, nullptr});
+  lubricated_pocket<false>(model, roller, q, f, b, modal, 0, loads, border, nullptr, nullptr,
+                           nullptr);
 }
 
 }  // namespace
@@ -201,11 +202,13 @@ RollerOrbit::Forces RollerOrbit::forces(std::size_t pack, Pack r, Pack s, Pack& 
   const RaceSide outer{-1, model_.outer_radius, 0, model_.outer_film, {}, {}, {}, {}, {}, {}};
   RollerLoads loads;
   RaceTotals totals;
-  lubricated_race<false, true>({model_, roller_, q, inner}, model_.inner_line, {loads, totals});
+  lubricated_race<false, true>(model_, model_.inner_line, roller_, q, inner, loads, nullptr,
+                               nullptr, totals);
   Forces f;
   f.inner = loads.f[kLr];
   f.inner_moment = loads.f[kLs];
-  lubricated_race<false, false>({model_, roller_, q, outer}, model_.outer_line, {loads, totals});
+  lubricated_race<false, false>(model_, model_.outer_line, roller_, q, outer, loads, nullptr,
+                                nullptr, totals);
   if (model_.churning.on) {
     BorderState cage{};
     cage.phi_rate = speed_;

@@ -53,7 +53,7 @@ TEST_P(NormalsOfARace, AreThoseOfItsContactsWithoutFriction) {
     RaceTotals sums;
     GroupLinear linear{};
     Observation seen(model_);
-    race_contacts<true, true>({model_, model_.groups[0], q_, side}, {loads, sums, &linear, &seen});
+    race_contacts<true, true>(model_, model_.groups[0], q_, side, loads, &linear, &seen, sums);
     const RaceNormals on = normals(side);
     ASSERT_GT(on.total[0], 10);
     const auto same = [](Pack a, Pack b) { EXPECT_NEAR(a[0], b[0], 1e-12 * std::abs(b[0])); };
