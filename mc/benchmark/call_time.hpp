@@ -27,8 +27,8 @@ double call_time_us(const Call& call) {
   return median(std::move(times));
 }
 
-/// Time of one call of `part` over that of `whole`: the median of batches by turns, so that a busy
-/// machine meets both alike.
+/// Time of one call of `part` over that of `whole`. Batches of the two alternate, so that a busy
+/// machine affects both alike; the median of the ratios counts.
 template <class Part, class Whole>
 double time_ratio(const Part& part, const Whole& whole) {
   constexpr int kTurns = 31;

@@ -25,24 +25,21 @@ struct Answer {
   T drag;     ///< friction force over sliding speed [N s/m]: F = -drag v
 };
 
-/// `touching`: lanes whose contact counts.
-inline Answer<Pack> answer_to(const Touch<Pack>& touch, Mask touching, const NormalLaw& law,
-                              const FrictionLaw& rubbing) {
-  Answer<Pack> on;
-  on.normal = normal_force(law, select(touching, touch.p, splat(-1.0)), touch.rate);
-  on.squared = touch.v1 * touch.v1 + touch.v2 * touch.v2;
-  on.friction = friction(rubbing, on.squared);
-  on.drag = on.friction.ratio * on.normal.force;
-  return on;
-}
-inline Answer<double> answer_to(const Touch<double>& touch, const NormalLaw& law,
-                                const FrictionLaw& rubbing) {
-  Answer<double> on;
+template <class T>
+Answer<T> answer_to(const Touch<T>& touch, const NormalLaw& law, const FrictionLaw& rubbing) {
+  Answer<T> on;
   on.normal = normal_force(law, touch.p, touch.rate);
   on.squared = touch.v1 * touch.v1 + touch.v2 * touch.v2;
   on.friction = friction(rubbing, on.squared);
   on.drag = on.friction.ratio * on.normal.force;
   return on;
+}
+/// The same where only the lanes `touching` count.
+inline Answer<Pack> answer_to(const Touch<Pack>& touch, Mask touching, const NormalLaw& law,
+                              const FrictionLaw& rubbing) {
+  Touch<Pack> counted = touch;
+  counted.p = select(touching, touch.p, splat(-1.0));
+  return answer_to(counted, law, rubbing);
 }
 
 /// Powers and stored energy of a touch into the account; friction as that of `where`.

@@ -1,3 +1,4 @@
+// Above 400 lines: one class, whose recording and results belong side by side, quantity by quantity.
 #include "src/quantities/observer.hpp"
 
 #include <algorithm>

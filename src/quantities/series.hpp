@@ -108,7 +108,7 @@ class Parabola {
 
 /// Corrections of the trapezium rule for the integrals of a value and of its square, of order 4 for
 /// smooth values. Half of a step's correction comes from the parabola at either end of it. A step
-/// that is kShorter times shorter than the previous one may begin a contact (step_limit.hpp): if
+/// that is kShorter times shorter than the previous one may begin a contact: if
 /// the curvature between the two is kCorner times that before, the value has a corner there, and
 /// the curvature is not used for the longer step.
 template <class T>
