@@ -31,7 +31,7 @@ struct KernelTimes {
 
 /// One method. RTF: wall seconds per simulated second.
 struct MethodCost {
-  IntegrationMethod method = IntegrationMethod::rodas3;
+  IntegrationMethod method = IntegrationMethod::rodasp;
   Status status = Status::not_run;
   std::string reason;           ///< why it is not ok
   double rtf = 0;               ///< median of the repeats; NaN where the method is not ok
@@ -42,7 +42,7 @@ struct MethodCost {
 
 struct BenchResult {
   std::string scene;
-  IntegrationMethod default_method = IntegrationMethod::rodas3;  ///< the scene's own
+  IntegrationMethod default_method = IntegrationMethod::rodasp;  ///< the scene's own
   KernelTimes kernels;
   /// Mechanisms that the scene has: by how much of itself a right-hand side gets cheaper without
   /// each, at the last state of the scene's run (noise may make little of it negative).

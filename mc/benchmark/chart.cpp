@@ -25,20 +25,28 @@ std::string problem_of(const Outcome& outcome) {
              : std::string(status_name(outcome.status)) + ": " + outcome.reason;
 }
 
-ChartCost cost_of(const std::vector<Outcome>& outcomes) {
-  ChartCost cost;
-  std::vector<double> rtf, rhs;
-  for (const Outcome& outcome : outcomes) {
+/// Medians over runs.
+class Costs {
+ public:
+  void add(const Outcome& outcome, double wall_s) {
     if (outcome.status == Status::ok) {
-      rtf.push_back(outcome.run.wall_s / outcome.run.simulated_s);
-      rhs.push_back(outcome.run.rhs_evaluations / outcome.run.simulated_s);
-    } else if (cost.problem.empty()) {
-      cost.problem = problem_of(outcome);
+      rtf_.push_back(wall_s / outcome.run.simulated_s);
+      rhs_.push_back(outcome.run.rhs_evaluations / outcome.run.simulated_s);
+    } else if (problem_.empty()) {
+      problem_ = problem_of(outcome);
     }
   }
-  cost.rtf = median(std::move(rtf));
-  cost.rhs_per_s = median(std::move(rhs));
-  return cost;
+  ChartCost cost() const { return {median(rtf_), median(rhs_), problem_}; }
+
+ private:
+  std::vector<double> rtf_, rhs_;
+  std::string problem_;
+};
+
+ChartCost cost_of(const std::vector<Outcome>& outcomes) {
+  Costs costs;
+  for (const Outcome& outcome : outcomes) costs.add(outcome, outcome.run.wall_s);
+  return costs.cost();
 }
 
 /// Marks the points that no other one beats in cost and error at once. A setting that failed in any
@@ -89,9 +97,9 @@ void measure_trajectories(const Scene& scene, const SimulateOptions& options, Ch
   for (ChartPoint& p : chart.points) {
     const auto runs = follow_all(starts, p.setting, chart.options.horizon, options);
     p.trajectory_error = median_error(runs, references[reference_setting(p.setting.method).method]);
-    std::vector<Outcome> outcomes;
-    for (const Trajectory& run : runs) outcomes.push_back(run.outcome);
-    p.brief = cost_of(outcomes);
+    Costs costs;
+    for (const Trajectory& run : runs) costs.add(run.outcome, run.motion_wall_s);
+    p.brief = costs.cost();
   }
   mark_front(
       chart.points, [](ChartPoint& p) -> ChartCost& { return p.brief; },

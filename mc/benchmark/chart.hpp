@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -26,12 +27,16 @@ struct ChartOptions {
   bool rungs = false;  ///< the model ladder beside the settings
 };
 
+inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
 /// One setting over one horizon.
 struct ChartCost {
-  double rtf = 0;         ///< wall seconds per simulated second, median; NaN where no run was ok
-  double rhs_per_s = 0;   ///< right-hand sides per simulated second, median
-  std::string problem;    ///< why runs are missing; empty if none is
-  bool on_front = false;  ///< nothing measured is both cheaper and more accurate
+  /// Wall seconds per simulated second, median over the runs that are ok. Of trajectories without
+  /// the search for their start.
+  double rtf = kNotMeasured;
+  double rhs_per_s = kNotMeasured;  ///< right-hand sides per simulated second, median
+  std::string problem{};            ///< why runs are missing; empty if none is
+  bool on_front = false;            ///< nothing measured is both cheaper and more accurate
 };
 
 /// Means over the replicas' windows against those of a reference.

@@ -139,7 +139,7 @@ std::string chart_text(const Chart& chart) {
       "setting (* on the front)", "RTF", "error", "bias rms", "resolved");
   for (const ChartPoint& p : chart.points) {
     text += fmt::format(
-        "{:<32}{:>9.3f}{:>11.2g}{:>11.2g}{:>11.2g}",
+        "{:<32}{:>9.3g}{:>11.2g}{:>11.2g}{:>11.2g}",
         setting_label(p.setting) + (p.brief.on_front ? " *" : "") + (p.window.on_front ? " +" : ""),
         std::isfinite(p.window.rtf) ? p.window.rtf : p.brief.rtf, p.trajectory_error[1], p.bias_rms,
         p.bias_noise);

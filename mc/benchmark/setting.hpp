@@ -10,7 +10,7 @@
 namespace cagetol {
 
 struct Setting {
-  IntegrationMethod method = IntegrationMethod::rodas3;
+  IntegrationMethod method = IntegrationMethod::rodasp;
   double accuracy =
       0;  ///< tolerance as a multiple of the error scales; a fixed-step method's step [s]
 };

@@ -53,7 +53,7 @@ struct SuiteRow {
 };
 
 struct StabilityMap {
-  IntegrationMethod default_method = IntegrationMethod::rodas3;
+  IntegrationMethod default_method = IntegrationMethod::rodasp;
   std::vector<IntegrationMethod> methods;
   std::vector<SuiteRow> rows;
 };

@@ -1,5 +1,6 @@
 #include "mc/benchmark/trajectory.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -42,14 +43,19 @@ Trajectory follow(const Scene& scene, double horizon, SimulateOptions options) {
   Watch& watch = brief.watch;
   watch.static_consistency_max = watch.energy_residual_max = watch.cage_drift_max =
       watch.power_surplus_max = std::numeric_limits<double>::infinity();  // nothing has settled yet
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point began = Clock::now();
   Trajectory trajectory;
   options.on_state = [&](double t, const double* y, const System& system) {
     for (std::size_t k = 0; k < 2; ++k)
       if (t >= (k == 0 ? horizon / 2 : horizon) && trajectory.states[k].empty())
         trajectory.states[k].assign(y, y + system.size);
-    if (trajectory.scale.empty()) trajectory.scale.assign(system.scale.begin(), system.scale.end());
+    if (!trajectory.scale.empty()) return;
+    trajectory.scale.assign(system.scale.begin(), system.scale.end());
+    began = Clock::now();
   };
   trajectory.outcome = simulate(brief, options);
+  trajectory.motion_wall_s = std::chrono::duration<double>(Clock::now() - began).count();
   return trajectory;
 }
 

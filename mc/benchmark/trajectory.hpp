@@ -14,6 +14,7 @@ struct Trajectory {
   std::array<std::vector<double>, 2> states;
   std::vector<double> scale;  ///< one unit of error of each component; huge for padding
   Outcome outcome;
+  double motion_wall_s = 0;  ///< from the first state to the end: the search for the start left out
 };
 
 /// The scene, its cage and rollers turned on by k / count of a pitch at the start, for k = 0, 1,

@@ -71,6 +71,9 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
   command->add_option("--horizon-ms", options->horizon_ms, "Length of the trajectories")
       ->check(CLI::Range(1e-3, 1e3))
       ->capture_default_str();
+  command->add_option("--starts", options->chart.starts, "Trajectories of each setting")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
   options->chart.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   command->add_option("--threads", options->chart.threads, "Replicas at a time")
       ->check(CLI::Range(1, 1024))

@@ -95,7 +95,7 @@ constexpr auto spellings(WindowRule) {
 /// Time integration methods (src/integration/integrator.hpp).
 enum class IntegrationMethod {
   rodas3,              ///< linearly implicit (Rosenbrock), 4 stages, order 3(2), L-stable
-  rodasp,              ///< the same with 6 stages, order 4(3): for tight tolerances
+  rodasp,              ///< the same with 6 stages, order 4(3): the least error for its time
   cvode_bdf,           ///< CVODE, BDF with its order capped by integration.max_order
   arkode_esdirk,       ///< ARKODE, diagonally implicit, order 3, L-stable
   arkode_erk,          ///< ARKODE, explicit, order 3: limited by stability

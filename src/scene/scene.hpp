@@ -196,7 +196,7 @@ struct Discretisation {
 };
 
 struct Integration {
-  IntegrationMethod method = IntegrationMethod::rodas3;
+  IntegrationMethod method = IntegrationMethod::rodasp;
   double tolerance = 0.001;     ///< multiple of the error scales (system.hpp: 1 um, 1 cm/s, ...)
   double max_step = 50e-6;      ///< [s]
   double fixed_step = 1e-6;     ///< of fixed-step methods [s]

@@ -11,6 +11,7 @@ namespace {
 /// Mean over starts: in so short a window the residual of one is a matter of luck.
 double mean_residual(Scene scene, double tolerance) {
   scene.integration.tolerance = tolerance;
+  scene.integration.max_step = 1e-3;  // that the tolerance alone decides
   scene.window.settle_time = 1e-3;
   scene.window.measure_time = 3e-3;
   scene.watch.energy_residual_max = 10;

@@ -16,7 +16,7 @@ std::vector<SuiteScene> fast_suite() {
 
 TEST(StabilitySuite, TheDefaultIsRightAndNothingSilentlyWrong) {
   const StabilityMap map = run_stability(
-      fast_suite(), {IntegrationMethod::rodas3, IntegrationMethod::semi_implicit_euler}, 2);
+      fast_suite(), {IntegrationMethod::rodasp, IntegrationMethod::semi_implicit_euler}, 2);
   ASSERT_GE(map.rows.size(), 8u);
   for (const SuiteRow& row : map.rows) {
     EXPECT_EQ(row.cells.at(map.default_method).soundness, Soundness::right)

@@ -60,7 +60,7 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
   const Study study =
       read_study(scene_file(), {"window.settle_time_s = 0.003", "window.measure_time_s = 0.001"});
   const Chart chart = make_chart(study,
-                                 {.methods = {IntegrationMethod::rodasp},
+                                 {.methods = {IntegrationMethod::rodas3},
                                   .horizon = 0.4e-3,
                                   .replicas = 1,
                                   .starts = 2,
@@ -75,7 +75,7 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
         EXPECT_FALSE(p.brief.on_front);
       }
   EXPECT_THAT(chart_text(chart), HasSubstr("unresolved"));
-  EXPECT_THAT(chart_csv(chart), HasSubstr("rodasp at 0.1,0,0.4 ms,trajectory,"));
+  EXPECT_THAT(chart_csv(chart), HasSubstr("rodas3 at 0.1,0,0.4 ms,trajectory,"));
   EXPECT_TRUE(chart_json(chart)["points"][0]["default"].get<bool>());
 }
 
@@ -85,7 +85,7 @@ TEST(Chart, RungsStandBesideTheSettings) {
       {"window.settle_revolutions=0.3", "window.measure_revolutions=0.3", "cage.mesh_density=2",
        "watch.energy_residual_max=1000", "watch.static_consistency_max=1000"});
   const Chart chart = make_chart(study,
-                                 {.methods = {IntegrationMethod::rodasp},
+                                 {.methods = {IntegrationMethod::rodas3},
                                   .horizon = 0.1e-3,
                                   .replicas = 2,
                                   .starts = 1,

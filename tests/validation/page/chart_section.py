@@ -1,0 +1,109 @@
+"""Error against cost of every method and tolerance, and of the rungs of the model ladder."""
+
+import hashlib
+import json
+import os
+import subprocess
+import sys
+
+from program import MPI, toml_value
+from report import ROOT, WIDTH, number, pyplot
+
+sys.path.insert(0, str(ROOT / "analysis/figures"))
+from engine import error_against_cost, legend_below, rung_marks  # noqa: E402
+
+NU205 = ROOT / "inputs/scenes/nu205.toml"
+LOADS = (150, 1000, 10000)  # N
+CAGES = {"rigid": {"cage.model": "rigid"}, "flexible": {"cage.model": "flexible"}}
+TRAJECTORIES = ["--replicas", "0", "--horizon-ms", "1", "--starts", "24"]
+RUNGS = ["--methods", "rodas3", "--replicas", "12", "--rungs", "--horizon-ms", "0.1", "--starts", "1"]
+QUICK = ["--methods", "rodas3", "--horizon-ms", "0.1", "--starts", "1"]  # no result
+QUICK_WINDOW = {"window.settle_revolutions": 0.1, "window.measure_revolutions": 0.1}
+
+
+def loads(quick):
+    return LOADS[:1] if quick else LOADS
+
+
+def measured(program, settings, options):
+    """chart.json of `cagetol chart` on the NU 205; kept by program, settings and options."""
+    key = json.dumps([program.build, sorted(settings.items()), options])
+    place = program.cache / ("chart-" + hashlib.sha256(key.encode()).hexdigest()[:24])
+    if not (place / "chart.json").exists():
+        command = [str(program.path), "chart", str(NU205), "-o", str(place), *options]
+        for name, value in settings.items():
+            command += ["--set", f"{name}={toml_value(value)}"]
+        done = subprocess.run(command, env=os.environ | MPI, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(command)}\nended with code {done.returncode}:\n{done.stderr}")
+    return json.loads((place / "chart.json").read_text(encoding="utf-8"))
+
+
+def side_by_side(page, name, caption, charts, draw, y_label):
+    """One panel a load; one legend."""
+    figure, (axes,) = pyplot.subplots(1, len(charts), figsize=(WIDTH, 3.1), sharey=True, squeeze=False)
+    for axis, (load, chart) in zip(axes, charts.items()):
+        draw(axis, chart)
+        axis.set_title(f"{load:,} N".replace(",", " "), fontsize=9)
+        axis.set_xlabel("wall time / simulated time")
+    axes[0].set_ylabel(y_label)
+    named = {label: handle for axis in axes for handle, label in zip(*axis.get_legend_handles_labels())}
+    legend_below(figure, list(named.values()), list(named), 0.13)
+    page.figure(name, figure, caption)
+
+
+def front_rows(charts):
+    rows = []
+    for load, chart in charts.items():
+        for point in chart["points"]:
+            run = point["trajectory"]
+            if run["on_front"] or point["default"]:
+                mark = ", the default" + ("" if run["on_front"] else ", **not on the front**") if point["default"] else ""
+                rows.append([f"{load}", point["label"] + mark, number(run["rtf"]),
+                             number(run["rhs_evaluations_per_s"] / 1000), f"{run['error']:.1e}"])
+    return rows
+
+
+def method_chapter(page, program, quick):
+    page.heading("Error against cost: methods and tolerances")
+    page.add("`cagetol chart inputs/scenes/nu205.toml`, one millisecond from 24 starts: long enough for every contact to take",
+             "part, short enough that chaos has not parted the runs. Error: root mean square over the state, in error scales",
+             "(1 um, 1 cm/s and kin), against a run at tolerance 1e-5 by a method of another kind (explicit Runge-Kutta for the",
+             "linearly implicit ones, rodasp for the others). Medians over the starts; the search for the steady start is",
+             "not in the time. The largest step, 50 us, holds for all.", "")
+    for cage, model in CAGES.items():
+        charts = {load: measured(program, model | {"load.radial_N": load} | (QUICK_WINDOW if quick else {}),
+                                 QUICK + ["--replicas", "0"] if quick else TRAJECTORIES) for load in loads(quick)}
+        page.add(f"### {cage.capitalize()} cage", "")
+        side_by_side(page, f"cost-methods-{cage}", f"Error against cost of every method, {cage} cage", charts,
+                     lambda axis, chart: error_against_cost(chart, "trajectory", "error", "rtf")(axis),
+                     "error after 1 ms [error scales]")
+        page.add("On the front (nothing measured is both cheaper and more accurate):", "")
+        page.table(["load, N", "setting", "wall time / simulated time", "thousand right-hand sides a second", "error"],
+                   front_rows(charts))
+
+
+def rung_chapter(page, program, quick):
+    page.heading("Error against cost: how much model")
+    page.add("Rungs of `cagetol ladder` over the scene's window, twelve replicas with the cage started elsewhere: root mean",
+             "square over the quantities of the bias against the highest rung integrated tightly, in standard deviations of a",
+             "quantity between replicas. Below the dotted line twelve replicas resolve nothing.", "")
+    charts = {load: measured(program, {"load.radial_N": load} | (QUICK_WINDOW if quick else {}),
+                             QUICK + ["--replicas", "2", "--rungs"] if quick else RUNGS) for load in loads(quick)}
+
+    def draw(axis, chart):
+        noise = sorted(rung["window"]["bias_noise"] for rung in chart["rungs"] if rung["window"]["bias_noise"])
+        if noise:
+            axis.axhline(noise[len(noise) // 2], linestyle=":", color="grey", linewidth=1.2, label="resolved above")
+        axis.set_xscale("log")
+        axis.set_yscale("log")
+        axis.margins(x=0.25, y=0.12)
+        rung_marks(axis, chart, "rtf")
+
+    side_by_side(page, "cost-rungs", "Bias against cost of the rungs of the model ladder", charts, draw,
+                 "bias [std. deviations]")
+    names = [rung["rung"] for rung in next(iter(charts.values()))["rungs"]]
+    by_load = [{rung["rung"]: rung["window"] for rung in chart["rungs"]} for chart in charts.values()]
+    page.table(["rung"] + [f"{load} N: time, bias" for load in charts],
+               [[name] + [f"{number(rungs[name]['rtf'])}, {number(rungs[name]['bias_rms'], 2)}" for rungs in by_load]
+                for name in names])
