@@ -1,6 +1,9 @@
 #include "mc/key_documentation.hpp"
 
+#include <fmt/format.h>
+
 #include "mc/study_keys.hpp"
+#include "src/scene/materials.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -45,6 +48,25 @@ std::string list_rows(const std::vector<KeyInfo>& keys, const std::string& requi
   return text + "\n" + required + "\n";
 }
 
+std::string young_text(const MaterialPreset& preset) {
+  if (preset.young.empty()) return fmt::format("{:g}", 1e-9 * preset.at_room.young);
+  std::string text;
+  for (const auto& [temperature, young] : preset.young)
+    text += fmt::format("{}{:g} at {:g} degC", text.empty() ? "" : ", ", 1e-9 * young, temperature);
+  return text;
+}
+
+std::string material_table() {
+  std::string text =
+      "| material | Young's modulus, GPa | Poisson's ratio | density, kg/m^3 | yield stress, MPa | "
+      "loss factor | source |\n|---|---|---|---|---|---|---|\n";
+  for (const MaterialPreset& preset : material_presets())
+    text += fmt::format("| `{}` | {} | {:g} | {:g} | {:g} | {:g} | {} |\n", preset.name,
+                        young_text(preset), preset.at_room.poisson, preset.at_room.density,
+                        1e-6 * preset.yield_stress, preset.loss_factor, preset.source);
+  return text;
+}
+
 }  // namespace
 
 std::string default_scene_text() {
@@ -69,6 +91,15 @@ std::string default_study_text() {
 
 std::string key_documentation() {
   std::string text = "## Keys of a scene\n\n" + key_table_markdown(scene_keys(), example_scene());
+  text +=
+      "\n## Materials\n\nValues of `bearing.ring_material`, `roller.material` and `cage.material`, "
+      "for the keys "
+      "of the material that are left to auto. They are typical: deliveries scatter, polymers by a "
+      "tenth, and "
+      "by a third with moisture. Yield stress is the proof stress of metals, the stress at break "
+      "of polymers and "
+      "ceramics. Loss factors of metal cages stand for their seats and joints (assumption).\n\n";
+  text += material_table();
   text +=
       "\n## Keys of a study\n\nA study holds its scene below `[scene]`: `file` names a scene file, "
       "relative to "

@@ -14,6 +14,7 @@
 #include "mc/study_trends.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
+#include "src/scene/idle_keys.hpp"
 #include "src/scene/oil_keys.hpp"
 #include "src/scene/scene_keys.hpp"
 
@@ -194,23 +195,11 @@ void require_word_of_oil(const Study& study, const std::string& file) {
 }
 
 std::vector<std::string> model_notes(const Study& study) {
-  std::vector<std::string> notes;
-  if (has_planar_rollers(study.scene))
-    for (const char* key : {"bearing.misalignment_y_mrad", "bearing.misalignment_z_mrad",
-                            "roller.taper_um", "cage.pocket_squareness_mrad"}) {
-      const auto values = key_numbers(*find_key(scene_keys(), key), study.scene);
-      const bool varies = std::any_of(study.inputs.begin(), study.inputs.end(),
-                                      [&](const auto& input) { return input.key == key; });
-      const bool zero = std::all_of(values.begin(), values.end(), [](double x) { return x == 0; });
-      if (varies || !zero)
-        notes.push_back(std::string(key) +
-                        " does nothing to planar rollers (scene.model.rollers = \"planar\")");
-    }
-  if (has_planar_rollers(study.scene) && study.scene.model.ring_tilt == TiltModel::free)
-    notes.push_back(
-        "a free tilt of the inner ring (scene.model.ring_tilt) does nothing to planar rollers");
-  for (const std::string& key : idle_oil_keys(study.scene))
-    notes.push_back(key + " does nothing to a dry bearing (scene.lubrication.model = \"none\")");
+  const auto varies = [&](const std::string& key) {
+    return std::any_of(study.inputs.begin(), study.inputs.end(),
+                       [&](const auto& input) { return input.key == key; });
+  };
+  std::vector<std::string> notes = idle_notes(study.scene, varies);
   if (!is_quasi_static(study.scene)) return notes;
   notes.push_back(
       "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "

@@ -8,6 +8,7 @@
 #include "mc/study_keys.hpp"
 #include "src/cage/scene_cage.hpp"
 #include "src/input/unit.hpp"
+#include "src/scene/materials.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -149,11 +150,16 @@ void check_drawn_range(const Study& study, const toml::table& scene, const std::
 
 void check_flexible_cage(const Study& study, const toml::table& scene, const std::string& file) {
   static const std::set<std::string> tabulated = {
-      "cage.inner_diameter_mm", "cage.outer_diameter_mm", "cage.width_mm", "cage.land_offset_mm",
-      "cage.young_GPa",         "cage.poisson",           "cage.mass_kg",  "cage.density_kg_m3"};
+      "cage.inner_diameter_mm", "cage.outer_diameter_mm", "cage.width_mm",
+      "cage.land_offset_mm",    "cage.young_GPa",         "cage.poisson",
+      "cage.mass_kg",           "cage.density_kg_m3",     "cage.temperature_C"};
   if (!is_flexible(study.scene)) return;
   for (const auto& input : study.inputs) {
-    if (!tabulated.contains(input.key)) continue;
+    const bool softens = input.key == "lubrication.temperature_C" &&
+                         std::isnan(study.scene.cage.temperature) &&
+                         std::isnan(study.scene.cage.material.young) &&
+                         !material_named(study.scene.cage.material.name).young.empty();
+    if (!softens && !tabulated.contains(input.key)) continue;
     const auto* node = find_node(scene, input.key);
     throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, input.key,
                      node ? shown(*node) : "",

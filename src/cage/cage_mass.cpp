@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/scene/materials.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -28,7 +30,7 @@ Strip strip(double radius, double half) {
 }  // namespace
 
 CageMass cage_mass(const CageGeometry& cage, long roller_count) {
-  const double rho = cage.material.density, ro = cage.outer_diameter / 2,
+  const double rho = properties_of(cage.material).density, ro = cage.outer_diameter / 2,
                ri = cage.inner_diameter / 2;
   const double w = cage.width, ro2 = ro * ro, ri2 = ri * ri;
   CageMass m;

@@ -4,12 +4,13 @@
 
 #include "src/cage/cage_mass.hpp"
 #include "src/cage/cage_table_bytes.hpp"
+#include "src/scene/materials.hpp"
 
 namespace cagetol {
 namespace {
 
 Material tabulated_material(const Scene& scene) {
-  Material material = scene.cage.material;
+  Material material = cage_material(scene);
   if (!std::isnan(scene.cage.mass))
     material.density *= scene.cage.mass / cage_mass(scene.cage, scene.bearing.roller_count).mass;
   return material;
@@ -66,12 +67,13 @@ std::shared_ptr<const CageTable> scene_cage_table_from_bytes(const Scene& nomina
 std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const Scene& sample,
                                                                            const CageTable& table) {
   const CageDimensions cage = cage_dimensions(sample.cage, sample.bearing.roller_count);
+  const Material material = cage_material(sample);
   const bool same = cage.pocket_count == table.cage.pocket_count &&
                     close(cage.inner_radius, table.cage.inner_radius) &&
                     close(cage.outer_radius, table.cage.outer_radius) &&
                     close(cage.width, table.cage.width) &&
-                    close(sample.cage.material.young, table.material.young) &&
-                    close(sample.cage.material.poisson, table.material.poisson);
+                    close(material.young, table.material.young) &&
+                    close(material.poisson, table.material.poisson);
   if (!same)
     return CageFault{
         CageFaultKind::outside_table, -1,

@@ -11,10 +11,6 @@
 
 namespace cagetol {
 
-inline bool is_flexible(const Scene& scene) {
-  return scene.cage.model == CageKind::flexible;
-}
-
 /// The grid point whose table a sample of the scene uses.
 GridPoint table_point(const Scene& nominal, const Scene& sample);
 

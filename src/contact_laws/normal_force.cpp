@@ -6,14 +6,15 @@
 
 namespace cagetol {
 
-NormalLaw make_normal_law(const ContactParameters& parameters, double length, long shares) {
+NormalLaw make_normal_law(const ContactParameters& parameters, double length, long shares,
+                          double modulus) {
   NormalLaw law;
   const double share = 1.0 / static_cast<double>(shares);
   law.hertz = parameters.law == ForceLaw::hertz;
   if (law.hertz) {
     law.exponent = 10.0 / 9.0;
-    law.stiffness =
-        77652.0 * std::pow(length * 1e3, 8.0 / 9.0) * std::pow(1e-3, law.exponent) * share;
+    law.stiffness = 77652.0 * std::pow(length * 1e3, 8.0 / 9.0) * std::pow(1e-3, law.exponent) *
+                    share * (modulus / kSteelModulus);
     law.chi = hunt_crossley_chi(parameters.restitution, parameters.restitution_speed);
   } else {
     law.exponent = parameters.exponent;

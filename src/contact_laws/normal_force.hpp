@@ -11,6 +11,7 @@
 // contact of steel on steel, L in mm, K of one contact, which is 2^(10/9) times c_L of ISO/TS 16281
 // (of the roller's two contacts in series). Palmgren's formula is 3.8 % stiffer:
 //   delta = 3.84e-5 Q^0.9/L^0.8
+// It goes with (Q/E')^0.9: of another pair of materials K is that of steel times E'/E'_steel.
 //
 // Penetrations are scaled by 1 um inside, so that the power is taken of numbers near one.
 #pragma once
@@ -31,10 +32,14 @@ struct NormalLaw {
   double chi = 0;                   ///< [s/m], hertz only
 };
 
+/// E' (hertz_line.hpp) of steel on steel, for which K is stated [Pa].
+inline constexpr double kSteelModulus = 2 / ((1 - 0.3 * 0.3) / 208e9 + (1 - 0.3 * 0.3) / 208e9);
+
 /// Makes a law of `shares` equal parts (slices, stations, points, lands) of one contact. `length`
-/// is the contact's length [m] (hertz only). Throws std::domain_error if the restitution
-/// coefficient is not in (0, 1].
-NormalLaw make_normal_law(const ContactParameters& parameters, double length, long shares);
+/// is the contact's length [m], `modulus` E' of its two bodies [Pa] (both hertz only). Throws
+/// std::domain_error if the restitution coefficient is not in (0, 1].
+NormalLaw make_normal_law(const ContactParameters& parameters, double length, long shares,
+                          double modulus = kSteelModulus);
 
 /// chi of the Hunt-Crossley damper that gives the coefficient `restitution` e at approach speed
 /// `speed` v_in [m/s]. With u = chi v_in and w = chi v_out = e u, the energy balance is exactly

@@ -8,6 +8,7 @@
 #include "src/cage/cage_mass.hpp"
 #include "src/contact_laws/hertz_line.hpp"
 #include "src/lubrication/lubricant.hpp"
+#include "src/scene/materials.hpp"
 
 namespace cagetol {
 namespace {
@@ -16,13 +17,9 @@ using std::numbers::pi;
 
 constexpr double kWatchedShare = 0.01;  ///< of the load (of 1 N at least): a film that bears load
 
-double given_or(double value, double computed) {
-  return std::isnan(value) ? computed : value;
-}
-
 /// Mass of the inner ring as a plain hollow cylinder [kg].
 double ring_mass(const BearingGeometry& b, double inner_race_diameter) {
-  return b.ring_material.density * b.width * pi / 4 *
+  return properties_of(b.ring_material).density * b.width * pi / 4 *
          (inner_race_diameter * inner_race_diameter - b.bore_diameter * b.bore_diameter);
 }
 
@@ -43,7 +40,7 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.exists[lane] = j < z;
     const long k = j < z ? j : 0;  // padding copies roller 0; `exists` keeps it out of every sum
     const double radius = each(scene.roller.diameter, k) / 2, length = scene.roller.length;
-    const double mass = scene.roller.material.density * pi * radius * radius * length;
+    const double mass = roller_material(scene).density * pi * radius * radius * length;
     g.mass[lane] = mass;
     g.polar[lane] = mass * radius * radius / 2;
     g.transverse[lane] = mass * (3 * radius * radius + length * length) / 12;
@@ -114,7 +111,7 @@ LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
   line.shears = l.film_traction;
   line.length = length / static_cast<double>(slices);
   // Of the whole contact: its share of the length bears the same load per length.
-  const NormalLaw whole = make_normal_law(contact, length, 1);
+  const NormalLaw whole = make_normal_law(contact, length, 1, modulus);
   line.chi = whole.chi;
   const double approach = elastic_penetration(whole, length);  // at 1 N/m
   line.film = make_line_film(oil.viscosity, oil.pressure_viscosity, radius, modulus, approach);
@@ -136,7 +133,7 @@ void lubricate(const Scene& scene, BearingModel& m) {
   const double roller = m.nominal_diameter / 2, length = scene.roller.length;
   const auto race = [&](double curvature) {
     return line_of(scene, contact.race, oil, m.friction[kRacePair],
-                   effective_modulus(scene.roller.material, b.ring_material),
+                   effective_modulus(roller_material(scene), ring_material(scene)),
                    1 / (1 / roller + curvature), given_or(contact.race.roughness, l.race_roughness),
                    length, static_cast<long>(m.race_slices.size()));
   };
@@ -149,7 +146,7 @@ void lubricate(const Scene& scene, BearingModel& m) {
       kWatchedShare * std::max(m.load.radial, 1.0) / static_cast<double>(m.race_slices.size());
   m.oiled_bars = l.pocket_film;
   m.bar_line = line_of(scene, contact.bar, oil, m.friction[kBarPair],
-                       effective_modulus(scene.roller.material, cage.material), roller,
+                       effective_modulus(roller_material(scene), cage_material(scene)), roller,
                        given_or(contact.bar.roughness, l.pocket_roughness), length,
                        static_cast<long>(m.bar_stations.size()));
   m.bar_line.starved = true;
@@ -212,8 +209,10 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.roller_half_length = length / 2;
   m.flange_half_clearance = b.flange_clearance / 2;
 
-  m.race = make_normal_law(scene.contact.race, length, slices);
-  m.bar = make_normal_law(scene.contact.bar, length, stations);
+  const double modulus = effective_modulus(roller_material(scene), ring_material(scene));
+  m.race = make_normal_law(scene.contact.race, length, slices, modulus);
+  m.bar = make_normal_law(scene.contact.bar, length, stations,
+                          effective_modulus(roller_material(scene), cage_material(scene)));
   m.wall = make_normal_law(scene.contact.end, length, 2);
   m.flange = make_normal_law(scene.contact.flange, length, 2);
   m.land = make_normal_law(scene.contact.land, length, 2);
@@ -221,7 +220,6 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
 
   m.inner_radius = b.inner_raceway_diameter / 2 - b.internal_clearance / 4;
   m.outer_radius = b.outer_raceway_diameter / 2 + b.internal_clearance / 4;
-  const double modulus = effective_modulus(scene.roller.material, b.ring_material);
   const double roller = m.nominal_diameter / 2;
   m.inner_film = make_film_law(scene.film, modulus, 1 / (1 / roller + 1 / m.inner_radius), length,
                                slices, m.race);
@@ -282,7 +280,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.gravity = o.gravity;
   m.inner_speed = o.inner_speed;
   m.speed_from = given_or(o.speed_ramp_from, o.inner_speed);
-  m.speed_ramp = o.speed_ramp;
+  m.speed_ramp = std::isnan(o.speed_ramp_from) ? 0 : o.speed_ramp;
   return m;
 }
 

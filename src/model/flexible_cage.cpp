@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "src/scene/materials.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -33,7 +35,7 @@ FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> model,
     const auto at = static_cast<std::size_t>(k);
     const double omega = 2 * std::numbers::pi * model->frequency[k];
     f.stiffness.push_back(omega * omega);
-    f.damping.push_back(2 * geometry.mode_damping * omega);
+    f.damping.push_back(2 * mode_damping(geometry) * omega);
     f.scale[at] = model->contact.col(k).cwiseAbs().maxCoeff();
     for (long j = 0; j < pockets; ++j)
       for (int direction = 0; direction < 3; ++direction) {

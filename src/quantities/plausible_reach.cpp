@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/scene/materials.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -161,7 +163,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
           kLeanMax * m.nominal_diameter + offset_x;
 
   orbit_ratio = (m.inner_radius + m.outer_radius) / m.inner_radius;
-  stress = kStrainMax * scene.cage.material.young;
+  stress = kStrainMax * cage_material(scene).young;
   power = energy / duration;
   stations = flexible ? static_cast<double>(m.flexible.model->stress_stations) : 0;
   film_thickest = kFilmShare * m.nominal_diameter / 2;

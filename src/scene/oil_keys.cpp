@@ -61,14 +61,4 @@ void refuse_replaced_keys(const Scene& scene, const toml::table& root, const std
       "set lubrication.model = \"none\", or give" + successors);
 }
 
-std::vector<std::string> idle_oil_keys(const Scene& scene) {
-  std::vector<std::string> idle;
-  if (is_lubricated(scene)) return idle;
-  const Scene plain;
-  for (const auto& key : scene_keys())
-    if (key.name.starts_with("lubrication.") && key_text(key, scene) != key_text(key, plain))
-      idle.push_back(key.name);
-  return idle;
-}
-
 }  // namespace cagetol

@@ -1,11 +1,10 @@
 // How lubrication.model affects the other keys about oil. "film" brings its own films at every
 // contact: the older keys film.* and cage.guide_film* are then errors that name their successors.
-// With "none" the other keys of lubrication have no effect.
+// Keys of lubrication without effect: idle_keys.hpp.
 #pragma once
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "src/input/input_error.hpp"
 #include "src/input/toml_file.hpp"
@@ -23,8 +22,5 @@ std::string successor_of(const Scene& scene, std::string_view key);
 /// Throws InputError if `root`, the file of `scene`, contains keys that have a successor. The
 /// remedy lists all of them.
 void refuse_replaced_keys(const Scene& scene, const toml::table& root, const std::string& file);
-
-/// Keys of a dry scene's lubrication that differ from their default but have no effect.
-std::vector<std::string> idle_oil_keys(const Scene& scene);
 
 }  // namespace cagetol

@@ -3,6 +3,7 @@
 // cage. inputs/README.md lists every key.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -13,11 +14,20 @@ namespace cagetol {
 
 /// "auto" in input files: computed from the rest of the scene.
 inline constexpr double kAuto = std::numeric_limits<double>::quiet_NaN();
+inline double given_or(double value, double otherwise) {
+  return std::isnan(value) ? otherwise : value;
+}
 
 struct Material {
   double young = 208e9;   ///< E [Pa]
   double poisson = 0.30;  ///< nu
   double density = 7810;  ///< rho [kg/m^3]
+};
+
+/// A material by its name; kAuto: as the named one has it (materials.hpp).
+struct MaterialChoice {
+  std::string name;  ///< a name of material_presets()
+  double young = kAuto, poisson = kAuto, density = kAuto;
 };
 
 /// Which motions are modelled.
@@ -39,7 +49,7 @@ struct BearingGeometry {
   /// Diametral clearance added to that of the catalogue diameters, half on each raceway [m].
   double internal_clearance = 30e-6;
   double flange_clearance = 0.08e-3;  ///< axial clearance of a roller between its flanges [m]
-  Material ring_material;
+  MaterialChoice ring_material{"bearing-steel"};
   double inner_ring_mass = kAuto;                                                  ///< [kg]
   double inner_ring_polar_inertia = kAuto, inner_ring_transverse_inertia = kAuto;  ///< [kg m^2]
   double misalignment_y = 0;  ///< slope of the inner ring's centre line in y [rad]
@@ -52,7 +62,7 @@ struct RollerGeometry {
   double length = 9e-3;                     ///< L_w [m]
   std::vector<double> taper = {0};  ///< diameter at the +x end minus diameter at the -x end [m]
   RollerProfile profile = RollerProfile::none;
-  Material material;
+  MaterialChoice material{"bearing-steel"};
 };
 
 /// Oil film between the cage's lands and their guiding ring (src/contact_laws/short_bearing.hpp).
@@ -74,8 +84,9 @@ struct CageGeometry {
   std::vector<double> pocket_pitch = {0};
   /// dgamma_j, angle between bar faces and bearing axis [rad].
   std::vector<double> pocket_squareness = {0};
-  Material material{206e9, 0.30, 7850};
-  double yield_stress = 235e6;        ///< [Pa]
+  MaterialChoice material{"steel-q235"};
+  double temperature = kAuto;         ///< kAuto: that of the oil [degC]
+  double yield_stress = kAuto;        ///< kAuto: of the named material [Pa]
   double mass = kAuto;                ///< [kg]
   double polar_inertia = kAuto;       ///< about the bearing axis [kg m^2]
   double transverse_inertia = kAuto;  ///< about a diameter [kg m^2]
@@ -83,11 +94,11 @@ struct CageGeometry {
   double guide_clearance = kAuto;  ///< radial [m]
   double land_offset = kAuto;      ///< lands at x = +-land_offset [m]
   GuideFilm guide_film;
-  long mesh_density = 4;       ///< finite elements through the thickness of a flexible cage
-  long modes = 20;             ///< number of elastic modes of a flexible cage
-  double mode_damping = 0.01;  ///< damping ratio of elastic modes
-  bool centrifugal = true;     ///< centrifugal loading of the elastic modes
-  bool coriolis = true;        ///< Coriolis coupling of the elastic modes
+  long mesh_density = 4;        ///< finite elements through the thickness of a flexible cage
+  long modes = 20;              ///< number of elastic modes of a flexible cage
+  double mode_damping = kAuto;  ///< damping ratio of elastic modes; kAuto: half the loss factor
+  bool centrifugal = true;      ///< centrifugal loading of the elastic modes
+  bool coriolis = true;         ///< Coriolis coupling of the elastic modes
 };
 
 /// Parameters of one contact kind.
@@ -249,6 +260,9 @@ inline bool has_planar_rollers(const Scene& scene) {
 /// False for planar rollers, on which a tilt of the ring has no effect.
 inline bool has_free_ring_tilt(const Scene& scene) {
   return scene.model.ring_tilt == TiltModel::free && !has_planar_rollers(scene);
+}
+inline bool is_flexible(const Scene& scene) {
+  return scene.cage.model == CageKind::flexible;
 }
 inline bool is_lubricated(const Scene& scene) {
   return scene.lubrication.model == LubricationModel::film;

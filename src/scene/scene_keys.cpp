@@ -4,6 +4,7 @@
 #include <set>
 
 #include "src/lubrication/lubricant.hpp"
+#include "src/scene/materials.hpp"
 #include "src/scene/oil_keys.hpp"
 
 namespace cagetol {
@@ -15,6 +16,12 @@ std::vector<std::string> lubricant_names() {
   return names;
 }
 
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const MaterialPreset& preset : material_presets()) names.push_back(preset.name);
+  return names;
+}
+
 // clang-format off
 #define AT(member) [](Scene& s) -> auto& { return s.member; }
 
@@ -22,7 +29,7 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
       {"name", any_value(), AT(name), "name of the scene, for titles"},
       {"model.rollers", any_value(), AT(model.rollers), "spatial: rollers tilt, skew and move axially; planar: they stay parallel to the bearing's axis, in the middle, and misalignment, squareness, taper and a tilt of the inner ring do nothing to them"},
-      {"model.motion", any_value(), AT(model.motion), "dynamic: equations of motion; quasi-static: equilibria of ring and rollers over one turn of the cage at full load and kinematic speed; no cage forces, no slip, no oil film"},
+      {"model.motion", any_value(), AT(model.motion), "dynamic: equations of motion; quasi-static: equilibria of ring and rollers over one turn of the cage at full load and kinematic speed; no cage forces, no slip, of oil only the films of the races"},
       {"model.ring_tilt", any_value(), AT(model.ring_tilt), "tilt of the inner ring; prescribed: the misalignment, whatever moment it takes; free: two degrees of freedom, held by the rollers, the shaft (bearing.tilt_stiffness_N_m_rad) and the ring's inertia"},
       {"bearing.roller_count", required(within(3, 64)), AT(bearing.roller_count), "number of rollers and pockets Z"},
       {"bearing.bore_diameter_mm", required(above(0)), AT(bearing.bore_diameter), "bore d"},
@@ -33,9 +40,10 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"bearing.shoulder_diameter_mm", required(above(0)), AT(bearing.shoulder_diameter), "outer-ring shoulders: roller flanges and guiding surface of the cage"},
       {"bearing.internal_clearance_um", required(within(-200, 2000)), AT(bearing.internal_clearance), "diametral internal clearance added to what the raceways and rollers leave, half on each raceway"},
       {"bearing.flange_clearance_mm", required(at_least(0)), AT(bearing.flange_clearance), "axial clearance of a roller between both flanges, total"},
-      {"bearing.ring_young_GPa", above(0), AT(bearing.ring_material.young), "Young's modulus of the rings"},
-      {"bearing.ring_poisson", within(0, 0.49), AT(bearing.ring_material.poisson), "Poisson's ratio of the rings"},
-      {"bearing.ring_density_kg_m3", above(0), AT(bearing.ring_material.density), "density of the rings"},
+      {"bearing.ring_material", one_of(material_names()), AT(bearing.ring_material.name), "named material of the rings, for its keys that are left to auto"},
+      {"bearing.ring_young_GPa", or_auto(above(0)), AT(bearing.ring_material.young), "Young's modulus of the rings; auto: of the named material"},
+      {"bearing.ring_poisson", or_auto(within(0, 0.49)), AT(bearing.ring_material.poisson), "Poisson's ratio of the rings; auto: likewise"},
+      {"bearing.ring_density_kg_m3", or_auto(above(0)), AT(bearing.ring_material.density), "density of the rings; auto: likewise"},
       {"bearing.inner_ring_mass_kg", or_auto(above(0)), AT(bearing.inner_ring_mass), "moving mass of the inner ring; auto: from its geometry"},
       {"bearing.inner_ring_polar_inertia_kg_mm2", or_auto(above(0)), AT(bearing.inner_ring_polar_inertia), "of a ring whose tilt is free: moment of inertia about its centre line, for the gyroscopic moment; auto: hollow cylinder of its mass"},
       {"bearing.inner_ring_transverse_inertia_kg_mm2", or_auto(above(0)), AT(bearing.inner_ring_transverse_inertia), "of a ring whose tilt is free: moment of inertia about a diameter; auto: hollow cylinder of its mass"},
@@ -46,9 +54,10 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"roller.length_mm", required(above(0)), AT(roller.length), "roller length L_we"},
       {"roller.taper_um", within(-500, 500), AT(roller.taper), "diameter at the +x end minus diameter at the -x end"},
       {"roller.profile", any_value(), AT(roller.profile), "axial profile; logarithmic: ISO/TS 16281"},
-      {"roller.young_GPa", above(0), AT(roller.material.young), "Young's modulus of the rollers"},
-      {"roller.poisson", within(0, 0.49), AT(roller.material.poisson), "Poisson's ratio of the rollers"},
-      {"roller.density_kg_m3", above(0), AT(roller.material.density), "density of the rollers"},
+      {"roller.material", one_of(material_names()), AT(roller.material.name), "named material of the rollers, for its keys that are left to auto"},
+      {"roller.young_GPa", or_auto(above(0)), AT(roller.material.young), "Young's modulus of the rollers; auto: of the named material"},
+      {"roller.poisson", or_auto(within(0, 0.49)), AT(roller.material.poisson), "Poisson's ratio of the rollers; auto: likewise"},
+      {"roller.density_kg_m3", or_auto(above(0)), AT(roller.material.density), "density of the rollers; auto: likewise"},
   };
   keys.insert(keys.end(), table.begin(), table.end());
 }
@@ -63,10 +72,12 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.pocket_length_mm", required(above(0)), AT(cage.pocket_length), "axial opening L of a pocket"},
       {"cage.pocket_pitch_mrad", within(-100, 100), AT(cage.pocket_pitch), "angular deviation of a pocket's centre"},
       {"cage.pocket_squareness_mrad", within(-100, 100), AT(cage.pocket_squareness), "angle of a pocket's bar faces to the bearing axis"},
-      {"cage.young_GPa", above(0), AT(cage.material.young), "Young's modulus of the cage"},
-      {"cage.poisson", within(0, 0.49), AT(cage.material.poisson), "Poisson's ratio of the cage"},
-      {"cage.density_kg_m3", above(0), AT(cage.material.density), "density of the cage"},
-      {"cage.yield_stress_MPa", above(0), AT(cage.yield_stress), "yield stress of the cage"},
+      {"cage.material", one_of(material_names()), AT(cage.material.name), "named material of the cage, for its keys that are left to auto"},
+      {"cage.temperature_C", or_auto(within(-60, 250)), AT(cage.temperature), "temperature of the cage, for the modulus of the named material; auto: lubrication.temperature_C"},
+      {"cage.young_GPa", or_auto(above(0)), AT(cage.material.young), "Young's modulus of the cage; auto: of the named material at its temperature"},
+      {"cage.poisson", or_auto(within(0, 0.49)), AT(cage.material.poisson), "Poisson's ratio of the cage; auto: of the named material"},
+      {"cage.density_kg_m3", or_auto(above(0)), AT(cage.material.density), "density of the cage; auto: likewise"},
+      {"cage.yield_stress_MPa", or_auto(above(0)), AT(cage.yield_stress), "yield stress of the cage; auto: likewise"},
       {"cage.mass_kg", or_auto(above(0)), AT(cage.mass), "mass of the cage; auto: from geometry and density"},
       {"cage.polar_inertia_kg_mm2", or_auto(above(0)), AT(cage.polar_inertia), "moment of inertia about the bearing axis; auto: from geometry and density"},
       {"cage.transverse_inertia_kg_mm2", or_auto(above(0)), AT(cage.transverse_inertia), "moment of inertia about a diameter; auto: from geometry and density"},
@@ -78,7 +89,7 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.guide_film_width_mm", or_auto(above(0)), AT(cage.guide_film.width), "axial width of a land; auto: that of the cage's side rings"},
       {"cage.guide_film_least_um", above(0), AT(cage.guide_film.least), "gap at which roughness ends the film and the lands touch"},
       {"cage.modes", within(0, 36), AT(cage.modes), "elastic modes of a flexible cage, lowest first"},
-      {"cage.mode_damping", within(0, 1), AT(cage.mode_damping), "damping ratio of the elastic modes"},
+      {"cage.mode_damping", or_auto(within(0, 1)), AT(cage.mode_damping), "damping ratio of the elastic modes; auto: half the loss factor of the named material"},
       {"cage.mesh_density", within(1, 12), AT(cage.mesh_density), "finite elements through the thickness of a flexible cage"},
       {"cage.centrifugal", any_value(), AT(cage.centrifugal), "centrifugal loading of the elastic modes"},
       {"cage.coriolis", any_value(), AT(cage.coriolis), "Coriolis coupling of the elastic modes"},

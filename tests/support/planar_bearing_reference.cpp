@@ -122,10 +122,12 @@ PlanarContact make_contact(const PlanarBearing& b, double radius, double modulus
   c.radius = radius;
   c.length = b.roller_length;
   c.modulus = modulus;
-  // Q = 77652 L^(8/9) delta^(10/9), lengths in mm.
-  const double mm = 1e3;
-  c.approach =
-      std::pow(b.roller_length / (77652 * std::pow(mm * b.roller_length, 8.0 / 9)), 0.9) / mm;
+  // Q = 77652 L^(8/9) delta^(10/9), lengths in mm, of steel; as stiff as the pair's E' against it.
+  const double mm = 1e3, steel = 208e9 / (1 - 0.3 * 0.3);
+  c.approach = std::pow(b.roller_length * steel /
+                            (77652 * std::pow(mm * b.roller_length, 8.0 / 9) * modulus),
+                        0.9) /
+               mm;
   c.layer = layer;
   c.chi = b.chi;
   c.friction = b.friction;

@@ -10,6 +10,7 @@
 
 #include "src/cage/cage_mass.hpp"
 #include "src/contact_laws/normal_force.hpp"
+#include "src/scene/materials.hpp"
 
 namespace cagetol {
 namespace {
@@ -169,14 +170,22 @@ class Bearing {
     return cage_centre_rate(m) + (m.cage_spin * cage_axis_ + kX.cross(m.cage_lean)).cross(arm);
   }
 
+  /// How much stiffer the kind's pair of materials is than steel on steel.
+  double against_steel(ContactKind kind) const {
+    const auto softness = [](const Material& m) { return (1 - m.poisson * m.poisson) / m.young; };
+    const Material other = kind == kBar ? cage_material(scene_) : ring_material(scene_);
+    return 2 * softness({208e9, 0.3, 0}) / (softness(roller_material(scene_)) + softness(other));
+  }
+
   /// One contact: its law, its forces, its account.
   void contact(ContactKind kind, const ContactParameters& law, double shares, double penetration,
                const Motion& now, const Kinematics& speeds, Forces* on_roller) {
     if (penetration <= 0) return;
     const Speeds s = speeds(now);
+    const double share = (law.law == ForceLaw::hertz ? against_steel(kind) : 1) / shares;
     const double Q =
-        reference_normal_force(law, scene_.roller.length, penetration, s.approach) / shares;
-    const double elastic = elastic_force(law, scene_.roller.length, penetration) / shares;
+        reference_normal_force(law, scene_.roller.length, penetration, s.approach) * share;
+    const double elastic = elastic_force(law, scene_.roller.length, penetration) * share;
     ++result_.touching[kind];
     if (Q == 0) ++result_.pulling[kind];
     const double speed = std::hypot(s.v1, s.v2);
@@ -358,7 +367,8 @@ class Bearing {
     Roller roller;
     roller.radius = each(scene_.roller.diameter, j) / 2;
     const double length = scene_.roller.length;
-    roller.mass = scene_.roller.material.density * pi * std::pow(roller.radius, 2) * length;
+    roller.mass =
+        properties_of(scene_.roller.material).density * pi * std::pow(roller.radius, 2) * length;
     roller.polar = roller.mass * std::pow(roller.radius, 2) / 2;
     roller.transverse = roller.mass * (std::pow(roller.radius, 2) / 4 + length * length / 12);
     const double theta = q(kAngle);

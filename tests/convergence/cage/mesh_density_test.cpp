@@ -8,6 +8,7 @@
 #include "src/cage/cage_report.hpp"
 #include "src/cage/field_recovery.hpp"
 #include "src/cage/sector_carry.hpp"
+#include "src/scene/materials.hpp"
 
 namespace cagetol {
 namespace {
@@ -90,7 +91,8 @@ TEST(CageReport, DefaultSceneMeetsItsBars) {
   cage.pocket_width = {7.60e-3, 7.68e-3, 7.65e-3, 7.71e-3, 7.66e-3, 7.59e-3, 7.65e-3,
                        7.70e-3, 7.63e-3, 7.66e-3, 7.72e-3, 7.58e-3, 7.62e-3};
   const CageDimensions dimensions = cage_dimensions(cage, 13);
-  const CageTable table = make_cage_table(dimensions, cage.material, {}, {.density = 2});
+  const CageTable table =
+      make_cage_table(dimensions, properties_of(cage.material), {}, {.density = 2});
   const auto result = cage_report(table, table, pocket_deviations(cage, dimensions), cage.modes);
   const CageReport& report = std::get<CageReport>(result);
   EXPECT_EQ(report.modes.size(), 20U);

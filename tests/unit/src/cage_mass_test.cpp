@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/scene/materials.hpp"
+
 namespace cagetol {
 namespace {
 
@@ -45,7 +47,7 @@ Section pocket_section(double inner, double outer, double half, double angle) {
 
 /// The same cage by quadrature.
 CageMass by_quadrature(const CageGeometry& cage, long pockets) {
-  const double rho = cage.material.density, ri = cage.inner_diameter / 2,
+  const double rho = properties_of(cage.material).density, ri = cage.inner_diameter / 2,
                ro = cage.outer_diameter / 2, w = cage.width;
   const double disc = rho * w * pi * (ro * ro - ri * ri),
                disc_yy = rho * w * pi * (std::pow(ro, 4) - std::pow(ri, 4)) / 4;

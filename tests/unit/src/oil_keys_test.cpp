@@ -141,16 +141,6 @@ TEST(OilKeys, ContactsWithAFilmRefuseTheImpactLaw) {
   EXPECT_EQ(problem_of(kFilm + "contact.land.force_law = 'impact'\n"), "no error");
 }
 
-TEST(OilKeys, OfADryBearingAreIdleWhereTheyDifferFromTheirDefaults) {
-  const std::string text =
-      "[lubrication]\ntemperature_C = 90\nsqueeze = false\nlimiting_shear_ratio "
-      "= 0.06\n";
-  EXPECT_THAT(idle_oil_keys(scene_of(text)),
-              ElementsAre("lubrication.temperature_C", "lubrication.squeeze"));
-  EXPECT_THAT(idle_oil_keys(scene_of(text + "model = 'film'\n")), IsEmpty());
-  EXPECT_THAT(idle_oil_keys(scene_of(kNone)), IsEmpty());
-}
-
 TEST(OilKeys, OilMustThinAndFlow) {
   EXPECT_THAT(
       problem_of(kFilm + "lubrication.viscosity_40_mm2_s = 5\n"),

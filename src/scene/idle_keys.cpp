@@ -1,0 +1,297 @@
+#include "src/scene/idle_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "src/scene/materials.hpp"
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+bool given(double value) {
+  return !std::isnan(value);
+}
+
+bool hertz(const ContactParameters& contact) {
+  return contact.law == ForceLaw::hertz;
+}
+
+bool rollers_feel_oil(const Scene& s) {
+  return is_lubricated(s) && s.model.motion == MotionModel::dynamic;
+}
+
+bool bars_use_moduli(const Scene& s) {
+  return !is_quasi_static(s) &&
+         (hertz(s.contact.bar) || (is_lubricated(s) && s.lubrication.pocket_film));
+}
+
+bool races_use_moduli(const Scene& s) {
+  return hertz(s.contact.race) || is_lubricated(s) || s.film.model != FilmModel::none;
+}
+
+bool all_given(const MaterialChoice& material) {
+  return given(material.young) && given(material.poisson) && given(material.density);
+}
+
+/// Whether a modulus that is in use depends on the cage's temperature.
+bool cage_softens(const Scene& s) {
+  return !given(s.cage.material.young) && !material_named(s.cage.material.name).young.empty() &&
+         (is_flexible(s) || bars_use_moduli(s));
+}
+
+bool has_lands(const Scene& s) {
+  return s.cage.guidance != Guidance::roller;
+}
+
+/// One reason for which the keys that begin so do nothing.
+struct Rule {
+  std::vector<std::string_view> keys;  ///< names, or beginnings of names that end with "*"
+  bool (*idle)(const Scene&);
+  std::string_view why;
+};
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> all = {
+      {{"bearing.outside_diameter_mm", "cage.yield_stress_MPa"},
+       [](const Scene&) { return true; },
+       "no result depends on it"},
+      // What equilibria leave out.
+      {{"cage.mass_kg",
+        "cage.polar_inertia_kg_mm2",
+        "cage.transverse_inertia_kg_mm2",
+        "cage.young_GPa",
+        "cage.poisson",
+        "cage.density_kg_m3",
+        "cage.material",
+        "cage.temperature_C",
+        "cage.guidance",
+        "cage.guide_clearance_mm",
+        "cage.land_offset_mm",
+        "cage.guide_film*",
+        "cage.model",
+        "cage.modes",
+        "cage.mode_damping",
+        "cage.mesh_density",
+        "cage.centrifugal",
+        "cage.coriolis",
+        "cage.inner_diameter_mm",
+        "cage.outer_diameter_mm",
+        "cage.width_mm",
+        "cage.pocket_squareness_mrad",
+        "contact.bar.*",
+        "contact.end.*",
+        "contact.flange.*",
+        "contact.land.*",
+        "friction.*",
+        "film.*",
+        "start.state",
+        "lubrication.race_roughness_um",
+        "lubrication.pocket_*",
+        "lubrication.rolling_resistance",
+        "lubrication.inlet_heating",
+        "lubrication.conductivity_W_m_K",
+        "lubrication.film_traction",
+        "lubrication.eyring_stress_MPa",
+        "lubrication.limiting_shear_ratio",
+        "lubrication.end_film",
+        "lubrication.churning",
+        "lubrication.oil_share",
+        "lubrication.roller_drag",
+        "lubrication.carried_along",
+        "lubrication.land_film*",
+        "start.cage_offset_*",
+        "window.*",
+        "integration.*",
+        "discretisation.bar_stations",
+        "load.ramp_ms",
+        "speed.ramp*",
+        "contact.race.static*",
+        "contact.race.dynamic*",
+        "contact.race.roughness_um",
+        "bearing.flange_clearance_mm",
+        "bearing.shoulder_diameter_mm"},
+       is_quasi_static,
+       "model.motion = \"quasi-static\""},
+      {{"bearing.misalignment_y_mrad", "bearing.misalignment_z_mrad", "roller.taper_um",
+        "cage.pocket_squareness_mrad", "contact.flange.*", "bearing.flange_clearance_mm",
+        "model.ring_tilt"},
+       has_planar_rollers,
+       "model.rollers = \"planar\""},
+      {{"bearing.tilt_stiffness_N_m_rad", "bearing.inner_ring_polar_inertia_kg_mm2",
+        "bearing.inner_ring_transverse_inertia_kg_mm2", "load.tilting_moment_*"},
+       [](const Scene& s) { return !has_free_ring_tilt(s); },
+       "model.ring_tilt = \"prescribed\""},
+      // Materials.
+      {{"bearing.ring_young_GPa", "bearing.ring_poisson"},
+       [](const Scene& s) { return !races_use_moduli(s); },
+       "contact.race.force_law = \"impact\""},
+      {{"roller.young_GPa", "roller.poisson"},
+       [](const Scene& s) { return !races_use_moduli(s) && !bars_use_moduli(s); },
+       "contact.race.force_law = \"impact\" and contact.bar.force_law = \"impact\""},
+      {{"cage.young_GPa", "cage.poisson"},
+       [](const Scene& s) { return !is_flexible(s) && !bars_use_moduli(s); },
+       "cage.model = \"rigid\" and contact.bar.force_law = \"impact\""},
+      {{"bearing.ring_density_kg_m3", "bearing.width_mm"},
+       [](const Scene& s) { return given(s.bearing.inner_ring_mass) && !has_free_ring_tilt(s); },
+       "bearing.inner_ring_mass_kg is given"},
+      {{"cage.density_kg_m3"},
+       [](const Scene& s) {
+         return !is_flexible(s) && given(s.cage.mass) && given(s.cage.polar_inertia) &&
+                given(s.cage.transverse_inertia);
+       },
+       "the cage's mass and inertias are given"},
+      {{"cage.temperature_C"},
+       [](const Scene& s) { return !cage_softens(s); },
+       "no modulus of the cage depends on it"},
+      {{"lubrication.temperature_C"},
+       [](const Scene& s) {
+         return !is_lubricated(s) && (given(s.cage.temperature) || !cage_softens(s));
+       },
+       "lubrication.model = \"none\""},
+      {{"bearing.ring_material"},
+       [](const Scene& s) { return all_given(s.bearing.ring_material); },
+       "all properties of the rings' material are given"},
+      {{"roller.material"},
+       [](const Scene& s) { return all_given(s.roller.material); },
+       "all properties of the rollers' material are given"},
+      {{"cage.material"},
+       [](const Scene& s) {
+         return all_given(s.cage.material) && (!is_flexible(s) || given(s.cage.mode_damping));
+       },
+       "all properties of the cage's material are given"},
+      // The cage.
+      {{"cage.modes", "cage.mode_damping", "cage.mesh_density", "cage.centrifugal",
+        "cage.coriolis"},
+       [](const Scene& s) { return !is_flexible(s); },
+       "cage.model = \"rigid\""},
+      {{"cage.guide_clearance_mm", "cage.land_offset_mm", "cage.guide_film*", "contact.land.*",
+        "lubrication.land_film*"},
+       [](const Scene& s) { return !has_lands(s); },
+       "cage.guidance = \"roller\""},
+      {{"cage.guide_film_*"},
+       [](const Scene& s) { return s.cage.guide_film.model == GuideFilmModel::none; },
+       "cage.guide_film = \"none\""},
+      {{"lubrication.land_film_*"},
+       [](const Scene& s) { return !s.lubrication.land_film; },
+       "lubrication.land_film = false"},
+      // Contact laws.
+      {{"contact.race.restitution*"},
+       [](const Scene& s) { return !hertz(s.contact.race); },
+       "contact.race.force_law = \"impact\""},
+      {{"contact.bar.restitution*"},
+       [](const Scene& s) { return !hertz(s.contact.bar); },
+       "contact.bar.force_law = \"impact\""},
+      {{"contact.race.stiffness*", "contact.race.exponent", "contact.race.damping*"},
+       [](const Scene& s) { return hertz(s.contact.race); },
+       "contact.race.force_law = \"hertz\""},
+      {{"contact.bar.stiffness*", "contact.bar.exponent", "contact.bar.damping*"},
+       [](const Scene& s) { return hertz(s.contact.bar); },
+       "contact.bar.force_law = \"hertz\""},
+      // Oil.
+      {{"film.*", "cage.guide_film*"},
+       is_lubricated,
+       "lubrication.model = \"film\" brings films of its own"},
+      {{"contact.race.roughness_um", "contact.bar.roughness_um", "contact.end.roughness_um",
+        "contact.flange.roughness_um"},
+       [](const Scene& s) { return !rollers_feel_oil(s); },
+       "lubrication.model = \"none\""},
+      {{"film.viscosity_Pa_s", "film.pressure_viscosity_1_GPa", "film.least_force_N"},
+       [](const Scene& s) { return s.film.model == FilmModel::none; },
+       "film.model = \"none\""},
+      {{"lubrication.lubricant", "lubrication.viscosity_*", "lubrication.density_kg_m3",
+        "lubrication.pressure_viscosity_1_GPa", "lubrication.conductivity_W_m_K",
+        "lubrication.eyring_stress_MPa", "lubrication.limiting_shear_ratio", "lubrication.race_*",
+        "lubrication.pocket_*", "lubrication.squeeze", "lubrication.rolling_resistance",
+        "lubrication.inlet_heating", "lubrication.film_traction", "lubrication.end_film",
+        "lubrication.churning", "lubrication.oil_share", "lubrication.roller_drag",
+        "lubrication.carried_along", "lubrication.land_film*"},
+       [](const Scene& s) { return !is_lubricated(s); },
+       "lubrication.model = \"none\""},
+      {{"lubrication.conductivity_W_m_K"},
+       [](const Scene& s) {
+         return !s.lubrication.rolling_resistance || !s.lubrication.inlet_heating;
+       },
+       "the inlet is not heated (lubrication.rolling_resistance, lubrication.inlet_heating)"},
+      {{"lubrication.inlet_heating"},
+       [](const Scene& s) { return !s.lubrication.rolling_resistance; },
+       "lubrication.rolling_resistance = false"},
+      {{"lubrication.eyring_stress_MPa", "lubrication.limiting_shear_ratio"},
+       [](const Scene& s) { return !s.lubrication.film_traction; },
+       "lubrication.film_traction = false"},
+      {{"lubrication.oil_share", "lubrication.roller_drag", "lubrication.carried_along"},
+       [](const Scene& s) { return !s.lubrication.churning; },
+       "lubrication.churning = false"},
+      {{"window.longest_settle_revolutions"},
+       [](const Scene& s) { return !is_lubricated(s); },
+       "lubrication.model = \"none\""},
+      // Window and method.
+      {{"window.measure_share"},
+       [](const Scene& s) { return s.window.measure == WindowRule::fixed; },
+       "window.measure = \"fixed\""},
+      {{"window.settle_revolutions"},
+       [](const Scene& s) { return given(s.window.settle_time); },
+       "window.settle_time_s is given"},
+      {{"window.measure_revolutions"},
+       [](const Scene& s) { return given(s.window.measure_time); },
+       "window.measure_time_s is given"},
+      {{"speed.ramp_ms"},
+       [](const Scene& s) { return !given(s.operation.speed_ramp_from); },
+       "speed.ramp_from_rpm is not given"},
+      {{"speed.ramp_from_rpm"},
+       [](const Scene& s) { return s.operation.speed_ramp == 0; },
+       "speed.ramp_ms = 0"},
+      {{"integration.fixed_step_us"},
+       [](const Scene& s) {
+         return s.integration.method != IntegrationMethod::semi_implicit_euler;
+       },
+       "integration.method controls its steps"},
+      {{"integration.tolerance", "integration.max_step_us"},
+       [](const Scene& s) {
+         return s.integration.method == IntegrationMethod::semi_implicit_euler;
+       },
+       "integration.method = \"semi-implicit-euler\""},
+      {{"integration.max_order"},
+       [](const Scene& s) { return s.integration.method != IntegrationMethod::cvode_bdf; },
+       "only cvode-bdf has an order to choose"},
+  };
+  return all;
+}
+
+bool names(std::string_view pattern, std::string_view key) {
+  return pattern.ends_with('*') ? key.starts_with(pattern.substr(0, pattern.size() - 1))
+                                : key == pattern;
+}
+
+}  // namespace
+
+std::string why_idle(const Scene& scene, std::string_view key) {
+  for (const Rule& rule : rules())
+    for (const std::string_view pattern : rule.keys)
+      if (names(pattern, key) && rule.idle(scene)) return std::string(rule.why);
+  return "";
+}
+
+std::vector<std::string> idle_notes(const Scene& scene,
+                                    const std::function<bool(const std::string& key)>& varies) {
+  static const Scene plain;
+  std::vector<std::pair<std::string, std::string>> keys_by_reason;
+  for (const auto& key : scene_keys()) {
+    const std::string why = why_idle(scene, key.name);
+    if (why.empty() || key.range.required) continue;
+    if (key_text(key, scene) == key_text(key, plain) && !(varies && varies(key.name))) continue;
+    const auto known = std::find_if(keys_by_reason.begin(), keys_by_reason.end(),
+                                    [&](const auto& entry) { return entry.first == why; });
+    if (known == keys_by_reason.end())
+      keys_by_reason.emplace_back(why, key.name);
+    else
+      known->second += ", " + key.name;
+  }
+  std::vector<std::string> notes;
+  for (const auto& [why, keys] : keys_by_reason)
+    notes.push_back("without effect (" + why + "): " + keys);
+  return notes;
+}
+
+}  // namespace cagetol

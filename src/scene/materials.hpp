@@ -1,0 +1,39 @@
+// Named materials of cages, rollers and rings: the values of the material keys that are left to
+// auto. Strengths and moduli of one name scatter between deliveries, of polymers by a tenth and
+// with moisture by a third: a measured value goes into the key of its own.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+struct MaterialPreset {
+  std::string name;
+  Material at_room;     ///< at 20 degC
+  double yield_stress;  ///< of metals the 0.2 % proof stress, of polymers the stress at break [Pa]
+  double loss_factor;   ///< of a cage as it runs, its joints and seats included
+  std::string source;
+  /// Young's modulus over temperature, ascending [degC, Pa]; empty: that of 20 degC at any.
+  std::vector<std::array<double, 2>> young = {};
+};
+const std::vector<MaterialPreset>& material_presets();
+
+/// Throws std::domain_error where no preset has this name.
+const MaterialPreset& material_named(const std::string& name);
+
+/// The given properties, the others of the named material at `temperature` [degC].
+Material properties_of(const MaterialChoice& material, double temperature = 20);
+
+/// Materials as a scene runs. The cage's temperature is that of the oil where it is not given.
+Material cage_material(const Scene& scene);
+Material roller_material(const Scene& scene);
+Material ring_material(const Scene& scene);
+
+/// Damping ratio of the cage's elastic modes: half its loss factor where it is not given.
+double mode_damping(const CageGeometry& cage);
+
+}  // namespace cagetol

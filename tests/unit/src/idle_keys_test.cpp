@@ -1,0 +1,274 @@
+// Every key of a scene either changes what is computed or is named as idle, in scenes that differ in
+// what they model.
+#include "src/scene/idle_keys.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "src/integration/system.hpp"
+#include "src/scene/materials.hpp"
+#include "src/simulate.hpp"
+#include "src/statics/start_state.hpp"
+#include "src/window_times.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// What a run takes from a scene: its start, the rates at states in which everything touches, its
+/// window, and its results.
+std::vector<double> fingerprint(const Scene& scene) {
+  std::vector<double> print;
+  Scene brief = scene;
+  brief.window = {};
+  brief.window.settle_time = 0;
+  brief.window.measure_time = 60e-6;
+  brief.integration.max_step = std::min(brief.integration.max_step, 20e-6);
+  const Outcome outcome = simulate(brief);
+  print = outcome.quantities;
+  print.push_back(outcome.run.steps);
+  print.push_back(static_cast<double>(outcome.pocket));
+  if (is_quasi_static(scene)) return print;
+  const BearingModel model = make_bearing_model(scene);
+  const WindowTimes times = window_times(scene, model);
+  for (const double time : {times.settle, times.measure, times.longest, times.peaks})
+    print.push_back(time);
+  if (is_lubricated(scene)) print.push_back(times.longest_settle);
+  print.push_back(scene.integration.max_step);
+  print.push_back(scene.integration.tolerance);  // in so short a run it may change no step
+  System system(model);
+  const auto start = start_state(model, scene.start);
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  // Places off the start by micrometres, speeds by centimetres a second off the start's or off rest.
+  struct Apart {
+    double place, speed, share;
+  };
+  for (const Apart& apart :
+       {Apart{0, 0, 1}, {100, 30, 1}, {100, 30, 0}, {60, 12, 0}, {100, 3, 0}}) {
+    PackVector y(start.begin(), start.end());
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double draw = normal(random);
+      const bool speed = i >= y.size() / 2;
+      if (speed) y[i] *= apart.share;
+      if (system.scale[i] < 1e20)
+        y[i] += (speed ? apart.speed : apart.place) * draw * system.scale[i];
+    }
+    if (apart.place > 0 && model.guidance != Guidance::roller) {  // onto the lands
+      y[static_cast<std::size_t>(model.layout.border_position(kCageY))] =
+          model.guide_clearance + 30e-6;
+      y[static_cast<std::size_t>(model.layout.border_position(kCageZ))] = 0;
+      if (apart.speed == 12) {  // pressed on them, between the speeds of static and full sliding
+        const auto first = y.begin() + model.layout.border_velocity(0);
+        std::fill(first, first + model.layout.border(), 0.0);
+        y[static_cast<std::size_t>(model.layout.border_velocity(kCagePhi))] =
+            0.4 / model.pitch_radius;
+      }
+    }
+    for (const double t : {0.0, 0.3e-3}) {
+      EXPECT_TRUE(system.linearise_at(t, y.data()));
+      print.insert(print.end(), system.rate.begin(), system.rate.end());
+      print.insert(print.end(), system.seen.lost.begin(), system.seen.lost.end());
+      print.push_back(system.seen.elastic_energy);
+    }
+  }
+  return print;
+}
+
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] != b[i] && !(std::isnan(a[i]) && std::isnan(b[i]))) return false;
+  return true;
+}
+
+/// Other values of the key, within its range: of choices all, else one.
+std::vector<Scene> altered(const Key<Scene>& key, const Scene& from) {
+  Scene scene = from;
+  const bool geometry = key.unit == "mm" && !key.name.starts_with("contact.");
+  const auto number = [&](double old) {
+    const double least = std::isfinite(key.range.minimum) ? key.range.minimum : 0;
+    double changed = std::isnan(old) ? std::max(least, 0.0) + 0.37
+                     : old == 0      ? 1
+                                     : (geometry ? 1.002 : 1.3) * old;
+    if (changed > key.range.maximum)
+      changed = old == key.range.maximum ? 0.97 * old : key.range.maximum;
+    return changed;
+  };
+  switch (key.kind) {
+    case KeyKind::number:
+    case KeyKind::numbers: {
+      auto values = key_numbers(key, scene);
+      for (double& value : values) value = number(value);
+      set_key_numbers(key, values, scene);
+      break;
+    }
+    case KeyKind::integer: {
+      auto& value = std::get<std::function<long&(Scene&)>>(key.place)(scene);
+      value += value + 1 <= key.range.maximum ? 1 : -1;
+      break;
+    }
+    case KeyKind::boolean: {
+      auto& value = std::get<std::function<bool&(Scene&)>>(key.place)(scene);
+      value = !value;
+      break;
+    }
+    case KeyKind::choice:
+    case KeyKind::text: {
+      std::vector<Scene> all;
+      for (const std::string& choice : key.range.choices) {
+        if ('"' + choice + '"' == key_text(key, from)) continue;
+        if (const auto* place = std::get_if<ChoicePlace<Scene>>(&key.place))
+          place->set(scene, choice);
+        else
+          std::get<std::function<std::string&(Scene&)>>(key.place)(scene) = choice;
+        all.push_back(scene);
+      }
+      return all;
+    }
+  }
+  return {scene};
+}
+
+/// Keys whose work this test does not see: titles, watches, budgets, what is written, the choice of
+/// an elastic cage, whose finite elements take too long here, and of equilibria the pockets, which
+/// may only jam.
+bool elsewhere(const Scene& scene, const std::string& key) {
+  if (is_quasi_static(scene) && (key == "cage.pocket_width_mm" || key == "cage.pocket_length_mm"))
+    return true;
+  static const std::set<std::string> names = {
+      "name",       "integration.step_budget", "integration.wall_budget_s",
+      "cage.model", "cage.allow_interference", "window.history_interval_us"};
+  return names.count(key) || key.starts_with("watch.");
+}
+
+struct Case {
+  std::string name;
+  void (*set)(Scene&);
+};
+
+class IdleKeys : public testing::TestWithParam<Case> {};
+
+TEST_P(IdleKeys, AreThoseThatChangeNothing) {
+  Scene scene = shipped_scene("nu205");
+  scene.start.state = StartState::equilibrium;  // found sooner than the steady one
+  scene.bearing.ring_material = scene.roller.material = {"bearing-steel"};
+  scene.cage.material = {"steel-q235"};
+  scene.lubrication.viscosity_40 = 68;
+  scene.lubrication.viscosity_100 = 8.7;
+  GetParam().set(scene);
+  const auto before = fingerprint(scene);
+  ASSERT_TRUE(same(before, fingerprint(scene)));
+  for (const auto& key : scene_keys()) {
+    if (elsewhere(scene, key.name)) continue;
+    const std::vector<Scene> others = altered(key, scene);
+    if (others.empty()) continue;  // a choice of one
+    SCOPED_TRACE(key.name + " = " + key_text(key, scene));
+    ASSERT_NE(key_text(key, others.front()), key_text(key, scene));
+    const std::string why = why_idle(scene, key.name);
+    const bool changed = std::any_of(others.begin(), others.end(), [&](const Scene& other) {
+      return !same(before, fingerprint(other));
+    });
+    EXPECT_EQ(why.empty(), changed)
+        << key.name << " = " << key_text(key, scene)
+        << (changed ? " does something but is said to do nothing: " + why
+                    : std::string(" does nothing"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, IdleKeys,
+    testing::Values(
+        Case{"oiled", [](Scene&) {}},
+        Case{"dry", [](Scene& s) { s.lubrication.model = LubricationModel::none; }},
+        Case{"impact",
+             [](Scene& s) {
+               s.lubrication.model = LubricationModel::none;
+               s.contact.race.law = s.contact.bar.law = ForceLaw::impact;
+             }},
+        Case{"planar", [](Scene& s) { s.model.rollers = RollerModel::planar; }},
+        Case{"tilting",
+             [](Scene& s) {
+               s.lubrication.model = LubricationModel::none;
+               s.model.ring_tilt = TiltModel::free;
+             }},
+        Case{"older_films",
+             [](Scene& s) {
+               s.lubrication.model = LubricationModel::none;
+               s.film.model = FilmModel::series;
+               s.cage.guide_film.model = GuideFilmModel::short_bearing;
+               s.operation.load_ramp = 1e-3;
+               s.operation.speed_ramp_from = 100;
+               s.operation.speed_ramp = 1e-3;
+             }},
+        Case{"polymer", [](Scene& s) { s.cage.material = {"pa66-gf25"}; }},
+        Case{"given_materials",
+             [](Scene& s) {
+               s.bearing.ring_material = s.roller.material = {"bearing-steel", 208e9, 0.3, 7810};
+               s.cage.material = {"steel-q235", 206e9, 0.3, 7850};
+             }},
+        Case{"oiled_equilibria", [](Scene& s) { s.model.motion = MotionModel::quasi_static; }},
+        Case{"equilibria",
+             [](Scene& s) {
+               s.lubrication.model = LubricationModel::none;
+               s.model.motion = MotionModel::quasi_static;
+             }}),
+    [](const auto& one) { return one.param.name; });
+
+TEST(IdleNotes, NameReasonAndKeysOnce) {
+  Scene scene;
+  EXPECT_THAT(idle_notes(scene), IsEmpty());
+  scene.cage.modes = 12;
+  scene.cage.mesh_density = 3;
+  scene.lubrication.squeeze = false;
+  EXPECT_THAT(idle_notes(scene),
+              ElementsAre("without effect (cage.model = \"rigid\"): cage.modes, cage.mesh_density",
+                          "without effect (lubrication.model = \"none\"): lubrication.squeeze"));
+}
+
+TEST(Materials, FillWhatIsNotGiven) {
+  Scene scene;
+  EXPECT_EQ(cage_material(scene).young, 206e9);
+  scene.cage.material = {"pa66-gf25"};
+  scene.lubrication.temperature = 75;
+  EXPECT_NEAR(cage_material(scene).young, 4.05e9, 1e6);  // half-way between 60 and 90 degC
+  scene.cage.temperature = 200;                          // beyond the table: its last value
+  EXPECT_NEAR(cage_material(scene).young, 2.9e9, 1e6);
+  EXPECT_EQ(mode_damping(scene.cage), 0.03);
+  scene.cage.material.young = 3e9;
+  scene.cage.mode_damping = 0.2;
+  EXPECT_EQ(cage_material(scene).young, 3e9);
+  EXPECT_EQ(cage_material(scene).density, 1320);
+  EXPECT_EQ(mode_damping(scene.cage), 0.2);
+}
+
+/// The pair's own E' acts: forces of bars and races at a given depth, dry.
+TEST(Materials, ActInTheContacts) {
+  const auto bar = [](const MaterialChoice& roller, const MaterialChoice& cage) {
+    Scene scene;
+    scene.roller.material = roller;
+    scene.cage.material = cage;
+    return make_bearing_model(scene).bar.stiffness;
+  };
+  const auto race = [](const MaterialChoice& roller) {
+    Scene scene;
+    scene.roller.material = roller;
+    return make_bearing_model(scene).race.stiffness;
+  };
+  const MaterialChoice steel{"bearing-steel"}, ceramic{"silicon-nitride"};
+  // 2/(0.91/208 + (1 - 0.26^2)/310) = 270.9 GPa against 228.6 GPa
+  EXPECT_NEAR(race(ceramic) / race(steel), 270.9 / 228.57, 2e-4);
+  EXPECT_NEAR(bar(steel, {"bearing-steel"}), race(steel) * 5 / 3, 1e-9 * race(steel));
+  // 2/(0.91/208 + (1 - 0.34^2)/102) = 153.3 GPa
+  EXPECT_NEAR(bar(steel, {"brass-cuzn40pb2"}) / bar(steel, steel), 153.3 / 228.57, 2e-4);
+  EXPECT_LT(bar(steel, {"peek-cf30"}), 0.25 * bar(steel, steel));
+}
+
+}  // namespace
+}  // namespace cagetol
