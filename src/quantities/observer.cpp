@@ -404,6 +404,10 @@ std::vector<double> Observer::quantities_so_far() const {
   force(force_rows("pocket"), pocket_force_.all(), pocket_impacts_);
   force(force_rows("guide"), guide_force_, guide_impacts_);
   force(force_rows("end"), wall_force_.all(), wall_impacts_);
+  const double per_turn = inner_speed != 0 ? duration / revolutions : none;
+  q[quantity_row("pocket_impulse_N_s")] = pocket_force_.all().mean() * per_turn;
+  q[quantity_row("pocket_friction_work_J")] =
+      lost_[kPocketFriction].mean() * per_turn / model_.layout.rollers;
   q[quantity_row("cage_speed_std_ratio")] = cage_speed_.standard_deviation() / std::abs(cage_speed);
   q[quantity_row("cage_axial_std_um")] = 1e6 * cage_axial_.standard_deviation();
   q[quantity_row("cage_tilt_std_mrad")] =

@@ -1,5 +1,6 @@
 #include "src/quantities/plausibility.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -72,8 +73,12 @@ PlausibleRange orbit_slip(Reach r) {
 double turned(Reach r) {
   return 2 * std::numbers::pi * r.revolutions;
 }
+/// Time of one revolution of the cage [s].
+double turn_time(Reach r) {
+  return r.duration / std::max(r.revolutions, 1e-12);
+}
 PlausibleRange touches(Reach r, double contacts) {
-  return magnitude(contacts * r.touch_rate * r.duration / std::max(r.revolutions, 1e-12));
+  return magnitude(contacts * r.touch_rate * turn_time(r));
 }
 PlausibleRange one_power(Reach r) {
   return either_way(r.power + r.torque * r.fastest);
@@ -153,6 +158,8 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"pocket_force_p99_N", moving, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
       {"pocket_force_peak_N", moving, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
       {"pocket_impacts_per_revolution", moving, [](Reach r) { return touches(r, 2.0 * r.rollers); }, kTouchReason, kTighten},
+      {"pocket_impulse_N_s", turning, [](Reach r) { return magnitude(r.pocket_force * turn_time(r)); }, kForceReason, kTighten},
+      {"pocket_friction_work_J", turning, [](Reach r) { return either_way((r.power + r.torque * r.fastest) * turn_time(r)); }, kPowerReason, kTighten},
       {"guide_force_rms_N", moving, [](Reach r) { return magnitude(r.guide_force); }, kForceReason, kTighten},
       {"guide_force_p99_N", moving, [](Reach r) { return magnitude(r.guide_force); }, kForceReason, kTighten},
       {"guide_force_peak_N", moving, [](Reach r) { return magnitude(r.guide_force); }, kForceReason, kTighten},
