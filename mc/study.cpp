@@ -199,7 +199,8 @@ std::vector<std::string> model_notes(const Study& study) {
     return std::any_of(study.inputs.begin(), study.inputs.end(),
                        [&](const auto& input) { return input.key == key; });
   };
-  std::vector<std::string> notes = idle_notes(study.scene, varies);
+  std::vector<std::string> notes = scene_doubts(study.scene);
+  for (const std::string& idle : idle_notes(study.scene, varies)) notes.push_back(idle);
   if (!is_quasi_static(study.scene)) return notes;
   notes.push_back(
       "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "

@@ -51,7 +51,7 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"pocket_impacts_per_revolution", "1/rev",
      "closings of roller-bar contacts per cage revolution"},
     {"pocket_impulse_N_s", "N s",
-     "impulse of a roller on the bars of its pocket in one cage revolution: the normal force, films "
+     "impulse of a roller on the bars of its pocket in one cage revolution: normal force, films "
      "included, over time; mean over pockets. A measure of wear: that of a traction motor's cage "
      "was found to go with it (Suzuki et al. 2023, doi 10.3390/machines11060594)"},
     {"pocket_friction_work_J", "J",

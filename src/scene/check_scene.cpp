@@ -95,13 +95,14 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "cage.land_offset_mm",
                 "the guide lands lie outside the cage (" + check.with_value("cage.width_mm") + ")",
                 "give at most half the cage's width");
+  check.require(cage.guidance != Guidance::roller || is_quasi_static(scene), "cage.guidance",
+                "flat parallel pocket faces act along the circumference only: nothing would hold "
+                "the cage's centre, and it would leave the bearing",
+                "guide the cage by a ring (\"outer\" or \"inner\"); pockets with lips, curved or "
+                "converging faces, by which rollers guide a cage, are not modelled");
   const GuideFilm film = land_film(scene);
-  if (film.model == GuideFilmModel::none) return;
+  if (film.model == GuideFilmModel::none || cage.guidance == Guidance::roller) return;
   const bool oil = is_lubricated(scene);
-  check.require(
-      cage.guidance != Guidance::roller, "cage.guide_film",
-      "rollers guide this cage (" + check.with_value("cage.guidance") + "): no land carries a film",
-      "set cage.guide_film = \"none\", or guide the cage by a ring");
   const double on_diameter = cage.guidance == Guidance::inner
                                  ? cage.inner_diameter - scene.bearing.inner_raceway_diameter
                                  : scene.bearing.shoulder_diameter - cage.outer_diameter;
@@ -237,6 +238,22 @@ void check_window(const Scene& scene, const SceneCheck& check) {
 }
 
 }  // namespace
+
+std::vector<std::string> scene_doubts(const Scene& scene) {
+  std::vector<std::string> doubts;
+  const double inner = scene.cage.inner_diameter / 2, outer = scene.cage.outer_diameter / 2,
+               axes =
+                   (scene.bearing.inner_raceway_diameter + scene.bearing.outer_raceway_diameter) /
+                   4;
+  const auto mm = [](double length) { return number_text(std::round(1e6 * length) / 1e3) + " mm"; };
+  if (!is_quasi_static(scene) && (axes < inner || axes > outer))
+    doubts.push_back(
+        "the rollers' axes, at a radius of " + mm(axes) + ", lie outside the bars of the cage (" +
+        mm(inner) + " to " + mm(outer) +
+        "): rollers would ride on the bars' edges, with more clearance and inclined forces, "
+        "and run here as if the faces reached farther");
+  return doubts;
+}
 
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root) {
   const SceneCheck check(scene, file, root);

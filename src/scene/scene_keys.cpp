@@ -81,7 +81,7 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.mass_kg", or_auto(above(0)), AT(cage.mass), "mass of the cage; auto: from geometry and density"},
       {"cage.polar_inertia_kg_mm2", or_auto(above(0)), AT(cage.polar_inertia), "moment of inertia about the bearing axis; auto: from geometry and density"},
       {"cage.transverse_inertia_kg_mm2", or_auto(above(0)), AT(cage.transverse_inertia), "moment of inertia about a diameter; auto: from geometry and density"},
-      {"cage.guidance", any_value(), AT(cage.guidance), "what guides the cage: outer-ring shoulders, inner ring or rollers"},
+      {"cage.guidance", any_value(), AT(cage.guidance), "what guides the cage: outer-ring shoulders or inner ring; rollers hold no cage by flat pocket faces, and are refused unless model.motion = \"quasi-static\""},
       {"cage.guide_clearance_mm", or_auto(above(0)), AT(cage.guide_clearance), "radial guide clearance; auto: from the diameters"},
       {"cage.land_offset_mm", or_auto(above(0)), AT(cage.land_offset), "guide lands at x = +- this; auto: middle of the side rings"},
       {"cage.guide_film", any_value(), AT(cage.guide_film.model), "what lies between the cage's lands and their guiding ring; none: they touch dry where the clearance is used up; short-bearing: an oil film too (Ocvirk, half of it in suction left out)"},

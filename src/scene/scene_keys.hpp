@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "src/input/key_table.hpp"
 #include "src/scene/scene.hpp"
@@ -31,5 +32,8 @@ bool is_distribution(const toml::table& table);
 /// their values; `root` gives the line of the first one. Not used for samples, where a pocket that
 /// is too small is an outcome (jammed).
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root = nullptr);
+
+/// What the model takes more simply than this scene's geometry has it, one sentence each.
+std::vector<std::string> scene_doubts(const Scene& scene);
 
 }  // namespace cagetol
