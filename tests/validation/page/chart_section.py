@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "analysis/figures"))
 from common import known  # noqa: E402
 from engine import error_against_cost, legend_below  # noqa: E402
 
-OFFSETS = ((-9, 4), (9, 4), (0, -10))  # of the numbers beside their marks, points
+OFFSETS = ((-9, 4), (10, 2), (-9, 5), (-10, 2), (10, 2), (-9, -4), (-2, 10), (2, -10), (10, 3))  # of the numbers, points
 NU205 = ROOT / "inputs/scenes/nu205.toml"
 LOADS = (150, 1000, 10000)  # N
 RUNG_LOADS = (150, 1000)  # N; at 10 kN the explicit reference of the rungs would take hours
@@ -106,7 +106,7 @@ def rung_chapter(page, program, quick):
         shown = [(known(rung["window"]["rtf"]), known(rung["window"]["bias_rms"])) for rung in chart["rungs"]]
         axis.plot(*zip(*shown), "*", color="black", markersize=8, markerfacecolor="gold", markeredgewidth=0.6,
                   label=f"rung, against {chart['rungs'][-1]['rung']}")
-        for number_of_rung, (place, offset) in enumerate(zip(shown, OFFSETS * len(shown)), 1):
+        for number_of_rung, (place, offset) in enumerate(zip(shown, OFFSETS), 1):
             if not all(math.isfinite(value) and value > 0 for value in place):
                 continue
             axis.annotate(str(number_of_rung), place, xytext=offset, textcoords="offset points", fontsize=8,
