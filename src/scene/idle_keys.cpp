@@ -279,8 +279,9 @@ std::vector<std::string> idle_notes(const Scene& scene,
   std::vector<std::pair<std::string, std::string>> keys_by_reason;
   for (const auto& key : scene_keys()) {
     const std::string why = why_idle(scene, key.name);
-    if (why.empty() || key.range.required) continue;
-    if (key_text(key, scene) == key_text(key, plain) && !(varies && varies(key.name))) continue;
+    if (why.empty()) continue;
+    const bool told = !key.range.required && key_text(key, scene) != key_text(key, plain);
+    if (!told && !(varies && varies(key.name))) continue;
     const auto known = std::find_if(keys_by_reason.begin(), keys_by_reason.end(),
                                     [&](const auto& entry) { return entry.first == why; });
     if (known == keys_by_reason.end())
