@@ -30,7 +30,7 @@ def with_unit(name, unit):
 
 def readable(quantity):
     """"cage_stress_peak_MPa" -> "cage stress peak"."""
-    units = {"MPa", "N", "um", "mrad", "W", "Nmm", "s2", "m", "s", "mm", "deg"}
+    units = {"MPa", "N", "J", "um", "mrad", "W", "Nmm", "s2", "m", "s", "mm", "deg"}
     words = quantity.split("_")
     while len(words) > 1 and words[-1] in units:
         words.pop()

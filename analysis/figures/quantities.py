@@ -52,7 +52,8 @@ def other_quantities(report):
         axis.tick_params(labelsize=6.5)
         axis.set_yticks([])
         axis.grid(False)
-        axis.locator_params(axis="x", nbins=4)
+        axis.locator_params(axis="x", nbins=3)
+        axis.ticklabel_format(axis="x", useOffset=False)
     return figure
 
 
@@ -108,7 +109,7 @@ def health(report):
     for axis, entry in zip(axes.flat, entries):
         bars(axis, entry["histogram"], GREEN)
         axis.set_xlabel(with_unit(readable(entry["field"]), entry["unit"]))
-        axis.locator_params(axis="x", nbins=4)
+        axis.locator_params(axis="x", nbins=3)
         axis.ticklabel_format(axis="x", scilimits=(-4, 6))
         axis.set_ylabel("runs")
     return figure

@@ -95,8 +95,8 @@ std::string unit_suffix(const std::string& unit) {
 }
 
 std::string readable(const std::string& quantity) {
-  static const std::set<std::string> units = {"MPa", "N", "um", "mrad", "W",  "Nmm",
-                                              "s",   "m", "s2", "mm",   "deg"};
+  static const std::set<std::string> units = {"MPa", "N", "J", "um", "mrad", "W",
+                                              "Nmm", "s", "m", "s2", "mm",   "deg"};
   std::string words = quantity;
   for (std::size_t last = words.rfind('_');
        last != std::string::npos && units.count(words.substr(last + 1)) > 0;
