@@ -155,11 +155,10 @@ void check_flexible_cage(const Study& study, const toml::table& scene, const std
       "cage.mass_kg",           "cage.density_kg_m3",     "cage.temperature_C"};
   if (!is_flexible(study.scene)) return;
   for (const auto& input : study.inputs) {
-    const bool softens = input.key == "lubrication.temperature_C" &&
-                         std::isnan(study.scene.cage.temperature) &&
-                         std::isnan(study.scene.cage.material.young) &&
-                         !material_named(study.scene.cage.material.name).young.empty();
-    if (!softens && !tabulated.contains(input.key)) continue;
+    const bool warms = input.key == "lubrication.temperature_C" &&
+                       std::isnan(study.scene.cage.temperature) &&
+                       softens(study.scene.cage.material);
+    if (!warms && !tabulated.contains(input.key)) continue;
     const auto* node = find_node(scene, input.key);
     throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, input.key,
                      node ? shown(*node) : "",

@@ -1,4 +1,3 @@
-// Above 400 lines: factorisation and solution share the templates that eliminate a pack of rollers.
 // Above 400 lines: factors and solutions read the same blocks, which nothing else does.
 #include "src/newton/newton_matrix.hpp"
 

@@ -405,7 +405,8 @@ std::vector<double> Observer::quantities_so_far() const {
   force(force_rows("guide"), guide_force_, guide_impacts_);
   force(force_rows("end"), wall_force_.all(), wall_impacts_);
   const double per_turn = inner_speed != 0 ? duration / revolutions : none;
-  q[quantity_row("pocket_impulse_N_s")] = pocket_force_.all().mean() * per_turn;
+  const Series::Sums pressed = pocket_force_.sums();
+  q[quantity_row("pocket_impulse_N_s")] = pressed.integral() / pressed.weight * per_turn;
   q[quantity_row("pocket_friction_work_J")] =
       lost_[kPocketFriction].mean() * per_turn / model_.layout.rollers;
   q[quantity_row("cage_speed_std_ratio")] = cage_speed_.standard_deviation() / std::abs(cage_speed);

@@ -80,8 +80,12 @@ double turn_time(Reach r) {
 PlausibleRange touches(Reach r, double contacts) {
   return magnitude(contacts * r.touch_rate * turn_time(r));
 }
+/// That any mechanism dissipates [W].
+double most_power(Reach r) {
+  return r.power + r.torque * r.fastest;
+}
 PlausibleRange one_power(Reach r) {
-  return either_way(r.power + r.torque * r.fastest);
+  return either_way(most_power(r));
 }
 PlausibleRange lean(Reach) {
   return magnitude(1e3 * kLeanMax);
@@ -159,7 +163,7 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"pocket_force_peak_N", moving, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
       {"pocket_impacts_per_revolution", moving, [](Reach r) { return touches(r, 2.0 * r.rollers); }, kTouchReason, kTighten},
       {"pocket_impulse_N_s", turning, [](Reach r) { return magnitude(r.pocket_force * turn_time(r)); }, kForceReason, kTighten},
-      {"pocket_friction_work_J", turning, [](Reach r) { return either_way((r.power + r.torque * r.fastest) * turn_time(r)); }, kPowerReason, kTighten},
+      {"pocket_friction_work_J", turning, [](Reach r) { return either_way(most_power(r) * turn_time(r)); }, kPowerReason, kTighten},
       {"guide_force_rms_N", moving, [](Reach r) { return magnitude(r.guide_force); }, kForceReason, kTighten},
       {"guide_force_p99_N", moving, [](Reach r) { return magnitude(r.guide_force); }, kForceReason, kTighten},
       {"guide_force_peak_N", moving, [](Reach r) { return magnitude(r.guide_force); }, kForceReason, kTighten},
@@ -182,7 +186,7 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"roller_skew_rms_mrad", leaning, lean, kLeanReason, kLeanRemedy},
       {"roller_skew_p95_mrad", leaning, lean, kLeanReason, kLeanRemedy},
       {"roller_tilt_p95_mrad", spatial, lean, kLeanReason, kLeanRemedy},
-      {"power_loss_W", moving, [](Reach r) { return within(-r.power, r.power + r.torque * r.fastest); }, "contacts dissipate what drive and load give, and no more than the bearing held at the start", kTighten},
+      {"power_loss_W", moving, [](Reach r) { return within(-r.power, most_power(r)); }, "contacts dissipate what drive and load give, and no more than the bearing held at the start", kTighten},
       {"power_race_sliding_W", moving, one_power, kPowerReason, kTighten},
       {"power_rolling_W", moving, one_power, kPowerReason, kTighten},
       {"power_pocket_W", moving, one_power, kPowerReason, kTighten},

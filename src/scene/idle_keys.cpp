@@ -18,10 +18,6 @@ bool hertz(const ContactParameters& contact) {
   return contact.law == ForceLaw::hertz;
 }
 
-bool rollers_feel_oil(const Scene& s) {
-  return is_lubricated(s) && s.model.motion == MotionModel::dynamic;
-}
-
 bool bars_use_moduli(const Scene& s) {
   return !is_quasi_static(s) &&
          (hertz(s.contact.bar) || (is_lubricated(s) && s.lubrication.pocket_film));
@@ -37,12 +33,7 @@ bool all_given(const MaterialChoice& material) {
 
 /// Whether a modulus that is in use depends on the cage's temperature.
 bool cage_softens(const Scene& s) {
-  return !given(s.cage.material.young) && !material_named(s.cage.material.name).young.empty() &&
-         (is_flexible(s) || bars_use_moduli(s));
-}
-
-bool has_lands(const Scene& s) {
-  return s.cage.guidance != Guidance::roller;
+  return softens(s.cage.material) && (is_flexible(s) || bars_use_moduli(s));
 }
 
 /// One reason for which the keys that begin so do nothing.
@@ -166,10 +157,6 @@ const std::vector<Rule>& rules() {
         "cage.coriolis"},
        [](const Scene& s) { return !is_flexible(s); },
        "cage.model = \"rigid\""},
-      {{"cage.guide_clearance_mm", "cage.land_offset_mm", "cage.guide_film*", "contact.land.*",
-        "lubrication.land_film*"},
-       [](const Scene& s) { return !has_lands(s); },
-       "cage.guidance = \"roller\""},
       {{"cage.guide_film_*"},
        [](const Scene& s) { return s.cage.guide_film.model == GuideFilmModel::none; },
        "cage.guide_film = \"none\""},
@@ -193,20 +180,33 @@ const std::vector<Rule>& rules() {
       {{"film.*", "cage.guide_film*"},
        is_lubricated,
        "lubrication.model = \"film\" brings films of its own"},
-      {{"contact.race.roughness_um", "contact.bar.roughness_um", "contact.end.roughness_um",
-        "contact.flange.roughness_um"},
-       [](const Scene& s) { return !rollers_feel_oil(s); },
-       "lubrication.model = \"none\""},
       {{"film.viscosity_Pa_s", "film.pressure_viscosity_1_GPa", "film.least_force_N"},
        [](const Scene& s) { return s.film.model == FilmModel::none; },
        "film.model = \"none\""},
-      {{"lubrication.lubricant", "lubrication.viscosity_*", "lubrication.density_kg_m3",
-        "lubrication.pressure_viscosity_1_GPa", "lubrication.conductivity_W_m_K",
-        "lubrication.eyring_stress_MPa", "lubrication.limiting_shear_ratio", "lubrication.race_*",
-        "lubrication.pocket_*", "lubrication.squeeze", "lubrication.rolling_resistance",
-        "lubrication.inlet_heating", "lubrication.film_traction", "lubrication.end_film",
-        "lubrication.churning", "lubrication.oil_share", "lubrication.roller_drag",
-        "lubrication.carried_along", "lubrication.land_film*"},
+      {{"lubrication.lubricant",
+        "lubrication.viscosity_*",
+        "lubrication.density_kg_m3",
+        "lubrication.pressure_viscosity_1_GPa",
+        "lubrication.conductivity_W_m_K",
+        "lubrication.eyring_stress_MPa",
+        "lubrication.limiting_shear_ratio",
+        "lubrication.race_*",
+        "lubrication.pocket_*",
+        "lubrication.squeeze",
+        "lubrication.rolling_resistance",
+        "lubrication.inlet_heating",
+        "lubrication.film_traction",
+        "lubrication.end_film",
+        "lubrication.churning",
+        "lubrication.oil_share",
+        "lubrication.roller_drag",
+        "lubrication.carried_along",
+        "lubrication.land_film*",
+        "contact.race.roughness_um",
+        "contact.bar.roughness_um",
+        "contact.end.roughness_um",
+        "contact.flange.roughness_um",
+        "window.longest_settle_revolutions"},
        [](const Scene& s) { return !is_lubricated(s); },
        "lubrication.model = \"none\""},
       {{"lubrication.conductivity_W_m_K"},
@@ -223,9 +223,6 @@ const std::vector<Rule>& rules() {
       {{"lubrication.oil_share", "lubrication.roller_drag", "lubrication.carried_along"},
        [](const Scene& s) { return !s.lubrication.churning; },
        "lubrication.churning = false"},
-      {{"window.longest_settle_revolutions"},
-       [](const Scene& s) { return !is_lubricated(s); },
-       "lubrication.model = \"none\""},
       // Window and method.
       {{"window.measure_share"},
        [](const Scene& s) { return s.window.measure == WindowRule::fixed; },

@@ -86,6 +86,10 @@ Material properties_of(const MaterialChoice& material, double temperature) {
           given_or(material.density, preset.at_room.density)};
 }
 
+bool softens(const MaterialChoice& material) {
+  return std::isnan(material.young) && !material_named(material.name).young.empty();
+}
+
 Material cage_material(const Scene& scene) {
   return properties_of(scene.cage.material,
                        given_or(scene.cage.temperature, scene.lubrication.temperature));

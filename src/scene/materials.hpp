@@ -28,6 +28,9 @@ const MaterialPreset& material_named(const std::string& name);
 /// The given properties, the others of the named material at `temperature` [degC].
 Material properties_of(const MaterialChoice& material, double temperature = 20);
 
+/// Whether its modulus depends on the temperature.
+bool softens(const MaterialChoice& material);
+
 /// Materials as a scene runs. The cage's temperature is that of the oil where it is not given.
 Material cage_material(const Scene& scene);
 Material roller_material(const Scene& scene);

@@ -82,7 +82,7 @@ def method_chapter(page, program, quick):
         side_by_side(page, f"cost-methods-{cage}", f"Error against cost of every method, {cage} cage", charts,
                      lambda axis, chart: error_against_cost(chart, "trajectory", "error", "rtf")(axis),
                      "error after 1 ms [error scales]")
-        page.add("On the front (nothing measured is both cheaper and more accurate):", "")
+        page.add("The default, and what is on the front (nothing measured is both cheaper and more accurate):", "")
         page.table(["load, N", "setting", "wall time / simulated time", "thousand right-hand sides a second", "error"],
                    front_rows(charts))
 
