@@ -16,16 +16,16 @@ namespace cagetol {
 /// place. `on_cage`: force of the pressure [N]. One function: the derivatives read nearly
 /// all that the forces are made of.
 template <bool linear>
-void guide_film(const BearingModel& model, const BorderState& b, double X, const double delta[2],
+void guide_film(const CageGuide& guide, const BorderState& b, double X, const double delta[2],
                 const double rate[2], BorderLoads& border, double on_cage[2], ContactRows* rows,
                 Linearisation* jac, Observation* seen) {
-  const bool inner = model.guidance == Guidance::inner;
+  const bool inner = guide.inner;
   const double s = inner ? -1 : 1, ring_spin = inner ? b.inner_speed : 0;
   const double mean = 0.5 * (b.phi_rate + ring_spin), apart = b.phi_rate - ring_spin,
                sliding = b.cage_rate[2];
   const double D[2] = {s * delta[0], s * delta[1]};
   const double V[2] = {s * rate[0] + mean * D[1], s * rate[1] - mean * D[0]};
-  const ShortBearingFilm film = short_bearing_film(model.guide_film, D, V);
+  const ShortBearingFilm film = short_bearing_film(guide.film, D, V);
   const double *F = film.force, torque = -film.torque * apart, axial = -film.axial * sliding;
   const double spinning = 0.5 * (F[0] * D[1] - F[1] * D[0]);  // conjugate to each spin
   for (int k = 0; k < 2; ++k) {

@@ -1,6 +1,9 @@
-// Cage lands against the guiding ring, one at each side ring of the cage (x = +-land_offset). delta
-// is the land's offset from the guiding ring's axis, n = delta/|delta|, p = |delta| - clearance
-// (less the height at which roughness ends a guide film, where there is one: guide_film.hpp);
+// Cage lands against the rings, one at each side ring of the cage (x = +-land_offset): against the
+// ring that guides the cage, and against the other one, which holds it if all else gives way. A
+// land touches at its two edges, x +- land_edge: a tilted one at one of them. delta is the land's
+// offset from the guiding ring's axis, n = delta/|delta|, p = |delta| - clearance
+// (less the height at which roughness ends a guide film, where there is one: guide_film.hpp, which
+// lies around the land's middle);
 // the force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2 along e_x, of the cage's surface
 // at land_radius n relative to the ring's. Inner guidance rubs on the inner ring, which answers.
 // A flexible cage's guiding surface bends: its displacement, interpolated around between the
@@ -62,14 +65,15 @@ struct LandPlace {
   double n[2];   ///< direction of the offset
   double along;  ///< speed across it [m/s]
 };
-inline LandPlace land_place(const BearingModel& model, const BorderState& b, int land) {
+inline LandPlace land_place(const BearingModel& model, const CageGuide& guide, const BorderState& b,
+                            double X) {
   LandPlace at;
-  at.inner = model.guidance == Guidance::inner;
+  at.inner = guide.inner;
   // The cage's outside surface meets the outer ring where the offset points; its bore meets the
   // inner ring on the opposite side.
   at.side = at.inner ? -1.0 : 1.0;
-  at.R = at.side * model.land_radius;
-  at.X = land == 0 ? -model.land_offset : model.land_offset;
+  at.R = at.side * guide.land_radius;
+  at.X = X;
   const double tilt[2] = {model.misalignment_y, model.misalignment_z};
   for (int k = 0; k < 2; ++k) {
     at.offset[k] = b.cage[k] + at.X * b.axis[k];
@@ -96,11 +100,11 @@ struct LandTouch {
   double py, pz;  ///< dp/d(place of the land): the normal, turned by the surface's slope
 };
 /// False where the land is apart.
-inline bool land_touch(const BearingModel& model, const BorderState& b, const ModalState& modal,
-                       const LandPlace& at, int land, LandTouch& on) {
+inline bool land_touch(const BearingModel& model, const CageGuide& guide, const BorderState& b,
+                       const ModalState& modal, const LandPlace& at, int land, LandTouch& on) {
   const double ny = at.n[0], nz = at.n[1];
   Touch<double>& touch = on.touch;
-  touch.p = at.distance - model.land_clearance;
+  touch.p = at.distance - guide.touching_at;
   if (!(touch.p > -modal.farthest)) return false;
   touch.rate = ny * at.speed[0] + nz * at.speed[1];
   if (modal.flexible()) {
@@ -110,7 +114,7 @@ inline bool land_touch(const BearingModel& model, const BorderState& b, const Mo
         at.side * (on.bent.rate[0] + on.bent.slope * (at.along * at.inverse - b.phi_rate));
   }
   if (!(touch.p > 0)) return false;
-  on.ring_surface = at.inner ? b.inner_speed * at.side * model.guide_ring_radius : 0;
+  on.ring_surface = at.inner ? b.inner_speed * at.side * guide.ring_radius : 0;
   on.drift = on.ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny);
   on.n_A = b.axis[0] * nz - b.axis[1] * ny;
   touch.v1 = at.along + b.phi_rate * at.R - on.ring_surface + at.side * on.bent.rate[1];
@@ -157,11 +161,15 @@ inline void add_land_slopes(const BorderState& b, const ModalState& modal, const
   for (auto& row : rows.border) row[kRingY] = row[kRingZ] = 0;
 }
 
-/// Forces of a touch on cage, modes and ring, its account and derivatives. `oil`: force of the film
-/// on the cage, which counts in the observed land force.
+/// What presses on one land of the cage: sum of film and touches, and of the touches' sizes [N].
+struct LandForce {
+  double sum[2] = {0, 0}, touches = 0;
+};
+
+/// Forces of a touch on cage, modes and ring, its account and derivatives.
 template <bool linear>
 void apply_land_touch(const BearingModel& model, const BorderState& b, const ModalState& modal,
-                      const LandPlace& at, const LandTouch& on, int land, const double (&oil)[2],
+                      const LandPlace& at, const LandTouch& on, int land, LandForce& pressed,
                       BorderLoads& border, double* modal_force, ContactRows* rows,
                       Linearisation* jac, Observation* seen) {
   const double ny = at.n[0], nz = at.n[1], X = at.X, R = at.R;
@@ -183,37 +191,56 @@ void apply_land_touch(const BearingModel& model, const BorderState& b, const Mod
     border.ring[1] -= fz;
   }
   if constexpr (linear) {
-    seen->land_force[land] =
-        model.guide_film.on ? std::hypot(oil[0] - push * on.py, oil[1] - push * on.pz) : push;
-    seen->land_touching[land] = push > 0;
+    pressed.sum[0] -= push * on.py;
+    pressed.sum[1] -= push * on.pz;
+    pressed.touches += push;
+    seen->land_touching[land] = seen->land_touching[land] || push > 0;
     account(on.touch, contact, model.land, kLandFriction, *seen);
     if (at.inner) seen->drive_power += f1 * on.ring_surface + f2 * on.drift;
     add_land_slopes(b, modal, at, on, contact, *rows, *jac);
   }
 }
 
+/// One land on one ring.
+template <bool linear>
+void land_on_guide(const BearingModel& model, const CageGuide& guide, int land,
+                   const BorderState& b, const ModalState& modal, BorderLoads& border,
+                   double* modal_force, ContactRows* rows, Linearisation* jac, Observation* seen) {
+  const double middle = land == 0 ? -model.land_offset : model.land_offset;
+  LandPlace at = land_place(model, guide, b, middle);
+  // Most lands are apart: a root and a division less.
+  const double tilt = std::abs(b.axis[0]) + std::abs(b.axis[1]) + std::abs(model.misalignment_y) +
+                      std::abs(model.misalignment_z);
+  const double reach = guide.touching_at - modal.farthest - model.land_edge * tilt;
+  const double squared = at.offset[0] * at.offset[0] + at.offset[1] * at.offset[1];
+  if (!guide.film.on && reach > 0 && squared < reach * reach) return;
+  LandForce pressed;
+  if (guide.film.on) {
+    set_normal(at);
+    guide_film<linear>(guide, b, at.X, at.offset, at.speed, border, pressed.sum, rows, jac, seen);
+  }
+  const bool edges = model.land_edge > 0;
+  for (int edge = 0; edge < (edges ? 2 : 1); ++edge) {
+    if (edges)
+      at = land_place(model, guide, b, middle + (edge == 0 ? -model.land_edge : model.land_edge));
+    set_normal(at);
+    LandTouch on;
+    if (land_touch(model, guide, b, modal, at, land, on))
+      apply_land_touch<linear>(model, b, modal, at, on, land, pressed, border, modal_force, rows,
+                               jac, seen);
+  }
+  if constexpr (linear)
+    seen->land_force[land] +=
+        guide.film.on ? std::hypot(pressed.sum[0], pressed.sum[1]) : pressed.touches;
+}
+
 template <bool linear>
 void land_contacts(const BearingModel& model, const BorderState& b, const ModalState& modal,
                    BorderLoads& border, double* modal_force, ContactRows* rows, Linearisation* jac,
                    Observation* seen) {
-  if (model.guidance == Guidance::roller) return;
-  for (int land = 0; land < 2; ++land) {
-    LandPlace at = land_place(model, b, land);
-    // Most lands are apart: a root and a division less.
-    const double reach = model.land_clearance - modal.farthest;
-    const double squared = at.offset[0] * at.offset[0] + at.offset[1] * at.offset[1];
-    if (!model.guide_film.on && reach > 0 && squared < reach * reach) continue;
-    set_normal(at);
-    double oil[2] = {0, 0};
-    if (model.guide_film.on) {
-      guide_film<linear>(model, b, at.X, at.offset, at.speed, border, oil, rows, jac, seen);
-      if constexpr (linear) seen->land_force[land] = std::hypot(oil[0], oil[1]);
-    }
-    LandTouch on;
-    if (land_touch(model, b, modal, at, land, on))
-      apply_land_touch<linear>(model, b, modal, at, on, land, oil, border, modal_force, rows, jac,
-                               seen);
-  }
+  for (const CageGuide& guide : model.guides)
+    for (int land = 0; land < 2; ++land)
+      land_on_guide<linear>(model, guide, land, b, modal, border, modal_force, rows, jac, seen);
 }
 
 }  // namespace cagetol

@@ -1,8 +1,9 @@
 // Roller against the bars of its pocket through oil (src/lubrication/lubricated_line.hpp): the
-// kinematics of pocket_contacts.hpp with another law. The bar's face is flat and at rest in the
-// cage, so the contact travels with the roller's axis:
+// kinematics of pocket_contacts.hpp with another law. The bar is at rest in the cage, so over a
+// flat face the contact travels with the roller's axis; over an arc of radius r, of which the axis
+// stands R + r (edge, lip) or r - R (hollow) from the middle, in proportion:
 //
-//   v_c = speed of the roller's axis along e_R relative to the cage
+//   v_c = speed of the roller's axis along e_R relative to the cage, times r/(R + r) or r/(r - R)
 //   u   = v_1/2 - v_c                        entrainment along e_R, v_1 sliding speed
 //   F_1 = -ratio v_1 - F_r on the roller's surface,   F_c = 2 F_r on its axis, both along e_R
 //
@@ -14,9 +15,10 @@
 
 namespace cagetol {
 
-/// Slopes of one lane from the law's derivatives by (p, p', u, |v|^2). `f`: forces of a station.
+/// Slopes of one lane from the law's derivatives by (p, p', u, |v|^2). `f`: forces of a station;
+/// `travel`: v_c over the speed of the axis.
 inline FilmContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack v1, Pack v2,
-                                        Pack rate, Pack u, int lane) {
+                                        Pack rate, Pack u, double travel, int lane) {
   const int i = lane;
   const double s1 = v1[i], s2 = v2[i], ratio = f.ratio.value[i], roll = f.rolling.value[i];
   const double squared = s1 * s1 + s2 * s2, bend = 2 * f.ratio.slope[3][i];
@@ -32,7 +34,7 @@ inline FilmContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack
     by[kN] = N[z][i];
     by[k1] = -G[z][i] * s1 - R[z][i];
     by[k2] = -G[z][i] * s2;
-    by[kC] = 2 * R[z][i];
+    by[kC] = travel * (2 * R[z][i]);
     (z < 2 ? to.power[z] : power_u) = -N[z][i] * rate[i] - G[z][i] * squared - 2 * R[z][i] * u[i];
   }
   to.power[F::kRate] -= f.at.normal.value[i];
@@ -44,36 +46,35 @@ inline FilmContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack
   to.power[F::kV2] = -(2 * ratio + bend * squared) * s2;
   for (int m = 0; m < ContactRows::kMostChannels; ++m) {  // u = v1/2 - v_c
     to.force[F::kV1][m] += 0.5 * by_u[m];
-    to.force[F::kAxis][m] -= by_u[m];
+    to.force[F::kAxis][m] -= travel * by_u[m];
   }
   to.power[F::kV1] += 0.5 * power_u;
-  to.power[F::kAxis] -= power_u;
+  to.power[F::kAxis] -= travel * power_u;
   return to;
 }
 
 /// Both bars at one station, as a pack of rollers meets them with oil.
 struct OiledStation {
   int points[2];  ///< contact points of the cage at the bar ahead and at the one behind
-  Pack depth[2];  ///< penetration of either bar [m]
+  FaceMeeting bar[2];
   Mask oiled[2];
   bool near = false;  ///< a lane has oil at a bar
 };
-inline OiledStation oiled_station(const BearingModel& model, const RollerGroup& roller,
-                                  const AxisPlace& at, Pack kappa, const ModalState& modal,
-                                  int group, int k) {
-  const double layer = model.bar_line.layer;
+template <class Face>
+OiledStation oiled_station(const BearingModel& model, const Face& face, const AxisPlace& at,
+                           const ModalState& modal, int group, int k) {
+  const double layer = face.line.layer;
   OiledStation station{{static_cast<int>(model.bar_stations.size()) + k, k}, {}, {}, false};
-  const Pack shift = at.D_T - kappa * at.X, least = roller.radius - roller.half_width;
-  station.depth[0] = least + shift;
-  station.depth[1] = least - shift;
-  const Mask here = roller.exists > 0.0;
-  if (!any((max(station.depth[0], station.depth[1]) > -modal.farthest - layer) & here))
-    return station;
+  station.bar[0] = face.meet(at, 1.0);
+  station.bar[1] = face.meet(at, -1.0);
+  const auto in_reach = [&](const FaceMeeting& bar) {
+    return (bar.p > -Face::kMargin * modal.farthest - layer) & bar.here;
+  };
+  if (!any(in_reach(station.bar[0]) | in_reach(station.bar[1]))) return station;
   for (int side = 0; side < 2; ++side) {
     if (modal.flexible())
-      station.depth[side] -=
-          (side == 0 ? 1.0 : -1.0) * modal.along(group, station.points[side], 1, modal.q);
-    station.oiled[side] = (station.depth[side] > -layer) & here;
+      face.bend(station.bar[side], at, side == 0 ? 1.0 : -1.0, modal, group, station.points[side]);
+    station.oiled[side] = (station.bar[side].p > -layer) & station.bar[side].here;
   }
   station.near = any(station.oiled[0] | station.oiled[1]);
   return station;
@@ -111,18 +112,18 @@ LineForces<T> oil_forces(const LubricatedLine& law, Mask wet, Pack p, Pack rate,
   return forces;
 }
 
-template <bool linear>
-void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
-                       const PocketFrame& f, const BorderState& b, const ModalState& modal,
-                       int group, RollerLoads& loads, BorderLoads& border, ContactRows* rows,
-                       Linearisation* jac, Observation* seen) {
-  const Pack kappa = f.A_T + roller.squareness;
+template <bool linear, class Face>
+void lubricated_pocket(const BearingModel& model, const Face& face, const RollerPack& q,
+                       const BorderState& b, const ModalState& modal, int group, RollerLoads& loads,
+                       BorderLoads& border, ContactRows* rows, Linearisation* jac,
+                       Observation* seen) {
+  const PocketFrame& f = face.f;
   const int stations = static_cast<int>(model.bar_stations.size());
   PocketLoads on;
   bool touched = false;
   for (int k = 0; k < stations; ++k) {
     const AxisPlace at = axis_place(f, model.bar_stations[static_cast<std::size_t>(k)]);
-    const OiledStation station = oiled_station(model, roller, at, kappa, modal, group, k);
+    const OiledStation station = oiled_station(model, face, at, modal, group, k);
     if (!station.near) continue;
     touched = true;
     const bool apart = any(station.oiled[0] & station.oiled[1]);
@@ -130,24 +131,24 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
       const ChosenBar bar = choose_bar(station, apart, side);
       if (!any(bar.wet)) continue;
       const Pack s = select(bar.lead, splat(1.0), splat(-1.0));
-      const PocketLevers levers = bar_levers(f, at, kappa, s, roller.radius);
+      const FaceMeeting meeting = face.choose(bar.lead, station.bar[0], station.bar[1]);
+      const PocketLevers levers = face.levers(at, s, meeting);
       const auto speed = [&](int c) {
         const Pack rigid = rigid_speed(levers, c, f, q, b);
         if (!modal.flexible()) return rigid;
         const auto moved = [&](int which) {
-          return modal.along(group, station.points[which], levers.elastic[c], modal.rate);
+          return bent_speed(levers, c, modal, group, station.points[which]);
         };
-        return rigid +
-               levers.sign[c] * (apart ? moved(side) : select(bar.lead, moved(0), moved(1)));
+        return rigid + (apart ? moved(side) : select(bar.lead, moved(0), moved(1)));
       };
-      const Pack p = select(bar.lead, station.depth[0], station.depth[1]);
-      const Pack rate = -speed(0), v1 = speed(1), v2 = speed(2), u = 0.5 * v1 - speed(3);
+      const Pack rate = -speed(0), v1 = speed(1), v2 = speed(2),
+                 u = 0.5 * v1 - face.travel * speed(3);
       const Pack squared = v1 * v1 + v2 * v2;
       using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
-      const LineForces<D> forces = oil_forces<D>(model.bar_line, bar.wet, p, rate, u, squared);
+      const LineForces<D> forces = oil_forces<D>(face.line, bar.wet, meeting.p, rate, u, squared);
       const Pack normal = value_of(forces.at.normal), ratio = value_of(forces.ratio),
                  roll = value_of(forces.rolling);
-      const Pack force[4] = {normal, -ratio * v1 - roll, -ratio * v2, 2.0 * roll};
+      const Pack force[4] = {normal, -ratio * v1 - roll, -ratio * v2, face.travel * (2.0 * roll)};
       add_channel_forces(levers, force, on);
       if (modal.flexible())
         for (int which = 0; which < 2; ++which) {
@@ -162,10 +163,13 @@ void lubricated_pocket(const BearingModel& model, const RollerGroup& roller, con
         seen->damp(kSqueeze, sum((film - steady) * rate));
         seen->damp(kDamping, sum((normal - film) * rate));
         seen->damp(kFilm, sum(steady * rate));
-        observe_bar<4>(levers, q, f, b, modal, roller, group, stations, station.points, normal,
-                       bar.wet, bar.lead, *rows, *seen, [&](int i) {
-                         add_film_contact(*rows, film_slopes_of(forces, v1, v2, rate, u, i),
+        observe_bar<4>(levers, q, f, b, modal, group, stations, station.points, normal, bar.wet,
+                       bar.lead, *rows, *seen, [&](int i) {
+                         add_film_contact(*rows,
+                                          film_slopes_of(forces, v1, v2, rate, u, face.travel, i),
                                           group * kLanes + i, *jac);
+                         if constexpr (Face::kTurns)
+                           add_turning_normal(normal, meeting, i, group * kLanes + i, *rows, *jac);
                        });
       }
     }

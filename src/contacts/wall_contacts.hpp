@@ -44,7 +44,9 @@ inline WallPoint wall_point(const PocketFrame& f, const RollerGroup& roller, dou
             {zero, one, zero, zero, place, splat(h)}},
            {{-e * turn, -e * D_R, -e * D_T}, {lever_T, -X, zero}, {-lever_R, zero, -X}},
            {2, 0, 1},
-           {splat(e), -one, -one}}};
+           {splat(e), -one, -one},
+           false,
+           {}}};
 }
 
 template <bool linear>

@@ -153,17 +153,24 @@ void pocket(Pass& pass, Shared& all) {
   const bool oiled_bars = lubricated && m.oiled_bars;
   const double bar_layer = oiled_bars ? m.bar_line.layer : 0,
                wall_layer = lubricated ? m.wall_film.layer : 0;
-  const bool bars = bars_in_reach(m, pass.roller, f, splat(modal.farthest + bar_layer)),
+  const Pack bar_margin = splat(modal.farthest + bar_layer);
+  const bool bars = bars_in_reach(m, pass.roller, f, bar_margin),
+             beyond = beyond_edges(m, pass.roller, f),
              walls = walls_in_reach(m, pass.roller, f, splat(modal.farthest + wall_layer));
-  if (!bars && !walls) return;
+  const bool arcs = m.shaped_pockets || beyond;
+  if (!bars && !arcs && !walls) return;
   add_rates(pass.q, b, f);
   ContactRows* const rows = linear ? &all.jac->scratch : nullptr;
-  if (bars && oiled_bars)
-    lubricated_pocket<linear>(m, pass.roller, pass.q, f, b, modal, pass.group, pass.loads,
-                              all.loads, rows, all.jac, all.seen);
-  else if (bars)
-    pocket_contacts<linear>(m, pass.roller, pass.q, f, b, modal, pass.group, pass.loads, all.loads,
-                            rows, all.jac, all.seen);
+  const auto touch = [&](const auto& face) {
+    if (oiled_bars)
+      lubricated_pocket<linear>(m, face, pass.q, b, modal, pass.group, pass.loads, all.loads, rows,
+                                all.jac, all.seen);
+    else
+      pocket_contacts<linear>(m, face, pass.q, b, modal, pass.group, pass.loads, all.loads, rows,
+                              all.jac, all.seen);
+  };
+  if (bars && !m.curved_faces) touch(FlatFace(m, pass.roller, f, beyond));
+  if (arcs) touch_arcs(m, pass.roller, f, ArcFace::kMargin * bar_margin, touch);
   if (walls)
     wall_contacts<linear>(m, pass.roller, pass.q, f, b, modal, pass.group, pass.loads, all.loads,
                           rows, all.jac, all.seen);

@@ -9,6 +9,7 @@
 #include "src/contact_laws/hertz_line.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/scene/materials.hpp"
+#include "src/scene/pocket_outline.hpp"
 
 namespace cagetol {
 namespace {
@@ -29,6 +30,38 @@ double profile_drop(RollerProfile profile, double x, double diameter, double len
   if (profile == RollerProfile::none) return 0;
   const double s = 2 * x / length;
   return 0.00035 * diameter * std::log(1 / (1 - s * s));
+}
+
+/// Puts the outline of the bars of a pocket into lane `lane`.
+void set_outline(const PocketOutline& outline, double roller_radius, int lane, RollerGroup& g) {
+  constexpr double kBeyond = 1;  // farther than any roller [m]
+  const OutlineEnd &low = outline.end[0], &high = outline.end[1];
+  g.face_low[lane] = low.lip ? -kBeyond : low.height;
+  g.face_high[lane] = high.lip ? kBeyond : high.height;
+  const auto set_normals = [&](OutlineArc& arc) {
+    arc.low_w[lane] = low.normal_height;
+    arc.low_u[lane] = low.normal_offset;
+    arc.high_w[lane] = high.normal_height;
+    arc.high_u[lane] = high.normal_offset;
+  };
+  if (outline.curved) {
+    g.face.hollow = true;
+    g.face.radius = outline.face_radius;
+    g.face.travel = outline.face_radius / (outline.face_radius - roller_radius);
+    g.face.height[lane] = outline.face_height;
+    g.face.offset[lane] = outline.face_offset;
+    set_normals(g.face);
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const OutlineEnd& end = outline.end[k];
+    OutlineArc& arc = g.ends[k];
+    arc.edge = end.lip ? 0 : k == 0 ? -1 : 1;
+    arc.radius = outline.edge_radius;
+    arc.travel = outline.edge_radius / (outline.edge_radius + roller_radius);
+    arc.height[lane] = end.height;
+    arc.offset[lane] = end.offset;
+    set_normals(arc);
+  }
 }
 
 RollerGroup make_group(const Scene& scene, int group) {
@@ -56,6 +89,9 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.half_width[lane] = each(scene.cage.pocket_width, k) / 2;
     g.half_length[lane] = each(scene.cage.pocket_length, k) / 2;
     g.squareness[lane] = planar ? 0 : each(scene.cage.pocket_squareness, k);
+    set_outline(
+        pocket_outline(scene.cage, pitch_radius(scene.bearing), each(scene.cage.pocket_width, k)),
+        radius, lane, g);
   }
   return g;
 }
@@ -123,6 +159,64 @@ LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
   return line;
 }
 
+/// Of all pockets.
+double mean_pocket_length(const Scene& scene) {
+  double mean = 0;
+  for (long j = 0; j < scene.bearing.roller_count; ++j) mean += each(scene.cage.pocket_length, j);
+  return mean / static_cast<double>(scene.bearing.roller_count);
+}
+
+/// Axial width of a land over which it touches [m]; 0: at its middle.
+double land_width(const Scene& scene) {
+  const auto& contact = scene.contact;
+  const bool points = contact.race.law == ForceLaw::impact && contact.bar.law == ForceLaw::impact;
+  return given_or(scene.cage.land_width,
+                  points ? 0 : (scene.cage.width - mean_pocket_length(scene)) / 2);
+}
+
+CageGuide ring_guide(const Scene& scene, bool inner) {
+  CageGuide guide;
+  guide.inner = inner;
+  guide.land_radius = (inner ? scene.cage.inner_diameter : scene.cage.outer_diameter) / 2;
+  guide.ring_radius =
+      (inner ? inner_land_diameter(scene.bearing) : scene.bearing.shoulder_diameter) / 2;
+  guide.clearance = std::abs(guide.ring_radius - guide.land_radius);
+  guide.touching_at = guide.clearance;
+  return guide;
+}
+
+/// What guides the cage, and what holds it else.
+void set_guides(const Scene& scene, BearingModel& m) {
+  const auto& c = scene.cage;
+  const double mean_length = mean_pocket_length(scene);
+  m.guidance = c.guidance;
+  m.land_offset = given_or(c.land_offset, (c.width + mean_length) / 4);
+  const bool inner = m.guidance == Guidance::inner;
+  m.guides = {ring_guide(scene, inner), ring_guide(scene, !inner)};
+  CageGuide& guide = m.guides[0];
+  if (m.guidance == Guidance::roller) {
+    m.guide_clearance = std::min({roller_guide_clearance(scene, m.pitch_radius),
+                                  m.guides[0].clearance, m.guides[1].clearance});
+    return;
+  }
+  guide.touching_at = guide.clearance = m.guide_clearance =
+      given_or(c.guide_clearance, guide.clearance);
+  const GuideFilm film = land_film(scene);
+  if (film.model == GuideFilmModel::none) return;
+  const double radius = (guide.land_radius + guide.ring_radius) / 2,
+               width = given_or(film.width, (c.width - mean_length) / 2);
+  const double viscosity =
+      is_lubricated(scene) ? operating_oil(scene.lubrication).viscosity : film.viscosity;
+  const double turned = 2 * pi * viscosity * radius * width;
+  guide.film = {true,
+                viscosity * radius * width * width * width,
+                turned * radius * radius,
+                turned,
+                m.guide_clearance,
+                film.least};
+  guide.touching_at -= film.least;
+}
+
 /// Fills the model with oil. To be called when its geometry is there.
 void lubricate(const Scene& scene, BearingModel& m) {
   const Lubrication& l = scene.lubrication;
@@ -145,12 +239,18 @@ void lubricate(const Scene& scene, BearingModel& m) {
   m.film_watch =
       kWatchedShare * std::max(m.load.radial, 1.0) / static_cast<double>(m.race_slices.size());
   m.oiled_bars = l.pocket_film;
-  m.bar_line = line_of(scene, contact.bar, oil, m.friction[kBarPair],
-                       effective_modulus(roller_material(scene), cage_material(scene)), roller,
-                       given_or(contact.bar.roughness, l.pocket_roughness), length,
-                       static_cast<long>(m.bar_stations.size()));
-  m.bar_line.starved = true;
-  m.bar_line.layer = l.pocket_layer;
+  const auto pocket = [&](double curvature) {
+    LubricatedLine line = line_of(scene, contact.bar, oil, m.friction[kBarPair],
+                                  effective_modulus(roller_material(scene), cage_material(scene)),
+                                  curvature == 0 ? roller : 1 / (1 / roller + curvature),
+                                  given_or(contact.bar.roughness, l.pocket_roughness), length,
+                                  static_cast<long>(m.bar_stations.size()));
+    line.starved = true;
+    line.layer = l.pocket_layer;
+    return line;
+  };
+  m.bar_line = pocket(m.curved_faces ? -1 / cage.face_radius : 0);
+  m.edge_line = pocket(1 / cage.edge_radius);
   if (l.end_film) {
     const auto flat = [&](const ContactParameters& of, double area) {
       return make_flat_film(oil.viscosity, area, l.pocket_layer,
@@ -184,6 +284,8 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.layout.rollers = static_cast<int>(b.roller_count);
   m.layout.groups = (m.layout.rollers + kLanes - 1) / kLanes;
   m.planar = has_planar_rollers(scene);
+  m.curved_faces = !std::isnan(scene.cage.face_radius);
+  m.shaped_pockets = has_shaped_pockets(scene.cage);
   m.layout.ring_tilt = has_free_ring_tilt(scene) ? 2 : 0;
   for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
   if (flexible) m.flexible = make_flexible_cage(std::move(flexible), scene.cage, m.layout.groups);
@@ -215,7 +317,8 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
                           effective_modulus(roller_material(scene), cage_material(scene)));
   m.wall = make_normal_law(scene.contact.end, length, 2);
   m.flange = make_normal_law(scene.contact.flange, length, 2);
-  m.land = make_normal_law(scene.contact.land, length, 2);
+  m.land_edge = land_width(scene) / 2;
+  m.land = make_normal_law(scene.contact.land, length, m.land_edge > 0 ? 4 : 2);
   m.friction = friction_laws(scene.contact);
 
   m.inner_radius = b.inner_raceway_diameter / 2 - b.internal_clearance / 4;
@@ -247,31 +350,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.cage_transverse = given_or(scene.cage.transverse_inertia, cage.transverse_inertia);
   m.unbalance_y = cage.centre_y;
   m.unbalance_z = cage.centre_z;
-  const auto& c = scene.cage;
-  m.guidance = c.guidance;
-  m.land_radius = (m.guidance == Guidance::inner ? c.inner_diameter : c.outer_diameter) / 2;
-  m.guide_ring_radius = m.guidance == Guidance::inner ? m.inner_radius : b.shoulder_diameter / 2;
-  m.guide_clearance = given_or(c.guide_clearance, std::abs(m.guide_ring_radius - m.land_radius));
-  double mean_length = 0;
-  for (long j = 0; j < b.roller_count; ++j) mean_length += each(c.pocket_length, j);
-  mean_length /= static_cast<double>(b.roller_count);
-  m.land_offset = given_or(c.land_offset, (c.width + mean_length) / 4);
-  m.land_clearance = m.guide_clearance;
-  const GuideFilm film = land_film(scene);
-  if (film.model != GuideFilmModel::none && m.guidance != Guidance::roller) {
-    const double radius = (m.land_radius + m.guide_ring_radius) / 2,
-                 width = given_or(film.width, (c.width - mean_length) / 2);
-    const double viscosity =
-        is_lubricated(scene) ? operating_oil(scene.lubrication).viscosity : film.viscosity;
-    const double turned = 2 * pi * viscosity * radius * width;
-    m.guide_film = {true,
-                    viscosity * radius * width * width * width,
-                    turned * radius * radius,
-                    turned,
-                    m.guide_clearance,
-                    film.least};
-    m.land_clearance -= film.least;
-  }
+  set_guides(scene, m);
 
   const auto& o = scene.operation;
   m.load = {o.radial_load, o.tilting_moment_y, o.tilting_moment_z};

@@ -18,16 +18,30 @@
 
 namespace cagetol {
 
+/// A piece of the bars' outline in the radial plane that is an arc (src/contacts/pocket_face.hpp),
+/// of a pack of pockets.
+struct OutlineArc {
+  bool hollow = false;  ///< a curved face
+  int edge = 0;         ///< where the face ends: -1 at the bore, 1 at the outside; 0: face or lip
+  double radius = 0;    ///< [m]
+  double travel = 0;    ///< speed of the contact along the bar over that of the roller's axis
+  Pack height, offset;  ///< of its centre [m]
+  Pack low_w, low_u, high_w, high_u;  ///< direction of the face's normal at its ends
+};
+
 /// Constants of a pack of rollers and their pockets.
 struct RollerGroup {
   Pack exists;                   ///< 1 for a roller, 0 for padding
   Pack mass, polar, transverse;  ///< [kg], [kg m^2]
   Pack inverse_mass, inverse_polar, inverse_transverse;
-  Pack radius;                   ///< [m]
-  Pack taper_slope;              ///< change of radius with position along the axis [-]
-  Pack pocket_cos, pocket_sin;   ///< of the pocket centre's angle in the cage, deviation included
-  Pack half_width, half_length;  ///< of the pocket [m]
-  Pack squareness;               ///< angle of the bar faces to the bearing axis [rad]
+  Pack radius;                     ///< [m]
+  Pack taper_slope;                ///< change of radius with position along the axis [-]
+  Pack pocket_cos, pocket_sin;     ///< of the pocket centre's angle in the cage, deviation included
+  Pack half_width, half_length;    ///< of the pocket [m]
+  Pack squareness;                 ///< angle of the bar faces to the bearing axis [rad]
+  Pack face_low, face_high;        ///< heights between which a flat face answers [m]
+  OutlineArc face;                 ///< where faces are curved
+  std::array<OutlineArc, 2> ends;  ///< edges or lips, at the bore and at the outside
 };
 
 inline constexpr int kMostSlices = 100;  ///< of a race: bounds scratch that lives on the stack
@@ -53,6 +67,15 @@ struct RingLoad {
   double radial = 0, moment_y = 0, moment_z = 0;
 };
 
+/// A surface of a ring that the cage's lands may meet.
+struct CageGuide {
+  bool inner = false;      ///< of the inner ring
+  double clearance = 0;    ///< radial [m]
+  double touching_at = 0;  ///< offset at which lands touch: less than `clearance` under a film [m]
+  double land_radius = 0, ring_radius = 0;  ///< [m]
+  ShortBearing film;                        ///< of one land
+};
+
 struct BearingModel {
   StateLayout layout;
   bool planar = false;  ///< rollers keep their axes parallel to the bearing's, and x = 0
@@ -71,8 +94,11 @@ struct BearingModel {
   bool lubricated = false;         ///< races by the laws below instead of `race` and these films
   LubricatedLine inner_line, outer_line;  ///< of one slice
   LubricatedLine bar_line;                ///< of one station
-  double film_watch = 0;    ///< normal force of a slice from which its film counts as loaded [N]
-  bool oiled_bars = false;  ///< bars by bar_line, instead of `bar`
+  double film_watch = 0;      ///< normal force of a slice from which its film counts as loaded [N]
+  LubricatedLine edge_line;   ///< the same at edges and lips
+  bool oiled_bars = false;    ///< bars by these lines, instead of `bar`
+  bool curved_faces = false;  ///< of the bars
+  bool shaped_pockets = false;      ///< with lips or curved faces: not bounded by flats alone
   FlatFilm wall_film, flange_film;  ///< of one point
   Churning churning;
 
@@ -86,10 +112,12 @@ struct BearingModel {
          unbalance_z = 0;  ///< mass centre minus geometric centre in the cage frame [m]
   FlexibleCage flexible;   ///< no modes: a rigid cage
   Guidance guidance = Guidance::outer;
-  double guide_clearance = 0, land_radius = 0, land_offset = 0;
-  double land_clearance = 0;  ///< at which lands touch: less than guide_clearance under a film [m]
-  ShortBearing guide_film;    ///< of one land
-  double guide_ring_radius = 0;
+  /// The ring that guides the cage, then the other one, by which the cage is held if all else gives
+  /// way; both where rollers guide it, the outer ring first.
+  std::array<CageGuide, 2> guides;
+  double guide_clearance = 0;  ///< radial, of what guides the cage [m]
+  double land_offset = 0;      ///< lands are at x = +- this, ...
+  double land_edge = 0;        ///< ... and touch at +- this from there; 0: at one point [m]
 
   RingLoad load;
   double load_ramp = 0, gravity = 0;

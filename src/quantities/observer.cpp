@@ -340,7 +340,7 @@ double Observer::static_scale() const {
 
 double Observer::static_resolution() const {
   const double momentum = model_.ring_mass * std::abs(last_ring_speed_ - first_ring_speed_);
-  const double cage = model_.guidance == Guidance::inner ? guide_force_.mean() : 0;
+  const double cage = model_.guidance == Guidance::outer ? 0 : guide_force_.mean();
   return (momentum / (last_time_ - begin_) + cage) / static_scale();
 }
 

@@ -94,10 +94,9 @@ PlausibleRange lean(Reach) {
 constexpr const char* kTighten =
     "tighten integration.tolerance, and check the scene's stiffnesses and speeds";
 constexpr const char* kGuide =
-    "set cage.guidance = \"outer\" or \"inner\": the straight bars of this model do not hold a "
-    "cage "
-    "that rollers guide; else tighten integration.tolerance and check cage.guide_clearance_mm, "
-    "contact.land and start.cage_offset";
+    "set cage.guidance = \"outer\" or \"inner\", or give the pockets of a cage that rollers guide "
+    "lips that hold it (cage.retention_width_outer_mm); else tighten integration.tolerance and "
+    "check cage.guide_clearance_mm, contact.land and start.cage_offset";
 constexpr const char* kRingRemedy =
     "check bearing.internal_clearance_um, roller.diameter_mm, the load and contact.race, and "
     "tighten "
@@ -119,9 +118,8 @@ constexpr const char* kOrbitSlipReason =
 constexpr const char* kSlidingReason =
     "surfaces slide no faster than the inner race and a free fall through the bearing move them";
 constexpr const char* kWhirlReason =
-    "the cage would have left its guide: its centre moves no farther than the guide clearance and "
-    "what the lands give way to all the energy in the bearing; where rollers guide it, no farther "
-    "than the gap to the ring it would enter";
+    "the cage would have left its guide: its centre moves no farther than 1.05 of the guide "
+    "clearance and what the guide gives way to all the energy in the bearing";
 constexpr const char* kForceReason =
     "the elastic force of a contact that holds all the energy of the bearing (every part at twice "
     "the race's speed, load and weight over the ring's way), damping at that speed added, is less";
@@ -259,6 +257,14 @@ std::string find_implausible(const PlausibleReach& reach, const std::vector<doub
            number(x < low ? low : high) + ", which is impossible: " + row.reason +
            "; remedy: " + row.remedy;
   }
+  const double whirl = value("whirl_radius_ratio_peak"),
+               held = reach.whirl_under(value("guide_force_peak_N"), value("pocket_force_peak_N")) /
+                      reach.guide_clearance;
+  if (whirl > held)
+    return said("whirl_radius_ratio_peak", whirl) + " is beyond " + number(held) +
+           ", which is impossible: the cage would have left its guide, which gives way less under "
+           "the forces of this run; remedy: " +
+           kGuide;
   for (const PlausibleOrder& order : plausible_orders()) {
     if (reach.peaks_in_part && !is_extreme(order.lesser)) continue;  // a mean goes on
     const double x = value(order.lesser), most = value(order.greater);

@@ -14,6 +14,8 @@ using std::numbers::pi;
 constexpr double kSpeedMargin = 2;   // friction drives no part faster than the race's surface
 constexpr double kLoadMargin = 4;    // a suddenly applied load presses twice as hard as at rest
 constexpr double kStrainMax = 0.05;  // beyond it no cage is elastic
+constexpr double kClearanceMargin = 1.05;  // beyond it a cage has left what holds it
+constexpr double kInclined = 3;            // lips stand 70 degrees from the motion at most
 constexpr double kFilmMargin = 20;  // integrals over half a film, 2 pi + 4 + pi at most, rounded up
 constexpr double kFilmShare = 0.01;       // of a roller's radius: the films of the theory are thin
 constexpr double kLargestGapAngle = 1.4;  // between rollers that hold the ring, from below [rad]
@@ -118,10 +120,11 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
                0.00035 * m.nominal_diameter * std::log(1e4)) /
               std::cos(between);
 
+  const ShortBearing& guide_film = m.guides[0].film;
   // Energy: everything at the largest speed, load and weight over the way of the ring, and what a
   // start away from the middle presses together.
   const Contact bars{m.bar, 2.0 * static_cast<double>(m.bar_stations.size())};
-  const Contact walls{m.wall, 4}, lands{m.land, 2}, flanges{m.flange, 4};
+  const Contact walls{m.wall, 4}, lands{m.land, m.land_edge > 0 ? 4.0 : 2.0}, flanges{m.flange, 4};
   const double offset = std::hypot(scene.start.cage_offset_y, scene.start.cage_offset_z);
   const double offset_x = std::abs(scene.start.cage_offset_x);
   const double fall = std::sqrt(4 * gravity * m.outer_radius);
@@ -129,7 +132,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   energy = speed * speed * (0.75 * mass + m.cage_mass) + 2 * kLoadMargin * at_rest * ring_move +
            rollers * (race.energy(preload) + bars.energy(offset - pocket_play + pinch) +
                       walls.energy(offset_x + length_pinch)) +
-           lands.energy(offset - m.land_clearance);
+           lands.energy(offset - m.guides[0].touching_at);
   speed += std::sqrt(2 * energy / m.ring_mass);
   orbit_rate = speed / m.pitch_radius;
 
@@ -137,10 +140,10 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   end_force = walls.force(walls.depth(energy) + length_pinch, 2 * speed);
   const double pressed = lands.depth(energy);
   guide_force = lands.force(pressed, 2 * speed);
-  if (m.guide_film.on) {
-    const double h = m.guide_film.least;
-    guide_force += kFilmMargin * m.guide_film.pressure / (h * h * h) *
-                   (fastest * m.guide_clearance + 2 * speed);
+  if (guide_film.on) {
+    const double h = guide_film.least;
+    guide_force +=
+        kFilmMargin * guide_film.pressure / (h * h * h) * (fastest * m.guide_clearance + 2 * speed);
   }
   const Contact all_races{m.race, race.shares * rollers};
   const double races = all_races.force(all_races.depth(energy) + preload, 2 * speed);
@@ -151,14 +154,19 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
                          std::min(lightest, m.cage_mass)) /
                pi;
 
-  // The cage: its guide, or, where rollers guide it, the surfaces of the rings that it would enter.
-  const double out = scene.bearing.shoulder_diameter / 2 - scene.cage.outer_diameter / 2;
-  const double in = scene.cage.inner_diameter / 2 - m.inner_radius + ring_move;
+  // The cage: its guide and what that gives way; rollers that guide it move between the races.
   const double wall = (scene.cage.outer_diameter - scene.cage.inner_diameter) / 2;
   const double bent = flexible ? wall : 0;
-  whirl = bent + (m.guidance == Guidance::roller  ? std::min(out, in)
-                  : m.guidance == Guidance::outer ? m.guide_clearance + pressed
-                                                  : m.guide_clearance + pressed + ring_move);
+  const double guide = m.guidance == Guidance::outer   ? pressed
+                       : m.guidance == Guidance::inner ? pressed + ring_move
+                                                       : bars.depth(energy) + std::max(gap, 0.0);
+  whirl = bent + kClearanceMargin * m.guide_clearance + guide;
+  rollers_guide_ = m.guidance == Guidance::roller;
+  guide_ = rollers_guide_ ? m.bar : m.land;
+  whirl_free_ = bent + kClearanceMargin * m.guide_clearance +
+                (m.guidance == Guidance::outer   ? 0
+                 : m.guidance == Guidance::inner ? ring_move
+                                                 : std::max(gap, 0.0));
   axial = play + m.flange_half_clearance + walls.depth(energy) + flanges.depth(energy) +
           kLeanMax * m.nominal_diameter + offset_x;
 
@@ -167,10 +175,16 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   power = energy / duration;
   stations = flexible ? static_cast<double>(m.flexible.model->stress_stations) : 0;
   film_thickest = kFilmShare * m.nominal_diameter / 2;
-  torque =
-      largest_friction(m) * (races + guide_force) * m.inner_radius +
-      (m.lubricated ? oil_torque(m, races, speed) : 0) +
-      (m.guide_film.on ? 2 * m.guide_film.torque * speed / m.inner_radius / m.guide_film.least : 0);
+  torque = largest_friction(m) * (races + guide_force) * m.inner_radius +
+           (m.lubricated ? oil_torque(m, races, speed) : 0) +
+           (guide_film.on ? 2 * guide_film.torque * speed / m.inner_radius / guide_film.least : 0);
+}
+
+// One contact may take the whole force, and the cage's centre goes farther than a contact gives way
+// whose normal is inclined to its motion.
+double PlausibleReach::whirl_under(double guide_peak, double pocket_peak) const {
+  return whirl_free_ +
+         kInclined * elastic_penetration(guide_, rollers_guide_ ? pocket_peak : guide_peak);
 }
 
 }  // namespace cagetol

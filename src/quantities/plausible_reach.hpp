@@ -36,10 +36,12 @@ struct PlausibleReach {
   double orbit_rate;  ///< of a roller about the bearing's axis, at that speed [rad/s]
   double energy;  ///< stored in the bearing: kinetic at that speed, of load and of the start [J]
 
-  double ring_move;    ///< of the inner ring from the middle: clearance and elastic approach [m]
-  double whirl;        ///< of the cage's centre from the middle [m]
-  double axial;        ///< of the cage from the middle [m]
-  double orbit_ratio;  ///< speed of the inner ring over the kinematic cage speed
+  double ring_move;  ///< of the inner ring from the middle: clearance and elastic approach [m]
+  double whirl;      ///< of the cage's centre from the middle [m]
+  /// The same in a run with these peak forces on the lands and on a roller's bars [N].
+  double whirl_under(double guide_force, double pocket_force) const;
+  double axial;            ///< of the cage from the middle [m]
+  double orbit_ratio;      ///< speed of the inner ring over the kinematic cage speed
   double guide_clearance;  ///< [m]
 
   double pocket_force, guide_force, end_force;  ///< on one roller, on the lands, on one roller [N]
@@ -50,6 +52,11 @@ struct PlausibleReach {
   double film_thickest;                         ///< [m]
   double power;                                 ///< dissipated in excess of the drive power [W]
   double torque;                                ///< of friction on the inner race [N m]
+
+ private:
+  double whirl_free_;  ///< of a cage that presses on nothing [m]
+  NormalLaw guide_;    ///< of one contact with what guides the cage
+  bool rollers_guide_;
 };
 
 }  // namespace cagetol

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "src/lubrication/lubricant.hpp"
+#include "src/scene/pocket_outline.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -87,6 +88,10 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "the cage does not fit over the inner ring (" +
                     check.with_value("bearing.inner_raceway_diameter_mm") + ")",
                 "give a larger inner diameter of the cage");
+  check.require(cage.inner_diameter > inner_land_diameter(scene.bearing), "cage.inner_diameter_mm",
+                "the cage does not fit over the inner ring's flanges (" +
+                    check.with_value("bearing.inner_land_diameter_mm") + ")",
+                "give a larger inner diameter of the cage or smaller flanges");
   check.require(cage.outer_diameter < scene.bearing.shoulder_diameter, "cage.outer_diameter_mm",
                 "the cage does not fit inside the outer ring's shoulders (" +
                     check.with_value("bearing.shoulder_diameter_mm") + ")",
@@ -95,16 +100,11 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "cage.land_offset_mm",
                 "the guide lands lie outside the cage (" + check.with_value("cage.width_mm") + ")",
                 "give at most half the cage's width");
-  check.require(cage.guidance != Guidance::roller || is_quasi_static(scene), "cage.guidance",
-                "flat parallel pocket faces act along the circumference only: nothing would hold "
-                "the cage's centre, and it would leave the bearing",
-                "guide the cage by a ring (\"outer\" or \"inner\"); pockets with lips, curved or "
-                "converging faces, by which rollers guide a cage, are not modelled");
   const GuideFilm film = land_film(scene);
   if (film.model == GuideFilmModel::none || cage.guidance == Guidance::roller) return;
   const bool oil = is_lubricated(scene);
   const double on_diameter = cage.guidance == Guidance::inner
-                                 ? cage.inner_diameter - scene.bearing.inner_raceway_diameter
+                                 ? cage.inner_diameter - inner_land_diameter(scene.bearing)
                                  : scene.bearing.shoulder_diameter - cage.outer_diameter;
   const double clearance =
       std::isnan(cage.guide_clearance) ? on_diameter / 2 : cage.guide_clearance;
@@ -118,6 +118,81 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
       oil ? "lubrication.land_film_width_mm" : "cage.guide_film_width_mm",
       "two lands this wide do not fit on the cage (" + check.with_value("cage.width_mm") + ")",
       "give at most half the cage's width");
+}
+
+std::string in_mm(double length) {
+  return number_text(std::round(1e6 * length) / 1e3) + " mm";
+}
+
+/// "10.34 mm, say, leaves 0.1 mm": lips that hold a cage as loosely as pockets are wide.
+std::string suggested_lips(const Scene& scene, int end) {
+  const double radius = each(scene.roller.diameter, 0) / 2,
+               play = std::max(each(scene.cage.pocket_width, 0) / 2 - radius, 0.05e-3);
+  CageGeometry cage = scene.cage;
+  cage.face_radius = kAuto;
+  const double width = retention_width(cage, pitch_radius(scene.bearing), radius, end, play);
+  return std::isnan(width) ? "" : " (" + in_mm(width) + ", say, leaves " + in_mm(play) + ")";
+}
+
+// Lips and curved faces of the bars.
+void check_outline(const Scene& scene, const SceneCheck& check) {
+  const auto& cage = scene.cage;
+  const double pitch = pitch_radius(scene.bearing);
+  const std::string retention[2] = {"cage.retention_width_inner_mm",
+                                    "cage.retention_width_outer_mm"};
+  const double widths[2] = {cage.retention_inner, cage.retention_outer};
+  const bool curved = !std::isnan(cage.face_radius);
+  for (const int end : {0, 1})
+    check.require(!curved || std::isnan(widths[end]), retention[end],
+                  "curved faces hold the rollers by their own ends (" +
+                      check.with_value("cage.face_radius_mm") + ")",
+                  "give either lips or a face radius");
+  for (long j = 0; j < scene.bearing.roller_count; ++j) {
+    const double radius = each(scene.roller.diameter, j) / 2, width = each(cage.pocket_width, j);
+    const std::string pocket = "pocket " + std::to_string(j) + ": ";
+    check.require(
+        !curved || cage.face_radius >= width / 2 || scene.allow_interference, "cage.face_radius_mm",
+        pocket + "a face more hollow than the pocket is wide (" +
+            check.with_value("cage.pocket_width_mm") + ") would meet the roller at its ends",
+        "give at least half the pocket's width");
+    check.require(!curved || cage.face_radius > radius, "cage.face_radius_mm",
+                  pocket + "the face is not wider than the roller (" +
+                      check.with_value("roller.diameter_mm") + ")",
+                  "give more than the roller's radius");
+    const PocketOutline outline = pocket_outline(cage, pitch, width);
+    for (const int end : {0, 1}) {
+      if (std::isnan(widths[end])) continue;
+      check.require(widths[end] < width, retention[end],
+                    pocket + "lips narrow a pocket, and this is not narrower than the pocket (" +
+                        check.with_value("cage.pocket_width_mm") + ")",
+                    "give less than the pocket's width");
+      const double play = radial_play(outline, pitch, radius, end);
+      check.require(play > 0, retention[end],
+                    pocket + "the lips pinch the roller by " + in_mm(-play) + " (" +
+                        check.with_value("roller.diameter_mm") + ")",
+                    "give a wider opening" + suggested_lips(scene, end) +
+                        ", or a cage that reaches farther there");
+    }
+  }
+  if (cage.guidance != Guidance::roller || is_quasi_static(scene)) return;
+  check.require(has_shaped_pockets(cage), "cage.guidance",
+                "flat parallel pocket faces act along the circumference only: nothing would hold "
+                "the cage's centre, and it would leave the bearing",
+                "give the pockets lips at the outside, cage.retention_width_outer_mm" +
+                    suggested_lips(scene, 1) + ", or at the bore, cage.retention_width_inner_mm" +
+                    suggested_lips(scene, 0) +
+                    ", or curved faces (cage.face_radius_mm), or guide the cage by a ring "
+                    "(\"outer\" or \"inner\")");
+  const double play = roller_guide_clearance(scene, pitch);
+  const double out = (scene.bearing.shoulder_diameter - cage.outer_diameter) / 2,
+               in = (cage.inner_diameter - inner_land_diameter(scene.bearing)) / 2;
+  check.require(play > 0 && play < std::min(out, in), "cage.guidance",
+                "rollers let the cage go by " + in_mm(play) +
+                    " before its pockets touch them in the radial plane, and the rings stop it "
+                    "at " +
+                    in_mm(std::min(out, in)),
+                "narrow the pockets at bore or outside (cage.retention_width_*, or a smaller "
+                "cage.face_radius_mm), or guide the cage by a ring");
 }
 
 void check_pockets(const Scene& scene, const SceneCheck& check) {
@@ -241,17 +316,19 @@ void check_window(const Scene& scene, const SceneCheck& check) {
 
 std::vector<std::string> scene_doubts(const Scene& scene) {
   std::vector<std::string> doubts;
-  const double inner = scene.cage.inner_diameter / 2, outer = scene.cage.outer_diameter / 2,
-               axes =
-                   (scene.bearing.inner_raceway_diameter + scene.bearing.outer_raceway_diameter) /
-                   4;
-  const auto mm = [](double length) { return number_text(std::round(1e6 * length) / 1e3) + " mm"; };
-  if (!is_quasi_static(scene) && (axes < inner || axes > outer))
-    doubts.push_back(
-        "the rollers' axes, at a radius of " + mm(axes) + ", lie outside the bars of the cage (" +
-        mm(inner) + " to " + mm(outer) +
-        "): rollers would ride on the bars' edges, with more clearance and inclined forces, "
-        "and run here as if the faces reached farther");
+  if (is_quasi_static(scene)) return doubts;
+  const double axes = pitch_radius(scene.bearing);
+  const PocketOutline outline = pocket_outline(scene.cage, axes, each(scene.cage.pocket_width, 0));
+  const auto beside = [&](const OutlineEnd& end, double past) {
+    return !outline.curved && !end.lip && past > 0;
+  };
+  if (beside(outline.end[0], outline.end[0].height - axes) ||
+      beside(outline.end[1], axes - outline.end[1].height))
+    doubts.push_back("the rollers' axes, at a radius of " + in_mm(axes) +
+                     ", lie beside the flat faces of the bars (" + in_mm(outline.end[0].height) +
+                     " to " + in_mm(outline.end[1].height) +
+                     " above the cage's axis): rollers ride on the bars' edges, with more "
+                     "clearance and inclined forces");
   return doubts;
 }
 
@@ -260,6 +337,7 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
   check_rings(scene, check);
   check_cage_between_rings(scene, check);
   check_pockets(scene, check);
+  check_outline(scene, check);
   check_filmed_contacts(scene, check);
   check_oil(scene, check);
   check.require(scene.contact.static_speed < scene.contact.dynamic_speed,

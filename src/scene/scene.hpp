@@ -46,6 +46,7 @@ struct BearingGeometry {
   double outer_raceway_diameter = 46.5e-3;  ///< E, catalogue [m]
   /// Shoulders of the outer ring: flange face and guiding surface [m].
   double shoulder_diameter = 43.8e-3;
+  double inner_land_diameter = kAuto;  ///< guiding surface of the inner ring; kAuto: raceway [m]
   /// Diametral clearance added to that of the catalogue diameters, half on each raceway [m].
   double internal_clearance = 30e-6;
   double flange_clearance = 0.08e-3;  ///< axial clearance of a roller between its flanges [m]
@@ -93,6 +94,11 @@ struct CageGeometry {
   Guidance guidance = Guidance::outer;
   double guide_clearance = kAuto;  ///< radial [m]
   double land_offset = kAuto;      ///< lands at x = +-land_offset [m]
+  double land_width = kAuto;       ///< axial, of one land [m]
+  double face_radius = kAuto;      ///< of the bars' faces in the radial plane; kAuto: flat [m]
+  double retention_inner = kAuto,
+         retention_outer = kAuto;  ///< pocket opening between lips; kAuto: no lips [m]
+  double edge_radius = 0.2e-3;     ///< of the bars' edges and lips [m]
   GuideFilm guide_film;
   long mesh_density = 4;        ///< finite elements through the thickness of a flexible cage
   long modes = 20;              ///< number of elastic modes of a flexible cage
@@ -275,6 +281,15 @@ inline GuideFilm land_film(const Scene& scene) {
   const bool on = l.land_film && scene.cage.guidance != Guidance::roller;
   return {on ? GuideFilmModel::short_bearing : GuideFilmModel::none, l.viscosity, l.land_film_width,
           l.land_film_least};
+}
+/// Radius of the circle on which the rollers' axes run [m].
+inline double pitch_radius(const BearingGeometry& bearing) {
+  return (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 4;
+}
+/// Of the surface on the inner ring that guides a cage [m].
+inline double inner_land_diameter(const BearingGeometry& b) {
+  return std::isnan(b.inner_land_diameter) ? b.inner_raceway_diameter - b.internal_clearance / 2
+                                           : b.inner_land_diameter;
 }
 inline bool is_quasi_static(const Scene& scene) {
   return scene.model.motion == MotionModel::quasi_static;

@@ -164,7 +164,8 @@ RollerPack steady_pack(Pack sine, Pack cosine, Pack r, Pack s, double rate) {
   return q;
 }
 
-/// Bars at rest against a pack of rollers at `x` in its pockets.
+/// Bars at rest against a pack of rollers at `x` in its pockets, flat whatever their outline: it is
+/// a start that is sought.
 void bars_on(const BearingModel& model, const RollerGroup& roller, const RollerPack& q, Pack x,
              RollerLoads& loads, BorderLoads& border) {
   static const FlexibleCage rigid;
@@ -180,8 +181,8 @@ void bars_on(const BearingModel& model, const RollerGroup& roller, const RollerP
   f.v_T = q.omega * f.D_R;
   BorderState b{};
   b.phi_rate = q.omega[0];
-  lubricated_pocket<false>(model, roller, q, f, b, modal, 0, loads, border, nullptr, nullptr,
-                           nullptr);
+  lubricated_pocket<false>(model, FlatFace(model, roller, f, false), q, b, modal, 0, loads, border,
+                           nullptr, nullptr, nullptr);
 }
 
 }  // namespace

@@ -94,6 +94,56 @@ const char* freedom_name(Freedom freedom) {
                                       : "tilting";
 }
 
+const char* outline_name(Outline outline) {
+  return outline == Outline::flat    ? "flat"
+         : outline == Outline::edges ? "edges"
+         : outline == Outline::lips  ? "lips"
+                                     : "curved";
+}
+
+void shape_pockets(Outline outline, Scene& scene) {
+  if (outline == Outline::flat) return;
+  auto& cage = scene.cage;
+  const double diameter = scene.roller.diameter[0];
+  cage.edge_radius = 0.3e-3;
+  if (outline == Outline::curved) cage.face_radius = diameter / 2 + 0.2e-3;
+  if (outline == Outline::lips) {
+    cage.retention_outer = 0.92 * diameter;
+    cage.retention_inner = 0.9 * diameter;
+  }
+}
+
+/// A place of the roller's axis in its pocket, `depth` at most from a part of the bar on side s:
+/// heights and ways along the tangent from the cage's centre.
+struct PocketPlace {
+  double height, along;
+};
+PocketPlace beside_bar(const RollerGroup& g, int lane, Outline outline, double depth, double s,
+                       Draw& draw) {
+  const double R = g.radius[lane], play = g.half_width[lane] - R;
+  const bool inner = draw.coin();
+  const OutlineArc& end = g.ends[inner ? 0 : 1];
+  const double outwards = inner ? -1 : 1;
+  const auto from = [&](const OutlineArc& arc, double w, double u) {
+    return PocketPlace{arc.height[lane] + w, s * (arc.offset[lane] + u)};
+  };
+  const double apart = R + end.radius + draw.about(depth);
+  if (outline == Outline::lips) {
+    const double u = s * 0.8 * draw.about(play) - end.offset[lane];
+    return from(end, -outwards * std::sqrt(apart * apart - u * u), u);
+  }
+  const double low = std::atan2(g.ends[0].low_w[lane], g.ends[0].low_u[lane]),
+               high = std::atan2(g.ends[1].high_w[lane], g.ends[1].high_u[lane]);
+  if (outline == Outline::curved && draw.coin()) {
+    const double along = draw.between(0.9 * low, 0.9 * high),
+                 d = g.face.radius - R + draw.about(depth);
+    return from(g.face, d * std::sin(along), d * std::cos(along));
+  }
+  // Beyond the normal at the face's end.
+  const double turned = (inner ? low : high) - outwards * draw.between(0.1, 0.9);
+  return from(end, -apart * std::sin(turned), -apart * std::cos(turned));
+}
+
 /// Lets the inner ring tilt, held by a shaft, under a moment.
 void free_the_ring(unsigned seed, Scene& scene) {
   Draw draw(seed + 3000017);
@@ -114,6 +164,8 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
     b.scene.contact.race.law = b.scene.contact.bar.law = ForceLaw::hertz;
   }
   b.scene.cage.guide_film.model = options.guide_film;
+  shape_pockets(options.outline, b.scene);
+  if (options.outline != Outline::flat) b.scene.bearing.internal_clearance = 10e-3;
   Draw shapes(seed + 2000003), draw(seed + 1000003);
   b.model = make_bearing_model(
       b.scene, options.modes > 0 ? random_cage(b.scene, options.modes, shapes) : nullptr);
@@ -150,6 +202,13 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
     const double slide = sliding[j % 3];
     at(l.position(kRadius, j)) = radius;
     at(l.position(kAngle, j)) = pocket + offset / radius;
+    if (options.outline != Outline::flat) {
+      const PocketPlace place = beside_bar(g, lane, options.outline, depth, side, draw);
+      const double y = cage_y + place.height * std::cos(pocket) - place.along * std::sin(pocket),
+                   z = cage_z + place.height * std::sin(pocket) + place.along * std::cos(pocket);
+      at(l.position(kRadius, j)) = std::hypot(y, z);
+      at(l.position(kAngle, j)) = pocket + std::remainder(std::atan2(z, y) - pocket, 2 * pi);
+    }
     const double axial = draw.coin()
                              ? m.flange_half_clearance
                              : std::abs(cage_x) + g.half_length[lane] - m.roller_half_length;

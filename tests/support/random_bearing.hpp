@@ -23,6 +23,11 @@ enum class Freedom { spatial, planar, tilting };
 /// For names of tests.
 const char* freedom_name(Freedom freedom);
 
+/// Which part of their bars rollers meet: flat faces, the rounded edges of flat faces, lips, curved
+/// faces and their edges.
+enum class Outline { flat, edges, lips, curved };
+const char* outline_name(Outline outline);
+
 struct RandomBearingOptions {
   double lean = 1;                     ///< scales every small angle: axes, misalignment, squareness
   double depth = 30e-6;                ///< typical penetration and gap [m]
@@ -30,7 +35,8 @@ struct RandomBearingOptions {
   Freedom freedom = Freedom::spatial;  ///< tilting: no cage is guided by the inner ring
   GuideFilmModel guide_film = GuideFilmModel::none;
   FilmModel film = FilmModel::none;
-  bool lubricated = false;  ///< lubrication.model = LubricationModel::film
+  bool lubricated = false;          ///< lubrication.model = LubricationModel::film
+  Outline outline = Outline::flat;  ///< else rollers stand apart from the races
 };
 
 /// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered,

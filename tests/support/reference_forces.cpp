@@ -277,6 +277,63 @@ class Bearing {
     }
   }
 
+  /// A part of a bar that is an arc in the radial plane: middle and radius, in the pocket's
+  /// directions, of one side; `counts`: whether it answers an axis at v from its middle.
+  struct Arc {
+    double height, along, radius;
+    bool hollow;
+    std::function<bool(double v_R, double v_T)> counts;
+  };
+  /// The parts of the bar on side s of pocket j, from src/contacts/pocket_face.hpp.
+  std::vector<Arc> arcs(int j, double s) const {
+    const auto& c = scene_.cage;
+    const double half = each(c.pocket_width, j) / 2, r = c.edge_radius;
+    const double pitch =
+        (scene_.bearing.inner_raceway_diameter + scene_.bearing.outer_raceway_diameter) / 4;
+    const bool curved = !std::isnan(c.face_radius);
+    std::vector<Arc> all;
+    double rays[2] = {0, 0};  // of a curved face's normals at its ends, from e_T towards e_R
+    for (const int end : {0, 1}) {
+      const double out = end == 0 ? -1 : 1,
+                   surface = (end == 0 ? c.inner_diameter : c.outer_diameter) / 2,
+                   lips = end == 0 ? c.retention_inner : c.retention_outer;
+      if (!curved) {
+        const double opening = std::isnan(lips) ? half : lips / 2;
+        const double height = std::sqrt(surface * surface - opening * opening) - out * r;
+        if (std::isnan(lips))
+          all.push_back(
+              {height, opening + r, r, false, [out](double v_R, double) { return out * v_R > 0; }});
+        else
+          all.push_back({height, opening + r, r, false, [](double, double) { return true; }});
+        continue;
+      }
+      // The rounding's middle lies R_f + r from that of the face and, measured on the surface
+      // above it, r below the cage's surface: by halving along the circle of the first.
+      const double middle = half - c.face_radius, reach = c.face_radius + r;
+      double low = 0, high = out * pi / 2;
+      for (int k = 0; k < 200; ++k) {
+        rays[end] = (low + high) / 2;
+        const double x = middle + reach * std::cos(rays[end]),
+                     miss = pitch + reach * std::sin(rays[end]) + out * r -
+                            std::sqrt(surface * surface - x * x);
+        (out * miss < 0 ? low : high) = rays[end];
+      }
+      const double ray = rays[end];
+      all.push_back({pitch + reach * std::sin(ray), middle + reach * std::cos(ray), r, false,
+                     [out, ray](double v_R, double v_T) {
+                       return out * (std::cos(ray) * v_R - std::sin(ray) * v_T) > 0;
+                     }});
+    }
+    if (curved)
+      all.push_back({pitch, half - c.face_radius, c.face_radius, true,
+                     [low = rays[0], high = rays[1]](double v_R, double v_T) {
+                       const double angle = std::atan2(v_R, v_T);
+                       return angle > low && angle < high;
+                     }});
+    for (Arc& arc : all) arc.along *= s;
+    return all;
+  }
+
   void bars(const Roller& roller, int j, Forces& forces) {
     const double angle = phi_ + 2 * pi * j / layout_.rollers + each(scene_.cage.pocket_pitch, j);
     const Vector3d e_R(0, std::cos(angle), std::sin(angle)), e_T = kX.cross(e_R);
@@ -288,25 +345,59 @@ class Bearing {
       const double xi = 0.8 * share * scene_.roller.length;
       const double X = roller.centre.x() + xi - cage_centre_.x();
       const Vector3d D = radial(roller.centre + xi * roller.axis - cage_centre_);
-      const double lean = cage_axis_.dot(e_T) + squareness;
-      for (const double s : {1.0, -1.0}) {
-        const double p =
-            s * (D.dot(e_T) - lean * X) + roller.radius - each(scene_.cage.pocket_width, j) / 2;
-        const Vector3d rho = s * roller.radius * e_T, arm = X * kX + D + rho;
+      const auto rub = [&](double p, const Vector3d& rho, const Vector3d& along,
+                           const std::function<double(const Motion&, const Vector3d&)>& p_rate) {
+        const Vector3d arm = X * kX + D + rho;
         const auto speeds = [=, this, &roller](const Motion& v) {
           const Vector3d D_rate = v.roller + xi * v.lean - cage_centre_rate(v);
-          // e_T turns with the cage.
-          const Vector3d e_T_rate = -v.cage_spin * e_R;
-          const double u_rate = radial(D_rate).dot(e_T) + D.dot(e_T_rate) -
-                                (v.cage_lean.dot(e_T) + cage_axis_.dot(e_T_rate)) * X -
-                                lean * D_rate.x();
           const Vector3d slide = roller_point(roller, v, xi, rho) - cage_point(v, arm);
-          return Speeds{s * u_rate, slide.dot(e_R), slide.x()};
+          return Speeds{p_rate(v, D_rate), slide.dot(along), slide.x()};
         };
         contact(kBar, scene_.contact.bar, static_cast<double>(stations), p, roller.own, speeds,
                 &forces);
+      };
+      for (const double s : {1.0, -1.0}) {
+        face(roller, j, s, D, X, e_R, e_T, squareness, rub);
+        for (const Arc& arc : arcs(j, s)) {
+          // From the arc's middle, which the cage carries along and leans, to the roller's axis.
+          const Vector3d middle = arc.height * e_R + (arc.along + squareness * X) * e_T;
+          const Vector3d lean = radial(cage_axis_), v = D - X * lean - middle;
+          if (!arc.counts(v.dot(e_R), s * v.dot(e_T))) continue;
+          const double sign = arc.hollow ? -1 : 1, d = v.norm();
+          const Vector3d m = sign * v / d;
+          rub(roller.radius + sign * (arc.radius - d), -roller.radius * m, kX.cross(m),
+              [=](const Motion& now, const Vector3d& D_rate) {
+                const Vector3d v_rate = radial(D_rate) - X * now.cage_lean - D_rate.x() * lean -
+                                        now.cage_spin * kX.cross(middle) -
+                                        squareness * D_rate.x() * e_T;
+                return -m.dot(v_rate);
+              });
+        }
       }
     }
+  }
+
+  /// The flat face of a bar, where the axis stands between its edges.
+  template <class Rub>
+  void face(const Roller& roller, int j, double s, const Vector3d& D, double X, const Vector3d& e_R,
+            const Vector3d& e_T, double squareness, const Rub& rub) {
+    const auto& c = scene_.cage;
+    if (!std::isnan(c.face_radius)) return;
+    const double half = each(c.pocket_width, j) / 2, height = (D - X * radial(cage_axis_)).dot(e_R);
+    const auto surface = [&](double diameter) {
+      return std::sqrt(diameter * diameter / 4 - half * half);
+    };
+    if (std::isnan(c.retention_inner) && height <= surface(c.inner_diameter) + c.edge_radius)
+      return;
+    if (std::isnan(c.retention_outer) && height >= surface(c.outer_diameter) - c.edge_radius)
+      return;
+    const double lean = cage_axis_.dot(e_T) + squareness;
+    rub(s * (D.dot(e_T) - lean * X) + roller.radius - half, s * roller.radius * e_T, e_R,
+        [=, this](const Motion& v, const Vector3d& D_rate) {
+          const Vector3d e_T_rate = -v.cage_spin * e_R;  // e_T turns with the cage
+          return s * (radial(D_rate).dot(e_T) + D.dot(e_T_rate) -
+                      (v.cage_lean.dot(e_T) + cage_axis_.dot(e_T_rate)) * X - lean * D_rate.x());
+        });
   }
 
   void ends(const Roller& roller, int j, Forces& forces) {
@@ -419,38 +510,50 @@ class Bearing {
 
   void lands() {
     const auto& c = scene_.cage;
-    if (c.guidance == Guidance::roller) return;
-    const bool inner = c.guidance == Guidance::inner;
+    double mean_length = 0;
+    for (long j = 0; j < layout_.rollers; ++j) mean_length += each(c.pocket_length, j);
+    mean_length /= static_cast<double>(layout_.rollers);
+    const double offset = auto_or(c.land_offset, (c.width + mean_length) / 4);
+    const bool points =
+        scene_.contact.race.law == ForceLaw::impact && scene_.contact.bar.law == ForceLaw::impact;
+    const double edge = auto_or(c.land_width, points ? 0 : (c.width - mean_length) / 2) / 2;
+    for (const bool inner : {false, true})
+      for (const double land : {-offset, offset})
+        if (edge == 0)
+          land_at(inner, land, 2);
+        else
+          for (const double side : {-edge, edge}) land_at(inner, land + side, 4);
+  }
+
+  void land_at(bool inner, double X, double shares) {
+    const auto& c = scene_.cage;
     const auto& b = scene_.bearing;
     const double land_radius = (inner ? c.inner_diameter : c.outer_diameter) / 2;
     const double ring_radius =
-        inner ? b.inner_raceway_diameter / 2 - b.internal_clearance / 4 : b.shoulder_diameter / 2;
-    const double clearance = auto_or(c.guide_clearance, std::abs(ring_radius - land_radius));
-    double mean_length = 0;
-    for (long j = 0; j < b.roller_count; ++j) mean_length += each(c.pocket_length, j);
-    mean_length /= static_cast<double>(b.roller_count);
-    const double offset = auto_or(c.land_offset, (c.width + mean_length) / 4);
-    for (const double X : {-offset, offset}) {
-      const Vector3d m = inner ? misalignment() : Vector3d::Zero().eval();
-      const Vector3d delta =
-          radial(cage_centre_ + X * cage_axis_) - (inner ? ring_ : Vector3d::Zero().eval()) - X * m;
-      const Vector3d n = delta.normalized(), t = kX.cross(n);
-      // The cage's outside meets the ring on the side it is displaced to, its bore on the other
-      // side.
-      const double side = inner ? -1 : 1;
-      const auto speeds = [=, this](const Motion& v) {
-        const Vector3d ring = inner ? v.ring : Vector3d::Zero().eval();
-        const Vector3d centre = cage_centre_rate(v) + X * v.cage_lean;
-        const double spin = inner ? v.inner_spin : 0;
-        const Vector3d on_cage =
-            centre +
-            (v.cage_spin * cage_axis_ + kX.cross(v.cage_lean)).cross(side * land_radius * n);
-        const Vector3d on_ring = ring + spin * (kX + m).cross(side * ring_radius * n);
-        return Speeds{n.dot(radial(centre - ring)), t.dot(on_cage - on_ring),
-                      (on_cage - on_ring).x()};
-      };
-      contact(kLand, scene_.contact.land, 2, delta.norm() - clearance, moving_, speeds, nullptr);
-    }
+        (inner ? auto_or(b.inner_land_diameter, b.inner_raceway_diameter - b.internal_clearance / 2)
+               : b.shoulder_diameter) /
+        2;
+    const bool guides = c.guidance == (inner ? Guidance::inner : Guidance::outer);
+    const double between = std::abs(ring_radius - land_radius),
+                 clearance = guides ? auto_or(c.guide_clearance, between) : between;
+    const Vector3d m = inner ? misalignment() : Vector3d::Zero().eval();
+    const Vector3d delta =
+        radial(cage_centre_ + X * cage_axis_) - (inner ? ring_ : Vector3d::Zero().eval()) - X * m;
+    const Vector3d n = delta.normalized(), t = kX.cross(n);
+    // The cage's outside meets the ring on the side it is displaced to, its bore on the other
+    // side.
+    const double side = inner ? -1 : 1;
+    const auto speeds = [=, this](const Motion& v) {
+      const Vector3d ring = inner ? v.ring : Vector3d::Zero().eval();
+      const Vector3d centre = cage_centre_rate(v) + X * v.cage_lean;
+      const double spin = inner ? v.inner_spin : 0;
+      const Vector3d on_cage =
+          centre + (v.cage_spin * cage_axis_ + kX.cross(v.cage_lean)).cross(side * land_radius * n);
+      const Vector3d on_ring = ring + spin * (kX + m).cross(side * ring_radius * n);
+      return Speeds{n.dot(radial(centre - ring)), t.dot(on_cage - on_ring),
+                    (on_cage - on_ring).x()};
+    };
+    contact(kLand, scene_.contact.land, shares, delta.norm() - clearance, moving_, speeds, nullptr);
   }
 
   void border() {

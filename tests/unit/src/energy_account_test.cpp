@@ -107,6 +107,18 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredWhereOilLiesInTheGaps) {
   RecordProperty("worst", std::to_string(worst));
 }
 
+// An arc's gap is a difference of lengths some hundred times as large, whose rounding counts.
+TEST(EnergyAccountOfPockets, PowerIsAccountedForOnEdgesLipsAndCurvedFaces) {
+  for (const Outline outline : {Outline::edges, Outline::lips, Outline::curved})
+    for (const bool lubricated : {false, true})
+      for (unsigned seed = 0; seed < 48; ++seed) {
+        const RandomBearing b = random_bearing(
+            seed, {.modes = seed % 2 == 0 ? 0 : 5, .lubricated = lubricated, .outline = outline});
+        EXPECT_LT(open_power(b, {2e-9}), lubricated ? 4e-6 : 1e-8)
+            << outline_name(outline) << (lubricated ? ", oiled" : ", dry") << ", seed " << seed;
+      }
+}
+
 TEST(EnergyAccountOfContacts, ObservationAgreesWithTheReference) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const RandomBearing b =

@@ -10,6 +10,7 @@
 
 #include "src/integration/system.hpp"
 #include "src/scene/materials.hpp"
+#include "src/scene/pocket_outline.hpp"
 #include "src/simulate.hpp"
 #include "src/statics/start_state.hpp"
 #include "src/window_times.hpp"
@@ -51,7 +52,7 @@ std::vector<double> fingerprint(const Scene& scene) {
     double place, speed, share;
   };
   for (const Apart& apart :
-       {Apart{0, 0, 1}, {100, 30, 1}, {100, 30, 0}, {60, 12, 0}, {100, 3, 0}}) {
+       {Apart{0, 0, 1}, {100, 30, 1}, {100, 30, 0}, {60, 12, 0}, {100, 3, 0}, {0, 0, 0.5}}) {
     PackVector y(start.begin(), start.end());
     for (std::size_t i = 0; i < y.size(); ++i) {
       const double draw = normal(random);
@@ -60,9 +61,13 @@ std::vector<double> fingerprint(const Scene& scene) {
       if (system.scale[i] < 1e20)
         y[i] += (speed ? apart.speed : apart.place) * draw * system.scale[i];
     }
-    if (apart.place > 0 && model.guidance != Guidance::roller) {  // onto the lands
+    if (apart.share == 0.5) {  // onto the edges of the bars, hard by one of them
+      for (int j = 0; j < model.layout.rollers; ++j)
+        y[static_cast<std::size_t>(model.layout.position(kRadius, j))] += 1.8e-3;
+      y[static_cast<std::size_t>(model.layout.border_position(kCagePhi))] += 0.3e-3 / 19.5e-3;
+    } else if (apart.place > 0) {  // onto the lands of one ring, then of the other
       y[static_cast<std::size_t>(model.layout.border_position(kCageY))] =
-          model.guide_clearance + 30e-6;
+          model.guides[apart.speed == 3 ? 1 : 0].clearance + 30e-6;
       y[static_cast<std::size_t>(model.layout.border_position(kCageZ))] = 0;
       if (apart.speed == 12) {  // pressed on them, between the speeds of static and full sliding
         const auto first = y.begin() + model.layout.border_velocity(0);
@@ -94,6 +99,7 @@ std::vector<Scene> altered(const Key<Scene>& key, const Scene& from) {
   const bool geometry = key.unit == "mm" && !key.name.starts_with("contact.");
   const auto number = [&](double old) {
     const double least = std::isfinite(key.range.minimum) ? key.range.minimum : 0;
+    if (key.name == "cage.face_radius_mm") return 2 * unit_value(from.roller.diameter[0], 1e-3);
     double changed = std::isnan(old) ? std::max(least, 0.0) + 0.37
                      : old == 0      ? 1
                                      : (geometry ? 1.002 : 1.3) * old;
@@ -206,6 +212,12 @@ INSTANTIATE_TEST_SUITE_P(
                s.operation.load_ramp = 1e-3;
                s.operation.speed_ramp_from = 100;
                s.operation.speed_ramp = 1e-3;
+             }},
+        Case{"rollers_guide",
+             [](Scene& s) {
+               s.cage.guidance = Guidance::roller;
+               s.cage.retention_outer =
+                   retention_width(s.cage, pitch_radius(s.bearing), 3.75e-3, 1, 0.1e-3);
              }},
         Case{"polymer", [](Scene& s) { s.cage.material = {"pa66-gf25"}; }},
         Case{"given_materials",

@@ -61,7 +61,7 @@ RandomBearing bearing(unsigned seed, Freedom freedom) {
 /// The same with a cage that nothing touches.
 RandomBearing free_cage(unsigned seed, Freedom freedom) {
   RandomBearing b = bearing(seed, freedom);
-  b.model.land_clearance = 1;
+  for (CageGuide& guide : b.model.guides) guide.touching_at = 1;
   for (RollerGroup& group : b.model.groups) {
     group.half_width += 1e-2;
     group.half_length += 1e-2;
@@ -150,6 +150,21 @@ TEST_P(Linearisation, AgreesWithDifferencesButForStatedTerms) {
                                                 1e-4));
   RecordProperty("worst", std::to_string(worst));
   EXPECT_LT(worst, 0.04);
+}
+
+// As above; of an arc the friction, too, turns with the normal, which is left out.
+TEST(LinearisationOfPockets, AgreesWithDifferencesOnEdgesLipsAndCurvedFaces) {
+  for (const Outline outline : {Outline::edges, Outline::lips, Outline::curved})
+    for (const bool lubricated : {false, true}) {
+      double worst = 0;
+      for (unsigned seed = 0; seed < 24; ++seed)
+        worst = std::max(worst,
+                         relative_difference(random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
+                                                                   .lubricated = lubricated,
+                                                                   .outline = outline}),
+                                             1e-4));
+      EXPECT_LT(worst, 0.04) << outline_name(outline) << (lubricated ? ", oiled" : ", dry");
+    }
 }
 
 /// Loaded races, the ring moving, rollers slipping a little.

@@ -162,7 +162,7 @@ TEST(OilKeys, OilMustThinAndFlow) {
 }
 
 ShortBearing guide_film_of(const std::string& text) {
-  return make_bearing_model(scene_of(text)).guide_film;
+  return make_bearing_model(scene_of(text)).guides[0].film;
 }
 
 void expect_same(const ShortBearing& a, const ShortBearing& b) {
@@ -194,14 +194,14 @@ TEST(LandFilm, IsTheGuideFilmInTheOilOfTheBearing) {
   EXPECT_NEAR(share * 0.02, 0.01688, 1e-5);
   const Scene film = scene_of(kFilm);
   const BearingModel model = make_bearing_model(film);
-  EXPECT_NEAR(model.guide_clearance - model.land_clearance, 1e-6, 1e-15);
+  EXPECT_NEAR(model.guide_clearance - model.guides[0].touching_at, 1e-6, 1e-15);
 }
 
 TEST(LandFilm, IsOffBySwitchAndWhereNoLandGuides) {
   EXPECT_FALSE(guide_film_of(kFilm + "lubrication.land_film = false\n").on);
   EXPECT_FALSE(guide_film_of(kNone + "lubrication.land_film = true\n").on);
   const BearingModel dry = make_bearing_model(scene_of(kFilm + "lubrication.land_film = false\n"));
-  EXPECT_EQ(dry.land_clearance, dry.guide_clearance);
+  EXPECT_EQ(dry.guides[0].touching_at, dry.guide_clearance);
 }
 
 TEST(LandFilm, WantsRoom) {

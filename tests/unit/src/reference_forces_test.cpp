@@ -51,6 +51,19 @@ double difference(const Kind& kind, const std::vector<double>& rates, const Refe
   return apart / std::max(size, 1e-300);
 }
 
+void expect_same(const RandomBearing& b, const Reference& reference, unsigned seed) {
+  std::vector<double> rates(b.y.size());
+  evaluate_rates(b.model, b.t, b.y.data(), rates.data());
+  for (int i = 0; i < b.model.layout.positions(); ++i)
+    ASSERT_EQ(rates[static_cast<std::size_t>(i)], reference.rates[static_cast<std::size_t>(i)])
+        << "seed " << seed;
+  for (const Kind& kind : acceleration_kinds(b.model.layout))
+    // An angle is known to 4e-16, a bar's gap of some 10 um on a radius of 20 to 33 mm therefore
+    // to 1e-12 of itself.
+    EXPECT_LT(difference(kind, rates, reference), 1e-11)
+        << kind.name << ", seed " << seed << ", guidance " << spelled(b.scene.cage.guidance);
+}
+
 class ReferenceForces : public testing::TestWithParam<Freedom> {};
 INSTANTIATE_TEST_SUITE_P(Bearings, ReferenceForces,
                          testing::Values(Freedom::spatial, Freedom::tilting),
@@ -60,25 +73,12 @@ TEST_P(ReferenceForces, AgreeInRandomStatesOfEveryKind) {
   std::array<long, kContactKinds> touching{}, pulling{};
   for (unsigned seed = 0; seed < 360; ++seed) {
     const RandomBearing b = random_bearing(seed, {.freedom = GetParam()});
-    const StateLayout& l = b.model.layout;
-    std::vector<double> rates(b.y.size());
-    evaluate_rates(b.model, b.t, b.y.data(), rates.data());
     const Reference reference = reference_rates(b.scene, b.t, b.y);
     for (int k = 0; k < kContactKinds; ++k) {
       touching[static_cast<std::size_t>(k)] += reference.touching[static_cast<std::size_t>(k)];
       pulling[static_cast<std::size_t>(k)] += reference.pulling[static_cast<std::size_t>(k)];
     }
-    for (int i = 0; i < l.positions(); ++i)
-      ASSERT_EQ(rates[static_cast<std::size_t>(i)], reference.rates[static_cast<std::size_t>(i)])
-          << "seed " << seed;
-    const std::vector<Kind> kinds = acceleration_kinds(l);
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
-      const double apart = difference(kinds[k], rates, reference);
-      // An angle is known to 4e-16, a bar's gap of some 10 um on a radius of 20 to 33 mm therefore
-      // to 1e-12 of itself.
-      EXPECT_LT(apart, 1e-11) << kinds[k].name << ", seed " << seed << ", guidance "
-                              << spelled(b.scene.cage.guidance);
-    }
+    expect_same(b, reference, seed);
   }
   for (int k = 0; k < kContactKinds; ++k) {
     EXPECT_GT(touching[static_cast<std::size_t>(k)], 100) << "contact kind " << k;
@@ -86,6 +86,20 @@ TEST_P(ReferenceForces, AgreeInRandomStatesOfEveryKind) {
                    std::to_string(touching[static_cast<std::size_t>(k)]));
     RecordProperty("pulling_" + std::to_string(k),
                    std::to_string(pulling[static_cast<std::size_t>(k)]));
+  }
+}
+
+TEST(ReferenceForcesOfPockets, AgreeOnEdgesLipsAndCurvedFaces) {
+  for (const Outline outline : {Outline::edges, Outline::lips, Outline::curved}) {
+    SCOPED_TRACE(outline_name(outline));
+    long touching = 0;
+    for (unsigned seed = 0; seed < 96; ++seed) {
+      const RandomBearing b = random_bearing(seed, {.outline = outline});
+      const Reference reference = reference_rates(b.scene, b.t, b.y);
+      touching += reference.touching[kBar];
+      expect_same(b, reference, seed);
+    }
+    EXPECT_GT(touching, 1000);
   }
 }
 

@@ -35,7 +35,7 @@ TEST(CageRest, OnDryLandsLeansByTheAngleOfFriction) {
   const double depth = 2 * (std::hypot(rest.y, rest.z) - m.guide_clearance);  // of both lands
   EXPECT_GT(depth, 0);
   EXPECT_LT(depth, 1e-6);
-  EXPECT_NEAR(rest.torque, -mu * normal * m.land_radius, 1e-9);
+  EXPECT_NEAR(rest.torque, -mu * normal * m.guides[0].land_radius, 1e-9);
   // Friction pushes the turning cage's lowest point backwards: it climbs ahead.
   EXPECT_NEAR(std::atan2(rest.y, -rest.z), -std::atan(mu), 1e-9);
 }
