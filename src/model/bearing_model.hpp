@@ -84,7 +84,8 @@ struct BearingModel {
   double cage_mass = 0, cage_polar = 0, cage_transverse = 0;
   double unbalance_y = 0,
          unbalance_z = 0;  ///< mass centre minus geometric centre in the cage frame [m]
-  FlexibleCage flexible;   ///< no modes: a rigid cage
+  Strength cage_strength;
+  FlexibleCage flexible;  ///< no modes: a rigid cage
   Guidance guidance = Guidance::outer;
   double guide_clearance = 0, land_radius = 0, land_offset = 0;
   double land_clearance = 0;  ///< at which lands touch: less than guide_clearance under a film [m]

@@ -15,6 +15,12 @@ class CageStress {
  public:
   explicit CageStress(const CageModel& model);  ///< keeps a reference to `model`
 
+  /// Stress at all stations: row stations (6 sector + component) + station, components xx, yy, zz,
+  /// xy, yz, zx [Pa]. Valid until the next call; last() stays.
+  const Eigen::VectorXf& components(const double* q, const Eigen::VectorXd& bar_force, double spin);
+  /// Those of the last call of components() or largest().
+  const Eigen::VectorXf& components() const { return components_; }
+
   struct Largest {
     double stress = 0;  ///< [Pa]
     long sector = 0, station = 0;

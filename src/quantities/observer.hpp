@@ -9,7 +9,10 @@
 
 #include "src/integration/system.hpp"
 #include "src/outcome.hpp"
+#include "src/quantities/bar_peaks.hpp"
+#include "src/quantities/cage_fatigue.hpp"
 #include "src/quantities/cage_stress.hpp"
+#include "src/quantities/cage_whirl.hpp"
 #include "src/quantities/convergence.hpp"
 #include "src/quantities/orbit_slip.hpp"
 #include "src/quantities/series.hpp"
@@ -103,6 +106,7 @@ class Observer {
       ring_elastic_z_, tilt_y_, tilt_z_;
   StepSeries whirl_radius_{kPeak | kQuantiles}, guide_force_{kPeak | kQuantiles},
       ring_y_{kQuantiles}, ring_z_{kQuantiles}, ring_tilt_{kPeak};
+  CageWhirl whirl_;
   OrbitSlip orbit_slip_;
   std::optional<Stationarity> stationarity_;
   RollerSeries carried_, carried_orbit_;  ///< force on the inner race [N], and times orbital rate
@@ -111,6 +115,8 @@ class Observer {
       wall_force_{kPeak | kQuantiles};
   PlaneAcceleration ring_acceleration_;
   std::optional<CageStress> stress_;
+  std::optional<CageFatigue> fatigue_;
+  std::optional<BarPeaks> bar_peaks_;
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;
   CagePeak cage_peak_;
