@@ -72,6 +72,13 @@ const Eigen::VectorXf& CageStress::components(const double* q, const Eigen::Vect
 CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& bar_force,
                                         double spin) {
   components(q, bar_force, spin);
+  last_q_ = Eigen::Map<const Eigen::VectorXd>(q, last_q_.size());
+  last_force_ = bar_force;
+  last_spin_ = spin;
+  return last_ = largest_of_components();
+}
+
+CageStress::Largest CageStress::largest_of_components() const {
   const long rows = 6 * stations_;
   Largest largest;
   float most = -1;
@@ -87,10 +94,7 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
   von_mises_squared(components_.segment(largest.sector * rows, rows)).maxCoeff(&at);
   largest.station = at;
   largest.stress = std::sqrt(static_cast<double>(most));
-  last_q_ = Eigen::Map<const Eigen::VectorXd>(q, last_q_.size());
-  last_force_ = bar_force;
-  last_spin_ = spin;
-  return last_ = largest;
+  return largest;
 }
 
 template <class Modes, class Forces>

@@ -25,6 +25,8 @@ class CageStress {
     double stress = 0;  ///< [Pa]
     long sector = 0, station = 0;
   };
+  /// Largest stress of the last components().
+  Largest largest_of_components() const;
   /// Largest stress of all stations. `q`: modal coordinates; `bar_force` as in Observation [N];
   /// `spin` of the centrifugal load, 0: none [rad/s]. Relative error 1e-5.
   Largest largest(const double* q, const Eigen::VectorXd& bar_force, double spin);

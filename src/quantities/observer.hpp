@@ -2,6 +2,7 @@
 // energy account, consistency with statics.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "src/quantities/cage_whirl.hpp"
 #include "src/quantities/convergence.hpp"
 #include "src/quantities/orbit_slip.hpp"
+#include "src/quantities/peak_extrapolation.hpp"
 #include "src/quantities/series.hpp"
 #include "src/quantities/stationarity.hpp"
 #include "src/statics/static_equilibrium.hpp"
@@ -122,6 +124,19 @@ class Observer {
   CagePeak cage_peak_;
   std::vector<double> extremes_;  ///< quantities where peaks ended; empty: not yet
   CagePeak extreme_peak_;         ///< likewise
+  /// Largest values of each revolution, ended ones and the one under way; for extrapolation.
+  struct BlockPeaks {
+    std::vector<double> ended;
+    double now = 0;
+    void see(double value) { now = std::max(now, value); }
+    void end() {
+      ended.push_back(now);
+      now = 0;
+    }
+  };
+  ExtrapolatedPeak extrapolated(const BlockPeaks& of) const;
+  double extrapolate_ = std::numeric_limits<double>::quiet_NaN();  ///< [revolutions]; NaN: off
+  BlockPeaks pocket_blocks_, guide_blocks_, stress_blocks_;
   Convergence convergence_;
   double start_orbit_ = 0;          ///< mean angle of all rollers at the first state [rad]
   double thinnest_film_ = kNoFilm;  ///< [m]

@@ -137,6 +137,7 @@ constexpr const char* kPowerReason =
     "no mechanism takes more than drive, load and the bearing held at the start give to all";
 constexpr const char* kLeanReason =
     "the equations hold for small angles, up to 0.1 rad; beyond, parts tumble";
+constexpr const char* kExtrapolatedReason = "a largest magnitude is not negative";
 constexpr const char* kStressReason =
     "it would strain the cage by more than 5 %, where no cage is elastic";
 
@@ -212,6 +213,15 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"cage_fatigue_pocket", bent, [](Reach r) { return within(0, r.rollers - 1); }, "the cage has no such pocket", kStressRemedy},
       {"cage_fatigue_station", bent, [](Reach r) { return within(0, r.stations - 1); }, "the cage has no such stress station", kStressRemedy},
       {"cage_yield_utilisation", bent, [](Reach r) { return magnitude(r.yield); }, kStressReason, kStressRemedy},
+      {"pocket_force_peak_extrapolated_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"pocket_force_peak_extrapolated_low_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"pocket_force_peak_extrapolated_high_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"guide_force_peak_extrapolated_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"guide_force_peak_extrapolated_low_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"guide_force_peak_extrapolated_high_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"cage_stress_peak_extrapolated_MPa", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"cage_stress_peak_extrapolated_low_MPa", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"cage_stress_peak_extrapolated_high_MPa", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
       {"film_min_um", never, [](Reach r) { return magnitude(1e6 * r.film_thickest); }, "a film between rolling surfaces is thin against the roller: a hundredth of its radius at most", "check film.viscosity_Pa_s and the speed"},
       {"static_consistency_error", moving, [](Reach) { return magnitude(kInfinite); }, "a relative error is not negative", kTighten},
   };

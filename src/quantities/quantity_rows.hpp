@@ -148,10 +148,33 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "widest one), its 99 % quantile over revolutions, of fewer than 100 the largest; sigma_m: "
      "largest principal stress of the mean (max + min)/2 of the components, not below zero; every "
      "100 us and where a bar's force peaks"},
-    {"cage_fatigue_pocket", "-", "pocket beside which that station lies, counted from 0"},
-    {"cage_fatigue_station", "-", "that stress station in its sector"},
+    {"cage_fatigue_pocket", "-",
+     "pocket beside which that largest value sits, counted from 0 (as cage_stress_peak_pocket)"},
+    {"cage_fatigue_station", "-", "stress station of that largest value in its sector"},
     {"cage_yield_utilisation", "-",
      "cage_stress_peak_MPa over the yield stress of the cage's material"},
+    {"pocket_force_peak_extrapolated_N", "N",
+     "median of the largest pocket_force_peak_N in window.extrapolate_revolutions cage "
+     "revolutions, from the "
+     "largest values of the single revolutions of this run; where that key and at least 5 "
+     "revolutions are given"},
+    {"pocket_force_peak_extrapolated_low_N", "N", "lower end of the 95 % interval of that peak"},
+    {"pocket_force_peak_extrapolated_high_N", "N", "upper end of the 95 % interval of that peak"},
+    {"guide_force_peak_extrapolated_N", "N",
+     "median of the largest guide_force_peak_N in window.extrapolate_revolutions cage revolutions, "
+     "from the "
+     "largest values of the single revolutions of this run; where that key and at least 5 "
+     "revolutions are given"},
+    {"guide_force_peak_extrapolated_low_N", "N", "lower end of the 95 % interval of that peak"},
+    {"guide_force_peak_extrapolated_high_N", "N", "upper end of the 95 % interval of that peak"},
+    {"cage_stress_peak_extrapolated_MPa", "MPa",
+     "median of the largest cage_stress_peak_MPa in window.extrapolate_revolutions cage "
+     "revolutions, from the "
+     "largest values of the single revolutions of this run; where that key and at least 5 "
+     "revolutions are given"},
+    {"cage_stress_peak_extrapolated_low_MPa", "MPa", "lower end of the 95 % interval of that peak"},
+    {"cage_stress_peak_extrapolated_high_MPa", "MPa",
+     "upper end of the 95 % interval of that peak"},
     {"film_min_um", "um",
      "thinnest oil film of loaded race contacts over every accepted step; where a film is "
      "modelled"},
