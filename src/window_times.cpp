@@ -20,7 +20,13 @@ WindowTimes window_times(const Scene& scene, const BearingModel& model) {
   if (measures_until_converged(scene))
     measure =
         std::min(std::max(kLeastRevolutions, std::ceil(w.peak_revolutions)) * revolution, longest);
-  return {settle, measure, longest, peaks, revolution, w.longest_settle_revolutions * revolution};
+  return {settle,
+          measure,
+          longest,
+          peaks,
+          revolution,
+          w.extrapolate_revolutions,
+          w.longest_settle_revolutions * revolution};
 }
 
 }  // namespace cagetol

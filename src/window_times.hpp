@@ -11,6 +11,7 @@ struct WindowTimes {
   double longest;         ///< longest measuring window [s]
   double peaks;           ///< length over which peaks are taken, from the start of the window [s]
   double revolution;      ///< of the cage, infinite at standstill [s]
+  double extrapolate;     ///< revolutions to which peaks are extrapolated; NaN: to none
   double longest_settle;  ///< limit of settling for a motion that drifts [s]
 };
 

@@ -348,6 +348,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.cage_mass = given_or(scene.cage.mass, cage.mass);
   m.cage_polar = given_or(scene.cage.polar_inertia, cage.polar_inertia);
   m.cage_transverse = given_or(scene.cage.transverse_inertia, cage.transverse_inertia);
+  m.cage_strength = cage_strength(scene);
   m.unbalance_y = cage.centre_y;
   m.unbalance_z = cage.centre_z;
   set_guides(scene, m);

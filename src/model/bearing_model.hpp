@@ -110,7 +110,8 @@ struct BearingModel {
   double cage_mass = 0, cage_polar = 0, cage_transverse = 0;
   double unbalance_y = 0,
          unbalance_z = 0;  ///< mass centre minus geometric centre in the cage frame [m]
-  FlexibleCage flexible;   ///< no modes: a rigid cage
+  Strength cage_strength;
+  FlexibleCage flexible;  ///< no modes: a rigid cage
   Guidance guidance = Guidance::outer;
   /// The ring that guides the cage, then the other one, by which the cage is held if all else gives
   /// way; both where rollers guide it, the outer ring first.

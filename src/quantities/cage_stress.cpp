@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/quantities/von_mises.hpp"
+
 namespace cagetol {
 namespace {
-
-/// Squares of the von Mises stress, from a sector's components one after the other.
-template <typename Sector>
-auto von_mises_squared(const Sector& sector) {
-  const Eigen::Index stations = sector.size() / 6;
-  const auto part = [&](Eigen::Index c) { return sector.segment(c * stations, stations).array(); };
-  return 0.5F * ((part(0) - part(1)).square() + (part(1) - part(2)).square() +
-                 (part(2) - part(0)).square()) +
-         3.0F * (part(3).square() + part(4).square() + part(5).square());
-}
 
 /// Largest von Mises stress of each column, its rows those of whole sectors.
 Eigen::VectorXd norms(const Eigen::MatrixXf& stress, long stations) {
@@ -49,8 +41,8 @@ CageStress::CageStress(const CageModel& model)
   last_force_.setZero(per_pocket_ * sectors_);
 }
 
-CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& bar_force,
-                                        double spin) {
+const Eigen::VectorXf& CageStress::components(const double* q, const Eigen::VectorXd& bar_force,
+                                              double spin) {
   const Eigen::Index modes = q_.size() - 1;
   q_.head(modes) = Eigen::Map<const Eigen::VectorXd>(q, modes).cast<float>();
   q_[modes] = static_cast<float>(spin * spin);
@@ -61,8 +53,6 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
         acting_.push_back({j, i, static_cast<float>(force)});
   components_.noalias() = model_.stress * q_;
   const long rows = 6 * stations_;
-  Largest largest;
-  float most = -1;
   for (long k = 0; k < sectors_; ++k) {
     auto here = components_.segment(k * rows, rows);
     for (const ActingForce& force : acting_) {
@@ -75,6 +65,25 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
       else
         here += force.value * model_.far_residual.col(offset * per_pocket_ + force.place);
     }
+  }
+  return components_;
+}
+
+CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& bar_force,
+                                        double spin) {
+  components(q, bar_force, spin);
+  last_q_ = Eigen::Map<const Eigen::VectorXd>(q, last_q_.size());
+  last_force_ = bar_force;
+  last_spin_ = spin;
+  return last_ = largest_of_components();
+}
+
+CageStress::Largest CageStress::largest_of_components() const {
+  const long rows = 6 * stations_;
+  Largest largest;
+  float most = -1;
+  for (long k = 0; k < sectors_; ++k) {
+    const auto here = components_.segment(k * rows, rows);
     const float here_most = von_mises_squared(here).maxCoeff();
     if (here_most > most) {
       most = here_most;
@@ -85,10 +94,7 @@ CageStress::Largest CageStress::largest(const double* q, const Eigen::VectorXd& 
   von_mises_squared(components_.segment(largest.sector * rows, rows)).maxCoeff(&at);
   largest.station = at;
   largest.stress = std::sqrt(static_cast<double>(most));
-  last_q_ = Eigen::Map<const Eigen::VectorXd>(q, modes);
-  last_force_ = bar_force;
-  last_spin_ = spin;
-  return last_ = largest;
+  return largest;
 }
 
 template <class Modes, class Forces>

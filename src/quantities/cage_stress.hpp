@@ -15,10 +15,18 @@ class CageStress {
  public:
   explicit CageStress(const CageModel& model);  ///< keeps a reference to `model`
 
+  /// Stress at all stations: row stations (6 sector + component) + station, components xx, yy, zz,
+  /// xy, yz, zx [Pa]. Valid until the next call; last() stays.
+  const Eigen::VectorXf& components(const double* q, const Eigen::VectorXd& bar_force, double spin);
+  /// Those of the last call of components() or largest().
+  const Eigen::VectorXf& components() const { return components_; }
+
   struct Largest {
     double stress = 0;  ///< [Pa]
     long sector = 0, station = 0;
   };
+  /// Largest stress of the last components().
+  Largest largest_of_components() const;
   /// Largest stress of all stations. `q`: modal coordinates; `bar_force` as in Observation [N];
   /// `spin` of the centrifugal load, 0: none [rad/s]. Relative error 1e-5.
   Largest largest(const double* q, const Eigen::VectorXd& bar_force, double spin);

@@ -64,6 +64,11 @@ consteval ForceRows force_rows(std::string_view kind) {
           quantity_row(kind, "_force_peak_N"), quantity_row(kind, "_impacts_per_revolution")};
 }
 
+/// Rows of an extrapolated peak and its interval.
+struct ExtrapolatedRows {
+  std::size_t median, low, high;
+};
+
 }  // namespace
 
 void Observer::Impacts::see(std::size_t pack, Mask touching) {
@@ -82,14 +87,20 @@ Observer::Observer(const BearingModel& model, double begin, double end)
       angles_(static_cast<std::size_t>(model.layout.padded())),
       next_statics_(begin),
       statics_interval_((end - begin) / kStaticsInstants),
-      clock_(begin, kRecordInterval) {
-  if (model.flexible.model) stress_.emplace(*model.flexible.model);
+      clock_(begin, kRecordInterval),
+      whirl_(model.guide_clearance) {
+  if (const auto& cage = model.flexible.model) {
+    stress_.emplace(*cage);
+    fatigue_.emplace(cage->stress_stations, model.layout.rollers);
+    bar_peaks_.emplace(cage->bar_stations, model.layout.modes);
+  }
   if (should_be_stationary(model, begin, end)) stationarity_.emplace(begin, end);
 }
 
 Observer::Observer(const BearingModel& model, const WindowTimes& times)
     : Observer(model, times.settle, times.settle + times.measure) {
   revolution_ = times.revolution;
+  extrapolate_ = times.extrapolate;
   if (times.peaks < times.longest) peaks_end_ = begin_ + times.peaks;
   if (times.measure < times.longest && stationarity_)
     stationarity_ = Stationarity::growing(begin_, revolution_);
@@ -104,6 +115,12 @@ void Observer::record_revolution(double t, const double* y) {
   // Rounding may put the end of a revolution after the state that is meant to be there.
   const auto ended = static_cast<double>(convergence_.revolutions()) + 1;
   if (!(t >= begin_ + (ended - 1e-9) * revolution_)) return;
+  whirl_.end_revolution();
+  for (BlockPeaks* blocks : {&pocket_blocks_, &guide_blocks_, &stress_blocks_}) blocks->end();
+  if (fatigue_) {
+    fatigue_->end_revolution();
+    bar_peaks_->begin_revolution();
+  }
   const StateLayout& l = model_.layout;
   const double* angles = y + l.position(kAngle, 0);
   const double rollers = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
@@ -162,6 +179,7 @@ void Observer::record(double t, const double* y, const System& system) {
   if (stationarity_)
     stationarity_->record(t, {v[kCagePhi], moving, seen.drive_power + seen.load_power, lost});
 
+  whirl_.record(t, {cage_y, cage_z, std::hypot(cage_vy, cage_vz), v[kCagePhi]});
   const double angle = std::atan2(cage_z, cage_y);
   orbit_turned_ += std::remainder(angle - orbit_angle_, 2 * std::numbers::pi);
   orbit_angle_ = angle;
@@ -186,6 +204,7 @@ void Observer::record(double t, const double* y, const System& system) {
     tilt_z_.add(tilt_z, step);
   }
   guide_force_.add(seen.land_force[0] + seen.land_force[1], step);
+  guide_blocks_.see(seen.land_force[0] + seen.land_force[1]);
   guide_impacts_.see(0, Mask{-seen.land_touching[0], -seen.land_touching[1]});
   end_displacement_ = -q[kRingZ];
   const double* angles = y + l.position(kAngle, 0);
@@ -207,6 +226,11 @@ void Observer::record_stress(double t, const double* y, const Observation& seen)
   if (keep) next_stress_ = std::max(next_stress_ + kStressInterval, t);
   const double* q = y + model_.layout.border_position(kModes);
   const double spin = seen.centrifugal_spin;
+  if (bar_peaks_->pass(q, seen.bar_force, spin)) {
+    const BarPeaks::State& at = bar_peaks_->peak();
+    fatigue_->add(stress_->components(at.modes.data(), at.bar_force, at.spin));
+    stress_blocks_.see(stress_->largest_of_components().stress);
+  }
   const double peak = cage_stress_.peak();
   const double change = stress_->change_bound(q, seen.bar_force, spin);
   const bool changed = !(change <= kStressAccuracy * peak);
@@ -216,6 +240,8 @@ void Observer::record_stress(double t, const double* y, const Observation& seen)
   }
   const CageStress::Largest largest =
       changed ? stress_->largest(q, seen.bar_force, spin) : stress_->last();
+  if (changed) fatigue_->add(stress_->components());
+  stress_blocks_.see(largest.stress);
   if (largest.stress > cage_stress_.peak() || cage_peak_.modes.empty()) {
     cage_peak_.time = t;
     cage_peak_.pocket = static_cast<int>(largest.sector);
@@ -261,6 +287,7 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
     const Pack leading = force(seen.leading_force), trailing = force(seen.trailing_force),
                wall = force(seen.wall_force);
     pocket_force_.add(k, leading + trailing, here, step);
+    pocket_blocks_.see(largest(select(here, leading + trailing, Pack{})));
     pocket_impacts_.see(2 * k, leading > 0.0);
     pocket_impacts_.see(2 * k + 1, trailing > 0.0);
     wall_force_.add(k, wall, here, step);
@@ -314,6 +341,15 @@ double Observer::energy_resolution(double tolerance) const {
   // A tolerance looser than the default's is what the watch is there to find.
   return std::min(tolerance, kResolvedTolerance) * std::sqrt(components) * by_scale /
          energy_scale();
+}
+
+ExtrapolatedPeak Observer::extrapolated(const BlockPeaks& of) const {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  if (std::isnan(extrapolate_)) return {none, none, none};
+  ExtrapolatedPeak peak = extrapolate_peak(of.ended, extrapolate_);
+  for (double* value : {&peak.median, &peak.low, &peak.high})
+    if (*value < 0) *value = 0;  // a magnitude
+  return peak;
 }
 
 double Observer::rollers_couple(const RingLoad& load) const {
@@ -395,6 +431,14 @@ std::vector<double> Observer::quantities_so_far() const {
   const bool circling =
       whirl_radius_.standard_deviation() < 0.25 * whirl_radius_.mean() && std::abs(frequency) > 0.1;
   q[quantity_row("orbit_class")] = centred ? 0 : circling ? 1 : 2;
+  q[quantity_row("whirl_scatter_ratio")] = whirl_.scatter();
+  q[quantity_row("whirl_energy_ratio")] =
+      inner_speed != 0 ? model_.cage_mass / model_.cage_polar * whirl_.speed_ratio_squared() : none;
+  const auto shares = whirl_.shares();
+  const auto share = [&](OrbitClass of) { return shares[static_cast<std::size_t>(of)]; };
+  q[quantity_row("whirl_resting_share")] = share(OrbitClass::resting);
+  q[quantity_row("whirl_circling_share")] = share(OrbitClass::circling);
+  q[quantity_row("whirl_irregular_share")] = share(OrbitClass::irregular);
   const auto force = [&](const ForceRows& rows, const Series& series, const Impacts& impacts) {
     q[rows.rms] = series.rms();
     q[rows.p99] = series.quantile(0.99);
@@ -445,6 +489,32 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("cage_stress_rms_MPa")] = stress_ ? 1e-6 * cage_stress_.rms() : none;
   q[quantity_row("cage_stress_peak_pocket")] = stress_ ? cage_peak_.pocket : none;
   q[quantity_row("cage_stress_peak_station")] = stress_ ? cage_peak_.station : none;
+  const CageFatigue::Place fatigue =
+      fatigue_ ? fatigue_->worst(model_.cage_strength) : CageFatigue::Place{};
+  q[quantity_row("cage_fatigue_utilisation")] = stress_ ? fatigue.utilisation : none;
+  q[quantity_row("cage_fatigue_pocket")] = stress_ ? static_cast<double>(fatigue.sector) : none;
+  q[quantity_row("cage_fatigue_station")] = stress_ ? static_cast<double>(fatigue.station) : none;
+  q[quantity_row("cage_yield_utilisation")] =
+      stress_ ? cage_stress_.peak() / model_.cage_strength.yield : none;
+  const auto extrapolate = [&](const ExtrapolatedRows& rows, const BlockPeaks& blocks,
+                               double scale) {
+    const ExtrapolatedPeak peak = extrapolated(blocks);
+    q[rows.median] = scale * peak.median;
+    q[rows.low] = scale * peak.low;
+    q[rows.high] = scale * peak.high;
+  };
+  extrapolate({quantity_row("pocket_force_peak_extrapolated_N"),
+               quantity_row("pocket_force_peak_extrapolated_low_N"),
+               quantity_row("pocket_force_peak_extrapolated_high_N")},
+              pocket_blocks_, 1);
+  extrapolate({quantity_row("guide_force_peak_extrapolated_N"),
+               quantity_row("guide_force_peak_extrapolated_low_N"),
+               quantity_row("guide_force_peak_extrapolated_high_N")},
+              guide_blocks_, 1);
+  extrapolate({quantity_row("cage_stress_peak_extrapolated_MPa"),
+               quantity_row("cage_stress_peak_extrapolated_low_MPa"),
+               quantity_row("cage_stress_peak_extrapolated_high_MPa")},
+              stress_blocks_, stress_ ? 1e-6 : none);
   q[quantity_row("film_min_um")] =
       (model_.inner_film.on || model_.lubricated) && thinnest_film_ < kNoFilm ? 1e6 * thinnest_film_
                                                                               : none;

@@ -2,6 +2,7 @@
 // energy account, consistency with statics.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,9 +10,13 @@
 
 #include "src/integration/system.hpp"
 #include "src/outcome.hpp"
+#include "src/quantities/bar_peaks.hpp"
+#include "src/quantities/cage_fatigue.hpp"
 #include "src/quantities/cage_stress.hpp"
+#include "src/quantities/cage_whirl.hpp"
 #include "src/quantities/convergence.hpp"
 #include "src/quantities/orbit_slip.hpp"
+#include "src/quantities/peak_extrapolation.hpp"
 #include "src/quantities/series.hpp"
 #include "src/quantities/stationarity.hpp"
 #include "src/statics/static_equilibrium.hpp"
@@ -103,6 +108,7 @@ class Observer {
       ring_elastic_z_, tilt_y_, tilt_z_;
   StepSeries whirl_radius_{kPeak | kQuantiles}, guide_force_{kPeak | kQuantiles},
       ring_y_{kQuantiles}, ring_z_{kQuantiles}, ring_tilt_{kPeak};
+  CageWhirl whirl_;
   OrbitSlip orbit_slip_;
   std::optional<Stationarity> stationarity_;
   RollerSeries carried_, carried_orbit_;  ///< force on the inner race [N], and times orbital rate
@@ -111,11 +117,26 @@ class Observer {
       wall_force_{kPeak | kQuantiles};
   PlaneAcceleration ring_acceleration_;
   std::optional<CageStress> stress_;
+  std::optional<CageFatigue> fatigue_;
+  std::optional<BarPeaks> bar_peaks_;
   Series cage_stress_;
   double last_stress_ = 0, next_stress_ = 0;
   CagePeak cage_peak_;
   std::vector<double> extremes_;  ///< quantities where peaks ended; empty: not yet
   CagePeak extreme_peak_;         ///< likewise
+  /// Largest values of each revolution, ended ones and the one under way; for extrapolation.
+  struct BlockPeaks {
+    std::vector<double> ended;
+    double now = 0;
+    void see(double value) { now = std::max(now, value); }
+    void end() {
+      ended.push_back(now);
+      now = 0;
+    }
+  };
+  ExtrapolatedPeak extrapolated(const BlockPeaks& of) const;
+  double extrapolate_ = std::numeric_limits<double>::quiet_NaN();  ///< [revolutions]; NaN: off
+  BlockPeaks pocket_blocks_, guide_blocks_, stress_blocks_;
   Convergence convergence_;
   double start_orbit_ = 0;          ///< mean angle of all rollers at the first state [rad]
   double thinnest_film_ = kNoFilm;  ///< [m]

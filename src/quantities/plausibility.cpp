@@ -135,6 +135,7 @@ constexpr const char* kPowerReason =
     "no mechanism takes more than drive, load and the bearing held at the start give to all";
 constexpr const char* kLeanReason =
     "the equations hold for small angles, up to 0.1 rad; beyond, parts tumble";
+constexpr const char* kExtrapolatedReason = "a largest magnitude is not negative";
 constexpr const char* kStressReason =
     "it would strain the cage by more than 5 %, where no cage is elastic";
 
@@ -155,6 +156,11 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"whirl_radius_ratio_peak", moving, whirl, kWhirlReason, kGuide},
       {"whirl_speed_deviation_ratio", turning, [](Reach) { return magnitude(kInfinite); }, kScatterReason, kTighten},
       {"whirl_frequency_ratio", turning, [](Reach r) { return either_way(std::numbers::pi * r.steps / turned(r)); }, "between two states the cage's centre is seen to turn by half a turn at most", kTighten},
+      {"whirl_scatter_ratio", moving, whirl, kWhirlReason, kGuide},
+      {"whirl_energy_ratio", turning, [](Reach) { return magnitude(kInfinite); }, "energies are not negative", kTighten},
+      {"whirl_resting_share", never, [](Reach) { return within(0, 1); }, "a share lies between 0 and 1", kTighten},
+      {"whirl_circling_share", never, [](Reach) { return within(0, 1); }, "a share lies between 0 and 1", kTighten},
+      {"whirl_irregular_share", never, [](Reach) { return within(0, 1); }, "a share lies between 0 and 1", kTighten},
       {"orbit_class", moving, [](Reach) { return within(0, 2); }, "there are three classes, 0 to 2", kTighten},
       {"pocket_force_rms_N", moving, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
       {"pocket_force_p99_N", moving, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
@@ -201,6 +207,19 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"cage_stress_rms_MPa", bent, [](Reach r) { return magnitude(1e-6 * r.stress); }, kStressReason, kStressRemedy},
       {"cage_stress_peak_pocket", bent, [](Reach r) { return within(0, r.rollers - 1); }, "the cage has no such pocket", kStressRemedy},
       {"cage_stress_peak_station", bent, [](Reach r) { return within(0, r.stations - 1); }, "the cage has no such stress station", kStressRemedy},
+      {"cage_fatigue_utilisation", bent, [](Reach r) { return magnitude(r.fatigue); }, kStressReason, kStressRemedy},
+      {"cage_fatigue_pocket", bent, [](Reach r) { return within(0, r.rollers - 1); }, "the cage has no such pocket", kStressRemedy},
+      {"cage_fatigue_station", bent, [](Reach r) { return within(0, r.stations - 1); }, "the cage has no such stress station", kStressRemedy},
+      {"cage_yield_utilisation", bent, [](Reach r) { return magnitude(r.yield); }, kStressReason, kStressRemedy},
+      {"pocket_force_peak_extrapolated_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"pocket_force_peak_extrapolated_low_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"pocket_force_peak_extrapolated_high_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"guide_force_peak_extrapolated_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"guide_force_peak_extrapolated_low_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"guide_force_peak_extrapolated_high_N", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"cage_stress_peak_extrapolated_MPa", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"cage_stress_peak_extrapolated_low_MPa", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
+      {"cage_stress_peak_extrapolated_high_MPa", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
       {"film_min_um", never, [](Reach r) { return magnitude(1e6 * r.film_thickest); }, "a film between rolling surfaces is thin against the roller: a hundredth of its radius at most", "check film.viscosity_Pa_s and the speed"},
       {"static_consistency_error", moving, [](Reach) { return magnitude(kInfinite); }, "a relative error is not negative", kTighten},
   };

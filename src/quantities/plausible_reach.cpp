@@ -172,6 +172,11 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
 
   orbit_ratio = (m.inner_radius + m.outer_radius) / m.inner_radius;
   stress = kStrainMax * cage_material(scene).young;
+  const Strength strength = cage_strength(scene);
+  yield = stress / strength.yield;
+  // Components within +-stress have a von Mises stress up to sqrt(3 + 9) times it, a principal
+  // stress up to three times it.
+  fatigue = 4 * stress / strength.fatigue + 3 * stress / strength.tensile;
   power = energy / duration;
   stations = flexible ? static_cast<double>(m.flexible.model->stress_stations) : 0;
   film_thickest = kFilmShare * m.nominal_diameter / 2;

@@ -48,6 +48,7 @@ struct PlausibleReach {
   double ring_acceleration;                     ///< [m/s^2]
   double touch_rate;                            ///< closings of one contact [1/s]
   double stress;                                ///< in the cage [Pa]
+  double yield, fatigue;                        ///< utilisations of the cage's strengths
   double stations;                              ///< stress stations of a sector of the cage
   double film_thickest;                         ///< [m]
   double power;                                 ///< dissipated in excess of the drive power [W]

@@ -36,9 +36,26 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"whirl_radius_ratio_p95", "-", "95 % quantile over time of the same ratio"},
     {"whirl_radius_ratio_peak", "-", "largest value of the same ratio over every accepted step"},
     {"whirl_speed_deviation_ratio", "-",
-     "standard deviation over mean of the cage centre's speed (smaller is steadier)"},
+     "standard deviation over mean of the cage centre's speed; a measure of stability in the "
+     "literature, smaller for steadier motion, but small for a regular circular whirl, too "
+     "(Machines 2022, 10, 768: there the forces must decide)"},
     {"whirl_frequency_ratio", "-",
-     "mean angular rate of the cage centre's orbit over the mean cage speed"},
+     "mean angular rate of the cage centre's orbit about the middle over the mean cage speed: "
+     "positive forward, negative backward, near zero where the centre stays on one side"},
+    {"whirl_scatter_ratio", "-",
+     "rms distance of the cage centre from its mean place over the radial guide clearance: near "
+     "zero where it rests, on its guide or anywhere, near one where it circles along the guide"},
+    {"whirl_energy_ratio", "-",
+     "mean kinetic energy of the cage's centre over that of the cage's rotation"},
+    {"whirl_resting_share", "-",
+     "share of the whole cage revolutions in which the centre rests (rms distance from its mean "
+     "place of that revolution below a quarter of the clearance); kinds of motion of Schwarz et "
+     "al. "
+     "2022 (doi 10.1080/10402004.2021.1934618), bounds ours"},
+    {"whirl_circling_share", "-",
+     "share in which it circles (not at rest, round the middle by more than a tenth of a turn, "
+     "standard deviation of its radius below a quarter of the mean)"},
+    {"whirl_irregular_share", "-", "share of the other whole cage revolutions"},
     {"orbit_class", "-",
      "0 centred (mean whirl radius below 0.1 of the clearance), 1 circling (radius scatter below "
      "a quarter of its mean and "
@@ -123,6 +140,41 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "middle)"},
     {"cage_stress_peak_station", "-",
      "stress station of the peak in its sector; `cagetol cage` names the stations"},
+    {"cage_fatigue_utilisation", "-",
+     "largest utilisation of the cage's fatigue strength over its stress stations, by the modified "
+     "Goodman line: sigma_a/sigma_w + sigma_m/R_m; sigma_a: von Mises stress of the amplitudes "
+     "+-(max - min)/2 of the stress components over a cage revolution (minus: they swing against "
+     "the "
+     "widest one), its 99 % quantile over revolutions, of fewer than 100 the largest; sigma_m: "
+     "largest principal stress of the mean (max + min)/2 of the components, not below zero; every "
+     "100 us and where a bar's force peaks"},
+    {"cage_fatigue_pocket", "-",
+     "pocket beside which that largest value sits, counted from 0 (as cage_stress_peak_pocket)"},
+    {"cage_fatigue_station", "-", "stress station of that largest value in its sector"},
+    {"cage_yield_utilisation", "-",
+     "cage_stress_peak_MPa over the yield stress of the cage's material"},
+    {"pocket_force_peak_extrapolated_N", "N",
+     "median of the largest pocket_force_peak_N in window.extrapolate_revolutions cage "
+     "revolutions, from the "
+     "largest values of the single revolutions of this run; where that key and at least 5 "
+     "revolutions are given"},
+    {"pocket_force_peak_extrapolated_low_N", "N", "lower end of the 95 % interval of that peak"},
+    {"pocket_force_peak_extrapolated_high_N", "N", "upper end of the 95 % interval of that peak"},
+    {"guide_force_peak_extrapolated_N", "N",
+     "median of the largest guide_force_peak_N in window.extrapolate_revolutions cage revolutions, "
+     "from the "
+     "largest values of the single revolutions of this run; where that key and at least 5 "
+     "revolutions are given"},
+    {"guide_force_peak_extrapolated_low_N", "N", "lower end of the 95 % interval of that peak"},
+    {"guide_force_peak_extrapolated_high_N", "N", "upper end of the 95 % interval of that peak"},
+    {"cage_stress_peak_extrapolated_MPa", "MPa",
+     "median of the largest cage_stress_peak_MPa in window.extrapolate_revolutions cage "
+     "revolutions, from the "
+     "largest values of the single revolutions of this run; where that key and at least 5 "
+     "revolutions are given"},
+    {"cage_stress_peak_extrapolated_low_MPa", "MPa", "lower end of the 95 % interval of that peak"},
+    {"cage_stress_peak_extrapolated_high_MPa", "MPa",
+     "upper end of the 95 % interval of that peak"},
     {"film_min_um", "um",
      "thinnest oil film of loaded race contacts over every accepted step; where a film is "
      "modelled"},

@@ -10,7 +10,7 @@ const std::vector<Quantity>& quantity_table() {
 }
 
 bool is_extreme(const std::string& key) {
-  for (const char* part : {"_peak", "_p95", "_p99", "_min_"})
+  for (const char* part : {"_peak", "_p95", "_p99", "_min_", "_fatigue_", "_utilisation"})
     if (key.find(part) != std::string::npos) return true;
   return false;
 }

@@ -31,9 +31,15 @@ bool all_given(const MaterialChoice& material) {
   return given(material.young) && given(material.poisson) && given(material.density);
 }
 
-/// Whether a modulus that is in use depends on the cage's temperature.
+bool strengths_given(const CageGeometry& cage) {
+  return given(cage.yield_stress) && given(cage.tensile_strength) && given(cage.fatigue_strength);
+}
+
+/// Whether a modulus or a strength that is in use depends on the cage's temperature.
 bool cage_softens(const Scene& s) {
-  return softens(s.cage.material) && (is_flexible(s) || bars_use_moduli(s));
+  const bool strengths = is_flexible(s) && !strengths_given(s.cage) &&
+                         !material_named(s.cage.material.name).softer.empty();
+  return strengths || (softens(s.cage.material) && (is_flexible(s) || bars_use_moduli(s)));
 }
 
 /// One reason for which the keys that begin so do nothing.
@@ -45,7 +51,7 @@ struct Rule {
 
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = {
-      {{"bearing.outside_diameter_mm", "cage.yield_stress_MPa"},
+      {{"bearing.outside_diameter_mm"},
        [](const Scene&) { return true; },
        "no result depends on it"},
       // What equilibria leave out.
@@ -71,6 +77,9 @@ const std::vector<Rule>& rules() {
         "cage.modes",
         "cage.mode_damping",
         "cage.mesh_density",
+        "cage.yield_stress_MPa",
+        "cage.tensile_strength_MPa",
+        "cage.fatigue_strength_MPa",
         "cage.centrifugal",
         "cage.coriolis",
         "cage.inner_diameter_mm",
@@ -141,7 +150,7 @@ const std::vector<Rule>& rules() {
        "the cage's mass and inertias are given"},
       {{"cage.temperature_C"},
        [](const Scene& s) { return !cage_softens(s); },
-       "no modulus of the cage depends on it"},
+       "no modulus or strength of the cage depends on it"},
       {{"lubrication.temperature_C"},
        [](const Scene& s) {
          return !is_lubricated(s) && (given(s.cage.temperature) || !cage_softens(s));
@@ -155,12 +164,13 @@ const std::vector<Rule>& rules() {
        "all properties of the rollers' material are given"},
       {{"cage.material"},
        [](const Scene& s) {
-         return all_given(s.cage.material) && (!is_flexible(s) || given(s.cage.mode_damping));
+         return all_given(s.cage.material) &&
+                (!is_flexible(s) || (given(s.cage.mode_damping) && strengths_given(s.cage)));
        },
        "all properties of the cage's material are given"},
       // The cage.
-      {{"cage.modes", "cage.mode_damping", "cage.mesh_density", "cage.centrifugal",
-        "cage.coriolis"},
+      {{"cage.modes", "cage.mode_damping", "cage.mesh_density", "cage.centrifugal", "cage.coriolis",
+        "cage.yield_stress_MPa", "cage.tensile_strength_MPa", "cage.fatigue_strength_MPa"},
        [](const Scene& s) { return !is_flexible(s); },
        "cage.model = \"rigid\""},
       {{"cage.guide_film_*"},

@@ -13,12 +13,16 @@ namespace cagetol {
 
 struct MaterialPreset {
   std::string name;
-  Material at_room;     ///< at 20 degC
-  double yield_stress;  ///< of metals the 0.2 % proof stress, of polymers the stress at break [Pa]
-  double loss_factor;   ///< of a cage as it runs, its joints and seats included
+  Material at_room;        ///< at 20 degC
+  double expansion = 0;    ///< linear thermal expansion, for information: no model uses it [1/K]
+  Strength strength;       ///< at 20 degC
+  double loss_factor = 0;  ///< of a cage as it runs, its joints and seats included
   std::string source;
   /// Young's modulus over temperature, ascending [degC, Pa]; empty: that of 20 degC at any.
   std::vector<std::array<double, 2>> young = {};
+  /// Strengths over those of 20 degC, likewise; the fatigue strength falls as the tensile strength
+  /// does (assumption).
+  std::vector<std::array<double, 2>> softer = {};
 };
 const std::vector<MaterialPreset>& material_presets();
 
@@ -33,6 +37,8 @@ bool softens(const MaterialChoice& material);
 
 /// Materials as a scene runs. The cage's temperature is that of the oil where it is not given.
 Material cage_material(const Scene& scene);
+/// Strengths of the cage at its temperature.
+Strength cage_strength(const Scene& scene);
 Material roller_material(const Scene& scene);
 Material ring_material(const Scene& scene);
 

@@ -24,6 +24,13 @@ struct Material {
   double density = 7810;  ///< rho [kg/m^3]
 };
 
+/// Strengths of a material [Pa].
+struct Strength {
+  double yield = 235e6;    ///< of metals the 0.2 % proof stress, of polymers the stress at break
+  double tensile = 370e6;  ///< R_m
+  double fatigue = 165e6;  ///< sigma_w, amplitude that is endured fully reversed
+};
+
 /// A material by its name; kAuto: as the named one has it (materials.hpp).
 struct MaterialChoice {
   std::string name;  ///< a name of material_presets()
@@ -86,11 +93,12 @@ struct CageGeometry {
   /// dgamma_j, angle between bar faces and bearing axis [rad].
   std::vector<double> pocket_squareness = {0};
   MaterialChoice material{"steel-q235"};
-  double temperature = kAuto;         ///< kAuto: that of the oil [degC]
-  double yield_stress = kAuto;        ///< kAuto: of the named material [Pa]
-  double mass = kAuto;                ///< [kg]
-  double polar_inertia = kAuto;       ///< about the bearing axis [kg m^2]
-  double transverse_inertia = kAuto;  ///< about a diameter [kg m^2]
+  double temperature = kAuto;   ///< kAuto: that of the oil [degC]
+  double yield_stress = kAuto;  ///< kAuto: of the named material at its temperature [Pa]
+  double tensile_strength = kAuto, fatigue_strength = kAuto;  ///< likewise [Pa]
+  double mass = kAuto;                                        ///< [kg]
+  double polar_inertia = kAuto;                               ///< about the bearing axis [kg m^2]
+  double transverse_inertia = kAuto;                          ///< about a diameter [kg m^2]
   Guidance guidance = Guidance::outer;
   double guide_clearance = kAuto;  ///< radial [m]
   double land_offset = kAuto;      ///< lands at x = +-land_offset [m]
@@ -202,6 +210,7 @@ struct Window {
   double measure_revolutions = 6;          ///< cage revolutions measured; automatic: at most
   double measure_share = 0.1;              ///< automatic: relative uncertainty of the means
   double peak_revolutions = kAuto;         ///< over which peaks are taken; kAuto: whole window
+  double extrapolate_revolutions = kAuto;  ///< to which peaks are extrapolated; kAuto: to none
   double longest_settle_revolutions = 60;  ///< limit of settling for lubricated bearings that drift
   double settle_time = kAuto;              ///< overrides settle_revolutions [s]
   double measure_time = kAuto;             ///< overrides measure_revolutions [s]
