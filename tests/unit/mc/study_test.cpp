@@ -564,10 +564,8 @@ TEST_F(StudyFile, AnInputOfASectionThatIsNoneIsRefused) {
 TEST_F(StudyFile, NotesNameRollersBesideTheBars) {
   const std::string cage = "samples = 5\n[scene.cage]\ninner_diameter_mm = 34.4\n";
   EXPECT_TRUE(model_notes(study_of(cage)).empty());
-  EXPECT_THAT(
-      model_notes(study_of(cage + "outer_diameter_mm = 37.6\n")),
-      ElementsAre(HasSubstr("a radius of 19.5 mm, lie outside the bars of the cage (17.2 mm "
-                            "to 18.8 mm)")));
+  EXPECT_THAT(model_notes(study_of(cage + "outer_diameter_mm = 37.6\n")),
+              ElementsAre(HasSubstr("a radius of 19.5 mm, lie beside the flat faces of the bars")));
 }
 
 TEST_F(StudyFile, NotesNameTheOilThatADryBearingLeavesOut) {

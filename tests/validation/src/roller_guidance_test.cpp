@@ -92,7 +92,7 @@ TEST(RollerGuidance, LipsHoldABrassCageInOil) {
   expect_guided(nu208(true), 2);
 }
 
-TEST(NightlyRollerGuidance, SixtyRevolutionsOfEach) {
+TEST(RollerGuidance, NightlySixtyRevolutionsOfEach) {
   for (const bool oiled : {false, true}) {
     expect_guided(nu208(oiled), 60);
     expect_guided(moulded(oiled), 60);
