@@ -1,6 +1,7 @@
 // Cages that rollers guide by lips or curved faces: they stay within the clearance of these.
 #include <gtest/gtest.h>
 #include <cmath>
+#include <cstdlib>
 
 #include "src/quantities/quantity_table.hpp"
 #include "src/scene/pocket_outline.hpp"
@@ -93,6 +94,7 @@ TEST(RollerGuidance, LipsHoldABrassCageInOil) {
 }
 
 TEST(RollerGuidance, NightlySixtyRevolutionsOfEach) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
   for (const bool oiled : {false, true}) {
     expect_guided(nu208(oiled), 60);
     expect_guided(moulded(oiled), 60);
