@@ -1,10 +1,9 @@
 // Cage lands against the rings, one at each side ring of the cage (x = +-land_offset): against the
 // ring that guides the cage, and against the other one, which holds it if all else gives way. A
 // land touches at its two edges, x +- land_edge: a tilted one at one of them. delta is the land's
-// offset from the guiding ring's axis, n = delta/|delta|, p = |delta| - clearance
-// (less the height at which roughness ends a guide film, where there is one: guide_film.hpp, which
-// lies around the land's middle);
-// the force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2 along e_x, of the cage's surface
+// offset from the ring's axis, n = delta/|delta|, p = |delta| - clearance. Under a guide film
+// (guide_film.hpp, around the land's middle) the clearance ends at the height of roughness. The
+// force on the cage is -Q n. Sliding: v1 along t = e_x x n, v2 along e_x, of the cage's surface
 // at land_radius n relative to the ring's. Inner guidance rubs on the inner ring, which answers.
 // A flexible cage's guiding surface bends: its displacement, interpolated around between the
 // corners of FlexibleCage, adds to p and to the sliding speeds; the surface's slope turns the

@@ -152,7 +152,7 @@ TEST_P(Linearisation, AgreesWithDifferencesButForStatedTerms) {
   EXPECT_LT(worst, 0.04);
 }
 
-// As above; of an arc the friction, too, turns with the normal, which is left out.
+// Left out as well: friction on an arc turns with its normal.
 TEST(LinearisationOfPockets, AgreesWithDifferencesOnEdgesLipsAndCurvedFaces) {
   for (const Outline outline : {Outline::edges, Outline::lips, Outline::curved})
     for (const bool lubricated : {false, true}) {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "src/quantities/quantity_table.hpp"
 #include "src/scene/pocket_outline.hpp"
 #include "src/scene/scene_keys.hpp"
 #include "src/simulate.hpp"
+#include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
 namespace {
@@ -64,10 +64,6 @@ Scene moulded(bool oiled) {
   return scene;
 }
 
-double value(const Outcome& outcome, const char* key) {
-  return outcome.quantities[static_cast<std::size_t>(quantity_index(key))];
-}
-
 /// Runs `revolutions` of the cage and holds it to its guide.
 void expect_guided(Scene scene, double revolutions) {
   check_scene(scene, "scene", nullptr);
@@ -75,12 +71,12 @@ void expect_guided(Scene scene, double revolutions) {
   const Outcome outcome = simulate(scene);
   ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
   // Rollers stand off the pitch circle by a quarter of the internal clearance, either way.
-  EXPECT_LT(value(outcome, "whirl_radius_ratio_peak"),
+  EXPECT_LT(quantity(outcome, "whirl_radius_ratio_peak"),
             1.05 + scene.bearing.internal_clearance / 4 / kPlay);
-  // Lips carry the cage's weight at least; nothing presses harder than the loaded rollers could.
-  EXPECT_GT(value(outcome, "pocket_force_rms_N"), 0.1);
-  EXPECT_LT(value(outcome, "pocket_force_peak_N"), 1000);
-  EXPECT_EQ(value(outcome, "guide_force_peak_N"), 0);  // the rings are not reached
+  // Bars carry at least the cage's weight, and far less than the bearing's load.
+  EXPECT_GT(quantity(outcome, "pocket_force_rms_N"), 0.1);
+  EXPECT_LT(quantity(outcome, "pocket_force_peak_N"), 1000);
+  EXPECT_EQ(quantity(outcome, "guide_force_peak_N"), 0);  // the rings are not reached
 }
 
 TEST(RollerGuidance, LipsHoldABrassCage) {
