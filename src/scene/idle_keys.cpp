@@ -65,6 +65,7 @@ const std::vector<Rule>& rules() {
         "cage.modes",
         "cage.mode_damping",
         "cage.mesh_density",
+        "cage.corner_radius_mm",
         "cage.centrifugal",
         "cage.coriolis",
         "cage.inner_diameter_mm",
@@ -153,8 +154,8 @@ const std::vector<Rule>& rules() {
        },
        "all properties of the cage's material are given"},
       // The cage.
-      {{"cage.modes", "cage.mode_damping", "cage.mesh_density", "cage.centrifugal",
-        "cage.coriolis"},
+      {{"cage.modes", "cage.mode_damping", "cage.mesh_density", "cage.corner_radius_mm",
+        "cage.centrifugal", "cage.coriolis"},
        [](const Scene& s) { return !is_flexible(s); },
        "cage.model = \"rigid\""},
       {{"cage.guide_film_*"},
