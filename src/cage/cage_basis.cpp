@@ -161,7 +161,7 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
                           const BodyMatrices& body, const ShiftedFactor& factor,
                           const FreeModes& modes, const CageTableOptions& options) {
   CageBasis basis;
-  SectorTurn& turn = basis.turn;
+  SectorTurn& turn = basis.sector.turn;
   const auto mass = body.mass.selfadjointView<Eigen::Lower>();
   const Eigen::MatrixXd centrifugal = mass * arms(mesh.mesh.nodes);
   Eigen::MatrixXd turning = residual_response(body, factor, modes, centrifugal);
@@ -193,34 +193,31 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
   const Eigen::MatrixXd local =
       residual_response(body, factor, modes, loads) - turning * by_turning;
   turn.per_sector = loads.cols();
-  basis.seen.resize(3 * static_cast<Eigen::Index>(mesh.grid.points.size()), turn.seen());
-  basis.seen.leftCols(turn.modes) = first_sector(mesh, basis.shapes);
-  basis.inertia = Eigen::MatrixXd::Zero(turn.seen(), turn.seen());
-  basis.inertia.diagonal().segment(6, elastic - 1) =
+  basis.sector.fields.resize(3 * static_cast<Eigen::Index>(mesh.grid.points.size()), turn.all());
+  basis.sector.fields.leftCols(turn.modes) = first_sector(mesh, basis.shapes);
+  basis.sector.inertia = Eigen::MatrixXd::Zero(turn.modes, turn.all());
+  basis.sector.inertia.diagonal().segment(6, elastic - 1) =
       (2 * std::numbers::pi * modes.frequency.array()).square();
   const Eigen::MatrixXd gram = basis.shapes.transpose() * (mass * basis.shapes);
   const Eigen::LLT<Eigen::MatrixXd> free_mass(gram.topLeftCorner(free, free));
   const auto carried = [&](const Eigen::MatrixXd& forces) -> Eigen::MatrixXd {
     return free_mass.solve(basis.shapes.leftCols(free).transpose() * forces);
   };
-  basis.inertia.col(free).head(free) = -carried(centrifugal) / norm;
-  basis.turning = Eigen::VectorXd::Zero(turn.seen());
-  basis.turning[free] = 1 / norm;
-  for (Eigen::Index o = -turn.reach; o <= turn.reach; ++o) {
-    const Eigen::Index column = turn.seen_column(o);
-    basis.seen.middleCols(column, turn.per_sector) =
+  basis.sector.inertia.col(free).head(free) = -carried(centrifugal) / norm;
+  basis.sector.turning = Eigen::VectorXd::Zero(turn.all());
+  basis.sector.turning[free] = 1 / norm;
+  for (Eigen::Index o = 0; o < turn.sectors; ++o) {
+    const Eigen::Index column = turn.local_column(0, o);
+    basis.sector.fields.middleCols(column, turn.per_sector) =
         first_sector(mesh, turn_fields(mesh, local, o));
-    basis.inertia.block(0, column, free, turn.per_sector) =
-        -carried(turn_fields(mesh, loads, o)) - basis.inertia.col(free).head(free) * by_turning;
-    basis.turning.segment(column, turn.per_sector) = -by_turning.transpose() / norm;
+    basis.sector.inertia.block(0, column, free, turn.per_sector) =
+        -carried(turn_fields(mesh, loads, o)) -
+        basis.sector.inertia.col(free).head(free) * by_turning;
+    basis.sector.turning.segment(column, turn.per_sector) = -by_turning.transpose() / norm;
   }
-  basis.attachments.resize(basis.seen.rows(), turn.sectors * bars.cols());
-  for (Eigen::Index o = 0; o < turn.sectors; ++o)
-    basis.attachments.middleCols(o * bars.cols(), bars.cols()) =
-        first_sector(mesh, turn_fields(mesh, local.leftCols(bars.cols()), o));
   CageProjection& p = basis.projection;
   const Eigen::Index all_local = turn.all() - turn.modes;
-  p.modal_stiffness = basis.inertia.block(6, 6, elastic, elastic);
+  p.modal_stiffness = basis.sector.inertia.block(6, 6, elastic, elastic);
   p.modal_stiffness.col(elastic - 1).setZero();
   p.modal_stiffness(elastic - 1, elastic - 1) = turning_stiffness;
   p.cross_stiffness = Eigen::MatrixXd::Zero(all_local, elastic);

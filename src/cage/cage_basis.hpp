@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include "src/cage/bar_strip.hpp"
 #include "src/cage/cage_grid.hpp"
 #include "src/cage/cage_modes.hpp"
 #include "src/cage/cage_stations.hpp"
@@ -30,6 +31,9 @@ struct CageTableOptions {
   long corrections = 2;       ///< correction fields per pocket
   long corrected_modes = 16;  ///< lowest elastic modes for which the corrections are chosen
   long reach = 1;             ///< attachments and corrections extend over +-reach sectors
+  /// Of the pockets' fillets [m]. 0: sharp corners, whose stress belongs to the mesh.
+  double corner_radius = 0;
+  StripCounts strip = {};  ///< fine mesh for the stress of bars
 };
 
 /// Family of an elastic mode, for reports.
@@ -42,15 +46,17 @@ struct ModeFamily {
 /// "in-plane 2", "out-of-plane 3", "in-plane 1 opposed".
 std::string family_name(const ModeFamily& family);
 
-struct CageBasis {
+/// All columns of the basis on sector 0 of the undeviated cage.
+struct SectorFields {
   SectorTurn turn;
-  Eigen::MatrixXd shapes;  ///< modes on all nodes, including the response to rotation
-  Eigen::MatrixXd seen;    ///< seen columns on the nodes of sector 0
-  /// Attachments of all sectors on the nodes of sector 0: sectors 0 ... Z-1, each with all of its
-  /// bar stations.
-  Eigen::MatrixXd attachments;
-  Eigen::MatrixXd inertia;    ///< inertial loads of the seen columns, see FieldDrive
-  Eigen::VectorXd turning;    ///< squared spin of the centrifugal load on the seen columns
+  Eigen::MatrixXd fields;   ///< on the nodes of the sector
+  Eigen::MatrixXd inertia;  ///< modes x columns: acceleration of each in terms of modes
+  Eigen::VectorXd turning;  ///< squared spin of the centrifugal load on each
+};
+
+struct CageBasis {
+  SectorFields sector;
+  Eigen::MatrixXd shapes;     ///< modes on all nodes, including the response to rotation
   Eigen::VectorXd frequency;  ///< elastic modes [Hz]
   CageProjection projection;  ///< of the undeviated cage
   std::vector<ModeFamily> family;

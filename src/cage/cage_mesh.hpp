@@ -78,6 +78,9 @@ struct SectorPoint {
   double radial = 0;  ///< 0 at the inner, 1 at the outer surface
   double around = 0;  ///< -1, 1: trailing, leading pocket face; -2, 2: middle planes of the bars
   double axial = 0;   ///< -1, 1: pocket ends; -2, 2: end faces of the cage
+  /// On the fillet of a pocket corner: 0 where it meets the bar's face, 1 where it meets the end wall;
+  /// negative elsewhere.
+  double fillet = -1;
 };
 
 /// Position in the sector's own frame (nominal pocket centre at theta = 0) [m]. Linear in each

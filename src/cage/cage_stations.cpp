@@ -164,7 +164,7 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
 }
 
 std::vector<int> stress_stations(const CageDimensions& cage, const CageStations& stations,
-                                 const SectorGrid& grid) {
+                                 const SectorGrid& grid, double corner_radius) {
   // Forces off the middle put the largest moment of a bar between middle and root. Side rings bend
   // most just off the bars' roots: an edge's own corner averages the stress of three elements.
   const double between = nearest_line(grid, &SectorPoint::axial, 0.4);
@@ -201,8 +201,8 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
                           (around == 1 || point.around == 2 || on(around, off_bar));
     const bool side_root =
         on(around, off_bar) && axial == 1 && (surface || point.radial == in_bore);
-    if (corner || bar_middle || under_load || pinched || bar_root || side_ring || over_bar ||
-        side_root)
+    const bool of_bar = corner || bar_middle || under_load || pinched || bar_root || side_root;
+    if ((corner_radius == 0 && of_bar) || side_ring || over_bar)
       watched.push_back(static_cast<int>(p));
   }
   return watched;
@@ -214,6 +214,12 @@ std::string station_name(const SectorPoint& point) {
                                                   : "inside the thickness";
   const std::string face = point.around < 0 ? "trailing face" : "leading face";
   const std::string half = point.axial < 0 ? "x < 0" : "x > 0";
+  if (point.fillet >= 0) {
+    const std::string part = point.fillet < 0.5   ? "fillet at the bar"
+                             : point.fillet > 0.5 ? "fillet at the side ring"
+                                                  : "middle of the fillet";
+    return part + ", " + face + ", " + half + ", " + surface;
+  }
   if (std::abs(point.around) == 1 && std::abs(point.axial) == 1) {
     return "bar root, " + face + ", " + half + ", " + surface;
   }

@@ -63,14 +63,15 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
                              const SectorGrid& grid, const PocketDeviation& deviation,
                              const Eigen::MatrixXd& sector_fields);
 
-/// Grid points at which the stress can be largest:
+/// Grid points at which the stress can be largest, without those that a fine mesh watches
+/// (bar_stress.hpp) if the corners have a radius:
 ///   - the four corners of the pocket
 ///   - bar faces: at and beside the middle, under the outermost bar stations and, at every depth,
 ///     beside the root
 ///   - inside the bars near their ends, where rollers pinch them
 ///   - edges of the side rings at the middle of the pocket and beside the bars
 std::vector<int> stress_stations(const CageDimensions& cage, const CageStations& stations,
-                                 const SectorGrid& grid);
+                                 const SectorGrid& grid, double corner_radius = 0);
 
 /// Name of a stress station for reports: "pocket corner, leading face, x > 0, outer surface".
 std::string station_name(const SectorPoint& point);

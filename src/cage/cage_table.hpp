@@ -22,6 +22,7 @@ struct CageTable {
   Material material;
   CageStations stations;
   MeshCounts counts;
+  BarStrip strip;         ///< fine mesh for the stress of bars; corner radius 0: none
   PocketDeviation range;  ///< largest deviations of the fit
   SectorTurn turn;
   Eigen::VectorXd frequency;       ///< elastic modes of the undeviated cage [Hz]

@@ -131,11 +131,15 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
         stations.pitch_radius, stations.end_offset, stations.land_offset,
         stations.outer_guided ? 1.0 : 0.0, static_cast<double>(options.density),
         static_cast<double>(options.basis_modes), static_cast<double>(options.corrections),
-        static_cast<double>(options.corrected_modes), static_cast<double>(options.reach)}) {
+        static_cast<double>(options.corrected_modes), static_cast<double>(options.reach),
+        options.corner_radius}) {
     hash.add(value);
   }
   for (long steps : {options.point.width, options.point.length})
     hash.add(static_cast<double>(steps));
+  const StripCounts& strip = options.strip;
+  for (long count : {strip.half_bar, strip.half_arc, strip.ring, strip.across, strip.radial})
+    hash.add(static_cast<double>(count));
   for (double x : stations.bar_x) hash.add(x);
   for (double half : stations.bar_half) hash.add(half);
   char text[20];

@@ -28,7 +28,9 @@ TableInput table_input(const Scene& nominal, const GridPoint& point) {
   return {cage_dimensions(nominal.cage, nominal.bearing.roller_count),
           tabulated_material(nominal),
           cage_stations(nominal),
-          {.density = nominal.cage.mesh_density, .point = point}};
+          {.density = nominal.cage.mesh_density,
+           .point = point,
+           .corner_radius = nominal.cage.corner_radius}};
 }
 
 bool close(double a, double b) {

@@ -10,6 +10,14 @@ namespace cagetol {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+std::vector<Index> seen_in_all(const SectorTurn& sector) {
+  std::vector<Index> columns;
+  for (Index i = 0; i < sector.modes; ++i) columns.push_back(i);
+  for (Index o = -sector.reach; o <= sector.reach; ++o)
+    for (Index i = 0; i < sector.per_sector; ++i) columns.push_back(sector.local_column(0, o) + i);
+  return columns;
+}
+
 void find_turn(SectorTurn& sector, const MatrixXd& turn) {
   const double step = 2 * std::numbers::pi / static_cast<double>(sector.sectors);
   sector.modes = turn.rows();

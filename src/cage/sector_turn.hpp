@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace cagetol {
 
@@ -34,6 +35,9 @@ struct SectorTurn {
     return modes + (offset + reach) * per_sector;
   }
 };
+
+/// Numbers of the seen columns of sector 0 among all columns.
+std::vector<Eigen::Index> seen_in_all(const SectorTurn& sector);
 
 /// Sets the members about modes from the matrix P = `turn`, defined by
 ///   (modes rotated forward by one sector) = modes P

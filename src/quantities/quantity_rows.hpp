@@ -127,10 +127,8 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
     {"cage_stress_peak_MPa", "MPa",
      "largest von Mises stress of a flexible cage over its stress stations and every accepted "
-     "step; modes and the static rest of bar forces and turning. Pocket corners are modelled "
-     "sharp: "
-     "it grows as the mesh gets finer (by 30 % from 4 to 6 elements), so it compares between "
-     "cages of one cage.mesh_density, not with a strength"},
+     "step; modes and the static rest of bar forces and turning. Bars and the fillets of pocket "
+     "corners (cage.corner_radius_mm) have a fine mesh of their own"},
     {"cage_stress_p99_MPa", "MPa",
      "99 % quantile over time (every 100 us) of the largest stress over the cage"},
     {"cage_stress_rms_MPa", "MPa",

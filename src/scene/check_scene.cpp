@@ -195,6 +195,9 @@ void check_outline(const Scene& scene, const SceneCheck& check) {
                 "cage.face_radius_mm), or guide the cage by a ring");
 }
 
+/// Of a pocket's smaller dimension: what bars touch and what the stress at corners is computed from.
+constexpr double kLargestCorner = 0.3;
+
 void check_pockets(const Scene& scene, const SceneCheck& check) {
   const auto& cage = scene.cage;
   const double inner_radius = cage.inner_diameter / 2;
@@ -227,6 +230,13 @@ void check_pockets(const Scene& scene, const SceneCheck& check) {
         length < cage.width, "cage.pocket_length_mm",
         pocket + "the pocket leaves no side rings (" + check.with_value("cage.width_mm") + ")",
         "give a shorter pocket or a wider cage");
+    check.require(cage.model == CageKind::rigid ||
+                      cage.corner_radius <= kLargestCorner * std::min(width, length),
+                  "cage.corner_radius_mm",
+                  pocket + "corners this round leave too little of its walls flat (" +
+                      check.with_value("cage.pocket_width_mm") + ", " +
+                      check.with_value("cage.pocket_length_mm") + ")",
+                  "give at most 0.3 of the pocket's smaller dimension");
   }
 }
 

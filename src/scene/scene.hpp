@@ -108,11 +108,12 @@ struct CageGeometry {
          retention_outer = kAuto;  ///< pocket opening between lips; kAuto: no lips [m]
   double edge_radius = 0.2e-3;     ///< of the bars' edges and lips [m]
   GuideFilm guide_film;
-  long mesh_density = 4;        ///< finite elements through the thickness of a flexible cage
-  long modes = 20;              ///< number of elastic modes of a flexible cage
-  double mode_damping = kAuto;  ///< damping ratio of elastic modes; kAuto: half the loss factor
-  bool centrifugal = true;      ///< centrifugal loading of the elastic modes
-  bool coriolis = true;         ///< Coriolis coupling of the elastic modes
+  long mesh_density = 4;          ///< finite elements through the thickness of a flexible cage
+  double corner_radius = 0.5e-3;  ///< of the pockets' corners, for the stress there [m]
+  long modes = 20;                ///< number of elastic modes of a flexible cage
+  double mode_damping = kAuto;    ///< damping ratio of elastic modes; kAuto: half the loss factor
+  bool centrifugal = true;        ///< centrifugal loading of the elastic modes
+  bool coriolis = true;           ///< Coriolis coupling of the elastic modes
 };
 
 /// Parameters of one contact kind.

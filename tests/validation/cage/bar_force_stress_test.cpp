@@ -23,6 +23,7 @@ std::vector<PocketDeviation> scattered_pockets() {
 TEST(BarForceStress, IsThatOfTheWholeCageAtEveryStation) {
   Scene scene;
   scene.cage.model = CageKind::flexible;
+  scene.cage.corner_radius = 0;  // as the whole field has it
   const auto table = make_scene_cage_table(scene);
   const auto deviations = scattered_pockets();
   const CageModel model = std::get<CageModel>(make_cage_model(*table, deviations));
@@ -58,6 +59,7 @@ TEST(BarForceStress, IsThatOfTheWholeCageAtEveryStation) {
 TEST(BarForceStress, OfABarThatIsPinchedHasItsPeakAtAStation) {
   Scene scene;
   scene.cage.model = CageKind::flexible;
+  scene.cage.corner_radius = 0;  // as the whole field has it
   const auto table = make_scene_cage_table(scene);
   const auto deviations = scattered_pockets();
   CageStates states{Eigen::MatrixXd::Zero(20, 39), Eigen::MatrixXd::Zero(13 * 6, 39),

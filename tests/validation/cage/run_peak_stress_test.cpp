@@ -18,6 +18,7 @@ namespace {
 std::vector<PeakStress> peaks(Scene scene, const PocketDeviation& all = {}, double measured = 50e-3,
                               double apart = 1e-3) {
   scene.cage.model = CageKind::flexible;
+  scene.cage.corner_radius = 0;  // as the whole field has it
   scene.window.settle_time = 1e-3;
   scene.window.measure_time = measured;
   scene.watch.static_consistency_max = 1;
