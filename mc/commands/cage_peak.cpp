@@ -39,9 +39,9 @@ Json surface_json(const std::string& name, const CageSurface& surface, double ac
   return json;
 }
 
-Json field_json(const CageTable& table, const std::vector<PocketDeviation>& deviations,
-                const CagePeak& peak) {
-  const auto recovered = recover_cage(table, deviations, state_of(peak));
+Json field_json(const CageTable& table, const CageGeometry& geometry, const CagePeak& peak) {
+  const auto deviations = pocket_deviations(geometry, table.cage);
+  const auto recovered = recover_cage(table, deviations, state_of(peak, geometry));
   if (const auto* fault = std::get_if<CageFault>(&recovered))
     throw std::runtime_error(fault->reason);
   const auto& [cage, displacement] = std::get<CageRecovery>(recovered);
@@ -97,9 +97,7 @@ Json peak_json(const std::filesystem::path& sweep_directory, const StudyData& st
             {"pocket", peak.pocket},
             {"stations_MPa", again.outcome.quantities.at(static_cast<std::size_t>(
                                  quantity_index("cage_stress_peak_MPa")))}};
-  json.update(field_json(*options.cage_table,
-                         pocket_deviations(stored.sample.scene.cage, options.cage_table->cage),
-                         peak));
+  json.update(field_json(*options.cage_table, stored.sample.scene.cage, peak));
   return json;
 }
 

@@ -14,11 +14,12 @@ void add_snapshot_option(CLI::App& command, std::string& file) {
                   "Write the flexible cage at its largest stress to this VTU file (ParaView)");
 }
 
-CageStates state_of(const CagePeak& peak) {
+CageStates state_of(const CagePeak& peak, const CageGeometry& cage) {
   const auto column = [](const std::vector<double>& values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<long>(values.size()));
   };
-  return {column(peak.modes), column(peak.bar_force), Eigen::VectorXd::Constant(1, peak.spin)};
+  return {column(peak.modes), column(peak.bar_force), Eigen::VectorXd::Constant(1, peak.spin),
+          cage.bar_modes};
 }
 
 void write_peak_snapshot(const std::string& file, const Scene& scene, const CageTable* table,
@@ -33,7 +34,7 @@ void write_peak_snapshot(const std::string& file, const Scene& scene, const Cage
   std::optional<CageFault> fault;
   try {
     fault = write_cage_snapshot(file, *table, pocket_deviations(scene.cage, table->cage),
-                                state_of(peak));
+                                state_of(peak, scene.cage));
   } catch (const std::runtime_error& problem) {
     throw InputError({}, "--snapshot", file, problem.what(), "choose a place that can be written");
   }

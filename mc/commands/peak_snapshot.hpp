@@ -13,7 +13,7 @@ namespace cagetol {
 void add_snapshot_option(CLI::App& command, std::string& file);
 
 /// The one state of a run's peak.
-CageStates state_of(const CagePeak& peak);
+CageStates state_of(const CagePeak& peak, const CageGeometry& cage);
 
 /// Throws InputError where the run has no flexible cage, no stress, or the file cannot be written.
 void write_peak_snapshot(const std::string& file, const Scene& scene, const CageTable* table,

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/model/flexible_cage.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -15,6 +14,7 @@ constexpr double kOffsetShare = 0.1;    // of the narrowest pocket's clearance
 constexpr double kSceneSamples = 1000;  // a usual study
 // As far as the keys go (scene_keys.cpp).
 constexpr long kFinestMesh = 12, kFinestSlices = 100;
+constexpr double kSharpEdge = 0.05e-3;  ///< [m]
 
 /// Later settings replace earlier ones of the same key.
 std::vector<std::string> joined(std::vector<std::string> settings,
@@ -81,8 +81,11 @@ const std::vector<Rung>& climbing_rungs() {
       {"rigid-5", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
       {"flexible-6",
        "flexible cage with 6 modes, at rest",
-       {"cage.model='flexible'", "cage.modes=6", "cage.centrifugal=false", "cage.coriolis=false"}},
-      {"flexible-20", "20 modes", {"cage.modes=20"}},
+       {"cage.model='flexible'", "cage.modes=6", "cage.bar_modes=false", "cage.centrifugal=false",
+        "cage.coriolis=false"}},
+      {"bars",
+       fmt::format("{} modes, and a static one of every bar", CageGeometry{}.modes),
+       {fmt::format("cage.modes={}", CageGeometry{}.modes), "cage.bar_modes=true"}},
       {"rotating", "modes feel the rotation", {"cage.centrifugal=true", "cage.coriolis=true"}},
       {"full",
        "integration as by default",
@@ -100,9 +103,16 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
       {"rigid", "rigid cage", {"cage.model='rigid'"}},
       {"planar", "planar rollers", {"model.rollers='planar'"}},
       {"slices-3", "three slices", {"discretisation.race_slices=3"}},
-      {"modes-6", "6 modes", {"cage.modes=6"}},
+      {"no-bar-modes", "bars give way by the elastic modes alone", {"cage.bar_modes=false"}},
+      {"sharp-corners",
+       "stress of sharp pocket corners, by the cage's own mesh",
+       {"cage.corner_radius_mm=0"}},
       {"at-rest", "modes without rotation", {"cage.centrifugal=false", "cage.coriolis=false"}},
   };
+  if (scene.cage.edge_radius > kSharpEdge)
+    less.push_back({"sharp-edges",
+                    fmt::format("bars with edges of {:g} mm radius", 1e3 * kSharpEdge),
+                    {fmt::format("cage.edge_radius_mm={}", 1e3 * kSharpEdge)}});
   if (scene.film.model != FilmModel::none)
     less.push_back({"no-film", "no oil film", {"film.model='none'"}});
   if (scene.cage.guide_film.model != GuideFilmModel::none)
@@ -147,15 +157,16 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
     integrator.meaning += fmt::format(", method {}", spelled(finest));
     integrator.settings.push_back(fmt::format("integration.method='{}'", spelled(finest)));
   }
+  const long most = std::min<long>(kMostElasticModes, kMostModes - scene.bearing.roller_count);
   if (!flexible)
     rungs.push_back(
         {"modes",
          fmt::format("flexible cage with {} modes", CageGeometry{}.modes),
          {"cage.model='flexible'", fmt::format("cage.modes={}", CageGeometry{}.modes)}});
-  else if (scene.cage.modes < kMostModes)
+  else if (scene.cage.modes < most)
     rungs.push_back({"modes",
-                     fmt::format("{} modes of the flexible cage", kMostModes),
-                     {fmt::format("cage.modes={}", kMostModes)}});
+                     fmt::format("{} modes of the flexible cage, and its bars'", most),
+                     {fmt::format("cage.modes={}", most), "cage.bar_modes=true"}});
   const long slices = std::min(2 * scene.discretisation.race_slices + 1, kFinestSlices);
   if (slices > scene.discretisation.race_slices)
     rungs.push_back({"slices",

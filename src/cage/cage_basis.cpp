@@ -222,14 +222,18 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
   p.modal_stiffness(elastic - 1, elastic - 1) = turning_stiffness;
   p.cross_stiffness = Eigen::MatrixXd::Zero(all_local, elastic);
   p.local_stiffness.resize(all_local, all_local);
+  p.local_mass.resize(all_local, all_local);
+  const Eigen::MatrixXd local_momentum = mass * local;
   p.modal_mass = gram;
   p.cross_mass = Eigen::MatrixXd::Zero(all_local, 6);
   for (Eigen::Index o = 0; o < turn.sectors; ++o) {
-    const Eigen::MatrixXd energy = turn_fields(mesh, local, o).transpose() * loads;
+    const Eigen::MatrixXd turned = turn_fields(mesh, local, o).transpose();
+    const Eigen::MatrixXd energy = turned * loads, inertia = turned * local_momentum;
     for (Eigen::Index k = 0; k < turn.sectors; ++k) {
-      p.local_stiffness.block(turn.local_column(k, o) - turn.modes,
-                              turn.local_column(k, 0) - turn.modes, turn.per_sector,
-                              turn.per_sector) = energy;
+      const Eigen::Index row = turn.local_column(k, o) - turn.modes,
+                         column = turn.local_column(k, 0) - turn.modes;
+      p.local_stiffness.block(row, column, turn.per_sector, turn.per_sector) = energy;
+      p.local_mass.block(row, column, turn.per_sector, turn.per_sector) = inertia;
     }
   }
   return basis;

@@ -22,7 +22,7 @@ CageCheck check_cage_model(const CageTable& table, const std::vector<PocketDevia
   CageCheck check;
   check.nodes = mesh.nodes.cols();
   check.elements = static_cast<long>(mesh.elements.size());
-  const Eigen::Index kept = model.frequency.size();
+  const Eigen::Index kept = model.elastic_modes();
   check.frequency = free_modes(mesh, body, factor, std::max<long>(1, kept)).frequency.head(kept);
   for (Eigen::Index i = 0; i < check.frequency.size(); ++i) {
     if (check.frequency[i] > kCheckedFrequency) break;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "src/cage/bar_modes.hpp"
 #include "src/cage/field_recovery.hpp"
 #include "src/cage/polynomial_values.hpp"
 #include "src/cage/sector_polynomial.hpp"
@@ -147,6 +148,19 @@ MatrixXd bar_rows(const CageTable& table, const MatrixXd& contact, Index n) {
   return all;
 }
 
+/// Static modes of the bars join the modes kept. What they carry stays in the rest until
+/// leave_to_bar_modes().
+void add_bar_modes(const CageTable& table, const CageProjection& projection,
+                   const MatrixXd& load_rows, Coefficients& coefficients, CageModel& model) {
+  BarModes bars = make_bar_modes(table, projection, load_rows, coefficients.residual);
+  const Index kept = coefficients.kept.cols(), count = bars.fields.cols();
+  coefficients.kept.conservativeResize(Eigen::NoChange, kept + count);
+  coefficients.kept.rightCols(count) = bars.fields;
+  model.frequency.conservativeResize(kept + count);
+  model.frequency.tail(count) = bars.eigenvalue.sqrt() / (2 * std::numbers::pi);
+  model.bar_mode_load = std::move(bars.load);
+}
+
 void fill_contact(const CageTable& table, const MatrixXd& terms, const Coefficients& coefficients,
                   const MatrixXd& load_rows, const MatrixXd& flat, CageModel& model) {
   const Index sectors = terms.cols();
@@ -158,6 +172,13 @@ void fill_contact(const CageTable& table, const MatrixXd& terms, const Coefficie
     model.contact.middleRows(k * per_sector, per_sector).noalias() =
         sector_rows(flat, table.turn.seen(), k) *
         seen_coefficients(table.turn, modes, k).transpose();
+  }
+  // Static modes of the bars reach farther than a sector sees.
+  if (const Index bars = model.bar_mode_load.cols(); bars > 0) {
+    const MatrixXd moved = load_rows * coefficients.kept.rightCols(bars);
+    for (Index k = 0; k < sectors; ++k)
+      for (Index i = 0; i < 2 * n; ++i)
+        model.contact.row(model.contact_row(k, i, 1)).tail(bars) = moved.row(2 * n * k + i);
   }
   model.residual_compliance.resize(2 * n, 2 * n * sectors);
   for (Index j = 0; j < sectors; ++j) {
@@ -197,6 +218,22 @@ Eigen::MatrixXf far_residual(const CageTable& table, Index kept, Index span) {
   return far;
 }
 
+/// Adds to the stress of the bars' static modes what forces far away contribute to them, as on the
+/// undeviated cage.
+void add_far_bars(const CageTable& table, const MatrixXd& fields, CageModel& model) {
+  const SectorTurn& turn = table.turn;
+  const Index per_pocket = 2 * model.bar_stations, rows = table.attachment_stress.rows();
+  Eigen::MatrixXf far = Eigen::MatrixXf::Zero(table.attachment_stress.cols(), fields.cols());
+  for (Index k = 0; k < turn.sectors; ++k) {
+    for (Index o = model.span + 1; o < turn.sectors - model.span; ++o)
+      far.middleRows(o * per_pocket, per_pocket) =
+          fields.middleRows(turn.local_column(0, (k + o) % turn.sectors), per_pocket).cast<float>();
+    model.stress.middleRows(k * rows, rows)
+        .middleCols(model.frequency.size() - fields.cols(), fields.cols())
+        .noalias() += table.attachment_stress * far;
+  }
+}
+
 /// Stress rows of a sector that are formed together: what that takes, of all sectors, stays in the
 /// second cache.
 constexpr Index kStressRows = 96;
@@ -209,6 +246,7 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
   const Index per_pocket = 2 * model.bar_stations;
   const Index kept = model.frequency.size();
   const Index near = 2 * model.span + 1;
+  const Index bars = model.bar_mode_load.cols();
   // What strains a sector: modes, turning, forces near by, a column each.
   MatrixXd combination(kept + 1 + near * per_pocket, table.turn.all());
   combination.topRows(kept) = coefficients.kept.transpose();
@@ -244,7 +282,49 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
       model.stress_residual.middleRows(row, rows) = product.rightCols(near * per_pocket);
     }
   }
-  model.far_residual = far_residual(table, kept, model.span);
+  if (bars > 0) add_far_bars(table, coefficients.kept.rightCols(bars), model);
+  model.far_residual = far_residual(table, kept - bars, model.span);
+}
+
+/// Takes what the bars' static modes carry out of the static rest. Forces far away act as in the
+/// first sector.
+void leave_to_bar_modes(CageModel& model) {
+  const Index bars = model.bar_mode_load.cols(), sectors = bars;
+  const Index elastic = model.frequency.size() - bars, per_pocket = 2 * model.bar_stations;
+  const Eigen::VectorXd flexibility =
+      (2 * std::numbers::pi * model.frequency.tail(bars).array()).square().inverse();
+  // Coordinates of the bars' modes under a unit force on each station.
+  MatrixXd rows(per_pocket * sectors, bars);
+  for (Index k = 0; k < sectors; ++k)
+    for (Index i = 0; i < per_pocket; ++i)
+      rows.row(per_pocket * k + i) = model.contact.row(model.contact_row(k, i, 1)).tail(bars);
+  const MatrixXd carried = flexibility.asDiagonal() * rows.transpose();
+  for (Index j = 0; j < sectors; ++j) {
+    const Index own = per_pocket * j + model.bar_stations, next = per_pocket * ((j + 1) % sectors);
+    MatrixXd at(per_pocket, bars);
+    at << rows.middleRows(own, model.bar_stations), rows.middleRows(next, model.bar_stations);
+    model.residual_compliance.middleCols(per_pocket * j, per_pocket).noalias() -=
+        at * flexibility.asDiagonal() * at.transpose();
+  }
+  if (model.stress.size() == 0) return;
+  const Index per_sector = model.stress.rows() / sectors;
+  const Eigen::MatrixXf each = carried.cast<float>();
+  for (Index k = 0; k < sectors; ++k) {
+    const auto stress =
+        model.stress.middleRows(k * per_sector, per_sector).middleCols(elastic, bars);
+    for (Index o = -model.span; o <= model.span; ++o)
+      model.stress_residual
+          .block(k * per_sector, (o + model.span) * per_pocket, per_sector, per_pocket)
+          .noalias() -=
+          stress * each.middleCols((k + o + sectors) % sectors * per_pocket, per_pocket);
+    if (k > 0) continue;
+    for (Index o = model.span + 1; o < sectors - model.span; ++o)
+      model.far_residual.middleCols(o * per_pocket, per_pocket).noalias() -=
+          stress * each.middleCols(o * per_pocket, per_pocket);
+  }
+  const Eigen::VectorXf turning =
+      (flexibility.array() * model.centrifugal.tail(bars).array()).cast<float>();
+  model.stress.rightCols(1).noalias() -= model.stress.middleCols(elastic, bars) * turning;
 }
 
 }  // namespace
@@ -285,6 +365,7 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
       ((coefficients.left_out.topRows(turn.modes).transpose() * table.centrifugal).array() /
        left_out)
           .matrix();
+  if (options.bar_modes) add_bar_modes(table, projection, load_rows, coefficients, model);
   fill_contact(table, terms, coefficients, load_rows, contact, model);
   model.stress_stations = static_cast<long>(table.stress_points.size());
   model.span = turn.reach;
@@ -294,6 +375,7 @@ std::variant<CageModel, CageFault> make_cage_model(const CageTable& table,
   model.gyroscopic = modal.transpose() * table.gyroscopic * modal;
   model.in_plane = modal.transpose() * table.in_plane * modal;
   model.centrifugal = modal.transpose() * table.centrifugal;
+  if (options.bar_modes) leave_to_bar_modes(model);
   return model;
 }
 

@@ -24,15 +24,20 @@
 namespace cagetol {
 
 struct CageModelOptions {
-  long modes = 20;     ///< elastic modes kept
-  bool stress = true;  ///< with stress rows
+  long modes = 8;         ///< elastic modes kept
+  bool bar_modes = true;  ///< and a static mode of every bar (bar_modes.hpp)
+  bool stress = true;     ///< with stress rows
 };
 
 struct CageModel {
   MassProperties body;        ///< of the deviated cage
-  Eigen::VectorXd frequency;  ///< elastic modes, ascending [Hz]
-  long points = 0;            ///< contact points per pocket, in the order of cage_stations.hpp
-  long bar_stations = 0;      ///< per face
+  Eigen::VectorXd frequency;  ///< elastic modes, ascending, then static modes of the bars [Hz]
+  /// Forces on all bar stations of which the bars' static modes are the responses [N], a column
+  /// each; empty without them.
+  Eigen::MatrixXd bar_mode_load;
+  Eigen::Index elastic_modes() const { return frequency.size() - bar_mode_load.cols(); }
+  long points = 0;        ///< contact points per pocket, in the order of cage_stations.hpp
+  long bar_stations = 0;  ///< per face
   /// Displacement per modal coordinate: row 3 (points j + point) + (0 radial, 1 tangential, 2
   /// axial).
   Eigen::MatrixXd contact;

@@ -48,6 +48,12 @@ std::vector<int> every_node(const HexMesh& mesh) {
   return nodes;
 }
 
+CageModelOptions model_options(const CageTable& table, const CageStates& states, bool stress) {
+  return {.modes = states.q.rows() - (states.bar_modes ? table.turn.sectors : 0),
+          .bar_modes = states.bar_modes,
+          .stress = stress};
+}
+
 /// States whose stress is recovered together, by the same matrices of each element.
 constexpr Index kFieldsAtOnce = 16;
 
@@ -75,7 +81,7 @@ std::variant<CageRecovery, CageFault> recover_cage(const CageTable& table,
                                                    const std::vector<PocketDeviation>& deviations,
                                                    const CageStates& states) {
   const MatrixXd& q = states.q;
-  const auto made = make_cage_model(table, deviations, {.modes = q.rows(), .stress = false});
+  const auto made = make_cage_model(table, deviations, model_options(table, states, false));
   if (const auto* fault = std::get_if<CageFault>(&made)) return *fault;
   const CageModel& model = std::get<CageModel>(made);
   auto meshed = make_cage_mesh(table.cage, deviations, table.counts);
@@ -85,21 +91,37 @@ std::variant<CageRecovery, CageFault> recover_cage(const CageTable& table,
   const BodyMatrices body = assemble_body(mesh.mesh, table.material);
   const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
   // A few modes more than the model keeps, lest its last one be half of a pair that is split.
-  const FreeModes modes = free_modes(mesh.mesh, body, factor, q.rows() + 4);
-  const MatrixXd shapes =
-      modes.shape * matching(table, mesh, deviations, modes.shape, model.contact);
+  const Index elastic = model.elastic_modes(), bars = q.rows() - elastic;
+  const FreeModes modes = free_modes(mesh.mesh, body, factor, elastic + 4);
+  MatrixXd shapes(3 * mesh.mesh.nodes.cols(), q.rows());
+  shapes.leftCols(elastic) =
+      modes.shape * matching(table, mesh, deviations, modes.shape, model.contact.leftCols(elastic));
+  const Eigen::VectorXd flexibility =
+      (2 * std::numbers::pi * model.frequency.array()).square().inverse();
 
   const Eigen::VectorXd centrifugal =
       body.mass.selfadjointView<Eigen::Lower>() * arms(mesh.mesh.nodes);
-  MatrixXd loads = centrifugal * states.spin.cwiseAbs2().transpose();
-  for (Index i = 0; i < loads.cols(); ++i) {
-    loads.col(i) += bar_forces_on_nodes(mesh, table.stations, deviations, states.bar_force.col(i));
+  const auto on_nodes = [&](const MatrixXd& forces) {
+    MatrixXd nodal(shapes.rows(), forces.cols());
+    for (Index i = 0; i < forces.cols(); ++i)
+      nodal.col(i) = bar_forces_on_nodes(mesh, table.stations, deviations, forces.col(i));
+    return nodal;
+  };
+  const auto response = [&](const MatrixXd& loads) {
+    return free_static_response(body, factor, modes.rigid, loads);
+  };
+  /// Of the first modes, under static loads.
+  const auto coordinates = [&](Index count, const MatrixXd& loads) -> MatrixXd {
+    return flexibility.head(count).asDiagonal() * (shapes.leftCols(count).transpose() * loads);
+  };
+  if (bars > 0) {
+    const MatrixXd loads = on_nodes(model.bar_mode_load);
+    shapes.rightCols(bars) =
+        response(loads) - shapes.leftCols(elastic) * coordinates(elastic, loads);
   }
-  const Eigen::ArrayXd omega = 2 * std::numbers::pi * model.frequency.array();
-  const MatrixXd carried =
-      omega.square().inverse().matrix().asDiagonal() * (shapes.transpose() * loads);
-  recovery.displacement =
-      shapes * (q - carried) + free_static_response(body, factor, modes.rigid, loads);
+  const MatrixXd loads =
+      on_nodes(states.bar_force) + centrifugal * states.spin.cwiseAbs2().transpose();
+  recovery.displacement = shapes * (q - coordinates(q.rows(), loads)) + response(loads);
   return recovery;
 }
 
@@ -117,7 +139,7 @@ std::variant<std::vector<PeakStress>, CageFault> compare_peak_stress(
   if (const auto* fault = std::get_if<CageFault>(&recovered)) return *fault;
   const auto& recovery = std::get<CageRecovery>(recovered);
   const CageModel model =
-      std::get<CageModel>(make_cage_model(table, deviations, {.modes = states.q.rows()}));
+      std::get<CageModel>(make_cage_model(table, deviations, model_options(table, states, true)));
   const HexMesh& mesh = recovery.mesh.mesh;
   const std::vector<int> nodes = every_node(mesh);
   std::vector<PeakStress> peaks(static_cast<std::size_t>(states.q.cols()));

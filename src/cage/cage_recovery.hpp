@@ -3,7 +3,7 @@
 //
 //   u = Phi q + (K^+ f - Phi Lambda^-1 Phi^T f)
 //
-// Phi: modes of the full solution; f: forces on the bar stations and centrifugal load; K^+: static
+// Phi: modes of the full solution and static modes of the bars; f: forces on the bar stations and centrifugal load; K^+: static
 // response with inertia relief. The bracket is the static correction, the part of the response to f
 // that the kept modes leave out (mode acceleration). Sign and, within a pair, orientation of the
 // full modes are arbitrary; they are combined to match the model's modes at the contact points.
@@ -19,9 +19,10 @@ namespace cagetol {
 
 /// States of a cage, one column each.
 struct CageStates {
-  Eigen::MatrixXd q;          ///< modal coordinates of make_cage_model with as many modes as rows
+  Eigen::MatrixXd q;          ///< modal coordinates: elastic modes, then those of the bars if any
   Eigen::MatrixXd bar_force;  ///< tangential forces as station_stress takes them [N]
   Eigen::VectorXd spin;       ///< spin of the centrifugal load, 0: none [rad/s]
+  bool bar_modes = true;      ///< q has those of the bars
 };
 
 struct CageRecovery {

@@ -43,7 +43,7 @@ std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, con
   report.seconds_table = table.seconds_table;
   report.seconds_full = check.seconds;
   report.seconds_sample = seconds_of_a_sample(table, deviations, options);
-  for (Eigen::Index i = 0; i < model.frequency.size(); ++i) {
+  for (Eigen::Index i = 0; i < model.elastic_modes(); ++i) {
     report.modes.push_back({undeviated.frequency[i], model.frequency[i], check.frequency[i],
                             family_name(undeviated.family[static_cast<std::size_t>(i)])});
   }

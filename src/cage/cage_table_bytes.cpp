@@ -108,6 +108,7 @@ void transfer(Stream stream, Table& table) {
   stream(table.undeviated.local_stiffness);
   stream(table.undeviated.modal_mass);
   stream(table.undeviated.cross_mass);
+  stream(table.undeviated.local_mass);
   stream(table.projection);
   stream(table.contact);
   stream(table.stress);

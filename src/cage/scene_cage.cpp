@@ -82,7 +82,7 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const
         "the cage differs from the tabulated one in more than its pockets: of a flexible "
         "cage only pockets may vary"};
   auto made = make_cage_model(table, pocket_deviations(sample.cage, table.cage),
-                              {.modes = sample.cage.modes, .stress = true});
+                              {.modes = sample.cage.modes, .bar_modes = sample.cage.bar_modes});
   if (auto* fault = std::get_if<CageFault>(&made)) return std::move(*fault);
   return std::make_shared<const CageModel>(std::move(std::get<CageModel>(made)));
 }

@@ -34,6 +34,7 @@ struct CageProjection {
   Eigen::MatrixXd local_stiffness;  ///< l x l
   Eigen::MatrixXd modal_mass;       ///< modes x modes
   Eigen::MatrixXd cross_mass;       ///< l x rigid
+  Eigen::MatrixXd local_mass;       ///< l x l, of the undeviated cage: for static modes only
 };
 
 /// Adds the change of each sector's share (columns of `changes`), rotated to its sector. Only

@@ -14,9 +14,6 @@
 
 namespace cagetol {
 
-/// Elastic modes a run can keep: bounds scratch that lives on the stack.
-inline constexpr int kMostModes = 36;
-
 struct FlexibleCage {
   std::shared_ptr<const CageModel> model;  ///< null: rigid
   int modes = 0;

@@ -9,7 +9,7 @@
 
 namespace cagetol {
 
-inline constexpr int kMostPacks = 48 / kLanes;  ///< in a column
+inline constexpr int kMostPacks = 72 / kLanes;  ///< in a column
 
 inline int packs_for(int n) {
   return (n + kLanes - 1) / kLanes;

@@ -347,6 +347,13 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
   check_rings(scene, check);
   check_cage_between_rings(scene, check);
   check_pockets(scene, check);
+  check.require(!is_flexible(scene) || !scene.cage.bar_modes ||
+                    scene.cage.modes + scene.bearing.roller_count <= kMostModes,
+                "cage.modes",
+                "with a static mode of every bar these are more than " +
+                    std::to_string(kMostModes) + " modes (" +
+                    check.with_value("bearing.roller_count") + ")",
+                "keep fewer elastic modes, or set cage.bar_modes = false");
   check_outline(scene, check);
   check_filmed_contacts(scene, check);
   check_oil(scene, check);

@@ -81,6 +81,11 @@ struct GuideFilm {
   double least = 1e-6;      ///< smallest film, limited by roughness: below it the lands touch [m]
 };
 
+/// Modes a flexible cage can have, elastic ones and those of its bars: bounds scratch on the stack.
+inline constexpr int kMostModes = 62;
+/// Elastic ones: as many as a cage table holds.
+inline constexpr int kMostElasticModes = 36;
+
 struct CageGeometry {
   CageKind model = CageKind::rigid;
   double inner_diameter = 37.0e-3;                ///< [m]
@@ -110,7 +115,8 @@ struct CageGeometry {
   GuideFilm guide_film;
   long mesh_density = 4;          ///< finite elements through the thickness of a flexible cage
   double corner_radius = 0.5e-3;  ///< of the pockets' corners, for the stress there [m]
-  long modes = 20;                ///< number of elastic modes of a flexible cage
+  long modes = 8;                 ///< number of elastic modes of a flexible cage
+  bool bar_modes = true;          ///< and a static mode of every bar (src/cage/bar_modes.hpp)
   double mode_damping = kAuto;    ///< damping ratio of elastic modes; kAuto: half the loss factor
   bool centrifugal = true;        ///< centrifugal loading of the elastic modes
   bool coriolis = true;           ///< Coriolis coupling of the elastic modes

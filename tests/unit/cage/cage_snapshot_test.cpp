@@ -34,7 +34,7 @@ TEST(CageSnapshot, IsXmlThatHoldsMeshDisplacementAndStress) {
   q[0] = 1e-6;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(13 * 6);
   forces[6 * 3 + 4] = 25;
-  const CageStates state{q, forces, Eigen::VectorXd::Constant(1, 250)};
+  const CageStates state{q, forces, Eigen::VectorXd::Constant(1, 250)};  // 7 elastic modes
   const ScratchDirectory scratch;
   const std::string file = scratch / "cage.vtu";
   ASSERT_FALSE(write_cage_snapshot(file, table, deviations, state));
@@ -78,7 +78,7 @@ TEST(CageSnapshot, SaysWhatIsWrong) {
   const CageTable& table = test::coarse_table();
   std::vector<PocketDeviation> deviations(13);
   const CageStates state{Eigen::VectorXd::Zero(4), Eigen::VectorXd::Zero(13 * 6),
-                         Eigen::VectorXd::Zero(1)};
+                         Eigen::VectorXd::Zero(1), false};
   EXPECT_THAT([&] { write_cage_snapshot("/no/such/folder/a.vtu", table, deviations, state); },
               testing::ThrowsMessage<std::runtime_error>(
                   testing::HasSubstr("cannot write /no/such/folder/a.vtu: No such file")));

@@ -37,7 +37,8 @@ TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   EXPECT_FALSE(has_planar_rollers(on_rung(plane, rungs[2])));
   EXPECT_FALSE(has_planar_rollers(top) || is_quasi_static(top));
   EXPECT_EQ(top.cage.model, CageKind::flexible);
-  EXPECT_EQ(top.cage.modes, 20);
+  EXPECT_EQ(top.cage.modes, 8);
+  EXPECT_TRUE(top.cage.bar_modes);
   EXPECT_TRUE(top.cage.centrifugal && top.cage.coriolis);
   EXPECT_EQ(top.discretisation.race_slices, 5);
   EXPECT_EQ(top.integration.tolerance, Integration{}.tolerance);
@@ -53,12 +54,14 @@ TEST(Rungs, OneThingIsTakenAwayAtATime) {
   const Scene top = on_rung(Scene{}, climbing_rungs().back());
   for (const Rung& rung : separate_rungs(Scene{})) {
     const Scene less = on_rung(Scene{}, rung);
-    int changes = (less.cage.model != top.cage.model) + (less.cage.modes != top.cage.modes) +
-                  (less.cage.centrifugal != top.cage.centrifugal) +
-                  (less.discretisation.race_slices != top.discretisation.race_slices) +
-                  (less.integration.tolerance != top.integration.tolerance) +
-                  (less.model.rollers != top.model.rollers) +
-                  (less.model.motion != top.model.motion);
+    int changes =
+        (less.cage.model != top.cage.model) + (less.cage.bar_modes != top.cage.bar_modes) +
+        (less.cage.corner_radius != top.cage.corner_radius) +
+        (less.cage.edge_radius != top.cage.edge_radius) +
+        (less.cage.centrifugal != top.cage.centrifugal) +
+        (less.discretisation.race_slices != top.discretisation.race_slices) +
+        (less.integration.tolerance != top.integration.tolerance) +
+        (less.model.rollers != top.model.rollers) + (less.model.motion != top.model.motion);
     EXPECT_EQ(changes, rung.name == "full" ? 0 : 1) << rung.name;
   }
 }
@@ -81,7 +84,7 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
   EXPECT_DOUBLE_EQ(integrator.integration.tolerance, 0.0005);
   EXPECT_EQ(integrator.cage.model, CageKind::rigid);
   EXPECT_EQ(modes.cage.model, CageKind::flexible);
-  EXPECT_EQ(modes.cage.modes, 20);
+  EXPECT_EQ(modes.cage.modes, 8);
   EXPECT_EQ(modes.integration.tolerance, 0.005);
   EXPECT_EQ(slices.discretisation.race_slices, 11);
   EXPECT_EQ(window.window.measure_revolutions, 12);

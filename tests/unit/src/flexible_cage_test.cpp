@@ -140,6 +140,7 @@ TEST(FlexibleCage, ABearingTurnedByOnePocketIsTheSame) {
 TEST(FlexibleCage, WithoutModesItMovesAsARigidCageDoes) {
   Scene scene = coarse_scene();
   scene.cage.modes = 0;
+  scene.cage.bar_modes = false;
   scene.window.settle_time = 0;
   scene.window.measure_time = 2e-3;
   scene.cage.pocket_width = {7.51e-3};

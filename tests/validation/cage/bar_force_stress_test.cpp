@@ -62,7 +62,7 @@ TEST(BarForceStress, OfABarThatIsPinchedHasItsPeakAtAStation) {
   scene.cage.corner_radius = 0;  // as the whole field has it
   const auto table = make_scene_cage_table(scene);
   const auto deviations = scattered_pockets();
-  CageStates states{Eigen::MatrixXd::Zero(20, 39), Eigen::MatrixXd::Zero(13 * 6, 39),
+  CageStates states{Eigen::MatrixXd::Zero(33, 39), Eigen::MatrixXd::Zero(13 * 6, 39),
                     Eigen::VectorXd::Zero(39)};
   for (Eigen::Index j = 0; j < 13; ++j) {
     const Eigen::Index leading = 6 * j + 3, trailing = 6 * ((j + 1) % 13);
