@@ -9,6 +9,7 @@
 
 #include "mc/build_info.hpp"
 #include "mc/forecast.hpp"
+#include "mc/progress.hpp"
 #include "mc/sealed_bytes.hpp"
 #include "mc/signals.hpp"
 #include "src/cage/cage_table_bytes.hpp"
@@ -33,12 +34,15 @@ std::filesystem::path variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// One line that rewrites itself on a terminal; in a log only its beginning.
+/// A bar that rewrites itself on a terminal; in a log only its beginning.
 void show_progress(const std::string& what, double share) {
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
   if (!terminal && share > 0) return;
-  fmt::print(stderr, "{}making {}, once for this cage: {:3.0f} %{}", terminal ? "\r" : "", what,
-             100 * share, !terminal || share >= 1 ? "\n" : "");
+  if (terminal)
+    fmt::print(stderr, "\rmaking {}, once for this cage: {}{}", what, progress_bar(share),
+               share >= 1 ? "\n" : "");
+  else
+    fmt::print(stderr, "making {}, once for this cage\n", what);
   std::fflush(stderr);
 }
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLineInterval = 0.5;
 constexpr double kFirstPlain = 5, kPlainGrowth = 1.5, kLongestPlain = 600;
+constexpr int kBarWidth = 20;
 
 std::string duration(double seconds) {
   const auto s = static_cast<long>(std::llround(seconds));
@@ -45,6 +46,12 @@ std::string progress_text(const Tally& tally, std::uint64_t before, std::uint64_
   if (rate > 0 && tally.done < samples)
     text += fmt::format(", {} left", duration(static_cast<double>(samples - tally.done) / rate));
   return text;
+}
+
+std::string progress_bar(double share) {
+  const double done = std::clamp(share, 0.0, 1.0);
+  const auto marks = static_cast<int>(kBarWidth * done + 1e-9);
+  return fmt::format("[{:#<{}}{:{}}] {:3.0f} %", "", marks, "", kBarWidth - marks, 100 * done);
 }
 
 Progress::Progress(ProgressStyle style, std::uint64_t before, std::uint64_t samples)

@@ -1,5 +1,5 @@
-// How far a sweep is, on stderr: one line that rewrites itself on a terminal, plain lines at
-// growing intervals in a log.
+// How far work is, on stderr: of a sweep one line that rewrites itself on a terminal, plain lines
+// at growing intervals in a log; of a cage table a bar.
 #pragma once
 
 #include <chrono>
@@ -23,6 +23,9 @@ struct Tally {
 /// session began.
 std::string progress_text(const Tally& tally, std::uint64_t before, std::uint64_t samples,
                           double elapsed_s);
+
+/// "[##########          ]  50 %", for a share of 0 to 1.
+std::string progress_bar(double share);
 
 class Progress {
  public:

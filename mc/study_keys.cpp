@@ -69,7 +69,7 @@ const std::vector<KeyInfo>& correlation_keys() {
 
 const std::vector<KeyInfo>& trend_keys() {
   static const std::vector<KeyInfo> keys = {
-      {"trend.claim", any_value(), "what is claimed, in words", KeyKind::text},
+      {"trend.claim", any_value(), "what is claimed, in words; entries with the same words and source are readings of one claim", KeyKind::text},
       {"trend.quantity", any_value(), "quantity of interest the claim is about", KeyKind::text},
       {"trend.key", any_value(), "scene key, varied by lot, over which it changes", KeyKind::text},
       {"trend.between", any_value(), "array of two levels: lot deviations in the key's unit, from the first to the second", KeyKind::numbers},

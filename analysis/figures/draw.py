@@ -23,6 +23,7 @@ def main(report_file, output_dir):
     import engine
     import error_budget
     import fidelity
+    import pocket
     import quantities
     import response
     import tolerance
@@ -37,7 +38,7 @@ def main(report_file, output_dir):
         **response.figures(),
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
-                 "ladder": {"ladder": fidelity.ladder}}
+                 "ladder": {"ladder": fidelity.ladder}, "cage": {"pocket": pocket.pocket}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
     figures = of_engine.get(report.get("kind"), of_report)

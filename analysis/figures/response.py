@@ -10,6 +10,8 @@ LEVEL_COLOURS = [BLUE, BLACK, RED]  # lowest, nominal, highest
 SETTING_COLOURS = [BLUE, ORANGE, GREEN, PINK]
 RUN_COLOURS = [BLUE, ORANGE, GREEN]
 MOST_SETTINGS = 4  # what a figure has room for; report.json holds all
+MOST_PATHS = 6  # columns of paths, likewise
+UNEVEN = 5  # levels whose distances differ by more than this factor stand side by side, each with its name
 CHANNELS = ["cage_stress", "cage_velocity", "cage_speed", "ring_velocity", "ring_displacement", "ring_acceleration",
             "roller_spin"]
 
@@ -21,6 +23,22 @@ def level_text(response, level):
 
 def level_label(response):
     return with_unit(f"deviation of the {response['name']}", response["unit"])
+
+
+def short_level(level):
+    return f"{level:+g}" if level else "0"
+
+
+def is_uneven(levels):
+    steps = [b - a for a, b in zip(levels, levels[1:])]
+    return len(steps) > 1 and max(steps) > UNEVEN * min(steps)
+
+
+def name_levels(axis, levels):
+    """Ticks for levels that stand side by side."""
+    many = len(levels) > MOST_PATHS
+    axis.set_xticks(range(len(levels)), [short_level(level) for level in levels], rotation=90 if many else 0,
+                    fontsize=7 if many else None)
 
 
 def settings_of(response):
@@ -40,7 +58,8 @@ def settings_note(figure, response):
 
 def band(axis, response, cells, title, unit):
     """Median and 5 to 95 % of the runs over the level, one colour for each setting."""
-    levels = response["levels"]
+    uneven = is_uneven(response["levels"])
+    levels = list(range(len(response["levels"]))) if uneven else response["levels"]
     for setting, _ in enumerate(settings_of(response)):
         low, middle, high = ([known(cell[key]) for cell in cells[setting]] for key in ("low", "median", "high"))
         colour = SETTING_COLOURS[setting]
@@ -50,6 +69,8 @@ def band(axis, response, cells, title, unit):
     axis.set_ylabel(f"[{unit}]" if unit not in ("", "-") else "[-]")
     axis.ticklabel_format(axis="y", useOffset=False)
     axis.locator_params(axis="y", nbins=5)
+    if uneven:
+        name_levels(axis, response["levels"])
 
 
 def channel_figure(name):
@@ -109,20 +130,22 @@ def orbit_figure(body):
         orbit = next((entry for entry in response["history"]["orbits"] if entry["body"] == body), None)
         if orbit is None:
             return None
-        rows, columns = len(settings_of(response)), len(response["levels"])
+        rows, count = len(settings_of(response)), len(response["levels"])
+        columns = min(count, MOST_PATHS)
+        shown = [round(column * (count - 1) / max(columns - 1, 1)) for column in range(columns)]
         panel = (WIDTH - 0.6) / columns * min(max(extent(orbit, "z") / extent(orbit, "y"), 0.3), 1.5)
         figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 0.8 + (panel + 0.1) * rows), squeeze=False,
                                     sharex=True, sharey=True)
         for row in range(rows):
             for column in range(columns):
                 axis = axes[row][column]
-                for run, colour in reversed(list(zip(orbit["cells"][row][column], RUN_COLOURS))):
+                for run, colour in reversed(list(zip(orbit["cells"][row][shown[column]], RUN_COLOURS))):
                     axis.plot([known(v) for v in run["y"]], [known(v) for v in run["z"]], color=colour, linewidth=0.35)
                 axis.set_aspect("equal", adjustable="box")
                 axis.tick_params(labelsize=6.5)
                 axis.locator_params(nbins=4)
                 if row == 0:
-                    axis.set_title(level_text(response, column), fontsize=8.5)
+                    axis.set_title(level_text(response, shown[column]), fontsize=8.5)
                 if row == rows - 1:
                     axis.set_xlabel(f"y [{orbit['unit']}]", fontsize=7.5)
             axes[row][0].set_ylabel(f"{setting_letter(response, row)} z [{orbit['unit']}]".strip(), fontsize=7.5)
@@ -147,7 +170,7 @@ def slip_bars(report):
             width = 0.8 / len(settings)
             axis.bar([level + (setting - (len(settings) - 1) / 2) * width for level in range(len(cells))], middle, width,
                      yerr=error, color=SETTING_COLOURS[setting], ecolor=GREY, capsize=2, label=setting_letter(response, setting) or None)
-        axis.set_xticks(range(len(response["levels"])), [f"{level:+g}" if level else "0" for level in response["levels"]])
+        name_levels(axis, response["levels"])
         axis.set_xlabel(level_label(response))
         axis.set_ylabel("slip [%]")
         axis.set_title(readable(entry["quantity"]))

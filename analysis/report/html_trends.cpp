@@ -56,6 +56,68 @@ std::vector<std::string> settings_of(const Json& trends) {
   return settings;
 }
 
+/// "0.1 mm of clearance", or the deviation where the dimension leaves no clearance.
+std::string place_text(const Json& place, const std::string& unit) {
+  return place["clearance"].is_null()
+             ? signed_level(place["level"]) + unit_suffix(unit)
+             : fmt::format("{:g}{}", place["clearance"].get<double>(), unit_suffix(unit));
+}
+
+std::string interval_text(const Json& difference) {
+  return fmt::format("{} ({} to {})", rounded(difference["value"]), rounded(difference["lower"]),
+                     rounded(difference["upper"]));
+}
+
+/// "from 0.002 mm (not yet at 0.005 mm) to -0.01 mm, the last level", with the differences there.
+std::string range_text(const Json& range, const std::string& unit) {
+  const std::string first = place_text(range["first"], unit),
+                    last = place_text(range["last"], unit);
+  std::string text = first == last ? "at " + first : "from " + first + " to " + last;
+  if (range["to_the_end"]) text += ", the last level";
+  if (!range["before"].is_null()) text += " (not at " + place_text(range["before"], unit) + ")";
+  text += "<small>";
+  for (const Json& at : range["differences"])
+    text += fmt::format("<br>at {} against {}: {} {}{}", first, place_text(at["against"], unit),
+                        escaped(readable(at["quantity"])), interval_text(at["difference"]),
+                        unit_suffix(at["unit"]));
+  return text + "</small>";
+}
+
+/// Where a claim holds, setting by setting.
+std::string held_text(const Json& claim) {
+  const std::string unit = claim["key_unit"];
+  std::string text;
+  for (const Json& held : claim["held"]) {
+    const std::string setting = held["setting"];
+    std::string here;
+    for (const Json& range : held["ranges"])
+      here += (here.empty() ? "" : "<br>and ") + range_text(range, unit);
+    if (here.empty())
+      here = fmt::format("never (at none of {} levels)", held["levels"].get<std::size_t>());
+    text += (text.empty() ? "" : "<br>") +
+            (setting.empty() ? "" : "<i>" + escaped(setting) + ":</i> ") + here;
+  }
+  return text.empty() ? "-" : text;
+}
+
+std::string claims_table(const Json& claims) {
+  std::vector<std::vector<std::string>> rows;
+  bool clearances = false;
+  for (const Json& claim : claims) {
+    rows.push_back({escaped(claim["claim"]) + "<br><small>" + escaped(claim["source"]) + "</small>",
+                    verdict_text(claim["verdict"]),
+                    fmt::format("{} of {}", rounded(claim["agreeing"]), rounded(claim["readings"])),
+                    held_text(claim)});
+    for (const Json& held : claim["held"])
+      for (const Json& range : held["ranges"])
+        clearances = clearances || !range["first"]["clearance"].is_null();
+  }
+  return table("ttnt",
+               {"claim", "here", "readings that agree",
+                clearances ? "holds, by the pocket's clearance" : "holds, by the level"},
+               rows);
+}
+
 std::vector<std::string> table_row(const Json& row, const Json& seen) {
   return {
       escaped(row["claim"]) + "<br><small>" + escaped(row["source"]) + "</small>",
@@ -74,7 +136,17 @@ std::string trends_chapter(const Json& report) {
   const Json& trends = report["trends"];
   if (trends.is_null()) return {};
   const double confidence = 100 * trends["confidence"].get<double>();
-  std::string body = paragraph("Verdicts: " + counts_text(trends["verdicts"]) + ".");
+  std::string body =
+      paragraph("Claims: " + counts_text(trends["claim_verdicts"]) +
+                ". Their readings, each in one quantity, between two levels, in one setting: " +
+                counts_text(trends["verdicts"]) + ".") +
+      claims_table(trends["claims"]) +
+      note(fmt::format(
+          "A claim counts once: it agrees where all its readings between the levels it is made for "
+          "agree, in part where some do, disagrees where none agrees and one disagrees. It holds "
+          "at a level where all its readings agree there; levels are tried one after another, from "
+          "the nearest to the last of the grid, each with its own {:g} % intervals.",
+          confidence));
   for (const std::string& setting : settings_of(trends)) {
     std::vector<std::vector<std::string>> rows;
     for (const Json& row : trends["rows"])

@@ -1,12 +1,14 @@
-// cagetol cage SCENE: the flexible cage of a scene; its modes by the per-sample model and by a full
-// solve.
+// cagetol cage SCENE: one pocket with its clearances; of a flexible cage also its modes by the
+// per-sample model and by a full solve, and what a force on a bar does.
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "mc/cage_cache.hpp"
+#include "mc/commands/cage_drawing.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/output_path.hpp"
+#include "mc/file_write.hpp"
 #include "mc/pocket_csv.hpp"
 #include "mc/study.hpp"
 #include "src/cage/cage_report.hpp"
@@ -17,8 +19,9 @@ namespace cagetol {
 namespace {
 
 struct CageArguments {
-  std::string file, deviations;
+  std::string file, deviations, directory;
   std::vector<std::string> settings;
+  long pocket = 0;
   bool json = false, decimal_comma = false;
 };
 
@@ -26,20 +29,29 @@ std::string report_text(const Scene& scene, const CageReport& report) {
   const Eigen::Matrix3d inertia = 1e6 * report.body.inertia;
   const Eigen::Vector3d centre = 1e6 * report.body.centre;
   std::string text = fmt::format(
-      "scene {}: {} pockets, mesh density {}: {} nodes, {} elements, {} unknowns\n"
+      "flexible cage of {} pockets, mesh density {}: {} nodes, {} elements, {} unknowns\n"
       "mass {:.6g} kg, centre ({:.3g}, {:.3g}, {:.3g}) um\n"
       "inertia {:.6g} kg mm^2 about the axis, {:.6g} and {:.6g} about y and z\n\n"
       "{:>4}  {:<20}{:>14}{:>14}{:>14}{:>12}\n",
-      scene.name, scene.bearing.roller_count, scene.cage.mesh_density, report.nodes,
-      report.elements, report.dofs, report.body.mass, centre[0], centre[1], centre[2],
-      inertia(0, 0), inertia(1, 1), inertia(2, 2), "mode", "shape", "undeviated Hz", "sample Hz",
-      "full solve Hz", "error");
+      scene.bearing.roller_count, scene.cage.mesh_density, report.nodes, report.elements,
+      report.dofs, report.body.mass, centre[0], centre[1], centre[2], inertia(0, 0), inertia(1, 1),
+      inertia(2, 2), "mode", "shape", "undeviated Hz", "sample Hz", "full solve Hz", "error");
   for (std::size_t i = 0; i < report.modes.size(); ++i) {
     const ReportedMode& mode = report.modes[i];
     text += fmt::format("{:>4}  {:<20}{:>14.1f}{:>14.1f}{:>14.1f}{:>11.4f} %\n", i + 1, mode.family,
                         mode.undeviated_hz, mode.sample_hz, mode.full_hz,
                         100 * (mode.sample_hz / mode.full_hz - 1));
   }
+  text +=
+      "\n1 N on the bar that leads the pocket, along the tangent, balanced by the cage's "
+      "inertia:\n" +
+      fmt::format("{:>8}{:>24}{:>22}{:>12}{:>16}\n", "x mm", "in the modes kept um/N",
+                  "left by them um/N", "sum um/N", "stress MPa/N");
+  for (const UnitBarLoad& load : report.bar_loads)
+    text += fmt::format("{:>8.3f}{:>24.4f}{:>22.4f}{:>12.4f}{:>16.3f}  {}\n", 1e3 * load.x,
+                        1e6 * load.kept_compliance, 1e6 * load.other_compliance,
+                        1e6 * (load.kept_compliance + load.other_compliance), 1e-6 * load.stress,
+                        load.place);
   return text + fmt::format(
                     "\nlargest frequency error up to 20 kHz {:.4f} %\n"
                     "seconds: a sample {:.5f}, its full solve {:.2f} ({:.0f} times), the table of "
@@ -48,14 +60,20 @@ std::string report_text(const Scene& scene, const CageReport& report) {
                     report.seconds_full / report.seconds_sample, report.seconds_table);
 }
 
-nlohmann::json report_json(const CageReport& report) {
-  nlohmann::json json;
+Json report_json(const CageReport& report) {
+  Json json;
   for (const ReportedMode& mode : report.modes) {
     json["modes_Hz"].push_back(mode.sample_hz);
     json["modes_full_Hz"].push_back(mode.full_hz);
     json["modes_undeviated_Hz"].push_back(mode.undeviated_hz);
     json["shapes"].push_back(mode.family);
   }
+  for (const UnitBarLoad& load : report.bar_loads)
+    json["bar_loads"].push_back({{"x_mm", 1e3 * load.x},
+                                 {"kept_compliance_um_N", 1e6 * load.kept_compliance},
+                                 {"other_compliance_um_N", 1e6 * load.other_compliance},
+                                 {"stress_MPa_N", 1e-6 * load.stress},
+                                 {"place", load.place}});
   json["mass_kg"] = report.body.mass;
   for (int i = 0; i < 3; ++i) {
     json["mass_centre_m"].push_back(report.body.centre[i]);
@@ -72,13 +90,13 @@ nlohmann::json report_json(const CageReport& report) {
   return json;
 }
 
-std::variant<CageReport, CageFault> report_of(const Scene& scene, const Scene& sample,
+std::variant<CageReport, CageFault> report_of(const Scene& scene, const Scene& sample, long pocket,
                                               const std::string& file) {
   CageTables tables(scene);
   try {
     const auto table = tables.of(sample);
     return cage_report(*tables.of(scene), *table, pocket_deviations(sample.cage, table->cage),
-                       scene.cage.modes);
+                       scene.cage.modes, pocket);
   } catch (const UnsolvedCage& problem) {
     throw InputError(
         {file, 0}, "", "",
@@ -87,22 +105,51 @@ std::variant<CageReport, CageFault> report_of(const Scene& scene, const Scene& s
   }
 }
 
-int run_cage(const CageArguments& options) {
-  const Scene scene = read_study(options.file, options.settings).scene;
-  const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
+/// With --deviations the pockets of that file, otherwise the scene's own.
+Scene sample_of(const Scene& scene, const CageArguments& options) {
   Scene sample = scene;
-  if (!options.deviations.empty())
-    deviate_pockets(
-        sample.cage, cage,
-        read_pocket_deviations(options.deviations, cage.pocket_count, options.decimal_comma));
+  if (options.deviations.empty()) return sample;
+  const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
+  deviate_pockets(
+      sample.cage, cage,
+      read_pocket_deviations(options.deviations, cage.pocket_count, options.decimal_comma));
+  return sample;
+}
+
+CageReport flexible_report(const Scene& scene, const Scene& sample, const CageArguments& options) {
   const std::string& file = options.deviations.empty() ? options.file : options.deviations;
-  const auto result = report_of(scene, sample, file);
+  auto result = report_of(scene, sample, options.pocket, file);
   if (const auto* fault = std::get_if<CageFault>(&result)) {
     throw InputError({file, 0}, fmt::format("pocket {} (the first is 0)", fault->pocket), "",
                      fault->reason, "give this pocket smaller deviations");
   }
-  const CageReport& report = std::get<CageReport>(result);
-  print(options.json ? report_json(report).dump(2) + "\n" : report_text(scene, report));
+  return std::get<CageReport>(std::move(result));
+}
+
+int run_cage(const CageArguments& options) {
+  const Scene scene = read_study(options.file, options.settings).scene;
+  if (options.pocket < 0 || options.pocket >= scene.bearing.roller_count)
+    throw InputError({}, "--pocket", std::to_string(options.pocket), "the cage has no such pocket",
+                     fmt::format("give 0 to {}", scene.bearing.roller_count - 1));
+  const Scene sample = sample_of(scene, options);
+  Json json{{"kind", "cage"}, {"drawing", pocket_drawing_json(sample, options.pocket)}};
+  std::string text = "scene " + scene.name + "\n" + clearances_text(json["drawing"]) + "\n";
+  if (is_flexible(scene)) {
+    const CageReport report = flexible_report(scene, sample, options);
+    json.update(report_json(report));
+    text += report_text(scene, report);
+  } else {
+    text += "no modes: the cage of this scene is rigid (cage.model)\n";
+  }
+  if (options.directory.empty()) {
+    text += "no drawing: -o DIR asks for one\n";
+  } else {
+    make_directory(options.directory);
+    const std::filesystem::path file = std::filesystem::path(options.directory) / "cage.json";
+    replace_file(file, json.dump(1) + "\n");
+    text += "drawing: " + draw_beside(file) + "/pocket.svg\n";
+  }
+  print(options.json ? json.dump(2) + "\n" : text);
   return kDone;
 }
 
@@ -110,15 +157,23 @@ int run_cage(const CageArguments& options) {
 
 void add_cage_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
-      "cage", "Modes, mass and accuracy of the flexible cage of a scene or a study's nominal one");
+      "cage",
+      "Clearances and drawing of a pocket; modes, compliance, stress and mass of a flexible cage");
   command->footer(
-      "Examples:\n  cagetol cage inputs/scenes/nu205.toml --json\n"
-      "  cagetol cage inputs/scenes/nu205.toml --set cage.mesh_density=2 --deviations pockets.csv\n"
+      "Examples:\n  cagetol cage inputs/scenes/nu205.toml -o out/nu205-cage\n"
+      "  cagetol cage inputs/scenes/nu205-thin.toml --json\n"
+      "  cagetol cage inputs/scenes/nu205-thin.toml --set cage.mesh_density=2 --deviations "
+      "pockets.csv\n"
       "\nThe columns of pockets.csv are width_mm, length_mm, pitch_mrad and squareness_mrad, one "
       "row a pocket.\nCage tables are kept in $CAGETOL_CACHE, $XDG_CACHE_HOME/cagetol or "
       "~/.cache/cagetol.");
   auto options = std::make_shared<CageArguments>();
   command->add_option("SCENE", options->file, "Scene or study file")->required();
+  add_output_directory(*command, options->directory,
+                       "Directory of cage.json and figures/pocket.svg, the drawing")
+      ->required(false);
+  command->add_option("--pocket", options->pocket, "Pocket to draw and to load, from 0")
+      ->capture_default_str();
   command->add_flag("--json", options->json, "Print everything as JSON");
   command->add_option("--deviations", options->deviations,
                       "CSV file of the pockets' deviations, instead of the scene's pockets");

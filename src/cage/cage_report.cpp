@@ -27,7 +27,7 @@ double seconds_of_a_sample(const CageTable& table, const std::vector<PocketDevia
 
 std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, const CageTable& table,
                                                 const std::vector<PocketDeviation>& deviations,
-                                                long modes) {
+                                                long modes, long pocket) {
   CageModelOptions options;
   options.modes = modes;
   const auto made = make_cage_model(table, deviations, options);
@@ -39,6 +39,7 @@ std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, con
   report.elements = check.elements;
   report.dofs = table.dofs;
   report.body = model.body;
+  report.bar_loads = unit_bar_loads(table, model, pocket);
   report.largest_error = check.largest_error;
   report.seconds_table = table.seconds_table;
   report.seconds_full = check.seconds;

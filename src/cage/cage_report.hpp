@@ -1,4 +1,5 @@
-// The report of `cagetol cage`: size of the model, mass, modes by family, accuracy and cost.
+// The report of `cagetol cage`: size of the model, mass, modes by family, what a force on a bar
+// does, accuracy and cost.
 #pragma once
 
 #include <string>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "src/cage/cage_model.hpp"
+#include "src/cage/unit_bar_loads.hpp"
 
 namespace cagetol {
 
@@ -22,6 +24,7 @@ struct CageReport {
   long dofs = 0;
   MassProperties body;  ///< with deviating pockets
   std::vector<ReportedMode> modes;
+  std::vector<UnitBarLoad> bar_loads;  ///< of the leading face of the pocket asked for
   double largest_error = 0;  ///< relative, per-sample model against full solution, up to 20 kHz
   double seconds_table = 0;  ///< time to make the table, once per scene
   double seconds_full = 0;   ///< processor time of a full solution of the deviated cage
@@ -30,10 +33,10 @@ struct CageReport {
 };
 
 /// Solves the cage with these pockets in both ways, with `modes` elastic modes. `undeviated` is the
-/// table of the scene, `table` the one used for this cage; `deviations` are relative to `table`.
-/// Returns a fault if the pockets leave no valid cage.
+/// table of the scene, `table` the one used for this cage; `deviations` are relative to `table`;
+/// forces act on the bar that leads `pocket`. Returns a fault if the pockets leave no valid cage.
 std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, const CageTable& table,
                                                 const std::vector<PocketDeviation>& deviations,
-                                                long modes);
+                                                long modes, long pocket = 0);
 
 }  // namespace cagetol

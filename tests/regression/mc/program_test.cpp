@@ -354,7 +354,7 @@ Ended stdout_without_cache(const std::vector<std::string>& arguments) {
 TEST(Program, WarningsNeverStandBeforeJson) {
   const std::string scene = shipped("scenes/nu205.toml"), coarse = "cage.mesh_density=1";
   const std::vector<std::vector<std::string>> commands = {
-      {"cage", scene, "--json", "--set", coarse},
+      {"cage", scene, "--json", "--set", coarse, "--set", "cage.model=flexible"},
       {"simulate", scene, "--json", "--set", coarse, "--set", "cage.model=flexible", "--set",
        "window.settle_revolutions=0.05", "--set", "window.measure_revolutions=0.05"}};
   for (const auto& command : commands) {
@@ -378,8 +378,8 @@ TEST(Program, CagePrintsModesAndSaysWhichPocketIsWrong) {
   const auto cage = [&](const std::string& rows) {
     std::ofstream(scratch / "pockets.csv")
         << "width_mm,length_mm,pitch_mrad,squareness_mrad\n" + rows;
-    return run({"cage", shipped("scenes/nu205.toml"), "--json", "--set", "cage.mesh_density=2",
-                "--deviations", scratch / "pockets.csv"},
+    return run({"cage", shipped("scenes/nu205.toml"), "--json", "--set", "cage.model=flexible",
+                "--set", "cage.mesh_density=2", "--deviations", scratch / "pockets.csv"},
                [&] { ::setenv("CAGETOL_CACHE", (scratch / "cache").c_str(), 1); });
   };
   std::string rows;

@@ -56,6 +56,9 @@ TEST(ProgressTest, SaysHowFarHowFastAndHowLong) {
   tally.done = 1000;
   EXPECT_EQ(progress_text(tally, 0, 1000, 100), "1000/1000 done, 10/s, 1 jammed, 2 failed");
   EXPECT_EQ(progress_text({}, 0, 10, 0), "0/10 done");
+  EXPECT_EQ(progress_bar(0), "[                    ]   0 %");
+  EXPECT_EQ(progress_bar(0.5), "[##########          ]  50 %");
+  EXPECT_EQ(progress_bar(1), "[####################] 100 %");
 }
 
 TEST(LookoutRest, LosesLeastBetweenLooksAndWaiting) {

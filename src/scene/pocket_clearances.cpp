@@ -1,0 +1,28 @@
+#include "src/scene/pocket_clearances.hpp"
+
+#include "src/scene/pocket_outline.hpp"
+
+namespace cagetol {
+
+PocketClearances pocket_clearances(const Scene& scene, long pocket) {
+  const CageGeometry& cage = scene.cage;
+  const double diameter = each(scene.roller.diameter, pocket),
+               width = each(cage.pocket_width, pocket);
+  const double pitch = pitch_radius(scene.bearing);
+  const PocketOutline outline = pocket_outline(cage, pitch, width);
+  PocketClearances clearances;
+  clearances.tangential = width - diameter;
+  clearances.axial = each(cage.pocket_length, pocket) - scene.roller.length;
+  clearances.flange = scene.bearing.flange_clearance;
+  for (const int end : {0, 1})
+    clearances.radial[end] = radial_play(outline, pitch, diameter / 2, end);
+  clearances.ring[0] = (cage.inner_diameter - inner_land_diameter(scene.bearing)) / 2;
+  clearances.ring[1] = (scene.bearing.shoulder_diameter - cage.outer_diameter) / 2;
+  if (cage.guidance != Guidance::roller) {
+    double& guide = clearances.ring[cage.guidance == Guidance::inner ? 0 : 1];
+    guide = given_or(cage.guide_clearance, guide);
+  }
+  return clearances;
+}
+
+}  // namespace cagetol
