@@ -8,7 +8,19 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// A unit force on every bar, half of it on each face, along its stations by their lengths.
+/// Of fields by their coefficients; local fields have none with the elastic modes.
+MatrixXd mass_between(const CageProjection& p, const MatrixXd& local_mass, const MatrixXd& fields) {
+  const Index modes = p.modal_mass.rows(), local = fields.rows() - modes;
+  const auto modal = fields.topRows(modes);
+  const auto follow = fields.bottomRows(local);
+  const MatrixXd across = follow.transpose() * (p.cross_mass * fields.topRows<6>());
+  MatrixXd mass = modal.transpose() * p.modal_mass * modal;
+  mass.noalias() += follow.transpose() * (local_mass * follow);
+  return mass + across + across.transpose();
+}
+
+}  // namespace
+
 MatrixXd forces_on_bars(const CageStations& stations, Index sectors) {
   const auto n = static_cast<Index>(stations.bar_x.size());
   double length = 0;
@@ -22,19 +34,6 @@ MatrixXd forces_on_bars(const CageStations& stations, Index sectors) {
     }
   return forces;
 }
-
-/// Of fields by their coefficients; local fields have none with the elastic modes.
-MatrixXd mass_between(const CageProjection& p, const MatrixXd& local_mass, const MatrixXd& fields) {
-  const Index modes = p.modal_mass.rows(), local = fields.rows() - modes;
-  const auto modal = fields.topRows(modes);
-  const auto follow = fields.bottomRows(local);
-  const MatrixXd across = follow.transpose() * (p.cross_mass * fields.topRows<6>());
-  MatrixXd mass = modal.transpose() * p.modal_mass * modal;
-  mass.noalias() += follow.transpose() * (local_mass * follow);
-  return mass + across + across.transpose();
-}
-
-}  // namespace
 
 BarModes make_bar_modes(const CageTable& table, const CageProjection& projection,
                         const MatrixXd& rows, const MatrixXd& residual) {

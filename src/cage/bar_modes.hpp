@@ -15,6 +15,10 @@
 
 namespace cagetol {
 
+/// A unit force on every bar, a column each: half of it on each face, along the stations by their
+/// lengths. A row for every bar station, in the order of station_stress() [N].
+Eigen::MatrixXd forces_on_bars(const CageStations& stations, Eigen::Index sectors);
+
 struct BarModes {
   Eigen::MatrixXd load;       ///< forces on all bar stations [N] of which each mode is the response
   Eigen::MatrixXd fields;     ///< coefficients of all columns, mass-normalised

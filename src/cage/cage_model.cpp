@@ -192,29 +192,49 @@ void fill_contact(const CageTable& table, const MatrixXd& terms, const Coefficie
   }
 }
 
-/// What forces far away leave on the undeviated cage beyond the kept modes: attachments, and modes
-/// left out. Where the last mode kept has its partner left out, neither counts.
-Eigen::MatrixXf far_residual(const CageTable& table, Index kept, Index span) {
+/// What forces on all bar stations of the undeviated cage leave beyond the kept modes, in sector 0:
+/// attachments and modes left out, less what static modes of the bars carry. Where the last mode
+/// kept has its partner left out, neither counts.
+Eigen::MatrixXf far_residual(const CageTable& table, Index kept, Index span, bool bar_modes) {
   const SectorTurn& turn = table.turn;
   const Index stations = 2 * static_cast<Index>(table.stations.bar_x.size());
   const auto contact = sector_rows(table.contact, turn.seen(), 0);
   MatrixXd tangential(stations, turn.modes);
   for (Index i = 0; i < stations; ++i) tangential.row(i) = contact.row(3 * i + 1).head(turn.modes);
-  MatrixXd compliance = MatrixXd::Zero(turn.modes - 6, stations);
+  std::vector<Index> left_out;
+  for (Index i = kept; i < table.frequency.size(); ++i)
+    if (turn.partner[6 + i] >= 6 + kept) left_out.push_back(6 + i);
+  const auto count = static_cast<Index>(left_out.size());
+  Eigen::VectorXd flexibility(count);
+  for (Index i = 0; i < count; ++i)
+    flexibility[i] = 1 / std::pow(2 * std::numbers::pi *
+                                      table.frequency[left_out[static_cast<std::size_t>(i)] - 6],
+                                  2);
+  MatrixXd rows(stations * turn.sectors, count);  // of all stations on the modes left out
+  for (Index o = 0; o < turn.sectors; ++o)
+    rows.middleRows(o * stations, stations) = turn_modes(turn, tangential, o)(Eigen::all, left_out);
+  const MatrixXd coordinates = flexibility.asDiagonal() * rows.transpose();
   const auto stress = sector_rows(table.stress, turn.seen() - 6, 0);
-  Eigen::MatrixXf far =
-      Eigen::MatrixXf::Zero(table.attachment_stress.rows(), table.attachment_stress.cols());
-  for (Index o = span + 1; o < turn.sectors - span; ++o) {
-    const MatrixXd rows = turn_modes(turn, tangential, o);
-    for (Index i = kept; i < table.frequency.size(); ++i)
-      if (turn.partner[6 + i] >= 6 + kept)
-        compliance.row(i) =
-            rows.col(6 + i).transpose() / std::pow(2 * std::numbers::pi * table.frequency[i], 2);
-    far.middleCols(o * stations, stations) =
-        table.attachment_stress.middleCols(o * stations, stations);
-    far.middleCols(o * stations, stations).noalias() +=
-        stress.leftCols(turn.modes - 6) * compliance.cast<float>();
+  Eigen::MatrixXf strained_by(stress.rows(), count);
+  for (Index i = 0; i < count; ++i)
+    strained_by.col(i) = stress.col(left_out[static_cast<std::size_t>(i)] - 6);
+  Eigen::MatrixXf all = table.attachment_stress;
+  all.noalias() += strained_by * coordinates.cast<float>();
+  if (bar_modes) {
+    MatrixXd compliance = rows * coordinates;
+    for (Index o = 0; o < turn.sectors; ++o)
+      for (Index k = 0; k < turn.sectors; ++k)
+        compliance.block(k * stations, o * stations, stations, stations) +=
+            table.undeviated.local_stiffness.block(k * turn.per_sector, o * turn.per_sector,
+                                                   stations, stations);
+    const MatrixXd forces = forces_on_bars(table.stations, turn.sectors);
+    const MatrixXd moved = forces.transpose() * compliance;
+    const MatrixXd carried = (moved * forces).llt().solve(moved);
+    all -= (all * forces.cast<float>()).eval() * carried.cast<float>();
   }
+  Eigen::MatrixXf far = Eigen::MatrixXf::Zero(all.rows(), all.cols());
+  const Index first = (span + 1) * stations, columns = (turn.sectors - 2 * span - 1) * stations;
+  if (columns > 0) far.middleCols(first, columns) = all.middleCols(first, columns);
   return far;
 }
 
@@ -283,11 +303,10 @@ void fill_stress(const CageTable& table, const MatrixXd& terms, const Coefficien
     }
   }
   if (bars > 0) add_far_bars(table, coefficients.kept.rightCols(bars), model);
-  model.far_residual = far_residual(table, kept - bars, model.span);
+  model.far_residual = far_residual(table, kept - bars, model.span, bars > 0);
 }
 
-/// Takes what the bars' static modes carry out of the static rest. Forces far away act as in the
-/// first sector.
+/// Takes what the bars' static modes carry out of the static rest.
 void leave_to_bar_modes(CageModel& model) {
   const Index bars = model.bar_mode_load.cols(), sectors = bars;
   const Index elastic = model.frequency.size() - bars, per_pocket = 2 * model.bar_stations;
@@ -317,10 +336,6 @@ void leave_to_bar_modes(CageModel& model) {
           .block(k * per_sector, (o + model.span) * per_pocket, per_sector, per_pocket)
           .noalias() -=
           stress * each.middleCols((k + o + sectors) % sectors * per_pocket, per_pocket);
-    if (k > 0) continue;
-    for (Index o = model.span + 1; o < sectors - model.span; ++o)
-      model.far_residual.middleCols(o * per_pocket, per_pocket).noalias() -=
-          stress * each.middleCols(o * per_pocket, per_pocket);
   }
   const Eigen::VectorXf turning =
       (flexibility.array() * model.centrifugal.tail(bars).array()).cast<float>();

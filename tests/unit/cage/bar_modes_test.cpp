@@ -59,9 +59,9 @@ TEST(BarModes, CarryAForceSpreadOverABar) {
   Eigen::VectorXd leading = Eigen::VectorXd::Zero(6);
   leading.head<3>() = 2 * spread().head<3>();
   EXPECT_LT(leading.dot(rest(with) * leading), 0.2 * leading.dot(rest(without) * leading));
-  EXPECT_EQ(with.elastic_modes(), 20);
-  EXPECT_EQ(with.frequency.size(), 33);
-  EXPECT_GT(with.frequency[20], with.frequency[19]);
+  EXPECT_EQ(with.elastic_modes(), 8);
+  EXPECT_EQ(with.frequency.size(), 21);
+  EXPECT_GT(with.frequency[8], with.frequency[7]);
 }
 
 TEST(BarModes, ChangeNoStaticResponse) {
@@ -84,8 +84,8 @@ TEST(BarModes, ChangeNoStaticResponse) {
     return station_stress(model, q, forces, 100);
   };
   const Eigen::VectorXd expected = stress(without);
-  // Forces far away act as in the first sector's undeviated cage: to some digits.
-  EXPECT_LT((stress(with) - expected).cwiseAbs().maxCoeff(), 2e-3 * expected.maxCoeff());
+  // But that of forces far away is of the undeviated cage, and now there is less of it.
+  EXPECT_LT((stress(with) - expected).cwiseAbs().maxCoeff(), 0.03 * expected.maxCoeff());
 }
 
 /// With them the compliance under a bar's rollers depends little on how many elastic modes are kept.
