@@ -7,6 +7,7 @@
 #include "mc/build_info.hpp"
 #include "mc/resolved_study.hpp"
 #include "mc/sample.hpp"
+#include "mc/study_file/cage_thickness.hpp"
 #include "mc/study_inputs.hpp"
 #include "mc/study_keys.hpp"
 #include "mc/study_layers.hpp"
@@ -211,6 +212,17 @@ std::vector<std::string> model_notes(const Study& study) {
   return notes;
 }
 
+/// What scattering diameters of a flexible cage leave wrong.
+std::string thickness_note(double share) {
+  const auto percent = [&](double error) { return number_text(std::round(1e4 * error) / 100); };
+  return "bore and outside of the flexible cage deviate together by up to " + percent(share) +
+         " % of its thickness: contacts, clearances and mass follow them, its elasticity stays the "
+         "nominal one (errors up to " +
+         percent(kFrequencyErrorPerShare * share) + " % of frequencies, " +
+         percent(kComplianceErrorPerShare * share) + " % of the bars' compliance, " +
+         percent(kStressErrorPerShare * share) + " % of stress)";
+}
+
 std::vector<std::string> study_notes(const Study& study) {
   std::vector<std::string> notes = model_notes(study);
   const auto& window = study.scene.window;
@@ -226,6 +238,8 @@ std::vector<std::string> study_notes(const Study& study) {
           " cage revolutions, the window measures " + number_text(measured) + " (scene.window." +
           (in_part ? "peak_revolutions" : "measure_revolutions") + ")");
   }
+  if (const double share = is_flexible(study.scene) ? thickness_scatter(study) : 0; share > 0)
+    notes.push_back(thickness_note(share));
   const auto varied = design_columns(study);
   if (study.inputs.empty())
     notes.push_back("nothing varies: no key of the scene is a distribution");

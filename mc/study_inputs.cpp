@@ -83,8 +83,20 @@ void read_bare_law(const toml::table& table, const std::string& file, UncertainI
   set_scope(input, input.per_pocket ? "pocket" : "lot", table, file, measurements);
 }
 
+constexpr double kRareDraw = 1e-5;  ///< share of draws beyond what is checked
+const std::string kCageBore = "cage.inner_diameter_mm", kCageOutside = "cage.outer_diameter_mm";
+
 double deviation_at(const std::optional<Law>& law, double p) {
   return law ? quantile(*law, p) : 0;
+}
+
+/// By which the widest candidate tolerance scales the deviations of a key.
+double widest_scale(const Study& study, const std::string& key) {
+  double scale = 1;
+  for (std::size_t d = 0; d < study.tolerance.dimensions.size(); ++d)
+    if (study.tolerance.dimensions[d].key == key)
+      for (const auto& candidate : study.candidates) scale = std::max(scale, candidate.scales[d]);
+  return scale;
 }
 
 }  // namespace
@@ -123,20 +135,16 @@ std::vector<UncertainInput> read_inputs(const toml::table& scene, const std::str
 }
 
 void check_drawn_range(const Study& study, const toml::table& scene, const std::string& file) {
-  constexpr double rare = 1e-5;
   for (const auto& input : study.inputs) {
     const auto& key = *find_key(scene_keys(), input.key);
-    double scale = 1;
-    for (std::size_t d = 0; d < study.tolerance.dimensions.size(); ++d)
-      if (study.tolerance.dimensions[d].key == input.key)
-        for (const auto& candidate : study.candidates) scale = std::max(scale, candidate.scales[d]);
+    const double scale = widest_scale(study, input.key);
     const auto [smallest, largest] =
         std::minmax_element(input.nominal.begin(), input.nominal.end());
     const auto extreme = [&](double nominal, double p) {
       return nominal + scale * (deviation_at(input.lot, p) + deviation_at(input.pocket, p)) +
              deviation_at(input.noise, p);
     };
-    for (const double value : {extreme(*smallest, rare), extreme(*largest, 1 - rare)}) {
+    for (const double value : {extreme(*smallest, kRareDraw), extreme(*largest, 1 - kRareDraw)}) {
       if (in_range(key.range, value)) continue;
       const auto* node = find_node(scene, input.key);
       throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, input.key,
@@ -148,12 +156,43 @@ void check_drawn_range(const Study& study, const toml::table& scene, const std::
   }
 }
 
+double thickness_scatter(const Study& study) {
+  const double thickness =
+      1e3 * (study.scene.cage.outer_diameter - study.scene.cage.inner_diameter);
+  double sum = 0;
+  for (const auto& input : study.inputs) {
+    if (input.key != kCageBore && input.key != kCageOutside) continue;
+    const double scale = widest_scale(study, input.key);
+    double farthest = 0;
+    for (const double p : {kRareDraw, 1 - kRareDraw})
+      farthest = std::max(
+          farthest, std::abs(scale * deviation_at(input.lot, p) + deviation_at(input.noise, p)));
+    sum += farthest;
+  }
+  return sum / thickness;
+}
+
 void check_flexible_cage(const Study& study, const toml::table& scene, const std::string& file) {
   static const std::set<std::string> tabulated = {
-      "cage.inner_diameter_mm", "cage.outer_diameter_mm", "cage.width_mm",
-      "cage.land_offset_mm",    "cage.young_GPa",         "cage.poisson",
-      "cage.mass_kg",           "cage.density_kg_m3",     "cage.temperature_C"};
+      "cage.width_mm", "cage.land_offset_mm", "cage.young_GPa",    "cage.poisson",
+      "cage.mass_kg",  "cage.density_kg_m3",  "cage.temperature_C"};
   if (!is_flexible(study.scene)) return;
+  if (const double share = thickness_scatter(study); share > kThicknessShare) {
+    const bool outside = find_node(scene, kCageOutside) &&
+                         std::any_of(study.inputs.begin(), study.inputs.end(),
+                                     [](const auto& input) { return input.key == kCageOutside; });
+    const std::string key = outside ? kCageOutside : kCageBore;
+    const auto* node = find_node(scene, key);
+    throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, key,
+                     node ? shown(*node) : "",
+                     "bore and outside of the flexible cage deviate together by up to " +
+                         number_text(std::round(1e4 * share) / 100) +
+                         " % of its thickness; its elasticity is tabulated for nominal diameters, "
+                         "which is right for up to " +
+                         number_text(100 * kThicknessShare) + " %",
+                     "narrow the laws (uniform and truncated_normal have ends), or set cage.model "
+                     "= \"rigid\"");
+  }
   for (const auto& input : study.inputs) {
     const bool warms = input.key == "lubrication.temperature_C" &&
                        std::isnan(study.scene.cage.temperature) &&
@@ -163,7 +202,8 @@ void check_flexible_cage(const Study& study, const toml::table& scene, const std
     throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, input.key,
                      node ? shown(*node) : "",
                      "this cannot be a distribution while cage.model = \"flexible\": the elastic "
-                     "cage is tabulated once for its nominal value, only its pockets may deviate",
+                     "cage is tabulated once for its nominal value, only its pockets and diameters "
+                     "may deviate",
                      "give a plain number (one study each for several), or set cage.model = "
                      "\"rigid\"");
   }

@@ -26,6 +26,17 @@ std::string accuracy_text(const Json& accuracy) {
       target));
 }
 
+std::string thickness_text(const Json& thickness) {
+  if (thickness.is_null()) return {};
+  return paragraph(fmt::format(
+      "The diameters of these cages deviate by up to {} of the thickness, bore and outside "
+      "together. Contacts, clearances and mass follow them; the elasticity stays that of nominal "
+      "diameters, which leaves errors of up to {} of frequencies, {} of the bars' compliance and "
+      "{} of stress.",
+      percent(thickness["largest_share"]), percent(thickness["frequency_error"]),
+      percent(thickness["compliance_error"]), percent(thickness["stress_error"])));
+}
+
 std::string peak_text(const Json& peak, const FigureSet& figures) {
   if (peak.is_null())
     return note(
@@ -55,7 +66,8 @@ std::string cage_chapter(const Json& report, const FigureSet& figures) {
   const Json& cage = report["cage"];
   if (cage.is_null()) return {};
   return chapter("cage", "Flexible cage",
-                 peak_text(cage["peak"], figures) + accuracy_text(cage["accuracy"]));
+                 peak_text(cage["peak"], figures) + accuracy_text(cage["accuracy"]) +
+                     thickness_text(cage["thickness"]));
 }
 
 }  // namespace cagetol

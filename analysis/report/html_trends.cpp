@@ -92,8 +92,12 @@ std::string held_text(const Json& claim) {
     std::string here;
     for (const Json& range : held["ranges"])
       here += (here.empty() ? "" : "<br>and ") + range_text(range, unit);
+    const auto levels = held["levels"].get<std::size_t>(),
+               undecided = held["undecided_levels"].get<std::size_t>();
     if (here.empty())
-      here = fmt::format("never (at none of {} levels)", held["levels"].get<std::size_t>());
+      here = undecided == 0 ? fmt::format("never (levels tried: {})", levels)
+                            : fmt::format("nowhere for certain (levels tried: {}, undecided at {})",
+                                          levels, undecided);
     text += (text.empty() ? "" : "<br>") +
             (setting.empty() ? "" : "<i>" + escaped(setting) + ":</i> ") + here;
   }

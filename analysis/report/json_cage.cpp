@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/report/json_parts.hpp"
+#include "mc/study_file/cage_thickness.hpp"
 
 namespace cagetol {
 namespace {
@@ -38,11 +39,35 @@ Json accuracy_json(const StudyData& study) {
           {"target_extreme", kExtremeTarget}};
 }
 
+/// Largest deviation of the cage's diameters over the samples, as a share of the nominal thickness,
+/// and the errors that it leaves; null where they do not vary.
+Json thickness_json(const StudyData& study) {
+  const InputColumns* surface[] = {find_input(study, "cage.inner_diameter_mm"),
+                                   find_input(study, "cage.outer_diameter_mm")};
+  const nlohmann::ordered_json& cage = study.plan.scene.at("cage");
+  double largest = 0;
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    double sum = 0;
+    for (const InputColumns* input : surface)
+      if (input != nullptr) sum += std::abs(input->value[i] - input->nominal[0]);
+    largest = std::max(largest, sum);
+  }
+  if (!(largest > 0)) return {};
+  const double share = largest / (cage.at("outer_diameter_mm").get<double>() -
+                                  cage.at("inner_diameter_mm").get<double>());
+  return {{"largest_share", share},
+          {"frequency_error", kFrequencyErrorPerShare * share},
+          {"compliance_error", kComplianceErrorPerShare * share},
+          {"stress_error", kStressErrorPerShare * share}};
+}
+
 }  // namespace
 
 Json cage_json(const ReportBasis& basis, const Json& peak) {
   if (!is_flexible(basis.study.plan.scene)) return {};
-  Json cage{{"accuracy", accuracy_json(basis.study)}, {"peak", peak}};
+  Json cage{{"accuracy", accuracy_json(basis.study)},
+            {"thickness", thickness_json(basis.study)},
+            {"peak", peak}};
   if (!peak.is_null()) {
     cage["peak"].erase("study_hash");
     cage["peak"].erase("build");

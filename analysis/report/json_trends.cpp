@@ -105,17 +105,21 @@ Json held_json(const std::vector<const Json*>& rows, std::size_t setting) {
       }));
   std::vector<Json> levels;
   std::vector<bool> holds;
+  std::size_t undecided = 0;
   for (const Json& place : shortest) {
-    bool common = true, agree = true;
+    bool common = true, agree = true, disagree = false;
     for (const Json* row : rows) {
       const Json* there = place_on(path_of(row), place["level"]);
       common = common && there != nullptr;
       agree = agree && there != nullptr &&
               (*there)["verdict"] == trend_verdict_name(TrendVerdict::agrees);
+      disagree = disagree || (there != nullptr &&
+                              (*there)["verdict"] == trend_verdict_name(TrendVerdict::disagrees));
     }
     if (!common) continue;
     levels.push_back({{"level", place["level"]}, {"clearance", place["clearance"]}});
     holds.push_back(agree);
+    undecided += !agree && !disagree;
   }
   Json ranges = Json::array();
   for (const auto& [first, last] : unbroken(holds)) {
@@ -135,6 +139,7 @@ Json held_json(const std::vector<const Json*>& rows, std::size_t setting) {
   return {{"setting", rows[0]->at("settings")[setting]["setting"]},
           {"upwards", is_upwards(*rows[0])},
           {"levels", levels.size()},
+          {"undecided_levels", undecided},
           {"ranges", ranges}};
 }
 

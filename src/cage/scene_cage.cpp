@@ -1,5 +1,6 @@
 #include "src/cage/scene_cage.hpp"
 
+#include <fmt/format.h>
 #include <cmath>
 
 #include "src/cage/cage_mass.hpp"
@@ -31,6 +32,13 @@ TableInput table_input(const Scene& nominal, const GridPoint& point) {
           {.density = nominal.cage.mesh_density,
            .point = point,
            .corner_radius = nominal.cage.corner_radius}};
+}
+
+/// Deviation of both surfaces from the tabulated ones as a share of the tabulated thickness.
+double thickness_share(const CageDimensions& cage, const CageDimensions& tabulated) {
+  return (std::abs(cage.outer_radius - tabulated.outer_radius) +
+          std::abs(cage.inner_radius - tabulated.inner_radius)) /
+         (tabulated.outer_radius - tabulated.inner_radius);
 }
 
 bool close(double a, double b) {
@@ -71,8 +79,6 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const
   const CageDimensions cage = cage_dimensions(sample.cage, sample.bearing.roller_count);
   const Material material = cage_material(sample);
   const bool same = cage.pocket_count == table.cage.pocket_count &&
-                    close(cage.inner_radius, table.cage.inner_radius) &&
-                    close(cage.outer_radius, table.cage.outer_radius) &&
                     close(cage.width, table.cage.width) &&
                     close(material.young, table.material.young) &&
                     close(material.poisson, table.material.poisson);
@@ -80,7 +86,12 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const
     return CageFault{
         CageFaultKind::outside_table, -1,
         "the cage differs from the tabulated one in more than its pockets: of a flexible "
-        "cage only pockets may vary"};
+        "cage only pockets and diameters may vary"};
+  if (const double share = thickness_share(cage, table.cage); share > kThicknessShare + 1e-9)
+    return CageFault{CageFaultKind::outside_table, -1,
+                     fmt::format("bore and outside of the cage deviate together by {:.3g} % of the "
+                                 "tabulated thickness, the cage table covers {:g} %",
+                                 100 * share, 100 * kThicknessShare)};
   auto made = make_cage_model(table, pocket_deviations(sample.cage, table.cage),
                               {.modes = sample.cage.modes, .bar_modes = sample.cage.bar_modes});
   if (auto* fault = std::get_if<CageFault>(&made)) return std::move(*fault);

@@ -28,9 +28,14 @@ std::shared_ptr<const CageTable> scene_cage_table_from_bytes(const Scene& nomina
                                                              const GridPoint& point,
                                                              std::string_view bytes);
 
+/// How far bore and outside of a sample's cage may deviate together from those of the table, as a
+/// share of its thickness. Elasticity stays that of the table; contacts, clearances, mass and
+/// inertia follow the sample. What that leaves wrong: mc/study_file/cage_thickness.hpp.
+inline constexpr double kThicknessShare = 0.01;
+
 /// The elastic cage of one sample: the table's cage with the sample's pockets. Returns a fault if
-/// the pockets leave no valid cage, or if the cage differs from the table's in more than its
-/// pockets.
+/// the pockets leave no valid cage, if its diameters deviate by more than kThicknessShare, or if
+/// the cage differs from the table's in anything else.
 std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const Scene& sample,
                                                                            const CageTable& table);
 

@@ -105,6 +105,22 @@ TEST(CageReport, ReadsTheFieldOfThatSampleAlone) {
   }
 }
 
+TEST(CageReport, SaysWhatScatteringDiametersLeaveWrong) {
+  StudyData study = flexible_study();
+  EXPECT_TRUE(make_report(study).at("cage").at("thickness").is_null());
+  study.plan.scene["cage"]["outer_diameter_mm"] = 43.4;
+  study.plan.scene["cage"]["inner_diameter_mm"] = 37.4;
+  study.inputs.push_back({"cage.outer_diameter_mm", "mm", {43.4}, {}, {}, {}, {}, false});
+  InputColumns& outside = study.inputs.back();
+  outside.value.assign(study.size(), 43.4);
+  outside.lot.assign(study.size(), 0.0);
+  outside.value[3] = 43.37;  // 0.5 % of 6 mm
+  outside.lot[3] = -0.03;
+  const Json report = make_report(study);
+  EXPECT_NEAR(report.at("cage").at("thickness").at("largest_share").get<double>(), 0.005, 1e-9);
+  EXPECT_THAT(html_report(report, {}), HasSubstr("deviate by up to 0.5 % of the thickness"));
+}
+
 TEST(CageReport, DrawsTheField) {
   const Json report = make_report(flexible_study(), {}, "DIR", field(7));
   const ScratchDirectory scratch;

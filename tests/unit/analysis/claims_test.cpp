@@ -90,7 +90,17 @@ TEST(Claims, SayWhereTheyNeverHold) {
   const Json report = make_report(jumping_slip(3.5));
   EXPECT_EQ(report.at("trends").at("claim_verdicts"), Json({{"agrees in part", 1}}));
   EXPECT_THAT(html_report(report, {}),
-              HasSubstr("<i>misalignment z 2 mrad:</i> never (at none of"));
+              HasSubstr("<i>misalignment z 2 mrad:</i> never (levels tried: 2)"));
+}
+
+TEST(Claims, AreNotDeniedWhereTheyAreUndecided) {
+  StudyData study = jumping_slip(0);
+  for (std::size_t i = 0; i < study.size(); ++i)  // noise in every second run, larger than the jump
+    study.quantities[0].values[i] +=
+        study.inputs[1].lot[i] < -0.1 && study.replicate[i] % 2 ? 9 : 0;
+  for (Trend& trend : study.plan.trends) trend.by_share = 8;
+  EXPECT_THAT(html_report(make_report(study), {}),
+              HasSubstr("nowhere for certain (levels tried: 2, undecided at 2)"));
 }
 
 TEST(Claims, HaveNoClearanceWhereTheDimensionLeavesNone) {

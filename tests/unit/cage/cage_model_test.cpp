@@ -108,7 +108,7 @@ TEST(CageModel, StaticForcesOnABarAgainstFullSolve) {
     const Deviations deviations = seed == 3 ? Deviations(13, {.width = -0.2e-3, .length = -0.25e-3})
                                             : scattered_pockets(seed);
     const FullCage full(deviations);
-    const CageModel model = model_of(deviations);
+    const CageModel model = model_of(deviations, {.modes = 20});
     const RigidMotions rigid =
         mass_orthonormal(rigid_motions(full.mesh.mesh.nodes), full.body.mass);
     const long pocket = 5;

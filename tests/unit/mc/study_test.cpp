@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mc/sample.hpp"
+#include "mc/study_inputs.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_input.hpp"
@@ -169,6 +170,25 @@ TEST_F(StudyFile, WhatAFlexibleCageIsNotTabulatedForMayVary) {
       "mode_damping = { nominal = 0.01, lot = { law = 'uniform', lower = -0.005, upper = 0.005 } }"
       "\n");
   EXPECT_EQ(study.inputs.size(), 2u);
+}
+
+TEST_F(StudyFile, DiametersOfAFlexibleCageMayScatterAsFarAsItsTableCovers) {
+  const auto scattered = [](const std::string& half_band) {
+    return "samples = 2\n[scene.cage]\nmodel = 'flexible'\nouter_diameter_mm = { nominal = 43.4, "
+           "lot "
+           "= { law = 'uniform', lower = -" +
+           half_band + ", upper = " + half_band +
+           " } }\ninner_diameter_mm = { nominal = 37.0, noise = { law = 'uniform', lower = -0.01, "
+           "upper = 0.01 } }\n";
+  };
+  const Study study = study_of(scattered("0.03"));  // 0.04 of 6.4 mm
+  EXPECT_NEAR(thickness_scatter(study), 0.04 / 6.4, 1e-6);
+  EXPECT_THAT(study_notes(study),
+              testing::Contains(AllOf(HasSubstr("by up to 0.62 % of its thickness"),
+                                      HasSubstr("1.81 % of the bars' compliance"))));
+  EXPECT_THAT(problem_of(scattered("0.06")),
+              AllOf(HasSubstr("cage.outer_diameter_mm"), HasSubstr("by up to 1.09 %"),
+                    HasSubstr("right for up to 1 %")));
 }
 
 TEST_F(StudyFile, CandidatesAreTheProductOfTheDimensions) {

@@ -185,6 +185,28 @@ TEST(FlexibleCage, ImpossiblePocketsAreAnOutcome) {
   EXPECT_EQ(run(scene).status, Status::failed);
 }
 
+// Clearance and mass follow the sample's diameters, elasticity is the table's.
+TEST(FlexibleCage, DiametersMayDeviateByAShareOfTheThickness) {
+  Scene scene = coarse_scene();
+  scene.cage.outer_diameter += 0.06e-3;  // 0.94 % of 6.4 mm
+  const auto made = scene_cage_model(scene, *coarse_table()),
+             nominal = scene_cage_model(coarse_scene(), *coarse_table());
+  ASSERT_TRUE(std::holds_alternative<std::shared_ptr<const CageModel>>(made));
+  const auto cage = std::get<std::shared_ptr<const CageModel>>(made),
+             other = std::get<std::shared_ptr<const CageModel>>(nominal);
+  EXPECT_EQ(cage->frequency, other->frequency);
+  const BearingModel model = make_bearing_model(scene, cage),
+                     before = make_bearing_model(coarse_scene(), other);
+  EXPECT_NEAR(model.guide_clearance, before.guide_clearance - 0.03e-3, 1e-12);
+  EXPECT_NEAR(model.cage_mass / before.cage_mass, 1.011, 0.001);
+  scene.cage.inner_diameter -= 0.01e-3;
+  const auto refused = scene_cage_model(scene, *coarse_table());
+  ASSERT_TRUE(std::holds_alternative<CageFault>(refused));
+  EXPECT_EQ(std::get<CageFault>(refused).kind, CageFaultKind::outside_table);
+  EXPECT_NE(std::get<CageFault>(refused).reason.find("by 1.09 %"), std::string::npos)
+      << std::get<CageFault>(refused).reason;
+}
+
 /// What becomes of a cage whose pockets are all wider, at the table that serves it.
 std::variant<std::shared_ptr<const CageModel>, CageFault> wider_cage(double by) {
   Scene scene = coarse_scene();
