@@ -24,7 +24,7 @@
 namespace cagetol {
 
 struct CageModelOptions {
-  long modes = 8;         ///< elastic modes kept
+  long modes = 10;        ///< elastic modes kept
   bool bar_modes = true;  ///< and a static mode of every bar (bar_modes.hpp)
   bool stress = true;     ///< with stress rows
 };

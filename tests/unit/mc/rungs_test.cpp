@@ -37,7 +37,7 @@ TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   EXPECT_FALSE(has_planar_rollers(on_rung(plane, rungs[2])));
   EXPECT_FALSE(has_planar_rollers(top) || is_quasi_static(top));
   EXPECT_EQ(top.cage.model, CageKind::flexible);
-  EXPECT_EQ(top.cage.modes, 8);
+  EXPECT_EQ(top.cage.modes, 10);
   EXPECT_TRUE(top.cage.bar_modes);
   EXPECT_TRUE(top.cage.centrifugal && top.cage.coriolis);
   EXPECT_EQ(top.discretisation.race_slices, 5);
@@ -84,7 +84,7 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
   EXPECT_DOUBLE_EQ(integrator.integration.tolerance, 0.0005);
   EXPECT_EQ(integrator.cage.model, CageKind::rigid);
   EXPECT_EQ(modes.cage.model, CageKind::flexible);
-  EXPECT_EQ(modes.cage.modes, 8);
+  EXPECT_EQ(modes.cage.modes, 10);
   EXPECT_EQ(modes.integration.tolerance, 0.005);
   EXPECT_EQ(slices.discretisation.race_slices, 11);
   EXPECT_EQ(window.window.measure_revolutions, 12);

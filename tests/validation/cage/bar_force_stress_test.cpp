@@ -1,9 +1,11 @@
 // Static stress of single bar forces beyond the kept modes, by the per-sample model, against the
 // whole field of a full solve, on a cage with scattered pockets and the default mesh.
 #include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "src/cage/cage_recovery.hpp"
 #include "src/cage/field_recovery.hpp"
@@ -62,8 +64,7 @@ TEST(BarForceStress, OfABarThatIsPinchedHasItsPeakAtAStation) {
   scene.cage.corner_radius = 0;  // as the whole field has it
   const auto table = make_scene_cage_table(scene);
   const auto deviations = scattered_pockets();
-  CageStates states{Eigen::MatrixXd::Zero(33, 39), Eigen::MatrixXd::Zero(13 * 6, 39),
-                    Eigen::VectorXd::Zero(39)};
+  CageStates states{{}, Eigen::MatrixXd::Zero(13 * 6, 39), Eigen::VectorXd::Zero(39)};
   for (Eigen::Index j = 0; j < 13; ++j) {
     const Eigen::Index leading = 6 * j + 3, trailing = 6 * ((j + 1) % 13);
     states.bar_force(leading, j) = 1;
@@ -73,6 +74,16 @@ TEST(BarForceStress, OfABarThatIsPinchedHasItsPeakAtAStation) {
     states.bar_force(leading + 1, 26 + j) = 1;
     states.bar_force(trailing + 1, 26 + j) = -1;
   }
+  // Modes rest where these forces leave them, whichever modes are kept.
+  const CageModel model = std::get<CageModel>(make_cage_model(*table, deviations));
+  states.q.setZero(model.frequency.size(), 39);
+  for (long j = 0; j < 13; ++j)
+    for (long i = 0; i < 6; ++i)
+      states.q += model.contact.row(model.contact_row(j, i, 1)).transpose() *
+                  states.bar_force.row(6 * j + i);
+  const Eigen::VectorXd stiffness =
+      (2 * std::numbers::pi * model.frequency.array()).square().matrix();
+  states.q = (stiffness.cwiseInverse().asDiagonal() * states.q).eval();
   const auto compared = compare_peak_stress(*table, deviations, states);
   const auto& peaks = std::get<std::vector<PeakStress>>(compared);
   double end = 0, along = 0, middle = 0;
@@ -87,7 +98,7 @@ TEST(BarForceStress, OfABarThatIsPinchedHasItsPeakAtAStation) {
   std::printf("pinched at an end %.1f %%, along its length %.1f %%, at the middle %.1f %% off\n",
               100 * end, 100 * along, 100 * middle);
   EXPECT_LT(end, 0.02);
-  EXPECT_LT(along, 0.02);
+  EXPECT_LT(along, 0.03);
   EXPECT_LT(middle, 0.1);
 }
 
