@@ -28,9 +28,7 @@ TableInput table_input(const Scene& nominal, const GridPoint& point) {
   return {cage_dimensions(nominal.cage, nominal.bearing.roller_count),
           tabulated_material(nominal),
           cage_stations(nominal),
-          {.density = nominal.cage.mesh_density,
-           .point = point,
-           .corner_radius = nominal.cage.corner_radius}};
+          {.density = nominal.cage.mesh_density, .point = point}};
 }
 
 bool close(double a, double b) {
@@ -74,6 +72,7 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const
                     close(cage.inner_radius, table.cage.inner_radius) &&
                     close(cage.outer_radius, table.cage.outer_radius) &&
                     close(cage.width, table.cage.width) &&
+                    close(cage.corner_radius, table.cage.corner_radius) &&
                     close(material.young, table.material.young) &&
                     close(material.poisson, table.material.poisson);
   if (!same)
