@@ -22,7 +22,7 @@ namespace {
 /// Tables of one scene; reading one again takes some milliseconds.
 constexpr std::size_t kMostInMemory = 16;
 
-constexpr int kFormat = 13;
+constexpr int kFormat = 14;
 constexpr const char* kOtherFolder =
     "set CAGETOL_CACHE to a folder that has room and that you may write to";
 /// What files of formats up to 10, which had no checksum, begin with.

@@ -12,9 +12,6 @@
 namespace cagetol {
 namespace {
 
-// Pocket corners are sharp in the model.
-constexpr double kCornerRadius = 0;
-
 /// In mm, to the nanometre; null where there is none.
 Json mm(double length) {
   return std::isfinite(length) ? Json(std::round(1e9 * length) / 1e6) : Json();
@@ -97,7 +94,7 @@ Json pocket_drawing_json(const Scene& scene, long pocket) {
             {"inner_land_radius_mm", mm(inner_land_diameter(bearing) / 2)},
             {"half_angle_rad", half_angle}}},
           {"outside",
-           {{"opening", line_json(pocket_opening(scene, pocket, kCornerRadius))},
+           {{"opening", line_json(pocket_opening(scene, pocket, scene.cage.corner_radius))},
             {"cage_width_mm", mm(cage.width)},
             {"half_sector_mm", mm(half_angle * pitch)},
             {"roller_length_mm", mm(scene.roller.length)},

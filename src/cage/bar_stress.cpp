@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <stdexcept>
 
@@ -23,34 +22,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-void rotate(MatrixXd& field, const Eigen::Matrix3d& by) {
-  for (Index n = 0; n < field.rows() / 3; ++n)
-    field.middleRows<3>(3 * n) = (by * field.middleRows<3>(3 * n)).eval();
-}
-
-/// Grid points mirrored about the pocket's middle plane.
-std::vector<int> mirror_points(const SectorGrid& grid) {
-  std::map<std::array<long, 3>, int> number;
-  const auto key = [](const SectorPoint& p, double side) {
-    return std::array<long, 3>{std::lround(1e7 * p.radial), std::lround(1e7 * side * p.around),
-                               std::lround(1e7 * p.axial)};
-  };
-  for (std::size_t i = 0; i < grid.points.size(); ++i)
-    number[key(grid.points[i], 1)] = static_cast<int>(i);
-  std::vector<int> mirror;
-  for (const SectorPoint& point : grid.points) mirror.push_back(number.at(key(point, -1)));
-  return mirror;
-}
-
-MatrixXd mirror_field(const std::vector<int>& mirror, const MatrixXd& field) {
-  MatrixXd out(field.rows(), field.cols());
-  for (std::size_t p = 0; p < mirror.size(); ++p) {
-    const Index to = 3 * static_cast<Index>(p);
-    out.middleRows<3>(to) = field.middleRows<3>(3 * mirror[p]);
-    out.row(to + 2) *= -1;
-  }
-  return out;
-}
+/// Rows in one piece of memory, where a loop runs over the nodes of many columns.
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// All columns on sector k in its own frame.
 MatrixXd on_sector(const SectorTurn& turn, const MatrixXd& fields, Index k) {
@@ -90,7 +63,7 @@ struct BarStress::Parts {
   std::array<CutResultants, 2> cuts{};  ///< per face
 
   void place(const PocketDeviation& deviation);
-  MatrixXd read(const MatrixXd& fields) const;
+  RowMatrix read(const MatrixXd& fields, bool only_cuts = false) const;
   MatrixXd body_force(const MatrixXd& accelerations) const;
   std::vector<bool> hold(bool middle_normal, bool middle_along) const;
   Eigen::Vector3d cut_centre(int side) const;
@@ -136,23 +109,25 @@ void BarStress::Parts::place(const PocketDeviation& deviation) {
         strip_line_load(cage, stations, deviation, strip, nodes, tangent, i);
 }
 
-/// Fields of the sector grid at the nodes, in the bar's frame.
-MatrixXd BarStress::Parts::read(const MatrixXd& fields) const {
-  MatrixXd at = MatrixXd::Zero(3 * static_cast<Index>(reading.size()), fields.cols());
+/// Fields of the sector grid at the nodes, in the bar's frame. `only_cuts`: zero at all others.
+RowMatrix BarStress::Parts::read(const MatrixXd& fields, bool only_cuts) const {
+  const RowMatrix from = fields;
+  RowMatrix at = RowMatrix::Zero(3 * static_cast<Index>(reading.size()), fields.cols());
   for (std::size_t n = 0; n < reading.size(); ++n) {
+    if (only_cuts && !strip.on_cut(n)) continue;
     auto rows = at.middleRows<3>(3 * static_cast<Index>(n));
     for (std::size_t a = 0; a < 8; ++a)
       if (const double w = reading[n].weight[static_cast<Index>(a)]; w != 0)
-        rows += w * fields.middleRows<3>(3 * reading[n].point[a]);
+        rows += w * from.middleRows<3>(3 * reading[n].point[a]);
+    rows = (to_bar * rows).eval();
   }
-  rotate(at, to_bar);
   return at;
 }
 
 /// From accelerations of the sector grid.
 MatrixXd BarStress::Parts::body_force(const MatrixXd& accelerations) const {
-  const MatrixXd at = read(accelerations);
-  MatrixXd force = MatrixXd::Zero(at.rows(), at.cols());
+  const RowMatrix at = read(accelerations);
+  RowMatrix force = RowMatrix::Zero(at.rows(), at.cols());
   for (Index j = 0; j < mass.outerSize(); ++j)
     for (SparseMatrix::InnerIterator it(mass, j); it; ++it)
       force.middleRows<3>(3 * it.row()) += it.value() * at.middleRows<3>(3 * j);
@@ -250,20 +225,13 @@ void BarStress::Parts::solve_undeviated() {
       add(0, face > 0, face);
       add(face < 0 ? turn.sectors - 1 : 1, face < 0, -face * symmetry);
 
-      MatrixXd internal = coarse.stiffness.selfadjointView<Eigen::Lower>() * fields;
-      internal -= coarse.mass.selfadjointView<Eigen::Lower>() * accelerations;
-      internal -= coarse_load;
-      const MatrixXd wanted = coarse_motions.transpose() * internal;
+      MatrixXd wanted = symmetric_product(coarse.stiffness, coarse_motions).transpose() * fields;
+      wanted -= symmetric_product(coarse.mass, coarse_motions).transpose() * accelerations;
+      wanted -= coarse_motions.transpose() * coarse_load;
 
-      MatrixXd driven = read(fields);
-      MatrixXd moved = motions;
       const auto& held_part = part[symmetry > 0 ? 0 : 1];
-      for (std::size_t n = 0; n < strip.place.size(); ++n) {
-        if (strip.on_cut(n)) continue;
-        driven.middleRows<3>(3 * static_cast<Index>(n)).setZero();
-      }
-      const MatrixXd first = held_part->solve(load, driven);
-      const MatrixXd unit = held_part->solve(MatrixXd::Zero(load.rows(), 12), moved);
+      const MatrixXd first = held_part->solve(load, read(fields, true));
+      const MatrixXd unit = held_part->solve(MatrixXd::Zero(load.rows(), 12), motions);
       const MatrixXd found = reactions(first, load);
       const MatrixXd influence = reactions(unit, MatrixXd::Zero(load.rows(), 12));
       Eigen::CompleteOrthogonalDecomposition<MatrixXd> inverse;
@@ -330,11 +298,10 @@ MatrixXd BarStress::stress(int face, const std::vector<Index>& all, const Matrix
   const MatrixXd own = face < 0 ? mirror_field(p.mirror, fields) : fields;
   MatrixXd load = p.body_force(face < 0 ? mirror_field(p.mirror, accelerations) : accelerations);
   const Index first = turn.local_column(0, 0) + (face > 0 ? per_face : 0);
-  MatrixXd driven = p.read(own);
+  MatrixXd driven = p.read(own, true);
   const MatrixXd& beyond = p.drive[face < 0 ? 0 : 1];
   for (std::size_t n = 0; n < p.strip.place.size(); ++n) {
     auto rows = driven.middleRows<3>(3 * static_cast<Index>(n));
-    if (!p.strip.on_cut(n)) rows.setZero();
     if (p.strip.on_cut(n) || p.strip.on_middle_plane(n))
       for (std::size_t c = 0; c < all.size(); ++c)
         rows.col(static_cast<Index>(c)) += beyond.block<3, 1>(3 * static_cast<Index>(n), all[c]);

@@ -16,8 +16,8 @@
 //      deviated sector mesh plus the difference of step 2.
 //
 // Correction fields (cage_basis.hpp), whose loads act on the middle planes, skip steps 1 and 2.
-// A bar force acts along the line of its station, spread radially over a quarter of the thickness to
-// both sides, and is kept off the fillets: roller ends have chamfers.
+// A bar force acts along the line of its station, spread radially over a quarter of the thickness
+// to both sides, and is kept off the fillets: roller ends have chamfers.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,8 +41,8 @@ class BarStress {
   void deviate(const PocketDeviation& deviation);
 
   /// Stress at the strip's stations on a face (-1 trailing, 1 leading) for the columns `all` of the
-  /// basis, from their fields and accelerations on the sector mesh of the deviated pocket. deviate()
-  /// was called with the pocket's deviation, mirrored for a trailing face. Rows 6 i +
+  /// basis, from their fields and accelerations on the sector mesh of the deviated pocket.
+  /// deviate() was called with the pocket's deviation, mirrored for a trailing face. Rows 6 i +
   /// component, axes of the sector's frame.
   Eigen::MatrixXd stress(int face, const std::vector<Eigen::Index>& all,
                          const Eigen::MatrixXd& fields, const Eigen::MatrixXd& accelerations) const;

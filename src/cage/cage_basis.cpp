@@ -48,11 +48,11 @@ Eigen::MatrixXd first_sector(const CageMesh& mesh, const Eigen::MatrixXd& fields
 
 /// Static response without what the modes of the basis carry: orthogonal to them in stiffness and
 /// mass.
-Eigen::MatrixXd residual_response(const BodyMatrices& body, const ShiftedFactor& factor,
-                                  const FreeModes& modes, const Eigen::MatrixXd& loads) {
+Eigen::MatrixXd residual_response(const CyclicCage& cyclic, const FreeModes& modes,
+                                  const Eigen::MatrixXd& loads) {
   const Eigen::ArrayXd omega = 2 * std::numbers::pi * modes.frequency.array();
   const Eigen::MatrixXd carried = modes.shape.transpose() * loads;
-  return free_static_response(body, factor, modes.rigid, loads) -
+  return cyclic.static_response(loads) -
          modes.shape * (omega.square().inverse().matrix().asDiagonal() * carried);
 }
 
@@ -62,9 +62,8 @@ Eigen::MatrixXd residual_response(const BodyMatrices& body, const ShiftedFactor&
 /// every mode and deviation, are condensed to the few combinations that change the modes'
 /// frequencies most.
 Eigen::MatrixXd correction_loads(const CageMesh& mesh, const Material& material,
-                                 const PocketDeviation& range, const BodyMatrices& body,
-                                 const ShiftedFactor& factor, const FreeModes& modes,
-                                 const CageTableOptions& options) {
+                                 const PocketDeviation& range, const CyclicCage& cyclic,
+                                 const FreeModes& modes, const CageTableOptions& options) {
   const SectorGrid& grid = mesh.grid;
   const Eigen::Index count =
       std::min<Eigen::Index>(modes.frequency.size(), options.corrected_modes);
@@ -97,7 +96,7 @@ Eigen::MatrixXd correction_loads(const CageMesh& mesh, const Material& material,
           eigenvalue.cwiseSqrt().cwiseInverse().asDiagonal();
     }
   }
-  const Eigen::MatrixXd gram = loads.transpose() * residual_response(body, factor, modes, loads);
+  const Eigen::MatrixXd gram = loads.transpose() * residual_response(cyclic, modes, loads);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(gram);
   return loads * principal.eigenvectors().rightCols(options.corrections);
 }
@@ -158,13 +157,13 @@ Eigen::MatrixXd seen_loads(const SectorTurn& turn, const CageDimensions& cage,
 
 CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
                           const CageStations& stations, const PocketDeviation& range,
-                          const BodyMatrices& body, const ShiftedFactor& factor,
-                          const FreeModes& modes, const CageTableOptions& options) {
+                          const CyclicCage& cyclic, const FreeModes& modes,
+                          const CageTableOptions& options) {
   CageBasis basis;
   SectorTurn& turn = basis.sector.turn;
-  const auto mass = body.mass.selfadjointView<Eigen::Lower>();
+  const auto mass = cyclic.mass().selfadjointView<Eigen::Lower>();
   const Eigen::MatrixXd centrifugal = mass * arms(mesh.mesh.nodes);
-  Eigen::MatrixXd turning = residual_response(body, factor, modes, centrifugal);
+  Eigen::MatrixXd turning = residual_response(cyclic, modes, centrifugal);
   const double norm = std::sqrt((turning.transpose() * (mass * turning)).value());
   turning /= norm;
   const double turning_stiffness = (turning.transpose() * centrifugal).value() / norm;
@@ -183,15 +182,14 @@ CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
       elastic_shapes.transpose() * (mass * turn_fields(mesh, elastic_shapes, 1));
   find_turn(turn, forward);
   for (Eigen::Index i = 0; i < modes.frequency.size(); ++i) {
-    basis.family.push_back(mode_family(mesh, body.mass, modes.shape.col(i), turn.angle[6 + i]));
+    basis.family.push_back(mode_family(mesh, cyclic.mass(), modes.shape.col(i), turn.angle[6 + i]));
   }
 
   const Eigen::MatrixXd bars = on_whole_cage(mesh, bar_loads(mesh.cage, stations, mesh.grid, {}));
   Eigen::MatrixXd loads(bars.rows(), bars.cols() + options.corrections);
-  loads << bars, correction_loads(mesh, material, range, body, factor, modes, options);
+  loads << bars, correction_loads(mesh, material, range, cyclic, modes, options);
   const Eigen::RowVectorXd by_turning = turning.transpose() * loads / turning_stiffness;
-  const Eigen::MatrixXd local =
-      residual_response(body, factor, modes, loads) - turning * by_turning;
+  const Eigen::MatrixXd local = residual_response(cyclic, modes, loads) - turning * by_turning;
   turn.per_sector = loads.cols();
   basis.sector.fields.resize(3 * static_cast<Eigen::Index>(mesh.grid.points.size()), turn.all());
   basis.sector.fields.leftCols(turn.modes) = first_sector(mesh, basis.shapes);

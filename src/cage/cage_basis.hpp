@@ -18,6 +18,7 @@
 #include "src/cage/cage_grid.hpp"
 #include "src/cage/cage_modes.hpp"
 #include "src/cage/cage_stations.hpp"
+#include "src/cage/cyclic_cage.hpp"
 #include "src/cage/sector_carry.hpp"
 #include "src/cage/sector_share.hpp"
 #include "src/cage/sector_turn.hpp"
@@ -31,9 +32,7 @@ struct CageTableOptions {
   long corrections = 2;       ///< correction fields per pocket
   long corrected_modes = 16;  ///< lowest elastic modes for which the corrections are chosen
   long reach = 1;             ///< attachments and corrections extend over +-reach sectors
-  /// Of the pockets' fillets [m]. 0: sharp corners, whose stress belongs to the mesh.
-  double corner_radius = 0;
-  StripCounts strip = {};  ///< fine mesh for the stress of bars
+  StripCounts strip = {};     ///< fine mesh for the stress of bars
 };
 
 /// Family of an elastic mode, for reports.
@@ -64,8 +63,8 @@ struct CageBasis {
 
 CageBasis make_cage_basis(const CageMesh& mesh, const Material& material,
                           const CageStations& stations, const PocketDeviation& range,
-                          const BodyMatrices& body, const ShiftedFactor& factor,
-                          const FreeModes& modes, const CageTableOptions& options);
+                          const CyclicCage& cyclic, const FreeModes& modes,
+                          const CageTableOptions& options);
 
 /// The y and z coordinates of the nodes, ordered like a displacement. The centrifugal load is
 ///   (spin)^2 M (this vector)

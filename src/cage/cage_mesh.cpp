@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numbers>
 
 #include "src/cage/hex8_incompatible.hpp"
@@ -14,10 +15,31 @@ namespace {
 /// Exponent of the grading towards the pocket's corners; 1 is even.
 constexpr double kGrading = 1.5;
 
-/// Angle of a pocket face or of a line across the pocket at u = s S/2 + x gamma.
-double pocket_angle(const PocketDeviation& deviation, double half_width, double s, double x,
-                    double radius) {
-  return deviation.pitch + std::asin((s * half_width + x * deviation.squareness) / radius);
+/// Angle of a line across the pocket at the tangential offset u + x gamma.
+double pocket_angle(const PocketDeviation& deviation, double u, double x, double radius) {
+  return deviation.pitch + std::asin((u + x * deviation.squareness) / radius);
+}
+
+/// What a point of the pocket's outline moves towards the pocket's middle to lie on a fillet [m].
+struct Fillet {
+  double axial = 0, around = 0;
+};
+
+/// For the point at fractions s and t of the pocket's half width and half length, one of them 1. Of
+/// the undeviated pocket it decides which points lie on the fillet, so that no point changes sides
+/// when the pocket deviates.
+Fillet fillet_at(const CageDimensions& cage, double half_length, double half_width, double s,
+                 double t) {
+  const double r = cage.corner_radius;
+  if (s < 1 && t < 1) return {};
+  const bool face = s == 1;
+  const double from_corner =
+      0.5 * (face ? (1 - t) * cage.pocket_length : (1 - s) * cage.pocket_width);
+  if (from_corner >= r) return {};
+  const double angle = std::numbers::pi / 4 * (1 - from_corner / r);
+  const double along = r * (1 - std::sin(angle)), inward = r * (1 - std::cos(angle));
+  if (face) return {along - (1 - t) * half_length, inward};
+  return {inward, along - (1 - s) * half_width};
 }
 
 std::string format_reason(const char* text, double value) {
@@ -47,6 +69,10 @@ std::optional<CageFault> pocket_fault(const CageDimensions& cage, const PocketDe
     return geometry_fault(
         pocket,
         format_reason("pocket breaks through the side rings, which are %.4g mm thick", 1e3 * side));
+  }
+  if (2 * cage.corner_radius >= std::min(width, length)) {
+    return geometry_fault(pocket, format_reason("pocket has no room for corners of radius %.4g mm",
+                                                1e3 * cage.corner_radius));
   }
   // The narrowest place of a half bar: inner surface, at the pocket end towards which the face
   // leans.
@@ -79,32 +105,42 @@ double graded(long p, long inner, long outer) {
 }  // namespace
 
 MeshCounts mesh_counts(const CageDimensions& cage, long density) {
-  const double size = (cage.outer_radius - cage.inner_radius) / static_cast<double>(density);
+  const double thickness = cage.outer_radius - cage.inner_radius;
   const double mean_radius = 0.5 * (cage.inner_radius + cage.outer_radius);
   const double half_bar =
       mean_radius * (std::numbers::pi / static_cast<double>(cage.pocket_count) -
                      std::asin(std::min(0.99, 0.5 * cage.pocket_width / mean_radius)));
-  const auto count = [](double length, double step) {
-    return std::max(1L, static_cast<long>(std::ceil(length / step - 1e-9)));
+  const double side = 0.5 * (cage.width - cage.pocket_length);
+  // Bending within the cage's surface needs elements across bars and side rings, not elements as
+  // short as a thin cage is thick.
+  const double step =
+      std::max(0.75 * thickness, 1.2 * std::min(2 * half_bar, side)) / static_cast<double>(density);
+  const auto count = [](double length, double by) {
+    return std::max(1L, static_cast<long>(std::ceil(length / by - 1e-9)));
   };
   return {.radial = density,
-          .half_bar = count(half_bar, 0.75 * size),
-          .pocket = 2 * count(0.5 * cage.pocket_width, 2 * size),
-          .side = count(0.5 * (cage.width - cage.pocket_length), 0.75 * size),
-          .length = 2 * count(0.5 * cage.pocket_length, 0.75 * size)};
+          .half_bar = count(half_bar, step),
+          .pocket = 2 * count(0.5 * cage.pocket_width, 8 * step / 3),
+          .side = count(side, step),
+          .length = 2 * count(0.5 * cage.pocket_length, step)};
 }
 
 Eigen::Vector3d sector_position(const CageDimensions& cage, const PocketDeviation& deviation,
                                 const SectorPoint& point) {
   // How far into the bar: 0 at the pocket face and inside the pocket, 1 at the bar's middle plane.
   const double bar = std::max(0.0, std::abs(point.around) - 1);
+  const double ring = std::max(0.0, std::abs(point.axial) - 1);
+  const double pocket_half = 0.5 * (cage.pocket_length + deviation.length);
   const double half_length = 0.5 * (cage.pocket_length + (1 - bar) * deviation.length);
   const double t = std::clamp(point.axial, -1.0, 1.0);
-  const double x = t * half_length + (point.axial - t) * (0.5 * cage.width - half_length);
   const double radius = cage.inner_radius + point.radial * (cage.outer_radius - cage.inner_radius);
   const double half_width = 0.5 * (cage.pocket_width + deviation.width);
   const double s = std::clamp(point.around, -1.0, 1.0);
-  const double face = pocket_angle(deviation, half_width, s, x, radius);
+  const Fillet fillet = fillet_at(cage, pocket_half, half_width, std::abs(s), std::abs(t));
+  const double x = t * half_length + (point.axial - t) * (0.5 * cage.width - half_length) -
+                   (t < 0 ? -1 : 1) * (1 - bar) * (1 - ring) * fillet.axial;
+  const double u = s * half_width - (s < 0 ? -1 : 1) * (1 - ring) * fillet.around;
+  const double face = pocket_angle(deviation, u, x, radius);
   const double middle =
       std::copysign(std::numbers::pi / static_cast<double>(cage.pocket_count), point.around);
   const double theta = (1 - bar) * face + bar * middle;
@@ -155,6 +191,29 @@ SectorGrid make_sector_grid(const MeshCounts& counts) {
     }
   }
   return grid;
+}
+
+std::vector<int> mirror_points(const SectorGrid& grid) {
+  std::map<std::array<long, 3>, int> number;
+  const auto key = [](const SectorPoint& p, double side) {
+    return std::array<long, 3>{std::lround(1e7 * p.radial), std::lround(1e7 * side * p.around),
+                               std::lround(1e7 * p.axial)};
+  };
+  for (std::size_t i = 0; i < grid.points.size(); ++i)
+    number[key(grid.points[i], 1)] = static_cast<int>(i);
+  std::vector<int> mirror;
+  for (const SectorPoint& point : grid.points) mirror.push_back(number.at(key(point, -1)));
+  return mirror;
+}
+
+Eigen::MatrixXd mirror_field(const std::vector<int>& mirror, const Eigen::MatrixXd& field) {
+  Eigen::MatrixXd out(field.rows(), field.cols());
+  for (std::size_t p = 0; p < mirror.size(); ++p) {
+    const auto to = 3 * static_cast<Eigen::Index>(p);
+    out.middleRows<3>(to) = field.middleRows<3>(3 * mirror[p]);
+    out.row(to + 2) *= -1;
+  }
+  return out;
 }
 
 Eigen::Matrix3Xd sector_nodes(const CageDimensions& cage, const PocketDeviation& deviation,
@@ -236,7 +295,8 @@ CageDimensions cage_dimensions(const CageGeometry& geometry, long pocket_count) 
           .outer_radius = 0.5 * geometry.outer_diameter,
           .width = geometry.width,
           .pocket_width = mean(geometry.pocket_width),
-          .pocket_length = mean(geometry.pocket_length)};
+          .pocket_length = mean(geometry.pocket_length),
+          .corner_radius = geometry.corner_radius};
 }
 
 std::vector<PocketDeviation> pocket_deviations(const CageGeometry& geometry,

@@ -9,6 +9,7 @@
 //   leading face   u = +S/2 + x gamma
 //   trailing face  u = -S/2 + x gamma
 //   end walls      x = +-L/2
+// Fillets between them are cylinders of the corner radius about radial axes.
 // u is the tangential offset from the pocket's central radial plane, so bars are wedges.
 #pragma once
 
@@ -38,6 +39,8 @@ struct CageDimensions {
   double width = 14e-3;            ///< axial [m]
   double pocket_width = 7.65e-3;   ///< S of the undeviated pocket [m]
   double pocket_length = 9.25e-3;  ///< L of the undeviated pocket [m]
+  /// Of the pockets' fillets [m]. 0: sharp corners, whose stress belongs to the mesh.
+  double corner_radius = 0;
 };
 
 /// Deviation of one pocket from the undeviated one.
@@ -57,8 +60,9 @@ struct MeshCounts {
   long length = 8;    ///< along a pocket
 };
 
-/// Counts for `density` elements through the thickness. Elements are slightly finer along the bars
-/// and across bars and side rings, and coarser across the pocket, where the side ring only bends.
+/// Counts for `density` elements through the thickness. Along the bars and across bars and side
+/// rings elements are slightly finer than that, but not finer than about `density` over a bar's or
+/// side ring's own width; across the pocket, where the side ring only bends, they are coarser.
 MeshCounts mesh_counts(const CageDimensions& cage, long density);
 
 enum class CageFaultKind {
@@ -78,13 +82,16 @@ struct SectorPoint {
   double radial = 0;  ///< 0 at the inner, 1 at the outer surface
   double around = 0;  ///< -1, 1: trailing, leading pocket face; -2, 2: middle planes of the bars
   double axial = 0;   ///< -1, 1: pocket ends; -2, 2: end faces of the cage
-  /// On the fillet of a pocket corner: 0 where it meets the bar's face, 1 where it meets the end wall;
-  /// negative elsewhere.
+  /// On the fillet of a pocket corner: 0 where it meets the bar's face, 1 where it meets the end
+  /// wall; negative elsewhere.
   double fillet = -1;
 };
 
 /// Position in the sector's own frame (nominal pocket centre at theta = 0) [m]. Linear in each
-/// deviation, except for the curvature of the cage (second order in deviation / radius).
+/// deviation, except for the curvature of the cage (second order in deviation / radius). Points of
+/// the pocket's outline nearer to a corner than its radius lie on the fillet, the corner itself in
+/// the middle of the arc; what they are moved by fades towards the bar's middle plane and the end
+/// face.
 Eigen::Vector3d sector_position(const CageDimensions& cage, const PocketDeviation& deviation,
                                 const SectorPoint& point);
 
@@ -100,6 +107,12 @@ struct SectorGrid {
   long columns = 0;                          ///< elements around one sector
 };
 SectorGrid make_sector_grid(const MeshCounts& counts);
+
+/// The point at the mirror image of each point about the middle of the pocket.
+std::vector<int> mirror_points(const SectorGrid& grid);
+
+/// Mirror image of displacements of the points.
+Eigen::MatrixXd mirror_field(const std::vector<int>& mirror, const Eigen::MatrixXd& field);
 
 /// Nodes of a sector for its deviations, in the sector's own frame.
 Eigen::Matrix3Xd sector_nodes(const CageDimensions& cage, const PocketDeviation& deviation,

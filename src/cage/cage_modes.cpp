@@ -17,28 +17,28 @@ namespace {
 using ConstMap = Eigen::Map<const Eigen::VectorXd>;
 using Map = Eigen::Map<Eigen::VectorXd>;
 
-constexpr double kLargestShift = 1e8;  // [1/s^2]
-
-/// y = (K + s M)^-1 x without its rigid part, which rounding would otherwise let grow.
+/// y = elastic part of the static response to the load x.
 class ElasticInverse {
  public:
   using Scalar = double;
-  ElasticInverse(const ShiftedFactor& factor, const RigidMotions& rigid,
-                 const RigidMotions& mass_rigid)
+  ElasticInverse(const HeldFactor& factor, const Eigen::MatrixXd& rigid,
+                 const Eigen::MatrixXd& mass_rigid)
       : factor_(&factor), rigid_(&rigid), mass_rigid_(&mass_rigid) {}
   Eigen::Index rows() const { return rigid_->rows(); }
   Eigen::Index cols() const { return rigid_->rows(); }
-  void set_shift(double) {}  // the factor already carries it
+  void set_shift(double) {}  // always zero
   void perform_op(const double* in, double* out) const {
     Map y(out, rows());
-    y = factor_->solve(ConstMap(in, rows()));
+    // Rounding leaves some imbalance in the load, which the springs would take.
+    const ConstMap x(in, rows());
+    y = factor_->solve(x - *mass_rigid_ * (rigid_->transpose() * x));
     y -= *rigid_ * (mass_rigid_->transpose() * y);
   }
 
  private:
-  const ShiftedFactor* factor_;
-  const RigidMotions* rigid_;
-  const RigidMotions* mass_rigid_;
+  const HeldFactor* factor_;
+  const Eigen::MatrixXd* rigid_;
+  const Eigen::MatrixXd* mass_rigid_;
 };
 
 class MassProduct {
@@ -57,16 +57,6 @@ class MassProduct {
   double unit_;
 };
 
-/// A unit of eigenvalues, a power of 4 [1/s^2]. Spectra measures the convergence of 1 / (eigenvalue
-/// + shift) against at least 4e-11. Of a light or small cage all of them lie below, and half-found
-/// modes would count as converged: larger eigenvalues are counted in a unit that brings the shift
-/// down to where steel cages of bearings have it.
-double eigenvalue_unit(double shift) {
-  double unit = 1;
-  while (shift / unit > kLargestShift) unit *= 4;
-  return unit;
-}
-
 /// The same rough vector every time, so that results repeat to the last bit.
 Eigen::VectorXd start_vector(Eigen::Index size) {
   Eigen::VectorXd start(size);
@@ -81,18 +71,41 @@ double hertz(double eigenvalue) {
   return std::sqrt(std::max(0.0, eigenvalue)) / (2 * std::numbers::pi);
 }
 
-FreeModes lanczos(const HexMesh& mesh, const BodyMatrices& body, const ShiftedFactor& factor,
-                  long count, long vectors) try {
+/// A unit of eigenvalues, a power of 4 [1/s^2]. Spectra measures the convergence of 1 / eigenvalue
+/// against at least 4e-11. Of a light or small cage all of them lie below, and half-found modes
+/// would count as converged: eigenvalues are counted in a unit of their own magnitude.
+double eigenvalue_unit(const ElasticInverse& inverse, const SparseMatrix& mass,
+                       const Eigen::VectorXd& start) {
+  const Eigen::VectorXd load = mass.selfadjointView<Eigen::Lower>() * start;
+  Eigen::VectorXd response(start.size());
+  inverse.perform_op(load.data(), response.data());
+  return std::exp2(2 * std::floor(0.5 * std::log2(start.dot(load) / response.dot(load))));
+}
+
+void keep(FreeModes& modes, Eigen::Index count) {
+  modes.frequency = modes.frequency.head(count).eval();
+  modes.shape = modes.shape.leftCols(count).eval();
+}
+
+Eigen::MatrixXd free_motions(const HexMesh& mesh, const SparseMatrix& mass) {
+  return mass_orthonormal(rigid_motions(mesh.nodes), mass);
+}
+
+}  // namespace
+
+FreeModes lowest_modes(const BodyMatrices& body, const HeldFactor& factor,
+                       const Eigen::MatrixXd& rigid, long count, long vectors) try {
   FreeModes modes;
-  modes.rigid = mass_orthonormal(rigid_motions(mesh.nodes), body.mass);
-  const RigidMotions mass_rigid = body.mass.selfadjointView<Eigen::Lower>() * modes.rigid;
-  ElasticInverse inverse(factor, modes.rigid, mass_rigid);
-  const double unit = eigenvalue_unit(factor.shift());
+  modes.rigid = rigid;
+  const Eigen::MatrixXd mass_rigid = body.mass.selfadjointView<Eigen::Lower>() * rigid;
+  vectors = std::min<long>(vectors, body.mass.rows() - rigid.cols());
+  ElasticInverse inverse(factor, rigid, mass_rigid);
+  Eigen::VectorXd start = start_vector(rigid.rows());
+  start -= rigid * (mass_rigid.transpose() * start);
+  const double unit = eigenvalue_unit(inverse, body.mass, start);
   MassProduct product(body.mass, unit);
   Spectra::SymGEigsShiftSolver<ElasticInverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
-      inverse, product, count, vectors, -factor.shift() / unit);
-  Eigen::VectorXd start = start_vector(mass_rigid.rows());
-  start -= modes.rigid * (mass_rigid.transpose() * start);
+      inverse, product, count, vectors, 0);
   solver.init(start.data());
   solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-11, Spectra::SortRule::SmallestAlge);
   if (solver.info() != Spectra::CompInfo::Successful) {
@@ -109,17 +122,10 @@ FreeModes lanczos(const HexMesh& mesh, const BodyMatrices& body, const ShiftedFa
   throw UnsolvedCage(std::string("the search for its modes fails: ") + problem.what());
 }
 
-void keep(FreeModes& modes, Eigen::Index count) {
-  modes.frequency = modes.frequency.head(count).eval();
-  modes.shape = modes.shape.leftCols(count).eval();
-}
-
-}  // namespace
-
-FreeModes free_modes(const HexMesh& mesh, const BodyMatrices& body, const ShiftedFactor& factor,
+FreeModes free_modes(const HexMesh& mesh, const BodyMatrices& body, const HeldFactor& factor,
                      long count) {
-  const long vectors = std::min<long>(body.mass.rows() - 6, std::max(2 * count, count + 20));
-  return lanczos(mesh, body, factor, count, vectors);
+  return lowest_modes(body, factor, free_motions(mesh, body.mass), count,
+                      std::max(2 * count, count + 20));
 }
 
 long modes_below(const BodyMatrices& body, double frequency) {
@@ -132,20 +138,21 @@ long modes_below(const BodyMatrices& body, double frequency) {
   return (factor.vectorD().array() < 0).count();
 }
 
+Eigen::Index whole_pairs(const Eigen::VectorXd& frequency, Eigen::Index count) {
+  while (count > 1 && frequency[count] / frequency[count - 1] - 1 < 1e-6) --count;
+  return count;
+}
+
 FreeModes checked_free_modes(const HexMesh& mesh, const BodyMatrices& body,
-                             const ShiftedFactor& factor, long count) {
+                             const HeldFactor& factor, long count) {
   // Two modes more than asked for, so that a gap to count below and a split pair can be seen.
   const long wanted = count + 2;
+  const Eigen::MatrixXd rigid = free_motions(mesh, body.mass);
   for (long attempt = 1; attempt <= 4; ++attempt) {
-    const long vectors = std::min<long>(body.mass.rows() - 6, (attempt + 1) * wanted + 20);
-    FreeModes modes = lanczos(mesh, body, factor, wanted, vectors);
-    const auto gap = [&](Eigen::Index i) {
-      return modes.frequency[i] / modes.frequency[i - 1] - 1;
-    };
-    Eigen::Index kept = count;
-    while (kept > 1 && gap(kept) < 1e-6) --kept;
+    FreeModes modes = lowest_modes(body, factor, rigid, wanted, (attempt + 1) * wanted + 20);
+    const Eigen::Index kept = whole_pairs(modes.frequency, count);
     const double between = 0.5 * (modes.frequency[kept - 1] + modes.frequency[kept]);
-    if (modes_below(body, between) == kept + 6) {
+    if (modes_below(body, between) == kept + rigid.cols()) {
       keep(modes, kept);
       return modes;
     }

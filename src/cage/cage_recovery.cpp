@@ -89,7 +89,7 @@ std::variant<CageRecovery, CageFault> recover_cage(const CageTable& table,
   CageRecovery recovery{std::move(std::get<CageMesh>(meshed)), {}};
   const CageMesh& mesh = recovery.mesh;
   const BodyMatrices body = assemble_body(mesh.mesh, table.material);
-  const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
+  const HeldFactor factor(body.stiffness, rigid_motions(mesh.mesh.nodes));
   // A few modes more than the model keeps, lest its last one be half of a pair that is split.
   const Index elastic = model.elastic_modes(), bars = q.rows() - elastic;
   const FreeModes modes = free_modes(mesh.mesh, body, factor, elastic + 4);

@@ -104,14 +104,26 @@ SectorReading read_at(const SectorGrid& grid, const SectorPoint& place) {
   throw std::logic_error("cage: no element at the place of a station");
 }
 
+StationLine station_line(double centre, double half, double flat) {
+  StationLine line;
+  line.low = std::clamp(centre - half, -flat, 0.999 * flat);
+  line.high = std::clamp(centre + half, 0.999 * line.low, flat);
+  const double reach = 0.5 * (line.high - line.low);
+  if (reach > 0)
+    line.lean = std::clamp(3 * (centre - 0.5 * (line.low + line.high)) / reach, -1.0, 1.0);
+  return line;
+}
+
 std::vector<SectorReading> read_bar(const CageDimensions& cage, const CageStations& stations,
                                     const SectorGrid& grid, double face, std::size_t i) {
+  const StationLine line = station_line(stations.bar_x[i], stations.bar_half[i],
+                                        0.5 * cage.pocket_length - cage.corner_radius);
   std::vector<SectorReading> readings;
   for (int k = 0; k < kLinePoints; ++k) {
     const double along = (2 * k + 1.0) / kLinePoints - 1;
-    const double x = stations.bar_x[i] + along * stations.bar_half[i];
+    const double x = 0.5 * (line.low + line.high + along * (line.high - line.low));
     readings.push_back(read_at(grid, bar_station(cage, stations, face, x)));
-    readings.back().weight /= kLinePoints;
+    readings.back().weight *= (1 + line.lean * along) / kLinePoints;
   }
   return readings;
 }
@@ -164,7 +176,7 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
 }
 
 std::vector<int> stress_stations(const CageDimensions& cage, const CageStations& stations,
-                                 const SectorGrid& grid, double corner_radius) {
+                                 const SectorGrid& grid) {
   // Forces off the middle put the largest moment of a bar between middle and root. Side rings bend
   // most just off the bars' roots: an edge's own corner averages the stress of three elements.
   const double between = nearest_line(grid, &SectorPoint::axial, 0.4);
@@ -202,7 +214,7 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
     const bool side_root =
         on(around, off_bar) && axial == 1 && (surface || point.radial == in_bore);
     const bool of_bar = corner || bar_middle || under_load || pinched || bar_root || side_root;
-    if ((corner_radius == 0 && of_bar) || side_ring || over_bar)
+    if ((cage.corner_radius == 0 && of_bar) || side_ring || over_bar)
       watched.push_back(static_cast<int>(p));
   }
   return watched;

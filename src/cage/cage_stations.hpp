@@ -51,6 +51,14 @@ struct SectorReading {
 /// Interpolation at a position in the material of the grid.
 SectorReading read_at(const SectorGrid& grid, const SectorPoint& place);
 
+/// The part of a station's line, at `centre` +- `half`, that lies on the flat of the bar's face,
+/// which ends at +-`flat`: roller ends have chamfers. A density 1 + lean t over it, t from -1 to 1,
+/// keeps the force's moment as far as a positive density can.
+struct StationLine {
+  double low = 0, high = 0, lean = 0;
+};
+StationLine station_line(double centre, double half, double flat);
+
 /// Mean over the line on the bar face that station i represents, as a sum of interpolations. A
 /// roller touches along a line; a point force would cause a stress peak of its own.
 std::vector<SectorReading> read_bar(const CageDimensions& cage, const CageStations& stations,
@@ -71,7 +79,7 @@ Eigen::MatrixXd contact_rows(const CageDimensions& cage, const CageStations& sta
 ///   - inside the bars near their ends, where rollers pinch them
 ///   - edges of the side rings at the middle of the pocket and beside the bars
 std::vector<int> stress_stations(const CageDimensions& cage, const CageStations& stations,
-                                 const SectorGrid& grid, double corner_radius = 0);
+                                 const SectorGrid& grid);
 
 /// Name of a stress station for reports: "pocket corner, leading face, x > 0, outer surface".
 std::string station_name(const SectorPoint& point);

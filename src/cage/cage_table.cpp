@@ -15,8 +15,8 @@
 namespace cagetol {
 namespace {
 
-/// Of the time a table takes, what goes before the tabulation.
-constexpr double kBasisShare = 0.6;
+/// Of the time a table takes, what goes before the tabulation: with sharp corners, with fillets.
+constexpr double kBasisShare = 0.4, kBasisShareWithFillets = 0.1;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -36,7 +36,7 @@ class Tabulation {
         grid_(grid),
         basis_(basis),
         seen_(seen_in_all(table.turn)),
-        watched_(stress_stations(table.cage, table.stations, grid, table.strip.corner_radius)),
+        watched_(stress_stations(table.cage, table.stations, grid)),
         samples_(polynomial_samples(table.range)) {
     const SectorTurn& turn = table.turn;
     inertia_ = Eigen::MatrixXd::Zero(turn.seen(), turn.seen());
@@ -99,8 +99,7 @@ class Tabulation {
                           {}};
     const Eigen::MatrixXd& carried = result.carried;
     const auto project = [&](const SparseMatrix& matrix) {
-      const Eigen::MatrixXd product = matrix.selfadjointView<Eigen::Lower>() * carried;
-      return Eigen::MatrixXd(carried.transpose() * product);
+      return Eigen::MatrixXd(carried.transpose() * symmetric_product(matrix, carried));
     };
     pack_share(turn, project(body.stiffness), project(body.mass), projection_.col(column));
     contact_.col(column) =
@@ -119,10 +118,14 @@ class Tabulation {
     if (!bars_) return;
     bars_->deviate(samples_[s]);
     const auto first = static_cast<Eigen::Index>(watched_.size());
-    const Eigen::MatrixXd leading = bars_->stress(1, seen_, own.carried, own.accelerations);
-    put(s, first, leading.rightCols(strained()));
-    const Eigen::MatrixXd trailing = bars_->stress(-1, seen_, its.carried, its.accelerations);
-    put(other, first + trailing.rows() / 6, trailing.rightCols(strained()));
+    const std::vector<Eigen::Index> columns(seen_.begin() + 6, seen_.end());
+    const auto stress = [&](int face, const DeviatedSector& sector) {
+      return bars_->stress(face, columns, sector.carried.rightCols(strained()),
+                           sector.accelerations.rightCols(strained()));
+    };
+    const Eigen::MatrixXd leading = stress(1, own), trailing = stress(-1, its);
+    put(s, first, leading);
+    put(other, first + trailing.rows() / 6, trailing);
   }
 
   /// Rows 6 i + component of a sample as rows with the station running first, from station `first`.
@@ -187,10 +190,9 @@ void spin_integrals(CageTable& table, const CageMesh& mesh, const Eigen::MatrixX
     turned.row(3 * n + 2) = shapes.row(3 * n + 1);
     in_plane.middleRows<2>(3 * n + 1) = shapes.middleRows<2>(3 * n + 1);
   }
-  const auto m = mass.selfadjointView<Eigen::Lower>();
-  table.gyroscopic = shapes.transpose() * (m * turned);
-  table.in_plane = shapes.transpose() * (m * in_plane);
-  table.centrifugal = shapes.transpose() * (m * arms(mesh.mesh.nodes));
+  table.gyroscopic = shapes.transpose() * symmetric_product(mass, turned);
+  table.in_plane = shapes.transpose() * symmetric_product(mass, in_plane);
+  table.centrifugal = shapes.transpose() * symmetric_product(mass, arms(mesh.mesh.nodes));
 }
 
 }  // namespace
@@ -202,13 +204,13 @@ void complete_cage_table(CageTable& table, const CageDimensions& cage, const Mat
   table.stations = stations;
   table.counts = mesh_counts(cage, options.density);
   table.range = table_range(table.cage);
-  table.strip = make_bar_strip(options.strip, options.corner_radius);
+  table.strip = make_bar_strip(options.strip, cage.corner_radius);
   const SectorGrid grid = make_sector_grid(table.counts);
   table.stress_points.clear();
-  for (int p : stress_stations(table.cage, stations, grid, options.corner_radius)) {
+  for (int p : stress_stations(table.cage, stations, grid)) {
     table.stress_points.push_back(grid.points[static_cast<std::size_t>(p)]);
   }
-  if (options.corner_radius == 0) return;
+  if (cage.corner_radius == 0) return;
   for (const int face : {1, -1})
     for (SectorPoint point : strip_stations(table.cage, stations, table.strip).place) {
       point.around *= face;
@@ -232,21 +234,19 @@ CageTable make_cage_table(const CageDimensions& cage, const Material& material,
     throw UnsolvedCage("the undeviated cage is impossible: " + fault->reason);
   }
   const CageMesh& mesh = std::get<CageMesh>(meshed);
-  const auto solve = std::chrono::steady_clock::now();
-  const BodyMatrices body = assemble_body(mesh.mesh, material);
-  const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
-  const FreeModes modes = checked_free_modes(mesh.mesh, body, factor, options.basis_modes);
-  table.seconds_full = seconds_since(solve);
+  const CyclicCage cyclic(mesh, material);
+  const FreeModes modes = cyclic.modes(options.basis_modes);
   const CageBasis basis =
-      make_cage_basis(mesh, material, stations, table.range, body, factor, modes, options);
+      make_cage_basis(mesh, material, stations, table.range, cyclic, modes, options);
   table.turn = basis.sector.turn;
   table.frequency = basis.frequency;
   table.family = basis.family;
   table.undeviated = basis.projection;
   table.dofs = 3 * mesh.mesh.nodes.cols();
-  spin_integrals(table, mesh, basis.shapes, body.mass);
+  spin_integrals(table, mesh, basis.shapes, cyclic.mass());
+  const double done = cage.corner_radius > 0 ? kBasisShareWithFillets : kBasisShare;
   Tabulation(table, mesh.grid, basis).run([&](double share) {
-    progress(kBasisShare + (1 - kBasisShare) * share);
+    progress(done + (1 - done) * share);
   });
   table.seconds_table = seconds_since(start);
   return table;

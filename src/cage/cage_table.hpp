@@ -44,7 +44,6 @@ struct CageTable {
   Eigen::VectorXd centrifugal;  ///< integral of rho Phi_i . (0, y, z) [kg m]
 
   Eigen::Index dofs = 0;     ///< unknowns of the finite element model
-  double seconds_full = 0;   ///< one full modal solve, assembly to modes, when the table was made
   double seconds_table = 0;  ///< making the table
 };
 

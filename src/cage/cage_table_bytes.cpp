@@ -117,7 +117,6 @@ void transfer(Stream stream, Table& table) {
   stream(table.in_plane);
   stream(table.centrifugal);
   stream(table.dofs);
-  stream(table.seconds_full);
   stream(table.seconds_table);
 }
 
@@ -133,7 +132,7 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
         stations.outer_guided ? 1.0 : 0.0, static_cast<double>(options.density),
         static_cast<double>(options.basis_modes), static_cast<double>(options.corrections),
         static_cast<double>(options.corrected_modes), static_cast<double>(options.reach),
-        options.corner_radius}) {
+        cage.corner_radius}) {
     hash.add(value);
   }
   for (long steps : {options.point.width, options.point.length})

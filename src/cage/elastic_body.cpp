@@ -41,6 +41,19 @@ BodyMatrices assemble_body(const HexMesh& mesh, const Material& material) {
   return body;
 }
 
+Eigen::MatrixXd symmetric_product(const SparseMatrix& lower, const Eigen::MatrixXd& columns) {
+  // Rows in one piece of memory: the processor's vectors run over the columns.
+  using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const RowMatrix from = columns;
+  RowMatrix product = RowMatrix::Zero(from.rows(), from.cols());
+  for (Eigen::Index j = 0; j < lower.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
+      product.row(it.row()) += it.value() * from.row(j);
+      if (it.row() != j) product.row(j) += it.value() * from.row(it.row());
+    }
+  return product;
+}
+
 RigidMotions rigid_motions(const Eigen::Matrix3Xd& nodes) {
   RigidMotions motions = RigidMotions::Zero(3 * nodes.cols(), 6);
   for (Eigen::Index n = 0; n < nodes.cols(); ++n) {
@@ -65,72 +78,51 @@ MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& rigid_mass) {
   return properties;
 }
 
-RigidMotions mass_orthonormal(const RigidMotions& motions, const SparseMatrix& mass) {
-  const Eigen::Matrix<double, 6, 6> gram =
-      motions.transpose() * (mass.selfadjointView<Eigen::Lower>() * motions);
-  const Eigen::Matrix<double, 6, 6> lower = gram.llt().matrixL();
-  return lower.triangularView<Eigen::Lower>().solve(motions.transpose()).transpose();
+Eigen::MatrixXd mass_orthonormal(const Eigen::MatrixXd& motions, const SparseMatrix& mass) {
+  const Eigen::MatrixXd product = mass.selfadjointView<Eigen::Lower>() * motions;
+  const Eigen::LLT<Eigen::MatrixXd> gram(motions.transpose() * product);
+  return gram.matrixL().solve(motions.transpose()).transpose();
 }
 
-struct ShiftedFactor::Cholmod {
+struct HeldFactor::Cholmod {
   Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower> llt;
 };
 
-ShiftedFactor::ShiftedFactor(const BodyMatrices& body, double shift)
-    : cholmod_(std::make_unique<Cholmod>()), shift_(shift) {
-  const SparseMatrix shifted = body.stiffness + shift * body.mass;
-  cholmod_->llt.compute(shifted);
+HeldFactor::HeldFactor(const SparseMatrix& stiffness, const Eigen::MatrixXd& rigid)
+    : cholmod_(std::make_unique<Cholmod>()) {
+  SparseMatrix held = stiffness;
+  // Springs where the rigid motions move the most and differ the most.
+  Eigen::MatrixXd left = rigid;
+  for (Eigen::Index i = 0; i < rigid.cols(); ++i) left.col(i).normalize();
+  for (Eigen::Index i = 0; i < rigid.cols(); ++i) {
+    Eigen::Index at = 0;
+    left.rowwise().squaredNorm().maxCoeff(&at);
+    held.coeffRef(at, at) *= 2;
+    const Eigen::RowVectorXd row = left.row(at).normalized();
+    left -= (left * row.transpose()).eval() * row;
+  }
+  cholmod_->llt.compute(held);
   if (cholmod_->llt.info() != Eigen::Success) {
     throw UnsolvedCage("its stiffness matrix is not positive definite");
   }
 }
 
-ShiftedFactor::~ShiftedFactor() = default;
+HeldFactor::~HeldFactor() = default;
 
-Eigen::MatrixXd ShiftedFactor::solve(const Eigen::Ref<const Eigen::MatrixXd>& right) const {
+Eigen::MatrixXd HeldFactor::solve(const Eigen::Ref<const Eigen::MatrixXd>& right) const {
   return cholmod_->llt.solve(right);
 }
 
-double ring_shift(const HexMesh& mesh, const BodyMatrices& body) {
-  Eigen::VectorXd oval(3 * mesh.nodes.cols());
-  for (Eigen::Index n = 0; n < mesh.nodes.cols(); ++n) {
-    const double theta = std::atan2(mesh.nodes(2, n), mesh.nodes(1, n));
-    const double radial = std::cos(2 * theta);
-    const double tangential = -0.5 * std::sin(2 * theta);
-    oval.segment<3>(3 * n) << 0, radial * std::cos(theta) - tangential * std::sin(theta),
-        radial * std::sin(theta) + tangential * std::cos(theta);
-  }
-  const double stiffness = oval.dot(body.stiffness.selfadjointView<Eigen::Lower>() * oval);
-  const double mass = oval.dot(body.mass.selfadjointView<Eigen::Lower>() * oval);
-  return 0.002 * stiffness / mass;
-}
-
-Eigen::MatrixXd free_static_response(const BodyMatrices& body, const ShiftedFactor& factor,
-                                     const RigidMotions& rigid_orthonormal,
-                                     const Eigen::MatrixXd& loads) {
-  const auto& rigid = rigid_orthonormal;
-  const auto mass = body.mass.selfadjointView<Eigen::Lower>();
-  const auto stiffness = body.stiffness.selfadjointView<Eigen::Lower>();
-  const RigidMotions mass_rigid = mass * rigid;
-  const Eigen::MatrixXd balanced = loads - mass_rigid * (rigid.transpose() * loads);
-  Eigen::MatrixXd response = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
-  Eigen::MatrixXd residual = balanced;
-  // A sweep leaves shift / (shift + lowest eigenvalue) of the residual: little of a stiff ring's,
-  // most of it where slender bars are far softer than the ring that the shift is chosen for.
-  constexpr int stiff = 60, most = 3000;
-  double norm = residual.norm(), before = 0;
-  const double target = 1e-9 * norm;
-  for (int sweep = 0; sweep < most && norm > target; ++sweep) {
-    if (sweep > stiff && norm > 0.995 * before) break;
-    Eigen::MatrixXd step = factor.solve(residual);
-    step -= rigid * (mass_rigid.transpose() * step);
-    response += step;
-    residual = balanced - stiffness * response;
-    before = norm;
-    norm = residual.norm();
-  }
-  if (!(norm <= 1e-6 * balanced.norm())) {
-    throw UnsolvedCage("the response to a static force does not converge");
+Eigen::MatrixXd free_static_response(const BodyMatrices& body, const HeldFactor& factor,
+                                     const Eigen::MatrixXd& rigid, const Eigen::MatrixXd& loads) {
+  const Eigen::MatrixXd mass_rigid = body.mass.selfadjointView<Eigen::Lower>() * rigid;
+  Eigen::MatrixXd rest = loads - mass_rigid * (rigid.transpose() * loads);
+  const double norm = rest.norm();
+  Eigen::MatrixXd response = factor.solve(rest);
+  rest -= symmetric_product(body.stiffness, response);
+  response -= rigid * (mass_rigid.transpose() * response);
+  if (!(rest.norm() <= 1e-6 * norm)) {
+    throw UnsolvedCage("the response to a static force is inaccurate");
   }
   return response;
 }

@@ -19,6 +19,9 @@ struct BodyMatrices {
 };
 BodyMatrices assemble_body(const HexMesh& mesh, const Material& material);
 
+/// Product of the symmetric matrix with this lower triangle and many columns at once.
+Eigen::MatrixXd symmetric_product(const SparseMatrix& lower, const Eigen::MatrixXd& columns);
+
 /// Columns: unit translation along x, y, z and unit rotation about x, y, z through the origin
 /// (linear displacement omega x X). These six are exact for any mesh.
 using RigidMotions = Eigen::Matrix<double, Eigen::Dynamic, 6>;
@@ -33,37 +36,30 @@ struct MassProperties {
 MassProperties mass_properties(const Eigen::Matrix<double, 6, 6>& rigid_mass);
 
 /// Rigid motions combined to be mass-orthonormal.
-RigidMotions mass_orthonormal(const RigidMotions& motions, const SparseMatrix& mass);
+Eigen::MatrixXd mass_orthonormal(const Eigen::MatrixXd& motions, const SparseMatrix& mass);
 
-/// Cholesky factor of K + s M, s > 0: positive definite although K alone is singular. Supernodal
-/// (CHOLMOD).
-class ShiftedFactor {
+/// Cholesky factor of K held by springs to the ground, one for each rigid motion. K alone is
+/// singular. A balanced load puts no force into such springs, so that the solution for it is exact
+/// but for a rigid motion. Supernodal (CHOLMOD).
+class HeldFactor {
  public:
-  ShiftedFactor(const BodyMatrices& body, double shift);
-  ~ShiftedFactor();
-  ShiftedFactor(const ShiftedFactor&) = delete;
-  ShiftedFactor& operator=(const ShiftedFactor&) = delete;
+  /// `rigid`: the rigid motions that `stiffness` leaves free; may have no columns.
+  HeldFactor(const SparseMatrix& stiffness, const Eigen::MatrixXd& rigid);
+  ~HeldFactor();
+  HeldFactor(const HeldFactor&) = delete;
+  HeldFactor& operator=(const HeldFactor&) = delete;
 
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& right) const;
-  double shift() const { return shift_; }
 
  private:
   struct Cholmod;
   std::unique_ptr<Cholmod> cholmod_;
-  double shift_;
 };
 
-/// A shift well below the first elastic eigenvalue [rad^2/s^2]: a fraction of the Rayleigh quotient
-/// of the oval (n = 2) deformation of a ring about the x axis, which bounds that eigenvalue from
-/// above.
-double ring_shift(const HexMesh& mesh, const BodyMatrices& body);
-
 /// Static elastic displacement under each column of `loads` with inertia relief: rigid-body
-/// acceleration balances the load, and the displacement is mass-orthogonal to all six rigid
-/// motions. Iterates with the shifted factor; each iteration reduces the error by
-///   shift / (shift + first eigenvalue)
-Eigen::MatrixXd free_static_response(const BodyMatrices& body, const ShiftedFactor& factor,
-                                     const RigidMotions& rigid_orthonormal,
+/// acceleration balances the load, and the displacement is mass-orthogonal to all rigid motions.
+Eigen::MatrixXd free_static_response(const BodyMatrices& body, const HeldFactor& factor,
+                                     const Eigen::MatrixXd& rigid_orthonormal,
                                      const Eigen::MatrixXd& loads);
 
 }  // namespace cagetol

@@ -29,9 +29,7 @@ TableInput table_input(const Scene& nominal, const GridPoint& point) {
   return {cage_dimensions(nominal.cage, nominal.bearing.roller_count),
           tabulated_material(nominal),
           cage_stations(nominal),
-          {.density = nominal.cage.mesh_density,
-           .point = point,
-           .corner_radius = nominal.cage.corner_radius}};
+          {.density = nominal.cage.mesh_density, .point = point}};
 }
 
 /// Deviation of both surfaces from the tabulated ones as a share of the tabulated thickness.
@@ -80,6 +78,7 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const
   const Material material = cage_material(sample);
   const bool same = cage.pocket_count == table.cage.pocket_count &&
                     close(cage.width, table.cage.width) &&
+                    close(cage.corner_radius, table.cage.corner_radius) &&
                     close(material.young, table.material.young) &&
                     close(material.poisson, table.material.poisson);
   if (!same)

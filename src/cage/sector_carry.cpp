@@ -31,8 +31,8 @@ Eigen::MatrixXd carry_fields(const SectorGrid& grid, const BodyMatrices& body,
   for (int pass = 0; pass < passes; ++pass) {
     const Eigen::MatrixXd driven = carried * drive.inertia;
     Eigen::MatrixXd force = drive.loads;
-    force += body.mass.selfadjointView<Eigen::Lower>() * driven;
-    force -= body.stiffness.selfadjointView<Eigen::Lower>() * carried;
+    force += symmetric_product(body.mass, driven);
+    force -= symmetric_product(body.stiffness, carried);
     for (Eigen::Index i = 0; i < size; ++i) {
       if (place[i] >= 0) rest.row(place[i]) = force.row(i);
     }

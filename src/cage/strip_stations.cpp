@@ -68,12 +68,8 @@ Eigen::VectorXd strip_line_load(const CageDimensions& cage, const CageStations& 
   const double scale = 1 + deviation.length / cage.pocket_length;
   const double flat = 0.5 * (cage.pocket_length + deviation.length) - strip.corner_radius;
   const double centre = scale * stations.bar_x[station];
-  const double low = std::clamp(centre - scale * stations.bar_half[station], -flat, 0.999 * flat);
-  const double high = std::clamp(centre + scale * stations.bar_half[station], 0.999 * low, flat);
+  const auto [low, high, lean] = station_line(centre, scale * stations.bar_half[station], flat);
   const double half = 0.5 * (high - low);
-  // A linear distribution keeps the force's moment where a fillet cuts the line short.
-  const double lean =
-      half > 0 ? std::clamp(3 * (centre - 0.5 * (low + high)) / half, -1.0, 1.0) : 0;
   const double depth = bar_station(cage, stations, 1, 0).radial;
   const auto half_bar = static_cast<int>(2 * strip.counts.half_bar);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(nodes.size());

@@ -16,9 +16,9 @@ struct StripStations {
 StripStations strip_stations(const CageDimensions& cage, const CageStations& stations,
                              const BarStrip& strip);
 
-/// Unit force in the direction of `tangent` on the strip's face, along the line of a bar station and
-/// spread radially, as nodal forces. `nodes` is the strip with its pocket's deviation, in any frame
-/// that is turned about x.
+/// Unit force in the direction of `tangent` on the strip's face, along the line of a bar station
+/// and spread radially, as nodal forces. `nodes` is the strip with its pocket's deviation, in any
+/// frame that is turned about x.
 Eigen::VectorXd strip_line_load(const CageDimensions& cage, const CageStations& stations,
                                 const PocketDeviation& deviation, const BarStrip& strip,
                                 const Eigen::Matrix3Xd& nodes, const Eigen::Vector3d& tangent,

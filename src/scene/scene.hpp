@@ -114,7 +114,7 @@ struct CageGeometry {
   double edge_radius = 0.2e-3;     ///< of the bars' edges and lips [m]
   GuideFilm guide_film;
   long mesh_density = 4;          ///< finite elements through the thickness of a flexible cage
-  double corner_radius = 0.5e-3;  ///< of the pockets' corners, for the stress there [m]
+  double corner_radius = 0.5e-3;  ///< of the pockets' corners [m]
   long modes = 10;                ///< number of elastic modes of a flexible cage
   bool bar_modes = true;          ///< and a static mode of every bar (src/cage/bar_modes.hpp)
   double mode_damping = kAuto;    ///< damping ratio of elastic modes; kAuto: half the loss factor

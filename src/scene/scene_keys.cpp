@@ -100,7 +100,7 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.bar_modes", any_value(), AT(cage.bar_modes), "with them a static mode of every bar: how it gives way under rollers beyond what the elastic modes carry"},
       {"cage.mode_damping", or_auto(within(0, 1)), AT(cage.mode_damping), "damping ratio of the elastic modes; auto: half the loss factor of the named material"},
       {"cage.mesh_density", within(1, 12), AT(cage.mesh_density), "finite elements through the thickness of a flexible cage"},
-      {"cage.corner_radius_mm", at_least(0), AT(cage.corner_radius), "radius of the pockets' corners, for the stress of a flexible cage there; the default is an assumption; 0: sharp, whose stress belongs to the mesh and is for comparisons at one cage.mesh_density only"},
+      {"cage.corner_radius_mm", at_least(0), AT(cage.corner_radius), "radius of a flexible cage's pocket corners, which its stiffness and its stress there have; the default is an assumption; 0: sharp, whose stress belongs to the mesh and is for comparisons at one cage.mesh_density only"},
       {"cage.centrifugal", any_value(), AT(cage.centrifugal), "centrifugal loading of the elastic modes"},
       {"cage.coriolis", any_value(), AT(cage.coriolis), "Coriolis coupling of the elastic modes"},
       {"cage.allow_interference", any_value(), AT(allow_interference), "simulate the elastic pinch of a roller larger than its pocket instead of reporting the jam"},

@@ -19,7 +19,7 @@ Eigen::VectorXd frequencies(long density) {
       make_cage_mesh(cage, std::vector<PocketDeviation>(13), mesh_counts(cage, density));
   const CageMesh& mesh = std::get<CageMesh>(meshed);
   const BodyMatrices body = assemble_body(mesh.mesh, {206e9, 0.30, 7850});
-  const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
+  const HeldFactor factor(body.stiffness, rigid_motions(mesh.mesh.nodes));
   const FreeModes modes = free_modes(mesh.mesh, body, factor, 13);
   std::printf("density %ld: %ld unknowns:", density, static_cast<long>(body.mass.rows()));
   for (Eigen::Index i : {0, 2, 4, 6, 8, 10, 12}) std::printf(" %.0f", modes.frequency[i]);
@@ -56,7 +56,7 @@ double stress_under(long density, Eigen::Index station) {
       make_cage_mesh(cage, std::vector<PocketDeviation>(13), mesh_counts(cage, density));
   const CageMesh& mesh = std::get<CageMesh>(meshed);
   const BodyMatrices body = assemble_body(mesh.mesh, steel);
-  const ShiftedFactor factor(body, ring_shift(mesh.mesh, body));
+  const HeldFactor factor(body.stiffness, rigid_motions(mesh.mesh.nodes));
   const Eigen::VectorXd sector = bar_loads(cage, {}, mesh.grid, {}).col(station);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(body.mass.rows());
   for (std::size_t p = 0; p < mesh.grid.points.size(); ++p)

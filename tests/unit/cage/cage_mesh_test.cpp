@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "src/cage/hex8_incompatible.hpp"
+#include "src/cage/sector_polynomial.hpp"
 
 namespace cagetol {
 namespace {
@@ -129,6 +130,49 @@ TEST(CageMesh, SceneGivesDimensionsAndDeviations) {
   EXPECT_NEAR(deviations[2].width, 0.1e-3, 1e-15);
   EXPECT_NEAR(deviations[1].pitch, 1e-3, 1e-15);
   EXPECT_EQ(deviations[1].length, 0);
+}
+
+/// Also the largest corners that a scene may have, at every deviation of a table.
+TEST(CageMesh, PocketsHaveFilletsAtEveryDeviationOfATable) {
+  for (const double radius : {0.3e-3, 0.5e-3, 1e-3, 2.295e-3}) {
+    const CageDimensions cage{.corner_radius = radius};
+    const SectorGrid grid = make_sector_grid(mesh_counts(cage, 4));
+    const Eigen::Matrix3Xd first = sector_nodes(cage, {}, grid);
+    for (const PocketDeviation& d : polynomial_samples(table_range(cage))) {
+      const HexMesh sector{sector_nodes(cage, d, grid), grid.elements};
+      for (const auto& element : sector.elements)
+        ASSERT_GT(hex8_smallest_jacobian(element_nodes(sector, element)), 0)
+            << radius << " " << d.width << " " << d.length << " " << d.pitch << " " << d.squareness;
+      const double u = 0.5 * (cage.pocket_width + d.width) - radius;
+      const double x = 0.5 * (cage.pocket_length + d.length) - radius;
+      int on_fillet = 0;
+      for (std::size_t p = 0; p < grid.points.size(); ++p) {
+        const auto node = static_cast<Eigen::Index>(p);
+        const Eigen::Vector3d at = sector.nodes.col(node);
+        if (std::abs(grid.points[p].around) == 2) {
+          EXPECT_LT((at - first.col(node)).norm(), 1e-15);
+        }
+        const double around = std::abs(grid.points[p].around);
+        const double axial = std::abs(grid.points[p].axial);
+        if (std::max(around, axial) > 1 || (1 - around) * cage.pocket_width >= 2 * radius ||
+            (1 - axial) * cage.pocket_length >= 2 * radius)
+          continue;
+        const double offset =
+            std::abs(at.tail<2>().norm() * std::sin(std::atan2(at[2], at[1]) - d.pitch) -
+                     at[0] * d.squareness);
+        EXPECT_NEAR(std::hypot(offset - u, std::abs(at[0]) - x), radius, 1e-9);
+        ++on_fillet;
+      }
+      EXPECT_GE(on_fillet, 20);  // the corners alone
+    }
+  }
+}
+
+TEST(CageMesh, CornersWiderThanThePocketAreAFault) {
+  const CageDimensions cage{.corner_radius = 4e-3};
+  const auto fault = cage_fault(cage, std::vector<PocketDeviation>(13));
+  ASSERT_TRUE(fault);
+  EXPECT_NE(fault->reason.find("radius 4 mm"), std::string::npos) << fault->reason;
 }
 
 }  // namespace

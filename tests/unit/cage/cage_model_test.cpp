@@ -28,11 +28,11 @@ const CageTable& table() {
 struct FullCage {
   CageMesh mesh;
   BodyMatrices body;
-  ShiftedFactor factor;
+  HeldFactor factor;
   explicit FullCage(const Deviations& deviations)
       : mesh(std::get<CageMesh>(make_cage_mesh(table().cage, deviations, table().counts))),
         body(assemble_body(mesh.mesh, kSteel)),
-        factor(body, ring_shift(mesh.mesh, body)) {}
+        factor(body.stiffness, rigid_motions(mesh.mesh.nodes)) {}
 };
 
 CageModel model_of(const Deviations& deviations, const CageModelOptions& options = {}) {
@@ -268,7 +268,7 @@ TEST(CheckedFreeModes, LightCagesHaveThoseOfHeavyOnes) {
     Material material = kSteel;
     material.density /= lighter;
     const BodyMatrices body = assemble_body(mesh, material);
-    const ShiftedFactor factor(body, ring_shift(mesh, body));
+    const HeldFactor factor(body.stiffness, rigid_motions(mesh.nodes));
     const FreeModes modes = checked_free_modes(mesh, body, factor, 36);
     for (Eigen::Index i = 0; i < modes.shape.cols(); ++i)
       EXPECT_NEAR(modal_mass(body.mass, modes.shape.col(i)), 1, 1e-8) << lighter;

@@ -22,7 +22,7 @@ using Deviations = std::vector<PocketDeviation>;
 double full_stress(const CageTable& table, const Deviations& deviations) {
   const CageMesh cage = std::get<CageMesh>(make_cage_mesh(table.cage, deviations, table.counts));
   const BodyMatrices body = assemble_body(cage.mesh, table.material);
-  const ShiftedFactor factor(body, ring_shift(cage.mesh, body));
+  const HeldFactor factor(body.stiffness, rigid_motions(cage.mesh.nodes));
   const RigidMotions rigid = mass_orthonormal(rigid_motions(cage.mesh.nodes), body.mass);
   Eigen::VectorXd arm = Eigen::VectorXd::Zero(3 * cage.mesh.nodes.cols());
   for (Eigen::Index n = 0; n < cage.mesh.nodes.cols(); ++n)

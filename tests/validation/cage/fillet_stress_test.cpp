@@ -221,8 +221,9 @@ Peaks by_calculix(const Bearing& b, double radius) {
 }
 
 Peaks by_table(const Bearing& b, double radius) {
-  const CageTable table =
-      make_cage_table(b.cage, kElasticSteel, b.stations, {.density = 2, .corner_radius = radius});
+  CageDimensions cage = b.cage;
+  cage.corner_radius = radius;
+  const CageTable table = make_cage_table(cage, kElasticSteel, b.stations);
   const auto sectors = static_cast<std::size_t>(b.cage.pocket_count);
   const CageModel model =
       std::get<CageModel>(make_cage_model(table, std::vector<PocketDeviation>(sectors)));
