@@ -113,6 +113,14 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
     less.push_back({"sharp-edges",
                     fmt::format("bars with edges of {:g} mm radius", 1e3 * kSharpEdge),
                     {fmt::format("cage.edge_radius_mm={}", 1e3 * kSharpEdge)}});
+  if (scene.contact.race.law == ForceLaw::hertz)  // the law that the scene has not
+    less.push_back(scene.contact.race_approach == RaceApproach::palmgren
+                       ? Rung{"line-approach",
+                              "races by the two-dimensional line contact",
+                              {"contact.race.approach='line'"}}
+                       : Rung{"palmgren",
+                              "races by Palmgren's approach",
+                              {"contact.race.approach='palmgren'"}});
   if (scene.film.model != FilmModel::none)
     less.push_back({"no-film", "no oil film", {"film.model='none'"}});
   if (scene.cage.guide_film.model != GuideFilmModel::none)

@@ -11,7 +11,8 @@
 // contact of steel on steel, L in mm, K of one contact, which is 2^(10/9) times c_L of ISO/TS 16281
 // (of the roller's two contacts in series). Palmgren's formula is 3.8 % stiffer:
 //   delta = 3.84e-5 Q^0.9/L^0.8
-// It goes with (Q/E')^0.9: of another pair of materials K is that of steel times E'/E'_steel.
+// It goes with (Q/E')^0.9: of another pair of materials K is that of steel times E'/E'_steel. What
+// the two-dimensional theory says instead: line_approach.hpp.
 //
 // Penetrations are scaled by 1 um inside, so that the power is taken of numbers near one.
 #pragma once

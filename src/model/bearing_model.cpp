@@ -7,6 +7,7 @@
 
 #include "src/cage/cage_mass.hpp"
 #include "src/contact_laws/hertz_line.hpp"
+#include "src/contact_laws/line_approach.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/pocket_outline.hpp"
@@ -136,10 +137,12 @@ OperatingOil operating_oil(const Lubrication& l) {
           viscosity_fall(curve, l.temperature), density};
 }
 
-/// Film of one of `slices` slices or stations of a roller of `length`; `radius` reduced.
+/// Film of one of `slices` slices or stations of a roller of `length`; `radius` reduced,
+/// `stiffness_modulus` for the elastic approach.
 LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
                        const OperatingOil& oil, const FrictionLaw& boundary, double modulus,
-                       double radius, double roughness, double length, long slices) {
+                       double stiffness_modulus, double radius, double roughness, double length,
+                       long slices) {
   const Lubrication& l = scene.lubrication;
   LubricatedLine line;
   line.squeeze = l.squeeze;
@@ -147,7 +150,7 @@ LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
   line.shears = l.film_traction;
   line.length = length / static_cast<double>(slices);
   // Of the whole contact: its share of the length bears the same load per length.
-  const NormalLaw whole = make_normal_law(contact, length, 1, modulus);
+  const NormalLaw whole = make_normal_law(contact, length, 1, stiffness_modulus);
   line.chi = whole.chi;
   const double approach = elastic_penetration(whole, length);  // at 1 N/m
   line.film = make_line_film(oil.viscosity, oil.pressure_viscosity, radius, modulus, approach);
@@ -228,8 +231,9 @@ void lubricate(const Scene& scene, BearingModel& m) {
   const auto race = [&](double curvature) {
     return line_of(scene, contact.race, oil, m.friction[kRacePair],
                    effective_modulus(roller_material(scene), ring_material(scene)),
-                   1 / (1 / roller + curvature), given_or(contact.race.roughness, l.race_roughness),
-                   length, static_cast<long>(m.race_slices.size()));
+                   race_stiffness_modulus(scene), 1 / (1 / roller + curvature),
+                   given_or(contact.race.roughness, l.race_roughness), length,
+                   static_cast<long>(m.race_slices.size()));
   };
   m.lubricated = true;
   m.inner_line = race(1 / m.inner_radius);
@@ -240,8 +244,8 @@ void lubricate(const Scene& scene, BearingModel& m) {
       kWatchedShare * std::max(m.load.radial, 1.0) / static_cast<double>(m.race_slices.size());
   m.oiled_bars = l.pocket_film;
   const auto pocket = [&](double curvature) {
-    LubricatedLine line = line_of(scene, contact.bar, oil, m.friction[kBarPair],
-                                  effective_modulus(roller_material(scene), cage_material(scene)),
+    const double modulus = effective_modulus(roller_material(scene), cage_material(scene));
+    LubricatedLine line = line_of(scene, contact.bar, oil, m.friction[kBarPair], modulus, modulus,
                                   curvature == 0 ? roller : 1 / (1 / roller + curvature),
                                   given_or(contact.bar.roughness, l.pocket_roughness), length,
                                   static_cast<long>(m.bar_stations.size()));
@@ -312,7 +316,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.flange_half_clearance = b.flange_clearance / 2;
 
   const double modulus = effective_modulus(roller_material(scene), ring_material(scene));
-  m.race = make_normal_law(scene.contact.race, length, slices, modulus);
+  m.race = make_normal_law(scene.contact.race, length, slices, race_stiffness_modulus(scene));
   m.bar = make_normal_law(scene.contact.bar, length, stations,
                           effective_modulus(roller_material(scene), cage_material(scene)));
   m.wall = make_normal_law(scene.contact.end, length, 2);

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "src/lubrication/lubricant.hpp"
+#include "src/scene/materials.hpp"
 #include "src/scene/pocket_outline.hpp"
 #include "src/scene/scene_keys.hpp"
 
@@ -292,6 +294,35 @@ void check_filmed_contacts(const Scene& scene, const SceneCheck& check) {
                       " = \"hertz\", or lubrication.model = \"none\" for a dry bearing");
 }
 
+// By the two-dimensional theory the strip of contact is narrow against the bodies. Its half width is
+// that of src/contact_laws/hertz_line.hpp under the most loaded roller by Stribeck's estimate.
+void check_line_races(const Scene& scene, const SceneCheck& check) {
+  if (scene.contact.race.law != ForceLaw::hertz ||
+      scene.contact.race_approach != RaceApproach::line)
+    return;
+  const auto& b = scene.bearing;
+  const double radius = each(scene.roller.diameter, 0) / 2;
+  const auto softness = [](const Material& m) { return (1 - m.poisson * m.poisson) / m.young; };
+  const double load = 5 * std::abs(scene.operation.radial_load) /
+                      (static_cast<double>(b.roller_count) * scene.roller.length);
+  const auto require = [&](double thickness, double curvature, const char* ring, const char* key) {
+    const double width =
+        std::sqrt(4 * load * (softness(roller_material(scene)) + softness(ring_material(scene))) /
+                  (std::numbers::pi * (1 / radius + curvature)));
+    check.require(4 * width < std::min(radius, thickness), "contact.race.approach",
+                  std::string("the theory of line contact needs a narrow contact: that on the ") +
+                      ring + " ring has a half width of " + in_mm(width) +
+                      ", more than a quarter of the roller's radius or of the ring's thickness (" +
+                      check.with_value("load.radial_N") + ", " + check.with_value(key) + ")",
+                  "set contact.race.approach = \"palmgren\", or correct the load or the ring's "
+                  "diameters");
+  };
+  require((b.inner_raceway_diameter - b.bore_diameter) / 2, 2 / b.inner_raceway_diameter, "inner",
+          "bearing.bore_diameter_mm");
+  require((b.outside_diameter - b.outer_raceway_diameter) / 2, -2 / b.outer_raceway_diameter,
+          "outer", "bearing.outside_diameter_mm");
+}
+
 // Peaks grow with the time over which they are taken: that time is stated, whatever a run measures.
 void check_window(const Scene& scene, const SceneCheck& check) {
   const Window& w = scene.window;
@@ -356,6 +387,7 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
                 "keep fewer elastic modes, or set cage.bar_modes = false");
   check_outline(scene, check);
   check_filmed_contacts(scene, check);
+  check_line_races(scene, check);
   check_oil(scene, check);
   check.require(scene.contact.static_speed < scene.contact.dynamic_speed,
                 "friction.static_speed_m_s",

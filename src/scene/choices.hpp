@@ -62,6 +62,14 @@ constexpr auto spellings(ForceLaw) {
   return std::array{Spelling{impact, "impact"}, Spelling{hertz, "hertz"}};
 }
 
+/// Elastic approach of roller and race by `hertz`; palmgren: a bearing maker's formula, line: the
+/// two-dimensional theory (src/contact_laws/line_approach.hpp).
+enum class RaceApproach { palmgren, line };
+constexpr auto spellings(RaceApproach) {
+  using enum RaceApproach;
+  return std::array{Spelling{palmgren, "palmgren"}, Spelling{line, "line"}};
+}
+
 /// Oil film at the races without LubricationModel::film (src/contact_laws/oil_film.hpp).
 enum class FilmModel { none, series, series_bounded };
 constexpr auto spellings(FilmModel) {

@@ -27,6 +27,10 @@ bool races_use_moduli(const Scene& s) {
   return hertz(s.contact.race) || is_lubricated(s) || s.film.model != FilmModel::none;
 }
 
+bool has_line_races(const Scene& s) {
+  return hertz(s.contact.race) && s.contact.race_approach == RaceApproach::line;
+}
+
 bool all_given(const MaterialChoice& material) {
   return given(material.young) && given(material.poisson) && given(material.density);
 }
@@ -52,8 +56,8 @@ struct Rule {
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = {
       {{"bearing.outside_diameter_mm"},
-       [](const Scene&) { return true; },
-       "no result depends on it"},
+       [](const Scene& s) { return !has_line_races(s); },
+       "no result depends on it but by contact.race.approach = \"line\""},
       // What equilibria leave out.
       {{"cage.mass_kg",
         "cage.polar_inertia_kg_mm2",
@@ -186,7 +190,7 @@ const std::vector<Rule>& rules() {
        [](const Scene& s) { return !s.lubrication.land_film; },
        "lubrication.land_film = false"},
       // Contact laws.
-      {{"contact.race.restitution*"},
+      {{"contact.race.restitution*", "contact.race.approach"},
        [](const Scene& s) { return !hertz(s.contact.race); },
        "contact.race.force_law = \"impact\""},
       {{"contact.bar.restitution*"},

@@ -148,6 +148,7 @@ struct Contacts {
   double friction_dynamic = 0.06;                  ///< mu_d
   double static_speed = 0.1;                       ///< v_s [m/s]
   double dynamic_speed = 1.0;                      ///< v_d [m/s]
+  RaceApproach race_approach = RaceApproach::palmgren;
 };
 
 /// Oil film of the roller-race contacts (src/contact_laws/oil_film.hpp).

@@ -130,6 +130,8 @@ void add_contact_keys(KeyTable<Scene>& keys, const std::string& kind, ContactPar
   if (kind != "land")  // whose film ends at lubrication.land_film_least_um
     keys.push_back({name + "roughness_um", or_auto(above(0)), at(&ContactParameters::roughness), "composite rms roughness under an oil film; auto: lubrication.race_roughness_um, elsewhere lubrication.pocket_roughness_um"});
   if (!may_be_hertz) return;
+  if (kind == "race")
+    keys.push_back({name + "approach", any_value(), [](Scene& s) -> auto& { return s.contact.race_approach; }, "hertz: elastic approach of roller and race; palmgren: a bearing maker's formula, the same at both races; line: two-dimensional theory, which counts the rings' thickness; met by both races together at the load per length 5 F/(Z L) (NU 205: 23 % stiffer)"});
   const KeyTable<Scene> hertz = {
       {name + "restitution", above(0, 1), at(&ContactParameters::restitution), "hertz: coefficient of restitution at the reference speed (Hunt-Crossley damping)"},
       {name + "restitution_speed_m_s", above(0), at(&ContactParameters::restitution_speed), "hertz: reference speed of the restitution"},

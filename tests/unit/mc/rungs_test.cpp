@@ -59,6 +59,7 @@ TEST(Rungs, OneThingIsTakenAwayAtATime) {
         (less.cage.corner_radius != top.cage.corner_radius) +
         (less.cage.edge_radius != top.cage.edge_radius) +
         (less.cage.centrifugal != top.cage.centrifugal) +
+        (less.contact.race_approach != top.contact.race_approach) +
         (less.discretisation.race_slices != top.discretisation.race_slices) +
         (less.integration.tolerance != top.integration.tolerance) +
         (less.model.rollers != top.model.rollers) + (less.model.motion != top.model.motion);
@@ -159,6 +160,20 @@ TEST(Rungs, AFilmIsTakenAwayWhereTheSceneHasOneAndNeverAdded) {
     EXPECT_EQ(on_rung(scene, rung).film.model, FilmModel::series);
     EXPECT_EQ(on_rung(Scene{}, rung).film.model, FilmModel::none);
   }
+}
+
+TEST(Rungs, TheRacesHaveTheOtherApproach) {
+  Scene scene;
+  EXPECT_THAT(names_of(separate_rungs(scene)), Contains("line-approach"));
+  scene.contact.race_approach = RaceApproach::line;
+  const auto rungs = separate_rungs(scene);
+  EXPECT_THAT(names_of(rungs), Contains("palmgren"));
+  for (const Rung& rung : rungs)
+    EXPECT_EQ(on_rung(scene, rung).contact.race_approach == RaceApproach::line,
+              rung.name != "palmgren")
+        << rung.name;
+  scene.contact.race.law = ForceLaw::impact;
+  EXPECT_THAT(names_of(separate_rungs(scene)), Not(Contains("palmgren")));
 }
 
 TEST(Rungs, EachMechanismOfTheOilIsTakenAwayAlone) {

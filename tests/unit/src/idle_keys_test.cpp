@@ -225,6 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](Scene& s) {
                s.bearing.ring_material = s.roller.material = {"bearing-steel", 208e9, 0.3, 7810};
                s.cage.material = {"steel-q235", 206e9, 0.3, 7850};
+               s.contact.race_approach = RaceApproach::line;
              }},
         Case{"oiled_equilibria", [](Scene& s) { s.model.motion = MotionModel::quasi_static; }},
         Case{"equilibria",

@@ -11,6 +11,7 @@ from contact_forces import elastic_rolling, heated_rolling, log_rolling, rolling
 from contact_section import INNER, LENGTH, OUTER, ROLLING, TRACTION
 from film_formulas import both_regimes, dowson_higginson, pan_hamrock, rigid_isoviscous
 from film_section import contact_of
+from line_approach import line_approach, palmgren_approach, races
 from load_distribution import RollerSet, distribution, hertz_pressure, laminae_of_load
 from lubricant import curve, viscosity, viscosity_fall
 from skid_section import load_of_a_tenth
@@ -155,6 +156,15 @@ class Load(Close):
         q, radius, modulus = 63.0, 3.0288, 228571.0
         half_width = np.sqrt(8 * q * radius / (np.pi * modulus))
         self.near(hertz_pressure(q, radius, modulus), 2 * q / (np.pi * half_width), 1e-12)
+
+
+class Approach(Close):
+    def test_nu205(self):  # [um], computed once apart from this page
+        for force, inside, outside, palmgren in ((10, 0.04350, 0.04178, 0.05438), (1000, 2.9250, 2.7528, 3.4314)):
+            inner, outer = races(NU205)
+            self.near(1e3 * line_approach(inner, force / 9), inside, 3e-4)
+            self.near(1e3 * line_approach(outer, force / 9), outside, 3e-4)
+            self.near(1e3 * palmgren_approach(force, 9), palmgren, 3e-4)
 
 
 class Tenth(Close):

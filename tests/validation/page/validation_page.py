@@ -15,6 +15,7 @@ import sys
 from datetime import date
 from pathlib import Path
 
+from approach_section import approach_section
 from clearance_section import clearance_section
 from contact_section import contact_section
 from film_section import film_section
@@ -60,8 +61,8 @@ def main():
     program = Program(options.program, cache, SHORT if options.quick else None)
     out = cache / "quick" if options.quick else ROOT / "tests"
     page = Page(out / "VALIDATION.md", out / "figures")
-    sections = (torque_section, mechanism_section, skid_section, film_section, ratings, distributions, contact_section,
-                clearance_section, unbacked_section)
+    sections = (torque_section, mechanism_section, skid_section, film_section, ratings, distributions,
+                approach_section, contact_section, clearance_section, unbacked_section)
     for section in sections:
         section(page, program, options.quick)
         print(f"{section.__name__}: {program.fresh} runs, {program.kept} kept", file=sys.stderr)
