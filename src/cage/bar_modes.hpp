@@ -1,6 +1,6 @@
-// Static modes of the bars: how each bar gives way under a roller beyond what the kept elastic modes
-// carry. Those leave out a third to a half of a bar's compliance, and 36 of them hardly less than 20:
-// a bar bends locally, which takes modes far above 100 kHz to compose.
+// Static modes of the bars: how each bar gives way under a roller beyond what the kept elastic
+// modes carry. Those leave out a third to a half of a bar's compliance, and 36 of them hardly less
+// than 20: a bar bends locally, which takes modes far above 100 kHz to compose.
 //
 // For every bar, the static response (inertia relief) to a unit tangential force spread over the
 // stations of both its faces, less the part of the kept modes: a residual attachment mode

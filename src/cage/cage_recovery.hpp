@@ -3,10 +3,11 @@
 //
 //   u = Phi q + (K^+ f - Phi Lambda^-1 Phi^T f)
 //
-// Phi: modes of the full solution and static modes of the bars; f: forces on the bar stations and centrifugal load; K^+: static
-// response with inertia relief. The bracket is the static correction, the part of the response to f
-// that the kept modes leave out (mode acceleration). Sign and, within a pair, orientation of the
-// full modes are arbitrary; they are combined to match the model's modes at the contact points.
+// Phi: modes of the full solution and static modes of the bars; f: forces on the bar stations and
+// centrifugal load; K^+: static response with inertia relief. The bracket is the static correction,
+// the part of the response to f that the kept modes leave out (mode acceleration). Sign and, within
+// a pair, orientation of the full modes are arbitrary; they are combined to match the model's modes
+// at the contact points.
 #pragma once
 
 #include <Eigen/Core>

@@ -68,7 +68,8 @@ TEST(Hex20, BendingStressIsExactOnABox) {
     u.segment<3>(3 * a) << x * z, -nu * y * z, -(x * x + nu * (z * z - y * y)) / 2;
   }
   for (int a = 0; a < 20; ++a) {
-    const Eigen::Matrix<double, 6, 1> stress = elasticity(kAnySteel) * hex20_node_strain(nodes, a) * u;
+    const Eigen::Matrix<double, 6, 1> stress =
+        elasticity(kAnySteel) * hex20_node_strain(nodes, a) * u;
     EXPECT_NEAR(stress[0] / kAnySteel.young, nodes(2, a), 1e-12) << a;
     EXPECT_LT(stress.tail<5>().norm(), 1e-12 * kAnySteel.young) << a;
   }
