@@ -21,10 +21,9 @@ constexpr ResponseFigure kFigures[] = {
      "fluctuation."},
     {"orbit_cage",
      "Paths of the cage's centre, one column for each level (six of them where there are more), "
-     "the "
-     "first runs of each in different colours (Figs. 9 and 17). Look for the size of the path and "
-     "whether it circles; runs that "
-     "differ as much as levels do mean that the level says little."},
+     "the first runs of each in different colours (Figs. 9 and 17). Look for the size of the path "
+     "and whether it circles; runs that differ as much as levels do mean that the level says "
+     "little."},
     {"response_cage_velocity",
      "Speed of the cage's centre in the radial plane (Fig. 10). A wide fluctuation is a cage that "
      "is thrown about rather than one that circles."},

@@ -52,8 +52,7 @@ Json ring_clearance(const Scene& scene, const PocketClearances& clearances, int 
   const CageGeometry& cage = scene.cage;
   const bool inner = ring == 0,
              guides = cage.guidance == (inner ? Guidance::inner : Guidance::outer);
-  const double drawn = inner ? (cage.inner_diameter - inner_land_diameter(scene.bearing)) / 2
-                             : (scene.bearing.shoulder_diameter - cage.outer_diameter) / 2;
+  const double drawn = clearances.by_diameters[ring];
   std::string name = inner ? "radial, cage to inner ring" : "radial, cage to outer ring";
   if (guides) name += ", which guides it";
   if (std::abs(drawn - clearances.ring[ring]) > 1e-9)

@@ -14,6 +14,7 @@ struct PocketClearances {
   double radial[2] = {0, 0};
   /// Radial, between cage and inner ring (0), cage and outer ring (1).
   double ring[2] = {0, 0};
+  double by_diameters[2] = {0, 0};  ///< the same where cage.guide_clearance_mm is not given
 };
 
 /// Of pocket `pocket` (from 0) of a scene. The guiding ring's clearance is cage.guide_clearance_mm

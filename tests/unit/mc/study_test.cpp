@@ -174,12 +174,12 @@ TEST_F(StudyFile, WhatAFlexibleCageIsNotTabulatedForMayVary) {
 
 TEST_F(StudyFile, DiametersOfAFlexibleCageMayScatterAsFarAsItsTableCovers) {
   const auto scattered = [](const std::string& half_band) {
-    return "samples = 2\n[scene.cage]\nmodel = 'flexible'\nouter_diameter_mm = { nominal = 43.4, "
-           "lot "
-           "= { law = 'uniform', lower = -" +
-           half_band + ", upper = " + half_band +
-           " } }\ninner_diameter_mm = { nominal = 37.0, noise = { law = 'uniform', lower = -0.01, "
-           "upper = 0.01 } }\n";
+    const auto law = [](const std::string& half) {
+      return "{ law = 'uniform', lower = -" + half + ", upper = " + half + " } }\n";
+    };
+    return "samples = 2\n[scene.cage]\nmodel = 'flexible'\n"
+           "outer_diameter_mm = { nominal = 43.4, lot = " +
+           law(half_band) + "inner_diameter_mm = { nominal = 37.0, noise = " + law("0.01");
   };
   const Study study = study_of(scattered("0.03"));  // 0.04 of 6.4 mm
   EXPECT_NEAR(thickness_scatter(study), 0.04 / 6.4, 1e-6);

@@ -32,6 +32,7 @@ TEST(PocketClearances, FollowTheDimensions) {
   EXPECT_TRUE(std::isinf(c.radial[0]) && std::isinf(c.radial[1]));
   scene.cage.guide_clearance = 0.1e-3;
   EXPECT_DOUBLE_EQ(pocket_clearances(scene, 0).ring[1], 0.1e-3);
+  EXPECT_DOUBLE_EQ(pocket_clearances(scene, 0).by_diameters[1], c.ring[1]);
 }
 
 TEST(PocketSection, BarsKeepToTheCage) {
