@@ -95,11 +95,12 @@ TEST(CageReport, DefaultSceneMeetsItsBars) {
       make_cage_table(dimensions, properties_of(cage.material), {}, {.density = 2});
   const auto result = cage_report(table, table, pocket_deviations(cage, dimensions), cage.modes);
   const CageReport& report = std::get<CageReport>(result);
-  EXPECT_EQ(report.modes.size(), 20U);
+  EXPECT_EQ(report.modes.size(), 10U);
   EXPECT_EQ(report.modes[0].family, "in-plane 2");
   EXPECT_EQ(report.modes[2].family, "out-of-plane 2");
   EXPECT_LT(report.largest_error, 0.002);
-  EXPECT_NEAR(report.body.mass, 0.0211, 2e-4);
+  // 21.16 g with sharp corners and 0.07 g of fillets, which this mesh has as chords.
+  EXPECT_NEAR(report.body.mass, 0.02123, 1.2e-4);
   std::printf("sample %.2f ms, full %.2f s, table %.1f s\n", 1e3 * report.seconds_sample,
               report.seconds_full, report.seconds_table);
   EXPECT_LT(report.seconds_sample, 10e-3);  // 2 ms on an idle core

@@ -29,7 +29,7 @@ struct Solved {
 Solved solved(const Scene& scene) {
   const auto table = make_scene_cage_table(scene);
   const std::vector<PocketDeviation> none(static_cast<std::size_t>(scene.bearing.roller_count));
-  const auto model = std::get<CageModel>(make_cage_model(*table, none));
+  const auto model = std::get<CageModel>(make_cage_model(*table, none, {.modes = kModes}));
   return {model.frequency, unit_bar_loads(*table, model, 0)};
 }
 
@@ -98,8 +98,10 @@ void expect_stated_errors(const Scene& scene, bool either_way, Errors& largest) 
 }
 
 TEST(CageThickness, ErrorsOfTheNominalTableAreThoseStated) {
+  Scene sharp = nu205(37e-3, 43.4e-3);
+  sharp.cage.corner_radius = 0;  // whose table is made in a tenth of the time
   Errors largest;
-  expect_stated_errors(nu205(37e-3, 43.4e-3), false, largest);
+  expect_stated_errors(sharp, false, largest);
 }
 
 TEST(NightlyCageThickness, ErrorsOfOtherCagesAreThoseStatedAndNoLess) {
