@@ -92,7 +92,7 @@ TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
   const auto sweep = [&](const std::string& directory) {
     auto command = sweep_of(kShippedStudy, directory, "scene.cage.model='flexible'");
     for (const char* setting :
-         {"scene.cage.mesh_density=1", "scene.cage.modes=6",
+         {"scene.cage.mesh_density=1", "scene.cage.modes=6", "scene.cage.corner_radius_mm=0",
           "scene.cage.pocket_width_mm.lot={law='uniform', lower=-0.2, upper=0.2}"})
       command.insert(command.end(), {"--set", setting});
     return command;

@@ -57,8 +57,8 @@ TEST(CageCommand, DrawsAPocketWithItsClearances) {
 TEST(CageCommand, SaysWhatAForceOnABarOfAFlexibleCageDoes) {
   const ScratchDirectory scratch;
   const std::string printed = printed_by_cage(
-      scratch.path(),
-      {"--json", "--set", "cage.model=flexible", "--set", "cage.mesh_density=1", "--pocket", "3"});
+      scratch.path(), {"--json", "--set", "cage.model=flexible", "--set", "cage.mesh_density=1",
+                       "--set", "cage.corner_radius_mm=0", "--pocket", "3"});
   const auto json = nlohmann::json::parse(printed.substr(printed.find('{')));
   EXPECT_EQ(json["drawing"]["pocket"], 3);
   ASSERT_EQ(json["bar_loads"].size(), 3U);

@@ -37,7 +37,8 @@ class Fidelity : public testing::Test {
     for (const char* setting :
          {"samples=12", "fidelity_samples=8", "scene.window.settle_revolutions=0.3",
           "scene.window.measure_revolutions=0.3", "scene.cage.mesh_density=2",
-          "scene.watch.energy_residual_max=1000", "scene.watch.static_consistency_max=1000"})
+          "scene.cage.corner_radius_mm=0", "scene.watch.energy_residual_max=1000",
+          "scene.watch.static_consistency_max=1000"})
       arguments.insert(arguments.end(), {"--set", setting});
     for (const std::string& setting : more) arguments.insert(arguments.end(), {"--set", setting});
     return run(arguments);

@@ -352,11 +352,12 @@ Ended stdout_without_cache(const std::vector<std::string>& arguments) {
 }
 
 TEST(Program, WarningsNeverStandBeforeJson) {
-  const std::string scene = shipped("scenes/nu205.toml"), coarse = "cage.mesh_density=1";
+  const std::string scene = shipped("scenes/nu205.toml"), coarse = "cage.mesh_density=1",
+                    sharp = "cage.corner_radius_mm=0";
   const std::vector<std::vector<std::string>> commands = {
-      {"cage", scene, "--json", "--set", coarse, "--set", "cage.model=flexible"},
-      {"simulate", scene, "--json", "--set", coarse, "--set", "cage.model=flexible", "--set",
-       "window.settle_revolutions=0.05", "--set", "window.measure_revolutions=0.05"}};
+      {"cage", scene, "--json", "--set", coarse, "--set", sharp, "--set", "cage.model=flexible"},
+      {"simulate", scene, "--json", "--set", coarse, "--set", sharp, "--set", "cage.model=flexible",
+       "--set", "window.settle_revolutions=0.05", "--set", "window.measure_revolutions=0.05"}};
   for (const auto& command : commands) {
     const auto ended = stdout_without_cache(command);
     EXPECT_TRUE(nlohmann::json::accept(ended.output)) << ended.output;

@@ -80,10 +80,11 @@ TEST(Chart, MarksTheFrontAndSaysWhatIsUnresolved) {
 }
 
 TEST(Chart, RungsStandBesideTheSettings) {
-  const Study study = read_study(
-      shipped("scenes/nu205.toml"),
-      {"window.settle_revolutions=0.1", "window.measure_revolutions=0.1", "cage.mesh_density=1",
-       "watch.energy_residual_max=1000", "watch.static_consistency_max=1000"});
+  const Study study =
+      read_study(shipped("scenes/nu205.toml"),
+                 {"window.settle_revolutions=0.1", "window.measure_revolutions=0.1",
+                  "cage.mesh_density=1", "cage.corner_radius_mm=0",
+                  "watch.energy_residual_max=1000", "watch.static_consistency_max=1000"});
   const Chart chart = make_chart(study,
                                  {.methods = {IntegrationMethod::rodas3},
                                   .horizon = 0.1e-3,

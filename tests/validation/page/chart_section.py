@@ -22,7 +22,8 @@ CAGES = {"rigid": {"cage.model": "rigid"}, "flexible": {"cage.model": "flexible"
 TRAJECTORIES = ["--replicas", "0", "--horizon-ms", "1", "--starts", "24"]
 RUNGS = ["--methods", "rodas3", "--replicas", "12", "--rungs", "--horizon-ms", "0.1", "--starts", "1"]
 QUICK = ["--methods", "rodas3", "--horizon-ms", "0.1", "--starts", "1"]  # no result
-QUICK_WINDOW = {"window.settle_revolutions": 0.05, "window.measure_revolutions": 0.05, "cage.mesh_density": 2}
+QUICK_WINDOW = {"window.settle_revolutions": 0.05, "window.measure_revolutions": 0.05, "cage.mesh_density": 2,
+                "cage.corner_radius_mm": 0}
 
 
 def loads(quick):
