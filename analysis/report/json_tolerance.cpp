@@ -93,7 +93,8 @@ std::string list_of(const std::vector<std::string>& items) {
   return text;
 }
 
-std::string statement_of(const ReportBasis& basis, const Recommendation& result) {
+std::string statement_of(const ReportBasis& basis, const Recommendation& result,
+                         bool some_binding) {
   const StudyPlan& plan = basis.study.plan;
   std::vector<std::string> bands, free;
   for (const RecommendedBand& band : result.bands) {
@@ -103,15 +104,15 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result)
   }
   std::string text;
   if (bands.empty())
-    text = result.meets_target
-               ? "No tolerance studied limits the yield: the study gives no band to print."
-               : "The target is not met, and no tolerance studied changes that: look at the "
-                 "contributors.";
+    text = "No tolerance studied limits the yield: the study gives no band to print.";
   else if (result.meets_target)
     text = fmt::format("Recommended: pocket {}, full width of the tolerance.", list_of(bands));
   else
-    text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.",
-                       list_of(bands));
+    text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.{}",
+                       list_of(bands),
+                       some_binding ? ""
+                                    : " No difference between the widths studied is significant: "
+                                      "look at the contributors.");
   text +=
       fmt::format(" The estimated yield is {}, at least {} with {} confidence{}; the target is {}.",
                   percent(result.yield.if_unknown_fail), percent(result.yield.lower_bound),
@@ -167,6 +168,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   Yield overall = estimate_yield(basis.runs, basis.joint, equal, basis.resampling, plan.confidence);
   Recommendation result;
   Json not_binding = Json::array(), undecided = Json::array();
+  bool some_binding = false;
   const bool candidates = !plan.candidates.empty() && !plan.dimensions.empty() &&
                           !plan.limits.empty() && basis.runs.size() > 0;
   if (candidates) {
@@ -181,6 +183,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling,
                                  allowed);
     for (const BindingTest& test : tests) {
+      some_binding = some_binding || test.answer == Binding::binding;
       if (test.answer == Binding::not_binding) not_binding.push_back(dimension_name(test.key));
       if (test.answer == Binding::undecided) undecided.push_back(dimension_name(test.key));
     }
@@ -207,7 +210,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   verdict["confirmation"] = nullptr;
   verdict["not_binding"] = not_binding;
   verdict["undecided"] = undecided;
-  verdict["statement"] = result.possible ? statement_of(basis, result)
+  verdict["statement"] = result.possible ? statement_of(basis, result, some_binding)
                                          : statement_without_candidates(basis, candidates);
   return part;
 }

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "analysis/statistics/binomial_bounds.hpp"
+#include "analysis/tolerance/cost.hpp"
 
 namespace cagetol {
 namespace {
@@ -37,6 +39,30 @@ std::vector<bool> relevant_candidates(const StudyPlan& plan, const YieldCurves& 
   return relevant;
 }
 
+bool meets_target(const StudyPlan& plan, const Yield& yield) {
+  return yield.ess >= kFewestEffectiveRuns && yield.lower_bound >= plan.target_yield;
+}
+
+/// The widest candidate that meets the target: the largest product of all bands, each in units of
+/// its widest; the cheapest where the study states costs. Nothing where none does.
+std::optional<std::size_t> widest_that_meets(const StudyPlan& plan, const YieldCurves& curves) {
+  std::optional<std::size_t> widest;
+  double most = 0;
+  for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
+    if (!meets_target(plan, curves.candidates[k])) continue;
+    const auto& bands = plan.candidates[k].bands_mm;
+    double width = 1;
+    for (std::size_t d = 0; d < bands.size(); ++d)
+      width *= bands[d] / curves.dimensions[d].levels.back().band_mm;
+    const auto cost = cost_of_bands(plan, bands);
+    const double worth = cost ? -*cost : width;
+    if (widest && worth <= most) continue;
+    widest = k;
+    most = worth;
+  }
+  return widest;
+}
+
 std::vector<double> level_weights(const LevelYield& level, const MixtureWeights& mixture,
                                   const std::vector<bool>& relevant) {
   std::vector<std::size_t> kept;
@@ -63,16 +89,18 @@ EffectiveRuns effective_runs(const std::vector<Judgement>& joint, std::span<cons
 BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mixture,
                            const std::vector<Judgement>& joint, const Resampling& resampling,
                            const std::vector<bool>& relevant, double error_each,
-                           double target_yield) {
+                           double target_yield, bool at_widest) {
   const LevelYield& narrowest = curve.levels.front();
+  const auto narrow = level_weights(narrowest, mixture, relevant);
+  const EffectiveRuns narrow_runs = effective_runs(joint, narrow);
+  const double margin = 1 - narrow_runs.failing / narrow_runs.all - target_yield;
   BindingTest test{curve.key,
                    Binding::undecided,
                    0,
                    0,
-                   1 - target_yield,
+                   std::max(margin, 0.0),
                    band_name(narrowest.grade, narrowest.band_mm),
                    band_name(curve.levels.back().grade, curve.levels.back().band_mm)};
-  const auto narrow = level_weights(narrowest, mixture, relevant);
   const double two_sided = gsl_cdf_ugaussian_Qinv(0.5 * error_each);
   const double one_sided = gsl_cdf_ugaussian_Qinv(error_each);
   bool significant = false;
@@ -92,7 +120,7 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
   }
   if (significant)
     test.answer = Binding::binding;
-  else if (curve.levels.size() > 1 && test.largest_loss_bound <= test.allowed_loss)
+  else if (curve.levels.size() > 1 && at_widest && test.largest_loss_bound <= test.allowed_loss)
     test.answer = Binding::not_binding;
   return test;
 }
@@ -120,10 +148,15 @@ std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeight
   const double error_each =
       (1 - runs.plan.confidence) / static_cast<double>(std::max<std::size_t>(comparisons, 1));
   std::vector<BindingTest> tests;
-  for (std::size_t d = 0; d < curves.dimensions.size(); ++d)
-    tests.push_back(test_dimension(curves.dimensions[d], mixture, joint, resampling,
+  const auto widest = widest_that_meets(runs.plan, curves);
+  for (std::size_t d = 0; d < curves.dimensions.size(); ++d) {
+    const DimensionCurve& curve = curves.dimensions[d];
+    const bool at_widest =
+        widest && runs.plan.candidates[*widest].bands_mm[d] == curve.levels.back().band_mm;
+    tests.push_back(test_dimension(curve, mixture, joint, resampling,
                                    relevant_candidates(runs.plan, curves, d), error_each,
-                                   runs.plan.target_yield));
+                                   runs.plan.target_yield, at_widest));
+  }
   return tests;
 }
 
