@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/sensitivity/noise_share.hpp"
+#include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/statistics/summary.hpp"
 #include "analysis/study/refused.hpp"
 
@@ -194,6 +195,24 @@ ToleranceStudy study_tolerances(const StudyData& runs, const std::vector<Judgeme
   study.curves = yield_curves(runs, study.mixture, joint, resampling, runs.plan.confidence);
   study.tests = test_binding(runs, study.mixture, study.curves, joint, resampling);
   return study;
+}
+
+LostRuns& LostRuns::operator+=(const LostRuns& other) {
+  lost += other.lost;
+  runs += other.runs;
+  return *this;
+}
+
+double LostRuns::least_share() const {
+  return clopper_pearson_lower(static_cast<double>(lost), static_cast<double>(runs), kConfidence);
+}
+
+LostRuns count_lost(const StudyData& runs) {
+  const auto lost = std::count_if(runs.status.begin(), runs.status.end(), [](RunStatus status) {
+    return status == RunStatus::failed || status == RunStatus::censored ||
+           status == RunStatus::poisoned;
+  });
+  return {static_cast<std::size_t>(lost), runs.size()};
 }
 
 Campaign run_campaign(const Stage& pilot,

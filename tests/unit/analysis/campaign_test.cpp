@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "analysis/study/refused.hpp"
@@ -179,6 +180,22 @@ TEST(PlanCampaign, SaysWhichBudgetWouldDo) {
     EXPECT_THAT(refusal.what(), HasSubstr("50 runs for each of 2 attempts"));
     EXPECT_THAT(refusal.what(), HasSubstr("72 runs are needed to confirm 95 %"));
   }
+}
+
+TEST(LostRuns, AreCertainlyTooManyOnlyByTheirLowerBound) {
+  // One of 32: 1 - 0.95^(1/32).
+  EXPECT_NEAR((LostRuns{1, 32}.least_share()), 1 - std::pow(0.95, 1.0 / 32), 1e-9);
+  EXPECT_EQ((LostRuns{0, 32}.least_share()), 0);
+  StudyData pilot = pilot_of({});
+  pilot.status[3] = RunStatus::failed;
+  pilot.status[4] = RunStatus::censored;
+  pilot.status[5] = RunStatus::jammed;
+  LostRuns lost = count_lost(pilot);
+  EXPECT_EQ(lost.lost, 2u);
+  EXPECT_EQ(lost.runs, 100u);
+  lost += {1, 50};
+  EXPECT_EQ(lost.lost, 3u);
+  EXPECT_EQ(lost.runs, 150u);
 }
 
 TEST(CampaignPlan, IsReadAsWritten) {
