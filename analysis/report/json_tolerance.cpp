@@ -182,10 +182,14 @@ TolerancePart tolerance_json(const ReportBasis& basis,
       };
     result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling,
                                  allowed);
-    for (const BindingTest& test : tests) {
-      some_binding = some_binding || test.answer == Binding::binding;
-      if (test.answer == Binding::not_binding) not_binding.push_back(dimension_name(test.key));
-      if (test.answer == Binding::undecided) undecided.push_back(dimension_name(test.key));
+    for (std::size_t d = 0; d < tests.size(); ++d) {
+      const bool held =
+          result.possible ? result.bands[d].not_binding : tests[d].answer == Binding::not_binding;
+      some_binding = some_binding || tests[d].answer == Binding::binding;
+      if (held)
+        not_binding.push_back(dimension_name(tests[d].key));
+      else if (tests[d].answer != Binding::binding)
+        undecided.push_back(dimension_name(tests[d].key));
     }
     part.tolerance = {{"candidates", candidates_json(basis, curves)},
                       {"dimensions", dimensions_json(curves, tests)},

@@ -65,11 +65,10 @@ std::string noise_text(const StudyData& pilot) {
   return text;
 }
 
-/// True when no band is wider and one is narrower, among the dimensions that matter.
+/// True when no band is wider and one is narrower.
 bool narrower(const std::vector<double>& bands, const Recommendation& than) {
   bool some = false;
   for (std::size_t d = 0; d < bands.size(); ++d) {
-    if (than.bands[d].not_binding) continue;
     if (bands[d] > than.bands[d].band_mm * (1 + 1e-9)) return false;
     some = some || bands[d] < than.bands[d].band_mm * (1 - 1e-9);
   }

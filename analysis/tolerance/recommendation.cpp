@@ -58,6 +58,13 @@ void choose(const StudyPlan& plan, const YieldCurves& curves, const std::vector<
   }
 }
 
+/// The tests with every dimension that is not binding as undecided.
+std::vector<BindingTest> freed(std::vector<BindingTest> tests) {
+  for (BindingTest& test : tests)
+    if (test.answer == Binding::not_binding) test.answer = Binding::undecided;
+  return tests;
+}
+
 double nominal_of(const StudyData& runs, const std::string& key) {
   const InputColumns* input = find_input(runs, key);
   return input == nullptr || input->nominal.empty() ? 0 : input->nominal.front();
@@ -161,11 +168,20 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
                                    const Resampling& resampling, const CandidateFilter& allowed) {
   Recommendation result;
   if (mixture.candidate.empty()) return result;
-  choose(runs.plan, curves, tests, allowed, result);
+  std::vector<BindingTest> held = tests;
+  choose(runs.plan, curves, held, allowed, result);
+  if (!result.meets_target) {  // narrower bands of a dimension held at its widest may meet it
+    Recommendation other;
+    choose(runs.plan, curves, freed(tests), allowed, other);
+    if (other.meets_target) {
+      result = other;
+      held = freed(tests);
+    }
+  }
   if (!result.possible) return result;
   result.yield = curves.candidates[result.candidate];
   result.weights = mixture.candidate[result.candidate];
-  if (set_bands(runs, curves, tests, result))
+  if (set_bands(runs, curves, held, result))
     judge_snapped(runs, mixture, joint, resampling, result);
   std::vector<double> bands;
   for (const RecommendedBand& band : result.bands) bands.push_back(band.band_mm);

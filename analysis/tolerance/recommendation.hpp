@@ -4,7 +4,9 @@
 // bound meets the target, the widest is taken: the largest product of the bands of the dimensions
 // that matter, each in units of its widest candidate. A dimension that is not binding is left out
 // of this choice and never recommended; the yield is then the one with that dimension at its widest
-// candidate, so that a small effect that went unnoticed cannot flatter the result. Where the study
+// candidate, so that a small effect that went unnoticed cannot flatter the result. Where no candidate
+// left meets the target with it there, its narrower bands are tried as those of any other dimension:
+// an attempt at the widest that did not confirm says that it may matter after all. Where the study
 // states what tolerances cost, the cheapest is taken instead of the widest. Bands given in mm are
 // snapped down to an ISO 286 grade and judged again.
 //

@@ -114,6 +114,25 @@ TEST(Campaign, TriesTheNextNarrowerBandWithFreshRuns) {
   EXPECT_EQ(bench.asked.back().name, "confirm-2");
 }
 
+TEST(Campaign, TriesNarrowerBandsOfADimensionThatWasNotBinding) {
+  // No band matters in pilot and mixture. Confirming runs fail in a tenth of the cages at the widest.
+  Bench bench;
+  int calls = 0;
+  bench.badness = [&](const StandinCage& cage) {
+    const bool fails = bench.asked.size() == 3 && ++calls % 10 == 0;
+    return fails ? 1.0 : -1.0 + 0 * cage.lot[0];
+  };
+  const Campaign campaign = bench.campaign();
+  ASSERT_EQ(campaign.attempts.size(), 2u);
+  EXPECT_EQ(campaign.end, CampaignEnd::confirmed);
+  for (std::size_t d = 0; d < 2; ++d)
+    EXPECT_TRUE(campaign.attempts[0].recommendation.bands[d].not_binding);
+  EXPECT_LT(campaign.attempts[1].recommendation.bands[0].band_mm *
+                campaign.attempts[1].recommendation.bands[1].band_mm,
+            campaign.attempts[0].recommendation.bands[0].band_mm *
+                campaign.attempts[0].recommendation.bands[1].band_mm);
+}
+
 TEST(Campaign, StopsWhereNoCandidateMeetsTheTarget) {
   Bench bench;
   bench.badness = [](const StandinCage& cage) { return cage.pocket[0][0]; };
