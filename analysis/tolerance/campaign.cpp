@@ -97,18 +97,22 @@ Recommendation next_recommendation(const StudyData& runs, const ToleranceStudy& 
       return narrower(bands, attempt.recommendation);
     });
   };
-  double surest = 0;
-  const auto recommend = [&](const CandidateFilter& allowed) {
-    return recommend_tolerance(runs, study.mixture, study.curves, study.tests, joint, resampling,
-                               allowed);
+  const auto recommend = [&](const std::vector<BindingTest>& tests) {
+    double surest = 0;
+    const auto probable = recommend_tolerance(runs, study.mixture, study.curves, tests, joint,
+                                              resampling, [&](std::size_t k) {
+                                                if (!fresh(k)) return false;
+                                                surest = std::max(surest, chance(k));
+                                                return chance(k) >= kWantedPower;
+                                              });
+    if (probable.meets_target) return probable;
+    return recommend_tolerance(runs, study.mixture, study.curves, tests, joint, resampling,
+                               [&](std::size_t k) { return fresh(k) && chance(k) >= surest; });
   };
-  const Recommendation probable = recommend([&](std::size_t k) {
-    if (!fresh(k)) return false;
-    surest = std::max(surest, chance(k));
-    return chance(k) >= kWantedPower;
-  });
-  if (probable.meets_target) return probable;
-  return recommend([&](std::size_t k) { return fresh(k) && chance(k) >= surest; });
+  const Recommendation held = recommend(study.tests);
+  if (held.meets_target) return held;
+  const Recommendation other = recommend(freed(study.tests));
+  return other.meets_target ? other : held;
 }
 
 }  // namespace

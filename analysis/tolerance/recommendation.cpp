@@ -58,13 +58,6 @@ void choose(const StudyPlan& plan, const YieldCurves& curves, const std::vector<
   }
 }
 
-/// The tests with every dimension that is not binding as undecided.
-std::vector<BindingTest> freed(std::vector<BindingTest> tests) {
-  for (BindingTest& test : tests)
-    if (test.answer == Binding::not_binding) test.answer = Binding::undecided;
-  return tests;
-}
-
 double nominal_of(const StudyData& runs, const std::string& key) {
   const InputColumns* input = find_input(runs, key);
   return input == nullptr || input->nominal.empty() ? 0 : input->nominal.front();
@@ -168,26 +161,23 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
                                    const Resampling& resampling, const CandidateFilter& allowed) {
   Recommendation result;
   if (mixture.candidate.empty()) return result;
-  std::vector<BindingTest> held = tests;
-  choose(runs.plan, curves, held, allowed, result);
-  if (!result.meets_target) {  // narrower bands of a dimension held at its widest may meet it
-    Recommendation other;
-    choose(runs.plan, curves, freed(tests), allowed, other);
-    if (other.meets_target) {
-      result = other;
-      held = freed(tests);
-    }
-  }
+  choose(runs.plan, curves, tests, allowed, result);
   if (!result.possible) return result;
   result.yield = curves.candidates[result.candidate];
   result.weights = mixture.candidate[result.candidate];
-  if (set_bands(runs, curves, held, result))
+  if (set_bands(runs, curves, tests, result))
     judge_snapped(runs, mixture, joint, resampling, result);
   std::vector<double> bands;
   for (const RecommendedBand& band : result.bands) bands.push_back(band.band_mm);
   result.cost = cost_of_bands(runs.plan, bands);
   add_steps(runs, mixture, curves, joint, resampling, result);
   return result;
+}
+
+std::vector<BindingTest> freed(std::vector<BindingTest> tests) {
+  for (BindingTest& test : tests)
+    if (test.answer == Binding::not_binding) test.answer = Binding::undecided;
+  return tests;
 }
 
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate) {

@@ -4,9 +4,7 @@
 // bound meets the target, the widest is taken: the largest product of the bands of the dimensions
 // that matter, each in units of its widest candidate. A dimension that is not binding is left out
 // of this choice and never recommended; the yield is then the one with that dimension at its widest
-// candidate, so that a small effect that went unnoticed cannot flatter the result. Where no candidate
-// left meets the target with it there, its narrower bands are tried as those of any other dimension:
-// an attempt at the widest that did not confirm says that it may matter after all. Where the study
+// candidate, so that a small effect that went unnoticed cannot flatter the result. Where the study
 // states what tolerances cost, the cheapest is taken instead of the widest. Bands given in mm are
 // snapped down to an ISO 286 grade and judged again.
 //
@@ -61,6 +59,11 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
                                    const std::vector<Judgement>& joint,
                                    const Resampling& resampling,
                                    const CandidateFilter& allowed = {});
+
+/// The tests with every dimension that is not binding as undecided. For where none of the candidates
+/// left has these dimensions at their widest: an attempt there that did not confirm says that they
+/// may matter after all.
+std::vector<BindingTest> freed(std::vector<BindingTest> tests);
 
 /// Bands of a candidate in mm, those without a grade snapped down to one where there is one.
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate);
