@@ -107,6 +107,13 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
     text = "No tolerance studied limits the yield: the study gives no band to print.";
   else if (result.meets_target)
     text = fmt::format("Recommended: pocket {}, full width of the tolerance.", list_of(bands));
+  else if (result.yield.unknown_runs > 0 && result.yield.upper_bound >= plan.target_yield)
+    text = fmt::format(
+        "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
+        "judgement, and the yield lies between {} and {}, as they fail or pass. The best is pocket "
+        "{}.",
+        result.yield.unknown_runs, result.yield.runs, percent(result.yield.if_unknown_fail),
+        percent(result.yield.if_unknown_pass), list_of(bands));
   else
     text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.{}",
                        list_of(bands),
@@ -182,6 +189,9 @@ TolerancePart tolerance_json(const ReportBasis& basis,
       };
     result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling,
                                  allowed);
+    if (!result.meets_target && !confirmations.empty())
+      result = recommend_tolerance(basis.runs, mixture, curves, freed(tests), basis.joint,
+                                   basis.resampling, allowed);
     for (std::size_t d = 0; d < tests.size(); ++d) {
       const bool held =
           result.possible ? result.bands[d].not_binding : tests[d].answer == Binding::not_binding;

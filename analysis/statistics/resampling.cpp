@@ -18,7 +18,6 @@ namespace {
 
 /// With fewer scrambles their scatter says too little about itself.
 constexpr std::int64_t kFewestScrambles = 4;
-constexpr std::size_t kFewestLots = 8;
 
 /// Rows of one base of a pick-freeze design share their points and go together, whatever their lot.
 std::vector<std::size_t> number_lots(const StudyData& study, std::size_t& lots) {

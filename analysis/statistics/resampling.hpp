@@ -22,6 +22,9 @@ namespace cagetol {
 
 using WeightedStatistic = std::function<double(std::span<const double> weights)>;
 
+/// With fewer lots their scatter says too little about itself.
+inline constexpr std::size_t kFewestLots = 8;
+
 enum class IntervalKind { lots, scrambles, none };
 
 class Resampling {

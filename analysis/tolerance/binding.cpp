@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "analysis/statistics/binomial_bounds.hpp"
@@ -86,6 +87,34 @@ EffectiveRuns effective_runs(const std::vector<Judgement>& joint, std::span<cons
   return {ess * failing / total, ess};
 }
 
+/// Number of equally weighted lots that tell as much.
+double effective_lots(std::span<const double> weights, const Resampling& resampling) {
+  std::vector<double> of_lot(resampling.lots());
+  for (std::size_t i = 0; i < weights.size(); ++i) of_lot[resampling.lot_of()[i]] += weights[i];
+  return effective_sample_size(of_lot);
+}
+
+/// Loss of yield from narrow to wide bands, unknown runs counted so that it is least and largest:
+/// as passing where they weigh less under the narrow bands, or where they weigh more.
+struct LossRange {
+  YieldDifference least, largest;
+};
+
+LossRange loss_range(const std::vector<Judgement>& joint, std::span<const double> narrow,
+                     std::span<const double> wide, const Resampling& resampling) {
+  const double narrow_sum = std::accumulate(narrow.begin(), narrow.end(), 0.0);
+  const double wide_sum = std::accumulate(wide.begin(), wide.end(), 0.0);
+  auto least = joint, largest = joint;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    if (joint[i] != Judgement::unknown) continue;
+    const bool weighs_more = narrow[i] / narrow_sum > wide[i] / wide_sum;
+    least[i] = weighs_more ? Judgement::misses : Judgement::meets;
+    largest[i] = weighs_more ? Judgement::meets : Judgement::misses;
+  }
+  return {yield_difference(least, narrow, wide, resampling),
+          yield_difference(largest, narrow, wide, resampling)};
+}
+
 BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mixture,
                            const std::vector<Judgement>& joint, const Resampling& resampling,
                            const std::vector<bool>& relevant, double error_each,
@@ -101,26 +130,35 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
                    std::max(margin, 0.0),
                    band_name(narrowest.grade, narrowest.band_mm),
                    band_name(curve.levels.back().grade, curve.levels.back().band_mm)};
-  const double two_sided = gsl_cdf_ugaussian_Qinv(0.5 * error_each);
-  const double one_sided = gsl_cdf_ugaussian_Qinv(error_each);
-  bool significant = false;
+  bool significant = false, enough = true;
   for (std::size_t i = 1; i < curve.levels.size(); ++i) {
     const auto wide = level_weights(curve.levels[i], mixture, relevant);
-    const YieldDifference loss = yield_difference(joint, narrow, wide, resampling);
+    const LossRange loss = loss_range(joint, narrow, wide, resampling);
     const EffectiveRuns runs = effective_runs(joint, wide);
-    test.largest_loss = std::max(test.largest_loss, loss.value);
+    const double lots =
+        std::min(effective_lots(narrow, resampling), effective_lots(wide, resampling));
+    test.largest_loss = std::max(test.largest_loss, loss.largest.value);
+    if (lots < kFewestLots || std::min(runs.all, narrow_runs.all) < kFewestEffectiveRuns) {
+      enough = false;
+      test.largest_loss_bound = 1;
+      continue;
+    }
+    const double two_sided = gsl_cdf_tdist_Qinv(0.5 * error_each, lots - 1);
+    const double one_sided = gsl_cdf_tdist_Qinv(error_each, lots - 1);
     if (runs.failing < kFewFailing) {
       const double bound = clopper_pearson_upper(runs.failing, runs.all, 1 - error_each);
       test.largest_loss_bound = std::max(test.largest_loss_bound, bound);
       continue;
     }
-    significant = significant || std::abs(loss.value) > two_sided * loss.standard_error;
-    test.largest_loss_bound =
-        std::max(test.largest_loss_bound, loss.value + one_sided * loss.standard_error);
+    significant = significant || loss.least.value > two_sided * loss.least.standard_error ||
+                  loss.largest.value < -two_sided * loss.largest.standard_error;
+    test.largest_loss_bound = std::max(
+        test.largest_loss_bound, loss.largest.value + one_sided * loss.largest.standard_error);
   }
   if (significant)
     test.answer = Binding::binding;
-  else if (curve.levels.size() > 1 && at_widest && test.largest_loss_bound <= test.allowed_loss)
+  else if (curve.levels.size() > 1 && enough && at_widest &&
+           test.largest_loss_bound <= test.allowed_loss)
     test.answer = Binding::not_binding;
   return test;
 }

@@ -158,6 +158,44 @@ TEST(Recommendation, TooFewRunsLeaveADimensionUndecided) {
   EXPECT_FALSE(judged.recommendation.possible);  // fewer than 100 effective runs everywhere
 }
 
+TEST(Recommendation, RunsWithoutAJudgementDecideNothing) {
+  StudyData study =
+      tolerance_standin(2000, 34, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
+  StudyData some = study;
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    study.quantities[0].values[i] = kUndefined;
+    if (i % 9 == 0) some.status[i] = RunStatus::censored;
+  }
+  for (const BindingTest& test : judge_study(study, 50).tests) {
+    EXPECT_EQ(test.answer, Binding::undecided);
+    EXPECT_GT(test.largest_loss_bound, 0.3);
+  }
+  const Judged judged = judge_study(some, 50);
+  EXPECT_EQ(judged.tests[0].answer, Binding::binding);
+  EXPECT_NE(judged.tests[1].answer, Binding::binding);
+  EXPECT_GT(judged.tests[1].largest_loss, 0.02);  // passing where the narrow bands weigh more
+}
+
+TEST(Recommendation, AllJammedIsNotCalledNotBinding) {
+  StudyData study =
+      tolerance_standin(2000, 35, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
+  study.status.assign(study.size(), RunStatus::jammed);
+  for (const BindingTest& test : judge_study(study, 50).tests)
+    EXPECT_EQ(test.answer, Binding::undecided);
+}
+
+TEST(Recommendation, FewLotsDecideNothing) {
+  // All runs of a lot share its deviations: one lot has no scatter to tell an effect from chance.
+  StandinDimension width = kPrintedWidth;
+  width.lot_sigma = 0.01;
+  for (const std::int64_t lots : {1, 4}) {
+    const StudyData study =
+        tolerance_standin(1200, 36, {width, kPrintedLength}, 0.95, widest_pocket, 1200 / lots);
+    for (const BindingTest& test : judge_study(study, 50).tests)
+      EXPECT_EQ(test.answer, Binding::undecided) << lots;
+  }
+}
+
 TEST(Recommendation, NothingMeetsTheTarget) {
   const auto always_bad = [](const StandinCage& cage) {
     return cage.pocket[0][0] + 0.5 * std::abs(cage.pocket[0][1]);

@@ -209,6 +209,17 @@ TEST_F(Report, StudiesThatLackThings) {
   EXPECT_EQ(report_on(make_synthetic_study({.rows = 200, .design = "grid"}), kNoPython), 0);
 }
 
+TEST(ReportVerdict, SaysWhereRunsWithoutAJudgementLeaveItOpen) {
+  const auto verdict =
+      make_report(make_synthetic_study({.rows = 1500, .failed_share = 1.0})).at("verdict");
+  EXPECT_THAT(
+      verdict.at("statement"),
+      testing::HasSubstr("Not known whether a candidate tolerance meets the target: 1492 of "
+                         "1500 runs give no judgement, and the yield lies between 0 % and "
+                         "100.0 %, as they fail or pass"));
+  EXPECT_TRUE(verdict.at("not_binding").empty());
+}
+
 TEST_F(Report, TablesHaveALineForEveryRow) {
   report_on(make_synthetic_study({.rows = 100}), kNoPython);
   const auto lines = [&](const char* name) {
