@@ -145,6 +145,9 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
         kFewestEffectiveRuns);
   if (basis.study.plan.limits.empty())
     return "The study states no limits: there is nothing to judge a tolerance by.";
+  if (std::string reason; !rows_follow_laws(basis.runs, &reason))
+    return fmt::format("No yield and no tolerance: {}. Use the design random, lhs or sobol.",
+                       reason);
   return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
 }
 
@@ -177,7 +180,8 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   Json not_binding = Json::array(), undecided = Json::array();
   bool some_binding = false;
   const bool candidates = !plan.candidates.empty() && !plan.dimensions.empty() &&
-                          !plan.limits.empty() && basis.runs.size() > 0;
+                          !plan.limits.empty() && basis.runs.size() > 0 &&
+                          rows_follow_laws(basis.runs);
   if (candidates) {
     const auto [mixture, curves, tests] =
         study_tolerances(basis.runs, basis.joint, basis.resampling);

@@ -147,6 +147,15 @@ bool independent_runs(const StudyData& study, std::string* why_not) {
   return reason.empty();
 }
 
+bool rows_follow_laws(const StudyData& study, std::string* why_not) {
+  const bool follow = study.design.kind != "grid" && study.design.kind != "morris";
+  if (why_not != nullptr)
+    *why_not = follow ? ""
+                      : "the rows of a `" + study.design.kind +
+                            "` design do not follow the laws of the inputs";
+  return follow;
+}
+
 void require_independent_runs(const StudyData& study, const std::string& what) {
   std::string reason;
   if (!independent_runs(study, &reason)) throw Refused(what + " refused: " + reason);
