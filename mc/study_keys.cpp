@@ -15,7 +15,7 @@ const KeyTable<Study>& study_keys() {
       {"design", any_value(), AT(design), "how the rows fill the space of deviations"},
       {"scrambles", within(1, 1024), AT(scrambles), "design sobol: independent scrambles"},
       {"cages_per_lot", within(1, 1e6), AT(cages_per_lot), "design random: cages that share one draw of the lot"},
-      {"allowed_failure_share", within(0, 1), AT(allowed_failure_share), "failed, censored and poisoned samples beyond this share: exit code 3"},
+      {"allowed_failure_share", within(0, 1), AT(allowed_failure_share), "failed, censored and poisoned samples beyond this share: exit code 3; `recommend` judges the lower bound of their share in pilot and mixture together, and counts them as failing in confirmations"},
       {"fidelity", one_of({"pinned", "auto"}), AT(fidelity), "pinned: the model that the scene says; auto: the cheapest rung of the model ladder that will do for every limited quantity, its mean unmoved or its limits settled (`cagetol ladder --help`), the highest where the samples do not tell"},
       {"fidelity_samples", within(2, 1e9), AT(fidelity_samples), "fidelity auto: runs on each rung that is climbed; more of them settle limits that are nearer"},
       {"fidelity_budget", above(0), AT(fidelity_budget), "fidelity auto: largest shift of a mean, or share beyond a limit, that a rung may cause, in standard errors of the study: of that mean, of its yield"},

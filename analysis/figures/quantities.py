@@ -63,7 +63,8 @@ def convergence(report):
     if len(looks) < 2:
         return None
     names = list(looks[-1]["quantile_95"])
-    panels = (["joint yield"] if report["limits"]["each"] else []) + names
+    yields = report["limits"]["each"] and report["limits"]["joint"]["if_unknown_fail"] is not None
+    panels = (["joint yield"] if yields else []) + names
     if not panels:
         return None
     columns = min(2, len(panels))

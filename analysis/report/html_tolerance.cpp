@@ -51,13 +51,14 @@ std::string binding_list(const Json& tolerance) {
   return "<h3>Does the tolerance of a dimension change the yield?</h3>\n" +
          table("ttnnn",
                {"dimension", "answer", "largest loss seen [points]", "at most [points]",
-                "allowed by the target [points]"},
+                "margin over the target [points]"},
                rows) +
          note(
              "Yield at the narrowest candidate against each wider one, on the same runs. Binding: "
-             "a difference is significant. Not binding: none is, "
-             "and the loss is certainly smaller than the failures that the target allows. "
-             "Undecided: too few runs to say either.");
+             "a difference is significant. Not binding: none is, the loss is certainly smaller "
+             "than "
+             "the margin of the narrowest over the target, and the widest combination that meets "
+             "the target has this dimension at its widest. Undecided: neither.");
 }
 
 std::string strongest(const Json& output) {

@@ -89,8 +89,8 @@ std::string verdict_chapter(const Json& report) {
     for (const Json& name : verdict["undecided"])
       names += (names.empty() ? "" : ", ") + escaped(name);
     body += paragraph(
-        "Too few runs to tell whether these dimensions matter at all; they are treated as if they "
-        "did: " +
+        "No effect of these dimensions is significant, but one as large as the margin over the "
+        "target is not excluded; they are treated as if they mattered: " +
         names + ".");
   }
   body += steps_table(report);

@@ -113,6 +113,7 @@ Json quantities_json(const ReportBasis& basis) {
 
 Json capability_json(const ReportBasis& basis) {
   Json list = Json::array();
+  if (!rows_follow_laws(basis.runs)) return list;
   for (const Limit& limit : basis.study.plan.limits) {
     const Column* column = find_quantity(basis.runs, limit.quantity);
     if (column == nullptr) continue;
@@ -153,7 +154,7 @@ Json convergence_json(const ReportBasis& basis) {
                     {"runs_still_needed", number(runs_needed(runs, half, target) - runs)}});
   };
   const std::vector<double> equal(basis.runs.size(), 1.0);
-  if (!basis.study.plan.limits.empty()) {
+  if (!basis.study.plan.limits.empty() && rows_follow_laws(basis.runs)) {
     const Yield joint =
         estimate_yield(basis.runs, basis.joint, equal, basis.resampling, basis.confidence);
     add("joint yield", "yield", joint.if_unknown_fail, joint.if_unknown_fail - joint.lower_bound,

@@ -93,7 +93,8 @@ std::string list_of(const std::vector<std::string>& items) {
   return text;
 }
 
-std::string statement_of(const ReportBasis& basis, const Recommendation& result) {
+std::string statement_of(const ReportBasis& basis, const Recommendation& result,
+                         bool some_binding) {
   const StudyPlan& plan = basis.study.plan;
   std::vector<std::string> bands, free;
   for (const RecommendedBand& band : result.bands) {
@@ -103,15 +104,22 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result)
   }
   std::string text;
   if (bands.empty())
-    text = result.meets_target
-               ? "No tolerance studied limits the yield: the study gives no band to print."
-               : "The target is not met, and no tolerance studied changes that: look at the "
-                 "contributors.";
+    text = "No tolerance studied limits the yield: the study gives no band to print.";
   else if (result.meets_target)
     text = fmt::format("Recommended: pocket {}, full width of the tolerance.", list_of(bands));
+  else if (result.yield.unknown_runs > 0 && result.yield.upper_bound >= plan.target_yield)
+    text = fmt::format(
+        "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
+        "judgement, and the yield lies between {} and {}, as they fail or pass. The best is pocket "
+        "{}.",
+        result.yield.unknown_runs, result.yield.runs, percent(result.yield.if_unknown_fail),
+        percent(result.yield.if_unknown_pass), list_of(bands));
   else
-    text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.",
-                       list_of(bands));
+    text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.{}",
+                       list_of(bands),
+                       some_binding ? ""
+                                    : " No difference between the widths studied is significant: "
+                                      "look at the contributors.");
   text +=
       fmt::format(" The estimated yield is {}, at least {} with {} confidence{}; the target is {}.",
                   percent(result.yield.if_unknown_fail), percent(result.yield.lower_bound),
@@ -137,6 +145,9 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
         kFewestEffectiveRuns);
   if (basis.study.plan.limits.empty())
     return "The study states no limits: there is nothing to judge a tolerance by.";
+  if (std::string reason; !rows_follow_laws(basis.runs, &reason))
+    return fmt::format("No yield and no tolerance: {}. Use the design random, lhs or sobol.",
+                       reason);
   return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
 }
 
@@ -167,8 +178,10 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   Yield overall = estimate_yield(basis.runs, basis.joint, equal, basis.resampling, plan.confidence);
   Recommendation result;
   Json not_binding = Json::array(), undecided = Json::array();
+  bool some_binding = false;
   const bool candidates = !plan.candidates.empty() && !plan.dimensions.empty() &&
-                          !plan.limits.empty() && basis.runs.size() > 0;
+                          !plan.limits.empty() && basis.runs.size() > 0 &&
+                          rows_follow_laws(basis.runs);
   if (candidates) {
     const auto [mixture, curves, tests] =
         study_tolerances(basis.runs, basis.joint, basis.resampling);
@@ -180,9 +193,17 @@ TolerancePart tolerance_json(const ReportBasis& basis,
       };
     result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling,
                                  allowed);
-    for (const BindingTest& test : tests) {
-      if (test.answer == Binding::not_binding) not_binding.push_back(dimension_name(test.key));
-      if (test.answer == Binding::undecided) undecided.push_back(dimension_name(test.key));
+    if (!result.meets_target && !confirmations.empty())
+      result = recommend_tolerance(basis.runs, mixture, curves, freed(tests), basis.joint,
+                                   basis.resampling, allowed);
+    for (std::size_t d = 0; d < tests.size(); ++d) {
+      const bool held =
+          result.possible ? result.bands[d].not_binding : tests[d].answer == Binding::not_binding;
+      some_binding = some_binding || tests[d].answer == Binding::binding;
+      if (held)
+        not_binding.push_back(dimension_name(tests[d].key));
+      else if (tests[d].answer != Binding::binding)
+        undecided.push_back(dimension_name(tests[d].key));
     }
     part.tolerance = {{"candidates", candidates_json(basis, curves)},
                       {"dimensions", dimensions_json(curves, tests)},
@@ -207,7 +228,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   verdict["confirmation"] = nullptr;
   verdict["not_binding"] = not_binding;
   verdict["undecided"] = undecided;
-  verdict["statement"] = result.possible ? statement_of(basis, result)
+  verdict["statement"] = result.possible ? statement_of(basis, result, some_binding)
                                          : statement_without_candidates(basis, candidates);
   return part;
 }

@@ -18,7 +18,6 @@ namespace {
 
 /// With fewer scrambles their scatter says too little about itself.
 constexpr std::int64_t kFewestScrambles = 4;
-constexpr std::size_t kFewestLots = 8;
 
 /// Rows of one base of a pick-freeze design share their points and go together, whatever their lot.
 std::vector<std::size_t> number_lots(const StudyData& study, std::size_t& lots) {
@@ -146,6 +145,15 @@ bool independent_runs(const StudyData& study, std::string* why_not) {
         "cages of one lot share their lot deviation: the runs are not independent of each other";
   if (why_not != nullptr) *why_not = reason;
   return reason.empty();
+}
+
+bool rows_follow_laws(const StudyData& study, std::string* why_not) {
+  const bool follow = study.design.kind != "grid" && study.design.kind != "morris";
+  if (why_not != nullptr)
+    *why_not = follow ? ""
+                      : "the rows of a `" + study.design.kind +
+                            "` design do not follow the laws of the inputs";
+  return follow;
 }
 
 void require_independent_runs(const StudyData& study, const std::string& what) {

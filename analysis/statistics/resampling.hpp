@@ -22,6 +22,9 @@ namespace cagetol {
 
 using WeightedStatistic = std::function<double(std::span<const double> weights)>;
 
+/// With fewer lots their scatter says too little about itself.
+inline constexpr std::size_t kFewestLots = 8;
+
 enum class IntervalKind { lots, scrambles, none };
 
 class Resampling {
@@ -66,6 +69,11 @@ class Resampling {
 /// True if rows are drawn independently and every row has its own lot, as exact binomial and
 /// order-statistic bounds require. Otherwise `why_not` is the reason.
 bool independent_runs(const StudyData& study, std::string* why_not = nullptr);
+
+/// True if every row is drawn by the laws of the inputs, as yields require. The rows of a grid are
+/// levels chosen by hand, those of a Morris design steps of equal size. Otherwise `why_not` is the
+/// reason.
+bool rows_follow_laws(const StudyData& study, std::string* why_not = nullptr);
 
 /// Throws Refused with `what` and the reason unless independent_runs().
 void require_independent_runs(const StudyData& study, const std::string& what);

@@ -84,6 +84,11 @@ Yield estimate_yield(const StudyData& runs, std::span<const Judgement> judgement
     yield.method = "no runs";
     return yield;
   }
+  if (!rows_follow_laws(runs, &yield.method)) {
+    yield.if_unknown_fail = yield.if_unknown_pass = kUndefined;
+    yield.lower_bound = yield.upper_bound = kUndefined;
+    return yield;
+  }
   const auto low = indicator(judgements, false), high = indicator(judgements, true);
   yield.if_unknown_fail = weighted_share(low, weights);
   yield.if_unknown_pass = weighted_share(high, weights);

@@ -30,7 +30,8 @@ double effective_sample_size(std::span<const double> weights);
 /// two bounds: bootstrap over lots, and Clopper-Pearson with the effective number of runs
 ///   n* = y (1 - y) / Var(y),   Var linearised over lots
 /// With fewer than five effective failures, (1 - y) ESS < 5, Var is unreliable, and n* is limited
-/// to the effective sample size. Runs without any failure thus never have the bound 1.
+/// to the effective sample size. Runs without any failure thus never have the bound 1. Shares and
+/// bounds are NaN where the rows do not follow the laws of the inputs; `method` is then the reason.
 Yield estimate_yield(const StudyData& runs, std::span<const Judgement> judgements,
                      std::span<const double> weights, const Resampling& resampling,
                      double confidence);

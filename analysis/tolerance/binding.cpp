@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 #include "analysis/statistics/binomial_bounds.hpp"
+#include "analysis/tolerance/cost.hpp"
 
 namespace cagetol {
 namespace {
@@ -37,6 +40,30 @@ std::vector<bool> relevant_candidates(const StudyPlan& plan, const YieldCurves& 
   return relevant;
 }
 
+bool meets_target(const StudyPlan& plan, const Yield& yield) {
+  return yield.ess >= kFewestEffectiveRuns && yield.lower_bound >= plan.target_yield;
+}
+
+/// The widest candidate that meets the target: the largest product of all bands, each in units of
+/// its widest; the cheapest where the study states costs. Nothing where none does.
+std::optional<std::size_t> widest_that_meets(const StudyPlan& plan, const YieldCurves& curves) {
+  std::optional<std::size_t> widest;
+  double most = 0;
+  for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
+    if (!meets_target(plan, curves.candidates[k])) continue;
+    const auto& bands = plan.candidates[k].bands_mm;
+    double width = 1;
+    for (std::size_t d = 0; d < bands.size(); ++d)
+      width *= bands[d] / curves.dimensions[d].levels.back().band_mm;
+    const auto cost = cost_of_bands(plan, bands);
+    const double worth = cost ? -*cost : width;
+    if (widest && worth <= most) continue;
+    widest = k;
+    most = worth;
+  }
+  return widest;
+}
+
 std::vector<double> level_weights(const LevelYield& level, const MixtureWeights& mixture,
                                   const std::vector<bool>& relevant) {
   std::vector<std::size_t> kept;
@@ -60,39 +87,78 @@ EffectiveRuns effective_runs(const std::vector<Judgement>& joint, std::span<cons
   return {ess * failing / total, ess};
 }
 
+/// Number of equally weighted lots that tell as much.
+double effective_lots(std::span<const double> weights, const Resampling& resampling) {
+  std::vector<double> of_lot(resampling.lots());
+  for (std::size_t i = 0; i < weights.size(); ++i) of_lot[resampling.lot_of()[i]] += weights[i];
+  return effective_sample_size(of_lot);
+}
+
+/// Loss of yield from narrow to wide bands, unknown runs counted so that it is least and largest:
+/// as passing where they weigh less under the narrow bands, or where they weigh more.
+struct LossRange {
+  YieldDifference least, largest;
+};
+
+LossRange loss_range(const std::vector<Judgement>& joint, std::span<const double> narrow,
+                     std::span<const double> wide, const Resampling& resampling) {
+  const double narrow_sum = std::accumulate(narrow.begin(), narrow.end(), 0.0);
+  const double wide_sum = std::accumulate(wide.begin(), wide.end(), 0.0);
+  auto least = joint, largest = joint;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    if (joint[i] != Judgement::unknown) continue;
+    const bool weighs_more = narrow[i] / narrow_sum > wide[i] / wide_sum;
+    least[i] = weighs_more ? Judgement::misses : Judgement::meets;
+    largest[i] = weighs_more ? Judgement::meets : Judgement::misses;
+  }
+  return {yield_difference(least, narrow, wide, resampling),
+          yield_difference(largest, narrow, wide, resampling)};
+}
+
 BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mixture,
                            const std::vector<Judgement>& joint, const Resampling& resampling,
                            const std::vector<bool>& relevant, double error_each,
-                           double target_yield) {
+                           double target_yield, bool at_widest) {
   const LevelYield& narrowest = curve.levels.front();
+  const auto narrow = level_weights(narrowest, mixture, relevant);
+  const EffectiveRuns narrow_runs = effective_runs(joint, narrow);
+  const double margin = 1 - narrow_runs.failing / narrow_runs.all - target_yield;
   BindingTest test{curve.key,
                    Binding::undecided,
                    0,
                    0,
-                   1 - target_yield,
+                   std::max(margin, 0.0),
                    band_name(narrowest.grade, narrowest.band_mm),
                    band_name(curve.levels.back().grade, curve.levels.back().band_mm)};
-  const auto narrow = level_weights(narrowest, mixture, relevant);
-  const double two_sided = gsl_cdf_ugaussian_Qinv(0.5 * error_each);
-  const double one_sided = gsl_cdf_ugaussian_Qinv(error_each);
-  bool significant = false;
+  bool significant = false, enough = true;
   for (std::size_t i = 1; i < curve.levels.size(); ++i) {
     const auto wide = level_weights(curve.levels[i], mixture, relevant);
-    const YieldDifference loss = yield_difference(joint, narrow, wide, resampling);
+    const LossRange loss = loss_range(joint, narrow, wide, resampling);
     const EffectiveRuns runs = effective_runs(joint, wide);
-    test.largest_loss = std::max(test.largest_loss, loss.value);
+    const double lots =
+        std::min(effective_lots(narrow, resampling), effective_lots(wide, resampling));
+    test.largest_loss = std::max(test.largest_loss, loss.largest.value);
+    if (lots < kFewestLots || std::min(runs.all, narrow_runs.all) < kFewestEffectiveRuns) {
+      enough = false;
+      test.largest_loss_bound = 1;
+      continue;
+    }
+    const double two_sided = gsl_cdf_tdist_Qinv(0.5 * error_each, lots - 1);
+    const double one_sided = gsl_cdf_tdist_Qinv(error_each, lots - 1);
     if (runs.failing < kFewFailing) {
       const double bound = clopper_pearson_upper(runs.failing, runs.all, 1 - error_each);
       test.largest_loss_bound = std::max(test.largest_loss_bound, bound);
       continue;
     }
-    significant = significant || std::abs(loss.value) > two_sided * loss.standard_error;
-    test.largest_loss_bound =
-        std::max(test.largest_loss_bound, loss.value + one_sided * loss.standard_error);
+    significant = significant || loss.least.value > two_sided * loss.least.standard_error ||
+                  loss.largest.value < -two_sided * loss.largest.standard_error;
+    test.largest_loss_bound = std::max(
+        test.largest_loss_bound, loss.largest.value + one_sided * loss.largest.standard_error);
   }
   if (significant)
     test.answer = Binding::binding;
-  else if (curve.levels.size() > 1 && test.largest_loss_bound <= test.allowed_loss)
+  else if (curve.levels.size() > 1 && enough && at_widest &&
+           test.largest_loss_bound <= test.allowed_loss)
     test.answer = Binding::not_binding;
   return test;
 }
@@ -120,10 +186,15 @@ std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeight
   const double error_each =
       (1 - runs.plan.confidence) / static_cast<double>(std::max<std::size_t>(comparisons, 1));
   std::vector<BindingTest> tests;
-  for (std::size_t d = 0; d < curves.dimensions.size(); ++d)
-    tests.push_back(test_dimension(curves.dimensions[d], mixture, joint, resampling,
+  const auto widest = widest_that_meets(runs.plan, curves);
+  for (std::size_t d = 0; d < curves.dimensions.size(); ++d) {
+    const DimensionCurve& curve = curves.dimensions[d];
+    const bool at_widest =
+        widest && runs.plan.candidates[*widest].bands_mm[d] == curve.levels.back().band_mm;
+    tests.push_back(test_dimension(curve, mixture, joint, resampling,
                                    relevant_candidates(runs.plan, curves, d), error_each,
-                                   runs.plan.target_yield));
+                                   runs.plan.target_yield, at_widest));
+  }
   return tests;
 }
 

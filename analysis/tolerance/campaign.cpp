@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "analysis/sensitivity/noise_share.hpp"
+#include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/statistics/summary.hpp"
 #include "analysis/study/refused.hpp"
 
@@ -64,11 +65,10 @@ std::string noise_text(const StudyData& pilot) {
   return text;
 }
 
-/// True when no band is wider and one is narrower, among the dimensions that matter.
+/// True when no band is wider and one is narrower.
 bool narrower(const std::vector<double>& bands, const Recommendation& than) {
   bool some = false;
   for (std::size_t d = 0; d < bands.size(); ++d) {
-    if (than.bands[d].not_binding) continue;
     if (bands[d] > than.bands[d].band_mm * (1 + 1e-9)) return false;
     some = some || bands[d] < than.bands[d].band_mm * (1 - 1e-9);
   }
@@ -97,18 +97,22 @@ Recommendation next_recommendation(const StudyData& runs, const ToleranceStudy& 
       return narrower(bands, attempt.recommendation);
     });
   };
-  double surest = 0;
-  const auto recommend = [&](const CandidateFilter& allowed) {
-    return recommend_tolerance(runs, study.mixture, study.curves, study.tests, joint, resampling,
-                               allowed);
+  const auto recommend = [&](const std::vector<BindingTest>& tests) {
+    double surest = 0;
+    const auto probable = recommend_tolerance(runs, study.mixture, study.curves, tests, joint,
+                                              resampling, [&](std::size_t k) {
+                                                if (!fresh(k)) return false;
+                                                surest = std::max(surest, chance(k));
+                                                return chance(k) >= kWantedPower;
+                                              });
+    if (probable.meets_target) return probable;
+    return recommend_tolerance(runs, study.mixture, study.curves, tests, joint, resampling,
+                               [&](std::size_t k) { return fresh(k) && chance(k) >= surest; });
   };
-  const Recommendation probable = recommend([&](std::size_t k) {
-    if (!fresh(k)) return false;
-    surest = std::max(surest, chance(k));
-    return chance(k) >= kWantedPower;
-  });
-  if (probable.meets_target) return probable;
-  return recommend([&](std::size_t k) { return fresh(k) && chance(k) >= surest; });
+  const Recommendation held = recommend(study.tests);
+  if (held.meets_target) return held;
+  const Recommendation other = recommend(freed(study.tests));
+  return other.meets_target ? other : held;
 }
 
 }  // namespace
@@ -194,6 +198,24 @@ ToleranceStudy study_tolerances(const StudyData& runs, const std::vector<Judgeme
   study.curves = yield_curves(runs, study.mixture, joint, resampling, runs.plan.confidence);
   study.tests = test_binding(runs, study.mixture, study.curves, joint, resampling);
   return study;
+}
+
+LostRuns& LostRuns::operator+=(const LostRuns& other) {
+  lost += other.lost;
+  runs += other.runs;
+  return *this;
+}
+
+double LostRuns::least_share() const {
+  return clopper_pearson_lower(static_cast<double>(lost), static_cast<double>(runs), kConfidence);
+}
+
+LostRuns count_lost(const StudyData& runs) {
+  const auto lost = std::count_if(runs.status.begin(), runs.status.end(), [](RunStatus status) {
+    return status == RunStatus::failed || status == RunStatus::censored ||
+           status == RunStatus::poisoned;
+  });
+  return {static_cast<std::size_t>(lost), runs.size()};
 }
 
 Campaign run_campaign(const Stage& pilot,

@@ -58,6 +58,18 @@ struct ToleranceStudy {
 ToleranceStudy study_tolerances(const StudyData& runs, const std::vector<Judgement>& joint,
                                 const Resampling& resampling);
 
+/// Runs that failed, were censored or poisoned.
+struct LostRuns {
+  static constexpr double kConfidence = 0.95;
+  std::size_t lost = 0, runs = 0;
+
+  LostRuns& operator+=(const LostRuns& other);
+  /// Lower bound of the share at kConfidence (Clopper-Pearson): one lost run of 32 is no evidence
+  /// that more than 2 % are lost.
+  double least_share() const;
+};
+LostRuns count_lost(const StudyData& runs);
+
 enum class CampaignEnd {
   interrupted,
   confirmed,

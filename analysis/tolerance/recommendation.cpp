@@ -174,6 +174,12 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
   return result;
 }
 
+std::vector<BindingTest> freed(std::vector<BindingTest> tests) {
+  for (BindingTest& test : tests)
+    if (test.answer == Binding::not_binding) test.answer = Binding::undecided;
+  return tests;
+}
+
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate) {
   auto bands = candidate.bands_mm;
   for (std::size_t d = 0; d < bands.size(); ++d)

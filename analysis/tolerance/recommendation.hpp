@@ -60,6 +60,11 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
                                    const Resampling& resampling,
                                    const CandidateFilter& allowed = {});
 
+/// The tests with every dimension that is not binding as undecided. For where none of the candidates
+/// left has these dimensions at their widest: an attempt there that did not confirm says that they
+/// may matter after all.
+std::vector<BindingTest> freed(std::vector<BindingTest> tests);
+
 /// Bands of a candidate in mm, those without a grade snapped down to one where there is one.
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate);
 

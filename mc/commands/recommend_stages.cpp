@@ -28,6 +28,7 @@ Study stage_study(const Study& base, const Stage& stage) {
     study.name += ", " + stage.name;
     study.seed = stage_seed(base.seed, stage.name);
     study.samples = static_cast<long>(stage.rows);
+    study.allowed_failure_share = 1;  // judged over the campaign, which may go on with another
     if (stage.bands.empty()) return;
     study.design = DesignKind::random;
     study.cages_per_lot = 1;
@@ -71,18 +72,39 @@ class StageLeader {
   std::string path(const std::string& name) const { return directory_ + "/" + name; }
   std::optional<StudyData> run_stage(const Stage& stage);
   CampaignPlan plan(const StudyData& pilot) const;
+  bool too_many_lost(const StudyData& runs, const std::string& directory);
 
   const Study& base_;
   std::string directory_;
   StagedSweeps& stages_;
-  int code_ = kDone;  ///< of the stage that ended early
+  int code_ = kDone;    ///< of the stage that ended early
+  LostRuns lost_ = {};  ///< in pilot and mixture; in confirmations lost runs count as failing
 };
 
 std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
   const std::string directory = path(stage.name);
   code_ = stages_.sweep(stage_study(base_, stage), directory);
   if (code_ != kDone) return std::nullopt;
-  return read_study_data(study_file_path(directory));
+  auto runs = read_study_data(study_file_path(directory));
+  if (stage.bands.empty() && too_many_lost(runs, directory)) {
+    code_ = kSamplesFailed;
+    return std::nullopt;
+  }
+  return runs;
+}
+
+bool StageLeader::too_many_lost(const StudyData& runs, const std::string& directory) {
+  lost_ += count_lost(runs);
+  const double share = lost_.least_share();
+  if (lost_.lost == 0 || share <= base_.allowed_failure_share) return false;
+  spdlog::error(
+      "{} of {} runs so far failed, were censored or poisoned: with {:g} % confidence more than "
+      "{:.2g} % do; the study allows {:.2g} %\n"
+      "  remedy: look at one with `cagetol replay {} --sample ID`; samples/reason in study.h5 says "
+      "what happened. With a larger allowed_failure_share the same command goes on",
+      lost_.lost, lost_.runs, 100 * LostRuns::kConfidence, 100 * share,
+      100 * base_.allowed_failure_share, directory);
+  return true;
 }
 
 /// The stored plan; made after the pilot, where there is none yet.

@@ -126,6 +126,27 @@ TEST_F(RecommendTest, DrainsUnderMpirun) {
   EXPECT_EQ(run(with_mpirun(2, recommend("out"))).code, 0);
 }
 
+TEST_F(RecommendTest, LostRunsAreJudgedOverTheCampaign) {
+  // 2 % of the runs are lost, as many as the study allows: each stage by itself would often have
+  // more than its share. In the confirmation they count as failing.
+  for (const char* seed : {"5", "6", "7"}) {
+    const std::string directory = std::string("few") + seed;
+    const Ended few =
+        run(recommend(directory, {"--lost", "0.02", "--set", std::string("seed=") + seed}));
+    EXPECT_EQ(few.code, 0) << few.output;
+  }
+  // 6 % are lost, certainly more than allowed. With more allowed the campaign goes on from there.
+  std::vector<std::string> options = {"--lost", "0.06", "--set", "tolerance.target_yield=0.8"};
+  const Ended many = run(recommend("many", options));
+  EXPECT_EQ(many.code, 3) << many.output;
+  EXPECT_THAT(many.output, HasSubstr("the study allows 2 %"));
+  const auto written = fs::last_write_time(file("many", "pilot"));
+  options.insert(options.end(), {"--set", "allowed_failure_share=0.1"});
+  const Ended resumed = run(recommend("many", options));
+  EXPECT_EQ(resumed.code, 0) << resumed.output;
+  EXPECT_EQ(fs::last_write_time(file("many", "pilot")), written);
+}
+
 TEST_F(RecommendTest, EndsWithOneWhereNothingIsConfirmed) {
   const Ended none = run(recommend("none", {"--set",
                                             "limit=[{quantity='cage_slip_ratio', max=0, "

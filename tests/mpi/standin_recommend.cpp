@@ -1,9 +1,11 @@
 // `cagetol recommend` with a formula in place of the physics: the cage slips by how far its widest
-// pocket exceeds the nominal 7.65 mm, and by 0.01 more for each slice of a contact below five.
+// pocket exceeds the nominal 7.65 mm, and by 0.01 more for each slice of a contact below five. A share
+// of the runs may be lost.
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <numbers>
 #include <thread>
 
 #include "mc/commands/recommend_stages.hpp"
@@ -12,7 +14,12 @@
 
 namespace {
 
-cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds,
+/// The study starts cages at 0 to 1 degrees, uniformly.
+bool is_lost(const cagetol::Sample& sample, double share) {
+  return sample.scene.start.cage_phase < share * std::numbers::pi / 180;
+}
+
+cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds, double lost_share,
                      const cagetol::StopRequested& stop) {
   using clock = std::chrono::steady_clock;
   const auto end = clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
@@ -20,6 +27,11 @@ cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds,
   while (clock::now() < end) {
     if (stop()) return outcome;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  if (is_lost(sample, lost_share)) {
+    outcome.status = cagetol::Status::failed;
+    outcome.reason = "lost";
+    return outcome;
   }
   const auto& widths = sample.scene.cage.pocket_width;
   outcome.status = cagetol::Status::ok;
@@ -38,18 +50,19 @@ int main(int argc, char** argv) {
   std::string study;
   std::vector<std::string> settings;
   RecommendOptions options;
-  double milliseconds = 0.5;
+  double milliseconds = 0.5, lost_share = 0;
   CLI::App app{"recommendation of a stand-in study"};
   app.add_option("study", study)->required();
   app.add_option("directory", options.directory)->required();
   app.add_option("--set", settings)->allow_extra_args(false);
   app.add_option("--ms", milliseconds);
+  app.add_option("--lost", lost_share, "share of the runs that fail");
   CLI11_PARSE(app, argc, argv);
   log_to_stderr();
-  const auto make_plan = [milliseconds](const Study& stage) {
+  const auto make_plan = [milliseconds, lost_share](const Study& stage) {
     SweepPlan plan = make_sweep_plan(stage);
-    plan.job = [milliseconds](const Sample& sample, const StopRequested& stop) {
-      return SampleRun{run(sample, milliseconds, stop), {}};
+    plan.job = [milliseconds, lost_share](const Sample& sample, const StopRequested& stop) {
+      return SampleRun{run(sample, milliseconds, lost_share, stop), {}};
     };
     return plan;
   };

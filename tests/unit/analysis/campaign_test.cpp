@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "analysis/study/refused.hpp"
@@ -113,6 +114,25 @@ TEST(Campaign, TriesTheNextNarrowerBandWithFreshRuns) {
   EXPECT_EQ(bench.asked.back().name, "confirm-2");
 }
 
+TEST(Campaign, TriesNarrowerBandsOfADimensionThatWasNotBinding) {
+  // No band matters in pilot and mixture. Confirming runs fail in a tenth of the cages at the widest.
+  Bench bench;
+  int calls = 0;
+  bench.badness = [&](const StandinCage&) {
+    const bool fails = bench.asked.size() == 3 && ++calls % 10 == 0;
+    return fails ? 1.0 : -1.0;
+  };
+  const Campaign campaign = bench.campaign();
+  ASSERT_EQ(campaign.attempts.size(), 2u);
+  EXPECT_EQ(campaign.end, CampaignEnd::confirmed);
+  for (std::size_t d = 0; d < 2; ++d)
+    EXPECT_TRUE(campaign.attempts[0].recommendation.bands[d].not_binding);
+  EXPECT_LT(campaign.attempts[1].recommendation.bands[0].band_mm *
+                campaign.attempts[1].recommendation.bands[1].band_mm,
+            campaign.attempts[0].recommendation.bands[0].band_mm *
+                campaign.attempts[0].recommendation.bands[1].band_mm);
+}
+
 TEST(Campaign, StopsWhereNoCandidateMeetsTheTarget) {
   Bench bench;
   bench.badness = [](const StandinCage& cage) { return cage.pocket[0][0]; };
@@ -179,6 +199,22 @@ TEST(PlanCampaign, SaysWhichBudgetWouldDo) {
     EXPECT_THAT(refusal.what(), HasSubstr("50 runs for each of 2 attempts"));
     EXPECT_THAT(refusal.what(), HasSubstr("72 runs are needed to confirm 95 %"));
   }
+}
+
+TEST(LostRuns, AreCertainlyTooManyOnlyByTheirLowerBound) {
+  // One of 32: 1 - 0.95^(1/32).
+  EXPECT_NEAR((LostRuns{1, 32}.least_share()), 1 - std::pow(0.95, 1.0 / 32), 1e-9);
+  EXPECT_EQ((LostRuns{0, 32}.least_share()), 0);
+  StudyData pilot = pilot_of({});
+  pilot.status[3] = RunStatus::failed;
+  pilot.status[4] = RunStatus::censored;
+  pilot.status[5] = RunStatus::jammed;
+  LostRuns lost = count_lost(pilot);
+  EXPECT_EQ(lost.lost, 2u);
+  EXPECT_EQ(lost.runs, 100u);
+  lost += {1, 50};
+  EXPECT_EQ(lost.lost, 3u);
+  EXPECT_EQ(lost.runs, 150u);
 }
 
 TEST(CampaignPlan, IsReadAsWritten) {

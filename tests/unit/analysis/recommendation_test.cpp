@@ -3,6 +3,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -122,11 +123,77 @@ TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
   EXPECT_LE(recommended, 2);
 }
 
+TEST(Recommendation, NotBindingWithholdsNoToleranceThatPasses) {
+  // Yields about 0.95, 0.93, 0.92 and 0.90 beside a target of 0.90: the dimensions change little, and
+  // the widest bands may miss the target.
+  StandinDimension width = kPrintedWidth, length = kPrintedLength;
+  width.scales = {0.7, 0.76};
+  length.scales = {0.7, 0.76};
+  const auto badness = [](const StandinCage& cage) {
+    const double widest = *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end());
+    const double longest = *std::max_element(cage.pocket[1].begin(), cage.pocket[1].end());
+    return std::max(widest, longest) - 0.0195;
+  };
+  int passing = 0, widest_misses = 0;
+  for (int repeat = 0; repeat < 60; ++repeat) {
+    const StudyData study = tolerance_standin(500, 700 + repeat, {width, length}, 0.90, badness);
+    const Judged judged = judge_study(study, 50);
+    const auto meets = [&](const Yield& yield) {
+      return yield.ess >= kFewestEffectiveRuns && yield.lower_bound >= 0.90;
+    };
+    const auto& candidates = judged.curves.candidates;
+    if (std::none_of(candidates.begin(), candidates.end(), meets)) continue;
+    ++passing;
+    widest_misses += !meets(candidates.back());
+    EXPECT_TRUE(judged.recommendation.meets_target) << repeat;
+  }
+  EXPECT_GE(passing, 20);
+  EXPECT_GE(widest_misses, 5);
+}
+
 TEST(Recommendation, TooFewRunsLeaveADimensionUndecided) {
   const Judged judged = judge_study(
       tolerance_standin(120, 31, {kPrintedWidth, kPrintedLength}, 0.99, widest_pocket), 50);
   EXPECT_EQ(judged.tests[1].answer, Binding::undecided);
   EXPECT_FALSE(judged.recommendation.possible);  // fewer than 100 effective runs everywhere
+}
+
+TEST(Recommendation, RunsWithoutAJudgementDecideNothing) {
+  StudyData study =
+      tolerance_standin(2000, 34, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
+  StudyData some = study;
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    study.quantities[0].values[i] = kUndefined;
+    if (i % 9 == 0) some.status[i] = RunStatus::censored;
+  }
+  for (const BindingTest& test : judge_study(study, 50).tests) {
+    EXPECT_EQ(test.answer, Binding::undecided);
+    EXPECT_GT(test.largest_loss_bound, 0.3);
+  }
+  const Judged judged = judge_study(some, 50);
+  EXPECT_EQ(judged.tests[0].answer, Binding::binding);
+  EXPECT_NE(judged.tests[1].answer, Binding::binding);
+  EXPECT_GT(judged.tests[1].largest_loss, 0.02);  // passing where the narrow bands weigh more
+}
+
+TEST(Recommendation, AllJammedIsNotCalledNotBinding) {
+  StudyData study =
+      tolerance_standin(2000, 35, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
+  study.status.assign(study.size(), RunStatus::jammed);
+  for (const BindingTest& test : judge_study(study, 50).tests)
+    EXPECT_EQ(test.answer, Binding::undecided);
+}
+
+TEST(Recommendation, FewLotsDecideNothing) {
+  // All runs of a lot share its deviations: one lot has no scatter to tell an effect from chance.
+  StandinDimension width = kPrintedWidth;
+  width.lot_sigma = 0.01;
+  for (const std::int64_t lots : {1, 4}) {
+    const StudyData study =
+        tolerance_standin(1200, 36, {width, kPrintedLength}, 0.95, widest_pocket, 1200 / lots);
+    for (const BindingTest& test : judge_study(study, 50).tests)
+      EXPECT_EQ(test.answer, Binding::undecided) << lots;
+  }
 }
 
 TEST(Recommendation, NothingMeetsTheTarget) {

@@ -209,6 +209,34 @@ TEST_F(Report, StudiesThatLackThings) {
   EXPECT_EQ(report_on(make_synthetic_study({.rows = 200, .design = "grid"}), kNoPython), 0);
 }
 
+TEST(ReportVerdict, SaysWhereRunsWithoutAJudgementLeaveItOpen) {
+  const auto verdict =
+      make_report(make_synthetic_study({.rows = 1500, .failed_share = 1.0})).at("verdict");
+  EXPECT_THAT(
+      verdict.at("statement"),
+      testing::HasSubstr("Not known whether a candidate tolerance meets the target: 1492 of "
+                         "1500 runs give no judgement, and the yield lies between 0 % and "
+                         "100.0 %, as they fail or pass"));
+  EXPECT_TRUE(verdict.at("not_binding").empty());
+}
+
+TEST_F(Report, NoYieldFromAGridOrMorrisDesign) {
+  for (const char* design : {"grid", "morris"}) {
+    EXPECT_EQ(report_on(make_synthetic_study({.rows = 800, .design = design}), kNoPython), 0);
+    EXPECT_THAT(printed_,
+                testing::HasSubstr(std::string("No yield and no tolerance: the rows of a `") +
+                                   design + "` design"));
+    const auto report = nlohmann::json::parse(text_of(directory_ / "report.json"));
+    EXPECT_FALSE(report.at("verdict").at("meets_target"));
+    EXPECT_TRUE(report.at("verdict").at("yield_lower_bound").is_null());
+    EXPECT_TRUE(report.at("limits").at("joint").at("if_unknown_fail").is_null());
+    EXPECT_TRUE(report.at("tolerance").is_null());
+    EXPECT_TRUE(report.at("capability").empty());
+    EXPECT_THAT(text_of(directory_ / "report.html"),
+                testing::Not(testing::ContainsRegex(">-?nan")));
+  }
+}
+
 TEST_F(Report, TablesHaveALineForEveryRow) {
   report_on(make_synthetic_study({.rows = 100}), kNoPython);
   const auto lines = [&](const char* name) {

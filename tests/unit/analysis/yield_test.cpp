@@ -103,5 +103,18 @@ TEST(Yield, DependentRunsGetWiderBounds) {
   EXPECT_NE(of_lots.method, exact.method);
 }
 
+TEST(Yield, NoneWhereRowsDoNotFollowTheLaws) {
+  for (const char* design : {"grid", "morris"}) {
+    const StudyData study = plain_study(400, design);
+    const std::vector<Judgement> judgements(400, Judgement::meets);
+    const std::vector<double> equal(400, 1.0);
+    const Yield yield = estimate_yield(study, judgements, equal, Resampling(study, 20), 0.95);
+    EXPECT_TRUE(std::isnan(yield.if_unknown_fail) && std::isnan(yield.if_unknown_pass));
+    EXPECT_TRUE(std::isnan(yield.lower_bound) && std::isnan(yield.upper_bound));
+    EXPECT_EQ(yield.method, std::string("the rows of a `") + design +
+                                "` design do not follow the laws of the inputs");
+  }
+}
+
 }  // namespace
 }  // namespace cagetol
