@@ -6,18 +6,17 @@
 //   confirm-1  fresh independent runs at that tolerance; when they do not confirm it, the widest
 //              (cheapest) narrower one is tried as confirm-2, up to the planned attempts
 //
-// Decisions are pure functions of the stages' runs and of the stored plan, so a campaign that is
-// interrupted anywhere comes to the same stages again. Who runs a stage is the caller's business.
+// Decisions are pure functions of the stages' runs and of the stored plan, which keeps what was
+// decided, so a campaign that is interrupted anywhere comes to the same stages again. Who runs a
+// stage is the caller's business.
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "analysis/tolerance/confirmation.hpp"
-#include "analysis/tolerance/recommendation.hpp"
+#include "analysis/tolerance/attempt_choice.hpp"
 
 namespace cagetol {
 
@@ -29,34 +28,6 @@ struct Stage {
 
 /// Runs a stage and gives its samples; nothing when it was interrupted.
 using RunStage = std::function<std::optional<StudyData>(const Stage&)>;
-
-/// How many runs the stages have. Fixed once, after the pilot: a budget of time becomes a number.
-struct CampaignPlan {
-  std::size_t mixture_rows = 0, most_confirm_runs = 0;
-  double seconds_per_run = 0;  ///< mean wall-clock time of the pilot's runs
-  double processes = 1;
-};
-
-/// `study_rows` is the mixture's size where there is no budget. Throws Refused when the budget is
-/// spent before anything could be confirmed, with the budget that would do.
-CampaignPlan plan_campaign(const StudyData& pilot, std::size_t study_rows, double processes);
-nlohmann::ordered_json to_json(const CampaignPlan& plan);
-/// Throws nlohmann::json::exception.
-CampaignPlan campaign_plan_of(const nlohmann::ordered_json& json);
-
-/// The plan in words, with predicted times and what the pilot says about noise.
-std::string plan_text(const StudyData& pilot, const CampaignPlan& plan);
-
-ConfirmationRules confirmation_rules(const StudyPlan& study, std::size_t most_runs);
-
-/// What a mixture says about its candidates.
-struct ToleranceStudy {
-  MixtureWeights mixture;
-  YieldCurves curves;
-  std::vector<BindingTest> tests;
-};
-ToleranceStudy study_tolerances(const StudyData& runs, const std::vector<Judgement>& joint,
-                                const Resampling& resampling);
 
 /// Runs that failed, were censored or poisoned.
 struct LostRuns {
@@ -75,6 +46,7 @@ enum class CampaignEnd {
   confirmed,
   no_candidate,   ///< no candidate meets the target, or none narrower than the last attempt
   not_confirmed,  ///< every planned attempt failed
+  budget_spent,   ///< the budget affords no further attempt
 };
 
 struct Attempt {
@@ -87,9 +59,12 @@ struct Campaign {
   std::vector<Attempt> attempts;
 };
 
+/// Keeps the plan with what was decided, before it is run.
+using KeepPlan = std::function<void(const CampaignPlan&)>;
+
 /// Runs the stages. `plan` is asked once, after the pilot.
 Campaign run_campaign(const Stage& pilot,
                       const std::function<CampaignPlan(const StudyData& pilot)>& plan,
-                      const RunStage& run_stage);
+                      const RunStage& run_stage, const KeepPlan& keep);
 
 }  // namespace cagetol

@@ -19,6 +19,11 @@ bool confirms(std::size_t failures, std::size_t runs, const ConfirmationRules& r
 
 }  // namespace
 
+ConfirmationRules confirmation_rules(const StudyPlan& study, std::size_t most_runs) {
+  return {study.target_yield, study.confidence, std::max<std::size_t>(study.campaign.attempts, 1),
+          most_runs};
+}
+
 double attempt_confidence(const ConfirmationRules& rules) {
   return 1 - (1 - rules.confidence) / static_cast<double>(rules.attempts);
 }

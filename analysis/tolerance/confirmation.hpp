@@ -20,6 +20,8 @@ struct ConfirmationRules {
   std::size_t most_runs = 0;  ///< that one attempt may have
 };
 
+ConfirmationRules confirmation_rules(const StudyPlan& study, std::size_t most_runs);
+
 /// 1 - (1 - confidence) / m.
 double attempt_confidence(const ConfirmationRules& rules);
 

@@ -17,8 +17,11 @@
 
 namespace cagetol {
 
-/// Below this effective number of runs a weighted figure is not shown as a result.
+/// Below this effective number of runs a weighted figure is rough, and said to be.
 inline constexpr double kFewestEffectiveRuns = 100;
+/// Below this one it is not shown as a result. Bounds are sound above: they take the effective number
+/// for their number of runs (yield.hpp).
+inline constexpr double kLeastEffectiveRuns = 30;
 
 struct MixtureWeights {
   std::vector<std::vector<double>> candidate;  ///< [candidate][sample]

@@ -32,7 +32,7 @@ bool eligible(const Candidate& candidate, const Yield& yield, const YieldCurves&
     if (tests[d].answer == Binding::not_binding &&
         candidate.bands_mm[d] != curves.dimensions[d].levels.back().band_mm)
       return false;
-  return yield.ess >= kFewestEffectiveRuns;
+  return yield.ess >= kLeastEffectiveRuns;
 }
 
 /// The widest (or cheapest) that meets the target, or the best where none does.
@@ -43,7 +43,7 @@ void choose(const StudyPlan& plan, const YieldCurves& curves, const std::vector<
     const Yield& yield = curves.candidates[k];
     if (!eligible(plan.candidates[k], yield, curves, tests)) continue;
     result.possible = true;
-    const bool meets = yield.lower_bound >= plan.target_yield && (!allowed || allowed(k));
+    const bool meets = allowed ? allowed(k) : yield.lower_bound >= plan.target_yield;
     const auto cost = cost_of_bands(plan, plan.candidates[k].bands_mm);
     const double worth = cost ? -*cost : width_of(plan.candidates[k], curves, tests);
     if (result.meets_target && !meets) continue;
@@ -111,7 +111,7 @@ void judge_snapped(const StudyData& runs, const MixtureWeights& mixture,
   for (std::size_t d = 0; d < result.bands.size(); ++d)
     scales.push_back(result.bands[d].band_mm / runs.plan.dimensions[d].band_mm);
   auto weights = weights_of_scales(runs, mixture, scales);
-  if (effective_sample_size(weights) < kFewestEffectiveRuns) return;
+  if (effective_sample_size(weights) < kLeastEffectiveRuns) return;
   result.yield = estimate_yield(runs, joint, weights, resampling, runs.plan.confidence);
   result.weights = std::move(weights);
 }

@@ -1,6 +1,6 @@
 // The tolerance that may be printed on the drawing, as far as one sweep can tell.
 //
-// Among the candidate combinations with an effective sample size of at least 100 whose lower yield
+// Among the candidate combinations with an effective sample size of at least 30 whose lower yield
 // bound meets the target, the widest is taken: the largest product of the bands of the dimensions
 // that matter, each in units of its widest candidate. A dimension that is not binding is left out
 // of this choice and never recommended; the yield is then the one with that dimension at its widest
@@ -50,10 +50,11 @@ struct Recommendation {
   std::vector<StepEffect> steps;
 };
 
-/// Says of a candidate that meets the target whether it may be recommended.
+/// Says of a candidate whether it may be recommended.
 using CandidateFilter = std::function<bool(std::size_t candidate)>;
 
-/// An empty filter allows every candidate.
+/// An empty filter allows every candidate whose lower bound meets the target; any other one decides
+/// alone, and `meets_target` says that it allowed one.
 Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& mixture,
                                    const YieldCurves& curves, const std::vector<BindingTest>& tests,
                                    const std::vector<Judgement>& joint,

@@ -45,8 +45,10 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
       "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs");
   command->footer(
       "Stages: DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a sweep;\n"
-      "started again, the command goes on where it was interrupted. Exit code 0: confirmed,\n"
-      "1: no tolerance is confirmed.\n\n"
+      "started again, the command goes on where it was interrupted. A larger\n"
+      "recommend.budget_samples or recommend.budget_h may be given to the same directory. Exit "
+      "code 0:\n"
+      "decided; with --exit-code 1 where no tolerance is confirmed.\n\n"
       "Examples:\n  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  mpirun cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8");
@@ -54,6 +56,8 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
   command->add_option("STUDY", options->file, "Study file")->required();
   add_output_directory(*command, options->stages.directory, "Directory of the stages");
   add_settings_option(*command, options->settings);
+  command->add_flag("--exit-code", options->stages.exit_code,
+                    "End with 1 where no tolerance is confirmed");
   add_progress_option(*command, options->stages.progress);
   command->callback([options, &chosen] { chosen = [options] { return run_recommend(*options); }; });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "analysis/study/refused.hpp"
@@ -29,6 +30,10 @@ Study stage_study(const Study& base, const Stage& stage) {
     study.seed = stage_seed(base.seed, stage.name);
     study.samples = static_cast<long>(stage.rows);
     study.allowed_failure_share = 1;  // judged over the campaign, which may go on with another
+    // A budget may be raised: stages and their runs stay as they are.
+    study.recommend.pilot_samples = RecommendPlan{}.pilot_samples;
+    study.recommend.confirm_samples = study.recommend.budget_samples = 0;
+    study.recommend.budget_time = 0;
     if (stage.bands.empty()) return;
     study.design = DesignKind::random;
     study.cages_per_lot = 1;
@@ -58,13 +63,38 @@ void check_study(const Study& study) {
   if (study.tolerance.target_yield >= 1)
     refuse("tolerance.target_yield", number_text(study.tolerance.target_yield),
            "a yield of 1 cannot be confirmed by any number of runs", "give less, such as 0.999");
+  const ConfirmationRules rules{study.tolerance.target_yield, study.tolerance.confidence,
+                                static_cast<std::size_t>(study.recommend.attempts)};
+  const auto pilot = static_cast<std::size_t>(
+      std::ceil(static_cast<double>(study.recommend.pilot_samples) * (1 + study.extra_replicates)));
+  const std::size_t least = least_budget(rules, study.extra_replicates, pilot);
+  if (study.recommend.budget_samples > 0 &&
+      static_cast<std::size_t>(study.recommend.budget_samples) < least)
+    refuse("recommend.budget_samples", std::to_string(study.recommend.budget_samples),
+           "so few runs cannot confirm any tolerance, even if none of them fails",
+           fmt::format("give {} or more", least).c_str());
+}
+
+CampaignSettings campaign_settings(const Study& study) {
+  return {.attempts = static_cast<std::size_t>(study.recommend.attempts),
+          .confirm_samples = static_cast<std::size_t>(study.recommend.confirm_samples),
+          .budget_samples = static_cast<std::size_t>(study.recommend.budget_samples),
+          .budget_h = study.recommend.budget_time / 3600};
+}
+
+bool same_budget(const CampaignSettings& one, const CampaignSettings& other) {
+  return one.confirm_samples == other.confirm_samples &&
+         one.budget_samples == other.budget_samples && one.budget_h == other.budget_h;
 }
 
 /// Rank 0: decides and leads.
 class StageLeader {
  public:
-  StageLeader(const Study& base, const std::string& directory, StagedSweeps& stages)
-      : base_(base), directory_(directory), stages_(stages) {}
+  StageLeader(const Study& base, const RecommendOptions& options, StagedSweeps& stages)
+      : base_(base),
+        directory_(options.directory),
+        stages_(stages),
+        unconfirmed_code_(options.exit_code ? kLimitsNotMet : kDone) {}
 
   int lead();
 
@@ -72,11 +102,14 @@ class StageLeader {
   std::string path(const std::string& name) const { return directory_ + "/" + name; }
   std::optional<StudyData> run_stage(const Stage& stage);
   CampaignPlan plan(const StudyData& pilot) const;
+  std::optional<CampaignPlan> stored_plan() const;
+  void keep(const CampaignPlan& plan) const;
   bool too_many_lost(const StudyData& runs, const std::string& directory);
 
   const Study& base_;
   std::string directory_;
   StagedSweeps& stages_;
+  int unconfirmed_code_;
   int code_ = kDone;    ///< of the stage that ended early
   LostRuns lost_ = {};  ///< in pilot and mixture; in confirmations lost runs count as failing
 };
@@ -107,36 +140,49 @@ bool StageLeader::too_many_lost(const StudyData& runs, const std::string& direct
   return true;
 }
 
-/// The stored plan; made after the pilot, where there is none yet.
-CampaignPlan StageLeader::plan(const StudyData& pilot) const {
+void StageLeader::keep(const CampaignPlan& plan) const {
+  replace_file(path("plan.json"), to_json(plan).dump(1) + "\n");
+}
+
+std::optional<CampaignPlan> StageLeader::stored_plan() const {
   const std::string file = path("plan.json");
-  CampaignPlan plan;
-  if (std::ifstream stream(file); stream) {
-    try {
-      plan = campaign_plan_of(nlohmann::ordered_json::parse(stream));
-    } catch (const nlohmann::json::exception& error) {
-      throw InputError({file, 0}, "", "", std::string("this is no plan: ") + error.what(),
-                       "remove the file: it is made again from the pilot");
-    }
-  } else {
-    try {
-      plan = plan_campaign(pilot, static_cast<std::size_t>(base_.samples), stages_.ranks());
-    } catch (const Refused& refusal) {
-      throw InputError({}, "recommend", "", refusal.what(),
-                       "give a larger recommend.budget_samples or recommend.budget_h, fewer "
-                       "attempts or candidates, or a lower target");
-    }
-    replace_file(file, to_json(plan).dump(1) + "\n");
+  std::ifstream stream(file);
+  if (!stream) return std::nullopt;
+  try {
+    return campaign_plan_of(nlohmann::ordered_json::parse(stream));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError({file, 0}, "", "", std::string("this is no plan: ") + error.what(),
+                     "remove the file: it is made again from the pilot");
   }
-  spdlog::info("{}", plan_text(pilot, plan));
-  return plan;
+}
+
+/// The stored plan, brought to the budget of the study; made after the pilot, where there is none.
+CampaignPlan StageLeader::plan(const StudyData& pilot) const {
+  const CampaignSettings settings = campaign_settings(base_);
+  auto plan = stored_plan();
+  try {
+    if (!plan)
+      plan =
+          plan_campaign(pilot, settings, static_cast<std::size_t>(base_.samples), stages_.ranks());
+    else if (!same_budget(plan->settings, settings))
+      plan = with_settings(*plan, pilot, settings);
+  } catch (const Refused& refusal) {
+    throw InputError({}, "recommend", "", refusal.what(),
+                     "give a larger recommend.budget_samples or recommend.budget_h: the same "
+                     "directory goes on with all of its runs. Or give fewer attempts or "
+                     "candidates, or a lower target, in another directory");
+  }
+  keep(*plan);
+  spdlog::info("{}", plan_text(pilot, *plan));
+  return *plan;
 }
 
 int StageLeader::lead() {
   const Stage pilot{"pilot", static_cast<std::size_t>(base_.recommend.pilot_samples), {}};
   const Campaign campaign = run_campaign(
       pilot, [&](const StudyData& data) { return plan(data); },
-      [&](const Stage& stage) { return run_stage(stage); });
+      [&](const Stage& stage) { return run_stage(stage); },
+      [&](const CampaignPlan& decided) { keep(decided); });
   for (const Attempt& attempt : campaign.attempts)
     spdlog::info("{} of {} runs meet all limits: {}", attempt.confirmation.meeting,
                  attempt.confirmation.runs,
@@ -149,9 +195,10 @@ int StageLeader::lead() {
       return kDone;
     case CampaignEnd::no_candidate:
     case CampaignEnd::not_confirmed:
+    case CampaignEnd::budget_spent:
       break;
   }
-  return kLimitsNotMet;
+  return unconfirmed_code_;
 }
 
 }  // namespace
@@ -165,7 +212,7 @@ int run_recommend(const std::function<Study()>& read, const MakePlan& make_plan,
     require_disk(forecast_sweep(given), options.directory);
     const auto base = with_fidelity(given, options.directory, stages);
     if (const int* code = std::get_if<int>(&base)) return *code;
-    return StageLeader(std::get<Study>(base), options.directory, stages).lead();
+    return StageLeader(std::get<Study>(base), options, stages).lead();
   });
 }
 

@@ -147,12 +147,30 @@ TEST_F(RecommendTest, LostRunsAreJudgedOverTheCampaign) {
   EXPECT_EQ(fs::last_write_time(file("many", "pilot")), written);
 }
 
-TEST_F(RecommendTest, EndsWithOneWhereNothingIsConfirmed) {
-  const Ended none = run(recommend("none", {"--set",
-                                            "limit=[{quantity='cage_slip_ratio', max=0, "
-                                            "source='test', cage_revolutions=6}]"}));
-  EXPECT_EQ(none.code, 1) << none.output;
+TEST_F(RecommendTest, NoIsAVerdictAndAnExitCodeWhereAskedFor) {
+  std::vector<std::string> options = {"--set",
+                                      "limit=[{quantity='cage_slip_ratio', max=0, "
+                                      "source='test', cage_revolutions=6}]"};
+  const Ended none = run(with_mpirun(2, recommend("none", options)));
+  EXPECT_EQ(none.code, 0) << none.output;
+  EXPECT_THAT(none.output, Not(HasSubstr("abort")));
+  options.push_back("--exit-code");
+  EXPECT_EQ(run(recommend("none", options)).code, 1);
   EXPECT_FALSE(fs::exists(file("none", "confirm-1")));
+}
+
+TEST_F(RecommendTest, ABudgetMayBeRaisedAndKeepsAllRuns) {
+  const std::vector<std::string> budget = {"--set", "recommend.budget_samples=400"};
+  ASSERT_EQ(run(recommend("raised", budget)).code, 0);
+  const auto written = fs::last_write_time(file("raised", "mixture"));
+  const auto confirmed = fs::last_write_time(file("raised", "confirm-1"));
+  const Ended more = run(recommend("raised", {"--set", "recommend.budget_samples=900"}));
+  EXPECT_EQ(more.code, 0) << more.output;
+  EXPECT_EQ(fs::last_write_time(file("raised", "mixture")), written);
+  EXPECT_EQ(fs::last_write_time(file("raised", "confirm-1")), confirmed);
+  const Ended less = run(recommend("raised", {"--set", "recommend.budget_samples=180"}));
+  EXPECT_EQ(less.code, 2);
+  EXPECT_THAT(less.output, HasSubstr("it may be raised, not lowered"));
 }
 
 TEST_F(RecommendTest, BadInputEndsWithTwoOnAnyNumberOfRanks) {
@@ -160,7 +178,7 @@ TEST_F(RecommendTest, BadInputEndsWithTwoOnAnyNumberOfRanks) {
       {"tolerance.target_yield=1", "a yield of 1 cannot be confirmed"},
       {"limit=[]", "the study has no limits"},
       {"design='morris'", "this design does not sample tolerances"},
-      {"recommend.budget_samples=60", "runs are needed to confirm 90 %"},
+      {"recommend.budget_samples=60", "give 173 or more"},
       {"recommend.budget_smaples=60", "no such key"},
   };
   for (const auto& [setting, message] : cases) {

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   app.add_option("directory", options.directory)->required();
   app.add_option("--set", settings)->allow_extra_args(false);
   app.add_option("--ms", milliseconds);
+  app.add_flag("--exit-code", options.exit_code);
   app.add_option("--lost", lost_share, "share of the runs that fail");
   CLI11_PARSE(app, argc, argv);
   log_to_stderr();

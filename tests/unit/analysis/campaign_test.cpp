@@ -1,9 +1,11 @@
 #include "analysis/tolerance/campaign.hpp"
 
 #include <gmock/gmock.h>
+#include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "analysis/study/refused.hpp"
@@ -22,6 +24,8 @@ struct Bench {
   std::function<double(const StandinCage&)> badness = widest_pocket;
   std::vector<Stage> asked = {};
   std::string interrupted_at = {};
+  CampaignSettings settings = {};
+  std::optional<CampaignPlan> kept = {};
 
   std::optional<StudyData> run(const Stage& stage) {
     asked.push_back(stage);
@@ -34,16 +38,25 @@ struct Bench {
     StudyData study = tolerance_standin(static_cast<std::int64_t>(stage.rows),
                                         100 * seed + static_cast<std::int64_t>(asked.size()),
                                         {width, length}, target, badness);
+    study.plan.campaign = settings;
     study.plan.campaign.attempts = attempts;
     return study;
   }
 
   Campaign campaign() {
     asked.clear();
+    kept.reset();
+    return go_on();
+  }
+  Campaign go_on() {
+    asked.clear();
     return run_campaign(
         {"pilot", 64, {}},
-        [&](const StudyData& pilot) { return plan_campaign(pilot, mixture_rows, 1); },
-        [&](const Stage& stage) { return run(stage); });
+        [&](const StudyData& pilot) {
+          return kept ? *kept : plan_campaign(pilot, pilot.plan.campaign, mixture_rows, 1);
+        },
+        [&](const Stage& stage) { return run(stage); },
+        [&](const CampaignPlan& plan) { kept = plan; });
   }
 };
 
@@ -133,6 +146,41 @@ TEST(Campaign, TriesNarrowerBandsOfADimensionThatWasNotBinding) {
                 campaign.attempts[0].recommendation.bands[1].band_mm);
 }
 
+TEST(Campaign, TriesTheWidestThatMeetsTheTargetWhileAttemptsRemain) {
+  // Estimated at 97.5 %, the band of 0.09 mm is unlikely to be confirmed at 96.5 % by so few runs.
+  Bench bench{.target = 0.965, .mixture_rows = 600};
+  const Campaign campaign = bench.campaign();
+  ASSERT_GE(campaign.attempts.size(), 1u);
+  EXPECT_NEAR(campaign.attempts[0].recommendation.bands[0].band_mm, 0.09, 1e-12);
+  ASSERT_EQ(campaign.end, CampaignEnd::confirmed);
+  EXPECT_LE(campaign.attempts.back().recommendation.bands[0].band_mm, 0.09 + 1e-12);
+}
+
+TEST(Campaign, GoesOnWithALargerBudget) {
+  // Nothing is confirmed by the first attempt, which spends what there is.
+  Bench bench{.mixture_rows = 600};
+  int calls = 0;
+  bench.badness = [&](const StandinCage& cage) {
+    const bool confirming = bench.asked.size() == 3;
+    return confirming && ++calls % 10 == 0 ? 1.0 : widest_pocket(cage);
+  };
+  bench.settings.budget_samples = 1300;
+  const Campaign poor = bench.campaign();
+  const auto whole = bench.asked;
+  ASSERT_TRUE(bench.kept);
+  const StudyData pilot = *bench.run({"pilot", 64, {}});
+  const CampaignPlan before = *bench.kept;
+  bench.settings.budget_samples = 20000;
+  bench.kept = with_settings(before, pilot, bench.settings);
+  EXPECT_EQ(bench.kept->mixture_rows, before.mixture_rows);
+  EXPECT_EQ(bench.kept->confirm_runs, before.confirm_runs + 18700);
+  bench.go_on();
+  ASSERT_GE(bench.asked.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) EXPECT_EQ(bench.asked[i].rows, whole[i].rows);
+  bench.settings.budget_samples = 700;
+  EXPECT_THROW(with_settings(before, pilot, bench.settings), Refused);
+}
+
 TEST(Campaign, StopsWhereNoCandidateMeetsTheTarget) {
   Bench bench;
   bench.badness = [](const StandinCage& cage) { return cage.pocket[0][0]; };
@@ -153,59 +201,79 @@ TEST(Campaign, AsksForTheSameStagesAgain) {
   }
 }
 
-StudyData pilot_of(const CampaignSettings& settings, double seconds = 2) {
-  StudyData pilot = tolerance_standin(100, 3, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
-  pilot.plan.campaign = settings;
-  pilot.timing = {{"wall_s", "s", "", std::vector<double>(100, seconds)}};
-  return pilot;
+/// The band whose cages have this yield: Phi(0.26 mm / band)^13.
+double band_of_yield(double yield) {
+  return 0.26 / gsl_cdf_ugaussian_Pinv(std::pow(yield, 1.0 / 13));
 }
 
-TEST(PlanCampaign, WithoutABudgetTheMixtureHasTheRowsOfTheStudy) {
-  const CampaignPlan plan = plan_campaign(pilot_of({}), 480, 4);
-  EXPECT_EQ(plan.mixture_rows, 480u);
-  EXPECT_EQ(plan.most_confirm_runs, 480u);
-  EXPECT_DOUBLE_EQ(plan.seconds_per_run, 2);
-  // Twice the fewest that can confirm: 0.95^n <= 0.025 for n = 72.
-  EXPECT_EQ(plan_campaign(pilot_of({}), 120, 4).most_confirm_runs, 144u);
-}
+/// Grades 3 and 1 % above and 1 % below the target, and a budget of runs for all stages.
+struct Neighbours {
+  double target = 0.9;
+  std::size_t budget = 30000;
 
-TEST(PlanCampaign, SharesABudgetOfRuns) {
-  StudyData pilot = pilot_of({.budget_samples = 2100});
-  CampaignPlan plan = plan_campaign(pilot, 480, 1);
-  EXPECT_EQ(plan.mixture_rows, 1000u);
-  EXPECT_EQ(plan.most_confirm_runs, 500u);
-  pilot.plan.extra_replicates = 0.25;
-  pilot.plan.campaign.confirm_samples = 300;
-  plan = plan_campaign(pilot, 480, 1);
-  EXPECT_EQ(plan.mixture_rows, 1120u);  // (2000 - 2 * 300) / 1.25
-  EXPECT_EQ(plan.most_confirm_runs, 300u);
-}
-
-TEST(PlanCampaign, TurnsHoursIntoRuns) {
-  // 3600 s on 4 processes at 2 s are 7200 runs, less the pilot's 100.
-  const CampaignPlan plan = plan_campaign(pilot_of({.budget_h = 1}), 480, 4);
-  EXPECT_EQ(plan.mixture_rows, 3550u);
-  EXPECT_EQ(plan.most_confirm_runs, 1775u);
-  const auto text = plan_text(pilot_of({.budget_h = 1}), plan);
-  EXPECT_THAT(text, HasSubstr("3550 rows over 8 candidates, 3550 runs, 30 min"));
-  EXPECT_THAT(text, HasSubstr("2 attempts of 72 to 1775 runs each at 97.5 % confidence"));
-}
-
-TEST(PlanCampaign, SaysWhichBudgetWouldDo) {
-  try {
-    plan_campaign(pilot_of({.budget_samples = 300}), 480, 1);
-    FAIL();
-  } catch (const Refused& refusal) {
-    EXPECT_THAT(refusal.what(), HasSubstr("50 runs for each of 2 attempts"));
-    EXPECT_THAT(refusal.what(), HasSubstr("72 runs are needed to confirm 95 %"));
+  struct Found {
+    double covered = 0, largest = 0;
+  };
+  Found rates(int repeats, std::int64_t first_seed) const {
+    const std::vector<double> scales = {10 * band_of_yield(std::min(target + 0.03, 0.999)),
+                                        10 * band_of_yield(target + 0.01),
+                                        10 * band_of_yield(target - 0.01)};
+    Found found;
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      std::int64_t seed = 10 * (first_seed + repeat);
+      const Campaign campaign = run_campaign(
+          {"pilot", 128, {}},
+          [&](const StudyData& pilot) {
+            return plan_campaign(pilot, {.budget_samples = budget}, 0, 1);
+          },
+          [&](const Stage& stage) -> std::optional<StudyData> {
+            StandinDimension width = kPrintedWidth;
+            width.scales = stage.bands.empty() ? scales : std::vector{10 * stage.bands[0].band_mm};
+            return tolerance_standin(static_cast<std::int64_t>(stage.rows), ++seed, {width}, target,
+                                     widest_pocket);
+          },
+          [](const CampaignPlan&) {});
+      const bool confirmed = campaign.end == CampaignEnd::confirmed;
+      const double band = confirmed ? campaign.attempts.back().recommendation.bands[0].band_mm : 0;
+      const bool wrong = confirmed && campaign.attempts.back().confirmation.yield.lower_bound >
+                                          widest_pocket_yield(band);
+      found.covered += wrong ? 0 : 1.0 / repeats;
+      found.largest += std::abs(10 * band - scales[1]) < 1e-9 ? 1.0 / repeats : 0;
+    }
+    std::printf("target %g, budget %zu, %d repeats: covered %.3f, largest passing grade %.3f\n",
+                target, budget, repeats, found.covered, found.largest);
+    return found;
   }
+};
+
+// Bands are given in mm: grades of ISO 286 do not fall where neighbours are wanted.
+class NightlyNeighbours : public testing::TestWithParam<Neighbours> {};
+
+TEST_P(NightlyNeighbours, AreToldApartInFourHundredRepeats) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
+  const Neighbours::Found found = GetParam().rates(400, 1);
+  EXPECT_GE(found.covered, 0.925);
+  EXPECT_GE(found.largest, 0.8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, NightlyNeighbours,
+                         testing::Values(Neighbours{0.90, 30000}, Neighbours{0.95, 16000},
+                                         Neighbours{0.98, 8000}),
+                         [](const auto& each) {
+                           return "Target" + std::to_string(std::lround(100 * each.param.target));
+                         });
+
+TEST(Neighbours, AreToldApart) {
+  const auto found = Neighbours{0.98, 8000}.rates(8, 7);
+  EXPECT_GE(found.covered, 0.75);
+  EXPECT_GE(found.largest, 0.5);
 }
 
 TEST(LostRuns, AreCertainlyTooManyOnlyByTheirLowerBound) {
   // One of 32: 1 - 0.95^(1/32).
   EXPECT_NEAR((LostRuns{1, 32}.least_share()), 1 - std::pow(0.95, 1.0 / 32), 1e-9);
   EXPECT_EQ((LostRuns{0, 32}.least_share()), 0);
-  StudyData pilot = pilot_of({});
+  StudyData pilot = tolerance_standin(100, 3, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   pilot.status[3] = RunStatus::failed;
   pilot.status[4] = RunStatus::censored;
   pilot.status[5] = RunStatus::jammed;
@@ -215,15 +283,6 @@ TEST(LostRuns, AreCertainlyTooManyOnlyByTheirLowerBound) {
   lost += {1, 50};
   EXPECT_EQ(lost.lost, 3u);
   EXPECT_EQ(lost.runs, 150u);
-}
-
-TEST(CampaignPlan, IsReadAsWritten) {
-  const CampaignPlan plan{1000, 500, 0.123456789012345678, 3};
-  const CampaignPlan read = campaign_plan_of(to_json(plan));
-  EXPECT_EQ(read.mixture_rows, plan.mixture_rows);
-  EXPECT_EQ(read.most_confirm_runs, plan.most_confirm_runs);
-  EXPECT_EQ(read.seconds_per_run, plan.seconds_per_run);
-  EXPECT_EQ(read.processes, plan.processes);
 }
 
 }  // namespace

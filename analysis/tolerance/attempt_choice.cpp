@@ -1,0 +1,205 @@
+#include "analysis/tolerance/attempt_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "analysis/tolerance/cost.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr std::size_t kResamples = 500;
+constexpr double kRounding = 1e-9;
+/// Least chance of being confirmed, by its estimate, with which a wide tolerance is tried while
+/// another attempt remains.
+constexpr double kFairChance = 0.1;
+
+/// True when no band is wider and one is narrower.
+bool narrower(const std::vector<double>& bands, const std::vector<double>& than) {
+  bool some = false;
+  for (std::size_t d = 0; d < bands.size(); ++d) {
+    if (bands[d] > than[d] * (1 + kRounding)) return false;
+    some = some || bands[d] < than[d] * (1 - kRounding);
+  }
+  return some;
+}
+
+bool same(const std::vector<double>& bands, const std::vector<double>& others) {
+  return std::equal(bands.begin(), bands.end(), others.begin(), [](double one, double other) {
+    return std::abs(one - other) <= kRounding * one;
+  });
+}
+
+/// With no more than so many runs.
+double chance(double yield, std::size_t most_runs, ConfirmationRules rules) {
+  rules.most_runs = most_runs;
+  return confirming_probability(yield, confirmation_size(yield, rules), rules);
+}
+
+/// The first attempts and the last one differ in what they ask of a candidate.
+Recommendation widest_of(const MixtureStudy& mixture, const CandidateFilter& allowed) {
+  const auto recommend = [&](const std::vector<BindingTest>& tests) {
+    return recommend_tolerance(mixture.runs, mixture.tolerances.mixture, mixture.tolerances.curves,
+                               tests, mixture.joint, mixture.resampling, allowed);
+  };
+  Recommendation held = recommend(mixture.tolerances.tests);
+  if (held.meets_target) return held;
+  Recommendation other = recommend(freed(mixture.tolerances.tests));
+  return other.meets_target ? other : held;
+}
+
+/// Runs kept back for the attempts that may follow this candidate: what the narrower one needs that
+/// needs least, no more than an equal share of what is left.
+std::size_t kept_back(const MixtureStudy& mixture, const std::vector<double>& bands,
+                      std::size_t left, std::size_t following, const ConfirmationRules& rules) {
+  if (following == 0) return 0;
+  const std::size_t share = left / (following + 1);
+  std::size_t need = 0;
+  for (std::size_t k = 0; k < mixture.runs.plan.candidates.size(); ++k) {
+    const Yield& yield = mixture.tolerances.curves.candidates[k];
+    if (yield.if_unknown_fail < rules.target_yield ||
+        !narrower(snapped_bands(mixture.runs, mixture.runs.plan.candidates[k]), bands))
+      continue;
+    ConfirmationRules affordable = rules;
+    affordable.most_runs = share;
+    const std::size_t runs = confirmation_size(expected_yield(yield), affordable);
+    need = need == 0 ? runs : std::min(need, runs);
+  }
+  return std::min(share, following * need);
+}
+
+/// The larger, the better: the product of the bands each in units of its widest; less cost.
+double worth_of(const MixtureStudy& mixture, const std::vector<double>& bands) {
+  if (const auto cost = cost_of_bands(mixture.runs.plan, bands)) return -*cost;
+  double width = 1;
+  for (std::size_t d = 0; d < bands.size(); ++d)
+    width *= bands[d] / mixture.tolerances.curves.dimensions[d].levels.back().band_mm;
+  return width;
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.1f} %", 100 * share);
+}
+
+PassedOver reason_of(const MixtureStudy& mixture, std::size_t k) {
+  const Yield& yield = mixture.tolerances.curves.candidates[k];
+  const StudyPlan& plan = mixture.runs.plan;
+  ConfirmationRules alone{plan.target_yield, plan.confidence, 1,
+                          std::numeric_limits<std::size_t>::max() / 4};
+  if (yield.ess < kLeastEffectiveRuns)
+    return {k,
+            fmt::format("the mixture holds {:.0f} effective runs of it, too few to judge it",
+                        yield.ess),
+            confirming_runs(0, alone)};
+  if (yield.if_unknown_fail < plan.target_yield)
+    return {k,
+            fmt::format("its estimated yield of {} is below the target",
+                        percent(yield.if_unknown_fail)),
+            0};
+  const double expected = expected_yield(yield);
+  if (expected <= plan.target_yield)
+    return {k,
+            fmt::format("its yield, estimated at {} and at least {}, cannot be told from the "
+                        "target",
+                        percent(yield.if_unknown_fail), percent(yield.lower_bound)),
+            0};
+  const std::size_t runs = confirmation_size(expected, alone);
+  return {k,
+          fmt::format("the runs left would hardly have confirmed its yield, estimated at {}",
+                      percent(yield.if_unknown_fail)),
+          runs};
+}
+
+}  // namespace
+
+ToleranceStudy study_tolerances(const StudyData& runs, const std::vector<Judgement>& joint,
+                                const Resampling& resampling) {
+  ToleranceStudy study;
+  study.mixture = mixture_weights(runs);
+  study.curves = yield_curves(runs, study.mixture, joint, resampling, runs.plan.confidence);
+  study.tests = test_binding(runs, study.mixture, study.curves, joint, resampling);
+  return study;
+}
+
+MixtureStudy study_mixture(const StudyData& mixture) {
+  StudyData runs = select_samples(mixture, first_runs(mixture));
+  auto joint = judge_all(runs);
+  Resampling resampling(runs, kResamples);
+  ToleranceStudy tolerances = study_tolerances(runs, joint, resampling);
+  return {std::move(runs), std::move(joint), std::move(resampling), std::move(tolerances)};
+}
+
+Recommendation recommendation_of(const MixtureStudy& mixture, std::size_t candidate) {
+  return widest_of(mixture, [&](std::size_t k) { return k == candidate; });
+}
+
+std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const CampaignPlan& plan,
+                                            const std::vector<std::vector<double>>& failed) {
+  const StudyPlan& study = mixture.runs.plan;
+  const ConfirmationRules rules = confirmation_rules(study, 0);
+  const std::size_t fewest = confirming_runs(0, rules);
+  std::size_t spent = 0;
+  for (const PlannedAttempt& attempt : plan.attempts) spent += attempt.runs;
+  if (failed.size() >= rules.attempts || !affords_attempt(plan, rules)) return std::nullopt;
+  const std::size_t left = plan.confirm_runs - spent;
+  const std::size_t following = rules.attempts - failed.size() - 1;
+  const std::size_t stated = plan.settings.confirm_samples;
+  const auto limited = [&](std::size_t runs) {
+    return std::max(fewest, stated > 0 ? std::min(runs, stated) : runs);
+  };
+  const auto bands_of = [&](std::size_t k) {
+    return snapped_bands(mixture.runs, study.candidates[k]);
+  };
+  const auto promising = [&](std::size_t k) {
+    return mixture.tolerances.curves.candidates[k].if_unknown_fail >= rules.target_yield &&
+           std::all_of(failed.begin(), failed.end(), [&](const std::vector<double>& bands) {
+             return narrower(bands_of(k), bands);
+           });
+  };
+  const auto most_runs = [&](std::size_t k) {
+    return limited(left - kept_back(mixture, bands_of(k), left, following, rules));
+  };
+  const auto sure = [&](std::size_t k) {
+    return chance(expected_yield(mixture.tolerances.curves.candidates[k]), most_runs(k), rules);
+  };
+  const auto fair = [&](std::size_t k) {
+    return chance(mixture.tolerances.curves.candidates[k].if_unknown_fail, most_runs(k), rules);
+  };
+  Recommendation next;
+  if (following > 0)
+    next =
+        widest_of(mixture, [&](std::size_t k) { return promising(k) && fair(k) >= kFairChance; });
+  if (!next.meets_target)
+    next =
+        widest_of(mixture, [&](std::size_t k) { return promising(k) && sure(k) >= kWantedPower; });
+  if (!next.meets_target) {
+    double surest = 0;
+    for (std::size_t k = 0; k < study.candidates.size(); ++k)
+      if (promising(k)) surest = std::max(surest, sure(k));
+    next = widest_of(mixture, [&](std::size_t k) { return promising(k) && sure(k) >= surest; });
+  }
+  if (!next.meets_target) return std::nullopt;
+  ConfirmationRules sized = rules;
+  sized.most_runs = most_runs(next.candidate);
+  return AttemptChoice{confirmation_size(expected_yield(next.yield), sized), next};
+}
+
+std::vector<PassedOver> passed_over(const MixtureStudy& mixture,
+                                    const std::vector<std::vector<double>>& tried) {
+  std::vector<PassedOver> list;
+  if (tried.empty()) return list;
+  const double decided = worth_of(mixture, tried.back());
+  for (std::size_t k = 0; k < mixture.runs.plan.candidates.size(); ++k) {
+    const auto bands = snapped_bands(mixture.runs, mixture.runs.plan.candidates[k]);
+    if (worth_of(mixture, bands) <= decided + kRounding * std::abs(decided) ||
+        std::any_of(tried.begin(), tried.end(),
+                    [&](const std::vector<double>& other) { return same(bands, other); }))
+      continue;
+    list.push_back(reason_of(mixture, k));
+  }
+  return list;
+}
+
+}  // namespace cagetol

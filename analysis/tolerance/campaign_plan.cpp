@@ -1,0 +1,232 @@
+#include "analysis/tolerance/campaign_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/sensitivity/noise_share.hpp"
+#include "analysis/statistics/summary.hpp"
+#include "analysis/study/refused.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Shares of a budget that the mixture gets at most and at least; the confirmations have the rest.
+constexpr double kMostMixture = 0.5, kLeastMixture = 0.25;
+constexpr std::size_t kResamples = 500;
+
+double seconds_per_run(const StudyData& pilot) {
+  for (const Column& column : pilot.timing)
+    if (column.name == "wall_s" && pilot.size() > 0) {
+      const std::vector<double> equal(pilot.size(), 1.0);
+      return weighted_mean(column.values, equal);
+    }
+  return 0;
+}
+
+/// Runs of a mixture of so many rows, noise replicates included.
+double runs_of_rows(const StudyPlan& study, double rows) {
+  return rows * (1 + study.extra_replicates);
+}
+
+/// Runs that the budgets leave after the pilot; nothing where there is no budget.
+std::optional<double> runs_left(const StudyData& pilot, const CampaignPlan& plan) {
+  std::optional<double> left;
+  const auto at_most = [&](double runs) { left = left ? std::min(*left, runs) : runs; };
+  const auto spent = static_cast<double>(pilot.size());
+  if (plan.settings.budget_samples > 0)
+    at_most(static_cast<double>(plan.settings.budget_samples) - spent);
+  if (plan.settings.budget_h > 0 && plan.seconds_per_run > 0)
+    at_most(3600 * plan.settings.budget_h * plan.processes / plan.seconds_per_run - spent);
+  return left;
+}
+
+/// Runs with which the candidates that the pilot takes for good would probably be confirmed: the
+/// most that any of them needs. More than any budget where one cannot be told from the target.
+double confirming_need(const StudyData& pilot, const ConfirmationRules& rules) {
+  const StudyData runs = select_samples(pilot, first_runs(pilot));
+  const Resampling resampling(runs, kResamples);
+  const YieldCurves curves =
+      yield_curves(runs, mixture_weights(runs), judge_all(runs), resampling, runs.plan.confidence);
+  auto need = static_cast<double>(confirming_runs(0, rules));
+  for (const Yield& yield : curves.candidates) {
+    if (yield.if_unknown_fail < rules.target_yield) continue;
+    // Of a pilot without a failing run the bound says how short it was, not how near the target is.
+    const double expected =
+        yield.missing_runs > 0 ? expected_yield(yield) : 0.5 * (1 + rules.target_yield);
+    if (expected <= rules.target_yield) return std::numeric_limits<double>::infinity();
+    need = std::max(need, static_cast<double>(confirmation_size(expected, rules)));
+  }
+  return need;
+}
+
+std::string duration(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string noise_text(const StudyData& pilot) {
+  std::string text;
+  for (const Limit& limit : pilot.plan.limits) {
+    const Column* column = find_quantity(pilot, limit.quantity);
+    if (column == nullptr) continue;
+    const NoiseShare noise = noise_share(pilot, column->values, pilot.plan.confidence, kResamples);
+    if (!(noise.share.value > 0)) continue;
+    text += fmt::format(
+        "\n  noise owns {:.0f} % of the variance of {} ({:.0f} to {:.0f} %): no design lowers the "
+        "variance of its mean more than {:.1f} times",
+        100 * noise.share.value, limit.quantity, 100 * noise.share.lower, 100 * noise.share.upper,
+        1 / noise.share.value);
+  }
+  return text;
+}
+
+/// What is left must afford one attempt at least, and its mixture rows to judge one candidate.
+void require_runs(const StudyData& pilot, const CampaignPlan& plan,
+                  const ConfirmationRules& rules) {
+  const std::size_t fewest = confirming_runs(0, rules);
+  if (plan.confirm_runs >= fewest && static_cast<double>(plan.mixture_rows) >= kLeastEffectiveRuns)
+    return;
+  throw Refused(fmt::format(
+      "the budget leaves {} rows to compare {} candidates and {} runs for up to {} attempts to "
+      "confirm; with no failing run at all, {} runs are needed to confirm {:g} % with {:g} % "
+      "confidence. {} runs in all are the least, about {:.0f} would do",
+      plan.mixture_rows, pilot.plan.candidates.size(), plan.confirm_runs, rules.attempts, fewest,
+      100 * rules.target_yield, 100 * rules.confidence,
+      least_budget(rules, pilot.plan.extra_replicates, pilot.size()),
+      static_cast<double>(pilot.size()) +
+          2 * std::max(
+                  runs_of_rows(pilot.plan, kFewestEffectiveRuns *
+                                               static_cast<double>(pilot.plan.candidates.size())),
+                  2 * static_cast<double>(rules.attempts * fewest))));
+}
+
+}  // namespace
+
+double expected_yield(const Yield& yield) {
+  return 0.5 * (yield.if_unknown_fail + yield.lower_bound);
+}
+
+bool affords_attempt(const CampaignPlan& plan, const ConfirmationRules& rules) {
+  std::size_t spent = 0;
+  for (const PlannedAttempt& attempt : plan.attempts) spent += attempt.runs;
+  return plan.confirm_runs >= spent + confirming_runs(0, rules);
+}
+
+std::size_t least_budget(const ConfirmationRules& rules, double extra_replicates,
+                         std::size_t pilot_runs) {
+  const std::size_t fewest = confirming_runs(0, rules);
+  const double mixture = kLeastEffectiveRuns * (1 + extra_replicates);
+  // The mixture gets no more than its share.
+  return pilot_runs + std::max(static_cast<std::size_t>(std::ceil(mixture / kLeastMixture)),
+                               static_cast<std::size_t>(
+                                   std::ceil(static_cast<double>(fewest) / (1 - kLeastMixture))));
+}
+
+CampaignPlan plan_campaign(const StudyData& pilot, const CampaignSettings& settings,
+                           std::size_t study_rows, double processes) {
+  const StudyPlan& study = pilot.plan;
+  CampaignPlan plan{0, 0, seconds_per_run(pilot), processes, settings};
+  auto rules = confirmation_rules(study, 0);
+  const std::size_t fewest = confirming_runs(0, rules);
+  const auto left = runs_left(pilot, plan);
+  if (!left) {
+    plan.mixture_rows = study_rows;
+    plan.confirm_runs =
+        rules.attempts * (settings.confirm_samples > 0 ? settings.confirm_samples
+                                                       : std::max(study_rows, 2 * fewest));
+  } else {
+    rules.most_runs = static_cast<std::size_t>(std::max(0.0, *left));
+    const auto attempts = static_cast<double>(rules.attempts);
+    const double wanted = settings.confirm_samples > 0
+                              ? static_cast<double>(settings.confirm_samples)
+                              : confirming_need(pilot, rules);
+    const double mixture =
+        std::clamp(*left - attempts * wanted, kLeastMixture * *left, kMostMixture * *left);
+    plan.mixture_rows =
+        static_cast<std::size_t>(std::max(0.0, mixture / (1 + study.extra_replicates)));
+    plan.confirm_runs = static_cast<std::size_t>(
+        std::max(0.0, *left - runs_of_rows(study, static_cast<double>(plan.mixture_rows))));
+  }
+  require_runs(pilot, plan, rules);
+  return plan;
+}
+
+CampaignPlan with_settings(const CampaignPlan& plan, const StudyData& pilot,
+                           const CampaignSettings& settings) {
+  CampaignPlan changed = plan;
+  changed.settings = settings;
+  const auto rules = confirmation_rules(pilot.plan, 0);
+  if (const auto left = runs_left(pilot, changed)) {
+    const double mixture = runs_of_rows(pilot.plan, static_cast<double>(plan.mixture_rows));
+    changed.confirm_runs = static_cast<std::size_t>(std::max(0.0, *left - mixture));
+  } else if (settings.confirm_samples > 0) {
+    changed.confirm_runs = rules.attempts * settings.confirm_samples;
+  }
+  std::size_t decided = 0;
+  for (const PlannedAttempt& attempt : plan.attempts) decided += attempt.runs;
+  if (changed.confirm_runs < decided)
+    throw Refused(
+        fmt::format("{} confirming runs are decided already, the budget leaves {}: it "
+                    "may be raised, not lowered",
+                    decided, changed.confirm_runs));
+  require_runs(pilot, changed, rules);
+  return changed;
+}
+
+nlohmann::ordered_json to_json(const CampaignPlan& plan) {
+  auto attempts = nlohmann::ordered_json::array();
+  for (const PlannedAttempt& attempt : plan.attempts)
+    attempts.push_back({{"candidate", attempt.candidate}, {"runs", attempt.runs}});
+  return {{"mixture_rows", plan.mixture_rows},
+          {"confirm_runs", plan.confirm_runs},
+          {"seconds_per_run", plan.seconds_per_run},
+          {"processes", plan.processes},
+          {"confirm_samples", plan.settings.confirm_samples},
+          {"budget_samples", plan.settings.budget_samples},
+          {"budget_h", plan.settings.budget_h},
+          {"attempts", attempts}};
+}
+
+CampaignPlan campaign_plan_of(const nlohmann::ordered_json& json) {
+  CampaignPlan plan;
+  json.at("mixture_rows").get_to(plan.mixture_rows);
+  json.at("confirm_runs").get_to(plan.confirm_runs);
+  json.at("seconds_per_run").get_to(plan.seconds_per_run);
+  json.at("processes").get_to(plan.processes);
+  json.at("confirm_samples").get_to(plan.settings.confirm_samples);
+  json.at("budget_samples").get_to(plan.settings.budget_samples);
+  json.at("budget_h").get_to(plan.settings.budget_h);
+  for (const auto& attempt : json.at("attempts"))
+    plan.attempts.push_back(
+        {attempt.at("candidate").get<std::size_t>(), attempt.at("runs").get<std::size_t>()});
+  return plan;
+}
+
+std::string plan_text(const StudyData& pilot, const CampaignPlan& plan) {
+  const StudyPlan& study = pilot.plan;
+  const auto rules = confirmation_rules(study, plan.confirm_runs);
+  const double mixture = runs_of_rows(study, static_cast<double>(plan.mixture_rows));
+  const auto confirm = static_cast<double>(plan.confirm_runs);
+  const double each = plan.seconds_per_run / plan.processes;
+  std::string text = fmt::format(
+      "plan, by the pilot's {:.3g} s a run on {:g} processes:\n"
+      "  mixture: {} rows over {} candidates, {:.0f} runs, {}\n"
+      "  confirmation: at most {} attempts at {:.6g} % confidence each, from {} runs for one to {} "
+      "for all, up to {}",
+      plan.seconds_per_run, plan.processes, plan.mixture_rows, study.candidates.size(), mixture,
+      duration(each * mixture), rules.attempts, 100 * attempt_confidence(rules),
+      confirming_runs(0, rules), plan.confirm_runs, duration(each * confirm));
+  if (static_cast<double>(plan.mixture_rows) <
+      kFewestEffectiveRuns * static_cast<double>(study.candidates.size()))
+    text += fmt::format(
+        "\n  fewer than {:.0f} rows for each candidate: with so few effective runs their yields "
+        "are rough",
+        kFewestEffectiveRuns);
+  return text + noise_text(pilot);
+}
+
+}  // namespace cagetol
