@@ -9,6 +9,7 @@
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/tolerance/cost.hpp"
 #include "distributions/iso286.hpp"
+#include "mc/study_file/tolerance.hpp"
 
 namespace cagetol {
 namespace {
@@ -69,6 +70,7 @@ struct Snapped {
   std::string grade;
 };
 Snapped snap(const StudyData& runs, const std::string& key, double band_mm) {
+  if (!is_size(key)) return {band_mm, ""};
   const double nominal = nominal_of(runs, key);
   if (!(nominal > 0)) return {band_mm, ""};
   const auto grade = grade_within(1e3 * band_mm * (1 + kRounding), nominal);
