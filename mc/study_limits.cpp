@@ -221,6 +221,11 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
         Candidate candidate = shorter;
         double band = 0;
         if (const auto grade = grade_number(name)) {
+          if (!is_size(dimension.key))
+            throw InputError(place, "tolerance.dimension.candidates", name,
+                             "ISO 286 grades sizes, and " + dimension.key +
+                                 " is no diameter, width or length in mm",
+                             "give full widths in mm, such as 0.01");
           try {
             band =
                 grade_width_um(*grade, nominal_mm(*find_input(study.inputs, dimension.key))) / 1000;

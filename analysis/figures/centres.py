@@ -24,7 +24,7 @@ def centre_curves(report):
         axis.fill_between(shifts, lower, upper, color=BLUE, alpha=0.15, linewidth=0, label="between the bounds")
         axis.plot(shifts, value, "o-", color=BLUE, label="yield")
         axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
-        axis.set_xlabel(f"centre of pocket {dimension['name']}\nbeside the nominal value [µm]")
+        axis.set_xlabel(f"centre of {dimension['name']}\nbeside the nominal value [µm]")
         axis.set_xticks(shifts)
         axis.set_xticklabels([f"{shift:+.0f}\n({point['effective_runs']:.0f})" for shift, point in zip(shifts, points)],
                              fontsize=7)
@@ -56,8 +56,8 @@ def centre_map(report):
     first, second = centres["dimensions"][:2]
     axis.set_xticks(range(len(columns)), [f"{1e3 * shift:+.0f} µm" for shift in columns])
     axis.set_yticks(range(len(rows)), [f"{1e3 * shift:+.0f} µm" for shift in rows])
-    axis.set_xlabel(f"centre of pocket {second['name']} beside the nominal value")
-    axis.set_ylabel(f"centre of pocket {first['name']}")
+    axis.set_xlabel(f"centre of {second['name']} beside the nominal value")
+    axis.set_ylabel(f"centre of {first['name']}")
     axis.grid(False)
     figure.colorbar(image, ax=axis, pad=0.02).set_label("yield [%]")
     return figure

@@ -24,7 +24,7 @@ def yield_curves(report):
         if any(abs(a - b) > 0.05 for a, b in zip(low, high)):
             axis.plot(bands, high, "s:", color=BLUE, markerfacecolor="white", label="runs without result pass")
         axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
-        axis.set_xlabel(f"tolerance of pocket {dimension['name']}, full width [µm]")
+        axis.set_xlabel(f"tolerance of {dimension['name']}, full width [µm]")
         axis.set_title(f"{dimension['name']}: {dimension['binding']}")
         axis.set_xticks(bands)
         axis.set_xticklabels([f"{band:.0f}\n{level['grade']}\n({level['yield']['effective_runs']:.0f})"
@@ -68,8 +68,8 @@ def yield_map(report):
     label = lambda levels: [f"{1e3 * level['band_mm']:.0f} µm  {level['grade']}" for level in levels]
     axis.set_xticks(range(len(columns)), label(second["levels"]))
     axis.set_yticks(range(len(rows)), label(first["levels"]))
-    axis.set_xlabel(f"tolerance of pocket {second['name']}")
-    axis.set_ylabel(f"tolerance of pocket {first['name']}")
+    axis.set_xlabel(f"tolerance of {second['name']}")
+    axis.set_ylabel(f"tolerance of {first['name']}")
     axis.grid(False)
     bar = figure.colorbar(image, ax=axis, pad=0.02)
     bar.set_label("lower bound of the yield [%]")

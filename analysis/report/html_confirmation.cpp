@@ -15,9 +15,9 @@ std::string confirmation_chapter(const Json& report) {
   for (const Json& attempt : confirmation["attempts"]) {
     std::string bands;
     for (const Json& band : attempt["bands"])
-      bands += (bands.empty() ? "" : "<br>") +
-               fmt::format("pocket {} {:.3f} mm {}", escaped(band["name"]),
-                           band["band_mm"].get<double>(), escaped(band["grade"]));
+      bands += (bands.empty() ? "" : "<br>") + fmt::format("{} {:.3f} mm {}", escaped(band["name"]),
+                                                           band["band_mm"].get<double>(),
+                                                           escaped(band["grade"]));
     rows.push_back({escaped(attempt["stage"]), bands, rounded(attempt["runs"]),
                     rounded(attempt["meeting_runs"]), rounded(attempt["unknown_runs"]),
                     rounded(attempt["allowed_failures"]), percent(attempt["yield"]["lower_bound"]),
@@ -65,7 +65,7 @@ std::string centres_section(const Json& tolerance, const FigureSet& figures) {
   for (std::size_t d = 0; d < centres["dimensions"].size(); ++d)
     for (const Json& point : centres["dimensions"][d]["points"])
       if (point["shown"].get<bool>())
-        rows.push_back({"pocket " + escaped(centres["dimensions"][d]["name"]),
+        rows.push_back({escaped(centres["dimensions"][d]["name"]),
                         fmt::format("{:+.1f}", 1e3 * point["shifts_mm"][d].get<double>()),
                         percent(point["yield"]["if_unknown_fail"]),
                         percent(point["yield"]["lower_bound"]),

@@ -149,10 +149,11 @@ std::string failures_chapter(const Json& report) {
     body = paragraph("Every run gave a result.");
   } else {
     const Json& joint = report["limits"]["joint"];
-    body = paragraph(
-        fmt::format("Joint yield of the scatter as sampled: {} if every run without a result "
-                    "fails, {} if every one passes; jams count as failing in both.",
-                    percent(joint["if_unknown_fail"]), percent(joint["if_unknown_pass"])));
+    if (joint["if_unknown_fail"].is_number())
+      body = paragraph(
+          fmt::format("Joint yield of the scatter as sampled: {} if every run without a result "
+                      "fails, {} if every one passes; jams count as failing in both.",
+                      percent(joint["if_unknown_fail"]), percent(joint["if_unknown_pass"])));
     std::vector<std::vector<std::string>> rows;
     for (const Json& failure : failures) {
       if (rows.size() == kFailuresShown) break;

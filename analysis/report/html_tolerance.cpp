@@ -14,7 +14,7 @@ std::string candidate_table(const Json& tolerance) {
   std::vector<std::string> headers;
   std::string columns;
   for (const Json& dimension : tolerance["dimensions"]) {
-    headers.push_back("pocket " + escaped(dimension["name"]));
+    headers.push_back(escaped(dimension["name"]));
     columns += 't';
   }
   for (const char* header :
@@ -44,7 +44,7 @@ std::string candidate_table(const Json& tolerance) {
 std::string binding_list(const Json& tolerance) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& dimension : tolerance["dimensions"])
-    rows.push_back({"pocket " + escaped(dimension["name"]), escaped(dimension["binding"]),
+    rows.push_back({escaped(dimension["name"]), escaped(dimension["binding"]),
                     fmt::format("{:.1f}", 100 * dimension["largest_loss"].get<double>()),
                     fmt::format("{:.1f}", 100 * dimension["largest_loss_bound"].get<double>()),
                     fmt::format("{:.1f}", 100 * dimension["allowed_loss"].get<double>())});

@@ -2,6 +2,7 @@
 // limits.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/report/html_report.hpp"
@@ -18,7 +19,7 @@ std::string band_facts(const Json& report) {
   std::string facts;
   if (!report["tolerance"].is_object()) return facts;
   for (const Json& band : report["tolerance"]["bands"]) {
-    const std::string name = "pocket " + band["name"].get<std::string>();
+    const std::string name = band["name"];
     const std::string grade = band["grade"];
     if (band["not_binding"].get<bool>())
       facts += fact("not binding", escaped(name) + ", within the range studied");
@@ -48,9 +49,8 @@ std::string steps_table(const Json& report) {
       return fmt::format("{:+.1f}", 100 * step[key].get<double>());
     };
     const bool clear = step["lower"].get<double>() > 0 || step["upper"].get<double>() < 0;
-    rows.push_back({"pocket " + escaped(step["name"]),
-                    escaped(step["from"]) + " → " + escaped(step["to"]), points("change"),
-                    points("lower") + " to " + points("upper"),
+    rows.push_back({escaped(step["name"]), escaped(step["from"]) + " → " + escaped(step["to"]),
+                    points("change"), points("lower") + " to " + points("upper"),
                     clear ? "yes" : "not told apart from none"});
   }
   return "<h3>Which dimension pays</h3>\n" +
@@ -86,8 +86,10 @@ std::string verdict_chapter(const Json& report) {
       meets ? "yes" : "no", escaped(verdict["statement"]), facts);
   if (!verdict["undecided"].empty()) {
     std::string names;
-    for (const Json& name : verdict["undecided"])
-      names += (names.empty() ? "" : ", ") + escaped(name);
+    for (const Json& dimension : report["tolerance"]["dimensions"])
+      if (std::find(verdict["undecided"].begin(), verdict["undecided"].end(), dimension["key"]) !=
+          verdict["undecided"].end())
+        names += (names.empty() ? "" : ", ") + escaped(dimension["name"]);
     body += paragraph(
         "No effect of these dimensions is significant, but one as large as the margin over the "
         "target is not excluded; they are treated as if they mattered: " +

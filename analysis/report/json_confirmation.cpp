@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/report/json_parts.hpp"
+#include "analysis/sensitivity/features.hpp"
 #include "analysis/study/refused.hpp"
 #include "analysis/tolerance/campaign.hpp"
 #include "analysis/tolerance/centre_curve.hpp"
@@ -20,7 +21,8 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
   const Candidate& tolerance = runs.plan.candidates.front();
   Json bands = Json::array();
   for (std::size_t d = 0; d < tolerance.bands_mm.size(); ++d)
-    bands.push_back({{"name", dimension_name(runs.plan.dimensions[d].key)},
+    bands.push_back({{"key", runs.plan.dimensions[d].key},
+                     {"name", plain_name(runs.plan.dimensions[d].key)},
                      {"band_mm", tolerance.bands_mm[d]},
                      {"grade", tolerance.grades[d]}});
   const auto allowed = allowed_failures(result.runs, rules);
@@ -45,12 +47,11 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
   for (const Json& band : attempt["bands"]) {
     const std::string grade = band["grade"];
     const std::string text =
-        fmt::format("pocket {} {:.3f} mm{}", band["name"].get<std::string>(),
+        fmt::format("{} {:.3f} mm{}", band["name"].get<std::string>(),
                     band["band_mm"].get<double>(), grade.empty() ? "" : " (" + grade + ")");
     std::string& list =
-        std::find(not_binding.begin(), not_binding.end(), band["name"]) != not_binding.end()
-            ? free
-            : bands;
+        std::find(not_binding.begin(), not_binding.end(), band["key"]) != not_binding.end() ? free
+                                                                                            : bands;
     list += (list.empty() ? "" : ", ") + text;
   }
   const std::string counted =
@@ -92,9 +93,9 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
   const StudyData& runs = confirmations.back();
   const bool passed = last["passed"];
   for (const Json& band : last["bands"]) {
-    Json& entry = verdict[band["name"].get<std::string>()];
+    Json& entry = verdict["bands"][band["key"].get<std::string>()];
     const Json& free = verdict["not_binding"];
-    if (std::find(free.begin(), free.end(), band["name"]) != free.end()) continue;
+    if (std::find(free.begin(), free.end(), band["key"]) != free.end()) continue;
     entry = {{"band_mm", passed ? band["band_mm"] : Json()},
              {"grade", passed ? band["grade"] : Json()}};
   }
@@ -130,7 +131,7 @@ Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,
     for (std::size_t d = 0; d < curves.dimensions.size(); ++d) {
       Json points = Json::array();
       for (const CentreYield& centre : curves.dimensions[d]) points.push_back(point(centre));
-      dimensions.push_back({{"name", dimension_name(basis.runs.plan.dimensions[d].key)},
+      dimensions.push_back({{"name", plain_name(basis.runs.plan.dimensions[d].key)},
                             {"band_mm", bands_mm[d]},
                             {"points", points}});
     }

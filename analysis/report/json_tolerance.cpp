@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/report/json_parts.hpp"
+#include "analysis/sensitivity/features.hpp"
 #include "analysis/tolerance/campaign.hpp"
 
 namespace cagetol {
@@ -51,7 +52,7 @@ Json dimensions_json(const YieldCurves& curves, const std::vector<BindingTest>& 
                         {"shown", shown(level.yield)},
                         {"yield", to_json(level.yield)}});
     list.push_back({{"key", test.key},
-                    {"name", dimension_name(test.key)},
+                    {"name", plain_name(test.key)},
                     {"levels", levels},
                     {"binding", binding_name(test.answer)},
                     {"largest_loss", number(test.largest_loss)},
@@ -77,7 +78,7 @@ Json steps_json(const Recommendation& result) {
   Json steps = Json::array();
   for (const StepEffect& step : result.steps)
     steps.push_back({{"key", step.key},
-                     {"name", dimension_name(step.key)},
+                     {"name", plain_name(step.key)},
                      {"from", step.from},
                      {"to", step.to},
                      {"change", step.change},
@@ -106,17 +107,16 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
   if (bands.empty())
     text = "No tolerance studied limits the yield: the study gives no band to print.";
   else if (result.meets_target)
-    text = fmt::format("Recommended: pocket {}, full width of the tolerance.", list_of(bands));
+    text = fmt::format("Recommended: {}, full width of the tolerance.", list_of(bands));
   else if (result.yield.unknown_runs > 0 && result.yield.upper_bound >= plan.target_yield)
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
-        "judgement, and the yield lies between {} and {}, as they fail or pass. The best is pocket "
+        "judgement, and the yield lies between {} and {}, as they fail or pass. The best is "
         "{}.",
         result.yield.unknown_runs, result.yield.runs, percent(result.yield.if_unknown_fail),
         percent(result.yield.if_unknown_pass), list_of(bands));
   else
-    text = fmt::format("No candidate tolerance meets the target. The best is pocket {}.{}",
-                       list_of(bands),
+    text = fmt::format("No candidate tolerance meets the target. The best is {}.{}", list_of(bands),
                        some_binding ? ""
                                     : " No difference between the widths studied is significant: "
                                       "look at the contributors.");
@@ -172,8 +172,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   const StudyPlan& plan = basis.study.plan;
   TolerancePart part;
   Json& verdict = part.verdict;
-  verdict["width"] = nullptr;
-  verdict["length"] = nullptr;
+  verdict["bands"] = Json::object();
   const std::vector<double> equal(basis.runs.size(), 1.0);
   Yield overall = estimate_yield(basis.runs, basis.joint, equal, basis.resampling, plan.confidence);
   Recommendation result;
@@ -201,9 +200,9 @@ TolerancePart tolerance_json(const ReportBasis& basis,
           result.possible ? result.bands[d].not_binding : tests[d].answer == Binding::not_binding;
       some_binding = some_binding || tests[d].answer == Binding::binding;
       if (held)
-        not_binding.push_back(dimension_name(tests[d].key));
+        not_binding.push_back(tests[d].key);
       else if (tests[d].answer != Binding::binding)
-        undecided.push_back(dimension_name(tests[d].key));
+        undecided.push_back(tests[d].key);
     }
     part.tolerance = {{"candidates", candidates_json(basis, curves)},
                       {"dimensions", dimensions_json(curves, tests)},
@@ -217,7 +216,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     for (const RecommendedBand& band : result.bands) bands.push_back(band.band_mm);
     part.tolerance["centres"] = result.possible ? centres_json(basis, mixture, bands) : Json();
   }
-  for (const RecommendedBand& band : result.bands) verdict[band.name] = band_verdict(band);
+  for (const RecommendedBand& band : result.bands) verdict["bands"][band.key] = band_verdict(band);
   const Yield& yield = result.possible ? result.yield : overall;
   verdict["meets_target"] = candidates ? result.possible && result.meets_target
                                        : overall.lower_bound >= plan.target_yield;

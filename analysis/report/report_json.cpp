@@ -26,7 +26,7 @@ nlohmann::ordered_json make_report(const StudyData& study,
   TolerancePart tolerance = tolerance_json(basis, confirmations);
   Json confirmation = confirmation_json(basis, confirmations, tolerance.verdict);
   Json report;
-  report["report_version"] = 1;
+  report["report_version"] = 2;
   report["verdict"] = std::move(tolerance.verdict);
   report["tolerance"] = std::move(tolerance.tolerance);
   report["trends"] = trends_json(basis);

@@ -95,6 +95,9 @@ std::string plain_name(const std::string& key) {
   std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
   const std::size_t last = name.rfind('_');
   if (last != std::string::npos && units.count(name.substr(last + 1)) > 0) name.resize(last);
+  const std::string section = dot == std::string::npos ? "" : key.substr(0, dot);
+  const bool of_pocket = section == "cage" && name.starts_with("pocket_");
+  if (!section.empty() && !of_pocket) name = section + " " + name;
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }

@@ -9,6 +9,7 @@
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/tolerance/cost.hpp"
 #include "distributions/iso286.hpp"
+#include "mc/study_file/tolerance.hpp"
 
 namespace cagetol {
 namespace {
@@ -69,6 +70,7 @@ struct Snapped {
   std::string grade;
 };
 Snapped snap(const StudyData& runs, const std::string& key, double band_mm) {
+  if (!is_size(key)) return {band_mm, ""};
   const double nominal = nominal_of(runs, key);
   if (!(nominal > 0)) return {band_mm, ""};
   const auto grade = grade_within(1e3 * band_mm * (1 + kRounding), nominal);
@@ -84,7 +86,7 @@ bool set_bands(const StudyData& runs, const YieldCurves& curves,
   for (std::size_t d = 0; d < tests.size(); ++d) {
     const auto& key = runs.plan.dimensions[d].key;
     RecommendedBand band{key,
-                         dimension_name(key),
+                         plain_name(key),
                          tests[d].answer == Binding::not_binding,
                          chosen.bands_mm[d],
                          chosen.grades[d],
@@ -186,12 +188,6 @@ std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candid
     if (candidate.grades[d].empty())
       bands[d] = snap(runs, runs.plan.dimensions[d].key, bands[d]).band_mm;
   return bands;
-}
-
-std::string dimension_name(const std::string& key) {
-  std::string name = plain_name(key);
-  const std::string prefix = "pocket ";
-  return name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
 }  // namespace cagetol

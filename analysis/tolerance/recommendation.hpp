@@ -23,7 +23,7 @@ namespace cagetol {
 
 /// One dimension of the recommendation.
 struct RecommendedBand {
-  std::string key, name;  ///< "cage.pocket_width_mm", "width"
+  std::string key, name;  ///< "cage.pocket_width_mm", "pocket width"
   bool not_binding = false;
   double band_mm = 0;  ///< of a dimension that is not binding: the band for which the yield is
                        ///< stated, no recommendation
@@ -68,8 +68,5 @@ std::vector<BindingTest> freed(std::vector<BindingTest> tests);
 
 /// Bands of a candidate in mm, those without a grade snapped down to one where there is one.
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate);
-
-/// "cage.pocket_width_mm" -> "width".
-std::string dimension_name(const std::string& key);
 
 }  // namespace cagetol

@@ -29,4 +29,8 @@ struct Candidate {
   std::vector<double> scales;       ///< band / band_mm
 };
 
+/// True where grades of ISO 286 mean something: a diameter, width or length in mm. A clearance, a
+/// radius, an offset or a layer is no size; its bands are given in mm.
+bool is_size(const std::string& key);
+
 }  // namespace cagetol

@@ -90,7 +90,7 @@ TEST(Claims, SayWhereTheyNeverHold) {
   const Json report = make_report(jumping_slip(3.5));
   EXPECT_EQ(report.at("trends").at("claim_verdicts"), Json({{"agrees in part", 1}}));
   EXPECT_THAT(html_report(report, {}),
-              HasSubstr("<i>misalignment z 2 mrad:</i> never (levels tried: 2)"));
+              HasSubstr("<i>bearing misalignment z 2 mrad:</i> never (levels tried: 2)"));
 }
 
 TEST(Claims, AreNotDeniedWhereTheyAreUndecided) {

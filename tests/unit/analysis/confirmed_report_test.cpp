@@ -64,8 +64,10 @@ TEST_F(ConfirmedReport, TheVerdictIsThatOfTheFreshRuns) {
   write_attempt(1, 0);
   const auto json = report();
   const auto& verdict = json.at("verdict");
-  EXPECT_EQ(verdict.at("width"), nlohmann::json({{"band_mm", 0.09}, {"grade", "IT11"}}));
-  EXPECT_TRUE(verdict.at("length").at("grade").is_null());  // not binding
+  EXPECT_EQ(verdict.at("bands").at("cage.pocket_width_mm"),
+            nlohmann::json({{"band_mm", 0.09}, {"grade", "IT11"}}));
+  EXPECT_TRUE(
+      verdict.at("bands").at("cage.pocket_length_mm").at("grade").is_null());  // not binding
   EXPECT_EQ(verdict.at("confirmation").at("runs"), 200);
   EXPECT_EQ(verdict.at("confirmation").at("passed"), true);
   EXPECT_EQ(verdict.at("meets_target"), true);
@@ -87,7 +89,7 @@ TEST_F(ConfirmedReport, AFailedAttemptIsShownAndNamesNoBand) {
   auto json = report();
   EXPECT_EQ(json.at("verdict").at("confirmation").at("passed"), false);
   EXPECT_EQ(json.at("verdict").at("confirmation").at("meeting_runs"), 170);
-  EXPECT_TRUE(json.at("verdict").at("width").at("band_mm").is_null());
+  EXPECT_TRUE(json.at("verdict").at("bands").at("cage.pocket_width_mm").at("band_mm").is_null());
   EXPECT_THAT(json.at("verdict").at("statement").get<std::string>(),
               HasSubstr("No tolerance is confirmed after 1 of 2 planned attempts"));
   write_attempt(2, 0);

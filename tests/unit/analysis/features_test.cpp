@@ -18,8 +18,10 @@ const Feature& find(const std::vector<Feature>& features, const std::string& nam
 
 TEST(Features, PlainNames) {
   EXPECT_EQ(plain_name("cage.pocket_width_mm"), "pocket width");
-  EXPECT_EQ(plain_name("start.cage_offset_y_um"), "cage offset y");
+  EXPECT_EQ(plain_name("start.cage_offset_y_um"), "start cage offset y");
   EXPECT_EQ(plain_name("load"), "load");
+  EXPECT_EQ(plain_name("roller.diameter_mm"), "roller diameter");
+  EXPECT_EQ(plain_name("cage.width_mm"), "cage width");
 }
 
 TEST(Features, OfThePocketsOfACage) {
@@ -44,7 +46,7 @@ TEST(Features, OfThePocketsOfACage) {
               testing::ElementsAre(11.5, 12));  // pockets 3 and 2
   EXPECT_THAT(find(features, "pocket squareness: largest deviation").values,
               testing::ElementsAre(3, 2));
-  EXPECT_THAT(find(features, "cage phase").values, testing::ElementsAre(10, 100));
+  EXPECT_THAT(find(features, "start cage phase").values, testing::ElementsAre(10, 100));
   EXPECT_EQ(pocket_features(study, width).size(), 4u);
   EXPECT_THAT(pocket_features(study, width)[3].values, testing::ElementsAre(4, 6));
 }

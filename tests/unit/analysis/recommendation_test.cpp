@@ -108,6 +108,20 @@ TEST(Recommendation, BandBetweenGradesIsJudgedAtTheGradeBelow) {
   EXPECT_GT(result.yield.if_unknown_fail, 0.995);
 }
 
+TEST(Recommendation, BandOfAClearanceHasNoGrade) {
+  // ISO 286 would give 9 mm IT11 = 0.09 mm; a clearance of 9 um has no nominal size.
+  StandinDimension clearance = kPrintedWidth;
+  clearance.key = "bearing.internal_clearance_um";
+  clearance.scales = {0.36, 0.5, 0.95};
+  const Recommendation result =
+      judge_study(tolerance_standin(4000, 23, {clearance, kPrintedLength}, 0.95, widest_pocket))
+          .recommendation;
+  ASSERT_TRUE(result.possible);
+  EXPECT_EQ(result.bands[0].grade, "");
+  EXPECT_NEAR(result.bands[0].band_mm, result.meets_target && result.candidate >= 4 ? 0.095 : 0.05,
+              1e-12);
+}
+
 TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
   int not_binding = 0, recommended = 0;
   const int repeats = 40;

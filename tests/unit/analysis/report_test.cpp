@@ -14,6 +14,7 @@
 #include "analysis/report/html_text.hpp"
 #include "mc/study_file/study_file_error.hpp"
 #include "tests/support/synthetic_study.hpp"
+#include "tests/support/tolerance_standin.hpp"
 
 namespace cagetol {
 namespace {
@@ -105,11 +106,13 @@ TEST_F(Report, SameStudySameBytes) {
 TEST_F(Report, VerdictHasItsKeys) {
   report_on(make_synthetic_study(), {.python = "/nonexistent/python3", .json_to_stdout = true});
   const auto verdict = nlohmann::json::parse(printed_).at("verdict");
-  EXPECT_EQ(verdict.at("width").at("grade"), "IT11");
-  EXPECT_DOUBLE_EQ(verdict.at("width").at("band_mm"), 0.09);
-  EXPECT_TRUE(
-      verdict.at("length").at("grade").is_null());  // length changes nothing: never recommended
-  EXPECT_EQ(verdict.at("not_binding"), nlohmann::json({"length"}));
+  EXPECT_EQ(verdict.at("bands").at("cage.pocket_width_mm").at("grade"), "IT11");
+  EXPECT_DOUBLE_EQ(verdict.at("bands").at("cage.pocket_width_mm").at("band_mm"), 0.09);
+  EXPECT_TRUE(verdict.at("bands")
+                  .at("cage.pocket_length_mm")
+                  .at("grade")
+                  .is_null());  // length changes nothing: never recommended
+  EXPECT_EQ(verdict.at("not_binding"), nlohmann::json({"cage.pocket_length_mm"}));
   EXPECT_TRUE(verdict.at("confirmation").is_null());
   EXPECT_GE(verdict.at("yield_lower_bound"), 0.95);
   EXPECT_DOUBLE_EQ(verdict.at("confidence"), 0.95);
@@ -235,6 +238,18 @@ TEST_F(Report, NoYieldFromAGridOrMorrisDesign) {
     EXPECT_THAT(text_of(directory_ / "report.html"),
                 testing::Not(testing::ContainsRegex(">-?nan")));
   }
+}
+
+TEST(ReportVerdict, DimensionsOfDifferentPartsKeepTheirNames) {
+  StandinDimension cage = kPrintedWidth, roller = kPrintedLength;
+  cage.key = "cage.pocket_length_mm";
+  roller.key = "roller.length_mm";
+  const auto report = make_report(tolerance_standin(2000, 23, {cage, roller}, 0.95, widest_pocket));
+  const auto& verdict = report.at("verdict");
+  EXPECT_EQ(verdict.at("bands").at("cage.pocket_length_mm").at("grade"), "IT11");
+  EXPECT_TRUE(verdict.at("bands").at("roller.length_mm").at("grade").is_null());
+  EXPECT_THAT(verdict.at("statement"), testing::HasSubstr("pocket length 0.090 mm (IT11)"));
+  EXPECT_THAT(verdict.at("statement"), testing::HasSubstr("roller length 0.090 mm"));
 }
 
 TEST_F(Report, TablesHaveALineForEveryRow) {

@@ -23,7 +23,8 @@ TEST(GridCells, SortRunsByLevelAndSetting) {
   const auto cells = grid_cells(make_synthetic_grid(3), "cage.pocket_length_mm");
   ASSERT_TRUE(cells);
   EXPECT_THAT(cells->levels, ElementsAre(-0.25, -0.125, 0, 0.125, 0.25));
-  EXPECT_THAT(cells->settings, ElementsAre("misalignment z 0 mrad", "misalignment z 2 mrad"));
+  EXPECT_THAT(cells->settings,
+              ElementsAre("bearing misalignment z 0 mrad", "bearing misalignment z 2 mrad"));
   EXPECT_THAT(cells->samples(1, 4), ElementsAre(9, 19, 29));
   EXPECT_EQ(cells->find_level(-0.125 + 1e-13), 1u);
   EXPECT_FALSE(cells->find_level(-0.1));
@@ -105,7 +106,7 @@ class ResponsePage : public testing::Test {
 TEST_F(ResponsePage, ShowsTrendsCurvesAndWhatIsAbsent) {
   const std::string html = page_of(make_synthetic_grid());
   EXPECT_THAT(html, HasSubstr("What the source claims, and what these runs show"));
-  EXPECT_THAT(html, HasSubstr("With misalignment z 2 mrad"));
+  EXPECT_THAT(html, HasSubstr("With bearing misalignment z 2 mrad"));
   EXPECT_THAT(html, HasSubstr("rises, by at least 100 %"));
   EXPECT_THAT(html, HasSubstr("The cage of these runs is rigid, so there are no stresses"));
   EXPECT_THAT(html, HasSubstr("alt=\"orbit_cage\""));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mc/study.hpp"
+#include "mc/study_file/tolerance.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shipped_input.hpp"
@@ -81,6 +82,32 @@ TEST(RecommendKeys, BadCostsAreRefused) {
         << bad;
   EXPECT_THAT(problem_of(good, "cost_table = [[0.06, 8], [0.1, 5]]"),
               HasSubstr("of 0.05 mm lies outside the table of costs, 0.06 to 0.1 mm"));
+}
+
+TEST(RecommendKeys, GradesAreForSizes) {
+  for (const char* size : {"cage.pocket_width_mm", "roller.diameter_mm", "roller.length_mm",
+                           "bearing.width_mm", "cage.retention_width_inner_mm"})
+    EXPECT_TRUE(is_size(size)) << size;
+  for (const char* other : {"bearing.internal_clearance_um", "cage.guide_clearance_mm",
+                            "cage.corner_radius_mm", "lubrication.land_film_width_mm"})
+    EXPECT_FALSE(is_size(other)) << other;
+  const auto text = [](const char* candidate) {
+    return "[scene]\nfile = \"" + shipped("scenes/nu205.toml") +
+           "\"\n[scene.bearing]\ninternal_clearance_um = { nominal = 30, lot = { law = \"normal\", "
+           "sigma = 2 } }\n[[tolerance.dimension]]\nkey = \"bearing.internal_clearance_um\"\n"
+           "band_mm = 0.015\ncandidates = [" +
+           candidate + "]\n";
+  };
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "band.toml") << text("0.02");
+  EXPECT_DOUBLE_EQ(read_study(scratch / "band.toml").candidates[0].bands_mm[0], 0.02);
+  std::ofstream(scratch / "grade.toml") << text("\"IT6\"");
+  try {
+    read_study(scratch / "grade.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is no diameter, width or length in mm"));
+  }
 }
 
 TEST(ChangedStudy, IsResolvedAnew) {
