@@ -35,6 +35,15 @@ std::string confirmation_chapter(const Json& report) {
       100 * confirmation["confidence_each"].get<double>(),
       100 * report["verdict"]["confidence"].get<double>()));
   rows.clear();
+  for (const Json& passed : confirmation["passed_over"])
+    rows.push_back({escaped(passed["name"]), escaped(passed["reason"]),
+                    passed["command"].is_null()
+                        ? std::string()
+                        : "<code>" + escaped(passed["command"]) + "</code>"});
+  if (!rows.empty())
+    body += "<h3>Wider candidates passed over</h3>\n" +
+            table("ttt", {"candidate", "why no attempt tried it", "what would confirm it"}, rows);
+  rows.clear();
   for (const Json& entry : confirmation["capability"])
     rows.push_back({escaped(readable(entry["quantity"])), with_interval(entry["cp"]),
                     with_interval(entry["cpk"]), with_interval(entry["pp"]),

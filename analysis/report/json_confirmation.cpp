@@ -36,6 +36,51 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
           {"passed", result.passed}};
 }
 
+/// The command that would confirm a candidate that was passed over, in a directory of its own and
+/// with other random numbers.
+std::string confirming_command(const StudyPlan& plan, std::int64_t seed, const Candidate& candidate,
+                               std::size_t runs) {
+  std::string dimensions;
+  for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d) {
+    const std::string band = candidate.grades[d].empty() ? fmt::format("{}", candidate.bands_mm[d])
+                                                         : '"' + candidate.grades[d] + '"';
+    dimensions += fmt::format("{}{{key=\"{}\", band_mm={}, candidates=[{}]}}", d == 0 ? "" : ", ",
+                              plan.dimensions[d].key, plan.dimensions[d].band_mm, band);
+  }
+  return fmt::format(
+      "cagetol recommend STUDY -o OTHER_DIR --set seed={} --set samples=128 --set "
+      "recommend.attempts=1 --set recommend.confirm_samples={} --set recommend.budget_samples=0 "
+      "--set recommend.budget_h=0 --set 'tolerance.dimension=[{}]'",
+      seed, runs, dimensions);
+}
+
+/// Candidates wider (cheaper) than the one of the last attempt that no attempt has tried.
+Json passed_over_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations) {
+  std::vector<std::vector<double>> tried;
+  for (const StudyData& runs : confirmations)
+    tried.push_back(runs.plan.candidates.front().bands_mm);
+  const MixtureStudy mixture{basis.runs, basis.joint, basis.resampling,
+                             study_tolerances(basis.runs, basis.joint, basis.resampling)};
+  Json list = Json::array();
+  for (const PassedOver& passed : passed_over(mixture, tried)) {
+    const Candidate& candidate = basis.study.plan.candidates[passed.candidate];
+    std::string name;
+    for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d)
+      name +=
+          fmt::format("{}{} {}", d == 0 ? "" : ", ", plain_name(basis.study.plan.dimensions[d].key),
+                      band_name(candidate.grades[d], candidate.bands_mm[d]));
+    list.push_back({{"name", name},
+                    {"reason", passed.reason},
+                    {"runs_needed", passed.runs_needed},
+                    {"command", passed.runs_needed > 0
+                                    ? Json(confirming_command(basis.study.plan,
+                                                              basis.study.provenance.seed + 1,
+                                                              candidate, passed.runs_needed))
+                                    : Json()}});
+  }
+  return list;
+}
+
 /// A bound is rounded to its safe side.
 std::string percent_down(double share) {
   return fmt::format("{:.1f} %", std::floor(1000 * share) / 10);
@@ -107,9 +152,16 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
                              {"meeting_runs", last["meeting_runs"]},
                              {"attempts", attempts.size()}};
   verdict["statement"] = statement(last, verdict["not_binding"], plan, attempts.size());
+  const Json wider = passed_over_json(basis, confirmations);
+  for (const Json& candidate : wider)
+    if (candidate["runs_needed"] > 0)
+      verdict["statement"] =
+          fmt::format("{} Passed over: {}; {}.", verdict["statement"].get<std::string>(),
+                      candidate["name"].get<std::string>(), candidate["reason"].get<std::string>());
   const auto joint = judge_all(runs);
   const Resampling resampling(runs, kResamples);
-  return {{"attempts_planned", plan.campaign.attempts},
+  return {{"passed_over", wider},
+          {"attempts_planned", plan.campaign.attempts},
           {"confidence_each", attempt_confidence(confirmation_rules(plan, 0))},
           {"attempts", attempts},
           {"capability", capability_json({runs, runs, joint, resampling, basis.confidence})}};

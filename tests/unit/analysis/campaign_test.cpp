@@ -228,6 +228,7 @@ struct Neighbours {
           },
           [&](const Stage& stage) -> std::optional<StudyData> {
             StandinDimension width = kPrintedWidth;
+            width.key = "roller.taper_um";  // no size: no grade of ISO 286 to snap to
             width.scales = stage.bands.empty() ? scales : std::vector{10 * stage.bands[0].band_mm};
             return tolerance_standin(static_cast<std::int64_t>(stage.rows), ++seed, {width}, target,
                                      widest_pocket);

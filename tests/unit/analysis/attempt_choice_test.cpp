@@ -1,0 +1,82 @@
+#include "analysis/tolerance/attempt_choice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/tolerance_standin.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+
+/// Bands of 0.058, 0.09 and 0.15 mm, whose yields are 0.99995, 0.9751 and 0.5731.
+MixtureStudy mixture_of(double target, std::int64_t rows = 900) {
+  StandinDimension width = kPrintedWidth;
+  width.scales = {0.58, 0.9, 1.5};
+  StudyData study = tolerance_standin(rows, 17, {width}, target, widest_pocket);
+  study.plan.campaign.attempts = 2;
+  return study_mixture(study);
+}
+
+double band(const AttemptChoice& choice) {
+  return choice.recommendation.bands[0].band_mm;
+}
+
+TEST(ChooseAttempt, TakesTheWidestWhileAnotherAttemptRemains) {
+  const MixtureStudy mixture = mixture_of(0.965);
+  const CampaignPlan plan{.mixture_rows = 900, .confirm_runs = 900};
+  const auto first = choose_attempt(mixture, plan, {});
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(band(*first), 0.09, 1e-12);
+  // Runs are left for the narrower one.
+  EXPECT_LE(first->runs + confirming_runs(0, confirmation_rules(mixture.runs.plan, 0)), 900u);
+  CampaignPlan failed = plan;
+  failed.attempts = {{first->recommendation.candidate, first->runs}};
+  const auto second = choose_attempt(mixture, failed, {{0.09}});
+  ASSERT_TRUE(second);
+  EXPECT_NEAR(band(*second), 0.058, 1e-12);
+  EXPECT_LE(first->runs + second->runs, 900u);
+}
+
+TEST(ChooseAttempt, TakesAProbableOneLast) {
+  MixtureStudy mixture = mixture_of(0.965);
+  mixture.runs.plan.campaign.attempts = 1;
+  const auto only = choose_attempt(mixture, {.mixture_rows = 900, .confirm_runs = 400}, {});
+  ASSERT_TRUE(only);
+  EXPECT_NEAR(band(*only), 0.058, 1e-12);
+}
+
+TEST(ChooseAttempt, AsksForAsManyRunsAsTheYieldNeeds) {
+  const CampaignPlan plan{.mixture_rows = 900, .confirm_runs = 100000};
+  const auto near = choose_attempt(mixture_of(0.965), plan, {});
+  const auto far = choose_attempt(mixture_of(0.93), plan, {});
+  ASSERT_TRUE(near && far);
+  EXPECT_NEAR(band(*near), band(*far), 1e-12);
+  EXPECT_GT(near->runs, 3 * far->runs);
+}
+
+TEST(ChooseAttempt, NeedsRunsForOneAttempt) {
+  const MixtureStudy mixture = mixture_of(0.9);
+  const std::size_t fewest = confirming_runs(0, confirmation_rules(mixture.runs.plan, 0));
+  EXPECT_TRUE(choose_attempt(mixture, {.mixture_rows = 900, .confirm_runs = fewest}, {}));
+  EXPECT_FALSE(choose_attempt(mixture, {.mixture_rows = 900, .confirm_runs = fewest - 1}, {}));
+}
+
+TEST(PassedOver, NamesEveryWiderCandidateThatNoAttemptTried) {
+  const MixtureStudy mixture = mixture_of(0.965);
+  const auto list = passed_over(mixture, {{0.058}});
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].candidate, 1u);
+  EXPECT_THAT(list[0].reason, HasSubstr("hardly have confirmed"));
+  EXPECT_GT(list[0].runs_needed, 500u);
+  EXPECT_EQ(list[1].candidate, 2u);
+  EXPECT_THAT(list[1].reason, HasSubstr("below the target"));
+  EXPECT_EQ(list[1].runs_needed, 0u);
+  // Tried and decided for: nothing but the widest is left.
+  EXPECT_EQ(passed_over(mixture, {{0.09}, {0.058}}).size(), 1u);
+  EXPECT_TRUE(passed_over(mixture, {}).empty());
+}
+
+}  // namespace
+}  // namespace cagetol
