@@ -111,16 +111,16 @@ MeshCounts mesh_counts(const CageDimensions& cage, long density) {
       mean_radius * (std::numbers::pi / static_cast<double>(cage.pocket_count) -
                      std::asin(std::min(0.99, 0.5 * cage.pocket_width / mean_radius)));
   const double side = 0.5 * (cage.width - cage.pocket_length);
-  // Bending within the cage's surface needs elements across bars and side rings, not elements as
-  // short as a thin cage is thick.
+  // Bars and side rings carry the strain, so the elements follow their widths; a cage much thicker
+  // than these are wide bounds the number of elements.
   const double step =
-      std::max(0.75 * thickness, 1.2 * std::min(2 * half_bar, side)) / static_cast<double>(density);
+      std::max(0.5 * thickness, 1.3 * std::min(2 * half_bar, side)) / static_cast<double>(density);
   const auto count = [](double length, double by) {
     return std::max(1L, static_cast<long>(std::ceil(length / by - 1e-9)));
   };
   return {.radial = density,
-          .half_bar = count(half_bar, step),
-          .pocket = 2 * count(0.5 * cage.pocket_width, 8 * step / 3),
+          .half_bar = count(half_bar, 2 * step / 3),
+          .pocket = 2 * count(0.5 * cage.pocket_width, 4 * step / 3),
           .side = count(side, step),
           .length = 2 * count(0.5 * cage.pocket_length, step)};
 }

@@ -182,16 +182,17 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
   const double between = nearest_line(grid, &SectorPoint::axial, 0.4);
   const double half_way = nearest_line(grid, &SectorPoint::around, 0.5);
   const double next_to_root = nearest_line(grid, &SectorPoint::axial, 0.999);
-  const double off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
+  // Which line off a root has it depends on the cage, so all of them are watched; a coarse mesh has
+  // one.
+  const double nearest_off_bar = nearest_line(grid, &SectorPoint::around, 0.65);
+  const double nearest_in_bar = nearest_line(grid, &SectorPoint::around, 1.35);
   const double depths = static_cast<double>(grid.counts.radial);
-  const double in_bore = 1 / depths;  // the first line inside
   // Rollers push on the bars nearer to one surface.
   const double pitch = bar_station(cage, stations, 1, 0).radial;
   const double loaded = std::round(pitch);
   // Where two rollers pinch the end of a bar, most of the stress is inside it.
   const double pinched_depth = std::round(depths * pitch) / depths;
   const double pinched_end = nearest_line(grid, &SectorPoint::axial, 0.87);
-  const double in_bar = nearest_line(grid, &SectorPoint::around, 1.35);
   // Lines on both sides of the middle differ by rounding.
   const auto on = [](double value, double line) { return std::abs(value - line) < 1e-9; };
   std::vector<int> watched;
@@ -203,16 +204,16 @@ std::vector<int> stress_stations(const CageDimensions& cage, const CageStations&
     const bool corner = around == 1 && axial == 1 && surface;
     const bool bar_middle = around == 1 && surface && (axial == 0 || on(axial, between));
     const bool under_load = around == 1 && point.radial == loaded && axial > 0.55 && axial < 0.82;
-    const bool pinched =
-        on(around, in_bar) && on(point.radial, pinched_depth) && on(axial, pinched_end);
+    const bool off_bar = on(around, nearest_off_bar) || (around > 0.6 && around < 1 - 1e-9);
+    const bool in_bar = on(around, nearest_in_bar) || (around > 1.1 && around < 1.6);
+    const bool pinched = in_bar && on(point.radial, pinched_depth) && on(axial, pinched_end);
     const bool bar_root = around == 1 && on(axial, next_to_root);
     const bool side_ring = (surface && around == 0 && (axial == 1 || axial == 2)) ||
                            (point.radial == 0 && on(around, half_way) && axial == 2);
     // Out-of-plane bending: the ring's end face over the bars and beside them.
-    const bool over_bar = point.radial == 0 && axial == 2 &&
-                          (around == 1 || point.around == 2 || on(around, off_bar));
-    const bool side_root =
-        on(around, off_bar) && axial == 1 && (surface || point.radial == in_bore);
+    const bool over_bar =
+        point.radial == 0 && axial == 2 && (around == 1 || point.around == 2 || off_bar);
+    const bool side_root = off_bar && axial == 1;
     const bool of_bar = corner || bar_middle || under_load || pinched || bar_root || side_root;
     if ((cage.corner_radius == 0 && of_bar) || side_ring || over_bar)
       watched.push_back(static_cast<int>(p));

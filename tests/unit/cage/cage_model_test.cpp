@@ -69,7 +69,7 @@ TEST(CageModel, UniformExtremesWithinHalfAPermille) {
 }
 
 TEST(CageModel, APointOfTheGridIsExactOnTheElementsOfTheScenesCage) {
-  const CageTable far = make_cage_table({}, kSteel, {}, {.density = 3, .point = {0, 6}});
+  const CageTable far = make_cage_table({}, kSteel, {}, {.density = 3, .point = {4, 0}});
   EXPECT_EQ(far.counts.length, mesh_counts({}, 3).length);
   EXPECT_NE(far.counts.length, mesh_counts(far.cage, 3).length);
   const CageModel model = std::get<CageModel>(make_cage_model(far, Deviations(13)));

@@ -43,7 +43,7 @@ TEST(StressStations, OfAPinchedBarAreInsideItAndSaySo) {
     inside += in_bar;
     EXPECT_EQ(station_name(s).starts_with("inside the bar"), in_bar) << station_name(s);
   }
-  EXPECT_EQ(inside, 4);  // both ends of both bars
+  EXPECT_EQ(inside, 8);  // both ends of both bars, on two lines
 }
 
 }  // namespace
