@@ -176,9 +176,9 @@ TEST(NightlyBinnedShares, IntervalsCoverNormalInputs) {
   if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
   for (const double share : {0.95, 0.83, 0.5, 0.1})
     for (const std::int64_t runs : {128, 500, 2000}) {
-      const double line = normal_coverage(share, false, runs, 1000);
-      const double parabola = normal_coverage(share, true, runs, 1000);
-      // Three standard errors below what 600 other repeats gave. Few classes lose more of a
+      const double line = normal_coverage(share, false, runs, 400);
+      const double parabola = normal_coverage(share, true, runs, 400);
+      // Three standard errors below what 600 repeats gave. Few classes lose more of a
       // parabola, whose outer runs weigh most.
       EXPECT_GE(line, runs < 500 ? 89 : 91.5) << share << " " << runs;
       EXPECT_GE(parabola, runs < 500 ? 78.5 : 83.5) << share << " " << runs;
