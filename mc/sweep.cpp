@@ -239,7 +239,7 @@ int Leader::conclude(const WorkList::State& state, bool written) const {
   const double share = static_cast<double>(tally.failures()) / static_cast<double>(plan_.samples);
   if (tally.failures() > 0 && share > plan_.study.allowed_failure_share) {
     spdlog::error(
-        "{} of {} samples failed, were censored or poisoned ({:.2g} %); the study allows {:.2g} %\n"
+        "{} of {} samples failed, were censored or poisoned ({:.3g} %); the study allows {:.3g} %\n"
         "  remedy: look at one with `cagetol replay {} --sample ID`; samples/reason in study.h5 "
         "says what happened",
         tally.failures(), plan_.samples, 100 * share, 100 * plan_.study.allowed_failure_share,

@@ -16,12 +16,22 @@ struct Sum {
 };
 using Sums = std::map<std::int64_t, Sum>;
 
-Sums cluster_sums(const ClusteredValues& sample) {
+/// A value of the samples, 0 where they have none.
+double some_value(const ClusteredValues& before, const ClusteredValues& after) {
+  for (const auto* sample : {&before, &after})
+    for (const double value : sample->value)
+      if (!std::isnan(value)) return value;
+  return 0;
+}
+
+/// Sums of the values less `reference`: those of a quantity that never varies are 0, not the rounding
+/// of their sums, by which one half would always differ from the other.
+Sums cluster_sums(const ClusteredValues& sample, double reference) {
   Sums sums;
   for (std::size_t i = 0; i < sample.value.size(); ++i) {
     if (std::isnan(sample.value[i])) continue;
     Sum& sum = sums[sample.cluster[i]];
-    sum.value += sample.value[i];
+    sum.value += sample.value[i] - reference;
     sum.count += 1;
   }
   return sums;
@@ -106,7 +116,8 @@ double unpaired_p_value(const Sums& before, const Sums& after, std::mt19937_64& 
 double permutation_p_value(const ClusteredValues& before, const ClusteredValues& after, bool paired,
                            std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const Sums old_sums = cluster_sums(before), new_sums = cluster_sums(after);
+  const double reference = some_value(before, after);
+  const Sums old_sums = cluster_sums(before, reference), new_sums = cluster_sums(after, reference);
   return paired ? paired_p_value(old_sums, new_sums, random)
                 : unpaired_p_value(old_sums, new_sums, random);
 }

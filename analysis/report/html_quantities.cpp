@@ -109,7 +109,7 @@ std::string convergence_chapter(const Json& report, const FigureSet& figures) {
                 rows);
   body +=
       note(fmt::format("Wanted: means within {:g} %, 95 % quantiles within {:g} % of their value, "
-                       "the yield's lower bound within half of the failures the target allows. "
+                       "the yield's bounds within half of the failures the target allows. "
                        "An interval shrinks with the square root of the runs.",
                        100 * convergence["mean_precision"].get<double>(),
                        100 * convergence["quantile_precision"].get<double>()));

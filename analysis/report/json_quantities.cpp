@@ -157,7 +157,9 @@ Json convergence_json(const ReportBasis& basis) {
   if (!basis.study.plan.limits.empty() && rows_follow_laws(basis.runs)) {
     const Yield joint =
         estimate_yield(basis.runs, basis.joint, equal, basis.resampling, basis.confidence);
-    add("joint yield", "yield", joint.if_unknown_fail, joint.if_unknown_fail - joint.lower_bound,
+    const double half = std::max(joint.if_unknown_fail - joint.lower_bound,
+                                 joint.upper_bound - joint.if_unknown_pass);
+    add("joint yield", "yield", joint.if_unknown_fail, half,
         0.5 * (1 - basis.study.plan.target_yield));
   }
   for (const Column& column : basis.runs.quantities) {

@@ -10,17 +10,48 @@ namespace cagetol {
 namespace {
 
 constexpr std::size_t kMostBins = 64;
+/// A line through fewer points of a class leaves too little to judge its scatter by.
+constexpr double kFewestForLine = 4;
+
+/// Weighted sums over a class: feature less the class' mean (x), output (y).
+struct Sums {
+  double count = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+
+  void add(double dx, double dy, double w) {
+    count += w;
+    x += w * dx;
+    y += w * dy;
+    xx += w * dx * dx;
+    xy += w * dx * dy;
+    yy += w * dy * dy;
+  }
+};
+
+/// Scatter of the output around the straight line of its class, and the parameters that it took.
+struct Residual {
+  double squares = 0, parameters = 1;
+};
+Residual residual_of(const Sums& sums) {
+  Residual residual{sums.yy - sums.y * sums.y / sums.count, 1};
+  const double xx = sums.xx - sums.x * sums.x / sums.count;
+  const double xy = sums.xy - sums.x * sums.y / sums.count;
+  if (sums.count < kFewestForLine || !(xx > 1e-9 * sums.xx)) return residual;
+  residual.squares = std::max(residual.squares - xy * xy / xx, 0.0);
+  residual.parameters = 2;
+  return residual;
+}
 
 }  // namespace
 
 std::size_t bin_count(std::size_t runs) {
-  const auto root = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(runs))));
-  return std::clamp<std::size_t>(root, 4, kMostBins);
+  const double half_root = 0.5 * std::sqrt(static_cast<double>(runs));
+  return std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(half_root)), 4,
+                                 kMostBins / 2);
 }
 
 Binning make_binning(std::span<const double> feature, std::size_t bins) {
   if (bins == 0) bins = bin_count(feature.size());
-  Binning binning{0, std::vector<std::size_t>(feature.size(), 0)};
+  Binning binning{0, std::vector<std::size_t>(feature.size(), 0), {}};
   const auto order = ascending_order(feature);
   std::size_t current = 0;
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
@@ -39,32 +70,37 @@ Binning make_binning(std::span<const double> feature, std::size_t bins) {
     if (mine == kMostBins) mine = binning.bins++;
     binning.bin_of[i] = mine;
   }
+  std::vector<double> sum(binning.bins), count(binning.bins);
+  for (const std::size_t i : order)
+    sum[binning.bin_of[i]] += feature[i], ++count[binning.bin_of[i]];
+  binning.offset.assign(feature.size(), 0.0);
+  for (const std::size_t i : order) {
+    const std::size_t bin = binning.bin_of[i];
+    binning.offset[i] = feature[i] - sum[bin] / count[bin];
+  }
   return binning;
 }
 
 double binned_share(const Binning& binning, std::span<const double> output,
                     std::span<const double> weights) {
-  std::array<double, kMostBins> count{}, sum{};
-  double all = 0, total = 0, squares = 0;
+  std::array<Sums, kMostBins> sums{};
+  Sums all;
   for (std::size_t i = 0; i < output.size(); ++i) {
-    const double y = output[i], w = weights[i];
-    if (w == 0 || std::isnan(y)) continue;
-    const std::size_t bin = binning.bin_of[i];
-    count[bin] += w;
-    sum[bin] += w * y;
-    all += w;
-    total += w * y;
-    squares += w * y * y;
+    const double w = weights[i];
+    if (w == 0 || std::isnan(output[i])) continue;
+    sums[binning.bin_of[i]].add(binning.offset[i], output[i], w);
+    all.add(0, output[i], w);
   }
-  double between = 0, used = 0;
+  double within = 0, used = 0;
   for (std::size_t bin = 0; bin < binning.bins; ++bin) {
-    if (count[bin] == 0) continue;
-    between += sum[bin] * sum[bin] / count[bin];
-    used += 1;
+    if (sums[bin].count == 0) continue;
+    const Residual residual = residual_of(sums[bin]);
+    within += residual.squares;
+    used += residual.parameters;
   }
-  const double whole = squares - total * total / all;
-  if (!(whole > 1e-12 * squares) || all - used < 1) return kUndefined;
-  return 1 - (squares - between) / (all - used) / (whole / (all - 1));
+  const double whole = all.yy - all.y * all.y / all.count;
+  if (!(whole > 1e-12 * all.yy) || all.count - used < 1) return kUndefined;
+  return 1 - within / (all.count - used) / (whole / (all.count - 1));
 }
 
 Estimate binned_share_estimate(const Binning& binning, std::span<const double> output,

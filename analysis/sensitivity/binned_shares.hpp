@@ -3,14 +3,16 @@
 //   S = Var(E[Y | X]) / Var(Y)
 //
 // It can be estimated from any runs: X is divided into M classes of equal probability, and E[Y | X]
-// is the mean of a class. The plain ratio of the scatter between classes to the total scatter has a
-// bias of about (M-1)/N, even if X has no effect. Epsilon squared (Kelley 1935) corrects for it:
+// is a straight line in each class. With class means instead, the scatter of E[Y | X] within classes
+// would be lost, and the outer classes of a normal X are wide: at M = 16 the share of Y = X would be
+// 0.96. The plain ratio of the explained to the total scatter has a bias of about P/N, even if X has
+// no effect, P the parameters of all lines. Epsilon squared (Kelley 1935) corrects for it:
 //
-//   S = 1 - (SSW / (W - M)) / (SST / (W - 1)),   W the number of runs
+//   S = 1 - (SSW / (W - P)) / (SST / (W - 1)),   W the number of runs, SSW the scatter around lines
 //
-// Its mean is zero for an X without effect; it can be slightly negative. Classes lose the scatter
-// within a class (a straight line over a uniform X keeps 1 - 1/M^2 of its share), so M grows with
-// N: M = sqrt(N), within 4 .. 64.
+// Its mean is zero for an X without effect; it can be slightly negative. A class of fewer than four
+// runs, or of one value of X, has its mean instead of a line. What is curved within a class is still
+// lost, so M grows with N: M = sqrt(N) / 2, within 4 .. 32.
 #pragma once
 
 #include <span>
@@ -24,6 +26,7 @@ namespace cagetol {
 struct Binning {
   std::size_t bins = 0;
   std::vector<std::size_t> bin_of;
+  std::vector<double> offset;  ///< feature less the mean of its class
 };
 
 std::size_t bin_count(std::size_t runs);

@@ -30,8 +30,8 @@ std::vector<Feature> cage_features(const StudyData& study);
 /// Deviation of each pocket, one feature per pocket.
 std::vector<Feature> pocket_features(const StudyData& study, const InputColumns& input);
 
-/// Name of a key for people, different for every key: "pocket width" for cage.pocket_width_mm, "roller
-/// diameter" for roller.diameter_mm, "cage width" for cage.width_mm.
+/// Name of a key for people, different for every key: "pocket width" for cage.pocket_width_mm,
+/// "roller diameter" for roller.diameter_mm, "cage width" for cage.width_mm.
 std::string plain_name(const std::string& key);
 
 }  // namespace cagetol

@@ -53,7 +53,9 @@ double within_variance(const std::vector<Row>& rows, std::span<const double> wei
 double share_of(const std::vector<Row>& rows, std::span<const double> firsts,
                 std::span<const double> weights) {
   const double whole = weighted_standard_deviation(firsts, weights);
-  return whole > 0 ? within_variance(rows, weights) / (whole * whole) : kUndefined;
+  if (!(whole > 0)) return kUndefined;
+  const double share = within_variance(rows, weights) / (whole * whole);
+  return std::isnan(share) ? share : std::min(share, 1.0);
 }
 
 }  // namespace

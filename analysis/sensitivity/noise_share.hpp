@@ -11,7 +11,7 @@ namespace cagetol {
 
 struct NoiseShare {
   std::size_t rows = 0;  ///< rows with more than one run, all with a value
-  Estimate share;        ///< variance within a row / variance of all first runs
+  Estimate share;        ///< variance within a row / variance of all first runs, at most 1
   double standard_deviation =
       kUndefined;  ///< of one run about the mean of its cage, in the output's unit
 };

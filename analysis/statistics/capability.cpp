@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/statistics/order_statistics.hpp"
 #include "analysis/statistics/summary.hpp"
 
 namespace cagetol {
+namespace {
+
+/// Of a constant that is computed: its scatter is no scatter.
+constexpr double kCapabilityRounding = 1e-12;
+
+}  // namespace
 
 ProcessCapability process_capability(std::span<const double> values, std::optional<double> minimum,
                                      std::optional<double> maximum, const Resampling& resampling,
@@ -16,6 +23,11 @@ ProcessCapability process_capability(std::span<const double> values, std::option
   const auto order = ascending_order(values);
   result.defined = order.size();
   if (order.size() < 2 || (!minimum && !maximum)) return result;
+  const double least = values[order.front()], most = values[order.back()];
+  if (most - least <= kCapabilityRounding * std::max(std::abs(least), std::abs(most))) {
+    result.percentile_refused = "the quantity does not vary";
+    return result;
+  }
 
   const auto nearer_side = [&](double centre, double below, double above) {
     double smallest = std::numeric_limits<double>::infinity();

@@ -9,7 +9,7 @@
 //
 // Cp and Pp need both limits. With one limit, Cpk and Ppk use that side only. The outer percentiles
 // are read from the sorted runs. They need at least 1 / 0.00135 = 741 runs; with fewer, Pp and Ppk
-// are refused.
+// are refused. A quantity that does not vary has no capability.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ inline constexpr std::size_t kFewestForPercentiles = 741;
 struct ProcessCapability {
   std::size_t defined = 0;
   Estimate cp, cpk, pp, ppk;
-  std::string percentile_refused;  ///< why Pp and Ppk are missing
+  std::string percentile_refused;  ///< why Pp and Ppk, or all four, are missing
 };
 
 ProcessCapability process_capability(std::span<const double> values, std::optional<double> minimum,

@@ -38,7 +38,11 @@ Resampling::Resampling(const StudyData& study, std::size_t resamples) {
   lot_of_ = number_lots(study, lots_);
   const std::string& design = study.design.kind;
   if (design == "sobol") {
-    if (study.design.scrambles < kFewestScrambles) return;
+    if (study.design.scrambles < kFewestScrambles) {
+      why_none_ = fmt::format("none: {} scrambles, fewer than {}, say too little of their scatter",
+                              study.design.scrambles, kFewestScrambles);
+      return;
+    }
     kind_ = IntervalKind::scrambles;
     const auto scrambles = static_cast<std::size_t>(study.design.scrambles);
     const auto rows = static_cast<std::size_t>(study.design.rows_planned) / scrambles;
@@ -47,7 +51,15 @@ Resampling::Resampling(const StudyData& study, std::size_t resamples) {
       weights_[std::min(static_cast<std::size_t>(study.row[i]) / rows, scrambles - 1)][i] = 1;
     return;
   }
-  if (design == "grid" || lots_ < kFewestLots) return;
+  if (design == "grid") {
+    why_none_ = "none: this design has no independent repeats to tell how far a result would move";
+    return;
+  }
+  if (lots_ < kFewestLots) {
+    why_none_ = fmt::format("none: {} lots, fewer than {}, say too little of their scatter", lots_,
+                            kFewestLots);
+    return;
+  }
   kind_ = IntervalKind::lots;
   std::vector<double> drawn(lots_);
   for (std::size_t b = 0; b < resamples; ++b) {
@@ -74,7 +86,7 @@ std::string Resampling::description() const {
     case IntervalKind::none:
       break;
   }
-  return "none: this design has no independent repeats to tell how far a result would move";
+  return why_none_;
 }
 
 Estimate Resampling::estimate(const WeightedStatistic& statistic, double confidence,

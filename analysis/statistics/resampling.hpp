@@ -62,6 +62,7 @@ class Resampling {
 
   IntervalKind kind_ = IntervalKind::none;
   std::size_t lots_ = 0;
+  std::string why_none_;  ///< why there are no intervals
   std::vector<std::size_t> lot_of_;
   std::vector<std::vector<double>> weights_;
 };

@@ -61,7 +61,7 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
                                    const Resampling& resampling,
                                    const CandidateFilter& allowed = {});
 
-/// The tests with every dimension that is not binding as undecided. For where none of the candidates
+/// The tests with every dimension that is not binding as undecided. For where no candidate that is
 /// left has these dimensions at their widest: an attempt there that did not confirm says that they
 /// may matter after all.
 std::vector<BindingTest> freed(std::vector<BindingTest> tests);

@@ -132,7 +132,7 @@ bool StageLeader::too_many_lost(const StudyData& runs, const std::string& direct
   if (lost_.lost == 0 || share <= base_.allowed_failure_share) return false;
   spdlog::error(
       "{} of {} runs so far failed, were censored or poisoned: with {:g} % confidence more than "
-      "{:.2g} % do; the study allows {:.2g} %\n"
+      "{:.3g} % do; the study allows {:.3g} %\n"
       "  remedy: look at one with `cagetol replay {} --sample ID`; samples/reason in study.h5 says "
       "what happened. With a larger allowed_failure_share the same command goes on",
       lost_.lost, lost_.runs, 100 * LostRuns::kConfidence, 100 * share,

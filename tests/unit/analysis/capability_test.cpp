@@ -31,6 +31,18 @@ TEST(Capability, NormalScatterHasTextbookValues) {
   EXPECT_NEAR(result.ppk.value, 1.0, 2e-3);
 }
 
+TEST(Capability, AConstantHasNone) {
+  const StudyData study = plain_study(900);
+  std::vector<double> values(900, 0.3);
+  for (std::size_t i = 0; i < 900; i += 2) values[i] = std::nextafter(0.3, 1);
+  const auto result = process_capability(values, 0.1, 1.0, Resampling(study, 50), 0.95);
+  for (const Estimate& estimate : {result.cp, result.cpk, result.pp, result.ppk}) {
+    EXPECT_TRUE(std::isnan(estimate.value));
+    EXPECT_TRUE(std::isnan(estimate.lower) && std::isnan(estimate.upper));
+  }
+  EXPECT_EQ(result.percentile_refused, "the quantity does not vary");
+}
+
 TEST(Capability, SkewedScatterIsJudgedByItsPercentiles) {
   const StudyData study = plain_study(20000, "grid");
   const auto values = even_sample(20000, [](double p) { return -std::log(1 - p); });

@@ -120,6 +120,20 @@ TEST(Comparison, HeavyTailsRaiseFewFalseAlarms) {
   }
 }
 
+TEST(NightlyComparison, HeavyTailsRaiseNoMoreFalseAlarmsThanPromised) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
+  for (const std::int64_t rows : {8, 16, 32, 64, 128, 230}) {
+    int alarms = 0;
+    constexpr int repeats = 1000;
+    for (int repeat = 0; repeat < repeats; ++repeat)
+      alarms +=
+          !compare_studies(heavy_night(2 * repeat, rows), heavy_night(2 * repeat + 1, rows), 0.01)
+               .same();
+    EXPECT_LE(alarms, 18) << rows;  // 10 are promised; P(more than 18) = 0.7 %
+    RecordProperty("alarms_" + std::to_string(rows), alarms);
+  }
+}
+
 TEST(Comparison, WhatHardlyEverVariesIsTestedExactly) {
   const auto with_runs = [](std::int64_t seed, std::size_t others) {
     StudyData study = plain_study(480, "random", 1, seed);

@@ -70,5 +70,20 @@ TEST(PermutationPValue, DealsOutWholeClusters) {
   EXPECT_GT(permutation_p_value(before, after, false, 3), 0.01);
 }
 
+TEST(PermutationPValue, IsOneForAConstantWhateverItsRounding) {
+  for (const bool paired : {false, true})
+    for (int runs = 8; runs <= 200; runs += 7) {
+      ClusteredValues before, after;
+      for (int i = 0; i < runs; ++i) {
+        before.cluster.push_back(i);
+        before.value.push_back(0.3);
+        if (i % 3 == 0) continue;
+        after.cluster.push_back(paired ? i : runs + i);
+        after.value.push_back(0.3);
+      }
+      EXPECT_EQ(permutation_p_value(before, after, paired, 1), 1) << runs;
+    }
+}
+
 }  // namespace
 }  // namespace cagetol

@@ -147,5 +147,19 @@ TEST(NoiseShare, VarianceWithinRowsOverTheWhole) {
   EXPECT_EQ(noise_share(plain_study(5), std::vector<double>(5, 1.0), 0.95, 10).rows, 0u);
 }
 
+TEST(NoiseShare, IsAtMostOne) {
+  // Runs of a cage differ more than the first runs do.
+  StudyData study = plain_study(24);
+  std::vector<double> outputs;
+  for (std::size_t i = 0; i < 24; ++i) {
+    study.row[i] = static_cast<std::int64_t>(i / 2);
+    study.replicate[i] = static_cast<std::int64_t>(i % 2);
+    outputs.push_back(i % 2 == 0 ? static_cast<double>(i % 4) : 9.0 - static_cast<double>(i % 3));
+  }
+  const NoiseShare noise = noise_share(study, outputs, 0.95, 200);
+  EXPECT_EQ(noise.share.value, 1);
+  EXPECT_LE(noise.share.upper, 1);
+}
+
 }  // namespace
 }  // namespace cagetol

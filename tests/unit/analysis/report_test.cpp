@@ -252,6 +252,17 @@ TEST(ReportVerdict, DimensionsOfDifferentPartsKeepTheirNames) {
   EXPECT_THAT(verdict.at("statement"), testing::HasSubstr("roller length 0.090 mm"));
 }
 
+TEST(ReportConvergence, OneRunIsNotEnoughWhateverItsYield) {
+  for (const double badness : {-1.0, 1.0}) {
+    const auto report = make_report(tolerance_standin(1, 23, {kPrintedWidth, kPrintedLength}, 0.95,
+                                                      [&](const StandinCage&) { return badness; }));
+    const auto& row = report.at("convergence").at("rows").at(0);
+    ASSERT_EQ(row.at("quantity"), "joint yield");
+    EXPECT_NEAR(row.at("half_width").get<double>(), 0.95, 1e-9);
+    EXPECT_GT(row.at("runs_still_needed").get<double>(), 1000);
+  }
+}
+
 TEST_F(Report, TablesHaveALineForEveryRow) {
   report_on(make_synthetic_study({.rows = 100}), kNoPython);
   const auto lines = [&](const char* name) {

@@ -95,6 +95,15 @@ TEST(Resampling, GridsHaveNoInterval) {
   EXPECT_TRUE(std::isnan(mean.lower));
 }
 
+TEST(Resampling, SaysWhyThereAreNoIntervals) {
+  EXPECT_EQ(Resampling(plain_study(40, "random", 10), 20).description(),
+            "none: 4 lots, fewer than 8, say too little of their scatter");
+  StudyData study = plain_study(40, "sobol");
+  study.design.scrambles = 2;
+  EXPECT_EQ(Resampling(study, 20).description(),
+            "none: 2 scrambles, fewer than 4, say too little of their scatter");
+}
+
 TEST(Resampling, IndependenceNeedsRandomRowsWithLotsOfTheirOwn) {
   std::string why;
   EXPECT_TRUE(independent_runs(plain_study(50)));
