@@ -2,17 +2,18 @@
 //
 //   S = Var(E[Y | X]) / Var(Y)
 //
-// It can be estimated from any runs: X is divided into M classes of equal probability, and E[Y | X]
-// is a straight line in each class. With class means instead, the scatter of E[Y | X] within classes
-// would be lost, and the outer classes of a normal X are wide: at M = 16 the share of Y = X would be
-// 0.96. The plain ratio of the explained to the total scatter has a bias of about P/N, even if X has
-// no effect, P the parameters of all lines. Epsilon squared (Kelley 1935) corrects for it:
+// It can be estimated from any runs: X is divided into M classes of equal probability, and E[Y |
+// X] is a straight line in each class. With class means instead, the scatter of E[Y | X] within
+// classes would be lost, and the outer classes of a normal X are wide: at M = 16 the share of Y =
+// X would be 0.96. The plain ratio of the explained to the total scatter has a bias of about P/N,
+// even if X has no effect, P the parameters of all lines. Epsilon squared (Kelley 1935) corrects
+// for it:
 //
 //   S = 1 - (SSW / (W - P)) / (SST / (W - 1)),   W the number of runs, SSW the scatter around lines
 //
-// Its mean is zero for an X without effect; it can be slightly negative. A class of fewer than four
-// runs, or of one value of X, has its mean instead of a line. What is curved within a class is still
-// lost, so M grows with N: M = sqrt(N) / 2, within 4 .. 32.
+// Its mean is zero for an X without effect; it can be slightly negative. A class of fewer than
+// four runs, or of one value of X, has its mean instead of a line. What is curved within a class
+// is still lost, so M grows with N: M = sqrt(N) / 2, within 4 .. 32.
 #pragma once
 
 #include <span>

@@ -61,6 +61,7 @@ Resampling::Resampling(const StudyData& study, std::size_t resamples) {
     return;
   }
   kind_ = IntervalKind::lots;
+  latin_ = design == "lhs";
   std::vector<double> drawn(lots_);
   for (std::size_t b = 0; b < resamples; ++b) {
     std::fill(drawn.begin(), drawn.end(), 0.0);
@@ -78,8 +79,12 @@ std::string Resampling::description() const {
       return fmt::format(
           "bootstrap: {} times, {} lots are drawn again with replacement; the interval holds the "
           "middle "
-          "of the results",
-          weights_.size(), lots_);
+          "of the results{}",
+          weights_.size(), lots_,
+          latin_
+              ? ". It does not see what the Latin hypercube gains: standard errors and intervals "
+                "are too wide, those of means by much"
+              : "");
     case IntervalKind::scrambles:
       return fmt::format("scatter of {} independent scrambles of the Sobol' points (Student t)",
                          weights_.size());

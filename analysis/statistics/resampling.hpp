@@ -3,7 +3,9 @@
 // Runs of a lot are dependent, and so are repeated runs of a row. The bootstrap therefore draws
 // whole lots with replacement (cluster bootstrap). A scrambled Sobol' design consists of R
 // independent scrambles; the scatter of a statistic between scrambles gives a Student t interval. A
-// grid has no interval, because only the noise is random.
+// grid has no interval, because only the noise is random. A Latin hypercube has no independent
+// repeats either: the bootstrap takes its rows for independent, so that its intervals are too wide,
+// which description() says.
 //
 // A resample is a weight for every sample: the number of times that its lot was drawn. A statistic
 // is a function of these weights.
@@ -61,6 +63,7 @@ class Resampling {
                     std::span<const double> base) const;
 
   IntervalKind kind_ = IntervalKind::none;
+  bool latin_ = false;  ///< rows of a Latin hypercube, which the bootstrap takes for independent
   std::size_t lots_ = 0;
   std::string why_none_;  ///< why there are no intervals
   std::vector<std::size_t> lot_of_;

@@ -104,6 +104,12 @@ TEST(Resampling, SaysWhyThereAreNoIntervals) {
             "none: 2 scrambles, fewer than 4, say too little of their scatter");
 }
 
+TEST(Resampling, SaysThatItDoesNotSeeTheGainOfALatinHypercube) {
+  EXPECT_NE(Resampling(plain_study(40, "lhs"), 20).description().find("Latin hypercube gains"),
+            std::string::npos);
+  EXPECT_EQ(Resampling(plain_study(40), 20).description().find("Latin"), std::string::npos);
+}
+
 TEST(Resampling, IndependenceNeedsRandomRowsWithLotsOfTheirOwn) {
   std::string why;
   EXPECT_TRUE(independent_runs(plain_study(50)));
