@@ -24,7 +24,7 @@ std::string plain_percent(double share) {
 }
 
 bool shown(const Yield& yield) {
-  return yield.ess >= kFewestEffectiveRuns;
+  return yield.ess >= kLeastEffectiveRuns;
 }
 
 Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
@@ -132,6 +132,9 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
         "is no "
         "recommendation.",
         list_of(free));
+  if (result.yield.ess < kFewestEffectiveRuns)
+    text += fmt::format(" Only {:.0f} effective runs support it: the bound is sound, but rough.",
+                        result.yield.ess);
   text += " Unconfirmed: no fresh runs were made at this tolerance.";
   return text;
 }
@@ -142,7 +145,7 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
         "No tolerance can be recommended: every candidate has fewer than {:.0f} effective runs. "
         "Run more samples "
         "or fewer candidates.",
-        kFewestEffectiveRuns);
+        kLeastEffectiveRuns);
   if (basis.study.plan.limits.empty())
     return "The study states no limits: there is nothing to judge a tolerance by.";
   if (std::string reason; !rows_follow_laws(basis.runs, &reason))
@@ -206,7 +209,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     }
     part.tolerance = {{"candidates", candidates_json(basis, curves)},
                       {"dimensions", dimensions_json(curves, tests)},
-                      {"fewest_effective_runs", kFewestEffectiveRuns},
+                      {"fewest_effective_runs", kLeastEffectiveRuns},
                       {"note", mixture.note},
                       {"chosen_candidate", result.possible ? Json(result.candidate) : Json()},
                       {"bands", bands_json(result)},

@@ -19,8 +19,8 @@ namespace cagetol {
 
 /// Below this effective number of runs a weighted figure is rough, and said to be.
 inline constexpr double kFewestEffectiveRuns = 100;
-/// Below this one it is not shown as a result. Bounds are sound above: they take the effective number
-/// for their number of runs (yield.hpp).
+/// Below this one it is not shown as a result. Bounds are sound above: they take the effective
+/// number for their number of runs (yield.hpp).
 inline constexpr double kLeastEffectiveRuns = 30;
 
 struct MixtureWeights {

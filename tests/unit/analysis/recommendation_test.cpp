@@ -169,7 +169,7 @@ TEST(Recommendation, TooFewRunsLeaveADimensionUndecided) {
   const Judged judged = judge_study(
       tolerance_standin(120, 31, {kPrintedWidth, kPrintedLength}, 0.99, widest_pocket), 50);
   EXPECT_EQ(judged.tests[1].answer, Binding::undecided);
-  EXPECT_FALSE(judged.recommendation.possible);  // fewer than 100 effective runs everywhere
+  EXPECT_FALSE(judged.recommendation.possible);  // fewer than 30 effective runs everywhere
 }
 
 TEST(Recommendation, RunsWithoutAJudgementDecideNothing) {
