@@ -92,7 +92,7 @@ TEST_F(RecommendTest, ChoosesTheModelBeforeThePilot) {
   const StudyFile mixture = read_study_file(file("serial", "mixture"));
   EXPECT_THAT(mixture.study_toml, HasSubstr("rung = 'coarse-5'"));
   EXPECT_THAT(mixture.study_toml, HasSubstr("tolerance = 0.02"));
-  const Ended ended = run(with_mpirun(3, recommend("ranks", automatic)));
+  const Ended ended = run(with_mpirun(2, recommend("ranks", automatic)));
   ASSERT_EQ(ended.code, 0) << ended.output;
   expect_same("serial", "ranks");
   const Ended none = run(
@@ -178,7 +178,7 @@ TEST_F(RecommendTest, BadInputEndsWithTwoOnAnyNumberOfRanks) {
       {"tolerance.target_yield=1", "a yield of 1 cannot be confirmed"},
       {"limit=[]", "the study has no limits"},
       {"design='morris'", "this design does not sample tolerances"},
-      {"recommend.budget_samples=60", "give 173 or more"},
+      {"recommend.budget_samples=60", "give 160 or more"},
       {"recommend.budget_smaples=60", "no such key"},
   };
   for (const auto& [setting, message] : cases) {

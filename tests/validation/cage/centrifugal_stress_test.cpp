@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <numbers>
 #include <string_view>
 
@@ -47,8 +48,8 @@ double model_stress(const CageTable& table, const Deviations& deviations, long m
 
 struct Case {
   const char* name;
-  Deviations deviations;
-  double bound;  ///< of the model's error
+  std::function<Deviations()> deviations;  ///< scattered ones need a table
+  double bound;                            ///< of the model's error
 };
 
 /// The lowest modes do not stretch a ring: of the default 20 none answers to the centrifugal load,
@@ -58,17 +59,18 @@ struct Case {
 class CentrifugalStress : public testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(
     Cages, CentrifugalStress,
-    testing::Values(Case{"undeviated", Deviations(13), 0.001},
-                    Case{"scattered1", test::scattered_pockets(1), 0.16},
-                    Case{"scattered2", test::scattered_pockets(2), 0.16},
-                    Case{"alike", Deviations(13, {.width = -0.2e-3, .length = -0.25e-3}), 0.01}),
+    testing::Values(
+        Case{"undeviated", [] { return Deviations(13); }, 0.001},
+        Case{"scattered1", [] { return test::scattered_pockets(1); }, 0.16},
+        Case{"scattered2", [] { return test::scattered_pockets(2); }, 0.16},
+        Case{"alike", [] { return Deviations(13, {.width = -0.2e-3, .length = -0.25e-3}); }, 0.01}),
     [](const auto& test) { return test.param.name; });
 
 TEST_P(CentrifugalStress, IsThatOfTheWholeCage) {
-  const auto& [name, given, bound] = GetParam();
-  const bool by_day =
-      std::string_view(name) == "undeviated" || std::string_view(name) == "scattered1";
+  const auto& [name, given_by, bound] = GetParam();
+  const bool by_day = std::string_view(name) == "undeviated";
   if (!by_day && std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1";
+  const Deviations given = given_by();
   const GridPoint point = nearest_point({}, given);
   const CageTable table = make_cage_table({}, test::kCageSteel, {}, {.point = point});
   const Deviations deviations = test::deviations_from(table, given);

@@ -149,7 +149,8 @@ void expect_half_way_between_tables(const std::vector<std::pair<int, int>>& corn
 }
 
 /// As far as Xin et al. go.
-TEST(RunPeakStress, OfACageThatDeviatesAsAWhole) {
+TEST(NightlyRunPeakStress, OfACageThatDeviatesAsAWhole) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
   expect_within_three_percent(wide_pockets(), -0.2e-3, 0);
 }
 
