@@ -56,8 +56,8 @@ std::string binding_list(const Json& tolerance) {
          note(
              "Yield at the narrowest candidate against each wider one, on the same runs. Binding: "
              "a difference is significant. Not binding: none is, the loss is certainly smaller "
-             "than "
-             "the margin of the narrowest over the target, and the widest combination that meets "
+             "than the margin of the narrowest over the target, and the widest combination that "
+             "meets "
              "the target has this dimension at its widest. Undecided: neither.");
 }
 

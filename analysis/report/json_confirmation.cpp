@@ -7,8 +7,8 @@
 #include "analysis/report/json_parts.hpp"
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/study/refused.hpp"
-#include "analysis/tolerance/campaign.hpp"
 #include "analysis/tolerance/centre_curve.hpp"
+#include "analysis/tolerance/confirmation.hpp"
 
 namespace cagetol {
 namespace {
@@ -54,15 +54,9 @@ std::string confirming_command(const StudyPlan& plan, std::int64_t seed, const C
       seed, runs, dimensions);
 }
 
-/// Candidates wider (cheaper) than the one of the last attempt that no attempt has tried.
-Json passed_over_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations) {
-  std::vector<std::vector<double>> tried;
-  for (const StudyData& runs : confirmations)
-    tried.push_back(runs.plan.candidates.front().bands_mm);
-  const MixtureStudy mixture{basis.runs, basis.joint, basis.resampling,
-                             study_tolerances(basis.runs, basis.joint, basis.resampling)};
+Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates) {
   Json list = Json::array();
-  for (const PassedOver& passed : passed_over(mixture, tried)) {
+  for (const PassedOver& passed : candidates) {
     const Candidate& candidate = basis.study.plan.candidates[passed.candidate];
     std::string name;
     for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d)
@@ -128,8 +122,9 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
 }  // namespace
 
 Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
-                       Json& verdict) {
+                       TolerancePart& tolerance) {
   if (confirmations.empty()) return nullptr;
+  Json& verdict = tolerance.verdict;
   const StudyPlan& plan = basis.study.plan;
   Json attempts = Json::array();
   for (std::size_t i = 0; i < confirmations.size(); ++i)
@@ -152,7 +147,7 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
                              {"meeting_runs", last["meeting_runs"]},
                              {"attempts", attempts.size()}};
   verdict["statement"] = statement(last, verdict["not_binding"], plan, attempts.size());
-  const Json wider = passed_over_json(basis, confirmations);
+  const Json wider = passed_over_json(basis, tolerance.passed_over);
   for (const Json& candidate : wider)
     if (candidate["runs_needed"] > 0)
       verdict["statement"] =

@@ -8,7 +8,7 @@
 #include "analysis/statistics/resampling.hpp"
 #include "analysis/statistics/yield.hpp"
 #include "analysis/study/study_data.hpp"
-#include "analysis/tolerance/mixture_weights.hpp"
+#include "analysis/tolerance/attempt_choice.hpp"
 
 namespace cagetol {
 
@@ -55,13 +55,14 @@ Json response_json(const ReportBasis& basis);
 /// Yield curves, binding tests and recommendation, and the verdict drawn from them.
 struct TolerancePart {
   Json tolerance, verdict;
+  std::vector<PassedOver> passed_over;  ///< where there were attempts to confirm
 };
 TolerancePart tolerance_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations);
 
 /// Attempts to confirm and the capability at the last one; the verdict becomes theirs. Null without
 /// any.
 Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
-                       Json& verdict);
+                       TolerancePart& tolerance);
 
 /// Yield against the centres of tolerances of these widths.
 Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,

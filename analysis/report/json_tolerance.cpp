@@ -6,7 +6,6 @@
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/sensitivity/features.hpp"
-#include "analysis/tolerance/campaign.hpp"
 
 namespace cagetol {
 namespace {
@@ -111,8 +110,7 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
   else if (result.yield.unknown_runs > 0 && result.yield.upper_bound >= plan.target_yield)
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
-        "judgement, and the yield lies between {} and {}, as they fail or pass. The best is "
-        "{}.",
+        "judgement, and the yield lies between {} and {}, as they fail or pass. The best is {}.",
         result.yield.unknown_runs, result.yield.runs, percent(result.yield.if_unknown_fail),
         percent(result.yield.if_unknown_pass), list_of(bands));
   else
@@ -154,11 +152,6 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
   return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
 }
 
-bool same_bands(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return std::abs(x - y) <= 1e-9 * y; });
-}
-
 Json band_verdict(const RecommendedBand& band) {
   if (band.not_binding)
     return {{"band_mm", nullptr},
@@ -187,17 +180,19 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   if (candidates) {
     const auto [mixture, curves, tests] =
         study_tolerances(basis.runs, basis.joint, basis.resampling);
-    CandidateFilter allowed;
-    if (!confirmations.empty())
-      allowed = [&](std::size_t k) {
-        return same_bands(snapped_bands(basis.runs, plan.candidates[k]),
-                          confirmations.back().plan.candidates.front().bands_mm);
-      };
-    result = recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling,
-                                 allowed);
-    if (!result.meets_target && !confirmations.empty())
-      result = recommend_tolerance(basis.runs, mixture, curves, freed(tests), basis.joint,
-                                   basis.resampling, allowed);
+    if (confirmations.empty()) {
+      result =
+          recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling);
+    } else {
+      std::vector<std::vector<double>> tried;
+      for (const StudyData& attempt : confirmations)
+        tried.push_back(attempt.plan.candidates.front().bands_mm);
+      result = recommend_allowed(
+          basis.runs, mixture, curves, tests, basis.joint, basis.resampling, [&](std::size_t k) {
+            return same_bands(snapped_bands(basis.runs, plan.candidates[k]), tried.back());
+          });
+      part.passed_over = passed_over(basis.runs, curves, tried);
+    }
     for (std::size_t d = 0; d < tests.size(); ++d) {
       const bool held =
           result.possible ? result.bands[d].not_binding : tests[d].answer == Binding::not_binding;

@@ -24,7 +24,7 @@ nlohmann::ordered_json make_report(const StudyData& study,
   const Resampling resampling(runs, resample_count(runs.size()));
   const ReportBasis basis{study, runs, joint, resampling, study.plan.confidence, directory};
   TolerancePart tolerance = tolerance_json(basis, confirmations);
-  Json confirmation = confirmation_json(basis, confirmations, tolerance.verdict);
+  Json confirmation = confirmation_json(basis, confirmations, tolerance);
   Json report;
   report["report_version"] = 2;
   report["verdict"] = std::move(tolerance.verdict);

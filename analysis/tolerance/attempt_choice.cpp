@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "analysis/tolerance/cost.hpp"
@@ -26,28 +27,15 @@ bool narrower(const std::vector<double>& bands, const std::vector<double>& than)
   return some;
 }
 
-bool same(const std::vector<double>& bands, const std::vector<double>& others) {
-  return std::equal(bands.begin(), bands.end(), others.begin(), [](double one, double other) {
-    return std::abs(one - other) <= kRounding * one;
-  });
-}
-
-/// With no more than so many runs.
+/// Of being confirmed, with no more than so many runs.
 double chance(double yield, std::size_t most_runs, ConfirmationRules rules) {
   rules.most_runs = most_runs;
   return confirming_probability(yield, confirmation_size(yield, rules), rules);
 }
 
-/// The first attempts and the last one differ in what they ask of a candidate.
 Recommendation widest_of(const MixtureStudy& mixture, const CandidateFilter& allowed) {
-  const auto recommend = [&](const std::vector<BindingTest>& tests) {
-    return recommend_tolerance(mixture.runs, mixture.tolerances.mixture, mixture.tolerances.curves,
-                               tests, mixture.joint, mixture.resampling, allowed);
-  };
-  Recommendation held = recommend(mixture.tolerances.tests);
-  if (held.meets_target) return held;
-  Recommendation other = recommend(freed(mixture.tolerances.tests));
-  return other.meets_target ? other : held;
+  return recommend_allowed(mixture.runs, mixture.tolerances.mixture, mixture.tolerances.curves,
+                           mixture.tolerances.tests, mixture.joint, mixture.resampling, allowed);
 }
 
 /// Runs kept back for the attempts that may follow this candidate: what the narrower one needs that
@@ -70,22 +58,11 @@ std::size_t kept_back(const MixtureStudy& mixture, const std::vector<double>& ba
   return std::min(share, following * need);
 }
 
-/// The larger, the better: the product of the bands each in units of its widest; less cost.
-double worth_of(const MixtureStudy& mixture, const std::vector<double>& bands) {
-  if (const auto cost = cost_of_bands(mixture.runs.plan, bands)) return -*cost;
-  double width = 1;
-  for (std::size_t d = 0; d < bands.size(); ++d)
-    width *= bands[d] / mixture.tolerances.curves.dimensions[d].levels.back().band_mm;
-  return width;
-}
-
 std::string percent(double share) {
   return fmt::format("{:.1f} %", 100 * share);
 }
 
-PassedOver reason_of(const MixtureStudy& mixture, std::size_t k) {
-  const Yield& yield = mixture.tolerances.curves.candidates[k];
-  const StudyPlan& plan = mixture.runs.plan;
+PassedOver reason_of(const StudyPlan& plan, const Yield& yield, std::size_t k) {
   ConfirmationRules alone{plan.target_yield, plan.confidence, 1,
                           std::numeric_limits<std::size_t>::max() / 4};
   if (yield.ess < kLeastEffectiveRuns)
@@ -140,10 +117,8 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
   const StudyPlan& study = mixture.runs.plan;
   const ConfirmationRules rules = confirmation_rules(study, 0);
   const std::size_t fewest = confirming_runs(0, rules);
-  std::size_t spent = 0;
-  for (const PlannedAttempt& attempt : plan.attempts) spent += attempt.runs;
   if (failed.size() >= rules.attempts || !affords_attempt(plan, rules)) return std::nullopt;
-  const std::size_t left = plan.confirm_runs - spent;
+  const std::size_t left = plan.confirm_runs - decided_runs(plan);
   const std::size_t following = rules.attempts - failed.size() - 1;
   const std::size_t stated = plan.settings.confirm_samples;
   const auto limited = [&](std::size_t runs) {
@@ -186,18 +161,18 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
   return AttemptChoice{confirmation_size(expected_yield(next.yield), sized), next};
 }
 
-std::vector<PassedOver> passed_over(const MixtureStudy& mixture,
+std::vector<PassedOver> passed_over(const StudyData& runs, const YieldCurves& curves,
                                     const std::vector<std::vector<double>>& tried) {
   std::vector<PassedOver> list;
   if (tried.empty()) return list;
-  const double decided = worth_of(mixture, tried.back());
-  for (std::size_t k = 0; k < mixture.runs.plan.candidates.size(); ++k) {
-    const auto bands = snapped_bands(mixture.runs, mixture.runs.plan.candidates[k]);
-    if (worth_of(mixture, bands) <= decided + kRounding * std::abs(decided) ||
-        std::any_of(tried.begin(), tried.end(),
-                    [&](const std::vector<double>& other) { return same(bands, other); }))
-      continue;
-    list.push_back(reason_of(mixture, k));
+  const StudyPlan& plan = runs.plan;
+  const double decided = worth_of_bands(plan, tried.back());
+  for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
+    const auto bands = snapped_bands(runs, plan.candidates[k]);
+    const bool wider = worth_of_bands(plan, bands) > decided + kRounding * std::abs(decided);
+    const bool fresh = std::none_of(tried.begin(), tried.end(),
+                                    [&](const auto& other) { return same_bands(bands, other); });
+    if (wider && fresh) list.push_back(reason_of(plan, curves.candidates[k], k));
   }
   return list;
 }

@@ -38,8 +38,8 @@ struct AttemptChoice {
   Recommendation recommendation;
 };
 
-/// `failed`: the attempts so far, each with the bands tried. Nothing where no candidate is left
-/// whose estimate meets the target.
+/// `failed_bands_mm`: those of every attempt so far. Nothing where no candidate is left whose
+/// estimate meets the target, or the runs left are too few for an attempt.
 std::optional<AttemptChoice> choose_attempt(
     const MixtureStudy& mixture, const CampaignPlan& plan,
     const std::vector<std::vector<double>>& failed_bands_mm);
@@ -51,13 +51,13 @@ Recommendation recommendation_of(const MixtureStudy& mixture, std::size_t candid
 struct PassedOver {
   std::size_t candidate = 0;
   std::string reason;
-  std::size_t runs_needed =
-      0;  ///< to confirm it by one attempt, if its yield is as estimated; 0: no
-          ///< number of runs would
+  /// To confirm it by one attempt, if its yield is as estimated; 0: no number of runs would.
+  std::size_t runs_needed = 0;
 };
 
-/// `tried_bands_mm`: bands of all attempts, the last one decided for.
-std::vector<PassedOver> passed_over(const MixtureStudy& mixture,
+/// `runs` and `curves` are the mixture's; `tried_bands_mm`: those of all attempts, the last one
+/// decided for.
+std::vector<PassedOver> passed_over(const StudyData& runs, const YieldCurves& curves,
                                     const std::vector<std::vector<double>>& tried_bands_mm);
 
 }  // namespace cagetol

@@ -44,19 +44,13 @@ bool meets_target(const StudyPlan& plan, const Yield& yield) {
   return yield.ess >= kFewestEffectiveRuns && yield.lower_bound >= plan.target_yield;
 }
 
-/// The widest candidate that meets the target: the largest product of all bands, each in units of
-/// its widest; the cheapest where the study states costs. Nothing where none does.
+/// The widest (cheapest) candidate that meets the target, nothing where none does.
 std::optional<std::size_t> widest_that_meets(const StudyPlan& plan, const YieldCurves& curves) {
   std::optional<std::size_t> widest;
   double most = 0;
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     if (!meets_target(plan, curves.candidates[k])) continue;
-    const auto& bands = plan.candidates[k].bands_mm;
-    double width = 1;
-    for (std::size_t d = 0; d < bands.size(); ++d)
-      width *= bands[d] / curves.dimensions[d].levels.back().band_mm;
-    const auto cost = cost_of_bands(plan, bands);
-    const double worth = cost ? -*cost : width;
+    const double worth = worth_of_bands(plan, plan.candidates[k].bands_mm);
     if (widest && worth <= most) continue;
     widest = k;
     most = worth;

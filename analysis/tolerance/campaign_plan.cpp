@@ -110,10 +110,14 @@ double expected_yield(const Yield& yield) {
   return 0.5 * (yield.if_unknown_fail + yield.lower_bound);
 }
 
+std::size_t decided_runs(const CampaignPlan& plan) {
+  std::size_t runs = 0;
+  for (const PlannedAttempt& attempt : plan.attempts) runs += attempt.runs;
+  return runs;
+}
+
 bool affords_attempt(const CampaignPlan& plan, const ConfirmationRules& rules) {
-  std::size_t spent = 0;
-  for (const PlannedAttempt& attempt : plan.attempts) spent += attempt.runs;
-  return plan.confirm_runs >= spent + confirming_runs(0, rules);
+  return plan.confirm_runs >= decided_runs(plan) + confirming_runs(0, rules);
 }
 
 std::size_t least_budget(const ConfirmationRules& rules, double extra_replicates,
@@ -166,8 +170,7 @@ CampaignPlan with_settings(const CampaignPlan& plan, const StudyData& pilot,
   } else if (settings.confirm_samples > 0) {
     changed.confirm_runs = rules.attempts * settings.confirm_samples;
   }
-  std::size_t decided = 0;
-  for (const PlannedAttempt& attempt : plan.attempts) decided += attempt.runs;
+  const std::size_t decided = decided_runs(plan);
   if (changed.confirm_runs < decided)
     throw Refused(
         fmt::format("{} confirming runs are decided already, the budget leaves {}: it "

@@ -34,6 +34,9 @@ struct CampaignPlan {
 std::size_t least_budget(const ConfirmationRules& rules, double extra_replicates,
                          std::size_t pilot_runs);
 
+/// Runs of the attempts decided so far.
+std::size_t decided_runs(const CampaignPlan& plan);
+
 /// Whether the runs that no attempt has had yet are enough for one more.
 bool affords_attempt(const CampaignPlan& plan, const ConfirmationRules& rules);
 

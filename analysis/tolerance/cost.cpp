@@ -25,4 +25,16 @@ std::optional<double> cost_of_bands(const StudyPlan& plan, const std::vector<dou
   return sum;
 }
 
+double worth_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm) {
+  if (const auto cost = cost_of_bands(plan, bands_mm)) return -*cost;
+  double width = 1;
+  for (std::size_t d = 0; d < bands_mm.size(); ++d) {
+    double widest = 0;
+    for (const Candidate& candidate : plan.candidates)
+      widest = std::max(widest, candidate.bands_mm[d]);
+    width *= bands_mm[d] / widest;
+  }
+  return width;
+}
+
 }  // namespace cagetol

@@ -18,4 +18,8 @@ double cost_of_band(const CostCurve& cost, double band_mm);
 /// Sum over the dimensions; nothing where the study states no costs.
 std::optional<double> cost_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm);
 
+/// The larger, the more a tolerance is preferred: less its cost; where the study states no costs,
+/// the product of its bands, each in units of its widest candidate.
+double worth_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm);
+
 }  // namespace cagetol

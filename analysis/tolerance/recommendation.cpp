@@ -176,10 +176,25 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
   return result;
 }
 
-std::vector<BindingTest> freed(std::vector<BindingTest> tests) {
-  for (BindingTest& test : tests)
+Recommendation recommend_allowed(const StudyData& runs, const MixtureWeights& mixture,
+                                 const YieldCurves& curves, const std::vector<BindingTest>& tests,
+                                 const std::vector<Judgement>& joint, const Resampling& resampling,
+                                 const CandidateFilter& allowed) {
+  const auto recommend = [&](const std::vector<BindingTest>& with) {
+    return recommend_tolerance(runs, mixture, curves, with, joint, resampling, allowed);
+  };
+  Recommendation held = recommend(tests);
+  if (held.meets_target) return held;
+  auto freed = tests;
+  for (BindingTest& test : freed)
     if (test.answer == Binding::not_binding) test.answer = Binding::undecided;
-  return tests;
+  Recommendation other = recommend(freed);
+  return other.meets_target ? other : held;
+}
+
+bool same_bands(const std::vector<double>& one, const std::vector<double>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](double a, double b) { return std::abs(a - b) <= kRounding * b; });
 }
 
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate) {

@@ -61,10 +61,16 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
                                    const Resampling& resampling,
                                    const CandidateFilter& allowed = {});
 
-/// The tests with every dimension that is not binding as undecided. For where no candidate that is
-/// left has these dimensions at their widest: an attempt there that did not confirm says that they
-/// may matter after all.
-std::vector<BindingTest> freed(std::vector<BindingTest> tests);
+/// The same; where no candidate allowed has the dimensions that are not binding at their widest,
+/// these are taken for undecided: an attempt there that did not confirm says that they may matter
+/// after all.
+Recommendation recommend_allowed(const StudyData& runs, const MixtureWeights& mixture,
+                                 const YieldCurves& curves, const std::vector<BindingTest>& tests,
+                                 const std::vector<Judgement>& joint, const Resampling& resampling,
+                                 const CandidateFilter& allowed);
+
+/// Up to rounding.
+bool same_bands(const std::vector<double>& one, const std::vector<double>& other);
 
 /// Bands of a candidate in mm, those without a grade snapped down to one where there is one.
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate);

@@ -45,10 +45,9 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
       "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs");
   command->footer(
       "Stages: DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a sweep;\n"
-      "started again, the command goes on where it was interrupted. A larger\n"
-      "recommend.budget_samples or recommend.budget_h may be given to the same directory. Exit "
-      "code 0:\n"
-      "decided; with --exit-code 1 where no tolerance is confirmed.\n\n"
+      "started again, the command goes on where it was interrupted, with a larger\n"
+      "recommend.budget_samples or recommend.budget_h too. Exit code 0: decided; with\n"
+      "--exit-code 1 where no tolerance is confirmed.\n\n"
       "Examples:\n  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  mpirun cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8");

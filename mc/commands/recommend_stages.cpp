@@ -193,9 +193,13 @@ int StageLeader::lead() {
       return code_;
     case CampaignEnd::confirmed:
       return kDone;
+    case CampaignEnd::budget_spent:
+      spdlog::warn(
+          "the runs left are too few for another attempt: the same command goes on with a larger "
+          "recommend.budget_samples or recommend.budget_h");
+      break;
     case CampaignEnd::no_candidate:
     case CampaignEnd::not_confirmed:
-    case CampaignEnd::budget_spent:
       break;
   }
   return unconfirmed_code_;

@@ -65,7 +65,7 @@ TEST(ChooseAttempt, NeedsRunsForOneAttempt) {
 
 TEST(PassedOver, NamesEveryWiderCandidateThatNoAttemptTried) {
   const MixtureStudy mixture = mixture_of(0.965);
-  const auto list = passed_over(mixture, {{0.058}});
+  const auto list = passed_over(mixture.runs, mixture.tolerances.curves, {{0.058}});
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0].candidate, 1u);
   EXPECT_THAT(list[0].reason, HasSubstr("hardly have confirmed"));
@@ -74,8 +74,8 @@ TEST(PassedOver, NamesEveryWiderCandidateThatNoAttemptTried) {
   EXPECT_THAT(list[1].reason, HasSubstr("below the target"));
   EXPECT_EQ(list[1].runs_needed, 0u);
   // Tried and decided for: nothing but the widest is left.
-  EXPECT_EQ(passed_over(mixture, {{0.09}, {0.058}}).size(), 1u);
-  EXPECT_TRUE(passed_over(mixture, {}).empty());
+  EXPECT_EQ(passed_over(mixture.runs, mixture.tolerances.curves, {{0.09}, {0.058}}).size(), 1u);
+  EXPECT_TRUE(passed_over(mixture.runs, mixture.tolerances.curves, {}).empty());
 }
 
 }  // namespace

@@ -84,6 +84,27 @@ TEST_F(ConfirmedReport, TheVerdictIsThatOfTheFreshRuns) {
   EXPECT_EQ(centres.at("dimensions")[0].at("points").size(), 9u);
 }
 
+TEST_F(ConfirmedReport, WiderCandidatesThatNoAttemptTriedAreNamed) {
+  write_attempt(1, 0);
+  const auto hopeless = report().at("confirmation").at("passed_over");
+  ASSERT_EQ(hopeless.size(), 1u);
+  EXPECT_EQ(hopeless[0].at("name"), "pocket width IT12, pocket length IT11");
+  EXPECT_THAT(hopeless[0].at("reason").get<std::string>(), HasSubstr("is below the target"));
+  EXPECT_TRUE(hopeless[0].at("command").is_null());
+  EXPECT_THAT(page(), HasSubstr("Wider candidates passed over"));
+  // Nearly three quarters of its cages meet the limits: for a target of 65 % it could be confirmed.
+  StudyData study = make_synthetic_study({.rows = 1200});
+  study.plan.whole["tolerance"]["target_yield"] = 0.65;
+  write(study, "mixture");
+  const auto json = report();
+  const auto& wider = json.at("confirmation").at("passed_over");
+  ASSERT_EQ(wider.size(), 1u);
+  EXPECT_GT(wider[0].at("runs_needed"), 50);
+  EXPECT_THAT(wider[0].at("command").get<std::string>(), HasSubstr("candidates=[\"IT12\"]"));
+  EXPECT_THAT(json.at("verdict").at("statement").get<std::string>(),
+              HasSubstr("Passed over: pocket width IT12, pocket length IT11"));
+}
+
 TEST_F(ConfirmedReport, AFailedAttemptIsShownAndNamesNoBand) {
   write_attempt(1, 30);
   auto json = report();
