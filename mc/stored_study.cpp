@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "mc/file_write.hpp"
+#include "mc/jam_shares.hpp"
 #include "mc/sample_history.hpp"
 #include "mc/study_file/h5.hpp"
 #include "mc/study_file/hdf5_reader.hpp"
@@ -173,6 +174,19 @@ void write_inputs(hid_t root, const Study& study, const DrawnColumns& drawn) {
   }
 }
 
+/// How often geometry alone jams a cage, by candidate and over the band of each dimension.
+void write_jams(hid_t root, const JamShares& jams) {
+  if (jams.candidate.empty()) return;
+  const H5Handle group = make_h5_group(root, "jam");
+  write_h5(group, "candidate", jams.candidate, {"-", "share of cages that jam, by candidate"});
+  for (const JamCurve& curve : jams.curves) {
+    const H5Handle of_dimension = make_h5_group(group, curve.key);
+    write_h5(of_dimension, "band_mm", curve.band_mm, {"mm", "full width of the tolerance band"});
+    write_h5(of_dimension, "share", curve.share,
+             {"-", "share of cages that jam, all other bands at their narrowest"});
+  }
+}
+
 void write_results(hid_t root, const OutcomesById& outcomes) {
   const H5Handle quantities = make_h5_group(root, "quantities");
   for (std::size_t i = 0; i < quantity_table().size(); ++i) {
@@ -289,6 +303,7 @@ std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
     write_design(root, plan, drawn);
     write_inputs(root, plan.study, drawn);
   }
+  write_jams(root, jam_shares(plan.study));
   write_results(root, outcomes);
   write_histories(root, outcomes, static_cast<std::size_t>(plan.study.history.points));
   return sealed_h5_image(file);

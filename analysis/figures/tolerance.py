@@ -75,3 +75,24 @@ def yield_map(report):
     bar.set_label("lower bound of the yield [%]")
     bar.ax.axhline(target, color="black", linewidth=1.5)
     return figure
+
+
+def jam_curves(report):
+    """One panel for each dimension: share of cages that jam over the width of its tolerance."""
+    jams = report["tolerance"].get("jams", []) if report["tolerance"] else []
+    jams = [jam for jam in jams if any(jam["share"])]
+    if not jams:
+        return None
+    bands = {band["key"]: band["band_mm"] for band in report["tolerance"]["bands"]}
+    figure, axes = plt.subplots(1, len(jams), figsize=(WIDTH, 2.9), sharey=True, squeeze=False)
+    for axis, jam in zip(axes[0], jams):
+        shown = [(1e3 * band, 100 * share) for band, share in zip(jam["band_mm"], jam["share"]) if share > 0]
+        axis.plot(*zip(*shown), "o-", color=BLUE, markersize=3)
+        axis.axhline(100 * (1 - report["verdict"]["target_yield"]), color=RED, linestyle="--", linewidth=1.2)
+        if jam["key"] in bands:
+            axis.axvline(1e3 * bands[jam["key"]], color=GREY, linestyle=":", linewidth=1.5)
+        axis.set_xlim(0, 1.02e3 * jam["band_mm"][-1])
+        axis.set_yscale("log")
+        axis.set_xlabel(f"tolerance of {jam['name']}, full width [µm]")
+    axes[0][0].set_ylabel("cages that jam [%]")
+    return figure

@@ -18,9 +18,9 @@ std::string candidate_table(const Json& tolerance) {
     columns += 't';
   }
   for (const char* header :
-       {"yield if runs without result fail", "… pass", "lower bound", "effective runs"})
+       {"yield if runs without result fail", "… pass", "lower bound", "effective runs", "jams"})
     headers.emplace_back(header);
-  columns += "nnnn";
+  columns += "nnnnn";
   std::vector<std::vector<std::string>> rows;
   for (const Json& candidate : tolerance["candidates"]) {
     const Json& yield = candidate["yield"];
@@ -34,6 +34,7 @@ std::string candidate_table(const Json& tolerance) {
     row.push_back(shown ? percent(yield["if_unknown_pass"]) : "");
     row.push_back(shown ? percent(yield["lower_bound"]) : "");
     row.push_back(rounded(std::round(yield["effective_runs"].get<double>())));
+    row.push_back(candidate["jam_share"].is_number() ? percent(candidate["jam_share"]) : "-");
     if (chosen)
       for (std::string& cell : row) cell = "<b>" + cell + "</b>";
     rows.push_back(std::move(row));
@@ -59,6 +60,28 @@ std::string binding_list(const Json& tolerance) {
              "than the margin of the narrowest over the target, and the widest combination that "
              "meets "
              "the target has this dimension at its widest. Undecided: neither.");
+}
+
+/// "0.42 mm", or what is said instead.
+std::string band_text(const Json& band_mm, const char* instead) {
+  return band_mm.is_number() ? fmt::format("{:.2f} mm", band_mm.get<double>()) : instead;
+}
+
+std::string jam_section(const Json& tolerance, const FigureSet& figures) {
+  if (tolerance["jams"].empty()) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& jam : tolerance["jams"])
+    rows.push_back({escaped(jam["name"]), band_text(jam["free_mm"], "none"),
+                    band_text(jam["limit_mm"], "beyond what was drawn")});
+  return "<h3>Where cages jam</h3>\n" +
+         paragraph(
+             "A roller larger than its pocket jams the cage whatever the bearing does. Geometry "
+             "alone tells how often, at any band, so no run is needed.") +
+         figure_html(figures, "jam_curves",
+                     "Share of cages that jam over the width of one tolerance, all others at their "
+                     "narrowest. Above the dashed line jams alone miss the target; the dotted line "
+                     "is the band of the verdict.") +
+         table("tnn", {"dimension", "no cage jams up to", "jams alone miss the target from"}, rows);
 }
 
 std::string strongest(const Json& output) {
@@ -126,11 +149,13 @@ std::string tolerance_chapter(const Json& report, const FigureSet& figures) {
       "All runs count for every candidate, each with the weight that its deviations have under "
       "that tolerance. The effective number of runs says how many equally "
       "weighted runs would tell as much; below {} a figure is not shown as a result. Runs without "
-      "a result count as failing in the lower bound ({}).",
+      "a result count as failing in the lower bound ({}). A candidate with too few runs of its "
+      "own is estimated as the product of the yields of its bands.",
       rounded(tolerance["fewest_effective_runs"]), escaped(report["verdict"]["yield"]["method"])));
   if (!tolerance["note"].get<std::string>().empty())
     body += "<p class=\"warning\">" + escaped(tolerance["note"]) + "</p>\n";
   body += binding_list(tolerance);
+  body += jam_section(tolerance, figures);
   body += centres_section(tolerance, figures);
   return chapter("tolerance", "Yield against tolerance", body);
 }

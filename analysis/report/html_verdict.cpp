@@ -61,6 +61,21 @@ std::string steps_table(const Json& report) {
              "on the same runs.");
 }
 
+/// Where the first jams are met, in one line.
+std::string jam_line(const Json& report) {
+  if (!report["tolerance"].is_object()) return {};
+  std::string places;
+  for (const Json& jam : report["tolerance"]["jams"])
+    if (jam["limit_mm"].is_number())
+      places += fmt::format("{}{} {:.2f} mm", places.empty() ? "" : ", ", escaped(jam["name"]),
+                            jam["limit_mm"].get<double>());
+  if (places.empty()) return {};
+  return paragraph(
+      "Rollers larger than their pockets: by geometry alone, jams miss the target from these bands "
+      "on, whatever the other limits say: " +
+      places + ".");
+}
+
 }  // namespace
 
 std::string verdict_chapter(const Json& report) {
@@ -95,6 +110,7 @@ std::string verdict_chapter(const Json& report) {
         "target is not excluded; they are treated as if they mattered: " +
         names + ".");
   }
+  body += jam_line(report);
   body += steps_table(report);
   return chapter("verdict", "What may be printed on the drawing", body);
 }
@@ -118,6 +134,9 @@ std::string limits_chapter(const Json& report) {
   if (limits["each"].empty())
     return chapter("limits", "Outcomes", body + paragraph("The study states no limits."));
   rows.clear();
+  const auto number_or_dash = [](const Json& value) {
+    return value.is_number() ? rounded(value) : std::string("-");
+  };
   const auto yield_cells = [](const Json& yield) -> std::vector<std::string> {
     return {percent(yield["if_unknown_fail"]), percent(yield["if_unknown_pass"]),
             percent(yield["lower_bound"]) + " to " + percent(yield["upper_bound"])};
@@ -129,13 +148,15 @@ std::string limits_chapter(const Json& report) {
   for (const Json& limit : limits["each"])
     add({escaped(readable(limit["quantity"])),
          escaped(limit["text"]) + (limit.contains("note") ? "<br>" + escaped(limit["note"]) : ""),
-         escaped(limit["source"]), rounded(limit["cage_revolutions"])},
+         escaped(limit["source"]), rounded(limit["cage_revolutions"]),
+         number_or_dash(limit["median"]), number_or_dash(limit["worst"])},
         limit["yield"]);
-  add({"<b>all together</b>", "", "", ""}, limits["joint"]);
+  add({"<b>all together</b>", "", "", "", "", ""}, limits["joint"]);
   body += "<h3>Limits and yield of the scatter as sampled</h3>\n" +
-          table("tttnnnn",
-                {"quantity", "limit", "source of the limit", "cage rev.",
-                 "yield if runs without result fail", "… pass", "bounds"},
+          table("tttnnnnnn",
+                {"quantity", "limit", "source of the limit", "cage rev.", "median run",
+                 "run nearest to the limit or beyond", "yield if runs without result fail",
+                 "… pass", "bounds"},
                 rows);
   body += note(fmt::format(
       "Yield: share of cages of which one run, over the cage revolutions stated, meets the limit. "

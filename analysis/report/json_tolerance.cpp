@@ -6,6 +6,7 @@
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/sensitivity/features.hpp"
+#include "analysis/tolerance/jam_onset.hpp"
 
 namespace cagetol {
 namespace {
@@ -30,10 +31,12 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
   Json list = Json::array();
   for (std::size_t k = 0; k < curves.candidates.size(); ++k) {
     const Candidate& plan = basis.study.plan.candidates[k];
+    const auto& jam = basis.study.jam.candidate;
     list.push_back({{"candidate", k},
                     {"bands_mm", plan.bands_mm},
                     {"grades", plan.grades},
                     {"shown", shown(curves.candidates[k])},
+                    {"jam_share", k < jam.size() ? Json(jam[k]) : Json()},
                     {"yield", to_json(curves.candidates[k])}});
   }
   return list;
@@ -57,6 +60,24 @@ Json dimensions_json(const YieldCurves& curves, const std::vector<BindingTest>& 
                     {"largest_loss", number(test.largest_loss)},
                     {"largest_loss_bound", number(test.largest_loss_bound)},
                     {"allowed_loss", test.allowed_loss}});
+  }
+  return list;
+}
+
+/// By dimension; empty where the study file does not say.
+Json jams_json(const ReportBasis& basis) {
+  Json list = Json::array();
+  const auto optional = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+  };
+  for (const JamCurve& curve : basis.study.jam.curves) {
+    const JamOnset onset = jam_onset(curve, basis.study.plan.target_yield);
+    list.push_back({{"key", curve.key},
+                    {"name", plain_name(curve.key)},
+                    {"band_mm", curve.band_mm},
+                    {"share", curve.share},
+                    {"free_mm", optional(onset.free_mm)},
+                    {"limit_mm", optional(onset.limit_mm)}});
   }
   return list;
 }
@@ -205,6 +226,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     part.tolerance = {{"candidates", candidates_json(basis, curves)},
                       {"dimensions", dimensions_json(curves, tests)},
                       {"fewest_effective_runs", kLeastEffectiveRuns},
+                      {"jams", jams_json(basis)},
                       {"note", mixture.note},
                       {"chosen_candidate", result.possible ? Json(result.candidate) : Json()},
                       {"bands", bands_json(result)},

@@ -78,6 +78,27 @@ InputColumns read_input(const Hdf5Reader& file, const std::string& key, std::siz
   return input;
 }
 
+JamShares read_jams(const Hdf5Reader& file, const StudyPlan& plan, const std::string& name) {
+  JamShares jams;
+  if (!file.has("/jam")) return jams;
+  const auto shares = [&](const std::string& dataset, std::size_t size) {
+    auto values = file.reals(dataset).values;
+    require_size(values.size(), size, dataset, name);
+    for (const double share : values)
+      if (!(share >= 0 && share <= 1))
+        throw StudyFileError(name, dataset + " holds a share that is none", kRebuildRemedy);
+    return values;
+  };
+  jams.candidate = shares("/jam/candidate", plan.candidates.size());
+  for (const ToleranceDimension& dimension : plan.dimensions) {
+    const std::string group = "/jam/" + dimension.key;
+    auto bands = file.reals(group + "/band_mm").values;
+    auto share = shares(group + "/share", bands.size());
+    jams.curves.push_back({dimension.key, std::move(bands), std::move(share)});
+  }
+  return jams;
+}
+
 template <class T>
 std::vector<T> pick(const std::vector<T>& values, const std::vector<std::size_t>& keep,
                     std::size_t width = 1) {
@@ -150,6 +171,7 @@ StudyData read_study_data(const std::filesystem::path& path) {
   const auto json = file.strings("/study/json");
   require_size(json.size(), 1, "/study/json", name);
   study.plan = read_study_plan(json.front(), name);
+  study.jam = read_jams(file, study.plan, name);
 
   study.id = file.integers("/samples/id");
   const std::size_t count = study.id.size();
@@ -244,6 +266,7 @@ StudyData results_of(const StudyData& study) {
                     .point = {}};
   results.plan = study.plan;
   results.pockets = study.pockets;
+  results.jam = study.jam;
   results.id = study.id;
   results.row = study.row;
   results.replicate = study.replicate;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/study/study_plan.hpp"
+#include "mc/study_file/jam.hpp"
 
 namespace cagetol {
 
@@ -49,6 +50,7 @@ struct StudyData {
   StudyDesign design;
   StudyPlan plan;
   std::size_t pockets = 0;  ///< Z
+  JamShares jam;
 
   std::vector<std::int64_t> id, row, replicate, lot, candidate, pocket;
   std::vector<RunStatus> status;

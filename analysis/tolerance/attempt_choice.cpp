@@ -1,6 +1,7 @@
 #include "analysis/tolerance/attempt_choice.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,9 @@ constexpr double kRounding = 1e-9;
 /// Least chance of being confirmed, by its estimate, with which a wide tolerance is tried while
 /// another attempt remains.
 constexpr double kFairChance = 0.1;
+/// The last attempt takes the widest candidate whose predicted chance is at least this share of the
+/// best: estimates without a failing run differ by nothing but luck.
+constexpr double kNearlyAsSure = 0.8;
 
 /// True when no band is wider and one is narrower.
 bool narrower(const std::vector<double>& bands, const std::vector<double>& than) {
@@ -38,6 +42,38 @@ Recommendation widest_of(const MixtureStudy& mixture, const CandidateFilter& all
                            mixture.tolerances.tests, mixture.joint, mixture.resampling, allowed);
 }
 
+/// Of cages that fit together, by candidate; 1 where nothing is known of jams.
+double share_without_jam(const StudyData& runs, std::size_t candidate) {
+  return candidate < runs.jam.candidate.size() ? 1 - runs.jam.candidate[candidate] : 1;
+}
+
+double estimate_of(const MixtureStudy& mixture, std::size_t candidate) {
+  return std::min(mixture.tolerances.curves.candidates[candidate].if_unknown_fail,
+                  share_without_jam(mixture.runs, candidate));
+}
+
+double expected_of(const MixtureStudy& mixture, std::size_t candidate) {
+  return std::min(expected_yield(mixture.tolerances.curves.candidates[candidate]),
+                  share_without_jam(mixture.runs, candidate));
+}
+
+/// Of being confirmed with so many runs, averaged over what the yield may be after the mixture's
+/// effective runs (Jeffreys' prior).
+double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std::size_t runs,
+                        const ConfirmationRules& rules) {
+  constexpr int kQuantiles = 64;
+  const Yield& yield = mixture.tolerances.curves.candidates[candidate];
+  const double passing = yield.if_unknown_fail * yield.ess;
+  double sum = 0;
+  for (int q = 0; q < kQuantiles; ++q) {
+    const double possible =
+        gsl_cdf_beta_Pinv((q + 0.5) / kQuantiles, passing + 0.5, yield.ess - passing + 0.5);
+    sum += confirming_probability(std::min(possible, share_without_jam(mixture.runs, candidate)),
+                                  runs, rules);
+  }
+  return sum / kQuantiles;
+}
+
 /// Runs kept back for the attempts that may follow this candidate: what the narrower one needs that
 /// needs least, no more than an equal share of what is left.
 std::size_t kept_back(const MixtureStudy& mixture, const std::vector<double>& bands,
@@ -46,13 +82,12 @@ std::size_t kept_back(const MixtureStudy& mixture, const std::vector<double>& ba
   const std::size_t share = left / (following + 1);
   std::size_t need = 0;
   for (std::size_t k = 0; k < mixture.runs.plan.candidates.size(); ++k) {
-    const Yield& yield = mixture.tolerances.curves.candidates[k];
-    if (yield.if_unknown_fail < rules.target_yield ||
+    if (!(estimate_of(mixture, k) >= rules.target_yield) ||
         !narrower(snapped_bands(mixture.runs, mixture.runs.plan.candidates[k]), bands))
       continue;
     ConfirmationRules affordable = rules;
     affordable.most_runs = share;
-    const std::size_t runs = confirmation_size(expected_yield(yield), affordable);
+    const std::size_t runs = confirmation_size(expected_of(mixture, k), affordable);
     need = need == 0 ? runs : std::min(need, runs);
   }
   return std::min(share, following * need);
@@ -62,7 +97,8 @@ std::string percent(double share) {
   return fmt::format("{:.1f} %", 100 * share);
 }
 
-PassedOver reason_of(const StudyPlan& plan, const Yield& yield, std::size_t k) {
+PassedOver reason_of(const StudyData& runs, const Yield& yield, std::size_t k) {
+  const StudyPlan& plan = runs.plan;
   ConfirmationRules alone{plan.target_yield, plan.confidence, 1,
                           std::numeric_limits<std::size_t>::max() / 4};
   if (yield.ess < kLeastEffectiveRuns)
@@ -70,23 +106,25 @@ PassedOver reason_of(const StudyPlan& plan, const Yield& yield, std::size_t k) {
             fmt::format("the mixture holds {:.0f} effective runs of it, too few to judge it",
                         yield.ess),
             confirming_runs(0, alone)};
+  if (const double fitting = share_without_jam(runs, k); fitting <= plan.target_yield)
+    return {k, fmt::format("{} of its cages jam", percent(1 - fitting)), 0};
   if (yield.if_unknown_fail < plan.target_yield)
     return {k,
             fmt::format("its estimated yield of {} is below the target",
                         percent(yield.if_unknown_fail)),
             0};
-  const double expected = expected_yield(yield);
+  const double expected = std::min(expected_yield(yield), share_without_jam(runs, k));
   if (expected <= plan.target_yield)
     return {k,
             fmt::format("its yield, estimated at {} and at least {}, cannot be told from the "
                         "target",
                         percent(yield.if_unknown_fail), percent(yield.lower_bound)),
             0};
-  const std::size_t runs = confirmation_size(expected, alone);
+  const std::size_t needed = confirmation_size(expected, alone);
   return {k,
           fmt::format("the runs left would hardly have confirmed its yield, estimated at {}",
                       percent(yield.if_unknown_fail)),
-          runs};
+          needed};
 }
 
 }  // namespace
@@ -128,7 +166,7 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
     return snapped_bands(mixture.runs, study.candidates[k]);
   };
   const auto promising = [&](std::size_t k) {
-    return mixture.tolerances.curves.candidates[k].if_unknown_fail >= rules.target_yield &&
+    return estimate_of(mixture, k) >= rules.target_yield &&
            std::all_of(failed.begin(), failed.end(), [&](const std::vector<double>& bands) {
              return narrower(bands_of(k), bands);
            });
@@ -137,10 +175,15 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
     return limited(left - kept_back(mixture, bands_of(k), left, following, rules));
   };
   const auto sure = [&](std::size_t k) {
-    return chance(expected_yield(mixture.tolerances.curves.candidates[k]), most_runs(k), rules);
+    return chance(expected_of(mixture, k), most_runs(k), rules);
   };
   const auto fair = [&](std::size_t k) {
-    return chance(mixture.tolerances.curves.candidates[k].if_unknown_fail, most_runs(k), rules);
+    return chance(estimate_of(mixture, k), most_runs(k), rules);
+  };
+  const auto size_of = [&](std::size_t k) {
+    ConfirmationRules sized = rules;
+    sized.most_runs = most_runs(k);
+    return confirmation_size(expected_of(mixture, k), sized);
   };
   Recommendation next;
   if (following > 0)
@@ -150,15 +193,18 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
     next =
         widest_of(mixture, [&](std::size_t k) { return promising(k) && sure(k) >= kWantedPower; });
   if (!next.meets_target) {
+    const auto predicted = [&](std::size_t k) {
+      return predicted_chance(mixture, k, size_of(k), rules);
+    };
     double surest = 0;
     for (std::size_t k = 0; k < study.candidates.size(); ++k)
-      if (promising(k)) surest = std::max(surest, sure(k));
-    next = widest_of(mixture, [&](std::size_t k) { return promising(k) && sure(k) >= surest; });
+      if (promising(k)) surest = std::max(surest, predicted(k));
+    next = widest_of(mixture, [&](std::size_t k) {
+      return promising(k) && predicted(k) >= kNearlyAsSure * surest;
+    });
   }
   if (!next.meets_target) return std::nullopt;
-  ConfirmationRules sized = rules;
-  sized.most_runs = most_runs(next.candidate);
-  return AttemptChoice{confirmation_size(expected_yield(next.yield), sized), next};
+  return AttemptChoice{size_of(next.candidate), next};
 }
 
 std::vector<PassedOver> passed_over(const StudyData& runs, const YieldCurves& curves,
@@ -172,7 +218,7 @@ std::vector<PassedOver> passed_over(const StudyData& runs, const YieldCurves& cu
     const bool wider = worth_of_bands(plan, bands) > decided + kRounding * std::abs(decided);
     const bool fresh = std::none_of(tried.begin(), tried.end(),
                                     [&](const auto& other) { return same_bands(bands, other); });
-    if (wider && fresh) list.push_back(reason_of(plan, curves.candidates[k], k));
+    if (wider && fresh) list.push_back(reason_of(runs, curves.candidates[k], k));
   }
   return list;
 }

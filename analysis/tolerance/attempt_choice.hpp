@@ -3,7 +3,9 @@
 // Tried is the widest (cheapest) candidate whose estimated yield meets the target, as long as
 // another attempt remains and the runs left give it a fair chance: what fails is followed by the
 // next narrower one. The last attempt takes the widest that will probably be confirmed; where there
-// is none, the surest. Runs are kept back for the attempts that may follow.
+// is none, the widest that is nearly as sure as the surest. Runs are kept back for the attempts
+// that may follow. No candidate is taken to yield more than the share of its cages that fit
+// together, which geometry tells.
 #pragma once
 
 #include <optional>

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "analysis/statistics/binomial_bounds.hpp"
 
 namespace cagetol {
 namespace {
@@ -19,6 +22,33 @@ DimensionCurve curve_of(const StudyPlan& plan, std::size_t dimension) {
   std::sort(curve.levels.begin(), curve.levels.end(),
             [](const LevelYield& a, const LevelYield& b) { return a.band_mm < b.band_mm; });
   return curve;
+}
+
+const LevelYield& level_of(const DimensionCurve& curve, std::size_t candidate) {
+  return *std::find_if(curve.levels.begin(), curve.levels.end(), [&](const LevelYield& level) {
+    return std::count(level.candidates.begin(), level.candidates.end(), candidate) > 0;
+  });
+}
+
+/// A candidate's yield from those of its bands, where these have runs enough; else as it is.
+Yield pooled_yield(const Yield& own, std::size_t candidate, const YieldCurves& curves,
+                   const Yield& all, double confidence) {
+  double fail = all.if_unknown_fail, pass = all.if_unknown_pass, least = all.ess;
+  for (const DimensionCurve& curve : curves.dimensions) {
+    const Yield& of_band = level_of(curve, candidate).yield;
+    least = std::min(least, of_band.ess);
+    fail *= of_band.if_unknown_fail / all.if_unknown_fail;
+    pass *= of_band.if_unknown_pass / all.if_unknown_pass;
+  }
+  if (!(least >= kLeastEffectiveRuns) || std::isnan(fail) || std::isnan(pass)) return own;
+  Yield pooled = own;
+  pooled.ess = least;
+  pooled.if_unknown_fail = std::min(fail, 1.0);
+  pooled.if_unknown_pass = std::clamp(pass, pooled.if_unknown_fail, 1.0);
+  pooled.lower_bound = clopper_pearson_lower(pooled.if_unknown_fail * least, least, confidence);
+  pooled.upper_bound = clopper_pearson_upper(pooled.if_unknown_pass * least, least, confidence);
+  pooled.method = "product of the yields of its bands, for want of runs of its own";
+  return pooled;
 }
 
 struct Share {
@@ -49,6 +79,14 @@ YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
                                    resampling, confidence);
     curves.dimensions.push_back(std::move(curve));
   }
+  if (curves.dimensions.size() < 2 || curves.candidates.empty()) return curves;
+  std::vector<std::size_t> every(curves.candidates.size());
+  std::iota(every.begin(), every.end(), 0);
+  const Yield all =
+      estimate_yield(runs, joint, average_weights(mixture, every), resampling, confidence);
+  for (const std::size_t k : every)
+    if (curves.candidates[k].ess < kLeastEffectiveRuns)
+      curves.candidates[k] = pooled_yield(curves.candidates[k], k, curves, all, confidence);
   return curves;
 }
 

@@ -1,4 +1,10 @@
 // Yield of every candidate tolerance, and of each dimension by itself.
+//
+// Many candidates share few runs. One with fewer than kLeastEffectiveRuns of its own is estimated
+// from its bands b_d, as if each dimension caused failures by itself:
+//   y = y_all prod_d (y_d(b_d) / y_all)
+// with y_all over all candidates and y_d(b) over those with the band b. That is good enough to
+// choose what is confirmed by fresh runs; `Yield::method` says so.
 #pragma once
 
 #include <string>

@@ -63,6 +63,52 @@ TEST(ChooseAttempt, NeedsRunsForOneAttempt) {
   EXPECT_FALSE(choose_attempt(mixture, {.mixture_rows = 900, .confirm_runs = fewest - 1}, {}));
 }
 
+TEST(ChooseAttempt, KnowsFromGeometryWhichCandidateJams) {
+  // 60 rows of a tolerance that no run fails: all candidates look alike but for their jams.
+  StandinDimension width = kPrintedWidth;
+  width.scales = {0.09, 0.15, 0.22};
+  StudyData study = tolerance_standin(180, 19, {width}, 0.99, widest_pocket);
+  study.plan.campaign.attempts = 1;
+  const CampaignPlan plan{.mixture_rows = 180, .confirm_runs = 400};
+  const auto chosen = [&](const std::vector<double>& jams) {
+    study.jam.candidate = jams;
+    const auto choice = choose_attempt(study_mixture(study), plan, {});
+    return choice ? band(*choice) : 0;
+  };
+  EXPECT_NEAR(chosen({}), 0.022, 1e-12);
+  EXPECT_NEAR(chosen({0, 0, 0.006}), 0.015, 1e-12);
+  EXPECT_NEAR(chosen({0, 0.02, 0.1}), 0.009, 1e-12);
+  EXPECT_EQ(chosen({0.02, 0.02, 0.1}), 0);
+}
+
+TEST(ChooseAttempt, FewRunsOfManyCandidatesArePooledByBand) {
+  StandinDimension width = kPrintedWidth, length = kPrintedLength;
+  width.scales = length.scales = {0.1, 0.15, 0.2, 0.3, 0.45, 0.6, 0.9};
+  const StudyData study = tolerance_standin(400, 20, {width, length}, 0.99, widest_pocket);
+  const MixtureStudy mixture = study_mixture(study);
+  int pooled = 0;
+  for (const Yield& yield : mixture.tolerances.curves.candidates) {
+    EXPECT_GE(yield.ess, kLeastEffectiveRuns);  // 8 rows each
+    pooled += yield.method.find("product of the yields of its bands") != std::string::npos;
+  }
+  EXPECT_GE(pooled, 15);
+  // Lengths do nothing, widths of 0.09 mm fail in 2.5 % of cages.
+  const auto& candidates = mixture.tolerances.curves.candidates;
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    EXPECT_NEAR(candidates[k].if_unknown_fail,
+                widest_pocket_yield(study.plan.candidates[k].bands_mm[0]), 0.05)
+        << k;
+}
+
+TEST(PassedOver, SaysWhatJams) {
+  MixtureStudy mixture = mixture_of(0.965);
+  mixture.runs.jam.candidate = {0, 0.1, 0.5};
+  const auto list = passed_over(mixture.runs, mixture.tolerances.curves, {{0.058}});
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_THAT(list[0].reason, HasSubstr("10.0 % of its cages jam"));
+  EXPECT_EQ(list[0].runs_needed, 0u);
+}
+
 TEST(PassedOver, NamesEveryWiderCandidateThatNoAttemptTried) {
   const MixtureStudy mixture = mixture_of(0.965);
   const auto list = passed_over(mixture.runs, mixture.tolerances.curves, {{0.058}});

@@ -1,0 +1,19 @@
+// Where jams begin: the band up to which cages fit, and the one at which jams alone miss the target.
+//
+// From the shares that a study file holds (mc/jam_shares.hpp), straight lines between their bands.
+#pragma once
+
+#include <optional>
+
+#include "mc/study_file/jam.hpp"
+
+namespace cagetol {
+
+struct JamOnset {
+  std::optional<double> free_mm;   ///< widest band at which no cage drawn jams
+  std::optional<double> limit_mm;  ///< narrowest band whose jams alone miss the target yield
+};
+
+JamOnset jam_onset(const JamCurve& curve, double target_yield);
+
+}  // namespace cagetol

@@ -1,0 +1,117 @@
+#include "mc/jam_shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mc/sample.hpp"
+#include "src/model/bearing_model.hpp"
+#include "src/scene/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr std::size_t kPoints = 33;
+
+/// A tolerance dimension among the inputs: what a cage drawn at scale 1 deviates by.
+struct Deviation {
+  std::size_t input = 0;
+  const Key<Scene>* key = nullptr;
+};
+
+Study with_bands_of_the_laws(const Study& study) {
+  Study plain = study;
+  plain.design = DesignKind::random;
+  plain.samples = kJamCages;
+  plain.extra_replicates = 0;
+  Candidate as_stated;
+  for (const ToleranceDimension& dimension : study.tolerance.dimensions) {
+    as_stated.bands_mm.push_back(dimension.band_mm);
+    as_stated.grades.emplace_back();
+    as_stated.scales.push_back(1);
+  }
+  plain.candidates = {as_stated};
+  return plain;
+}
+
+std::vector<Deviation> deviations_of(const Study& study) {
+  std::vector<Deviation> deviations;
+  for (const ToleranceDimension& dimension : study.tolerance.dimensions) {
+    const auto found = std::find_if(study.inputs.begin(), study.inputs.end(),
+                                    [&](const auto& input) { return input.key == dimension.key; });
+    deviations.push_back({static_cast<std::size_t>(found - study.inputs.begin()),
+                          find_key(scene_keys(), dimension.key)});
+  }
+  return deviations;
+}
+
+/// The cage with the deviations of its dimensions scaled.
+void scale_deviations(const Study& study, const std::vector<Deviation>& deviations,
+                      const Sample& cage, const std::vector<double>& scales, Scene& scene) {
+  for (std::size_t d = 0; d < deviations.size(); ++d) {
+    const DrawnInput& drawn = cage.inputs[deviations[d].input];
+    const auto& nominal = study.inputs[deviations[d].input].nominal;
+    auto values = drawn.value;
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      values[j] = nominal[nominal.size() == 1 ? 0 : j];
+      if (!drawn.lot.empty()) values[j] += scales[d] * drawn.lot[0];
+      if (!drawn.pocket.empty()) values[j] += scales[d] * drawn.pocket[j];
+      if (!drawn.noise.empty()) values[j] += drawn.noise[0];
+    }
+    set_key_numbers(*deviations[d].key, values, scene);
+  }
+}
+
+/// Scales of each candidate, then of each point of each curve.
+std::vector<std::vector<double>> all_scales(const Study& study, std::vector<JamCurve>& curves) {
+  std::vector<std::vector<double>> scales;
+  std::vector<double> narrowest = study.candidates.front().scales, widest = narrowest;
+  for (const Candidate& candidate : study.candidates) {
+    scales.push_back(candidate.scales);
+    for (std::size_t d = 0; d < narrowest.size(); ++d) {
+      narrowest[d] = std::min(narrowest[d], candidate.scales[d]);
+      widest[d] = std::max(widest[d], candidate.scales[d]);
+    }
+  }
+  for (std::size_t d = 0; d < narrowest.size(); ++d) {
+    JamCurve curve{study.tolerance.dimensions[d].key, {}, {}};
+    const double ratio = kWidestJamBand * widest[d] / narrowest[d];
+    for (std::size_t p = 0; p < kPoints; ++p) {
+      auto point = narrowest;
+      point[d] *= std::pow(ratio, static_cast<double>(p) / (kPoints - 1));
+      curve.band_mm.push_back(point[d] * study.tolerance.dimensions[d].band_mm);
+      scales.push_back(std::move(point));
+    }
+    curves.push_back(std::move(curve));
+  }
+  return scales;
+}
+
+}  // namespace
+
+JamShares jam_shares(const Study& study) {
+  JamShares jams;
+  if (study.candidates.empty() || study.scene.allow_interference) return jams;
+  const auto scales = all_scales(study, jams.curves);
+  const Study plain = with_bands_of_the_laws(study);
+  const auto deviations = deviations_of(plain);
+  const Sampler sampler(plain);
+  std::vector<long> jammed(scales.size(), 0);
+  for (long id = 0; id < kJamCages; ++id) {
+    const Sample cage = sampler.draw(static_cast<std::uint64_t>(id));
+    Scene scene = cage.scene;
+    for (std::size_t k = 0; k < scales.size(); ++k) {
+      scale_deviations(plain, deviations, cage, scales[k], scene);
+      jammed[k] += find_jam(scene).pocket >= 0;
+    }
+  }
+  const auto share = [&](std::size_t k) {
+    return static_cast<double>(jammed[k]) / static_cast<double>(kJamCages);
+  };
+  for (std::size_t k = 0; k < study.candidates.size(); ++k) jams.candidate.push_back(share(k));
+  std::size_t next = study.candidates.size();
+  for (JamCurve& curve : jams.curves)
+    for (std::size_t p = 0; p < curve.band_mm.size(); ++p) curve.share.push_back(share(next++));
+  return jams;
+}
+
+}  // namespace cagetol
