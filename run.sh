@@ -1,17 +1,29 @@
 #!/usr/bin/env bash
-# The default study, from a bare Debian 12 to its report: ./run.sh [STUDY [OUTPUT_DIR]]
+# A study, from a bare Debian 12 to its report: ./run.sh [STUDY [OUTPUT_DIR]]. Candidate tolerances are decided and confirmed.
 set -euo pipefail
 cd "$(dirname "$0")"
 . .ci/setup.sh
 study=${1:-inputs/studies/nu205.toml}
 out=${2:-out/$(basename "$study" .toml)}
-can_install || need_packages "${program_packages[@]}" "${figure_packages[@]}" # one line to run, for all
-need_packages "${program_packages[@]}"
-need_packages "${figure_packages[@]}" & # while the program is built
-build cagetol
-wait $!
 ranks=$(nproc)
-echo "Sweeping $study with $ranks ranks"
 progress=plain; [ -t 2 ] && progress=line
-mpirun -n "$ranks" build/cagetol sweep "$study" -o "$out" --progress "$progress"
-build/cagetol report "$out"
+times=
+timed() { # timed NAME COMMAND...: adds the command's seconds to the last line of output
+  local name=$1 began=$SECONDS; shift
+  "$@"
+  times+="${times:+, }$name $((SECONDS - began)) s"
+}
+study_and_report() {
+  if grep -q '^\[\[tolerance\.dimension\]\]' "$study"; then
+    echo "Looking for the tolerance of $study with $ranks ranks"
+    mpirun -n "$ranks" build/cagetol recommend "$study" -o "$out" --progress "$progress"
+  else
+    echo "Sweeping $study with $ranks ranks"
+    mpirun -n "$ranks" build/cagetol sweep "$study" -o "$out" --progress "$progress"
+    build/cagetol report "$out"
+  fi
+}
+timed packages need_packages "${program_packages[@]}" "${figure_packages[@]}"
+timed build build cagetol
+timed study study_and_report
+echo "$times; the report is $out/report.html"

@@ -1,4 +1,4 @@
-// Where jams begin: the band up to which cages fit, and the one at which jams alone miss the target.
+// Where jams begin: the band up to which cages fit, and the one whose jams alone miss the target.
 //
 // From the shares that a study file holds (mc/jam_shares.hpp), straight lines between their bands.
 #pragma once

@@ -28,6 +28,8 @@ std::vector<std::string> sweep_of(const std::string& study, const std::string& d
           "--set",
           "allowed_failure_share=1",
           "--set",
+          "scene.cage.model=rigid",
+          "--set",
           "scene.window.settle_revolutions=0.05",
           "--set",
           "scene.window.measure_revolutions=0.1",
@@ -64,7 +66,7 @@ TEST(ProgramTest, WindowsThatEndByThemselvesGiveTheSameFileOnAnyRankAndReplay) {
     auto command = sweep_of(kShippedStudy, directory);
     for (const char* setting :
          {"scene.window.measure='auto'", "scene.window.measure_revolutions=3",
-          "scene.window.peak_revolutions=1", "scene.window.measure_share=0.07",
+          "scene.window.peak_revolutions=1", "scene.window.measure_share=0.1",
           "scene.window.longest_settle_revolutions=0", "scene.model.rollers='planar'",
           "scene.discretisation.race_slices=1", "scene.discretisation.bar_stations=1"})
       command.insert(command.end(), {"--set", setting});
@@ -93,7 +95,8 @@ TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
     auto command = sweep_of(kShippedStudy, directory, "scene.cage.model='flexible'");
     for (const char* setting :
          {"scene.cage.mesh_density=1", "scene.cage.modes=6", "scene.cage.corner_radius_mm=0",
-          "scene.cage.pocket_width_mm.lot={law='uniform', lower=-0.2, upper=0.2}"})
+          "scene.cage.pocket_width_mm.lot={law='uniform', lower=-0.2, upper=0.2}",
+          "tolerance.dimension=[{key='cage.pocket_width_mm', band_mm=0.1, candidates=[0.1]}]"})
       command.insert(command.end(), {"--set", setting});
     return command;
   };

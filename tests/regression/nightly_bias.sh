@@ -13,7 +13,7 @@ mkdir -p "$out"
 ends=$(($(date +%s) + 60 * minutes))
 sweep() { # NAME KEY=VALUE...: a sweep into the directory NAME, which goes on where it ended
   local name=$1 keys=() limit=(); shift
-  for key in "$@" "${more[@]}" "samples=$samples" "seed=$seed" extra_replicates=0 'scene.cage.model="flexible"'; do keys+=(--set "$key"); done
+  for key in "$@" "${more[@]}" "samples=$samples" "seed=$seed" extra_replicates=0; do keys+=(--set "$key"); done
   [ "$minutes" = 0 ] || limit=(timeout -s TERM $((ends > $(date +%s) ? ends - $(date +%s) : 1)))
   local code=0
   "${limit[@]}" mpirun -n "$(nproc)" "$program" sweep inputs/studies/nu205.toml -o "$out/$name" --progress plain "${keys[@]}" || code=$?

@@ -72,7 +72,8 @@ TEST_F(StudyFile, TheDefaultStudyIsComplete) {
   const auto json = nlohmann::json::parse(study.resolved_json);
   EXPECT_EQ(json["scene"]["cage"]["pocket_width_mm"], 7.65);
   EXPECT_EQ(json["tolerance"]["dimension"][0]["key"], "cage.pocket_width_mm");
-  EXPECT_EQ(json["inputs"][0]["lot"]["law"], "normal");
+  EXPECT_EQ(json["inputs"][1]["key"], "cage.pocket_width_mm");
+  EXPECT_EQ(json["inputs"][1]["lot"]["law"], "normal");
 }
 
 TEST_F(StudyFile, ASceneIsAStudyOfOneRow) {
