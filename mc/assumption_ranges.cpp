@@ -1,6 +1,7 @@
 #include "mc/assumption_ranges.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "mc/study_inputs.hpp"
 #include "src/input/unit.hpp"
@@ -86,12 +87,17 @@ void check_assumption_ranges(const Study& study, const toml::table& scene,
 }
 
 std::vector<std::string> idle_range_notes(const Study& study) {
+  std::map<std::string, std::string> keys_by_reason;
+  if (study.candidates.empty()) return {};
+  for (const Assumption& assumption : study.scene.assumptions) {
+    const std::string why = idle_reason(study.scene, assumption.key);
+    if (!assumption.has_range() || why.empty()) continue;
+    std::string& keys = keys_by_reason[why];
+    keys += (keys.empty() ? "" : ", ") + assumption.key;
+  }
   std::vector<std::string> notes;
-  for (const Assumption& assumption : study.scene.assumptions)
-    if (const std::string why = idle_reason(study.scene, assumption.key);
-        assumption.has_range() && !why.empty())
-      notes.push_back("the range of " + assumption.key + " is not judged: the key does nothing (" +
-                      why + ")");
+  for (const auto& [why, keys] : keys_by_reason)
+    notes.push_back("ranges that are not judged, for their keys do nothing (" + why + "): " + keys);
   return notes;
 }
 

@@ -30,7 +30,8 @@ void apply_alternative(const Alternative& alternative, Study& study);
 /// Throws InputError where an alternative makes no scene, or laws leave the range of the key.
 void check_assumption_ranges(const Study& study, const toml::table& scene, const std::string& file);
 
-/// Ranges of keys that do nothing in the scene, one sentence each.
+/// Ranges of keys that do nothing in the scene of a study with candidate tolerances, one sentence
+/// for each reason.
 std::vector<std::string> idle_range_notes(const Study& study);
 
 }  // namespace cagetol

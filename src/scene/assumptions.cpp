@@ -1,7 +1,9 @@
 #include "src/scene/assumptions.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "src/scene/scene_keys.hpp"
 
@@ -90,18 +92,26 @@ std::vector<Assumption> read_assumptions(const toml::node& node, const std::stri
 
 void add_assumptions(toml::array&& base, toml::array& replacing) {
   toml::array all;
+  const auto take = [&](toml::node& entry) {
+    std::move(entry).visit(
+        [&](auto&& value) { all.push_back(std::forward<decltype(value)>(value)); });
+  };
+  std::vector<std::string> keys;
+  for (const auto& entry : replacing) keys.push_back(key_of(entry));
+  std::vector<bool> taken(replacing.size(), false);
   for (auto& entry : base) {
     const std::string key = key_of(entry);
-    const bool replaced =
-        !key.empty() && std::any_of(replacing.begin(), replacing.end(),
-                                    [&](const toml::node& other) { return key_of(other) == key; });
-    if (replaced) continue;
-    std::move(entry).visit(
-        [&](auto&& value) { all.push_back(std::forward<decltype(value)>(value)); });
+    const auto found = key.empty() ? keys.end() : std::find(keys.begin(), keys.end(), key);
+    if (found == keys.end()) {
+      take(entry);
+      continue;
+    }
+    const auto place = static_cast<std::size_t>(found - keys.begin());
+    if (!taken[place]) take(*replacing.get(place));
+    taken[place] = true;
   }
-  for (auto& entry : replacing)
-    std::move(entry).visit(
-        [&](auto&& value) { all.push_back(std::forward<decltype(value)>(value)); });
+  for (std::size_t place = 0; place < taken.size(); ++place)
+    if (!taken[place]) take(*replacing.get(place));
   replacing = std::move(all);
 }
 

@@ -17,8 +17,8 @@ namespace cagetol {
 /// key, low above high, a key that holds no number with a unit.
 std::vector<Assumption> read_assumptions(const toml::node& node, const std::string& file);
 
-/// Puts entries of `base` before those of `replacing`, without those for the same keys. Both are
-/// lists of tables; what is none of it is left to read_assumptions.
+/// Makes of `replacing` the entries of `base`, those for the same keys replaced at their place, and
+/// then its other ones. Both are lists of tables; what is none of it is left to read_assumptions.
 void add_assumptions(toml::array&& base, toml::array& replacing);
 
 }  // namespace cagetol

@@ -42,6 +42,11 @@ file = "scene.toml"
 [scene.cage]
 pocket_width_mm = { nominal = 7.65, lot = { law = "normal", sigma = 0.009 } }
 )";
+  static constexpr const char* kTolerance = R"([[tolerance.dimension]]
+key = "cage.pocket_width_mm"
+band_mm = 0.1
+candidates = ["IT11"]
+)";
   static constexpr const char* kScene = R"([bearing]
 roller_count = 13
 bore_diameter_mm = 25
@@ -100,6 +105,12 @@ TEST_F(AssumptionRanges, EntriesOfAStudyReplaceThoseOfItsSceneForTheSameKeys) {
     EXPECT_EQ(study.scene.assumptions[0].key, "lubrication.race_layer_um");
     EXPECT_EQ(study.scene.assumptions[1].low, 13.8);
   }
+  // At their place: only what differs differs.
+  const Study first = read(of_scene, entry("lubrication.race_layer_um", "low = 6\nhigh = 50") +
+                                         entry("cage.pocket_width_mm", ""));
+  ASSERT_EQ(first.scene.assumptions.size(), 3u);
+  EXPECT_EQ(first.scene.assumptions[0].low, 6);
+  EXPECT_EQ(first.scene.assumptions[1].key, "cage.width_mm");
   const std::string setting =
       "assumption=[{key=\"cage.width_mm\", note=\"n\", low=13.5, high=14.5}]";
   for (const std::string prefix : {"", "scene."}) {
@@ -131,11 +142,11 @@ TEST_F(AssumptionRanges, AnAlternativeMovesTheNominalValueAndKeepsTheLaw) {
 
 TEST_F(AssumptionRanges, KeysThatDoNothingAreNotJudged) {
   const Study dry = read(entry("lubrication.race_layer_um", "low = 5\nhigh = 50"),
-                         "[scene.lubrication]\nmodel = \"none\"\n");
+                         std::string("[scene.lubrication]\nmodel = \"none\"\n") + kTolerance);
   EXPECT_TRUE(alternatives_of(dry).empty());
-  const auto notes = study_notes(dry);
-  EXPECT_THAT(notes,
-              testing::Contains(HasSubstr("range of lubrication.race_layer_um is not judged")));
+  EXPECT_THAT(study_notes(dry),
+              testing::Contains(HasSubstr("do nothing (lubrication.model = \"none\"): "
+                                          "lubrication.race_layer_um")));
 }
 
 TEST_F(AssumptionRanges, BadRangesAreRefusedWithPlaceReasonAndRemedy) {
