@@ -68,6 +68,16 @@ const std::vector<KeyInfo>& correlation_keys() {
   return keys;
 }
 
+const std::vector<KeyInfo>& assumption_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"assumption.key", any_value(), "scene key whose value nobody measured", KeyKind::text},
+      {"assumption.note", any_value(), "why this value was taken; reports print it", KeyKind::text},
+      {"assumption.low", any_value(), "smallest value that it may have as well, in the key's unit and range", KeyKind::number},
+      {"assumption.high", any_value(), "largest such value", KeyKind::number},
+  };
+  return keys;
+}
+
 const std::vector<KeyInfo>& trend_keys() {
   static const std::vector<KeyInfo> keys = {
       {"trend.claim", any_value(), "what is claimed, in words; entries with the same words and source are readings of one claim", KeyKind::text},
