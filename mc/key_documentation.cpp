@@ -27,6 +27,12 @@ constexpr const char* kExamples = R"(
 #   [[correlation]]
 #   between = ["cage.pocket_width_mm:lot", "cage.pocket_length_mm:lot"]
 #   rho = 0.5
+# What nobody measured, and between which ends it may lie:
+#   [[assumption]]
+#   key = "lubrication.pocket_layer_um"
+#   note = "nobody measured it"
+#   low = 5
+#   high = 50
 # What a source claims about the levels of a grid; the report puts this study beside it:
 #   [[trend]]
 #   claim = "slip grows where the pocket gets narrow"
@@ -138,6 +144,10 @@ std::string key_documentation() {
                 "of the widest.");
   text += "\n### `[[correlation]]`: inputs that deviate together\n\n" +
           list_rows(correlation_keys(), "Both must be given.");
+  text += "\n### `[[assumption]]`: what nobody measured\n\n" +
+          list_rows(assumption_keys(),
+                    "`key` and `note` must be given, `low` and `high` both or none. In scenes and "
+                    "in studies; an entry of a study replaces its scene's for the same key.");
   text += "\n### `[[trend]]`: what a source claims about the levels of a grid\n\n" +
           list_rows(trend_keys(), "All but `by_share` and `by_value` must be given.");
   return text;

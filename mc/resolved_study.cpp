@@ -118,8 +118,12 @@ toml::table resolved_table(const Study& study) {
   for (const auto& key : scene_keys())
     if (successor_of(study.scene, key.name).empty()) insert_key(key, study.scene, scene);
   toml::array assumptions;
-  for (const auto& assumption : study.scene.assumptions)
-    assumptions.push_back(toml::table{{"key", assumption.key}, {"note", assumption.note}});
+  for (const auto& assumption : study.scene.assumptions) {
+    toml::table entry{{"key", assumption.key}, {"note", assumption.note}};
+    insert_known("low", assumption.low, entry);
+    insert_known("high", assumption.high, entry);
+    assumptions.push_back(std::move(entry));
+  }
   if (!assumptions.empty()) scene.insert("assumption", std::move(assumptions));
   root.insert("scene", std::move(scene));
   toml::array inputs, correlations, limits, dimensions, candidates, trends;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "mc/assumption_ranges.hpp"
 #include "mc/build_info.hpp"
 #include "mc/resolved_study.hpp"
 #include "mc/sample.hpp"
@@ -54,7 +55,8 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
         leaf.name == "correlation" || leaf.name == "tolerance.dimension" || leaf.name == "trend")
       continue;
     if (leaf.name == "tolerance" && leaf.node->is_table()) continue;
-    for (const std::string list : {"limit", "correlation", "tolerance.dimension", "trend"})
+    for (const std::string list :
+         {"limit", "correlation", "tolerance.dimension", "trend", "assumption"})
       if (leaf.name.starts_with(list + "."))
         throw InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node),
                          "there may be several of these: they are a list of tables",
@@ -65,8 +67,8 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
       read_key(*key, *leaf.node, file, 1, study);
     } else {
       auto known = key_infos(study_keys());
-      for (const char* list :
-           {"grid_levels", "scene", "limit", "correlation", "tolerance.dimension", "trend"})
+      for (const char* list : {"grid_levels", "scene", "limit", "correlation",
+                               "tolerance.dimension", "trend", "assumption"})
         known.emplace_back(list, any_value(), "", KeyKind::text);
       throw unknown_key(leaf, file, known);
     }
@@ -156,6 +158,7 @@ Study study_of(toml::table root, const std::string& file) {
   study.candidates = make_candidates(study, root, file);
   check_drawn_range(study, scene, file);
   check_flexible_cage(study, scene, file);
+  check_assumption_ranges(study, scene, file);
   check_history(study, root, file);
   check_multifidelity(study, root, file);
   study.trends = read_trends(root, file, study);
@@ -240,6 +243,7 @@ std::vector<std::string> study_notes(const Study& study) {
   }
   if (const double share = is_flexible(study.scene) ? thickness_scatter(study) : 0; share > 0)
     notes.push_back(thickness_note(share));
+  for (const std::string& idle : idle_range_notes(study)) notes.push_back(idle);
   const auto varied = design_columns(study);
   if (study.inputs.empty())
     notes.push_back("nothing varies: no key of the scene is a distribution");

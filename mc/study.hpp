@@ -38,6 +38,9 @@ struct RecommendPlan {
   long confirm_samples = 0;  ///< most runs of one confirmation; 0: chosen
   long budget_samples = 0;   ///< runs of all stages together; 0: no budget
   double budget_time = 0;    ///< wall-clock time of all stages together, s; 0: no budget
+  /// Runs under each alternative of an assumption; 0: none, NaN: as many as confirm the target when
+  /// none fails.
+  double assumption_samples = 0;
 };
 
 struct TolerancePlan {

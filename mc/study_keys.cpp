@@ -30,6 +30,7 @@ const KeyTable<Study>& study_keys() {
       {"recommend.confirm_samples", within(0, 1e9), AT(recommend.confirm_samples), "most runs of one confirmation; 0: as many as its estimated yield needs and the budget affords; without a budget `samples` runs an attempt on average, or twice as many as can confirm at all, where that is more"},
       {"recommend.budget_samples", within(0, 1e9), AT(recommend.budget_samples), "runs of all stages together, may be raised in the same directory; 0: the mixture has `samples` rows"},
       {"recommend.budget_h", at_least(0), AT(recommend.budget_time), "wall-clock time of all stages together, by the pilot's time of a run, may be raised in the same directory; 0: no such budget"},
+      {"recommend.assumption_samples", or_auto(within(0, 1e9)), AT(recommend.assumption_samples), "after the confirmation: runs under each end of each range of an [[assumption]], beyond any budget; may be set and raised in the same directory; auto: as many as confirm the target if none fails; 0: none"},
   };
   return keys;
 }
@@ -63,6 +64,16 @@ const std::vector<KeyInfo>& correlation_keys() {
   static const std::vector<KeyInfo> keys = {
       {"correlation.between", any_value(), "array of two inputs of one scope: \"KEY:lot\" or \"KEY:pocket\"", KeyKind::text},
       {"correlation.rho", within(-1, 1), "correlation of the two deviations (of the same pocket)", KeyKind::number},
+  };
+  return keys;
+}
+
+const std::vector<KeyInfo>& assumption_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"assumption.key", any_value(), "scene key whose value nobody measured", KeyKind::text},
+      {"assumption.note", any_value(), "why this value was taken; reports print it", KeyKind::text},
+      {"assumption.low", any_value(), "smallest value that it may have as well, in the key's unit and range", KeyKind::number},
+      {"assumption.high", any_value(), "largest such value", KeyKind::number},
   };
   return keys;
 }

@@ -12,10 +12,11 @@ namespace cagetol {
 /// The plain keys: one value each.
 const KeyTable<Study>& study_keys();
 
-/// Keys of one [[limit]], one [[tolerance.dimension]] and one [[correlation]].
+/// Keys of one [[limit]], one [[tolerance.dimension]], one [[correlation]] and one [[assumption]].
 const std::vector<KeyInfo>& limit_keys();
 const std::vector<KeyInfo>& dimension_keys();
 const std::vector<KeyInfo>& correlation_keys();
+const std::vector<KeyInfo>& assumption_keys();
 const std::vector<KeyInfo>& trend_keys();
 
 /// Whether `name` is the first part of a key of a study file ("tolerance", "limit", "scene", ...),

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "mc/study_keys.hpp"
+#include "src/scene/assumptions.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -38,7 +39,7 @@ toml::table study_of_scene(toml::table scene) {
 std::string with_scene_prefix(const std::string& setting) {
   const std::string key = setting_key(setting);
   const std::string section = first_part(key);
-  if (section == "name" || is_study_section(section)) return setting;
+  if (section == "name" || section == "assumption" || is_study_section(section)) return setting;
   if (is_scene_section(section)) return "scene." + setting;
   std::vector<std::string> names;
   for (const auto& known : study_keys()) names.push_back(known.name);
@@ -65,6 +66,26 @@ void inherit_nominals(toml::table& base, toml::table& overrides) {
   }
 }
 
+// Entries of an upper layer replace those for the same keys below it and leave the others.
+void inherit_assumptions(toml::table& base, toml::table& overrides) {
+  auto* lower = base.get_as<toml::array>("assumption");
+  auto* upper = overrides.get_as<toml::array>("assumption");
+  if (lower && upper) add_assumptions(std::move(*lower), *upper);
+}
+
+// Those of the study itself belong to its scene.
+void move_assumptions(toml::table& root) {
+  auto* own = root.get_as<toml::array>("assumption");
+  if (!own) return;
+  toml::table overrides;
+  overrides.insert("assumption", std::move(*own));
+  root.erase("assumption");
+  auto* scene = root.get_as<toml::table>("scene");
+  if (!scene) scene = root.insert("scene", toml::table{}).first->second.as_table();
+  inherit_assumptions(*scene, overrides);
+  scene->insert_or_assign("assumption", std::move(*overrides.get_as<toml::array>("assumption")));
+}
+
 void load_scene_file(toml::table& root, const std::string& path) {
   auto* scene = root.get_as<toml::table>("scene");
   const auto* file = scene ? scene->get("file") : nullptr;
@@ -87,6 +108,7 @@ void load_scene_file(toml::table& root, const std::string& path) {
   toml::table overrides = std::move(*scene);
   overrides.erase("file");
   inherit_nominals(base, overrides);
+  inherit_assumptions(base, overrides);
   merge_tables(base, std::move(overrides), is_distribution);
   root.insert_or_assign("scene", std::move(base));
 }
@@ -110,11 +132,16 @@ toml::table study_layers(toml::table root, const std::string& path,
   }
   if (root.contains("scene") && !root.get("scene")->is_table()) return root;
   load_scene_file(root, path);
+  move_assumptions(root);
   // Settings are a layer too: a distribution set from the command line keeps the nominal value
   // below it.
   toml::table set;
   for (const auto& setting : later) apply_setting(set, setting);
   inherit_nominals(root, set);
+  move_assumptions(set);
+  if (auto* scene = root.get_as<toml::table>("scene"), *upper = set.get_as<toml::table>("scene");
+      scene && upper)
+    inherit_assumptions(*scene, *upper);
   merge_tables(root, std::move(set), [&](const toml::table& table) {
     return is_distribution(table) && table.contains("law");
   });

@@ -92,6 +92,7 @@ std::string html_report(const Json& report, const FigureSet& figures) {
   page += trends_chapter(report);
   page += response_chapter(report, figures);
   page += confirmation_chapter(report);
+  page += assumption_verdicts_chapter(report);
   page += limits_chapter(report);
   page += tolerance_chapter(report, figures);
   page += contributors_chapter(report, figures);

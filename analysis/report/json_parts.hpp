@@ -2,9 +2,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/report/assumption_runs.hpp"
 #include "analysis/statistics/resampling.hpp"
 #include "analysis/statistics/yield.hpp"
 #include "analysis/study/study_data.hpp"
@@ -63,6 +65,11 @@ TolerancePart tolerance_json(const ReportBasis& basis, const std::vector<StudyDa
 /// any.
 Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
                        TolerancePart& tolerance);
+
+/// The verdict under alternatives of assumptions, one sentence of which is added to `verdict`; null
+/// where there are none.
+Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
+                              const std::optional<AssumptionRuns>& runs, Json& verdict);
 
 /// Yield against the centres of tolerances of these widths.
 Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,

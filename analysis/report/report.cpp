@@ -39,10 +39,11 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
   const auto file = study_file_in(study_dir);
   const bool staged = file.parent_path() != study_dir;
   const StudyData study = read_study_data(file);
-  const Json report =
-      make_report(study, read_confirmations(study_dir), staged ? "DIR/mixture" : "DIR",
-                  read_cage_peak(file.parent_path(), study),
-                  read_refining_ladder(file.parent_path()), read_companion(file.parent_path()));
+  const auto confirmations = read_confirmations(study_dir);
+  const Json report = make_report(
+      study, confirmations, staged ? "DIR/mixture" : "DIR",
+      read_cage_peak(file.parent_path(), study), read_refining_ladder(file.parent_path()),
+      read_companion(file.parent_path()), read_assumption_runs(study_dir, confirmations));
   const std::string text = report.dump(1) + "\n";
   write_text(study_dir / "report.json", text);
   write_csv_tables(study_dir, study, report);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/report/assumption_runs.hpp"
 #include "analysis/study/study_data.hpp"
 #include "mc/study_file/exit_code.hpp"
 
@@ -24,13 +25,15 @@ struct ReportOptions {
 /// `confirmations` are the attempts to confirm its recommendation, `directory` is how replay
 /// commands name the place of its runs, `cage_peak` what read_cage_peak (cage_peak.hpp) found,
 /// `refining_ladder` what read_refining_ladder (refining_ladder.hpp) did, `companion` what
-/// read_companion (companion.hpp) did.
+/// read_companion (companion.hpp) did, `assumptions` what read_assumption_runs
+/// (assumption_runs.hpp) did.
 nlohmann::ordered_json make_report(const StudyData& study,
                                    const std::vector<StudyData>& confirmations = {},
                                    const std::string& directory = "DIR",
                                    const nlohmann::ordered_json& cage_peak = {},
                                    const nlohmann::ordered_json& refining_ladder = {},
-                                   const std::optional<StudyData>& companion = {});
+                                   const std::optional<StudyData>& companion = {},
+                                   const std::optional<AssumptionRuns>& assumptions = {});
 
 /// DIR/mixture/study.h5 where DIR holds the stages of a recommendation, otherwise DIR/study.h5.
 std::filesystem::path study_file_in(const std::filesystem::path& directory);

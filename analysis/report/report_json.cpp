@@ -18,13 +18,15 @@ nlohmann::ordered_json make_report(const StudyData& study,
                                    const std::string& directory,
                                    const nlohmann::ordered_json& cage_peak,
                                    const nlohmann::ordered_json& refining_ladder,
-                                   const std::optional<StudyData>& companion) {
+                                   const std::optional<StudyData>& companion,
+                                   const std::optional<AssumptionRuns>& assumptions) {
   const StudyData runs = select_samples(study, first_runs(study));
   const auto joint = judge_all(runs);
   const Resampling resampling(runs, resample_count(runs.size()));
   const ReportBasis basis{study, runs, joint, resampling, study.plan.confidence, directory};
   TolerancePart tolerance = tolerance_json(basis, confirmations);
   Json confirmation = confirmation_json(basis, confirmations, tolerance);
+  Json assumed = assumption_verdicts_json(basis, confirmations, assumptions, tolerance.verdict);
   Json report;
   report["report_version"] = 2;
   report["verdict"] = std::move(tolerance.verdict);
@@ -32,6 +34,7 @@ nlohmann::ordered_json make_report(const StudyData& study,
   report["trends"] = trends_json(basis);
   report["response"] = response_json(basis);
   report["confirmation"] = std::move(confirmation);
+  report["assumption_verdicts"] = std::move(assumed);
   report["outcomes"] = outcomes_json(basis);
   report["limits"] = limits_json(basis);
   report["contributors"] = contributors_json(basis);

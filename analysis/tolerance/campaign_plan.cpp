@@ -62,12 +62,6 @@ double confirming_need(const StudyData& pilot, const ConfirmationRules& rules) {
   return need;
 }
 
-std::string duration(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
-
 std::string noise_text(const StudyData& pilot) {
   std::string text;
   for (const Limit& limit : pilot.plan.limits) {
@@ -105,6 +99,12 @@ void require_runs(const StudyData& pilot, const CampaignPlan& plan,
 }
 
 }  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
 
 double expected_yield(const Yield& yield) {
   return 0.5 * (yield.if_unknown_fail + yield.lower_bound);
@@ -221,8 +221,8 @@ std::string plan_text(const StudyData& pilot, const CampaignPlan& plan) {
       "  confirmation: at most {} attempts at {:.6g} % confidence each, from {} runs for one to {} "
       "for all, up to {}",
       plan.seconds_per_run, plan.processes, plan.mixture_rows, study.candidates.size(), mixture,
-      duration(each * mixture), rules.attempts, 100 * attempt_confidence(rules),
-      confirming_runs(0, rules), plan.confirm_runs, duration(each * confirm));
+      duration_text(each * mixture), rules.attempts, 100 * attempt_confidence(rules),
+      confirming_runs(0, rules), plan.confirm_runs, duration_text(each * confirm));
   if (static_cast<double>(plan.mixture_rows) <
       kFewestEffectiveRuns * static_cast<double>(study.candidates.size()))
     text += fmt::format(

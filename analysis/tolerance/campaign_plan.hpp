@@ -57,6 +57,9 @@ CampaignPlan campaign_plan_of(const nlohmann::ordered_json& json);
 /// The plan in words, with predicted times and what the pilot says about noise.
 std::string plan_text(const StudyData& pilot, const CampaignPlan& plan);
 
+/// "45 s", "12 min", "3.4 h".
+std::string duration_text(double seconds);
+
 /// What an attempt may count on: halfway from the estimate to its bound, since the best of many
 /// looks too good.
 double expected_yield(const Yield& yield);

@@ -3,6 +3,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/study/refused.hpp"
@@ -82,6 +83,14 @@ Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules&
       estimate_yield(study, joint, equal, Resampling(study, 1), attempt_confidence(rules));
   result.passed = result.runs > 0 && confirms(result.runs - result.meeting, result.runs, rules);
   return result;
+}
+
+std::size_t surest_attempt(const std::vector<Confirmation>& attempts) {
+  const auto less_sure = [](const Confirmation& a, const Confirmation& b) {
+    return std::pair(a.passed, a.yield.lower_bound) < std::pair(b.passed, b.yield.lower_bound);
+  };
+  return static_cast<std::size_t>(std::max_element(attempts.begin(), attempts.end(), less_sure) -
+                                  attempts.begin());
 }
 
 }  // namespace cagetol

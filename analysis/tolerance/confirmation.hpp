@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "analysis/statistics/yield.hpp"
 
@@ -52,5 +53,8 @@ struct Confirmation {
 
 /// Throws Refused unless the runs are independent.
 Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& rules);
+
+/// Place of the attempt that passed; where none did, of the one with the highest lower bound.
+std::size_t surest_attempt(const std::vector<Confirmation>& attempts);
 
 }  // namespace cagetol

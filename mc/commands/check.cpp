@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 
+#include "mc/assumption_ranges.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/forecast.hpp"
 #include "mc/law_reader.hpp"
@@ -53,6 +54,10 @@ std::string summary(const Study& study) {
   if (!study.candidates.empty())
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
                         study.candidates.size(), study.tolerance.dimensions.size());
+  if (const std::size_t count = alternatives_of(study).size(); count > 0)
+    text += fmt::format(
+        "ranges of assumptions: {} alternatives, which recommend.assumption_samples has judged\n",
+        count);
   for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
   const SweepForecast forecast = forecast_sweep(study);
   if (forecast.samples > 1) text += "a sweep of " + forecast_text(forecast) + "\n";

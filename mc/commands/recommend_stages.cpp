@@ -8,8 +8,10 @@
 
 #include "analysis/study/refused.hpp"
 #include "analysis/tolerance/campaign.hpp"
+#include "mc/commands/assumption_stages.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"
+#include "mc/commands/stage_study.hpp"
 #include "mc/forecast.hpp"
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
@@ -17,35 +19,6 @@
 
 namespace cagetol {
 namespace {
-
-/// Every stage has random numbers of its own; all follow from the study's seed.
-long stage_seed(long seed, const std::string& stage) {
-  return static_cast<long>(std::stoull(text_hash(fmt::format("{} {}", seed, stage)), nullptr, 16) >>
-                           11);
-}
-
-Study stage_study(const Study& base, const Stage& stage) {
-  return changed_study(base, [&](Study& study) {
-    study.name += ", " + stage.name;
-    study.seed = stage_seed(base.seed, stage.name);
-    study.samples = static_cast<long>(stage.rows);
-    study.allowed_failure_share = 1;  // judged over the campaign, which may go on with another
-    // A budget may be raised: stages and their runs stay as they are.
-    study.recommend.pilot_samples = RecommendPlan{}.pilot_samples;
-    study.recommend.confirm_samples = study.recommend.budget_samples = 0;
-    study.recommend.budget_time = 0;
-    if (stage.bands.empty()) return;
-    study.design = DesignKind::random;
-    study.cages_per_lot = 1;
-    study.extra_replicates = 0;
-    for (std::size_t d = 0; d < stage.bands.size(); ++d) {
-      const RecommendedBand& band = stage.bands[d];
-      auto& dimension = study.tolerance.dimensions[d];
-      dimension.cost.reset();
-      dimension.candidates = {band.grade.empty() ? number_text(band.band_mm) : band.grade};
-    }
-  });
-}
 
 void check_study(const Study& study) {
   const auto refuse = [](const char* key, const std::string& value, const char* why,
@@ -187,10 +160,12 @@ int StageLeader::lead() {
     spdlog::info("{} of {} runs meet all limits: {}", attempt.confirmation.meeting,
                  attempt.confirmation.runs,
                  attempt.confirmation.passed ? "confirmed" : "not confirmed");
+  if (campaign.end != CampaignEnd::interrupted)
+    code_ = run_assumptions(base_, directory_, campaign, *stored_plan(), stages_);
+  if (code_ == kInterrupted) spdlog::warn("interrupted: start the same command again to go on");
+  if (code_ != kDone || campaign.end == CampaignEnd::interrupted) return code_;
   switch (campaign.end) {
     case CampaignEnd::interrupted:
-      if (code_ == kInterrupted) spdlog::warn("interrupted: start the same command again to go on");
-      return code_;
     case CampaignEnd::confirmed:
       return kDone;
     case CampaignEnd::budget_spent:

@@ -249,6 +249,11 @@ struct Watch {
 /// An assumed value of the scene and the reason for it. Reports print them.
 struct Assumption {
   std::string key, note;
+  /// What the value may be as well, in the key's unit; NaN: no range is given.
+  double low = std::numeric_limits<double>::quiet_NaN();
+  double high = std::numeric_limits<double>::quiet_NaN();
+
+  bool has_range() const { return !std::isnan(low); }
 };
 
 struct Scene {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "src/lubrication/lubricant.hpp"
+#include "src/scene/assumptions.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/oil_keys.hpp"
 
@@ -259,26 +260,6 @@ bool is_distribution(const toml::table& table) {
 }
 
 namespace {
-
-std::vector<Assumption> read_assumptions(const toml::node& node, const std::string& file) {
-  std::vector<Assumption> assumptions;
-  const auto wrong = [&](const toml::node& at, const std::string& problem) {
-    return InputError(
-        place_of(at, file), "assumption", shown(at), problem,
-        "write [[assumption]] with key = \"bearing.internal_clearance_um\" and note = \"why\"");
-  };
-  if (!node.is_array()) throw wrong(node, "this is a list of tables");
-  for (const auto& element : *node.as_array()) {
-    const auto* table = element.as_table();
-    const auto* key = table ? table->get_as<std::string>("key") : nullptr;
-    const auto* note = table ? table->get_as<std::string>("note") : nullptr;
-    if (!key || !note) throw wrong(element, "an assumption has a key and a note, both text");
-    if (!find_key(scene_keys(), key->get()))
-      throw wrong(element, "no key of a scene is called '" + key->get() + "'");
-    assumptions.push_back({key->get(), note->get()});
-  }
-  return assumptions;
-}
 
 /// Which keys a scene gives.
 struct Given {
