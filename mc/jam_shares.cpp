@@ -28,6 +28,7 @@ Study with_bands_of_the_laws(const Study& study) {
     as_stated.bands_mm.push_back(dimension.band_mm);
     as_stated.grades.emplace_back();
     as_stated.scales.push_back(1);
+    as_stated.shifts.push_back(0);
   }
   plain.candidates = {as_stated};
   return plain;
@@ -44,15 +45,21 @@ std::vector<Deviation> deviations_of(const Study& study) {
   return deviations;
 }
 
-/// The cage with the deviations of its dimensions scaled.
-void scale_deviations(const Study& study, const std::vector<Deviation>& deviations,
-                      const Sample& cage, const std::vector<double>& scales, Scene& scene) {
+struct BandsAndCentres {
+  std::vector<double> scales, shifts;
+};
+
+/// The cage with the deviations of its dimensions scaled and their centres moved.
+void apply_tolerance(const Study& study, const std::vector<Deviation>& deviations,
+                     const Sample& cage, const BandsAndCentres& tolerance, Scene& scene) {
+  const auto& scales = tolerance.scales;
   for (std::size_t d = 0; d < deviations.size(); ++d) {
     const DrawnInput& drawn = cage.inputs[deviations[d].input];
     const auto& nominal = study.inputs[deviations[d].input].nominal;
     auto values = drawn.value;
     for (std::size_t j = 0; j < values.size(); ++j) {
-      values[j] = nominal[nominal.size() == 1 ? 0 : j];
+      values[j] = nominal[nominal.size() == 1 ? 0 : j] +
+                  (tolerance.shifts.empty() ? 0 : tolerance.shifts[d]);
       if (!drawn.lot.empty()) values[j] += scales[d] * drawn.lot[0];
       if (!drawn.pocket.empty()) values[j] += scales[d] * drawn.pocket[j];
       if (!drawn.noise.empty()) values[j] += drawn.noise[0];
@@ -61,12 +68,12 @@ void scale_deviations(const Study& study, const std::vector<Deviation>& deviatio
   }
 }
 
-/// Scales of each candidate, then of each point of each curve.
-std::vector<std::vector<double>> all_scales(const Study& study, std::vector<JamCurve>& curves) {
-  std::vector<std::vector<double>> scales;
+/// Each candidate, then each point of each curve.
+std::vector<BandsAndCentres> all_tolerances(const Study& study, std::vector<JamCurve>& curves) {
+  std::vector<BandsAndCentres> all;
   std::vector<double> narrowest = study.candidates.front().scales, widest = narrowest;
   for (const Candidate& candidate : study.candidates) {
-    scales.push_back(candidate.scales);
+    all.push_back({candidate.scales, candidate.shifts});
     for (std::size_t d = 0; d < narrowest.size(); ++d) {
       narrowest[d] = std::min(narrowest[d], candidate.scales[d]);
       widest[d] = std::max(widest[d], candidate.scales[d]);
@@ -79,11 +86,11 @@ std::vector<std::vector<double>> all_scales(const Study& study, std::vector<JamC
       auto point = narrowest;
       point[d] *= std::pow(ratio, static_cast<double>(p) / (kPoints - 1));
       curve.band_mm.push_back(point[d] * study.tolerance.dimensions[d].band_mm);
-      scales.push_back(std::move(point));
+      all.push_back({std::move(point), {}});
     }
     curves.push_back(std::move(curve));
   }
-  return scales;
+  return all;
 }
 
 }  // namespace
@@ -91,16 +98,16 @@ std::vector<std::vector<double>> all_scales(const Study& study, std::vector<JamC
 JamShares jam_shares(const Study& study) {
   JamShares jams;
   if (study.candidates.empty() || study.scene.allow_interference) return jams;
-  const auto scales = all_scales(study, jams.curves);
+  const auto tolerances = all_tolerances(study, jams.curves);
   const Study plain = with_bands_of_the_laws(study);
   const auto deviations = deviations_of(plain);
   const Sampler sampler(plain);
-  std::vector<long> jammed(scales.size(), 0);
+  std::vector<long> jammed(tolerances.size(), 0);
   for (long id = 0; id < kJamCages; ++id) {
     const Sample cage = sampler.draw(static_cast<std::uint64_t>(id));
     Scene scene = cage.scene;
-    for (std::size_t k = 0; k < scales.size(); ++k) {
-      scale_deviations(plain, deviations, cage, scales[k], scene);
+    for (std::size_t k = 0; k < tolerances.size(); ++k) {
+      apply_tolerance(plain, deviations, cage, tolerances[k], scene);
       jammed[k] += find_jam(scene).pocket >= 0;
     }
   }

@@ -67,6 +67,7 @@ toml::table dimension_table(const ToleranceDimension& dimension) {
       candidates.push_back(std::stod(name));
   }
   table.insert("candidates", std::move(candidates));
+  if (!dimension.centres.empty()) table.insert("centres", array_of(dimension.centres));
   if (dimension.cost) insert_cost(*dimension.cost, table);
   return table;
 }
@@ -101,6 +102,7 @@ toml::table candidate_table(const Candidate& candidate) {
   table.insert("bands_mm", array_of(candidate.bands_mm));
   table.insert("grades", array_of(candidate.grades));
   table.insert("scales", array_of(candidate.scales));
+  table.insert("shifts", array_of(candidate.shifts));
   return table;
 }
 

@@ -223,10 +223,12 @@ struct Sampler::Implementation {
   DrawnInput drawn(std::size_t i, const std::vector<double>& u, const Sample& sample) const {
     const auto& input = study.inputs[i];
     const auto& of_input = columns.of_input[i];
-    const double scale = dimension[i] < 0
-                             ? 1
-                             : study.candidates[static_cast<std::size_t>(sample.candidate)]
-                                   .scales[static_cast<std::size_t>(dimension[i])];
+    const Candidate* candidate =
+        dimension[i] < 0 ? nullptr : &study.candidates[static_cast<std::size_t>(sample.candidate)];
+    const auto d = static_cast<std::size_t>(std::max(dimension[i], 0L));
+    const double scale = candidate ? candidate->scales[d] : 1;
+    // The centre moves the lot, or every pocket where there is no lot.
+    const double shift = candidate ? candidate->shift(d) : 0;
     const auto deviation = [&](const Law& law, long column, std::size_t draw) {
       return scale * (column < 0 ? quantile(law, 0.5)
                                  : quantile(law, u[static_cast<std::size_t>(column) + draw]));
@@ -234,10 +236,11 @@ struct Sampler::Implementation {
     DrawnInput drawn;
     drawn.value = input.nominal;
     if (input.per_pocket) drawn.value.resize(pocket_count(study), input.nominal[0]);
-    if (input.lot) drawn.lot = {deviation(*input.lot, of_input.lot, 0)};
+    if (input.lot) drawn.lot = {deviation(*input.lot, of_input.lot, 0) + shift};
     if (input.pocket)
       for (std::size_t j = 0; j < pocket_count(study); ++j)
-        drawn.pocket.push_back(deviation(*input.pocket, of_input.pocket, j));
+        drawn.pocket.push_back(deviation(*input.pocket, of_input.pocket, j) +
+                               (input.lot ? 0 : shift));
     if (input.noise) drawn.noise = {noise(input, sample)};
     for (std::size_t j = 0; j < drawn.value.size(); ++j) {
       double& value = drawn.value[j];

@@ -99,6 +99,18 @@ double widest_scale(const Study& study, const std::string& key) {
   return scale;
 }
 
+/// Farthest shifts of the candidates' centres, down and up.
+std::pair<double, double> farthest_shifts(const Study& study, const std::string& key) {
+  std::pair<double, double> shifts{0, 0};
+  for (std::size_t d = 0; d < study.tolerance.dimensions.size(); ++d)
+    if (study.tolerance.dimensions[d].key == key)
+      for (const auto& candidate : study.candidates) {
+        shifts.first = std::min(shifts.first, candidate.shift(d));
+        shifts.second = std::max(shifts.second, candidate.shift(d));
+      }
+  return shifts;
+}
+
 }  // namespace
 
 std::vector<UncertainInput> read_inputs(const toml::table& scene, const std::string& file,
@@ -138,13 +150,15 @@ void check_drawn_range(const Study& study, const toml::table& scene, const std::
   for (const auto& input : study.inputs) {
     const auto& key = *find_key(scene_keys(), input.key);
     const double scale = widest_scale(study, input.key);
+    const auto [down, up] = farthest_shifts(study, input.key);
     const auto [smallest, largest] =
         std::minmax_element(input.nominal.begin(), input.nominal.end());
     const auto extreme = [&](double nominal, double p) {
       return nominal + scale * (deviation_at(input.lot, p) + deviation_at(input.pocket, p)) +
              deviation_at(input.noise, p);
     };
-    for (const double value : {extreme(*smallest, kRareDraw), extreme(*largest, 1 - kRareDraw)}) {
+    for (const double value :
+         {extreme(*smallest + down, kRareDraw), extreme(*largest + up, 1 - kRareDraw)}) {
       if (in_range(key.range, value)) continue;
       const auto* node = find_node(scene, input.key);
       throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, input.key,
@@ -163,10 +177,12 @@ double thickness_scatter(const Study& study) {
   for (const auto& input : study.inputs) {
     if (input.key != kCageBore && input.key != kCageOutside) continue;
     const double scale = widest_scale(study, input.key);
+    const auto [down, up] = farthest_shifts(study, input.key);
     double farthest = 0;
     for (const double p : {kRareDraw, 1 - kRareDraw})
       farthest = std::max(
-          farthest, std::abs(scale * deviation_at(input.lot, p) + deviation_at(input.noise, p)));
+          farthest, std::abs(scale * deviation_at(input.lot, p) + deviation_at(input.noise, p)) +
+                        std::max(-down, up));
     sum += farthest;
   }
   return sum / thickness;

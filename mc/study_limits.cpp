@@ -74,6 +74,33 @@ std::vector<std::string> candidate_names(const toml::node* node, const toml::tab
   return names;
 }
 
+std::vector<double> read_centres(const toml::node* node, const UncertainInput& input,
+                                 const std::string& file) {
+  std::vector<double> centres;
+  if (!node) return centres;
+  const auto refuse = [&](const toml::node& where, const char* why, const char* remedy) {
+    return InputError(place_of(where, file), "tolerance.dimension.centres", shown(where), why,
+                      remedy);
+  };
+  const auto* array = node->as_array();
+  if (!array || array->empty())
+    throw refuse(*node, "there are no centres",
+                 "give nominal values in the unit of the key, centres = [7.6, 7.65, 7.7]");
+  if (std::any_of(input.nominal.begin(), input.nominal.end(),
+                  [&](double value) { return value != input.nominal.front(); }))
+    throw refuse(*node, "the nominal values of the pockets differ: there is no centre to move",
+                 "give the key one nominal value, or leave out centres");
+  for (const auto& element : *array) {
+    const auto value = element.is_number() ? element.value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value))
+      throw refuse(element, "this is no number", "give nominal values in the unit of the key");
+    if (!centres.empty() && *value <= centres.back())
+      throw refuse(element, "centres must ascend", "sort them and name each once");
+    centres.push_back(*value);
+  }
+  return centres;
+}
+
 std::vector<std::pair<double, double>> cost_table(const toml::node& node, const std::string& file) {
   std::vector<std::pair<double, double>> table;
   const auto* rows = node.as_array();
@@ -193,6 +220,7 @@ std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const s
         throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
                          "this key has a tolerance.dimension already", "join the two");
     dimension.candidates = candidate_names(entry->get("candidates"), *entry, file);
+    dimension.centres = read_centres(entry->get("centres"), *input, file);
     dimension.cost = read_cost(*entry, file);
     if (!dimensions.empty() && dimension.cost.has_value() != dimensions.front().cost.has_value())
       throw InputError(place_of(*entry, file), "tolerance.dimension", shown(*entry),
@@ -210,7 +238,10 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
   const auto place = place_of(*find_node(root, "tolerance.dimension"), file);
   std::vector<Candidate> candidates = {Candidate{}};
   for (const auto& dimension : dimensions) {
-    if (candidates.size() * dimension.candidates.size() > kMostCandidates)
+    const double nominal = find_input(study.inputs, dimension.key)->nominal.front();
+    const auto centres =
+        dimension.centres.empty() ? std::vector<double>{nominal} : dimension.centres;
+    if (candidates.size() * dimension.candidates.size() * centres.size() > kMostCandidates)
       throw InputError(
           place, "tolerance.dimension", "",
           "more than " + std::to_string(kMostCandidates) + " combinations of candidates",
@@ -239,7 +270,10 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
         candidate.grades.push_back(grade_number(name) ? name : "");
         candidate.bands_mm.push_back(band);
         candidate.scales.push_back(band / dimension.band_mm);
-        longer.push_back(std::move(candidate));
+        for (const double centre : centres) {
+          longer.push_back(candidate);
+          longer.back().shifts.push_back(centre - nominal);
+        }
       }
     candidates = std::move(longer);
   }

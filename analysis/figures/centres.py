@@ -61,3 +61,24 @@ def centre_map(report):
     axis.grid(False)
     figure.colorbar(image, ax=axis, pad=0.02).set_label("yield [%]")
     return figure
+
+
+def centre_responses(report):
+    """One panel for each dimension: peak force on a pocket over its centre, fit and optimum."""
+    responses = report["tolerance"].get("centre_responses", []) if report["tolerance"] else []
+    if not responses:
+        return None
+    figure, axes = plt.subplots(1, len(responses), figsize=(WIDTH, 3.0), squeeze=False)
+    for axis, response in zip(axes[0], responses):
+        optimum = response["optimum"]
+        if optimum["lower"] is not None and optimum["upper"] is not None:
+            axis.axvspan(optimum["lower"], optimum["upper"], color=RED, alpha=0.12, linewidth=0)
+        axis.axvline(optimum["value"], color=RED, linestyle="--", linewidth=1.2, label="optimum, with its interval")
+        axis.plot(response["at"], response["fitted"], color=BLUE, label="fit")
+        means = [mean for mean in response["means"] if mean["standard_error"] is not None]
+        axis.errorbar([mean["centre"] for mean in means], [mean["mean"] for mean in means],
+                      yerr=[2 * mean["standard_error"] for mean in means], fmt="o", color=BLUE, capsize=3, label="means")
+        axis.set_xlabel(f"nominal {response['name']} [{response['unit']}]")
+        axis.set_ylabel(f"peak force on a pocket [{response['quantity_unit']}]")
+        axis.legend(loc="best", fontsize=8)
+    return figure

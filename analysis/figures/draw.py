@@ -32,6 +32,7 @@ def main(report_file, output_dir):
         "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
         "jam_curves": tolerance.jam_curves,
         "centre_curves": centres.centre_curves, "centre_map": centres.centre_map,
+        "centre_responses": centres.centre_responses,
         "limited_quantities": quantities.limited_quantities, "other_quantities": quantities.other_quantities,
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,

@@ -58,6 +58,28 @@ std::string confirmation_chapter(const Json& report) {
   return chapter("confirmation", "Fresh runs at the recommended tolerance", body);
 }
 
+std::string centre_responses_section(const Json& tolerance, const FigureSet& figures) {
+  if (tolerance["centre_responses"].empty()) return {};
+  std::string body = "<h3>Force over the centre of the tolerance</h3>\n" +
+                     figure_html(figures, "centre_responses",
+                                 "Peak force on a pocket over the nominal value: means of the runs "
+                                 "nearest to each centre with two standard errors, the fit, and "
+                                 "the optimum with its interval (band).");
+  for (const Json& response : tolerance["centre_responses"]) {
+    const Json& optimum = response["optimum"];
+    body += paragraph(fmt::format(
+        "{}: the force is least at {:.4g} {}, {:.4g} to {:.4g} with {:g} % confidence.{}",
+        escaped(response["name"]), optimum["value"].get<double>(), escaped(response["unit"]),
+        optimum["lower"].is_number() ? optimum["lower"].get<double>() : 0.0,
+        optimum["upper"].is_number() ? optimum["upper"].get<double>() : 0.0,
+        100 * tolerance["confidence"].get<double>(),
+        response["at_end"].get<bool>()
+            ? " That is the end of the centres studied: it may lie beyond."
+            : ""));
+  }
+  return body;
+}
+
 std::string centres_section(const Json& tolerance, const FigureSet& figures) {
   if (!tolerance["centres"].is_object()) return {};
   const Json& centres = tolerance["centres"];

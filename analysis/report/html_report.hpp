@@ -31,6 +31,7 @@ std::string health_chapter(const Json& report, const FigureSet& figures);
 std::string provenance_chapter(const Json& report);
 
 /// Part of the tolerance chapter.
+std::string centre_responses_section(const Json& tolerance, const FigureSet& figures);
 std::string centres_section(const Json& tolerance, const FigureSet& figures);
 
 }  // namespace cagetol

@@ -10,6 +10,13 @@
 namespace cagetol {
 namespace {
 
+/// ", about 7.6" where the centre is in question.
+std::string centre_words(const Json& dimension, const Json& candidate, std::size_t d) {
+  if (!dimension["nominal"].is_number()) return {};
+  return fmt::format(", about {:.6g}",
+                     dimension["nominal"].get<double>() + candidate["shifts"][d].get<double>());
+}
+
 std::string candidate_table(const Json& tolerance) {
   std::vector<std::string> headers;
   std::string columns;
@@ -28,8 +35,9 @@ std::string candidate_table(const Json& tolerance) {
                chosen = candidate["candidate"] == tolerance["chosen_candidate"];
     std::vector<std::string> row;
     for (std::size_t d = 0; d < candidate["bands_mm"].size(); ++d)
-      row.push_back(fmt::format("{:.3f} mm {}", candidate["bands_mm"][d].get<double>(),
-                                escaped(candidate["grades"][d])));
+      row.push_back(fmt::format("{:.3f} mm {}{}", candidate["bands_mm"][d].get<double>(),
+                                escaped(candidate["grades"][d]),
+                                centre_words(tolerance["dimensions"][d], candidate, d)));
     row.push_back(shown ? percent(yield["if_unknown_fail"]) : "too few runs");
     row.push_back(shown ? percent(yield["if_unknown_pass"]) : "");
     row.push_back(shown ? percent(yield["lower_bound"]) : "");
@@ -156,6 +164,7 @@ std::string tolerance_chapter(const Json& report, const FigureSet& figures) {
     body += "<p class=\"warning\">" + escaped(tolerance["note"]) + "</p>\n";
   body += binding_list(tolerance);
   body += jam_section(tolerance, figures);
+  body += centre_responses_section(tolerance, figures);
   body += centres_section(tolerance, figures);
   return chapter("tolerance", "Yield against tolerance", body);
 }

@@ -25,7 +25,11 @@ std::string band_facts(const Json& report) {
       facts += fact("not binding", escaped(name) + ", within the range studied");
     else
       facts += fact(fmt::format("{:.3f} mm {}", band["band_mm"].get<double>(), escaped(grade)),
-                    escaped(name) + ", full width" +
+                    escaped(name) +
+                        (band["centre"].is_number()
+                             ? fmt::format(", nominal {:g}", band["centre"].get<double>())
+                             : std::string()) +
+                        ", full width" +
                         (band["widest_studied"].get<bool>() ? "; nothing wider was studied" : ""));
   }
   return facts;

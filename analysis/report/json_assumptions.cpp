@@ -22,14 +22,13 @@ std::string with_value(const AssumedValue& alternative) {
 /// them has too few effective runs.
 class ToleranceChange {
  public:
-  ToleranceChange(const ReportBasis& basis, const std::vector<double>& bands_mm) : basis_(basis) {
+  ToleranceChange(const ReportBasis& basis, const Tolerance& tolerance) : basis_(basis) {
     const StudyData& runs = basis.runs;
     const auto& candidates = runs.plan.candidates;
     if (candidates.empty()) return;
     std::size_t narrowest = 0, chosen = candidates.size();
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      const auto bands = snapped_bands(runs, candidates[k]);
-      if (same_bands(bands, bands_mm)) chosen = k;
+      if (same_tolerance(snapped_tolerance(runs, candidates[k]), tolerance)) chosen = k;
       if (candidates[k].bands_mm < candidates[narrowest].bands_mm) narrowest = k;
     }
     if (chosen == candidates.size() || chosen == narrowest) return;
@@ -146,7 +145,7 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
   if (!runs->alternatives.empty()) {
     const StudyData& attempt = confirmations[plan.attempt - 1];
     verdicts = judge_assumptions(attempt, runs->runs, confirmation_rules(basis.study.plan, 0));
-    const ToleranceChange tolerance(basis, attempt.plan.candidates.front().bands_mm);
+    const ToleranceChange tolerance(basis, tolerance_tried(attempt));
     for (std::size_t k = 0; k < runs->alternatives.size(); ++k)
       alternatives.push_back(
           alternative_json(plan, runs->alternatives[k], verdicts.alternatives[k], tolerance));

@@ -8,12 +8,19 @@
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/study/refused.hpp"
 #include "analysis/tolerance/centre_curve.hpp"
+#include "analysis/tolerance/centre_response.hpp"
 #include "analysis/tolerance/confirmation.hpp"
 
 namespace cagetol {
 namespace {
 
 constexpr std::size_t kResamples = 500;
+
+/// Nominal value that an attempt gave a dimension; null where it is not in question.
+Json centre_of(const StudyData& attempt, std::size_t dimension) {
+  const auto& centres = attempt.plan.dimensions[dimension].centres;
+  return centres.empty() ? Json() : Json(centres.front());
+}
 
 Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t number) {
   const auto rules = confirmation_rules(mixture.plan, 0);
@@ -24,7 +31,8 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
     bands.push_back({{"key", runs.plan.dimensions[d].key},
                      {"name", plain_name(runs.plan.dimensions[d].key)},
                      {"band_mm", tolerance.bands_mm[d]},
-                     {"grade", tolerance.grades[d]}});
+                     {"grade", tolerance.grades[d]},
+                     {"centre", centre_of(runs, d)}});
   const auto allowed = allowed_failures(result.runs, rules);
   return {{"stage", fmt::format("confirm-{}", number)},
           {"bands", bands},
@@ -36,22 +44,36 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
           {"passed", result.passed}};
 }
 
+/// " about 7.6", or nothing where the centre is not in question.
+std::string centre_text(const StudyData& runs, const Candidate& candidate, std::size_t dimension) {
+  const ToleranceDimension& plan = runs.plan.dimensions[dimension];
+  const InputColumns* input = find_input(runs, plan.key);
+  if (plan.centres.empty() || input == nullptr) return {};
+  return fmt::format(" about {:.6g}", input->nominal.front() + candidate.shift(dimension));
+}
+
 /// The command that would confirm a candidate that was passed over, in a directory of its own and
 /// with other random numbers.
-std::string confirming_command(const StudyPlan& plan, std::int64_t seed, const Candidate& candidate,
-                               std::size_t runs) {
+std::string confirming_command(const StudyData& runs, std::int64_t seed, const Candidate& candidate,
+                               std::size_t count) {
+  const StudyPlan& plan = runs.plan;
   std::string dimensions;
   for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d) {
     const std::string band = candidate.grades[d].empty() ? fmt::format("{}", candidate.bands_mm[d])
                                                          : '"' + candidate.grades[d] + '"';
-    dimensions += fmt::format("{}{{key=\"{}\", band_mm={}, candidates=[{}]}}", d == 0 ? "" : ", ",
-                              plan.dimensions[d].key, plan.dimensions[d].band_mm, band);
+    const InputColumns* input = find_input(runs, plan.dimensions[d].key);
+    const std::string centre =
+        plan.dimensions[d].centres.empty() || input == nullptr
+            ? ""
+            : fmt::format(", centres=[{:.12g}]", input->nominal.front() + candidate.shift(d));
+    dimensions += fmt::format("{}{{key=\"{}\", band_mm={}, candidates=[{}]{}}}", d == 0 ? "" : ", ",
+                              plan.dimensions[d].key, plan.dimensions[d].band_mm, band, centre);
   }
   return fmt::format(
       "cagetol recommend STUDY -o OTHER_DIR --set seed={} --set samples=128 --set "
       "recommend.attempts=1 --set recommend.confirm_samples={} --set recommend.budget_samples=0 "
       "--set recommend.budget_h=0 --set 'tolerance.dimension=[{}]'",
-      seed, runs, dimensions);
+      seed, count, dimensions);
 }
 
 Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates) {
@@ -60,17 +82,18 @@ Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& c
     const Candidate& candidate = basis.study.plan.candidates[passed.candidate];
     std::string name;
     for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d)
-      name +=
-          fmt::format("{}{} {}", d == 0 ? "" : ", ", plain_name(basis.study.plan.dimensions[d].key),
-                      band_name(candidate.grades[d], candidate.bands_mm[d]));
-    list.push_back({{"name", name},
-                    {"reason", passed.reason},
-                    {"runs_needed", passed.runs_needed},
-                    {"command", passed.runs_needed > 0
-                                    ? Json(confirming_command(basis.study.plan,
-                                                              basis.study.provenance.seed + 1,
-                                                              candidate, passed.runs_needed))
-                                    : Json()}});
+      name += fmt::format("{}{} {}{}", d == 0 ? "" : ", ",
+                          plain_name(basis.study.plan.dimensions[d].key),
+                          band_name(candidate.grades[d], candidate.bands_mm[d]),
+                          centre_text(basis.study, candidate, d));
+    list.push_back(
+        {{"name", name},
+         {"reason", passed.reason},
+         {"runs_needed", passed.runs_needed},
+         {"command", passed.runs_needed > 0
+                         ? Json(confirming_command(basis.study, basis.study.provenance.seed + 1,
+                                                   candidate, passed.runs_needed))
+                         : Json()}});
   }
   return list;
 }
@@ -86,7 +109,9 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
   for (const Json& band : attempt["bands"]) {
     const std::string grade = band["grade"];
     const std::string text =
-        fmt::format("{} {:.3f} mm{}", band["name"].get<std::string>(),
+        fmt::format("{}{} {:.3f} mm{}", band["name"].get<std::string>(),
+                    band["centre"].is_number() ? fmt::format(" {:g},", band["centre"].get<double>())
+                                               : std::string(),
                     band["band_mm"].get<double>(), grade.empty() ? "" : " (" + grade + ")");
     std::string& list =
         std::find(not_binding.begin(), not_binding.end(), band["key"]) != not_binding.end() ? free
@@ -138,6 +163,7 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
     if (std::find(free.begin(), free.end(), band["key"]) != free.end()) continue;
     entry = {{"band_mm", passed ? band["band_mm"] : Json()},
              {"grade", passed ? band["grade"] : Json()}};
+    if (band["centre"].is_number()) entry["centre"] = passed ? band["centre"] : Json();
   }
   verdict["meets_target"] = passed;
   verdict["yield"] = last["yield"];
@@ -162,8 +188,33 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
           {"capability", capability_json({runs, runs, joint, resampling, basis.confidence})}};
 }
 
+Json centre_responses_json(const ReportBasis& basis) {
+  Json list = Json::array();
+  for (std::size_t d = 0; d < basis.runs.plan.dimensions.size(); ++d) {
+    const auto response = centre_response(basis.runs, d, basis.resampling, basis.confidence);
+    if (!response) continue;
+    Json means = Json::array();
+    for (const CentreMean& mean : response->means)
+      means.push_back({{"centre", mean.centre},
+                       {"mean", number(mean.mean)},
+                       {"standard_error", number(mean.standard_error)},
+                       {"runs", mean.runs}});
+    list.push_back({{"key", response->key},
+                    {"name", plain_name(response->key)},
+                    {"unit", response->unit},
+                    {"quantity", kCentreQuantity},
+                    {"quantity_unit", response->quantity_unit},
+                    {"means", means},
+                    {"at", response->at},
+                    {"fitted", response->fitted},
+                    {"optimum", to_json(response->optimum)},
+                    {"at_end", response->at_end}});
+  }
+  return list;
+}
+
 Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,
-                  const std::vector<double>& bands_mm) {
+                  const Tolerance& tolerance) {
   const auto point = [](const CentreYield& centre) {
     const bool shown = centre.ess >= kFewestEffectiveRuns;
     return Json{{"shifts_mm", centre.shifts_mm},
@@ -172,14 +223,14 @@ Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,
                 {"yield", shown ? to_json(centre.yield) : Json()}};
   };
   try {
-    const CentreCurves curves = centre_curves(basis.runs, mixture, bands_mm, basis.joint,
+    const CentreCurves curves = centre_curves(basis.runs, mixture, tolerance, basis.joint,
                                               basis.resampling, basis.confidence);
     Json dimensions = Json::array(), map = Json::array();
     for (std::size_t d = 0; d < curves.dimensions.size(); ++d) {
       Json points = Json::array();
       for (const CentreYield& centre : curves.dimensions[d]) points.push_back(point(centre));
       dimensions.push_back({{"name", plain_name(basis.runs.plan.dimensions[d].key)},
-                            {"band_mm", bands_mm[d]},
+                            {"band_mm", tolerance.bands_mm[d]},
                             {"points", points}});
     }
     for (const CentreYield& centre : curves.map) map.push_back(point(centre));

@@ -72,7 +72,10 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
                               const std::optional<AssumptionRuns>& runs, Json& verdict);
 
 /// Yield against the centres of tolerances of these widths.
+/// How the peak force follows the centres in question, by dimension.
+Json centre_responses_json(const ReportBasis& basis);
+
 Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,
-                  const std::vector<double>& bands_mm);
+                  const Tolerance& tolerance);
 
 }  // namespace cagetol

@@ -34,6 +34,7 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
     const auto& jam = basis.study.jam.candidate;
     list.push_back({{"candidate", k},
                     {"bands_mm", plan.bands_mm},
+                    {"shifts", plan.shifts},
                     {"grades", plan.grades},
                     {"shown", shown(curves.candidates[k])},
                     {"jam_share", k < jam.size() ? Json(jam[k]) : Json()},
@@ -42,7 +43,15 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
   return list;
 }
 
-Json dimensions_json(const YieldCurves& curves, const std::vector<BindingTest>& tests) {
+/// Where the centre of a dimension is in question.
+Json nominal_json(const ReportBasis& basis, std::size_t dimension) {
+  const ToleranceDimension& plan = basis.study.plan.dimensions[dimension];
+  const InputColumns* input = find_input(basis.study, plan.key);
+  return plan.centres.empty() || input == nullptr ? Json() : Json(input->nominal.front());
+}
+
+Json dimensions_json(const ReportBasis& basis, const YieldCurves& curves,
+                     const std::vector<BindingTest>& tests) {
   Json list = Json::array();
   for (std::size_t d = 0; d < curves.dimensions.size(); ++d) {
     const BindingTest& test = tests[d];
@@ -55,6 +64,7 @@ Json dimensions_json(const YieldCurves& curves, const std::vector<BindingTest>& 
                         {"yield", to_json(level.yield)}});
     list.push_back({{"key", test.key},
                     {"name", plain_name(test.key)},
+                    {"nominal", nominal_json(basis, d)},
                     {"levels", levels},
                     {"binding", binding_name(test.answer)},
                     {"largest_loss", number(test.largest_loss)},
@@ -90,6 +100,7 @@ Json bands_json(const Recommendation& result) {
                      {"not_binding", band.not_binding},
                      {"band_mm", band.band_mm},
                      {"grade", band.grade},
+                     {"centre", band.centre ? Json(*band.centre) : Json()},
                      {"widest_studied", band.widest_studied}});
   return bands;
 }
@@ -119,8 +130,9 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
   const StudyPlan& plan = basis.study.plan;
   std::vector<std::string> bands, free;
   for (const RecommendedBand& band : result.bands) {
-    const std::string width = fmt::format("{} {:.3f} mm{}", band.name, band.band_mm,
-                                          band.grade.empty() ? "" : " (" + band.grade + ")");
+    const std::string width = fmt::format(
+        "{}{} {:.3f} mm{}", band.name, band.centre ? fmt::format(" {:g},", *band.centre) : "",
+        band.band_mm, band.grade.empty() ? "" : " (" + band.grade + ")");
     (band.not_binding ? free : bands).push_back(width);
   }
   std::string text;
@@ -179,7 +191,9 @@ Json band_verdict(const RecommendedBand& band) {
             {"grade", nullptr},
             {"yield_stated_at_mm", band.band_mm},
             {"yield_stated_at_grade", band.grade}};
-  return {{"band_mm", band.band_mm}, {"grade", band.grade}};
+  Json verdict{{"band_mm", band.band_mm}, {"grade", band.grade}};
+  if (band.centre) verdict["centre"] = *band.centre;
+  return verdict;
 }
 
 }  // namespace
@@ -205,12 +219,11 @@ TolerancePart tolerance_json(const ReportBasis& basis,
       result =
           recommend_tolerance(basis.runs, mixture, curves, tests, basis.joint, basis.resampling);
     } else {
-      std::vector<std::vector<double>> tried;
-      for (const StudyData& attempt : confirmations)
-        tried.push_back(attempt.plan.candidates.front().bands_mm);
+      std::vector<Tolerance> tried;
+      for (const StudyData& attempt : confirmations) tried.push_back(tolerance_tried(attempt));
       result = recommend_allowed(
           basis.runs, mixture, curves, tests, basis.joint, basis.resampling, [&](std::size_t k) {
-            return same_bands(snapped_bands(basis.runs, plan.candidates[k]), tried.back());
+            return same_tolerance(snapped_tolerance(basis.runs, plan.candidates[k]), tried.back());
           });
       part.passed_over = passed_over(basis.runs, curves, tried);
     }
@@ -224,17 +237,20 @@ TolerancePart tolerance_json(const ReportBasis& basis,
         undecided.push_back(tests[d].key);
     }
     part.tolerance = {{"candidates", candidates_json(basis, curves)},
-                      {"dimensions", dimensions_json(curves, tests)},
+                      {"dimensions", dimensions_json(basis, curves, tests)},
                       {"fewest_effective_runs", kLeastEffectiveRuns},
+                      {"confidence", basis.confidence},
                       {"jams", jams_json(basis)},
                       {"note", mixture.note},
                       {"chosen_candidate", result.possible ? Json(result.candidate) : Json()},
                       {"bands", bands_json(result)},
                       {"steps", steps_json(result)},
                       {"cost", result.cost ? Json(*result.cost) : Json()}};
-    std::vector<double> bands;
-    for (const RecommendedBand& band : result.bands) bands.push_back(band.band_mm);
-    part.tolerance["centres"] = result.possible ? centres_json(basis, mixture, bands) : Json();
+    Tolerance chosen;
+    for (const RecommendedBand& band : result.bands) chosen.bands_mm.push_back(band.band_mm);
+    if (result.possible) chosen.shifts = plan.candidates[result.candidate].shifts;
+    part.tolerance["centres"] = result.possible ? centres_json(basis, mixture, chosen) : Json();
+    part.tolerance["centre_responses"] = centre_responses_json(basis);
   }
   for (const RecommendedBand& band : result.bands) verdict["bands"][band.key] = band_verdict(band);
   const Yield& yield = result.possible ? result.yield : overall;

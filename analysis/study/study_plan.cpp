@@ -47,9 +47,13 @@ Limit read_limit(const Json& object) {
 }
 
 Candidate read_candidate(const Json& object) {
-  return {object.at("bands_mm").get<std::vector<double>>(),
-          object.at("grades").get<std::vector<std::string>>(),
-          object.at("scales").get<std::vector<double>>()};
+  Candidate candidate{object.at("bands_mm").get<std::vector<double>>(),
+                      object.at("grades").get<std::vector<std::string>>(),
+                      object.at("scales").get<std::vector<double>>(),
+                      {}};
+  candidate.shifts = object.contains("shifts") ? object.at("shifts").get<std::vector<double>>()
+                                               : std::vector<double>(candidate.scales.size(), 0.0);
+  return candidate;
 }
 
 Correlation read_correlation(const Json& object) {
@@ -92,6 +96,7 @@ ToleranceDimension read_dimension(const Json& object) {
     dimension.candidates.push_back(candidate.is_string()
                                        ? candidate.get<std::string>()
                                        : fmt::format("{}", candidate.get<double>()));
+  if (object.contains("centres")) object.at("centres").get_to(dimension.centres);
   dimension.cost = read_cost(object);
   return dimension;
 }

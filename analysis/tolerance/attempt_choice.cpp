@@ -151,7 +151,7 @@ Recommendation recommendation_of(const MixtureStudy& mixture, std::size_t candid
 }
 
 std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const CampaignPlan& plan,
-                                            const std::vector<std::vector<double>>& failed) {
+                                            const std::vector<Tolerance>& failed) {
   const StudyPlan& study = mixture.runs.plan;
   const ConfirmationRules rules = confirmation_rules(study, 0);
   const std::size_t fewest = confirming_runs(0, rules);
@@ -167,8 +167,10 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
   };
   const auto promising = [&](std::size_t k) {
     return estimate_of(mixture, k) >= rules.target_yield &&
-           std::all_of(failed.begin(), failed.end(), [&](const std::vector<double>& bands) {
-             return narrower(bands_of(k), bands);
+           std::all_of(failed.begin(), failed.end(), [&](const Tolerance& other) {
+             return narrower(bands_of(k), other.bands_mm) ||
+                    (same_bands(bands_of(k), other.bands_mm) &&
+                     !same_centres({bands_of(k), study.candidates[k].shifts}, other));
            });
   };
   const auto most_runs = [&](std::size_t k) {
@@ -208,16 +210,18 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
 }
 
 std::vector<PassedOver> passed_over(const StudyData& runs, const YieldCurves& curves,
-                                    const std::vector<std::vector<double>>& tried) {
+                                    const std::vector<Tolerance>& tried) {
   std::vector<PassedOver> list;
   if (tried.empty()) return list;
   const StudyPlan& plan = runs.plan;
-  const double decided = worth_of_bands(plan, tried.back());
+  const double decided = worth_of_bands(plan, tried.back().bands_mm);
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
-    const auto bands = snapped_bands(runs, plan.candidates[k]);
-    const bool wider = worth_of_bands(plan, bands) > decided + kRounding * std::abs(decided);
-    const bool fresh = std::none_of(tried.begin(), tried.end(),
-                                    [&](const auto& other) { return same_bands(bands, other); });
+    const Tolerance tolerance = snapped_tolerance(runs, plan.candidates[k]);
+    const bool wider =
+        worth_of_bands(plan, tolerance.bands_mm) > decided + kRounding * std::abs(decided);
+    const bool fresh = std::none_of(tried.begin(), tried.end(), [&](const auto& other) {
+      return same_tolerance(tolerance, other);
+    });
     if (wider && fresh) list.push_back(reason_of(runs, curves.candidates[k], k));
   }
   return list;

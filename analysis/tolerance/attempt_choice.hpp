@@ -40,11 +40,10 @@ struct AttemptChoice {
   Recommendation recommendation;
 };
 
-/// `failed_bands_mm`: those of every attempt so far. Nothing where no candidate is left whose
+/// `failed`: those of every attempt so far. Nothing where no candidate is left whose
 /// estimate meets the target, or the runs left are too few for an attempt.
-std::optional<AttemptChoice> choose_attempt(
-    const MixtureStudy& mixture, const CampaignPlan& plan,
-    const std::vector<std::vector<double>>& failed_bands_mm);
+std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const CampaignPlan& plan,
+                                            const std::vector<Tolerance>& failed);
 
 /// The recommendation of this very candidate.
 Recommendation recommendation_of(const MixtureStudy& mixture, std::size_t candidate);
@@ -57,9 +56,9 @@ struct PassedOver {
   std::size_t runs_needed = 0;
 };
 
-/// `runs` and `curves` are the mixture's; `tried_bands_mm`: those of all attempts, the last one
+/// `runs` and `curves` are the mixture's; `tried`: those of all attempts, the last one
 /// decided for.
 std::vector<PassedOver> passed_over(const StudyData& runs, const YieldCurves& curves,
-                                    const std::vector<std::vector<double>>& tried_bands_mm);
+                                    const std::vector<Tolerance>& tried);
 
 }  // namespace cagetol

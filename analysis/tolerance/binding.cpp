@@ -16,11 +16,12 @@ namespace {
 
 constexpr double kFewFailing = 5;
 
-/// The candidate's bands without those of dimension d.
+/// The candidate's bands without those of dimension d, and its centres.
 std::vector<double> rest_of(const Candidate& candidate, std::size_t d) {
-  auto bands = candidate.bands_mm;
-  bands.erase(bands.begin() + static_cast<std::ptrdiff_t>(d));
-  return bands;
+  auto rest = candidate.bands_mm;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(d));
+  rest.insert(rest.end(), candidate.shifts.begin(), candidate.shifts.end());
+  return rest;
 }
 
 /// Candidates among which the decision lies: those whose other bands meet the target with at least

@@ -9,10 +9,11 @@
 namespace cagetol {
 namespace {
 
-std::vector<double> bands_of(const Recommendation& recommendation) {
-  std::vector<double> bands;
-  for (const RecommendedBand& band : recommendation.bands) bands.push_back(band.band_mm);
-  return bands;
+Tolerance tolerance_of(const StudyPlan& plan, const Recommendation& recommendation) {
+  Tolerance tolerance{{}, plan.candidates[recommendation.candidate].shifts};
+  for (const RecommendedBand& band : recommendation.bands)
+    tolerance.bands_mm.push_back(band.band_mm);
+  return tolerance;
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ Campaign run_campaign(const Stage& pilot,
 
   const MixtureStudy mixture = study_mixture(*mixed);
   const auto rules = confirmation_rules(mixture.runs.plan, 0);
-  std::vector<std::vector<double>> failed;
+  std::vector<Tolerance> failed;
   while (campaign.attempts.size() < rules.attempts) {
     const std::size_t number = campaign.attempts.size();
     AttemptChoice next;
@@ -69,7 +70,7 @@ Campaign run_campaign(const Stage& pilot,
     const auto confirming = run_stage(stage);
     if (!confirming) return campaign;
     campaign.attempts.push_back({next.recommendation, judge_confirmation(*confirming, rules)});
-    failed.push_back(bands_of(next.recommendation));
+    failed.push_back(tolerance_of(mixture.runs.plan, next.recommendation));
     if (campaign.attempts.back().confirmation.passed) {
       campaign.end = CampaignEnd::confirmed;
       return campaign;

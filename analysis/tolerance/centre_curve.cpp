@@ -21,9 +21,10 @@ double units_per_mm(const StudyData& runs, const std::string& key) {
 }  // namespace
 
 CentreCurves centre_curves(const StudyData& runs, const MixtureWeights& mixture,
-                           const std::vector<double>& bands_mm, const std::vector<Judgement>& joint,
+                           const Tolerance& tolerance, const std::vector<Judgement>& joint,
                            const Resampling& resampling, double confidence) {
   const auto& dimensions = runs.plan.dimensions;
+  const auto& bands_mm = tolerance.bands_mm;
   std::vector<double> scales, units;
   for (std::size_t d = 0; d < dimensions.size(); ++d) {
     scales.push_back(bands_mm[d] / dimensions[d].band_mm);
@@ -34,7 +35,8 @@ CentreCurves centre_curves(const StudyData& runs, const MixtureWeights& mixture,
     std::vector<double> shifts;
     for (std::size_t d = 0; d < steps.size(); ++d) {
       centre.shifts_mm.push_back(steps[d] * kStep * bands_mm[d]);
-      shifts.push_back(centre.shifts_mm[d] * units[d]);
+      shifts.push_back(centre.shifts_mm[d] * units[d] +
+                       (tolerance.shifts.empty() ? 0 : tolerance.shifts[d]));
     }
     const auto weights = weights_of_scales(runs, mixture, scales, shifts);
     centre.ess = effective_sample_size(weights);

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/tolerance/yield_curve.hpp"
+#include "analysis/tolerance/recommendation.hpp"
 
 namespace cagetol {
 
 struct CentreYield {
-  std::vector<double> shifts_mm;  ///< from the nominal value, one for each dimension
+  std::vector<double> shifts_mm;  ///< from the centre, one for each dimension
   double ess = 0;
   Yield yield;  ///< only where ess suffices
 };
@@ -23,10 +23,10 @@ struct CentreCurves {
   std::vector<CentreYield> map;                      ///< the first two moved together
 };
 
-/// At tolerances of these widths, in steps of 1/32 of each band, up to an eighth. Throws Refused
-/// where a law has no density.
+/// About the centres of this tolerance, in steps of 1/32 of each band, up to an eighth. Throws
+/// Refused where a law has no density.
 CentreCurves centre_curves(const StudyData& runs, const MixtureWeights& mixture,
-                           const std::vector<double>& bands_mm, const std::vector<Judgement>& joint,
+                           const Tolerance& tolerance, const std::vector<Judgement>& joint,
                            const Resampling& resampling, double confidence);
 
 }  // namespace cagetol

@@ -40,7 +40,7 @@ MixtureWeights mixture_weights(const StudyData& runs) {
     for (const Candidate& candidate : runs.plan.candidates) {
       std::vector<double> column(runs.size());
       for (std::size_t i = 0; i < runs.size(); ++i)
-        column[i] = density.log_density(i, candidate.scales);
+        column[i] = density.log_density(i, candidate.scales, candidate.shifts);
       log_densities.push_back(std::move(column));
     }
     mixture.candidate = weights_of_densities(log_densities, shares, &mixture.log_mixture);

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "analysis/sensitivity/features.hpp"
+#include "analysis/statistics/summary.hpp"
+#include "analysis/tolerance/centre_response.hpp"
 #include "analysis/tolerance/cost.hpp"
 #include "distributions/iso286.hpp"
 #include "mc/study_file/tolerance.hpp"
@@ -36,9 +38,37 @@ bool eligible(const Candidate& candidate, const Yield& yield, const YieldCurves&
   return yield.ess >= kLeastEffectiveRuns;
 }
 
+/// Mean of the quantity that breaks ties between centres, over all bands at the candidate's centres,
+/// for one candidate has few runs; nothing where the study has no such quantity.
+std::optional<double> mean_peak_force(const StudyData& runs, const MixtureWeights& mixture,
+                                      std::size_t candidate) {
+  const Column* column = find_quantity(runs, kCentreQuantity);
+  if (column == nullptr) return std::nullopt;
+  std::vector<std::size_t> same_centres;
+  for (std::size_t k = 0; k < runs.plan.candidates.size(); ++k)
+    if (runs.plan.candidates[k].shifts == runs.plan.candidates[candidate].shifts)
+      same_centres.push_back(k);
+  const double mean =
+      weighted_mean(ok_values(runs, column->values), average_weights(mixture, same_centres));
+  return std::isnan(mean) ? std::nullopt : std::optional(mean);
+}
+
+/// True where two candidates with equal bands differ in their centres and the first one presses its
+/// pockets less.
+bool better_centre(const StudyData& runs, const MixtureWeights& mixture, std::size_t one,
+                   std::size_t other) {
+  const Candidate &a = runs.plan.candidates[one], &b = runs.plan.candidates[other];
+  if (a.bands_mm != b.bands_mm || a.shifts == b.shifts) return false;
+  const auto force = mean_peak_force(runs, mixture, one),
+             other_force = mean_peak_force(runs, mixture, other);
+  return force && other_force && *force < *other_force;
+}
+
 /// The widest (or cheapest) that meets the target, or the best where none does.
-void choose(const StudyPlan& plan, const YieldCurves& curves, const std::vector<BindingTest>& tests,
-            const CandidateFilter& allowed, Recommendation& result) {
+void choose(const StudyData& runs, const MixtureWeights& mixture, const YieldCurves& curves,
+            const std::vector<BindingTest>& tests, const CandidateFilter& allowed,
+            Recommendation& result) {
+  const StudyPlan& plan = runs.plan;
   double most = 0, best = -1;
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     const Yield& yield = curves.candidates[k];
@@ -49,8 +79,13 @@ void choose(const StudyPlan& plan, const YieldCurves& curves, const std::vector<
     const double worth = cost ? -*cost : width_of(plan.candidates[k], curves, tests);
     if (result.meets_target && !meets) continue;
     const bool first_to_meet = meets && !result.meets_target;
-    const bool better = meets ? worth > most || (worth == most && yield.lower_bound > best)
-                              : yield.lower_bound > best;
+    const bool same_bands_chosen =
+        result.meets_target &&
+        plan.candidates[result.candidate].bands_mm == plan.candidates[k].bands_mm;
+    const bool better = !meets              ? yield.lower_bound > best
+                        : worth != most     ? worth > most
+                        : same_bands_chosen ? better_centre(runs, mixture, k, result.candidate)
+                                            : yield.lower_bound > best;
     if (!first_to_meet && !better) continue;
     result.meets_target = meets;
     result.candidate = k;
@@ -90,7 +125,10 @@ bool set_bands(const StudyData& runs, const YieldCurves& curves,
                          tests[d].answer == Binding::not_binding,
                          chosen.bands_mm[d],
                          chosen.grades[d],
+                         std::nullopt,
                          false};
+    if (!runs.plan.dimensions[d].centres.empty())
+      band.centre = nominal_of(runs, key) + chosen.shift(d);
     band.widest_studied = chosen.bands_mm[d] == curves.dimensions[d].levels.back().band_mm;
     if (band.grade.empty() && !band.not_binding) {
       const Snapped snapped = snap(runs, key, band.band_mm);
@@ -112,7 +150,8 @@ void judge_snapped(const StudyData& runs, const MixtureWeights& mixture,
   std::vector<double> scales;
   for (std::size_t d = 0; d < result.bands.size(); ++d)
     scales.push_back(result.bands[d].band_mm / runs.plan.dimensions[d].band_mm);
-  auto weights = weights_of_scales(runs, mixture, scales);
+  auto weights =
+      weights_of_scales(runs, mixture, scales, runs.plan.candidates[result.candidate].shifts);
   if (effective_sample_size(weights) < kLeastEffectiveRuns) return;
   result.yield = estimate_yield(runs, joint, weights, resampling, runs.plan.confidence);
   result.weights = std::move(weights);
@@ -130,7 +169,9 @@ std::size_t neighbour(const StudyPlan& plan, const YieldCurves& curves, std::siz
   if (level < 0 || level >= static_cast<std::ptrdiff_t>(levels.size())) return std::string::npos;
   bands[d] = levels[static_cast<std::size_t>(level)].band_mm;
   for (std::size_t k = 0; k < plan.candidates.size(); ++k)
-    if (plan.candidates[k].bands_mm == bands) return k;
+    if (plan.candidates[k].bands_mm == bands &&
+        plan.candidates[k].shifts == plan.candidates[chosen].shifts)
+      return k;
   return std::string::npos;
 }
 
@@ -163,7 +204,7 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
                                    const Resampling& resampling, const CandidateFilter& allowed) {
   Recommendation result;
   if (mixture.candidate.empty()) return result;
-  choose(runs.plan, curves, tests, allowed, result);
+  choose(runs, mixture, curves, tests, allowed, result);
   if (!result.possible) return result;
   result.yield = curves.candidates[result.candidate];
   result.weights = mixture.candidate[result.candidate];
@@ -195,6 +236,28 @@ Recommendation recommend_allowed(const StudyData& runs, const MixtureWeights& mi
 bool same_bands(const std::vector<double>& one, const std::vector<double>& other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end(),
                     [](double a, double b) { return std::abs(a - b) <= kRounding * b; });
+}
+
+bool same_centres(const Tolerance& one, const Tolerance& other) {
+  for (std::size_t d = 0; d < one.bands_mm.size(); ++d) {
+    const double a = one.shifts.empty() ? 0 : one.shifts[d],
+                 b = other.shifts.empty() ? 0 : other.shifts[d];
+    if (std::abs(a - b) > kRounding * std::max({std::abs(a), std::abs(b), 1.0})) return false;
+  }
+  return true;
+}
+
+bool same_tolerance(const Tolerance& one, const Tolerance& other) {
+  return same_bands(one.bands_mm, other.bands_mm) && same_centres(one, other);
+}
+
+Tolerance tolerance_tried(const StudyData& attempt) {
+  const Candidate& candidate = attempt.plan.candidates.front();
+  return {candidate.bands_mm, candidate.shifts};
+}
+
+Tolerance snapped_tolerance(const StudyData& runs, const Candidate& candidate) {
+  return {snapped_bands(runs, candidate), candidate.shifts};
 }
 
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate) {

@@ -28,7 +28,8 @@ struct RecommendedBand {
   double band_mm = 0;  ///< of a dimension that is not binding: the band for which the yield is
                        ///< stated, no recommendation
   std::string grade;
-  bool widest_studied = false;  ///< there is no wider candidate: more may be possible
+  std::optional<double> centre = {};  ///< nominal value in the key's unit, where it is in question
+  bool widest_studied = false;        ///< there is no wider candidate: more may be possible
 };
 
 /// What narrowing one dimension by one candidate would gain, or widening lose, from the recommended
@@ -69,10 +70,22 @@ Recommendation recommend_allowed(const StudyData& runs, const MixtureWeights& mi
                                  const std::vector<Judgement>& joint, const Resampling& resampling,
                                  const CandidateFilter& allowed);
 
+/// Bands in mm and shifts of the centres (Candidate::shifts).
+struct Tolerance {
+  std::vector<double> bands_mm, shifts;
+};
+
 /// Up to rounding.
 bool same_bands(const std::vector<double>& one, const std::vector<double>& other);
+bool same_centres(const Tolerance& one, const Tolerance& other);
+bool same_tolerance(const Tolerance& one, const Tolerance& other);
+
+/// Of a confirming attempt.
+Tolerance tolerance_tried(const StudyData& attempt);
 
 /// Bands of a candidate in mm, those without a grade snapped down to one where there is one.
 std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate);
+/// The same with its centres.
+Tolerance snapped_tolerance(const StudyData& runs, const Candidate& candidate);
 
 }  // namespace cagetol

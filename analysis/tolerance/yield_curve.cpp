@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "analysis/statistics/binomial_bounds.hpp"
@@ -9,8 +10,24 @@
 namespace cagetol {
 namespace {
 
+/// The candidates by band and centre of a dimension.
+std::vector<LevelYield> levels_at_centres(const StudyPlan& plan, std::size_t dimension) {
+  if (plan.dimensions[dimension].centres.size() < 2) return {};
+  std::map<std::pair<double, double>, LevelYield> levels;
+  for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
+    const Candidate& candidate = plan.candidates[k];
+    LevelYield& level = levels[{candidate.bands_mm[dimension], candidate.shift(dimension)}];
+    level.band_mm = candidate.bands_mm[dimension];
+    level.grade = candidate.grades[dimension];
+    level.candidates.push_back(k);
+  }
+  std::vector<LevelYield> list;
+  for (auto& [place, level] : levels) list.push_back(std::move(level));
+  return list;
+}
+
 DimensionCurve curve_of(const StudyPlan& plan, std::size_t dimension) {
-  DimensionCurve curve{plan.dimensions[dimension].key, {}};
+  DimensionCurve curve{plan.dimensions[dimension].key, {}, levels_at_centres(plan, dimension)};
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     const double band = plan.candidates[k].bands_mm[dimension];
     auto level = std::find_if(curve.levels.begin(), curve.levels.end(),
@@ -25,7 +42,8 @@ DimensionCurve curve_of(const StudyPlan& plan, std::size_t dimension) {
 }
 
 const LevelYield& level_of(const DimensionCurve& curve, std::size_t candidate) {
-  return *std::find_if(curve.levels.begin(), curve.levels.end(), [&](const LevelYield& level) {
+  const auto& levels = curve.at_centres.empty() ? curve.levels : curve.at_centres;
+  return *std::find_if(levels.begin(), levels.end(), [&](const LevelYield& level) {
     return std::count(level.candidates.begin(), level.candidates.end(), candidate) > 0;
   });
 }
@@ -74,9 +92,10 @@ YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
     curves.candidates.push_back(estimate_yield(runs, joint, weights, resampling, confidence));
   for (std::size_t d = 0; d < runs.plan.dimensions.size(); ++d) {
     DimensionCurve curve = curve_of(runs.plan, d);
-    for (LevelYield& level : curve.levels)
-      level.yield = estimate_yield(runs, joint, average_weights(mixture, level.candidates),
-                                   resampling, confidence);
+    for (auto* levels : {&curve.levels, &curve.at_centres})
+      for (LevelYield& level : *levels)
+        level.yield = estimate_yield(runs, joint, average_weights(mixture, level.candidates),
+                                     resampling, confidence);
     curves.dimensions.push_back(std::move(curve));
   }
   if (curves.dimensions.size() < 2 || curves.candidates.empty()) return curves;

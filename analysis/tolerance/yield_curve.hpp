@@ -25,7 +25,9 @@ struct LevelYield {
 
 struct DimensionCurve {
   std::string key;
-  std::vector<LevelYield> levels;  ///< narrowest first
+  std::vector<LevelYield> levels;  ///< narrowest first, over all centres
+  /// Likewise one for each band at each centre; empty where the centre is not in question.
+  std::vector<LevelYield> at_centres;
 };
 
 struct YieldCurves {

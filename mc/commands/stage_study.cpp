@@ -38,6 +38,7 @@ Study stage_study(const Study& base, const Stage& stage) {
       auto& dimension = study.tolerance.dimensions[d];
       dimension.cost.reset();
       dimension.candidates = {band.grade.empty() ? number_text(band.band_mm) : band.grade};
+      if (band.centre) dimension.centres = {*band.centre};
     }
   });
 }

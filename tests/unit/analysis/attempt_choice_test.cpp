@@ -33,7 +33,7 @@ TEST(ChooseAttempt, TakesTheWidestWhileAnotherAttemptRemains) {
   EXPECT_LE(first->runs + confirming_runs(0, confirmation_rules(mixture.runs.plan, 0)), 900u);
   CampaignPlan failed = plan;
   failed.attempts = {{first->recommendation.candidate, first->runs}};
-  const auto second = choose_attempt(mixture, failed, {{0.09}});
+  const auto second = choose_attempt(mixture, failed, {{{0.09}, {}}});
   ASSERT_TRUE(second);
   EXPECT_NEAR(band(*second), 0.058, 1e-12);
   EXPECT_LE(first->runs + second->runs, 900u);
@@ -103,7 +103,7 @@ TEST(ChooseAttempt, FewRunsOfManyCandidatesArePooledByBand) {
 TEST(PassedOver, SaysWhatJams) {
   MixtureStudy mixture = mixture_of(0.965);
   mixture.runs.jam.candidate = {0, 0.1, 0.5};
-  const auto list = passed_over(mixture.runs, mixture.tolerances.curves, {{0.058}});
+  const auto list = passed_over(mixture.runs, mixture.tolerances.curves, {{{0.058}, {}}});
   ASSERT_EQ(list.size(), 2u);
   EXPECT_THAT(list[0].reason, HasSubstr("10.0 % of its cages jam"));
   EXPECT_EQ(list[0].runs_needed, 0u);
@@ -111,7 +111,7 @@ TEST(PassedOver, SaysWhatJams) {
 
 TEST(PassedOver, NamesEveryWiderCandidateThatNoAttemptTried) {
   const MixtureStudy mixture = mixture_of(0.965);
-  const auto list = passed_over(mixture.runs, mixture.tolerances.curves, {{0.058}});
+  const auto list = passed_over(mixture.runs, mixture.tolerances.curves, {{{0.058}, {}}});
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0].candidate, 1u);
   EXPECT_THAT(list[0].reason, HasSubstr("hardly have confirmed"));
@@ -120,7 +120,9 @@ TEST(PassedOver, NamesEveryWiderCandidateThatNoAttemptTried) {
   EXPECT_THAT(list[1].reason, HasSubstr("below the target"));
   EXPECT_EQ(list[1].runs_needed, 0u);
   // Tried and decided for: nothing but the widest is left.
-  EXPECT_EQ(passed_over(mixture.runs, mixture.tolerances.curves, {{0.09}, {0.058}}).size(), 1u);
+  EXPECT_EQ(
+      passed_over(mixture.runs, mixture.tolerances.curves, {{{0.09}, {}}, {{0.058}, {}}}).size(),
+      1u);
   EXPECT_TRUE(passed_over(mixture.runs, mixture.tolerances.curves, {}).empty());
 }
 

@@ -11,7 +11,7 @@ namespace cagetol {
 namespace {
 
 CentreCurves curves_of(const StudyData& study, const std::vector<double>& bands_mm) {
-  return centre_curves(study, mixture_weights(study), bands_mm, judge_all(study),
+  return centre_curves(study, mixture_weights(study), {bands_mm, {}}, judge_all(study),
                        Resampling(study, 1000), 0.999);
 }
 

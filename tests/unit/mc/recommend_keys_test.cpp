@@ -68,6 +68,22 @@ TEST(RecommendKeys, CostsAreReadAndResolved) {
   EXPECT_EQ(again.hash, study.hash);
 }
 
+TEST(RecommendKeys, CentresMultiplyTheCandidates) {
+  const Study study = study_of("centres = [7.6, 7.65, 7.75]", "");
+  ASSERT_EQ(study.candidates.size(), 3u * 2 * 2);
+  EXPECT_NEAR(study.candidates[0].shifts[0], -0.05, 1e-12);
+  EXPECT_EQ(study.candidates[2].shifts[0], 0);  // the second length at the first centre is between
+  EXPECT_NEAR(study.candidates[4].shifts[0], 0.1, 1e-12);
+  EXPECT_EQ(study.candidates[4].shifts[1], 0);
+  const Study again = read_resolved_study(study.resolved_toml, "again");
+  EXPECT_EQ(again.hash, study.hash);
+  EXPECT_EQ(again.candidates[4].shifts, study.candidates[4].shifts);
+  for (const char* bad : {"centres = []", "centres = 7.6", "centres = [7.7, 7.6]",
+                          "centres = [7.6, 7.6]", "centres = [\"7.6\"]"})
+    EXPECT_THAT(problem_of(bad, ""), HasSubstr("tolerance.dimension.centres")) << bad;
+  EXPECT_THAT(problem_of("centres = [-1, 7.6]", ""), HasSubstr("outside the range of this key"));
+}
+
 TEST(RecommendKeys, BadCostsAreRefused) {
   const std::string good = "cost_b = 1";
   EXPECT_THAT(problem_of(good, ""), HasSubstr("one dimension has a cost and another has none"));

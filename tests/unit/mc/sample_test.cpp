@@ -171,6 +171,25 @@ TEST(Sample, ACandidateScalesTheDeviationsOfItsKey) {
   }
 }
 
+TEST(Sample, ACandidateMovesTheCentreOfItsKey) {
+  Study study = base_study(), plain = base_study();
+  study.tolerance.dimensions = {{"cage.pocket_width_mm", 0.1, {"0.1"}, {7.6, 7.7}, {}}};
+  study.candidates = {{{0.1}, {""}, {1}, {-0.05}}, {{0.1}, {""}, {1}, {0.05}}};
+  const Sampler moved(study), unmoved(plain);
+  for (std::uint64_t id = 0; id < 4; ++id) {
+    const auto a = moved.draw(id), b = unmoved.draw(id);
+    const double shift = id % 2 ? 0.05 : -0.05;
+    EXPECT_EQ(a.inputs[0].lot[0], b.inputs[0].lot[0] + shift);
+    EXPECT_EQ(a.inputs[0].pocket, b.inputs[0].pocket);
+    EXPECT_NEAR(a.inputs[0].value[5], b.inputs[0].value[5] + shift, 1e-12);
+  }
+  study.inputs[0].lot.reset();
+  const auto a = Sampler(study).draw(1);
+  plain.inputs[0].lot.reset();
+  const auto b = Sampler(plain).draw(1);
+  EXPECT_EQ(a.inputs[0].pocket[3], b.inputs[0].pocket[3] + 0.05);
+}
+
 TEST(Sample, ZeroWidthIsAPlainNumber) {
   Study study = base_study();
   study.inputs[0].lot = Normal{0.01, 0};
