@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "analysis/report/html_report.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/tolerance/assumption_plan.hpp"
 #include "tests/support/process.hpp"
@@ -133,6 +134,14 @@ TEST_F(AssumptionReport, RangesThatNobodyJudgedAreNamed) {
   EXPECT_THAT(page(), HasSubstr("recommend.assumption_samples=auto does it, 72 runs"));
   fs::remove(scratch_ / "assumptions.json");
   EXPECT_TRUE(report().at("assumption_verdicts").is_null());
+}
+
+TEST(AssumptionTable, ShowsRanges) {
+  StudyData study = make_synthetic_study({.rows = 200});
+  study.plan.scene["assumption"] = {
+      {{"key", "lubrication.race_layer_um"}, {"note", "why"}, {"low", 5}, {"high", 50}},
+      {{"key", "cage.width_mm"}, {"note", "why"}}};
+  EXPECT_THAT(html_report(make_report(study), {}), HasSubstr(">5 to 50<"));
 }
 
 TEST(AssumptionPlan, IsReadAsWrittenAndSaysWhatItTakes) {
