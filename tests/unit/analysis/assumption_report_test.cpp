@@ -52,6 +52,7 @@ class AssumptionReport : public testing::Test {
         1,
         runs,
         72,
+        150,
         0.5,
         {{"lubrication.race_layer_um", "um", "nobody measured it", 5, 50, 5, 20},
          {"lubrication.race_layer_um", "um", "nobody measured it", 5, 50, 50, 20},
@@ -145,11 +146,13 @@ TEST(AssumptionTable, ShowsRanges) {
 }
 
 TEST(AssumptionPlan, IsReadAsWrittenAndSaysWhatItTakes) {
-  AssumptionPlan plan{2, 300, 72, 0.5, {{"a.b_um", "um", "why", 1, 2, 1.5, 1.7}}};
+  AssumptionPlan plan{2, 300, 72, 150, 0.5, {{"a.b_um", "um", "why", 1, 2, 1.5, 1.7}}};
   EXPECT_EQ(to_json(assumption_plan_of(to_json(plan))), to_json(plan));
   EXPECT_EQ(alternative_directory(plan, plan.alternatives[0]), "assume-2-300/a.b_um-1.5");
-  EXPECT_THAT(assumption_plan_text(plan),
-              HasSubstr("300 runs under each of 1 alternatives, 300 in all, about 2 min"));
+  EXPECT_THAT(
+      assumption_plan_text(plan),
+      AllOf(HasSubstr("300 runs under each of 1 alternatives, 300 in all, about 2 min"),
+            HasSubstr("One whose yield is that of confirm-2 is settled by about 150 runs")));
   plan.runs = 0;
   EXPECT_THAT(assumption_plan_text(plan), HasSubstr("72 runs under each of 1 alternatives, 72 in"));
   plan.attempt = 0;
