@@ -7,8 +7,13 @@
 namespace cagetol {
 namespace {
 
+/// As input files have it.
+std::string plain(const Json& value) {
+  return fmt::format("{}", value.get<double>());
+}
+
 std::string key_with_value(const Json& alternative) {
-  return code(alternative["key"].get<std::string>()) + " = " + rounded(alternative["value"]);
+  return code(alternative["key"].get<std::string>()) + " = " + plain(alternative["value"]);
 }
 
 std::string points(const Json& change) {
@@ -23,7 +28,7 @@ std::string verdict_table(const Json& verdicts) {
   for (const Json& each : verdicts["alternatives"]) {
     const std::string verdict = each["verdict"];
     rows.push_back(
-        {key_with_value(each), each["nominal"].is_null() ? "auto" : rounded(each["nominal"]),
+        {key_with_value(each), each["nominal"].is_null() ? "auto" : plain(each["nominal"]),
          rounded(each["meeting_runs"]) + " of " + rounded(each["runs"]),
          percent(each["lower_bound"]) + " to " + percent(each["upper_bound"]),
          points(each["yield_change"]), verdict == "holds" ? verdict : "<b>" + verdict + "</b>",

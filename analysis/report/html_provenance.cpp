@@ -96,6 +96,17 @@ std::string scene_list(const Json& scene) {
   return "<h3>The scene, nominal values</h3>\n<div class=\"columns\">" + items + "</div>\n";
 }
 
+/// Key, reason and range of an assumption.
+std::vector<std::string> stated_row(const Json& entry) {
+  if (!entry.is_object())
+    return {code(entry.is_string() ? entry.get<std::string>() : entry.dump()), "", ""};
+  const std::string range = entry.contains("low") && entry.contains("high")
+                                ? value_text(entry["low"]) + " to " + value_text(entry["high"])
+                                : "";
+  return {code(entry.value("key", "")),
+          value_text(entry.contains("note") ? entry["note"] : Json("")), range};
+}
+
 std::string assumptions_text(const Json& assumptions) {
   std::string html = "<h3>Assumptions</h3>\n";
   std::string speeds;
@@ -127,17 +138,11 @@ std::string assumptions_text(const Json& assumptions) {
                       "know where it comes from.");
   std::vector<std::vector<std::string>> rows;
   if (stated.is_object())
-    for (const auto& [key, text] : stated.items()) rows.push_back({code(key), value_text(text)});
+    for (const auto& [key, text] : stated.items())
+      rows.push_back({code(key), value_text(text), ""});
   else
-    for (const Json& entry : stated)
-      rows.push_back(
-          entry.is_object()
-              ? std::vector<std::string>{code(entry.value("key", "")),
-                                         value_text(entry.contains("note") ? entry["note"]
-                                                                           : Json(""))}
-              : std::vector<std::string>{
-                    code(entry.is_string() ? entry.get<std::string>() : entry.dump()), ""});
-  return html + table("tt", {"value", "why it is an assumption"}, rows);
+    for (const Json& entry : stated) rows.push_back(stated_row(entry));
+  return html + table("ttt", {"value", "why it is an assumption", "may be"}, rows);
 }
 
 }  // namespace

@@ -159,6 +159,7 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
       {"judged", alternatives.size()},
       {"runs_each", plan.runs},
       {"confirming_runs", plan.confirming},
+      {"settling_runs", plan.settling > 0 ? Json(plan.settling) : Json()},
       {"text", assumption_plan_text(plan)},
       {"lower_confidence", verdicts.lower_confidence},
       {"upper_confidence", verdicts.upper_confidence},

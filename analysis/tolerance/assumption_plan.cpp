@@ -24,12 +24,17 @@ std::string assumption_plan_text(const AssumptionPlan& plan) {
                        runs * count,
                        duration_text(plan.seconds_per_run * static_cast<double>(runs * count)));
   };
+  const std::string settling =
+      plan.settling > 0
+          ? fmt::format(". One whose yield is that of confirm-{} is settled by about {} runs",
+                        plan.attempt, plan.settling)
+          : "";
   if (plan.runs > 0)
-    return "assumptions: " + cost(plan.runs) + ", on the cages of confirm-" +
-           std::to_string(plan.attempt);
+    return fmt::format("assumptions: {}, on the cages of confirm-{}{}", cost(plan.runs),
+                       plan.attempt, settling);
   return "assumptions: their ranges are not judged. The same command with --set "
          "recommend.assumption_samples=auto does it, " +
-         cost(plan.confirming);
+         cost(plan.confirming) + settling;
 }
 
 nlohmann::ordered_json to_json(const AssumptionPlan& plan) {
@@ -47,6 +52,7 @@ nlohmann::ordered_json to_json(const AssumptionPlan& plan) {
   return {{"attempt", plan.attempt},
           {"runs", plan.runs},
           {"confirming", plan.confirming},
+          {"settling", plan.settling},
           {"seconds_per_run", plan.seconds_per_run},
           {"alternatives", alternatives}};
 }
@@ -56,6 +62,7 @@ AssumptionPlan assumption_plan_of(const nlohmann::ordered_json& json) {
   json.at("attempt").get_to(plan.attempt);
   json.at("runs").get_to(plan.runs);
   json.at("confirming").get_to(plan.confirming);
+  json.at("settling").get_to(plan.settling);
   json.at("seconds_per_run").get_to(plan.seconds_per_run);
   for (const auto& each : json.at("alternatives")) {
     AssumedValue& value = plan.alternatives.emplace_back();

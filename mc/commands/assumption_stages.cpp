@@ -9,6 +9,7 @@
 
 #include "analysis/report/assumption_runs.hpp"
 #include "analysis/tolerance/assumption_plan.hpp"
+#include "analysis/tolerance/assumption_verdict.hpp"
 #include "mc/adopted_runs.hpp"
 #include "mc/assumption_ranges.hpp"
 #include "mc/commands/command.hpp"
@@ -42,6 +43,10 @@ AssumptionPlan plan_assumptions(const Study& base, const std::vector<Alternative
   std::vector<Confirmation> judged;
   for (const Attempt& attempt : campaign.attempts) judged.push_back(attempt.confirmation);
   assumptions.attempt = 1 + surest_attempt(judged);
+  const Confirmation& attempt = judged[assumptions.attempt - 1];
+  const double confidence = attempt_confidence(rules);
+  assumptions.settling =
+      settling_runs(attempt.yield.if_unknown_fail, rules.target_yield, confidence, confidence);
   const double wanted = base.recommend.assumption_samples;
   assumptions.runs =
       std::isnan(wanted) ? assumptions.confirming : static_cast<std::size_t>(std::ceil(wanted));

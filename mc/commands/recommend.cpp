@@ -47,10 +47,13 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
       "Stages: DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a sweep;\n"
       "started again, the command goes on where it was interrupted, with a larger\n"
       "recommend.budget_samples or recommend.budget_h too. Exit code 0: decided; with\n"
-      "--exit-code 1 where no tolerance is confirmed.\n\n"
+      "--exit-code 1 where no tolerance is confirmed. recommend.assumption_samples, set\n"
+      "at once or later, judges the verdict at both ends of every range of an [[assumption]].\n\n"
       "Examples:\n  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  mpirun cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
-      "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8");
+      "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8\n"
+      "  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing --set "
+      "recommend.assumption_samples=auto");
   auto options = std::make_shared<RecommendArguments>();
   command->add_option("STUDY", options->file, "Study file")->required();
   add_output_directory(*command, options->stages.directory, "Directory of the stages");

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "analysis/report/html_report.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/tolerance/assumption_plan.hpp"
 #include "tests/support/process.hpp"
@@ -51,6 +52,7 @@ class AssumptionReport : public testing::Test {
         1,
         runs,
         72,
+        150,
         0.5,
         {{"lubrication.race_layer_um", "um", "nobody measured it", 5, 50, 5, 20},
          {"lubrication.race_layer_um", "um", "nobody measured it", 5, 50, 50, 20},
@@ -135,12 +137,22 @@ TEST_F(AssumptionReport, RangesThatNobodyJudgedAreNamed) {
   EXPECT_TRUE(report().at("assumption_verdicts").is_null());
 }
 
+TEST(AssumptionTable, ShowsRanges) {
+  StudyData study = make_synthetic_study({.rows = 200});
+  study.plan.scene["assumption"] = {
+      {{"key", "lubrication.race_layer_um"}, {"note", "why"}, {"low", 5}, {"high", 50}},
+      {{"key", "cage.width_mm"}, {"note", "why"}}};
+  EXPECT_THAT(html_report(make_report(study), {}), HasSubstr(">5 to 50<"));
+}
+
 TEST(AssumptionPlan, IsReadAsWrittenAndSaysWhatItTakes) {
-  AssumptionPlan plan{2, 300, 72, 0.5, {{"a.b_um", "um", "why", 1, 2, 1.5, 1.7}}};
+  AssumptionPlan plan{2, 300, 72, 150, 0.5, {{"a.b_um", "um", "why", 1, 2, 1.5, 1.7}}};
   EXPECT_EQ(to_json(assumption_plan_of(to_json(plan))), to_json(plan));
   EXPECT_EQ(alternative_directory(plan, plan.alternatives[0]), "assume-2-300/a.b_um-1.5");
-  EXPECT_THAT(assumption_plan_text(plan),
-              HasSubstr("300 runs under each of 1 alternatives, 300 in all, about 2 min"));
+  EXPECT_THAT(
+      assumption_plan_text(plan),
+      AllOf(HasSubstr("300 runs under each of 1 alternatives, 300 in all, about 2 min"),
+            HasSubstr("One whose yield is that of confirm-2 is settled by about 150 runs")));
   plan.runs = 0;
   EXPECT_THAT(assumption_plan_text(plan), HasSubstr("72 runs under each of 1 alternatives, 72 in"));
   plan.attempt = 0;
