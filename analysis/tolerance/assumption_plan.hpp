@@ -23,8 +23,7 @@ struct AssumptionPlan {
       0;                 ///< number of the attempt whose runs are the reference; 0: there is none
   std::size_t runs = 0;  ///< under each alternative; 0: none
   std::size_t confirming = 0;  ///< runs under each with which it holds if none fails
-  /// Runs that settle an alternative with kWantedPower whose yield is the attempt's estimate; 0: not
-  /// known.
+  /// Runs that settle an alternative with kWantedPower if its yield is the attempt's; 0: not known.
   std::size_t settling = 0;
   double seconds_per_run = 0;  ///< over all processes
   std::vector<AssumedValue> alternatives;

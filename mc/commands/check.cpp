@@ -54,9 +54,11 @@ std::string summary(const Study& study) {
   if (!study.candidates.empty())
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
                         study.candidates.size(), study.tolerance.dimensions.size());
-  if (const std::size_t count = alternatives_of(study).size(); count > 0)
+  if (const std::size_t count = alternatives_of(study).size();
+      count > 0 && !study.candidates.empty())
     text += fmt::format(
-        "ranges of assumptions: {} alternatives, which recommend.assumption_samples has judged\n",
+        "ranges of assumptions: {} alternatives, judged where recommend.assumption_samples is "
+        "set\n",
         count);
   for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
   const SweepForecast forecast = forecast_sweep(study);

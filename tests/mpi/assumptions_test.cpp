@@ -165,6 +165,24 @@ TEST_F(AssumptionStages, AreRunLaterAndMoreOftenInTheSameDirectory) {
   EXPECT_TRUE(fs::exists(file("out", "assume-1-80/lubrication.race_layer_um-40")));
 }
 
+TEST_F(AssumptionStages, AreThoseOfTheSurestAttemptWhereNothingIsConfirmed) {
+  const Ended ended = run(recommend(
+      "out", "20",
+      {"--exit-code", "--set", "tolerance.target_yield=0.97", "--set", "recommend.attempts=1",
+       "--set",
+       "tolerance.dimension=[{key='cage.pocket_width_mm', band_mm=0.1, candidates=['IT12']}]"}));
+  EXPECT_EQ(ended.code, 1) << ended.output;
+  EXPECT_THAT(ended.output, HasSubstr("limits: not confirmed"));
+  EXPECT_EQ(read_study_file(file("out", stages("20")[5])).outcomes.size(), 20u);
+  // Nothing was tried: there is no tolerance to judge.
+  const Ended none = run(recommend("none", "20",
+                                   {"--set",
+                                    "limit=[{quantity='cage_slip_ratio', max=0, source='test', "
+                                    "cage_revolutions=6}]"}));
+  EXPECT_EQ(none.code, 0) << none.output;
+  EXPECT_THAT(none.output, HasSubstr("3 alternatives are not judged: no tolerance was tried"));
+}
+
 void AssumptionStages::kill_and_go_on(unsigned kills) const {
   ASSERT_EQ(run(recommend("whole", "50")).code, 0);
   const std::size_t all = finished("whole", "50");

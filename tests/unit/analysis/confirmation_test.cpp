@@ -97,5 +97,16 @@ TEST(JudgeConfirmation, RefusesDependentRuns) {
   EXPECT_THROW(judge_confirmation(plain_study(100, "random", 4), {}), Refused);
 }
 
+TEST(SurestAttempt, IsTheOnePassedOrTheOneWithTheHighestBound) {
+  const auto attempt = [](double lower_bound, bool passed) {
+    Confirmation confirmation;
+    confirmation.yield.lower_bound = lower_bound;
+    confirmation.passed = passed;
+    return confirmation;
+  };
+  EXPECT_EQ(surest_attempt({attempt(0.9, false), attempt(0.93, false), attempt(0.92, false)}), 1u);
+  EXPECT_EQ(surest_attempt({attempt(0.97, false), attempt(0.96, true)}), 1u);
+}
+
 }  // namespace
 }  // namespace cagetol
