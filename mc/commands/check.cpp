@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mc/commands/command.hpp"
+#include "mc/commands/operating_text.hpp"
 #include "mc/forecast.hpp"
 #include "mc/law_reader.hpp"
 #include "mc/sample.hpp"
@@ -54,6 +55,7 @@ std::string summary(const Study& study) {
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
                         study.candidates.size(), study.tolerance.dimensions.size());
   for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
+  text += operating_table(study.scene);
   const SweepForecast forecast = forecast_sweep(study);
   if (forecast.samples > 1) text += "a sweep of " + forecast_text(forecast) + "\n";
   if (const double cage = forecast_cage_table(study.scene); cage > 0)

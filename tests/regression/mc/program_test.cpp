@@ -341,6 +341,27 @@ TEST(Program, SimulatePrintsJsonWithEveryQuantity) {
   }
   for (const char* key : {"simulated_s", "wall_s", "steps", "rhs_evaluations", "energy_residual"})
     EXPECT_TRUE(json["run"][key].is_number()) << key;
+  EXPECT_EQ(json["units"]["friction_torque_Nmm"], "N mm");
+  EXPECT_EQ(json["units"]["simulated_s"], "s");
+  const auto& at = json["operating_point"];
+  EXPECT_NEAR(at["values"]["rating_ratio"].get<double>(), 28.6, 1e-9);
+  EXPECT_EQ(at["units"]["roller_load_max_N"], "N");
+  EXPECT_TRUE(at["warnings"].empty());
+}
+
+TEST(Program, CheckShowsTheOperatingPointAndWarns) {
+  const auto quiet = run({"check", shipped("studies/nu205.toml")});
+  EXPECT_THAT(quiet.output, AllOf(HasSubstr("life_L10_h"), HasSubstr("cage_mass_g"),
+                                  HasSubstr("speed_factor_mm_min                         234000"),
+                                  Not(HasSubstr("warning: "))));
+  const auto loud = run({"check", shipped("scenes/nu205.toml"), "--set", "load.radial_N=600000",
+                         "--set", "speed.inner_rpm=300000"});
+  EXPECT_EQ(loud.code, 0);
+  EXPECT_THAT(loud.output,
+              AllOf(HasSubstr("warning: load.radial_N = 600 kN is above the static load rating"),
+                    HasSubstr("warning: load.radial_N = 600 kN is above the dynamic load rating"),
+                    HasSubstr("warning: speed.inner_rpm = 300000 is above "
+                              "bearing.limiting_speed_rpm = 16000")));
 }
 
 /// What a command prints on stdout alone, where cage tables cannot be kept.
