@@ -30,6 +30,7 @@ constexpr const char* kExamples =
     "  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
     "  cagetol ladder inputs/scenes/nu205.toml -o out/ladder\n"
     "  cagetol stability -o out/stability\n"
+    "  cagetol quantities pocket_force\n"
     "  cagetol --dump-default scene";
 
 }  // namespace
@@ -58,6 +59,7 @@ int main(int argc, char** argv) try {
   add_chart_command(app, chosen);
   add_ladder_command(app, chosen);
   add_stability_command(app, chosen);
+  add_quantities_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
   try {

@@ -14,6 +14,7 @@
 #include "mc/study_file/hdf5_reader.hpp"
 #include "mc/study_file/study_bytes.hpp"
 #include "mc/study_file/study_file_error.hpp"
+#include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -104,6 +105,13 @@ void write_study_texts(hid_t root, const Study& study) {
   std::vector<std::string> files;
   for (const auto& [name, hash] : study.files) files.push_back(name + " " + hash);
   write_h5(group, "files", files, {"-", "further input files: name and hash of the text"});
+}
+
+void write_operating_point(hid_t root, const Scene& scene) {
+  const H5Handle group = make_h5_group(root, "operating_point");
+  const OperatingPoint at = operating_point(scene);
+  for (const OperatingRow& row : operating_rows())
+    write_h5(group, row.key, std::vector<double>{row.value(at)}, {row.unit, row.definition});
 }
 
 void write_samples(hid_t root, const DrawnColumns& drawn, const OutcomesById& outcomes) {
@@ -296,6 +304,7 @@ std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
   const H5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "open the root group");
   write_root(root, plan, build);
   write_study_texts(root, plan.study);
+  write_operating_point(root, plan.study.scene);
   {
     // Freed before the file is copied out: of many samples it is as large as the file.
     const DrawnColumns drawn = draw_columns(plan, outcomes);

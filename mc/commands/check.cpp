@@ -6,6 +6,7 @@
 
 #include "mc/assumption_ranges.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/operating_text.hpp"
 #include "mc/forecast.hpp"
 #include "mc/law_reader.hpp"
 #include "mc/sample.hpp"
@@ -61,6 +62,7 @@ std::string summary(const Study& study) {
         "set\n",
         count);
   for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
+  text += operating_table(study.scene);
   const SweepForecast forecast = forecast_sweep(study);
   if (forecast.samples > 1) text += "a sweep of " + forecast_text(forecast) + "\n";
   if (const double cage = forecast_cage_table(study.scene); cage > 0)

@@ -1,6 +1,7 @@
 #include "mc/commands/command.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -9,9 +10,16 @@
 
 #include "analysis/report/figure_set.hpp"
 #include "analysis/report/report.hpp"
+#include "mc/study.hpp"
 #include "src/input/input_error.hpp"
+#include "src/quantities/operating_point.hpp"
 
 namespace cagetol {
+
+void log_notes(const Study& study) {
+  for (const std::string& warning : operating_warnings(study.scene)) spdlog::warn("{}", warning);
+  for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);
+}
 
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings) {
   command

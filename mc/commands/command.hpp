@@ -14,6 +14,8 @@
 
 namespace cagetol {
 
+struct Study;
+
 using Chosen = std::function<int()>;
 
 void add_check_command(CLI::App& app, Chosen& chosen);
@@ -28,6 +30,7 @@ void add_bench_command(CLI::App& app, Chosen& chosen);
 void add_chart_command(CLI::App& app, Chosen& chosen);
 void add_ladder_command(CLI::App& app, Chosen& chosen);
 void add_stability_command(CLI::App& app, Chosen& chosen);
+void add_quantities_command(CLI::App& app, Chosen& chosen);
 
 /// --dump-default scene|study|keys, an option of the program itself.
 void add_dump_default_option(CLI::App& app, Chosen& chosen);
@@ -36,6 +39,9 @@ void add_version_option(CLI::App& app, Chosen& chosen);
 
 /// The repeatable option --set dotted.key=value of every command that reads a file.
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
+
+/// What is worth knowing of a study before it is swept: notes and warnings, as log lines.
+void log_notes(const Study& study);
 
 /// The option --progress of every command that sweeps.
 void add_progress_option(CLI::App& command, ProgressStyle& style);

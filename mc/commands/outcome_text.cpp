@@ -8,14 +8,11 @@
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
-namespace {
 
-std::string row(const std::string& key, double value, const std::string& unit) {
+std::string value_line(const std::string& key, double value, const std::string& unit) {
   const std::string number = std::isfinite(value) ? fmt::format("{:.6g}", value) : "-";
   return fmt::format("  {:<36}{:>14}  {}\n", key, number, unit == "-" ? "" : unit);
 }
-
-}  // namespace
 
 nlohmann::ordered_json outcome_json(const Outcome& outcome) {
   nlohmann::ordered_json json = {{"status", status_name(outcome.status)},
@@ -25,6 +22,10 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
   for (std::size_t i = 0; i < quantity_table().size(); ++i)
     quantities[quantity_table()[i].key] =
         i < outcome.quantities.size() ? json_number(outcome.quantities[i]) : nullptr;
+  auto& units = json["units"] = nlohmann::ordered_json::object();
+  for (const Quantity& quantity : quantity_table()) units[quantity.key] = quantity.unit;
+  for (const RunField& field : run_fields()) units[field.key] = field.unit;
+  units["wall_s"] = "s";
   auto& run = json["run"] = nlohmann::ordered_json::object();
   const auto values = run_values(outcome.run);
   for (std::size_t i = 0; i < values.size(); ++i) run[run_fields()[i].key] = json_number(values[i]);
@@ -35,12 +36,12 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
 std::string outcome_table(const Outcome& outcome) {
   std::string text = "quantities of interest\n";
   for (std::size_t i = 0; i < outcome.quantities.size(); ++i)
-    text += row(quantity_table()[i].key, outcome.quantities[i], quantity_table()[i].unit);
+    text += value_line(quantity_table()[i].key, outcome.quantities[i], quantity_table()[i].unit);
   text += "run\n";
   const auto values = run_values(outcome.run);
   for (std::size_t i = 0; i < values.size(); ++i)
-    text += row(run_fields()[i].key, values[i], run_fields()[i].unit);
-  text += row("wall_s", outcome.run.wall_s, "s");
+    text += value_line(run_fields()[i].key, values[i], run_fields()[i].unit);
+  text += value_line("wall_s", outcome.run.wall_s, "s");
   if (outcome.run.window_end != WindowEnd::fixed)
     text +=
         fmt::format("window.measure = \"auto\": {} after {:.4g} s; known least: {} to {:.2g} %\n",

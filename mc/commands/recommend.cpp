@@ -1,7 +1,5 @@
 // cagetol recommend STUDY -o DIR: the widest (or cheapest) tolerance that meets the target,
 // confirmed by fresh runs.
-#include <spdlog/spdlog.h>
-
 #include <memory>
 
 #include "analysis/report/report.hpp"
@@ -26,7 +24,7 @@ int run_recommend(const RecommendArguments& options) {
   const SignalWatch signals;
   const auto read = [&] {
     const Study study = read_study(options.file, options.settings);
-    for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);
+    log_notes(study);
     return study;
   };
   const int code = run_recommend(read, make_sweep_plan, options.stages);

@@ -5,6 +5,7 @@
 
 #include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/operating_text.hpp"
 #include "mc/commands/outcome_text.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/peak_snapshot.hpp"
@@ -24,12 +25,19 @@ struct SimulateArguments {
   bool json = false;
 };
 
-std::string table_text(const Study& study, const Outcome& outcome, std::uint64_t id) {
+std::string table_text(const Study& study, const Scene& scene, const Outcome& outcome,
+                       std::uint64_t id) {
   std::string text =
       fmt::format("scene {}, sample {} of {}: {}{}\n", study.scene.name, id, sample_count(study),
                   status_name(outcome.status), outcome.reason.empty() ? "" : ", " + outcome.reason);
   for (const std::string& note : model_notes(study)) text += "note: " + note + "\n";
-  return text + outcome_table(outcome);
+  return text + operating_table(scene) + outcome_table(outcome);
+}
+
+std::string json_text(const Scene& scene, const Outcome& outcome) {
+  nlohmann::ordered_json json = outcome_json(outcome);
+  json["operating_point"] = operating_json(scene);
+  return json.dump(2) + "\n";
 }
 
 // A jam is an outcome of the bearing; the others are failures of the run.
@@ -56,8 +64,8 @@ int run_simulate(const SimulateArguments& options) {
   if (!options.history.empty()) history.write(options.history);
   if (!options.snapshot.empty())
     write_peak_snapshot(options.snapshot, sample.scene, extras.cage_table.get(), outcome);
-  print(options.json ? outcome_json(outcome).dump(2) + "\n"
-                     : table_text(study, outcome, options.sample));
+  print(options.json ? json_text(sample.scene, outcome)
+                     : table_text(study, sample.scene, outcome, options.sample));
   return exit_code(outcome.status);
 }
 

@@ -28,8 +28,7 @@ struct SweepArguments {
 
 Study read_with_notes(const SweepArguments& options) {
   Study study = read_study(options.file, options.settings);
-  if (launch_from_environment().rank == 0)
-    for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);
+  if (launch_from_environment().rank == 0) log_notes(study);
   return study;
 }
 

@@ -39,6 +39,7 @@ void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
   const Pack p = select(wet, m.p, splat(law.starved ? -0.5 * law.layer : -1e-5));
   const Pack squared = m.v1 * m.v1 + m.v2 * m.v2, one = select(wet, splat(1.0), Pack{});
   totals.normal += on.normal;
+  totals.heaviest = max(totals.heaviest, on.normal);
   totals.sliding += on.normal * sqrt(squared);
   totals.normal_r += on.normal * m.n_r;
   totals.normal_t += on.normal * m.n_t;

@@ -43,6 +43,7 @@ void observe_slice(const BearingModel& model, const RaceSide& race, const SliceM
   const NormalForce<Pack>& normal = contact.normal;
   const Pack squared = m.v1 * m.v1 + m.v2 * m.v2;
   totals.normal += normal.force;
+  totals.heaviest = max(totals.heaviest, normal.force);
   totals.sliding += normal.force * sqrt(squared);
   totals.normal_r += normal.elastic * m.n_r;
   totals.normal_t += normal.elastic * m.n_t;

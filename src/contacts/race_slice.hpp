@@ -63,6 +63,7 @@ struct RingTilt {
 /// What a race does to a pack of rollers, summed over the slices.
 struct RaceTotals {
   Pack normal{};                ///< [N]
+  Pack heaviest{};              ///< largest normal force of a slice [N]
   Pack sliding{};               ///< normal force times sliding speed [W]
   Pack normal_r{}, normal_t{};  ///< of the elastic force on the rollers [N]
   Pack drive{};                 ///< power of the turning race [W]

@@ -76,6 +76,7 @@ void finish_inner_race(Pass& pass, const RaceTotals& on, RingTilt& tilt, Shared&
     finish_tilt(q, g, slot, *tilt.linear, jac);
   }
   store(seen.inner_force.data() + pass.group * kLanes, on.normal);
+  seen.inner_slice = std::max(seen.inner_slice, largest(on.heaviest));
   store(seen.inner_sliding.data() + pass.group * kLanes,
         select(on.normal > 0.0, on.sliding / max(on.normal, splat(1e-300)), Pack{}));
   seen.ring_elastic_y -= sum(q.cosine * on.normal_r - q.sine * on.normal_t);
@@ -139,6 +140,7 @@ void outer_race(Pass& pass, Shared& all) {
     pass.energy_by_vt += on.energy_by_vt;
     pass.energy_by_spin += on.energy_by_spin;
     store(all.seen->outer_force.data() + pass.group * kLanes, on.normal);
+    all.seen->outer_slice = std::max(all.seen->outer_slice, largest(on.heaviest));
     for (int i = 0; i < kLocalVelocities; ++i)
       turn_frame(pass.q, pass.linear->position[i], pass.linear->velocity[i]);
   }

@@ -316,6 +316,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.flange_half_clearance = b.flange_clearance / 2;
 
   const double modulus = effective_modulus(roller_material(scene), ring_material(scene));
+  m.race_modulus = modulus;
   m.race = make_normal_law(scene.contact.race, length, slices, race_stiffness_modulus(scene));
   m.bar = make_normal_law(scene.contact.bar, length, stations,
                           effective_modulus(roller_material(scene), cage_material(scene)));
@@ -381,6 +382,19 @@ double inner_speed_at(const BearingModel& m, double t) {
 
 double kinematic_cage_speed(const BearingModel& m, double inner_speed) {
   return inner_speed * m.inner_radius / (m.inner_radius + m.outer_radius);
+}
+
+double slice_length(const BearingModel& m) {
+  return 2 * m.roller_half_length / static_cast<double>(m.race_slices.size());
+}
+
+double race_pressure(const BearingModel& m, double inner_slice, double outer_slice) {
+  const double roller = m.nominal_diameter / 2, length = slice_length(m);
+  const auto pressure = [&](double force, double curvature) {
+    return hertz_line(force, 1 / (1 / roller + curvature), length, m.race_modulus).peak_pressure;
+  };
+  return std::max(pressure(inner_slice, 1 / m.inner_radius),
+                  pressure(outer_slice, -1 / m.outer_radius));
 }
 
 double least_static_speed(const BearingModel& m) {

@@ -103,6 +103,7 @@ struct BearingModel {
   Churning churning;
 
   double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]
+  double race_modulus = 0;                    ///< E' of rollers and rings [Pa]
   double misalignment_y = 0,
          misalignment_z = 0;  ///< tilt of the ring, or what its shaft would give it
   double ring_mass = 0, ring_polar = 0, ring_transverse = 0;
@@ -145,6 +146,13 @@ double inner_speed_at(const BearingModel& model, double t);
 
 /// Kinematic cage speed w_i R_i / (R_i + R_o) at inner speed w_i [rad/s].
 double kinematic_cage_speed(const BearingModel& model, double inner_speed);
+
+/// Axial length of one slice of a race [m].
+double slice_length(const BearingModel& model);
+
+/// Largest Hertzian pressure where slices of the inner and of the outer race bear these normal
+/// forces [N], on rollers of mean diameter (contact_laws/hertz_line.hpp) [Pa].
+double race_pressure(const BearingModel& model, double inner_slice, double outer_slice);
 
 /// The least of the contacts' static speeds [m/s].
 double least_static_speed(const BearingModel& model);

@@ -23,6 +23,7 @@ void Observation::clear() {
   ring_elastic_y = ring_elastic_z = 0;
   drive_power = load_power = friction_power = damping_power = net_power_rate = elastic_energy = 0;
   lost.fill(0);
+  inner_slice = outer_slice = 0;
   thinnest_film = kNoFilm;
 }
 

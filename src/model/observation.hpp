@@ -63,7 +63,8 @@ struct Observation {
   std::array<double, kMechanisms> lost{};  ///< the same two, split by mechanism [W]
   double net_power_rate = 0;  ///< d/dt of drive + load - friction - damping power [W/s]
   double elastic_energy = 0;  ///< stored in contacts [J]
-  double thinnest_film = 0;   ///< of loaded race contacts; very large without a film or load [m]
+  double inner_slice = 0, outer_slice = 0;  ///< largest normal force of a race slice [N]
+  double thinnest_film = 0;  ///< of loaded race contacts; very large without a film or load [m]
 };
 
 }  // namespace cagetol

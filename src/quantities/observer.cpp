@@ -151,6 +151,8 @@ void Observer::record(double t, const double* y, const System& system) {
   const SeenStep step = clock_.advance(t);
 
   thinnest_film_ = std::min(thinnest_film_, seen.thinnest_film);
+  inner_slice_ = std::max(inner_slice_, seen.inner_slice);
+  outer_slice_ = std::max(outer_slice_, seen.outer_slice);
 
   const double c = std::cos(q[kCagePhi]), s = std::sin(q[kCagePhi]);
   double e[2];
@@ -280,6 +282,7 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
     const Pack carried = force(seen.inner_force);
     const Mask loaded = here & (carried > threshold);
     slip_loaded_.add(k, slip, loaded, step);
+    roller_load_ = std::max(roller_load_, largest(select(here, carried, Pack{})));
     carried_.add(k, carried, here, step);
     carried_orbit_.add(k, carried * orbit, here, step);
     sliding_.add_above(k, force(seen.inner_sliding), force(seen.inner_force), threshold, here,
@@ -457,6 +460,11 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("cage_axial_std_um")] = 1e6 * cage_axial_.standard_deviation();
   q[quantity_row("cage_tilt_std_mrad")] =
       1e3 * std::hypot(cage_lean_y_.standard_deviation(), cage_lean_z_.standard_deviation());
+  q[quantity_row("roller_load_peak_N")] = roller_load_;
+  q[quantity_row("race_pressure_peak_MPa")] =
+      1e-6 * race_pressure(model_, inner_slice_, outer_slice_);
+  q[quantity_row("load_zone_mean_deg")] =
+      360 * slip_loaded_.sums().weight / slip_all_.sums().weight;
   q[quantity_row("ring_displacement_mean_um")] = -1e6 * ring_z_.mean();
   q[quantity_row("ring_displacement_end_um")] = 1e6 * end_displacement_;
   q[quantity_row("ring_orbit_p95_um")] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
@@ -515,9 +523,10 @@ std::vector<double> Observer::quantities_so_far() const {
                quantity_row("cage_stress_peak_extrapolated_low_MPa"),
                quantity_row("cage_stress_peak_extrapolated_high_MPa")},
               stress_blocks_, stress_ ? 1e-6 : none);
-  q[quantity_row("film_min_um")] =
-      (model_.inner_film.on || model_.lubricated) && thinnest_film_ < kNoFilm ? 1e6 * thinnest_film_
-                                                                              : none;
+  const bool filmed = (model_.inner_film.on || model_.lubricated) && thinnest_film_ < kNoFilm;
+  q[quantity_row("film_min_um")] = filmed ? 1e6 * thinnest_film_ : none;
+  q[quantity_row("lambda_min_ratio")] =
+      filmed && model_.lubricated ? thinnest_film_ / model_.inner_line.traction.roughness : none;
   q[quantity_row("static_consistency_error")] = static_consistency_error();
   return q.all();
 }

@@ -140,6 +140,7 @@ class Observer {
   Convergence convergence_;
   double start_orbit_ = 0;          ///< mean angle of all rollers at the first state [rad]
   double thinnest_film_ = kNoFilm;  ///< [m]
+  double roller_load_ = 0, inner_slice_ = 0, outer_slice_ = 0;  ///< largest at the races [N]
   double largest_lean_squared_ = 0;
   double orbit_turned_ = 0, orbit_angle_ = 0;
   double revolutions_ = 0, start_phase_ = 0;

@@ -19,6 +19,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // pass the largest state a little where steps grow quickly.
 constexpr double kOrderMargin = 2;
 
+constexpr double kFullCircle = 360 * (1 + 1e-9);  // rounding allowed [deg]
+
 bool moving(Reach r) {
   return !r.quasi_static;
 }
@@ -179,6 +181,9 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"cage_speed_std_ratio", turning, [](Reach r) { return magnitude(r.turns ? r.orbit_ratio * r.fastest * r.duration / turned(r) : kInfinite); }, kCageSlipReason, kTighten},
       {"cage_axial_std_um", moving, [](Reach r) { return magnitude(1e6 * r.axial); }, "the rollers' ends and the flanges leave the cage less axial play", "check cage.pocket_length_mm, bearing.flange_clearance_mm and contact.end, and tighten integration.tolerance"},
       {"cage_tilt_std_mrad", moving, lean, kLeanReason, kLeanRemedy},
+      {"roller_load_peak_N", moving, [](Reach r) { return magnitude(r.race_force); }, kForceReason, kTighten},
+      {"race_pressure_peak_MPa", moving, [](Reach r) { return magnitude(1e-6 * r.race_pressure); }, kForceReason, kTighten},
+      {"load_zone_mean_deg", moving, [](Reach) { return magnitude(kFullCircle); }, "rollers are loaded at most all round", kTighten},
       {"ring_displacement_mean_um", always, [](Reach r) { return either_way(1e6 * r.ring_move); }, kRingReason, kRingRemedy},
       {"ring_displacement_end_um", always, [](Reach r) { return either_way(1e6 * r.ring_move); }, kRingReason, kRingRemedy},
       {"ring_orbit_p95_um", always, [](Reach r) { return magnitude(2e6 * r.ring_move); }, kRingReason, kRingRemedy},
@@ -221,6 +226,7 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"cage_stress_peak_extrapolated_low_MPa", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
       {"cage_stress_peak_extrapolated_high_MPa", never, [](Reach) { return magnitude(kInfinite); }, kExtrapolatedReason, kTighten},
       {"film_min_um", never, [](Reach r) { return magnitude(1e6 * r.film_thickest); }, "a film between rolling surfaces is thin against the roller: a hundredth of its radius at most", "check film.viscosity_Pa_s and the speed"},
+      {"lambda_min_ratio", never, [](Reach r) { return magnitude(r.lambda_thickest); }, "a film between rolling surfaces is thin against the roller: a hundredth of its radius at most", "check the lubricant, lubrication.race_roughness_um and the speed"},
       {"static_consistency_error", moving, [](Reach) { return magnitude(kInfinite); }, "a relative error is not negative", kTighten},
   };
   return rows;

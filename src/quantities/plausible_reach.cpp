@@ -145,6 +145,8 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
     guide_force +=
         kFilmMargin * guide_film.pressure / (h * h * h) * (fastest * m.guide_clearance + 2 * speed);
   }
+  race_force = race.force(race.depth(energy) + preload, 2 * speed);
+  race_pressure = cagetol::race_pressure(m, race_force, race_force);
   const Contact all_races{m.race, race.shares * rollers};
   const double races = all_races.force(all_races.depth(energy) + preload, 2 * speed);
   ring_acceleration = (races + m.load.radial + guide_force) / m.ring_mass + gravity;
@@ -180,6 +182,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   power = energy / duration;
   stations = flexible ? static_cast<double>(m.flexible.model->stress_stations) : 0;
   film_thickest = kFilmShare * m.nominal_diameter / 2;
+  lambda_thickest = m.lubricated ? film_thickest / m.inner_line.traction.roughness : 0;
   torque = largest_friction(m) * (races + guide_force) * m.inner_radius +
            (m.lubricated ? oil_torque(m, races, speed) : 0) +
            (guide_film.on ? 2 * guide_film.torque * speed / m.inner_radius / guide_film.least : 0);

@@ -45,12 +45,13 @@ struct PlausibleReach {
   double guide_clearance;  ///< [m]
 
   double pocket_force, guide_force, end_force;  ///< on one roller, on the lands, on one roller [N]
+  double race_force, race_pressure;             ///< of one roller [N], [Pa]
   double ring_acceleration;                     ///< [m/s^2]
   double touch_rate;                            ///< closings of one contact [1/s]
   double stress;                                ///< in the cage [Pa]
   double yield, fatigue;                        ///< utilisations of the cage's strengths
   double stations;                              ///< stress stations of a sector of the cage
-  double film_thickest;                         ///< [m]
+  double film_thickest, lambda_thickest;        ///< [m], over the roughness of races
   double power;                                 ///< dissipated in excess of the drive power [W]
   double torque;                                ///< of friction on the inner race [N m]
 

@@ -90,6 +90,15 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"cage_axial_std_um", "um", "standard deviation of the cage's axial place"},
     {"cage_tilt_std_mrad", "mrad",
      "root of the summed variances of the cage axis' two lean angles"},
+    {"roller_load_peak_N", "N",
+     "largest value of a roller's force on the inner race over every accepted step"},
+    {"race_pressure_peak_MPa", "MPa",
+     "largest value of the Hertzian pressure of a roller's slice at either race over every "
+     "accepted "
+     "step"},
+    {"load_zone_mean_deg", "deg",
+     "mean share of the rollers whose inner-race force exceeds 1 % of the load, as an angle of the "
+     "full circle"},
     {"ring_displacement_mean_um", "um", "mean displacement of the inner ring along the load"},
     {"ring_displacement_end_um", "um",
      "displacement of the inner ring along the load at the end of the window"},
@@ -176,6 +185,10 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"film_min_um", "um",
      "thinnest oil film of loaded race contacts over every accepted step; where a film is "
      "modelled"},
+    {"lambda_min_ratio", "-",
+     "thinnest oil film (film_min_um) over the composite roughness of roller and race; where "
+     "lubrication.model = "
+     "\"film\""},
     {"static_consistency_error", "-",
      "the larger of: mean elastic force on the ring against the quasi-static one (the load, less "
      "what the normal law's damping carries as rollers go round; relative to the load, or to the "

@@ -23,8 +23,10 @@ bool bars_use_moduli(const Scene& s) {
          (hertz(s.contact.bar) || (is_lubricated(s) && s.lubrication.pocket_film));
 }
 
+/// Every run in time tells the pressure of its races.
 bool races_use_moduli(const Scene& s) {
-  return hertz(s.contact.race) || is_lubricated(s) || s.film.model != FilmModel::none;
+  return !is_quasi_static(s) || hertz(s.contact.race) || is_lubricated(s) ||
+         s.film.model != FilmModel::none;
 }
 
 bool has_line_races(const Scene& s) {
@@ -46,6 +48,10 @@ bool cage_softens(const Scene& s) {
   return strengths || (softens(s.cage.material) && (is_flexible(s) || bars_use_moduli(s)));
 }
 
+/// Catalogue values have a use outside the run: they are named only where they vary.
+constexpr std::string_view kCatalogue =
+    "rating life and warnings alone depend on it, no simulated result";
+
 /// One reason for which the keys that begin so do nothing.
 struct Rule {
   std::vector<std::string_view> keys;  ///< names, or beginnings of names that end with "*"
@@ -58,6 +64,10 @@ const std::vector<Rule>& rules() {
       {{"bearing.outside_diameter_mm"},
        [](const Scene& s) { return !has_line_races(s); },
        "no result depends on it but by contact.race.approach = \"line\""},
+      {{"bearing.dynamic_rating_kN", "bearing.static_rating_kN", "bearing.reference_speed_rpm",
+        "bearing.limiting_speed_rpm", "bearing.least_load_factor"},
+       [](const Scene&) { return true; },
+       kCatalogue},
       // What equilibria leave out.
       {{"cage.mass_kg",
         "cage.polar_inertia_kg_mm2",
@@ -136,12 +146,9 @@ const std::vector<Rule>& rules() {
        [](const Scene& s) { return !has_free_ring_tilt(s); },
        "model.ring_tilt = \"prescribed\""},
       // Materials.
-      {{"bearing.ring_young_GPa", "bearing.ring_poisson"},
+      {{"bearing.ring_young_GPa", "bearing.ring_poisson", "roller.young_GPa", "roller.poisson"},
        [](const Scene& s) { return !races_use_moduli(s); },
-       "contact.race.force_law = \"impact\""},
-      {{"roller.young_GPa", "roller.poisson"},
-       [](const Scene& s) { return !races_use_moduli(s) && !bars_use_moduli(s); },
-       "contact.race.force_law = \"impact\" and contact.bar.force_law = \"impact\""},
+       "model.motion = \"quasi-static\" and contact.race.force_law = \"impact\""},
       {{"cage.young_GPa", "cage.poisson"},
        [](const Scene& s) { return !is_flexible(s) && !bars_use_moduli(s); },
        "cage.model = \"rigid\" and contact.bar.force_law = \"impact\""},
@@ -303,7 +310,8 @@ std::vector<std::string> idle_notes(const Scene& scene,
   for (const auto& key : scene_keys()) {
     const std::string why = why_idle(scene, key.name);
     if (why.empty()) continue;
-    const bool told = !key.range.required && key_text(key, scene) != key_text(key, plain);
+    const bool told =
+        why != kCatalogue && !key.range.required && key_text(key, scene) != key_text(key, plain);
     if (!told && !(varies && varies(key.name))) continue;
     const auto known = std::find_if(keys_by_reason.begin(), keys_by_reason.end(),
                                     [&](const auto& entry) { return entry.first == why; });

@@ -63,6 +63,11 @@ struct BearingGeometry {
   double misalignment_y = 0;  ///< slope of the inner ring's centre line in y [rad]
   double misalignment_z = 0;  ///< slope in z [rad]
   double tilt_stiffness = 0;  ///< of the shaft against the tilt of a free ring [N m/rad]
+  // No run depends on the rest (src/quantities/operating_point.hpp).
+  double dynamic_rating = kAuto;                           ///< C; kAuto: by ISO 281 [N]
+  double static_rating = kAuto;                            ///< C_0; kAuto: by ISO 76 [N]
+  double reference_speed = kAuto, limiting_speed = kAuto;  ///< kAuto: not known [rad/s]
+  double least_load_factor = kAuto;                        ///< k_r; kAuto: not known
 };
 
 struct RollerGeometry {

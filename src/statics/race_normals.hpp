@@ -16,6 +16,7 @@ struct RaceNormals {
   Pack force[2][2]{};     ///< sums of X^m F; r, t [N], [N m]
   Pack slope[3][2][2]{};  ///< sums of X^m dF/dd [N/m], [N], [N m]
   Pack total{};           ///< of Q [N]
+  Pack heaviest{};        ///< largest Q of a slice [N]
   Pack elastic[2]{};      ///< sums of the elastic part of F; r, t [N]
 };
 
@@ -34,6 +35,7 @@ inline void add_normal(const Slice& slice, const NormalForce<Pack>& normal, cons
     sums.elastic[i] += normal.elastic * n[i];
   }
   sums.total += normal.force;
+  sums.heaviest = max(sums.heaviest, normal.force);
   double lever = 1;
   for (int m = 0; m < 3; ++m, lever *= slice.position)
     for (int i = 0; i < 2; ++i) {

@@ -33,6 +33,12 @@ double settled_within(double radius, double accuracy) {
   return std::max({1e-16, 2e-15 * radius, 1e-6 * accuracy});
 }
 
+void store_forces(const RollerBalance& b, int first, StaticState& state) {
+  store(state.inner_force.data() + first, b.inner.total);
+  store(state.inner_slice.data() + first, b.inner.heaviest);
+  store(state.outer_slice.data() + first, b.outer.heaviest);
+}
+
 }  // namespace
 
 /// On the ring from the rollers: force in y, z and moments about them; derivatives with respect to
@@ -89,6 +95,7 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
   resting_radius_ = state_.radius;
   resting_tilt_ = state_.tilt;
   state_.inner_force.assign(n, 0.0);
+  state_.inner_slice = state_.outer_slice = state_.inner_force;
   state_.tilt_y = model.misalignment_y;
   state_.tilt_z = model.misalignment_z;
 }
@@ -117,7 +124,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
       }
       if (settled || iteration + 1 == kMostIterations) {
         ring.settled = ring.settled && b.size < kNoPlace;
-        store(state_.inner_force.data() + j, b.inner.total);
+        store_forces(b, j, state_);
         ring.add(at, b, tilts_);
         break;
       }
@@ -216,7 +223,7 @@ bool StaticEquilibrium::follow(const double* angle, double orbit_rate, const Rin
     for (int group = 0; group < model_.layout.groups; ++group) {
       const Step& step = steps.emplace_back(*this, group, angle, orbit_rate);
       ring.add(step.at, step.orbiting, tilts_);
-      store(state_.inner_force.data() + group * kLanes, step.orbiting.inner.total);
+      store_forces(step.orbiting, group * kLanes, state_);
       farthest = std::max({farthest, step.resting.size, step.orbiting.size});
     }
     add_outside(load, ring);

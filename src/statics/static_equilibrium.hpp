@@ -19,6 +19,8 @@ struct StaticState {
   double ring_elastic_z = 0;         ///< elastic part of the force on the ring along z [N]
   std::vector<double> radius, tilt;  ///< of each roller (padded) [m], [rad]
   std::vector<double> inner_force;   ///< on the inner race, all slices [N]
+  /// Largest force of a slice at each roller's races [N].
+  std::vector<double> inner_slice, outer_slice;
   bool converged = false;
   int iterations = 0;
 };

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/input/toml_file.hpp"
+#include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/reference_scene.hpp"
@@ -341,6 +342,51 @@ TEST(Program, SimulatePrintsJsonWithEveryQuantity) {
   }
   for (const char* key : {"simulated_s", "wall_s", "steps", "rhs_evaluations", "energy_residual"})
     EXPECT_TRUE(json["run"][key].is_number()) << key;
+  EXPECT_EQ(json["units"]["friction_torque_Nmm"], "N mm");
+  EXPECT_EQ(json["units"]["simulated_s"], "s");
+  const auto& at = json["operating_point"];
+  EXPECT_NEAR(at["values"]["rating_ratio"].get<double>(), 28.6, 1e-9);
+  EXPECT_EQ(at["units"]["roller_load_max_N"], "N");
+  EXPECT_TRUE(at["warnings"].empty());
+}
+
+TEST(Program, QuantitiesAreListedWithUnitDefinitionNeedsAndUse) {
+  const auto all = run({"quantities", "--json"});
+  ASSERT_EQ(all.code, 0) << all.output;
+  const auto list = nlohmann::json::parse(all.output);
+  ASSERT_EQ(list.size(), quantity_table().size() + operating_rows().size());
+  for (std::size_t i = 0; i < quantity_table().size(); ++i) {
+    EXPECT_EQ(list[i]["name"], quantity_table()[i].key);
+    EXPECT_EQ(list[i]["unit"], quantity_table()[i].unit);
+  }
+  for (const auto& entry : list)
+    for (const char* part : {"definition", "needs", "over", "use"})
+      EXPECT_FALSE(entry[part].get<std::string>().empty()) << entry["name"] << part;
+
+  const auto one = run({"quantities", "cage_fatigue_utilisation"});
+  EXPECT_EQ(one.code, 0);
+  EXPECT_THAT(one.output, AllOf(HasSubstr("modified Goodman line"), HasSubstr("window.peak"),
+                                HasSubstr("cage.model = \"flexible\""),
+                                Not(HasSubstr("cage_fatigue_pocket\n"))));
+  EXPECT_EQ(nlohmann::json::parse(run({"quantities", "power_", "--json"}).output).size(), 11U);
+  const auto none = run({"quantities", "friction_tork"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.output, HasSubstr("did you mean friction_torque_Nmm?"));
+}
+
+TEST(Program, CheckShowsTheOperatingPointAndWarns) {
+  const auto quiet = run({"check", shipped("studies/nu205.toml")});
+  EXPECT_THAT(quiet.output, AllOf(HasSubstr("life_L10_h"), HasSubstr("cage_mass_g"),
+                                  HasSubstr("speed_factor_mm_min                         234000"),
+                                  Not(HasSubstr("warning: "))));
+  const auto loud = run({"check", shipped("scenes/nu205.toml"), "--set", "load.radial_N=600000",
+                         "--set", "speed.inner_rpm=300000"});
+  EXPECT_EQ(loud.code, 0);
+  EXPECT_THAT(loud.output,
+              AllOf(HasSubstr("warning: load.radial_N = 600 kN is above the static load rating"),
+                    HasSubstr("warning: load.radial_N = 600 kN is above the dynamic load rating"),
+                    HasSubstr("warning: speed.inner_rpm = 300000 is above "
+                              "bearing.limiting_speed_rpm = 16000")));
 }
 
 /// What a command prints on stdout alone, where cage tables cannot be kept.

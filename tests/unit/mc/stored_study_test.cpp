@@ -15,6 +15,7 @@
 #include "mc/study_file/hdf5_reader.hpp"
 #include "mc/study_file/study_bytes.hpp"
 #include "mc/study_file/study_file_error.hpp"
+#include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/standin_study.hpp"
@@ -167,6 +168,20 @@ TEST_F(StudyFileTest, HoldsTheRootAttributesThatTheFormatDocuments) {
   }
   EXPECT_EQ(file.integer_attribute("/", "schema_version"), kStudySchema);
   EXPECT_THAT(format, HasSubstr("schema version " + std::to_string(kStudySchema)));
+}
+
+TEST_F(StudyFileTest, HoldsTheOperatingPointOfTheNominalScene) {
+  plan_.study.scene.operation.radial_load = 2500;
+  const std::string path = written("study.h5", outcomes_);
+  const Hdf5Reader file(read_study_bytes(path), path);
+  const OperatingPoint at = operating_point(plan_.study.scene);
+  for (const OperatingRow& row : operating_rows()) {
+    const std::vector<double> values =
+        file.reals(std::string("/operating_point/") + row.key).values;
+    ASSERT_EQ(values.size(), 1U) << row.key;
+    EXPECT_TRUE(values[0] == row.value(at) || std::isnan(row.value(at))) << row.key;
+  }
+  EXPECT_EQ(file.reals("/operating_point/equivalent_load_N").values[0], 2500);
 }
 
 TEST_F(StudyFileTest, NoSampleYetIsAStudyFileToo) {

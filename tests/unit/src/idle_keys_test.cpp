@@ -246,6 +246,18 @@ TEST(IdleNotes, NameReasonAndKeysOnce) {
                           "without effect (lubrication.model = \"none\"): lubrication.squeeze"));
 }
 
+// Catalogue values are for rating life and warnings: given ones are no mistake, varied ones are.
+TEST(IdleNotes, NameCatalogueValuesOnlyWhereTheyVary) {
+  Scene scene;
+  scene.bearing.dynamic_rating = 28.6e3;
+  scene.bearing.limiting_speed = 1600;
+  EXPECT_THAT(idle_notes(scene), IsEmpty());
+  const auto varies = [](const std::string& key) { return key == "bearing.dynamic_rating_kN"; };
+  EXPECT_THAT(idle_notes(scene, varies),
+              ElementsAre("without effect (rating life and warnings alone depend on it, no "
+                          "simulated result): bearing.dynamic_rating_kN"));
+}
+
 TEST(Materials, FillWhatIsNotGiven) {
   Scene scene;
   EXPECT_EQ(cage_material(scene).young, 206e9);

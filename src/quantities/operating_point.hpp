@@ -1,0 +1,65 @@
+// What an engineer asks of a bearing under its load and speed before any run: ratings and life,
+// load distribution, film, speeds, clearances, masses. All of it follows from the scene alone.
+//
+// The load distribution is that of static equilibria (src/statics/static_equilibrium.hpp) with the
+// rollers at rest against the races, pressed outwards as they orbit at the kinematic cage speed,
+// at positions over one pitch. Kinematics: rollers that roll without slip,
+//   w_c = w_i R_i/(R_i + R_o),   w_r = (w_i - w_c) R_i/R_roller,   u = |w_i - w_c| R_i
+// w_i, w_c speeds of inner ring and cage, w_r of a roller about its axis relative to the cage, u
+// entrainment speed at the inner race. Film: film_thickness() of lubrication/line_film.hpp at the
+// heaviest slice of the inner race.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+/// NaN: not known, or not defined for the scene.
+struct OperatingPoint {
+  double dynamic_rating, static_rating;          ///< C, C_0: given or by the standards [N]
+  double load;                                   ///< P = P_0 [N]
+  double life;                                   ///< L_10 [revolutions]
+  double life_time;                              ///< at the speed of the inner ring [s]
+  double least_load_skf, least_load_schaeffler;  ///< [N]
+
+  double roller_load;    ///< largest on the inner race [N]
+  double race_pressure;  ///< largest [Pa]
+  double load_zone;      ///< angle within which rollers carry more than 1 % of the load [rad]
+  double film;           ///< at the heaviest slice of the inner race [m]
+  double lambda;         ///< film over composite roughness of the races
+
+  double pitch_diameter;                     ///< d_m [m]
+  double speed;                              ///< magnitude, of the inner ring [rad/s]
+  double limiting_speed;                     ///< [rad/s]
+  double cage_speed;                         ///< w_c [rad/s]
+  double roller_speed;                       ///< w_r, relative to the cage [rad/s]
+  double roller_spin;                        ///< w_c - w_r, seen from outside [rad/s]
+  double entrainment;                        ///< u [m/s]
+  double internal_clearance;                 ///< diametral, least over the rollers [m]
+  double pocket_width_clearance;             ///< least over the pockets [m]
+  double pocket_length_clearance;            ///< least over the pockets [m]
+  double guide_clearance, flange_clearance;  ///< radial of the cage, axial of a roller [m]
+  double cage_mass, roller_mass;             ///< [kg]
+};
+
+/// Load distribution and film are NaN where no equilibrium is found.
+OperatingPoint operating_point(const Scene& scene);
+
+/// One line of its table.
+struct OperatingRow {
+  const char* key;                            ///< with its unit as suffix
+  const char* unit;                           ///< "-" for a ratio
+  const char* definition;                     ///< one sentence
+  double (*value)(const OperatingPoint& of);  ///< in that unit
+};
+/// All lines, in the order of tables and files.
+const std::vector<OperatingRow>& operating_rows();
+
+/// What a bearing in service would not bear: too high a load or speed, or too light a load. One
+/// sentence each, with the rule and its source.
+std::vector<std::string> operating_warnings(const Scene& scene);
+
+}  // namespace cagetol
