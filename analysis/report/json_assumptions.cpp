@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "analysis/report/assumption_runs.hpp"
 #include "analysis/report/json_parts.hpp"
@@ -18,30 +19,30 @@ std::string with_value(const AssumedValue& alternative) {
   return fmt::format("{} = {}", alternative.key, alternative.value);
 }
 
-/// Mean of a quantity with these bands less that with the narrowest candidate; nothing where one of
-/// them has too few effective runs.
+/// Mean of a quantity with these bands less that with the narrowest: the sum over the dimensions of
+/// each one's change, all others taken from all of their candidates, for single candidates have few
+/// runs. Nothing where a band has too few effective runs.
 class ToleranceChange {
  public:
   ToleranceChange(const ReportBasis& basis, const Tolerance& tolerance) : basis_(basis) {
-    const StudyData& runs = basis.runs;
-    const auto& candidates = runs.plan.candidates;
+    const auto& candidates = basis.runs.plan.candidates;
     if (candidates.empty()) return;
-    std::size_t narrowest = 0, chosen = candidates.size();
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (same_tolerance(snapped_tolerance(runs, candidates[k]), tolerance)) chosen = k;
-      if (candidates[k].bands_mm < candidates[narrowest].bands_mm) narrowest = k;
+    const MixtureWeights mixture = mixture_weights(basis.runs);
+    for (std::size_t d = 0; d < tolerance.bands_mm.size(); ++d) {
+      double narrowest = std::numeric_limits<double>::infinity();
+      for (const Candidate& candidate : candidates)
+        narrowest = std::min(narrowest, candidate.bands_mm[d]);
+      Step step{weights_with(mixture, tolerance, d, tolerance.bands_mm[d]),
+                weights_with(mixture, tolerance, d, narrowest)};
+      known_ = known_ && effective_sample_size(step.wide) >= kLeastEffectiveRuns &&
+               effective_sample_size(step.narrow) >= kLeastEffectiveRuns;
+      steps_.push_back(std::move(step));
     }
-    if (chosen == candidates.size() || chosen == narrowest) return;
-    const MixtureWeights mixture = mixture_weights(runs);
-    wide_ = mixture.candidate[chosen];
-    narrow_ = mixture.candidate[narrowest];
-    known_ = effective_sample_size(wide_) >= kLeastEffectiveRuns &&
-             effective_sample_size(narrow_) >= kLeastEffectiveRuns;
   }
 
   Json of(const std::string& quantity) const {
     const Column* column = find_quantity(basis_.runs, quantity);
-    if (!known_ || column == nullptr) return nullptr;
+    if (steps_.empty() || !known_ || column == nullptr) return nullptr;
     const auto values = ok_values(basis_.runs, column->values);
     const auto mean = [&](std::span<const double> drawn, const std::vector<double>& weights) {
       std::vector<double> product(drawn.begin(), drawn.end());
@@ -49,14 +50,40 @@ class ToleranceChange {
       return weighted_mean(values, product);
     };
     return to_json(basis_.resampling.estimate(
-        [&](std::span<const double> drawn) { return mean(drawn, wide_) - mean(drawn, narrow_); },
+        [&](std::span<const double> drawn) {
+          double change = 0;
+          for (const Step& step : steps_)
+            change += mean(drawn, step.wide) - mean(drawn, step.narrow);
+          return change;
+        },
         basis_.confidence));
   }
 
  private:
+  /// Weights of the runs with a dimension's band as it is and as the narrowest.
+  struct Step {
+    std::vector<double> wide, narrow;
+  };
+
+  /// All candidates with this band of a dimension, at the centres of the tolerance.
+  std::vector<double> weights_with(const MixtureWeights& mixture, const Tolerance& tolerance,
+                                   std::size_t dimension, double band_mm) const {
+    const auto& candidates = basis_.runs.plan.candidates;
+    std::vector<std::size_t> with;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      const Tolerance snapped = snapped_tolerance(basis_.runs, candidates[k]);
+      if (same_centres(snapped, tolerance) &&
+          (same_bands({snapped.bands_mm[dimension]}, {band_mm}) ||
+           same_bands({candidates[k].bands_mm[dimension]}, {band_mm})))
+        with.push_back(k);
+    }
+    if (with.empty()) return std::vector<double>(basis_.runs.size(), 0.0);
+    return average_weights(mixture, with);
+  }
+
   const ReportBasis& basis_;
-  std::vector<double> wide_, narrow_;
-  bool known_ = false;
+  std::vector<Step> steps_;
+  bool known_ = true;
 };
 
 Json change_json(const AlternativeVerdict& verdict) {
