@@ -30,6 +30,7 @@ constexpr const char* kExamples =
     "  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
     "  cagetol ladder inputs/scenes/nu205.toml -o out/ladder\n"
     "  cagetol stability -o out/stability\n"
+    "  cagetol limits inputs/studies/nu205.toml -o out/nu205-limits\n"
     "  cagetol quantities pocket_force\n"
     "  cagetol --dump-default scene";
 
@@ -59,6 +60,7 @@ int main(int argc, char** argv) try {
   add_chart_command(app, chosen);
   add_ladder_command(app, chosen);
   add_stability_command(app, chosen);
+  add_limits_command(app, chosen);
   add_quantities_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);

@@ -8,14 +8,6 @@
 namespace cagetol {
 namespace {
 
-double known(const Json& value) {
-  return value.is_number() ? value.get<double>() : kUndefined;
-}
-
-Estimate estimate_of(const Json& entry, const char* value) {
-  return {known(entry.at(value)), known(entry.at("lower")), known(entry.at("upper"))};
-}
-
 /// Keys in which two resolved studies differ.
 std::vector<std::string> differing_keys(const Json& one, const Json& other) {
   const Json first = one.flatten(), second = other.flatten();
@@ -62,20 +54,6 @@ Json evidence_json(const ReportBasis& basis, const Json& ladder) {
   return evidence;
 }
 
-std::vector<RefinedShift> shifts_of(const Json& ladder, const std::string& quantity) {
-  std::vector<RefinedShift> shifts;
-  for (const Json& entry : ladder.at("quantities"))
-    if (entry.at("quantity") == quantity)
-      for (const Json& rung : entry.at("rungs"))
-        if (rung.at("rung") != ladder.at("reference"))
-          shifts.push_back({.setting = rung.at("rung"),
-                            .shift = estimate_of(rung, "shift"),
-                            .pairs = rung.at("pairs"),
-                            .lost = rung.at("lost"),
-                            .usable = rung.at("verdict") != "unusable"});
-  return shifts;
-}
-
 ReportedMean mean_of(const Json& quantity) {
   const Json& statistics = quantity.at("statistics");
   return {.standard_error = known(statistics.at("standard_error_of_mean")),
@@ -104,7 +82,7 @@ Json error_budget_json(const ReportBasis& basis, const Json& quantities, const J
   for (const Json& quantity : quantities) {
     if (quantity.at("statistics").at("runs_with_value") == 0) continue;
     const auto shifts =
-        measured ? shifts_of(ladder, quantity.at("quantity")) : std::vector<RefinedShift>{};
+        measured ? refined_shifts(ladder, quantity.at("quantity")) : std::vector<RefinedShift>{};
     const ErrorBudget budget = error_budget(mean_of(quantity), shifts, confidence);
     Json entry{{"quantity", quantity.at("quantity")},
                {"unit", quantity.at("unit")},

@@ -30,6 +30,7 @@ void add_bench_command(CLI::App& app, Chosen& chosen);
 void add_chart_command(CLI::App& app, Chosen& chosen);
 void add_ladder_command(CLI::App& app, Chosen& chosen);
 void add_stability_command(CLI::App& app, Chosen& chosen);
+void add_limits_command(CLI::App& app, Chosen& chosen);
 void add_quantities_command(CLI::App& app, Chosen& chosen);
 
 /// --dump-default scene|study|keys, an option of the program itself.

@@ -13,6 +13,7 @@ while read -r line; do
   command=${line//build\/cagetol/$program}
   command=${command//out\/nu205/$out\/nu205}
   [[ $line == *" sweep "* ]] && command="$command $short --set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
+  [[ $line == *" limits "* ]] && command="$command --samples 6 ${short/--set samples=20/} --set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
   [[ $line == *" cage "* ]] && command="$command --set cage.corner_radius_mm=0"
   [[ $line == *" ladder "* ]] && command="$command --samples 3"
   [[ $line == *" ladder inputs/"* ]] && command="$command --set cage.mesh_density=2 --set cage.corner_radius_mm=0 ${short/--set samples=20/}"

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "analysis/study/study_data.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_table.hpp"
@@ -348,6 +349,39 @@ TEST(Program, SimulatePrintsJsonWithEveryQuantity) {
   EXPECT_NEAR(at["values"]["rating_ratio"].get<double>(), 28.6, 1e-9);
   EXPECT_EQ(at["units"]["roller_load_max_N"], "N");
   EXPECT_TRUE(at["warnings"].empty());
+}
+
+TEST(Program, LimitsSayHowFarTheyAreAndReadASweepAgain) {
+  const ScratchDirectory scratch;
+  const std::string directory = scratch / "limits";
+  const auto first =
+      run({"limits", shipped("studies/nu205-displacement.toml"), "-o", directory, "--samples", "60",
+           "--json", "--progress", "off", "--set", "scene.model.motion=quasi-static", "--set",
+           "multifidelity=off", "--set", "scene.window.measure_revolutions=1"},
+          [] { ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO); });
+  ASSERT_EQ(first.code, 0) << first.output;
+  const auto found = nlohmann::json::parse(first.output);
+  EXPECT_EQ(found["runs"], 60);
+  EXPECT_EQ(found["candidates"], 0);
+  ASSERT_FALSE(found["limits"].empty());
+  for (const auto& limit : found["limits"]) {
+    EXPECT_EQ(limit["judged"], 60);
+    EXPECT_TRUE(limit["model_error"].is_null());
+    EXPECT_TRUE(limit["median_margin"].is_number());
+  }
+  for (const auto& quantity : found["quantities"])
+    EXPECT_LE(quantity["p5"].get<double>(), quantity["p99"].get<double>());
+  const auto again = run({"limits", directory, "--json"});
+  EXPECT_EQ(nlohmann::json::parse(again.output), found);
+  EXPECT_THAT(run({"limits", directory}).output,
+              AllOf(HasSubstr("error of the model not measured"), HasSubstr("--refine -o ")));
+  EXPECT_EQ(run({"limits", shipped("studies/nu205.toml")}).code, 2);
+  // Of a study with candidate tolerances the one at which its laws are given.
+  run({"limits", shipped("studies/nu205.toml"), "-o", scratch / "nominal", "--samples", "2",
+       "--set", "scene.model.motion=quasi-static"});
+  const StudyData nominal = read_study_data(scratch / "nominal" + std::string("/study.h5"));
+  ASSERT_EQ(nominal.plan.candidates.size(), 1U);
+  for (const double scale : nominal.plan.candidates[0].scales) EXPECT_DOUBLE_EQ(scale, 1);
 }
 
 TEST(Program, QuantitiesAreListedWithUnitDefinitionNeedsAndUse) {

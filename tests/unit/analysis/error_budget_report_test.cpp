@@ -1,11 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "analysis/fidelity/model_ladder.hpp"
 #include "analysis/report/html_report.hpp"
+#include "analysis/report/refining_ladder.hpp"
 #include "analysis/report/report.hpp"
 #include "tests/support/synthetic_study.hpp"
 
@@ -90,6 +92,15 @@ TEST(ErrorBudgetReport, ShowsWhatTheLadderMeasured) {
               HasSubstr("Another build"));
 }
 
+// Resolved errors of settings alone: the integrator's 3 MPa, not the runs that the slices lost.
+TEST(KnownBias, IsTheSumOfResolvedErrors) {
+  const StudyData study = make_synthetic_study();
+  EXPECT_NEAR(known_bias(refining_ladder(study), study, "cage_stress_peak_MPa"), 3, 1e-9);
+  EXPECT_EQ(known_bias(refining_ladder(study), study, "whirl_radius_ratio_p95"), 0);
+  EXPECT_TRUE(std::isnan(known_bias({}, study, "cage_stress_peak_MPa")));
+  EXPECT_TRUE(std::isnan(known_bias(refining_ladder(study), study, "unheard")));
+}
+
 TEST(ErrorBudgetReport, TakesNoOtherStudysLadder) {
   const StudyData study = make_synthetic_study({.rows = 200});
   Json other = refining_ladder(study);
@@ -102,6 +113,7 @@ TEST(ErrorBudgetReport, TakesNoOtherStudysLadder) {
                         "<code>scene.load.radial_N</code>"));
   EXPECT_EQ(report["error_budget"]["evidence"]["differing_keys"],
             Json::array({"scene.load.radial_N"}));
+  EXPECT_TRUE(std::isnan(known_bias(other, study, "cage_stress_peak_MPa")));
   Json climbing = refining_ladder(study);
   climbing["refining"] = false;
   EXPECT_THAT(error_budget_chapter(make_report(study, {}, "DIR", {}, climbing), {}),
