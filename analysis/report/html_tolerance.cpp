@@ -85,10 +85,12 @@ std::string jam_section(const Json& tolerance, const FigureSet& figures) {
          paragraph(
              "A roller larger than its pocket jams the cage whatever the bearing does. Geometry "
              "alone tells how often, at any band, so no run is needed.") +
-         figure_html(figures, "jam_curves",
-                     "Share of cages that jam over the width of one tolerance, all others at their "
-                     "narrowest. Above the dashed line jams alone miss the target; the dotted line "
-                     "is the band of the verdict.") +
+         figure_html(
+             figures, "jam_curves",
+             "Share of cages that jam over the width of one tolerance about the nominal value "
+             "of the study, all others at their narrowest. Above the dashed line jams alone miss "
+             "the target; the dotted line "
+             "is the band of the verdict.") +
          table("tnn", {"dimension", "no cage jams up to", "jams alone miss the target from"}, rows);
 }
 

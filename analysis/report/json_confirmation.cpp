@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::size_t kResamples = 500;
 
+std::string unit_of_input(const StudyData& runs, const std::string& key) {
+  const InputColumns* input = find_input(runs, key);
+  return input == nullptr ? "" : input->unit;
+}
+
 /// Nominal value that an attempt gave a dimension; null where it is not in question.
 Json centre_of(const StudyData& attempt, std::size_t dimension) {
   const auto& centres = attempt.plan.dimensions[dimension].centres;
@@ -32,7 +37,8 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
                      {"name", plain_name(runs.plan.dimensions[d].key)},
                      {"band_mm", tolerance.bands_mm[d]},
                      {"grade", tolerance.grades[d]},
-                     {"centre", centre_of(runs, d)}});
+                     {"centre", centre_of(runs, d)},
+                     {"centre_unit", unit_of_input(runs, runs.plan.dimensions[d].key)}});
   const auto allowed = allowed_failures(result.runs, rules);
   return {{"stage", fmt::format("confirm-{}", number)},
           {"bands", bands},
@@ -110,8 +116,10 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
     const std::string grade = band["grade"];
     const std::string text =
         fmt::format("{}{} {:.3f} mm{}", band["name"].get<std::string>(),
-                    band["centre"].is_number() ? fmt::format(" {:g},", band["centre"].get<double>())
-                                               : std::string(),
+                    band["centre"].is_number()
+                        ? fmt::format(" {:g} {}, tolerance", band["centre"].get<double>(),
+                                      band["centre_unit"].get<std::string>())
+                        : std::string(),
                     band["band_mm"].get<double>(), grade.empty() ? "" : " (" + grade + ")");
     std::string& list =
         std::find(not_binding.begin(), not_binding.end(), band["key"]) != not_binding.end() ? free

@@ -130,9 +130,12 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
   const StudyPlan& plan = basis.study.plan;
   std::vector<std::string> bands, free;
   for (const RecommendedBand& band : result.bands) {
-    const std::string width = fmt::format(
-        "{}{} {:.3f} mm{}", band.name, band.centre ? fmt::format(" {:g},", *band.centre) : "",
-        band.band_mm, band.grade.empty() ? "" : " (" + band.grade + ")");
+    const std::string width =
+        fmt::format("{}{} {:.3f} mm{}", band.name,
+                    band.centre ? fmt::format(" {:g} {}, tolerance", *band.centre,
+                                              find_input(basis.study, band.key)->unit)
+                                : "",
+                    band.band_mm, band.grade.empty() ? "" : " (" + band.grade + ")");
     (band.not_binding ? free : bands).push_back(width);
   }
   std::string text;
