@@ -61,17 +61,21 @@ double expected_of(const MixtureStudy& mixture, std::size_t candidate) {
 /// effective runs (Jeffreys' prior).
 double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std::size_t runs,
                         const ConfirmationRules& rules) {
-  constexpr int kQuantiles = 64;
+  constexpr double kSteps = 96, kLeastShare = 1e-6;
   const Yield& yield = mixture.tolerances.curves.candidates[candidate];
-  const double passing = yield.if_unknown_fail * yield.ess;
-  double sum = 0;
-  for (int q = 0; q < kQuantiles; ++q) {
-    const double possible =
-        gsl_cdf_beta_Pinv((q + 0.5) / kQuantiles, passing + 0.5, yield.ess - passing + 0.5);
-    sum += confirming_probability(std::min(possible, share_without_jam(mixture.runs, candidate)),
+  const double passing = yield.if_unknown_fail * yield.ess, failing = yield.ess - passing;
+  double sum = 0, below = 0;
+  for (double step = 1; step <= kSteps; ++step) {
+    // Failing shares from 1e-6 to 1, in equal ratios.
+    const double up_to = std::pow(kLeastShare, 1 - step / kSteps);
+    const double reached = gsl_cdf_beta_P(up_to, failing + 0.5, passing + 0.5);
+    const double middle = up_to * std::pow(kLeastShare, 0.5 / kSteps);
+    sum += (reached - below) *
+           confirming_probability(std::min(1 - middle, share_without_jam(mixture.runs, candidate)),
                                   runs, rules);
+    below = reached;
   }
-  return sum / kQuantiles;
+  return sum;
 }
 
 /// Runs kept back for the attempts that may follow this candidate: what the narrower one needs that

@@ -47,6 +47,7 @@ Study nominal_study(const Study& given, long samples) {
     for (auto& dimension : study.tolerance.dimensions) {
       dimension.cost.reset();
       dimension.candidates = {number_text(dimension.band_mm)};
+      dimension.centres.clear();
     }
   });
 }

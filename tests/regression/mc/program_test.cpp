@@ -378,7 +378,7 @@ TEST(Program, LimitsSayHowFarTheyAreAndReadASweepAgain) {
   EXPECT_EQ(run({"limits", shipped("studies/nu205.toml")}).code, 2);
   // Of a study with candidate tolerances the one at which its laws are given.
   run({"limits", shipped("studies/nu205.toml"), "-o", scratch / "nominal", "--samples", "2",
-       "--set", "scene.model.motion=quasi-static"});
+       "--set", "scene.cage.model=rigid", "--set", "scene.model.motion=quasi-static"});
   const StudyData nominal = read_study_data(scratch / "nominal" + std::string("/study.h5"));
   ASSERT_EQ(nominal.plan.candidates.size(), 1U);
   for (const double scale : nominal.plan.candidates[0].scales) EXPECT_DOUBLE_EQ(scale, 1);
