@@ -26,9 +26,12 @@ def yield_curves(report):
         axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
         axis.set_xlabel(f"tolerance of {dimension['name']}, full width [µm]")
         axis.set_title(f"{dimension['name']}: {dimension['binding']}")
+        if bands[-1] > 4 * bands[0]:
+            axis.set_xscale("log")
+            axis.minorticks_off()
         axis.set_xticks(bands)
         axis.set_xticklabels([f"{band:.0f}\n{level['grade']}\n({level['yield']['effective_runs']:.0f})"
-                              for band, level in zip(bands, levels)])
+                              for band, level in zip(bands, levels)], fontsize=7 if len(levels) > 4 else 9)
         axis.margins(x=0.08)
     axes[0][0].set_ylabel("yield [%]")
     axes[0][0].legend(loc="lower left")
@@ -48,11 +51,11 @@ def yield_map(report):
     for candidate in tolerance["candidates"]:
         place = rows.index(candidate["bands_mm"][0]), columns.index(candidate["bands_mm"][1])
         if not candidate["shown"]:
-            text[place] = f"too few runs\n({candidate['yield']['effective_runs']:.0f} effective)"
+            text[place] = f"too few\n({candidate['yield']['effective_runs']:.0f} runs)"
             continue
         bound[place] = 100 * candidate["yield"]["lower_bound"]
         text[place] = (f"{100 * candidate['yield']['if_unknown_fail']:.1f} %\n"
-                       f"at least {bound[place]:.1f} %\n({candidate['yield']['effective_runs']:.0f} runs)")
+                       f"≥ {bound[place]:.1f} %\n({candidate['yield']['effective_runs']:.0f} runs)")
     target = 100 * report["verdict"]["target_yield"]
     figure, axis = plt.subplots(figsize=(WIDTH, 0.9 + 0.62 * len(rows)))
     reach = max(100 - target, 1.0)  # the colours end at 100 % and as far below the target
@@ -60,14 +63,15 @@ def yield_map(report):
     chosen = tolerance["chosen_candidate"]
     for place, words in text.items():
         strong = abs(np.nan_to_num(bound[place], nan=target) - target) > 0.5 * reach
-        axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8, color="white" if strong else "black")
+        axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8 if len(columns) < 6 else 6.5,
+                  color="white" if strong else "black")
     if chosen is not None:
         bands = tolerance["candidates"][chosen]["bands_mm"]
         axis.add_patch(plt.Rectangle((columns.index(bands[1]) - 0.48, rows.index(bands[0]) - 0.46), 0.96, 0.92,
                                      fill=False, edgecolor="black", linewidth=2))
-    label = lambda levels: [f"{1e3 * level['band_mm']:.0f} µm  {level['grade']}" for level in levels]
-    axis.set_xticks(range(len(columns)), label(second["levels"]))
-    axis.set_yticks(range(len(rows)), label(first["levels"]))
+    label = lambda levels, between: [f"{1e3 * level['band_mm']:.0f} µm{between}{level['grade']}" for level in levels]
+    axis.set_xticks(range(len(columns)), label(second["levels"], "\n"))
+    axis.set_yticks(range(len(rows)), label(first["levels"], "  "))
     axis.set_xlabel(f"tolerance of {second['name']}")
     axis.set_ylabel(f"tolerance of {first['name']}")
     axis.grid(False)

@@ -15,16 +15,20 @@ std::string confirmation_chapter(const Json& report) {
   for (const Json& attempt : confirmation["attempts"]) {
     std::string bands;
     for (const Json& band : attempt["bands"])
-      bands += (bands.empty() ? "" : "<br>") + fmt::format("{} {:.3f} mm {}", escaped(band["name"]),
-                                                           band["band_mm"].get<double>(),
-                                                           escaped(band["grade"]));
+      bands += (bands.empty() ? "" : "<br>") +
+               fmt::format("{}{} {:.3f} mm {}", escaped(band["name"]),
+                           band["centre"].is_number()
+                               ? fmt::format(" {:g},", band["centre"].get<double>())
+                               : std::string(),
+                           band["band_mm"].get<double>(), escaped(band["grade"]));
     rows.push_back({escaped(attempt["stage"]), bands, rounded(attempt["runs"]),
-                    rounded(attempt["meeting_runs"]), rounded(attempt["unknown_runs"]),
-                    rounded(attempt["allowed_failures"]), percent(attempt["yield"]["lower_bound"]),
+                    rounded(attempt["meeting_runs"]), rounded(attempt["jammed_runs"]),
+                    rounded(attempt["unknown_runs"]), rounded(attempt["allowed_failures"]),
+                    percent(attempt["yield"]["lower_bound"]),
                     attempt["passed"].get<bool>() ? "<b>confirmed</b>" : "not confirmed"});
   }
-  std::string body = table("ttnnnnnt",
-                           {"attempt", "tolerance", "fresh runs", "meet all limits",
+  std::string body = table("ttnnnnnnt",
+                           {"attempt", "tolerance", "fresh runs", "meet all limits", "jammed",
                             "without result", "may fail", "yield, lower bound", ""},
                            rows);
   body += note(fmt::format(

@@ -151,8 +151,9 @@ std::string tolerance_chapter(const Json& report, const FigureSet& figures) {
                   "towards the right is a dimension that pays to narrow; a flat one does not.");
   body += figure_html(
       figures, "yield_map",
-      "Both tolerances together: estimated yield, its lower bound, effective runs. Purple is above "
-      "the target, orange below; the frame marks the combination of the verdict. "
+      "Both tolerances together: estimated yield, its lower bound (≥), effective runs. Purple is a "
+      "bound above the target, orange one below, as where runs are few: fresh runs decide. The "
+      "frame marks the combination of the verdict. "
       "Widest means: the largest product of the bands of the dimensions that matter.");
   body += candidate_table(tolerance);
   body += note(fmt::format(

@@ -45,6 +45,7 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
           {"runs", result.runs},
           {"meeting_runs", result.meeting},
           {"unknown_runs", result.unknown},
+          {"jammed_runs", std::count(runs.status.begin(), runs.status.end(), RunStatus::jammed)},
           {"allowed_failures", allowed ? Json(*allowed) : Json()},
           {"yield", to_json(result.yield)},
           {"passed", result.passed}};
@@ -109,18 +110,38 @@ std::string percent_down(double share) {
   return fmt::format("{:.1f} %", std::floor(1000 * share) / 10);
 }
 
+/// "pocket width 0.220 mm (IT13)".
+std::string band_text(const Json& band) {
+  const std::string grade = band["grade"];
+  return fmt::format("{}{} {:.3f} mm{}", band["name"].get<std::string>(),
+                     band["centre"].is_number()
+                         ? fmt::format(" {:g} {}, tolerance", band["centre"].get<double>(),
+                                       band["centre_unit"].get<std::string>())
+                         : std::string(),
+                     band["band_mm"].get<double>(), grade.empty() ? "" : " (" + grade + ")");
+}
+
+/// Which attempts before the last one confirmed nothing.
+std::string failed_attempts_text(const Json& attempts) {
+  std::string text;
+  for (std::size_t i = 0; i + 1 < attempts.size(); ++i) {
+    std::string bands;
+    for (const Json& band : attempts[i]["bands"])
+      bands += (bands.empty() ? "" : ", ") + band_text(band);
+    const auto jammed = attempts[i]["jammed_runs"].get<std::int64_t>();
+    text += fmt::format(" Not confirmed before: {}; {} of {} fresh runs meet all limits{}.", bands,
+                        attempts[i]["meeting_runs"].get<std::size_t>(),
+                        attempts[i]["runs"].get<std::size_t>(),
+                        jammed > 0 ? fmt::format(", {} jam", jammed) : std::string());
+  }
+  return text;
+}
+
 std::string statement(const Json& attempt, const Json& not_binding, const StudyPlan& plan,
                       std::size_t attempts) {
   std::string bands, free;
   for (const Json& band : attempt["bands"]) {
-    const std::string grade = band["grade"];
-    const std::string text =
-        fmt::format("{}{} {:.3f} mm{}", band["name"].get<std::string>(),
-                    band["centre"].is_number()
-                        ? fmt::format(" {:g} {}, tolerance", band["centre"].get<double>(),
-                                      band["centre_unit"].get<std::string>())
-                        : std::string(),
-                    band["band_mm"].get<double>(), grade.empty() ? "" : " (" + grade + ")");
+    const std::string text = band_text(band);
     std::string& list =
         std::find(not_binding.begin(), not_binding.end(), band["key"]) != not_binding.end() ? free
                                                                                             : bands;
@@ -180,7 +201,8 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
                              {"passed", passed},
                              {"meeting_runs", last["meeting_runs"]},
                              {"attempts", attempts.size()}};
-  verdict["statement"] = statement(last, verdict["not_binding"], plan, attempts.size());
+  verdict["statement"] = statement(last, verdict["not_binding"], plan, attempts.size()) +
+                         failed_attempts_text(attempts);
   const Json wider = passed_over_json(basis, tolerance.passed_over);
   for (const Json& candidate : wider)
     if (candidate["runs_needed"] > 0)
