@@ -121,6 +121,18 @@ std::string band_text(const Json& band) {
                      band["band_mm"].get<double>(), grade.empty() ? "" : " (" + grade + ")");
 }
 
+/// Whether other random numbers might have decided otherwise about an attempt: it was not confirmed
+/// although its yield may meet the target, or confirmed with failures or jams that take up more than
+/// half of what the target allows.
+bool is_close(const StudyData& runs, const Json& attempt, const StudyPlan& plan) {
+  if (!attempt["passed"].get<bool>())
+    return attempt["yield"]["upper_bound"].get<double>() >= plan.target_yield;
+  const auto count = attempt["runs"].get<double>();
+  double failing = 1 - attempt["meeting_runs"].get<double>() / count;
+  if (!runs.jam.candidate.empty()) failing = std::max(failing, runs.jam.candidate.front());
+  return failing > 0.5 * (1 - plan.target_yield);
+}
+
 /// Which attempts before the last one confirmed nothing.
 std::string failed_attempts_text(const Json& attempts) {
   std::string text;
@@ -209,6 +221,19 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
       verdict["statement"] =
           fmt::format("{} Passed over: {}; {}.", verdict["statement"].get<std::string>(),
                       candidate["name"].get<std::string>(), candidate["reason"].get<std::string>());
+  verdict["close"] = Json::array();
+  for (std::size_t i = 0; i < confirmations.size(); ++i) {
+    if (!is_close(confirmations[i], attempts[i], plan)) continue;
+    std::string bands;
+    for (const Json& band : attempts[i]["bands"])
+      bands += (bands.empty() ? "" : ", ") + band_text(band);
+    verdict["close"].push_back(bands);
+  }
+  if (!verdict["close"].empty())
+    verdict["statement"] = fmt::format(
+        "{} Close to the target, so that other random numbers might decide otherwise "
+        "about it: {}.",
+        verdict["statement"].get<std::string>(), verdict["close"].back().get<std::string>());
   const auto joint = judge_all(runs);
   const Resampling resampling(runs, kResamples);
   return {{"passed_over", wider},

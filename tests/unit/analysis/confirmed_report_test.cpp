@@ -84,6 +84,18 @@ TEST_F(ConfirmedReport, TheVerdictIsThatOfTheFreshRuns) {
   EXPECT_EQ(centres.at("dimensions")[0].at("points").size(), 9u);
 }
 
+TEST_F(ConfirmedReport, AVerdictNearTheTargetSaysThatItWasClose) {
+  const auto close = [&](std::size_t failing) {
+    write_attempt(1, failing);
+    return report().at("verdict").at("close").size();
+  };
+  EXPECT_EQ(close(0), 0u);
+  EXPECT_EQ(close(60), 0u);  // surely below the target
+  EXPECT_EQ(close(15), 1u);  // not confirmed, though it may meet the target
+  EXPECT_THAT(report().at("verdict").at("statement").get<std::string>(),
+              HasSubstr("Close to the target"));
+}
+
 TEST_F(ConfirmedReport, WiderCandidatesThatNoAttemptTriedAreNamed) {
   write_attempt(1, 0);
   const auto hopeless = report().at("confirmation").at("passed_over");
