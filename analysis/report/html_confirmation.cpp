@@ -71,12 +71,14 @@ std::string centre_responses_section(const Json& tolerance, const FigureSet& fig
                                  "the optimum with its interval (band).");
   for (const Json& response : tolerance["centre_responses"]) {
     const Json& optimum = response["optimum"];
+    const bool known = optimum["lower"].is_number() && optimum["upper"].is_number();
     body += paragraph(fmt::format(
-        "{}: the force is least at {:.4g} {}, {:.4g} to {:.4g} with {:g} % confidence.{}",
-        escaped(response["name"]), optimum["value"].get<double>(), escaped(response["unit"]),
-        optimum["lower"].is_number() ? optimum["lower"].get<double>() : 0.0,
-        optimum["upper"].is_number() ? optimum["upper"].get<double>() : 0.0,
-        100 * tolerance["confidence"].get<double>(),
+        "{}: the force is least at {:.4g} {}{}.{}", escaped(response["name"]),
+        optimum["value"].get<double>(), escaped(response["unit"]),
+        known ? fmt::format(", {:.4g} to {:.4g} with {:g} % confidence",
+                            optimum["lower"].get<double>(), optimum["upper"].get<double>(),
+                            100 * tolerance["confidence"].get<double>())
+              : std::string(),
         response["at_end"].get<bool>()
             ? " That is the end of the centres studied: it may lie beyond."
             : ""));

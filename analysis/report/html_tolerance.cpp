@@ -41,7 +41,8 @@ std::string candidate_table(const Json& tolerance) {
     row.push_back(shown ? percent(yield["if_unknown_fail"]) : "too few runs");
     row.push_back(shown ? percent(yield["if_unknown_pass"]) : "");
     row.push_back(shown ? percent(yield["lower_bound"]) : "");
-    row.push_back(rounded(std::round(yield["effective_runs"].get<double>())));
+    row.push_back(rounded(std::round(yield["effective_runs"].get<double>())) +
+                  (candidate["pooled"].get<bool>() ? ", by its bands" : ""));
     row.push_back(candidate["jam_share"].is_number() ? percent(candidate["jam_share"]) : "-");
     if (chosen)
       for (std::string& cell : row) cell = "<b>" + cell + "</b>";
@@ -161,7 +162,7 @@ std::string tolerance_chapter(const Json& report, const FigureSet& figures) {
       "that tolerance. The effective number of runs says how many equally "
       "weighted runs would tell as much; below {} a figure is not shown as a result. Runs without "
       "a result count as failing in the lower bound ({}). A candidate with too few runs of its "
-      "own is estimated as the product of the yields of its bands.",
+      "own is estimated as the product of the yields of its bands, which claims nothing by itself.",
       rounded(tolerance["fewest_effective_runs"]), escaped(report["verdict"]["yield"]["method"])));
   if (!tolerance["note"].get<std::string>().empty())
     body += "<p class=\"warning\">" + escaped(tolerance["note"]) + "</p>\n";

@@ -37,6 +37,7 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
                     {"shifts", plan.shifts},
                     {"grades", plan.grades},
                     {"shown", shown(curves.candidates[k])},
+                    {"pooled", curves.candidates[k].pooled},
                     {"jam_share", k < jam.size() ? Json(jam[k]) : Json()},
                     {"yield", to_json(curves.candidates[k])}});
   }

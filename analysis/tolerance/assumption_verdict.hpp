@@ -63,8 +63,9 @@ struct AssumptionVerdicts {
 inline constexpr double kFalseAlarms = 0.05;
 inline constexpr std::size_t kMostSettlingRuns = 1'000'000;
 
-/// About the fewest runs with which a yield is told from the target with kWantedPower: from below
-/// at `lower_confidence`, from above at `upper_confidence`. 0: more than kMostSettlingRuns.
+/// About the fewest runs that settle, with the probability kWantedPower, whether a yield meets the
+/// target. A yield above it needs a lower bound at `lower_confidence`, one below it an upper bound
+/// at `upper_confidence`. 0: more than kMostSettlingRuns.
 std::size_t settling_runs(double yield, double target, double lower_confidence,
                           double upper_confidence);
 

@@ -31,7 +31,9 @@ std::vector<bool> relevant_candidates(const StudyPlan& plan, const YieldCurves& 
   std::vector<bool> relevant(plan.candidates.size(), false);
   for (std::size_t k = 0; k < relevant.size(); ++k) {
     const Yield& yield = curves.candidates[k];
-    if (yield.ess < kFewestEffectiveRuns || yield.if_unknown_fail < plan.target_yield) continue;
+    if (yield.pooled || yield.ess < kFewestEffectiveRuns ||
+        yield.if_unknown_fail < plan.target_yield)
+      continue;
     for (std::size_t other = 0; other < relevant.size(); ++other)
       if (rest_of(plan.candidates[other], d) == rest_of(plan.candidates[k], d))
         relevant[other] = true;
@@ -42,7 +44,8 @@ std::vector<bool> relevant_candidates(const StudyPlan& plan, const YieldCurves& 
 }
 
 bool meets_target(const StudyPlan& plan, const Yield& yield) {
-  return yield.ess >= kFewestEffectiveRuns && yield.lower_bound >= plan.target_yield;
+  return !yield.pooled && yield.ess >= kFewestEffectiveRuns &&
+         yield.lower_bound >= plan.target_yield;
 }
 
 /// The widest (cheapest) candidate that meets the target, nothing where none does.

@@ -73,6 +73,7 @@ void choose(const StudyData& runs, const MixtureWeights& mixture, const YieldCur
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     const Yield& yield = curves.candidates[k];
     if (!eligible(plan.candidates[k], yield, curves, tests)) continue;
+    if (!allowed && yield.pooled) continue;  // nothing is claimed without runs of its own
     result.possible = true;
     const bool meets = allowed ? allowed(k) : yield.lower_bound >= plan.target_yield;
     const auto cost = cost_of_bands(plan, plan.candidates[k].bands_mm);
@@ -183,7 +184,8 @@ void add_steps(const StudyData& runs, const MixtureWeights& mixture, const Yield
   for (std::size_t d = 0; d < plan.dimensions.size(); ++d)
     for (const int step : {-1, 1}) {
       const std::size_t other = neighbour(plan, curves, result.candidate, d, step);
-      if (other == std::string::npos || curves.candidates[other].ess < kFewestEffectiveRuns)
+      if (other == std::string::npos || curves.candidates[other].pooled ||
+          curves.candidates[other].ess < kFewestEffectiveRuns)
         continue;
       const auto difference = yield_difference(joint, mixture.candidate[other],
                                                mixture.candidate[result.candidate], resampling);

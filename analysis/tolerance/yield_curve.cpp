@@ -61,6 +61,7 @@ Yield pooled_yield(const Yield& own, std::size_t candidate, const YieldCurves& c
   if (!(least >= kLeastEffectiveRuns) || std::isnan(fail) || std::isnan(pass)) return own;
   Yield pooled = own;
   pooled.ess = least;
+  pooled.pooled = true;
   pooled.if_unknown_fail = std::min(fail, 1.0);
   pooled.if_unknown_pass = std::clamp(pass, pooled.if_unknown_fail, 1.0);
   pooled.lower_bound = clopper_pearson_lower(pooled.if_unknown_fail * least, least, confidence);

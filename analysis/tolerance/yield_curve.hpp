@@ -4,7 +4,7 @@
 // from its bands b_d, as if each dimension caused failures by itself:
 //   y = y_all prod_d (y_d(b_d) / y_all)
 // with y_all over all candidates and y_d(b) over those with the band b. That is good enough to
-// choose what is confirmed by fresh runs; `Yield::method` says so.
+// choose what fresh runs confirm, and claims nothing by itself (`Yield::pooled`).
 #pragma once
 
 #include <string>

@@ -167,7 +167,7 @@ TEST(Recommendation, NotBindingWithholdsNoToleranceThatPasses) {
 
 TEST(Recommendation, TooFewRunsLeaveADimensionUndecided) {
   const Judged judged = judge_study(
-      tolerance_standin(60, 31, {kPrintedWidth, kPrintedLength}, 0.99, widest_pocket), 50);
+      tolerance_standin(120, 31, {kPrintedWidth, kPrintedLength}, 0.99, widest_pocket), 50);
   EXPECT_EQ(judged.tests[1].answer, Binding::undecided);
   EXPECT_FALSE(judged.recommendation.possible);  // fewer than 30 effective runs everywhere
 }
