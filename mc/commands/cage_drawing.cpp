@@ -89,7 +89,7 @@ Json pocket_drawing_json(const Scene& scene, long pocket) {
              {line_json(bar_section(scene, pocket, -1)), line_json(bar_section(scene, pocket, 1))}},
             {"pitch_radius_mm", mm(pitch)},
             {"roller_radius_mm", mm(diameter / 2)},
-            {"outer_land_radius_mm", mm(bearing.shoulder_diameter / 2)},
+            {"outer_land_radius_mm", mm(outer_land_diameter(bearing) / 2)},
             {"inner_land_radius_mm", mm(inner_land_diameter(bearing) / 2)},
             {"half_angle_rad", half_angle}}},
           {"outside",

@@ -21,6 +21,7 @@ struct RollerPack {
 /// there to its mass centre.
 struct BorderState {
   double ring[2], ring_rate[2];
+  double ring_axial, ring_axial_rate;
   double tilt[2], tilt_rate[2];  ///< slopes B_y, B_z of the inner ring's centre line
   double cage[3], cage_rate[3];  ///< y, z, x
   double phi, phi_rate, phi_cos, phi_sin;
@@ -32,7 +33,7 @@ struct BorderState {
 /// Generalised forces on the border: inner ring, and the moment on it conjugate to (B_y, B_z); cage
 /// at its geometric centre, conjugate to (y, z, x, phi, A_y, A_z).
 struct BorderLoads {
-  double ring[2] = {0, 0}, tilt[2] = {0, 0};
+  double ring[2] = {0, 0}, tilt[2] = {0, 0}, ring_axial = 0;
   double cage[kCageRigid] = {0, 0, 0, 0, 0, 0};
 };
 

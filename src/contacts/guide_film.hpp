@@ -22,7 +22,7 @@ void guide_film(const CageGuide& guide, const BorderState& b, double X, const do
   const bool inner = guide.inner;
   const double s = inner ? -1 : 1, ring_spin = inner ? b.speed.inner : b.speed.outer;
   const double mean = 0.5 * (b.phi_rate + ring_spin), apart = b.phi_rate - ring_spin,
-               sliding = b.cage_rate[2];
+               sliding = b.cage_rate[2] - (inner ? b.ring_axial_rate : 0);
   const double D[2] = {s * delta[0], s * delta[1]};
   const double V[2] = {s * rate[0] + mean * D[1], s * rate[1] - mean * D[0]};
   const ShortBearingFilm film = short_bearing_film(guide.film, D, V);
@@ -35,6 +35,7 @@ void guide_film(const CageGuide& guide, const BorderState& b, double X, const do
     if (inner) border.ring[k] -= on_cage[k];
   }
   border.cage[2] += axial;
+  if (inner) border.ring_axial -= axial;
   border.cage[3] += spinning + torque;
   if constexpr (linear) {
     jac->cage_touched = true;

@@ -118,11 +118,28 @@ inline bool land_touch(const BearingModel& model, const CageGuide& guide, const 
       at.inner ? on.ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny) : 0;
   on.n_A = b.axis[0] * nz - b.axis[1] * ny;
   touch.v1 = at.along + b.phi_rate * at.R - on.ring_surface + at.side * on.bent.rate[1];
-  touch.v2 = b.cage_rate[2] + on.bent.rate[2] +
+  touch.v2 = b.cage_rate[2] - (at.inner ? b.ring_axial_rate : 0) + on.bent.rate[2] +
              at.R * (b.phi_rate * on.n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz)) - on.drift;
   const double lean = at.side * on.bent.slope * at.inverse;
   on.py = ny - lean * nz, on.pz = nz + lean * ny;
   return true;
+}
+
+/// What the ring's drive changes by: its surface is dragged along t.
+inline void add_land_drive(const LandTouch& on, const Answer<double>& contact,
+                           const ContactRows& rows, Linearisation& jac) {
+  if (on.ring_surface == 0) return;
+  const auto& [p, rate, v1, v2] = on.touch;
+  const NormalForce<double>& normal = contact.normal;
+  const Friction<double>& fr = contact.friction;
+  const double bend = normal.force * fr.bend, along = fr.ratio * v1;
+  for (std::size_t j = 0; j < rows.border[0].size(); ++j) {
+    const double gn = rows.border[0][j], g1 = rows.border[1][j], g2 = rows.border[2][j];
+    const auto at = static_cast<Eigen::Index>(j);
+    jac.power_velocity[at] += on.ring_surface * (along * normal.damping * gn - contact.drag * g1 -
+                                                 bend * v1 * (v1 * g1 + v2 * g2));
+    jac.power_position[at] += on.ring_surface * along * normal.stiffness * gn;
+  }
 }
 
 /// Derivatives of the forces of a touch.
@@ -145,6 +162,7 @@ inline void add_land_slopes(const BorderState& b, const ModalState& modal, const
     rows.border[c][kRingZ] = -channels[c][1];
   }
   add_contact(rows, slopes_of(on.touch, contact), -1, jac);
+  add_land_drive(on, contact, rows, jac);
   // n and t turn as the cage moves along t: with them the force, and p'.
   const NormalForce<double>& normal = contact.normal;
   const std::vector<double>&gn = rows.border[0], &g1 = rows.border[1], &g2 = rows.border[2];
@@ -189,6 +207,7 @@ void apply_land_touch(const BearingModel& model, const BorderState& b, const Mod
   if (at.inner) {
     border.ring[0] -= fy;
     border.ring[1] -= fz;
+    border.ring_axial -= f2;
   }
   if constexpr (linear) {
     pressed.sum[0] -= push * on.py;

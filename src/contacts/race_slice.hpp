@@ -30,6 +30,7 @@ struct RaceSide {
   const FilmLaw& film;
   Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
   Pack B_r, B_t;              ///< slope of its axis, likewise
+  double x = 0, x_rate = 0;   ///< of its ring [m], [m/s]
 
   double surface() const { return sign * speed * radius; }  ///< its speed along t [m/s]
   double arm() const { return sign * radius; }              ///< of its surface along n [m]
@@ -83,7 +84,7 @@ template <bool moving = true>
                                                  const RaceSide& race, const Slice& slice) {
   Pack d_r = q.r + slice.position * q.a_r, d_t = slice.position * q.a_t;
   if constexpr (moving) {
-    const Pack place = q.x + slice.position;
+    const Pack place = q.x + slice.position - race.x;
     d_r = d_r - race.u_r - race.B_r * place;
     d_t = d_t - race.u_t - race.B_t * place;
   }
@@ -116,7 +117,7 @@ SliceMotion slice_motion(const Slice& slice, const SliceGap& gap, const RollerGr
   m.n_r = gap.n_r;
   m.n_t = gap.n_t;
   m.inverse = gap.inverse;
-  m.place = q.x + m.xi;
+  m.place = q.x + m.xi - race.x;
   m.radius = roller.radius + (m.xi * roller.taper_slope - slice.drop);
   Pack v_r = q.vr + m.xi * q.b_r, v_t = q.vt + m.xi * q.b_t;
   m.n_x = Pack{};
@@ -130,7 +131,7 @@ SliceMotion slice_motion(const Slice& slice, const SliceGap& gap, const RollerGr
     v_t -= m.place * tilt->rate_t;
   }
   m.rate = -(m.n_r * v_r + m.n_t * v_t);
-  if constexpr (moving) m.rate -= m.n_x * q.vx;
+  if constexpr (moving) m.rate -= m.n_x * (q.vx - race.x_rate);
   m.along = m.n_r * v_t - m.n_t * v_r;
   m.w_r = q.spin * q.a_r - q.b_t;
   m.w_t = q.spin * q.a_t + q.b_r;
@@ -141,7 +142,7 @@ SliceMotion slice_motion(const Slice& slice, const SliceGap& gap, const RollerGr
   if constexpr (moving) {
     m.askew = race.B_r * m.n_t - race.B_t * m.n_r;
     m.drift = race.surface() * m.askew;
-    m.v2 -= m.drift;
+    m.v2 -= m.drift + race.x_rate;
   }
   if constexpr (tilting) m.v2 += race.arm() * (m.n_r * tilt->rate_r + m.n_t * tilt->rate_t);
   return m;

@@ -48,6 +48,9 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
   const RingLoad load = load_at(m.duty, t);
   dv[kRingY] = (loads.ring[0] + load.y) / m.ring_mass;
   dv[kRingZ] = (loads.ring[1] + load.z) / m.ring_mass - m.gravity;
+  if (m.layout.ring_axial > 0)
+    dv[m.layout.ring_axial_slot()] =
+        (loads.ring_axial + load.axial) / m.ring_mass - m.gravity_axial;
   if (m.layout.ring_tilt > 0) {
     const int tilt = m.layout.ring_tilt_slot();
     const double gyro = m.ring_polar * b.speed.inner;

@@ -65,6 +65,8 @@ void finish_inner_race(Pass& pass, const RaceTotals& on, RingTilt& tilt, Shared&
   add_power(g.power_position, jac.power_position);
   add_power(g.power_velocity, jac.power_velocity);
   add_ring_block(g, jac);
+  if (all.model.layout.ring_axial > 0)
+    finish_axial(q, g, pass.roller.exists, pass.group, all.model.layout.ring_axial_slot(), jac);
   if constexpr (tilting) {
     const int slot = all.model.layout.ring_tilt_slot();
     const auto add = [&](const Pack(&power)[2], Eigen::VectorXd& to) {
@@ -91,8 +93,9 @@ void inner_race(Pass& pass, Shared& all) {
   const RollerPack& q = pass.q;
   const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
   const auto t = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };
-  const RaceSide race{1,         m.inner_radius, b.speed.inner,  m.inner_film, r(b.ring),
-                      t(b.ring), r(b.ring_rate), t(b.ring_rate), r(b.tilt),    t(b.tilt)};
+  const RaceSide race{1,         m.inner_radius, b.speed.inner,  m.inner_film,
+                      r(b.ring), t(b.ring),      r(b.ring_rate), t(b.ring_rate),
+                      r(b.tilt), t(b.tilt),      b.ring_axial,   b.ring_axial_rate};
   [[maybe_unused]] RingTilt tilt;
   if constexpr (tilting) {
     tilt.rate_r = r(b.tilt_rate);
@@ -110,6 +113,7 @@ void inner_race(Pass& pass, Shared& all) {
   const RollerLoads& loads = pass.loads;
   all.loads.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
   all.loads.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
+  all.loads.ring_axial -= sum(loads.f[kLx]);
   if constexpr (tilting) {
     all.loads.tilt[0] += sum(q.cosine * tilt.moment[0] - q.sine * tilt.moment[1]);
     all.loads.tilt[1] += sum(q.sine * tilt.moment[0] + q.cosine * tilt.moment[1]);
@@ -210,6 +214,10 @@ void finish_border(double t, const double* y, const double* rate, const Shared& 
   seen.load_power = load.y * b.ring_rate[0] + load.z * b.ring_rate[1];
   jac.power_velocity[kRingY] += load.y;
   jac.power_velocity[kRingZ] += load.z;
+  if (m.layout.ring_axial > 0) {
+    seen.load_power += load.axial * b.ring_axial_rate;
+    jac.power_velocity[m.layout.ring_axial_slot()] += load.axial;
+  }
   if constexpr (tilting) {
     add_shaft_block(m, b, jac);
     seen.load_power += load.moment_y * b.tilt_rate[0] + load.moment_z * b.tilt_rate[1];
@@ -249,7 +257,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     inner_race<linear, tilting, lubricated>(pass, all);
     outer_race<linear, lubricated>(pass, all);
     if constexpr (!planar)  // who stands still in the middle touches no flange
-      flange_contacts<linear>(m, pass.roller, pass.q, b.speed.outer, group, pass.loads, jac, seen);
+      flange_contacts<linear>(m, pass.roller, pass.q, b, group, pass.loads, border, jac, seen);
     if (lubricated && m.churning.on)
       roller_churning<linear>(m.churning, pass.roller, pass.q, b, pass.loads, pass.linear, seen);
     pocket<linear, lubricated>(pass, all);

@@ -77,14 +77,34 @@ void add_inertial(const BearingModel& m, const RollerGroup& roller, const Roller
   g.velocity[kLat][kLs] += roller.polar * q.b_r;
 }
 
-/// Adds a matrix in the rollers' directions r, t to a block in y, z, from `row`, `column` on.
-void add_turned(const GroupLinear& g, Pack rr, Pack rt, Pack tr, Pack tt, Eigen::MatrixXd& block,
-                int row, int column) {
-  const Pack c = g.cosine, s = g.sine;
-  block(row, column) += sum(c * (rr * c - rt * s) - s * (tr * c - tt * s));
-  block(row, column + 1) += sum(c * (rr * s + rt * c) - s * (tr * s + tt * c));
-  block(row + 1, column) += sum(s * (rr * c - rt * s) + c * (tr * c - tt * s));
-  block(row + 1, column + 1) += sum(s * (rr * s + rt * c) + c * (tr * s + tt * c));
+/// What the axial motion of the inner ring does at its race, and to it: the opposite of what that of
+/// the rollers does.
+void finish_axial(const RollerPack& q, const GroupLinear& g, Pack exists, int group, int slot,
+                  Linearisation& linear) {
+  Pack to_position[kLocalPositions], to_velocity[kLocalVelocities];
+  for (int j = 0; j < kLocalVelocities; ++j) {
+    to_velocity[j] = -g.velocity[kLx][j];
+    if (j < kLocalPositions) to_position[j] = -g.position[kLx][j];
+  }
+  turn_frame(q, to_position, to_velocity);
+  linear.cage_touched = true;
+  linear.border_velocity(slot, slot) += sum(exists * g.velocity[kLx][kLx]);
+  linear.border_position(slot, slot) += sum(exists * g.position[kLx][kLx]);
+  linear.power_velocity[slot] -= sum(exists * g.power_velocity[kLx]);
+  linear.power_position[slot] -= sum(exists * g.power_position[kLx]);
+  const auto column = static_cast<std::size_t>(slot - kCageY), packs = column / kLanes + 1;
+  const auto place = static_cast<int>(column) % kLanes;
+  for (int i = 0; i < kLanes; ++i) {
+    if (exists[i] == 0) continue;
+    CageCoupling& c = linear.coupling(group * kLanes + i);
+    for (int k = 0; k < kLocalVelocities; ++k) {
+      const auto at = static_cast<std::size_t>(k) * packs + packs - 1;
+      c.velocity[column][k] -= g.velocity[k][kLx][i];
+      c.position[column][k] -= g.position[k][kLx][i];
+      c.to_velocity[at][place] += to_velocity[k][i];
+      if (k < kLocalPositions) c.to_position[at][place] += to_position[k][i];
+    }
+  }
 }
 
 /// The ring's own block from the inner race: d(force on ring)/d(ring) in y, z.

@@ -33,6 +33,10 @@ double body_energy(const BearingModel& m, const double* y) {
   const auto square = [&](int slot) { return v[slot] * v[slot]; };
   energy +=
       0.5 * m.ring_mass * (square(kRingY) + square(kRingZ)) + m.ring_mass * m.gravity * q[kRingZ];
+  if (m.layout.ring_axial > 0) {
+    const int axial = m.layout.ring_axial_slot();
+    energy += m.ring_mass * (0.5 * square(axial) + m.gravity_axial * q[axial]);
+  }
   if (m.layout.ring_tilt > 0) {
     const int tilt = m.layout.ring_tilt_slot();
     const double bent_y = q[tilt] - m.misalignment_y, bent_z = q[tilt + 1] - m.misalignment_z;

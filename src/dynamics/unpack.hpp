@@ -49,6 +49,9 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
   b.ring[1] = q[kRingZ];
   b.ring_rate[0] = v[kRingY];
   b.ring_rate[1] = v[kRingZ];
+  const bool floats = m.layout.ring_axial > 0;
+  b.ring_axial = floats ? q[m.layout.ring_axial_slot()] : 0;
+  b.ring_axial_rate = floats ? v[m.layout.ring_axial_slot()] : 0;
   const bool tilting = m.layout.ring_tilt > 0;
   const double misalignment[2] = {m.misalignment_y, m.misalignment_z};
   for (int k = 0; k < 2; ++k) {

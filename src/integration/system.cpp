@@ -67,6 +67,8 @@ void System::rates_by_time(double t, const double* y, double* out) {
   double* ring = out + model.layout.border_velocity(0);
   ring[kRingY] = (soon.y - now.y) / dt / model.ring_mass;
   ring[kRingZ] = (soon.z - now.z) / dt / model.ring_mass;
+  if (model.layout.ring_axial > 0)
+    ring[model.layout.ring_axial_slot()] = (soon.axial - now.axial) / dt / model.ring_mass;
   if (model.layout.ring_tilt == 0) return;
   double* tilt = ring + model.layout.ring_tilt_slot();
   tilt[0] = (soon.moment_y - now.moment_y) / dt / model.ring_transverse;
@@ -94,6 +96,10 @@ PackVector error_scales(const BearingModel& m) {
   for (int i = 0; i < kRigidBorder; ++i) {
     set(l.border_position(i), kStepControl.length_unit / lever[i]);
     set(l.border_velocity(i), speed / lever[i]);
+  }
+  if (l.ring_axial > 0) {
+    set(l.border_position(l.ring_axial_slot()), kStepControl.length_unit);
+    set(l.border_velocity(l.ring_axial_slot()), speed);
   }
   for (int k = 0; k < l.ring_tilt; ++k) {
     set(l.border_position(l.ring_tilt_slot() + k), kStepControl.length_unit / half);

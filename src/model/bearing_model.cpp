@@ -182,10 +182,22 @@ CageGuide ring_guide(const Scene& scene, bool inner) {
   guide.inner = inner;
   guide.land_radius = (inner ? scene.cage.inner_diameter : scene.cage.outer_diameter) / 2;
   guide.ring_radius =
-      (inner ? inner_land_diameter(scene.bearing) : scene.bearing.shoulder_diameter) / 2;
+      (inner ? inner_land_diameter(scene.bearing) : outer_land_diameter(scene.bearing)) / 2;
   guide.clearance = std::abs(guide.ring_radius - guide.land_radius);
   guide.touching_at = guide.clearance;
   return guide;
+}
+
+void set_flanges(const BearingGeometry& b, BearingModel& m) {
+  for (const bool inner : {false, true})
+    for (const bool right : {false, true}) {
+      if (!has_flange(inner ? b.inner_flanges : b.outer_flanges, right)) continue;
+      const double clearance =
+          inner ? given_or(b.inner_flange_clearance, b.flange_clearance) : b.flange_clearance;
+      const double rim = (inner ? b.inner_flange_diameter : b.shoulder_diameter) / 2;
+      m.flanges.push_back({inner, right ? 1.0 : -1.0, clearance / 2,
+                           end_points(m.nominal_diameter / 2, rim - m.pitch_radius), FlatFilm{}});
+    }
 }
 
 /// What guides the cage, and what holds it else.
@@ -263,8 +275,11 @@ void lubricate(const Scene& scene, BearingModel& m) {
     const double face = pi * roller * roller,
                  wall = m.nominal_diameter * (cage.outer_diameter - cage.inner_diameter) / 2;
     m.wall_film = flat(contact.end, std::min(face, wall));
-    m.flange_film =
-        flat(contact.flange, segment_area(roller, m.outer_radius - b.shoulder_diameter / 2));
+    for (Flange& flange : m.flanges)
+      flange.film =
+          flat(contact.flange,
+               segment_area(roller, flange.inner ? b.inner_flange_diameter / 2 - m.inner_radius
+                                                 : m.outer_radius - b.shoulder_diameter / 2));
   }
   if (!l.churning) return;
   Churning& c = m.churning;
@@ -277,7 +292,7 @@ void lubricate(const Scene& scene, BearingModel& m) {
   c.width = cage.width;
   if (m.guidance != Guidance::inner) c.bore_gap = std::max(0.0, c.inner_radius - m.inner_radius);
   if (m.guidance != Guidance::outer)
-    c.outer_gap = std::max(0.0, b.shoulder_diameter / 2 - c.outer_radius);
+    c.outer_gap = std::max(0.0, outer_land_diameter(b) / 2 - c.outer_radius);
 }
 
 }  // namespace
@@ -291,6 +306,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
   m.curved_faces = !std::isnan(scene.cage.face_radius);
   m.shaped_pockets = has_shaped_pockets(scene.cage);
   m.layout.ring_tilt = has_free_ring_tilt(scene) ? 2 : 0;
+  m.layout.ring_axial = has_free_axial_place(scene) ? 1 : 0;
   for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
   if (flexible) m.flexible = make_flexible_cage(std::move(flexible), scene.cage, m.layout.groups);
   m.layout.modes = m.flexible.modes;
@@ -313,7 +329,6 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
             ? 0.0
             : (-0.4 + 0.8 * static_cast<double>(k) / static_cast<double>(stations - 1)) * length);
   m.roller_half_length = length / 2;
-  m.flange_half_clearance = b.flange_clearance / 2;
 
   const double modulus = effective_modulus(roller_material(scene), ring_material(scene));
   m.race_modulus = modulus;
@@ -335,7 +350,7 @@ BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageMo
                                slices, m.race);
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
-  m.flange_points = end_points(m.nominal_diameter / 2, b.shoulder_diameter / 2 - m.pitch_radius);
+  set_flanges(b, m);
   if (!m.planar) {
     m.misalignment_y = b.misalignment_y;
     m.misalignment_z = b.misalignment_z;

@@ -58,6 +58,15 @@ struct EndPoint {
   double radial, tangential;
 };
 
+/// A flange of a ring, which holds rollers on one side.
+struct Flange {
+  bool inner = false;
+  double side = 1;                 ///< e: -1 or 1
+  double clearance = 0;            ///< from a roller's end that stands in the middle [m]
+  std::array<EndPoint, 2> points;  ///< where a roller's end meets its rim
+  FlatFilm film;                   ///< of one point
+};
+
 /// What rubs on what, each pair with its friction; kEndPair: roller end on pocket end wall.
 enum FrictionPair { kRacePair, kBarPair, kEndPair, kFlangePair, kLandPair, kFrictionPairs };
 
@@ -75,11 +84,10 @@ struct BearingModel {
   bool planar = false;  ///< rollers keep their axes parallel to the bearing's, and x = 0
   std::vector<RollerGroup> groups;
   std::vector<Slice> race_slices;
-  std::vector<double> bar_stations;       ///< positions along the roller's axis [m]
-  std::array<EndPoint, 2> wall_points;    ///< where a roller end meets the pocket's end wall
-  std::array<EndPoint, 2> flange_points;  ///< where it meets the ring's flange
+  std::vector<double> bar_stations;     ///< positions along the roller's axis [m]
+  std::array<EndPoint, 2> wall_points;  ///< where a roller end meets the pocket's end wall
   double roller_half_length = 0;
-  double flange_half_clearance = 0;
+  std::vector<Flange> flanges;  ///< of the outer ring, then of the inner one
 
   NormalLaw race, bar, wall, flange,
       land;  ///< each already the share of one slice, station, point or land
@@ -92,8 +100,8 @@ struct BearingModel {
   LubricatedLine edge_line;   ///< the same at edges and lips
   bool oiled_bars = false;    ///< bars by these lines, instead of `bar`
   bool curved_faces = false;  ///< of the bars
-  bool shaped_pockets = false;      ///< with lips or curved faces: not bounded by flats alone
-  FlatFilm wall_film, flange_film;  ///< of one point
+  bool shaped_pockets = false;  ///< with lips or curved faces: not bounded by flats alone
+  FlatFilm wall_film;           ///< of one point
   Churning churning;
 
   double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]

@@ -39,7 +39,7 @@ Way way_of(const RingLoad& load) {
 
 Duty make_duty(const Operation& o) {
   Duty d;
-  d.fixed = {0, 0, o.tilting_moment_y, o.tilting_moment_z};
+  d.fixed = {0, 0, o.tilting_moment_y, o.tilting_moment_z, o.axial_load};
   add_force(o.radial_load, o.load_direction, d.fixed);
   d.load_ramp = o.load_ramp;
   d.rotating = o.rotating_load;
@@ -66,7 +66,8 @@ RingLoad load_at(const Duty& d, double t) {
   RingLoad load = d.fixed;
   if (d.load_ramp > 0) {
     const double share = share_of(d.load_ramp, t);
-    load = {load.y * share, load.z * share, load.moment_y * share, load.moment_z * share};
+    load = {load.y * share, load.z * share, load.moment_y * share, load.moment_z * share,
+            load.axial * share};
   }
   if (!d.load_turns()) return load;
   const double inner = inner_turned(d, t), speed = ring_speeds_at(d, t).inner;

@@ -1,5 +1,5 @@
 // What is imposed on a bearing from outside, over time: the speeds of both rings, and the load on
-// the inner one. A load is a force in the radial plane and a moment conjugate to the ring's tilt
+// the inner one. A load is a force in the radial plane and along x, and a moment conjugate to the ring's tilt
 // (B_y, B_z): moment_y tilts the centre line towards +y (a vector along +z), moment_z towards +z (a
 // vector along -y). The shaft takes the moment where the tilt is prescribed.
 //
@@ -22,7 +22,7 @@ struct RingSpeeds {
 
 /// On the inner ring [N], [N m].
 struct RingLoad {
-  double y = 0, z = 0, moment_y = 0, moment_z = 0;
+  double y = 0, z = 0, moment_y = 0, moment_z = 0, axial = 0;
 };
 
 struct Duty {

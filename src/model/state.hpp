@@ -26,7 +26,8 @@ enum RollerVelocity {
   kRollerVelocities
 };
 /// Border slots: inner ring, then the cage's mass centre, spin angle and axis, then modal
-/// coordinates, then the two slopes B_y, B_z of the inner ring's centre line where they are free.
+/// coordinates, then of the inner ring, where they are free, its axial place and the two slopes B_y,
+/// B_z of its centre line.
 enum Border { kRingY, kRingZ, kCageY, kCageZ, kCageX, kCagePhi, kCageAxisY, kCageAxisZ, kModes };
 inline constexpr int kRigidBorder = kModes;
 inline constexpr int kCageRigid = kModes - kCageY;  ///< rigid degrees of freedom of the cage
@@ -36,12 +37,16 @@ struct StateLayout {
   int rollers = 0;  ///< Z
   int groups = 0;   ///< packs of kLanes rollers
   int modes = 0;
-  int ring_tilt = 0;  ///< 2 where the inner ring's tilt is free, else 0
+  int ring_axial = 0;  ///< 1 where the inner ring's axial place is free, else 0
+  int ring_tilt = 0;   ///< 2 where its tilt is free, else 0
 
   int padded() const { return groups * kLanes; }
-  int cage() const { return kCageRigid + modes; }              ///< from kCageY on
-  int ring_tilt_slot() const { return kRigidBorder + modes; }  ///< of the border, then the next one
-  int border() const { return kRigidBorder + modes + ring_tilt; }
+  /// Directions of the border that single rollers couple to, from kCageY on: the cage's and the
+  /// inner ring's axial one.
+  int coupled() const { return kCageRigid + modes + ring_axial; }
+  int ring_axial_slot() const { return kRigidBorder + modes; }              ///< of the border
+  int ring_tilt_slot() const { return kRigidBorder + modes + ring_axial; }  ///< and the next one
+  int border() const { return kRigidBorder + modes + ring_axial + ring_tilt; }
   int padded_border() const { return (border() + kLanes - 1) & -kLanes; }
   int positions() const { return kRollerPositions * padded() + padded_border(); }
   int velocities() const { return kRollerVelocities * padded() + padded_border(); }

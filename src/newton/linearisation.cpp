@@ -14,9 +14,9 @@ Linearisation::Linearisation(const StateLayout& layout)
       couplings(static_cast<std::size_t>(layout.rollers)),
       slot(static_cast<std::size_t>(layout.rollers), -1) {
   for (auto& row : scratch.border)
-    row.assign(static_cast<std::size_t>(kCageY + layout.cage()), 0.0);
-  const auto columns = static_cast<std::size_t>(layout.cage());
-  const auto packs = static_cast<std::size_t>(packs_for(layout.cage()));
+    row.assign(static_cast<std::size_t>(kCageY + layout.coupled()), 0.0);
+  const auto columns = static_cast<std::size_t>(layout.coupled());
+  const auto packs = static_cast<std::size_t>(packs_for(layout.coupled()));
   for (auto& c : couplings) {
     c.position.resize(columns);
     c.velocity.resize(columns);

@@ -53,6 +53,16 @@ struct GroupLinear {
   }
 };
 
+/// Adds a matrix in the rollers' directions r, t to a block in y, z, from `row`, `column` on.
+inline void add_turned(const GroupLinear& g, Pack rr, Pack rt, Pack tr, Pack tt,
+                       Eigen::MatrixXd& block, int row, int column) {
+  const Pack c = g.cosine, s = g.sine;
+  block(row, column) += sum(c * (rr * c - rt * s) - s * (tr * c - tt * s));
+  block(row, column + 1) += sum(c * (rr * s + rt * c) - s * (tr * s + tt * c));
+  block(row + 1, column) += sum(s * (rr * c - rt * s) + c * (tr * c - tt * s));
+  block(row + 1, column + 1) += sum(s * (rr * s + rt * c) + c * (tr * s + tt * c));
+}
+
 /// What a pack of rollers has to do with the free tilt of the inner ring.
 struct TiltLinear {
   RingCoupling coupling;
@@ -60,13 +70,14 @@ struct TiltLinear {
   Pack power_position[2], power_velocity[2];  ///< as in GroupLinear
 };
 
-/// Coupling of one roller with the cage's degrees of freedom (rigid, then modes): over the roller's
-/// local directions, or in packs over the cage's.
+/// Coupling of one roller with the cage's degrees of freedom (rigid, then modes), then the axial
+/// place of the inner ring where it is free: over the roller's local directions, or in packs over
+/// these.
 struct CageCoupling {
   int roller = -1;
   /// dF/d(cage), dF/d(its rate) on the roller, for each of the cage's directions.
   std::vector<Eight> position, velocity;
-  /// d(force on the cage)/dP, dV: packs_for(cage) packs for each local direction.
+  /// d(force on the cage)/dP, dV: packs_for(coupled) packs for each local direction.
   std::vector<Pack> to_position, to_velocity;
 };
 
@@ -95,7 +106,7 @@ struct Linearisation {
   std::vector<GroupLinear> groups;
   std::vector<TiltLinear> tilts;  ///< one for each group where the inner ring's tilt is free
   Eigen::MatrixXd border_position, border_velocity;
-  /// Something touches the cage: a roller, a ring, a guide film. Where nothing does, the border's
+  /// Something touches the cage: a roller, a ring, a guide film; or the inner ring moves axially. Where nothing does, the border's
   /// matrices hold but the blocks of the ring and the cage's own terms.
   bool cage_touched = false;
   /// Gradient over the border of the net power: drive + load - dissipation, the rate of the stored

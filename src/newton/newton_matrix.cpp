@@ -31,10 +31,12 @@ Eigen::VectorXd border_mass(const BearingModel& m) {
   mass[kCageY] = mass[kCageZ] = mass[kCageX] = m.cage_mass;
   mass[kCagePhi] = m.cage_polar;
   mass[kCageAxisY] = mass[kCageAxisZ] = m.cage_transverse;
+  if (m.layout.ring_axial > 0) mass[m.layout.ring_axial_slot()] = m.ring_mass;
   mass.tail(m.layout.ring_tilt).setConstant(m.ring_transverse);
   return mass;
 }
 
+// A ring whose tilt is free has no flanges, so that its axial place is not.
 static_assert(int{kRigidBorder} + kMostModes + 2 <= SmallInverse::kMost);
 
 NewtonMatrix::NewtonMatrix(const BearingModel& model)
@@ -49,7 +51,7 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
       border_positions_(border_mass_),
       border_solution_(border_mass_) {
   border_mass_.head(model.layout.border()) = border_mass(model);
-  const int columns = model.layout.cage();
+  const int columns = model.layout.coupled();
   for (auto& c : cages_) {
     c.from.resize(static_cast<std::size_t>(columns));
     c.to.resize(static_cast<std::size_t>(kLocalVelocities * packs_for(columns)));
@@ -199,7 +201,8 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
   schur = -linear.border_velocity - beta * linear.border_position;
   schur.diagonal() += border_mass_.head(model_.layout.border()) / beta;
   bool sound = factor_rollers<planar, vectors>(beta);
-  with_packs(packs_for(model_.layout.cage()), [&]<int packs>() { factor_cage<vectors, packs>(); });
+  with_packs(packs_for(model_.layout.coupled()),
+             [&]<int packs>() { factor_cage<vectors, packs>(); });
   if (!schur_.invert()) sound = false;
   return sound;
 }
@@ -207,7 +210,7 @@ bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
 // One function: what it keeps in registers between its loops would go through memory otherwise.
 template <int vectors, int packs>
 void NewtonMatrix::factor_cage() {
-  const int columns = model_.layout.cage();
+  const int columns = model_.layout.coupled();
   auto schur = schur_.matrix();
   // What reaches the cage from the ring by way of rollers, and the ring from the cage.
   Pack ring_columns[vectors][2][packs] = {}, ring_rows[vectors][2][packs] = {};
@@ -282,7 +285,7 @@ void NewtonMatrix::solve(const double* rhs, double* x) {
 template <bool planar, int vectors>
 void NewtonMatrix::solve_as(const double* rhs, double* x) {
   if (linear_->coupled == 0) return solve_with<planar, vectors, 0>(rhs, x);
-  with_packs(packs_for(model_.layout.cage()),
+  with_packs(packs_for(model_.layout.coupled()),
              [&]<int packs>() { solve_with<planar, vectors, packs>(rhs, x); });
 }
 
@@ -387,7 +390,7 @@ void NewtonMatrix::eliminate_rollers(const double* rhs) {
       });
   }
   for (int p = 0; p < packs; ++p) {
-    const int left = layout.cage() - p * kLanes;
+    const int left = layout.coupled() - p * kLanes;
     double* to = border_rhs_.data() + kCageY + p * kLanes;
     store_first(to, load_first(to, left) + on_cage[p], left);
   }

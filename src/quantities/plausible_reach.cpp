@@ -65,6 +65,13 @@ struct Contact {
   }
 };
 
+/// Farthest that a flange lets a roller go from the middle [m].
+double widest_flange_gap(const BearingModel& m) {
+  double widest = 0, inner = 0;
+  for (const Flange& flange : m.flanges) (flange.inner ? inner : widest) = flange.clearance;
+  return widest + inner;
+}
+
 /// Slowest magnitude of a speed that ramps smoothly from one value to another.
 double slowest_of(double first, double last) {
   return first * last <= 0 ? 0 : std::min(std::abs(first), std::abs(last));
@@ -173,7 +180,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
                 (m.guidance == Guidance::outer   ? 0
                  : m.guidance == Guidance::inner ? ring_move
                                                  : std::max(gap, 0.0));
-  axial = play + m.flange_half_clearance + walls.depth(energy) + flanges.depth(energy) +
+  axial = play + widest_flange_gap(m) + walls.depth(energy) + flanges.depth(energy) +
           kLeanMax * m.nominal_diameter + offset_x;
 
   stress = kStrainMax * cage_material(scene).young;

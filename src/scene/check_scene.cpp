@@ -65,13 +65,23 @@ void check_rings(const Scene& scene, const SceneCheck& check) {
   }
   const double pitch_diameter =
       (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 2;
-  check.require(bearing.shoulder_diameter > pitch_diameter &&
-                    bearing.shoulder_diameter < bearing.outer_raceway_diameter,
+  check.require(bearing.outer_flanges == FlangeSides::none ||
+                    (bearing.shoulder_diameter > pitch_diameter &&
+                     bearing.shoulder_diameter < bearing.outer_raceway_diameter),
                 "bearing.shoulder_diameter_mm",
-                "the shoulders must stand between the pitch circle (" +
+                "the outer ring's flanges must end between the pitch circle (" +
                     number_text(unit_value(pitch_diameter, 1e-3)) + " mm) and the outer raceway (" +
                     check.with_value("bearing.outer_raceway_diameter_mm") + ")",
-                "correct the shoulder diameter");
+                "correct the shoulder diameter, or set bearing.outer_flanges = \"none\"");
+  check.require(bearing.inner_flanges == FlangeSides::none ||
+                    (bearing.inner_flange_diameter < pitch_diameter &&
+                     bearing.inner_flange_diameter > bearing.inner_raceway_diameter),
+                "bearing.inner_flange_diameter_mm",
+                "the inner ring's flanges must end between the inner raceway (" +
+                    check.with_value("bearing.inner_raceway_diameter_mm") +
+                    ") and the pitch circle (" + number_text(unit_value(pitch_diameter, 1e-3)) +
+                    " mm)",
+                "give their diameter, or set bearing.inner_flanges = \"none\"");
   check.require(scene.roller.length < bearing.width, "roller.length_mm",
                 "the rollers are not shorter than the bearing is wide (" +
                     check.with_value("bearing.width_mm") + ")",
@@ -92,10 +102,12 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "give a larger inner diameter of the cage");
   check.require(cage.inner_diameter > inner_land_diameter(scene.bearing), "cage.inner_diameter_mm",
                 "the cage does not fit over the inner ring's flanges (" +
+                    number_text(unit_value(inner_land_diameter(scene.bearing), 1e-3)) + " mm, " +
                     check.with_value("bearing.inner_land_diameter_mm") + ")",
                 "give a larger inner diameter of the cage or smaller flanges");
-  check.require(cage.outer_diameter < scene.bearing.shoulder_diameter, "cage.outer_diameter_mm",
-                "the cage does not fit inside the outer ring's shoulders (" +
+  check.require(cage.outer_diameter < outer_land_diameter(scene.bearing), "cage.outer_diameter_mm",
+                "the cage does not fit inside the outer ring's land, " +
+                    number_text(unit_value(outer_land_diameter(scene.bearing), 1e-3)) + " mm (" +
                     check.with_value("bearing.shoulder_diameter_mm") + ")",
                 "give a smaller outer diameter of the cage or larger shoulders");
   check.require(std::isnan(cage.land_offset) || cage.land_offset <= cage.width / 2,
@@ -107,7 +119,7 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
   const bool oil = is_lubricated(scene);
   const double on_diameter = cage.guidance == Guidance::inner
                                  ? cage.inner_diameter - inner_land_diameter(scene.bearing)
-                                 : scene.bearing.shoulder_diameter - cage.outer_diameter;
+                                 : outer_land_diameter(scene.bearing) - cage.outer_diameter;
   const double clearance =
       std::isnan(cage.guide_clearance) ? on_diameter / 2 : cage.guide_clearance;
   check.require(4 * film.least < clearance,
@@ -186,7 +198,7 @@ void check_outline(const Scene& scene, const SceneCheck& check) {
                     ", or curved faces (cage.face_radius_mm), or guide the cage by a ring "
                     "(\"outer\" or \"inner\")");
   const double play = roller_guide_clearance(scene, pitch);
-  const double out = (scene.bearing.shoulder_diameter - cage.outer_diameter) / 2,
+  const double out = (outer_land_diameter(scene.bearing) - cage.outer_diameter) / 2,
                in = (cage.inner_diameter - inner_land_diameter(scene.bearing)) / 2;
   check.require(play > 0 && play < std::min(out, in), "cage.guidance",
                 "rollers let the cage go by " + in_mm(play) +
@@ -240,6 +252,41 @@ void check_pockets(const Scene& scene, const SceneCheck& check) {
                       check.with_value("cage.pocket_length_mm") + ")",
                   "give at most 0.3 of the pocket's smaller dimension");
   }
+}
+
+// Flanges hold the rollers on both sides, and carry an axial load.
+void check_flanges(const Scene& scene, const SceneCheck& check) {
+  const BearingGeometry& b = scene.bearing;
+  for (const bool right : {false, true})
+    check.require(has_flange(b.outer_flanges, right) || has_flange(b.inner_flanges, right),
+                  "bearing.outer_flanges",
+                  std::string("no flange holds the rollers on the ") +
+                      (right ? "right (+x)" : "left (-x)") + " side (" +
+                      check.with_value("bearing.inner_flanges") + ")",
+                  "give one ring a flange there");
+  check.require(b.inner_flanges == FlangeSides::none || !has_free_ring_tilt(scene),
+                "model.ring_tilt",
+                "flanges do not follow the free tilt of the inner ring (" +
+                    check.with_value("bearing.inner_flanges") + ")",
+                "set model.ring_tilt = \"prescribed\", or give the inner ring no flanges");
+  const double load = scene.operation.axial_load;
+  if (load == 0) return;
+  check.require(!is_quasi_static(scene) && !has_planar_rollers(scene), "load.axial_N",
+                "rollers carry an axial load by their ends, which " +
+                    check.with_value(is_quasi_static(scene) ? "model.motion" : "model.rollers") +
+                    " leaves out",
+                "set model.motion = \"dynamic\" and model.rollers = \"spatial\", or leave the load "
+                "out");
+  check.require(
+      has_flange(b.inner_flanges, load < 0) && has_flange(b.outer_flanges, load > 0),
+      "load.axial_N",
+      std::string("it needs a flange of the inner ring on the ") +
+          (load > 0 ? "left and one of the outer ring on the right ("
+                    : "right and one of the outer ring on the left (") +
+          check.with_value("bearing.inner_flanges") + ", " +
+          check.with_value("bearing.outer_flanges") + ")",
+      "turn the load round or give the rings these flanges: an NJ has both outside and one "
+      "inside, an NUP both and both");
 }
 
 void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
@@ -397,6 +444,7 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
   check.require(!is_quasi_static(scene) || scene.cage.model == CageKind::rigid, "cage.model",
                 "no force bends the cage while model.motion = \"quasi-static\"",
                 "set cage.model = \"rigid\", or model.motion = \"dynamic\"");
+  check_flanges(scene, check);
   check_ring_tilt(scene, check);
   check.require(scene.start.state != StartState::steady || is_lubricated(scene), "start.state",
                 "only a lubricated bearing has the steady state that is sought (" +

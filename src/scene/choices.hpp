@@ -34,6 +34,17 @@ constexpr auto spellings(RollerProfile) {
   return std::array{Spelling{none, "none"}, Spelling{logarithmic, "logarithmic"}};
 }
 
+/// Sides of a ring that have a flange; left: at -x.
+enum class FlangeSides { both, none, left, right };
+constexpr auto spellings(FlangeSides) {
+  using enum FlangeSides;
+  return std::array{Spelling{both, "both"}, Spelling{none, "none"}, Spelling{left, "left"},
+                    Spelling{right, "right"}};
+}
+constexpr bool has_flange(FlangeSides sides, bool right) {
+  return sides == FlangeSides::both || sides == (right ? FlangeSides::right : FlangeSides::left);
+}
+
 /// Oil film at the guide lands.
 enum class GuideFilmModel { none, short_bearing };
 constexpr auto spellings(GuideFilmModel) {

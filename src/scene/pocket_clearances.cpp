@@ -17,7 +17,7 @@ PocketClearances pocket_clearances(const Scene& scene, long pocket) {
   for (const int end : {0, 1})
     clearances.radial[end] = radial_play(outline, pitch, diameter / 2, end);
   clearances.by_diameters[0] = (cage.inner_diameter - inner_land_diameter(scene.bearing)) / 2;
-  clearances.by_diameters[1] = (scene.bearing.shoulder_diameter - cage.outer_diameter) / 2;
+  clearances.by_diameters[1] = (outer_land_diameter(scene.bearing) - cage.outer_diameter) / 2;
   for (const int ring : {0, 1}) clearances.ring[ring] = clearances.by_diameters[ring];
   if (cage.guidance != Guidance::roller) {
     double& guide = clearances.ring[cage.guidance == Guidance::inner ? 0 : 1];

@@ -51,9 +51,12 @@ struct BearingGeometry {
   double width = 15e-3;                     ///< [m]
   double inner_raceway_diameter = 31.5e-3;  ///< F, catalogue [m]
   double outer_raceway_diameter = 46.5e-3;  ///< E, catalogue [m]
-  /// Shoulders of the outer ring: flange face and guiding surface [m].
-  double shoulder_diameter = 43.8e-3;
-  double inner_land_diameter = kAuto;  ///< guiding surface of the inner ring; kAuto: raceway [m]
+  FlangeSides outer_flanges = FlangeSides::both, inner_flanges = FlangeSides::none;
+  double shoulder_diameter = 43.8e-3;     ///< of the outer ring's flanges; kAuto: it has none [m]
+  double inner_flange_diameter = kAuto;   ///< of the inner ring's flanges [m]
+  double inner_flange_clearance = kAuto;  ///< as flange_clearance, which it is if kAuto [m]
+  /// Surfaces that meet the cage; kAuto: flanges on both sides, or else the raceway [m].
+  double outer_land_diameter = kAuto, inner_land_diameter = kAuto;
   /// Diametral clearance added to that of the catalogue diameters, half on each raceway [m].
   double internal_clearance = 30e-6;
   double flange_clearance = 0.08e-3;  ///< axial clearance of a roller between its flanges [m]
@@ -199,6 +202,7 @@ struct Lubrication {
 
 struct Operation {
   double radial_load = 1000;      ///< on the inner ring [N]
+  double axial_load = 0;          ///< on the inner ring, along +x [N]
   double load_direction = 0;      ///< of the radial load, about +x from -z [rad]
   double rotating_load = 0;       ///< on the inner ring, beside the radial load [N]
   double rotating_speed = kAuto;  ///< about +x; kAuto: turns with the inner ring [rad/s]
@@ -302,6 +306,10 @@ inline bool has_planar_rollers(const Scene& scene) {
 inline bool has_free_ring_tilt(const Scene& scene) {
   return scene.model.ring_tilt == TiltModel::free && !has_planar_rollers(scene);
 }
+/// An axial load moves the inner ring until flanges carry it; without one it keeps its place.
+inline bool has_free_axial_place(const Scene& scene) {
+  return scene.operation.axial_load != 0 && !has_planar_rollers(scene);
+}
 inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == CageKind::flexible;
 }
@@ -321,10 +329,17 @@ inline GuideFilm land_film(const Scene& scene) {
 inline double pitch_radius(const BearingGeometry& bearing) {
   return (bearing.inner_raceway_diameter + bearing.outer_raceway_diameter) / 4;
 }
-/// Of the surface on the inner ring that guides a cage [m].
+/// Of the surface on the inner ring that meets the cage's bore [m].
 inline double inner_land_diameter(const BearingGeometry& b) {
-  return std::isnan(b.inner_land_diameter) ? b.inner_raceway_diameter - b.internal_clearance / 2
-                                           : b.inner_land_diameter;
+  if (!std::isnan(b.inner_land_diameter)) return b.inner_land_diameter;
+  return b.inner_flanges == FlangeSides::both ? b.inner_flange_diameter
+                                              : b.inner_raceway_diameter - b.internal_clearance / 2;
+}
+/// Of the surface on the outer ring that meets the cage's outside [m].
+inline double outer_land_diameter(const BearingGeometry& b) {
+  if (!std::isnan(b.outer_land_diameter)) return b.outer_land_diameter;
+  return b.outer_flanges == FlangeSides::both ? b.shoulder_diameter
+                                              : b.outer_raceway_diameter + b.internal_clearance / 2;
 }
 inline bool is_quasi_static(const Scene& scene) {
   return scene.model.motion == MotionModel::quasi_static;

@@ -98,6 +98,14 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
     at(l.border_position(kRingY)) = rest->ring_y;
     at(l.border_position(kRingZ)) = rest->ring_z;
   }
+  if (l.ring_axial > 0) {
+    // An axial load closes the gaps: rollers at the outer flange, the inner one at the rollers.
+    const double way = m.duty.fixed.axial > 0 ? 1 : -1;
+    double outer = 0, inner = 0;
+    for (const Flange& flange : m.flanges) (flange.inner ? inner : outer) = flange.clearance;
+    for (int j = 0; j < l.rollers; ++j) at(l.position(kAxial, j)) = way * outer;
+    at(l.border_position(l.ring_axial_slot())) = way * (outer + inner);
+  }
   if (l.ring_tilt > 0) {
     at(l.border_position(l.ring_tilt_slot())) = rest ? rest->tilt_y : m.misalignment_y;
     at(l.border_position(l.ring_tilt_slot() + 1)) = rest ? rest->tilt_z : m.misalignment_z;
@@ -108,7 +116,7 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   turned_unbalance(m, c, s, e);
   at(l.border_position(kCageY)) = start.cage_offset_y + e[0];
   at(l.border_position(kCageZ)) = start.cage_offset_z + e[1];
-  at(l.border_position(kCageX)) = start.cage_offset_x;
+  at(l.border_position(kCageX)) = start.cage_offset_x + at(l.position(kAxial, 0));
   at(l.border_position(kCagePhi)) = start.cage_phase;
   at(l.border_velocity(kCageY)) = -cage_speed * e[1];
   at(l.border_velocity(kCageZ)) = cage_speed * e[0];

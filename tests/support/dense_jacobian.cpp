@@ -70,8 +70,8 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
     const int slot = linear.slot[static_cast<std::size_t>(j)];
     if (slot < 0) continue;
     const CageCoupling& cage = linear.couplings[static_cast<std::size_t>(slot)];
-    const int packs = packs_for(l.cage());
-    for (int k = 0; k < l.cage(); ++k) {
+    const int packs = packs_for(l.coupled());
+    for (int k = 0; k < l.coupled(); ++k) {
       const int row = locals + kCageY + k;
       const auto column = static_cast<std::size_t>(k);
       for (int i = 0; i < kLocalVelocities; ++i) {
@@ -91,10 +91,11 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
   for (int i = 0; i < border; ++i) {
     position_of(locals + i, l.border_position(i)) = velocity_of(locals + i, l.border_velocity(i)) =
         1;
-    acceleration_of(l.border_velocity(i), locals + i) = i < kRigidBorder ? 1 / masses[i]
-                                                        : i < l.ring_tilt_slot()
-                                                            ? 1
-                                                            : 1 / m.ring_transverse;
+    const double mass = i < kRigidBorder          ? masses[i]
+                        : i < l.ring_axial_slot() ? 1
+                        : i < l.ring_tilt_slot()  ? m.ring_mass
+                                                  : m.ring_transverse;
+    acceleration_of(l.border_velocity(i), locals + i) = 1 / mass;
   }
   Eigen::MatrixXd J = acceleration_of * (by_position * position_of + by_velocity * velocity_of);
   for (int slot = 0; slot < kRollerPositions; ++slot)

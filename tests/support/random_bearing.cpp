@@ -165,10 +165,24 @@ void free_the_ring(unsigned seed, Scene& scene) {
   scene.operation.tilting_moment_z = draw.about(10);
 }
 
+/// Makes an NUP or an N, whose inner ring has flanges; under an axial load or without one.
+void flange_the_inner_ring(unsigned seed, Scene& scene) {
+  Draw draw(seed + 4000037);
+  auto& b = scene.bearing;
+  b.inner_flanges = FlangeSides::both;
+  b.inner_flange_diameter = b.inner_raceway_diameter + draw.between(2e-3, 4e-3);
+  b.inner_flange_clearance = draw.between(0.05e-3, 0.1e-3);
+  if (draw.coin())
+    scene.operation.axial_load = draw.about(500);
+  else
+    b.outer_flanges = FlangeSides::none;
+}
+
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
   if (options.freedom == Freedom::planar) b.scene.model.rollers = RollerModel::planar;
   if (options.freedom == Freedom::tilting) free_the_ring(seed, b.scene);
+  if (options.freedom == Freedom::spatial && seed % 4 == 3) flange_the_inner_ring(seed, b.scene);
   b.scene.film.model = options.film;
   if (options.lubricated) {
     b.scene.lubrication.model = LubricationModel::film;
@@ -222,7 +236,7 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
       at(l.position(kAngle, j)) = pocket + std::remainder(std::atan2(z, y) - pocket, 2 * pi);
     }
     const double axial = draw.coin()
-                             ? m.flange_half_clearance
+                             ? m.flanges.back().clearance
                              : std::abs(cage_x) + g.half_length[lane] - m.roller_half_length;
     at(l.position(kAxial, j)) = (draw.coin() ? 1 : -1) * (axial + draw.about(depth));
     at(l.position(kAxisY, j)) = lean * draw.about(2e-3);
@@ -247,6 +261,10 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   for (int k = 0; k < options.modes; ++k) {
     at(l.border_position(kModes + k)) = shapes.about(depth / 30);
     at(l.border_velocity(kModes + k)) = shapes.about(0.01);
+  }
+  if (l.ring_axial > 0) {
+    at(l.border_position(l.ring_axial_slot())) = shapes.about(depth);
+    at(l.border_velocity(l.ring_axial_slot())) = shapes.about(0.1);
   }
   for (int k = 0; k < l.ring_tilt; ++k) {
     at(l.border_position(l.ring_tilt_slot() + k)) = lean * shapes.about(2e-3);

@@ -130,7 +130,8 @@ class Bearing {
     const double now = speed(o.inner_speed, o.speed_ramp_from, t_);
     return ramped() * (o.radial_load * downwards(o.load_direction) +
                        o.rotating_load * downwards(o.rotating_phase + with)) +
-           o.unbalance * now * now * downwards(o.rotating_phase + turned);
+           o.unbalance * now * now * downwards(o.rotating_phase + turned) +
+           ramped() * o.axial_load * kX;
   }
   double speed(double last, double first, double t) const {
     const auto& o = scene_.operation;
@@ -159,8 +160,10 @@ class Bearing {
     unbalance_ = Eigen::AngleAxisd(phi_, kX) * Vector3d(0, mass.centre_y, mass.centre_z);
     cage_centre_ = Vector3d(q(kCageX), q(kCageY), q(kCageZ)) - unbalance_;
     cage_axis_ = Vector3d(1, q(kCageAxisY), q(kCageAxisZ));
-    ring_ = Vector3d(0, q(kRingY), q(kRingZ));
-    moving_.ring = Vector3d(0, v(kRingY), v(kRingZ));
+    const int axial = layout_.ring_axial_slot();
+    const bool floats = layout_.ring_axial > 0;
+    ring_ = Vector3d(floats ? q(axial) : 0, q(kRingY), q(kRingZ));
+    moving_.ring = Vector3d(floats ? v(axial) : 0, v(kRingY), v(kRingZ));
     const int tilt = layout_.ring_tilt_slot();
     const bool tilting = layout_.ring_tilt > 0;
     ring_slope_ = tilting ? Vector3d(0, q(tilt), q(tilt + 1)) : misalignment();
@@ -228,15 +231,15 @@ class Bearing {
       unit = {};
       unit.cage = direction;
       border_.cage[at] += power(unit);
+      unit = {};
+      unit.ring = direction;
+      border_.ring[at] += power(unit);
       if (k == 0) continue;
       if (on_roller) {
         unit = {};
         unit.lean = direction;
         on_roller->lean[at] += power(unit);
       }
-      unit = {};
-      unit.ring = direction;
-      border_.ring[at] += power(unit);
       unit = {};
       unit.ring_tilt = direction;
       border_.ring_tilt[at] += power(unit);
@@ -278,9 +281,9 @@ class Bearing {
       double radius = roller.radius + xi / length * each(scene_.roller.taper, j) / 2;
       if (scene_.roller.profile == RollerProfile::logarithmic)
         radius -= 0.00035 * mean_diameter * std::log(1 / (1 - std::pow(2 * xi / length, 2)));
-      const double place = roller.centre.x() + xi;
+      const double place = roller.centre.x() + xi - (inner ? ring_.x() : 0);
       const Vector3d on_axis = radial(roller.centre + xi * roller.axis);
-      const Vector3d d = on_axis - (inner ? ring_ : Vector3d::Zero().eval()) - place * m;
+      const Vector3d d = on_axis - (inner ? radial(ring_) : Vector3d::Zero().eval()) - place * m;
       const Vector3d n = s * d.normalized(), t = kX.cross(n);
       const double p = s * (race_radius - d.norm()) + radius;
       const auto speeds = [=, &roller](const Motion& v) {
@@ -288,7 +291,7 @@ class Bearing {
         const Vector3d tilt = inner ? v.ring_tilt : Vector3d::Zero().eval();
         const Vector3d ring = inner ? (v.ring + place * tilt).eval() : tilt;
         const double spin = inner ? v.inner_spin : v.outer_spin;
-        const Vector3d approach = v.roller + xi * v.lean - ring - v.roller.x() * m;
+        const Vector3d approach = v.roller + xi * v.lean - ring - (v.roller.x() - v.ring.x()) * m;
         const Vector3d surface =
             ring + (spin * (kX + m) + kX.cross(tilt)).cross(s * race_radius * n);
         const Vector3d slide = roller_point(roller, v, xi, -radius * n) - surface;
@@ -430,8 +433,12 @@ class Bearing {
     const double pitch = (b.inner_raceway_diameter + b.outer_raceway_diameter) / 4;
     for (const double e : {-1.0, 1.0}) {
       const double xi = e * scene_.roller.length / 2;
-      for (const bool flange : {false, true}) {
-        const double h = flange ? b.shoulder_diameter / 2 - pitch : 0;
+      enum Against { kPocket, kOuterFlange, kInnerFlange };
+      for (const Against against : {kPocket, kOuterFlange, kInnerFlange}) {
+        const bool flange = against != kPocket, inner = against == kInnerFlange;
+        if (flange && !has_flange(inner ? b.inner_flanges : b.outer_flanges, e > 0)) continue;
+        const double rim = inner ? b.inner_flange_diameter : b.shoulder_diameter;
+        const double h = flange ? rim / 2 - pitch : 0;
         const double tau = std::min(0.8 * mean_radius,
                                     std::sqrt(std::max(0.0, mean_radius * mean_radius - h * h)));
         // A wall's points keep their place beside the pocket and turn with the cage, a flange's
@@ -448,12 +455,22 @@ class Bearing {
             return Vector3d(turning * kX.cross(q));
           };
           if (flange) {
-            const double p = e * (roller.centre.x() - q.dot(a)) - b.flange_clearance / 2;
+            // The flange's plane is normal to its ring's axis, through the ring's centre but for
+            // the clearance.
+            const Vector3d m = inner ? misalignment() : Vector3d::Zero().eval(),
+                           centre = inner ? ring_ : Vector3d::Zero().eval();
+            const double clearance =
+                inner ? auto_or(b.inner_flange_clearance, b.flange_clearance) : b.flange_clearance;
+            const Vector3d place = roller.centre - q.dot(a) * kX + q - centre;
+            const double p = e * (kX + m).dot(place) - clearance / 2;
             const auto speeds = [=, &roller](const Motion& v) {
-              const Vector3d on_ring = v.outer_spin * kX.cross(radial(roller.centre) + q);
-              const Vector3d slide = roller_point(roller, v, xi, q) - on_ring;
-              return Speeds{e * (v.roller.x() - q.dot(v.lean) - q_rate(v).dot(a)), slide.dot(one),
-                            slide.dot(two)};
+              const Vector3d ring = inner ? v.ring : Vector3d::Zero().eval();
+              const double spin = inner ? v.inner_spin : v.outer_spin;
+              const Vector3d slide =
+                  roller_point(roller, v, xi, q) - ring - spin * kX.cross(radial(place));
+              const Vector3d moved =
+                  v.roller - (q.dot(v.lean) + q_rate(v).dot(a)) * kX + q_rate(v) - ring;
+              return Speeds{e * (kX + m).dot(moved), slide.dot(one), slide.dot(two)};
             };
             contact(kFlange, scene_.contact.flange, 2, p, roller.own, speeds, &forces);
           } else {
@@ -552,15 +569,20 @@ class Bearing {
     const auto& b = scene_.bearing;
     const double land_radius = (inner ? c.inner_diameter : c.outer_diameter) / 2;
     const double ring_radius =
-        (inner ? auto_or(b.inner_land_diameter, b.inner_raceway_diameter - b.internal_clearance / 2)
-               : b.shoulder_diameter) /
+        (inner ? auto_or(b.inner_land_diameter,
+                         b.inner_flanges == FlangeSides::both
+                             ? b.inner_flange_diameter
+                             : b.inner_raceway_diameter - b.internal_clearance / 2)
+         : b.outer_flanges == FlangeSides::both
+             ? b.shoulder_diameter
+             : b.outer_raceway_diameter + b.internal_clearance / 2) /
         2;
     const bool guides = c.guidance == (inner ? Guidance::inner : Guidance::outer);
     const double between = std::abs(ring_radius - land_radius),
                  clearance = guides ? auto_or(c.guide_clearance, between) : between;
     const Vector3d m = inner ? misalignment() : Vector3d::Zero().eval();
-    const Vector3d delta =
-        radial(cage_centre_ + X * cage_axis_) - (inner ? ring_ : Vector3d::Zero().eval()) - X * m;
+    const Vector3d delta = radial(cage_centre_ + X * cage_axis_) -
+                           (inner ? radial(ring_) : Vector3d::Zero().eval()) - X * m;
     const Vector3d n = delta.normalized(), t = kX.cross(n);
     // The cage's outside meets the ring on the side it is displaced to, its bore on the other
     // side.
@@ -591,6 +613,12 @@ class Bearing {
     const Vector3d pushed = net(border_.ring) + force();
     v(kRingY) = pushed.y() / ring_mass;
     v(kRingZ) = pushed.z() / ring_mass + g.z();
+    if (layout_.ring_axial > 0) {
+      const int axial = layout_.ring_axial_slot();
+      q(axial) = moving_.ring.x();
+      v(axial) = pushed.x() / ring_mass + g.x();
+      size(layout_.border_velocity(axial)) = border_.ring[0].gross / ring_mass;
+    }
     if (layout_.ring_tilt > 0) {
       const int tilt = layout_.ring_tilt_slot();
       const double outer = inner / 2, hole = bore / 2, radii = outer * outer + hole * hole;
@@ -616,8 +644,9 @@ class Bearing {
         cage_transverse_;
     v(kCageAxisY) = lean.y();
     v(kCageAxisZ) = lean.z();
-    const double sizes[kRigidBorder] = {gross(border_.ring) / ring_mass,
-                                        gross(border_.ring) / ring_mass,
+    const double in_plane = std::max(border_.ring[1].gross, border_.ring[2].gross);
+    const double sizes[kRigidBorder] = {in_plane / ring_mass,
+                                        in_plane / ring_mass,
                                         gross(border_.cage) / cage_mass_,
                                         gross(border_.cage) / cage_mass_,
                                         border_.cage[0].gross / cage_mass_,
@@ -647,6 +676,7 @@ StateLayout reference_layout(const Scene& scene) {
   layout.rollers = static_cast<int>(scene.bearing.roller_count);
   layout.groups = (layout.rollers + kLanes - 1) / kLanes;
   if (scene.model.ring_tilt == TiltModel::free) layout.ring_tilt = 2;
+  if (scene.operation.axial_load != 0) layout.ring_axial = 1;
   return layout;
 }
 

@@ -139,16 +139,22 @@ TEST(EnergyAccountOfContacts, ObservationAgreesWithTheReference) {
 }
 
 TEST_P(EnergyAccount, NetPowerRateIsTheDerivativeAlongTheMotion) {
-  double worst = 0;
+  std::vector<double> apart, size;
   for (unsigned seed = 0; seed < 96; ++seed) {
     RandomBearing b = bearing(seed, GetParam()), spatial = bearing(seed, Freedom::spatial);
     b.t = spatial.t = 1;  // after every ramp
     System system(b.model);
     system.linearise_at(b.t, b.y.data());
-    const double apart = std::abs(system.seen.net_power_rate - differenced_net_power(b));
+    apart.push_back(std::abs(system.seen.net_power_rate - differenced_net_power(b)));
     // What is left out does not shrink when rollers are held: it counts as with spatial ones.
-    worst = std::max(worst, apart / std::abs(differenced_net_power(spatial)));
+    size.push_back(std::abs(differenced_net_power(spatial)));
   }
+  // In some states the rate is small by chance: then it is held against the median.
+  std::vector<double> ordered = size;
+  std::sort(ordered.begin(), ordered.end());
+  double worst = 0;
+  for (std::size_t k = 0; k < size.size(); ++k)
+    worst = std::max(worst, apart[k] / std::max(size[k], ordered[size.size() / 2]));
   // Holds what the derivatives of the forces hold; see linearisation_test.
   EXPECT_LT(worst, 0.08);
 }

@@ -307,7 +307,8 @@ TEST_P(NewtonMatrixOfRollers, SolvesLikeDenseFactorsOfTheAssembledMatrix) {
   for (unsigned seed = 0; seed < 96; ++seed) {
     const Linearised x(seed < 48 ? bearing(seed, GetParam()) : free_cage(seed, GetParam()));
     const int n = x.system.size;
-    ASSERT_EQ(x.system.linear.cage_touched, seed < 48);
+    const bool floats = x.bearing.model.layout.ring_axial > 0;
+    ASSERT_EQ(x.system.linear.cage_touched, seed < 48 || floats);
     for (double beta : {1e-8, 1e-6, 2e-5}) {
       NewtonMatrix newton(x.bearing.model);
       ASSERT_TRUE(newton.factor(x.system.linear, beta));
