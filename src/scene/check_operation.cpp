@@ -30,10 +30,44 @@ void check_fits(const Scene& scene, const SceneCheck& check) {
                   "set temperature.growth = true, or leave the temperature out");
 }
 
+/// Elastic strain that no part of a bearing bears.
+constexpr double kLargestStrain = 0.01;
+
+// Thick rings are elastic.
+void check_strains(const Scene& scene, const SceneCheck& check) {
+  const auto& bearing = scene.bearing;
+  const OperatingClearance by = operating_clearance(scene);
+  const auto held = [&](double growth, double diameter) {
+    return std::abs(growth) <= kLargestStrain * diameter;
+  };
+  check.require(held(by.inner_raceway.fit, bearing.inner_raceway_diameter),
+                "fit.inner_interference_um", "it would strain the inner ring by more than 1 %",
+                "give the interference of diameters in micrometres");
+  check.require(held(by.outer_raceway.fit, bearing.outer_raceway_diameter),
+                "fit.outer_interference_um", "it would strain the outer ring by more than 1 %",
+                "give the interference of diameters in micrometres");
+  check.require(held(by.inner_raceway.spin, bearing.inner_raceway_diameter) &&
+                    by.cage_spin <= kLargestStrain &&
+                    held(by.roller_spin, each(scene.roller.diameter, 0)),
+                "speed.inner_rpm", "rotation would strain ring, cage or rollers by more than 1 %",
+                "correct speed, diameters, moduli or densities");
+}
+
 // A bearing that can be assembled may seize in operation.
 void check_in_operation(const Scene& scene, const SceneCheck& check) {
   if (!changes_in_operation(scene)) return;
+  check_strains(scene, check);
   const Scene hot = operating_scene(scene);
+  for (long j = 0; j < scene.bearing.roller_count; ++j) {
+    const auto& b = hot.bearing;
+    const double roller = each(hot.roller.diameter, j),
+                 clearance = b.outer_raceway_diameter - b.inner_raceway_diameter - 2 * roller +
+                             b.internal_clearance;
+    check.require(std::abs(clearance) < roller / 10, "bearing.internal_clearance_um",
+                  "in operation (fits, temperatures, centrifugal growth) it becomes " +
+                      in_um(clearance) + ", more than a tenth of the roller's diameter",
+                  "correct fits and temperatures");
+  }
   const auto say = [](const std::string& what, double clearance) {
     return "in operation (fits, temperatures, centrifugal growth) " + what + ", by " +
            in_um(-clearance);

@@ -244,6 +244,12 @@ TEST(OperatingClearance, RefusesWhatDoesNotTurn) {
               HasSubstr("the housing has no wall"));
   EXPECT_THAT(operating_problem("temperature.inner_ring_C = 80\n"),
               HasSubstr("set temperature.growth = true"));
+  EXPECT_THAT(operating_problem("fit.inner_interference_um = 1000\n"),
+              HasSubstr("strain the inner ring by more than 1 %"));
+  EXPECT_THAT(operating_problem("fit.outer_interference_um = 1000\n"),
+              HasSubstr("strain the outer ring by more than 1 %"));
+  EXPECT_THAT(operating_problem("speed.inner_rpm = 1e6\nspeed.centrifugal_growth = true\n"),
+              HasSubstr("rotation would strain"));
   const std::string warm =
       "temperature.growth = true\ntemperature.inner_ring_C = 20\n"
       "temperature.outer_ring_C = 20\n";
@@ -258,6 +264,10 @@ TEST(OperatingClearance, RefusesWhatDoesNotTurn) {
   EXPECT_THAT(operating_problem(warm + "temperature.rollers_C = 250\n"
                                        "bearing.flange_clearance_mm = 0.01\n"),
               HasSubstr("do not fit between their flanges"));
+  EXPECT_THAT(operating_problem("bearing.internal_clearance_um = -200\ntemperature.growth = true\n"
+                                "temperature.inner_ring_C = 250\ntemperature.outer_ring_C = -60\n"
+                                "bearing.ring_expansion_um_m_K = 60\n"),
+              HasSubstr("more than a tenth of the roller's diameter"));
 }
 
 TEST(OperatingWarnings, NamePreloadAndFitsThatOpen) {
