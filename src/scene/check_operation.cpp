@@ -47,6 +47,7 @@ void check_strains(const Scene& scene, const SceneCheck& check) {
                 "fit.outer_interference_um", "it would strain the outer ring by more than 1 %",
                 "give the interference of diameters in micrometres");
   check.require(held(by.inner_raceway.spin, bearing.inner_raceway_diameter) &&
+                    held(by.outer_raceway.spin, bearing.outer_raceway_diameter) &&
                     by.cage_spin <= kLargestStrain &&
                     held(by.roller_spin, each(scene.roller.diameter, 0)),
                 "speed.inner_rpm", "rotation would strain ring, cage or rollers by more than 1 %",
@@ -81,6 +82,14 @@ void check_in_operation(const Scene& scene, const SceneCheck& check) {
     check.require(left.axial > 0 || scene.allow_interference, "cage.pocket_length_mm",
                   say(pocket + "longer than its roller", left.axial),
                   "give a longer pocket, or correct the temperatures");
+    for (const int end : {0, 1})
+      check.require(
+          !(left.radial[end] <= 0),
+          !std::isnan(scene.cage.face_radius) ? "cage.face_radius_mm"
+          : end == 0                          ? "cage.retention_width_inner_mm"
+                                              : "cage.retention_width_outer_mm",
+          say("pocket " + std::to_string(j) + " pinches its roller radially", left.radial[end]),
+          "give a wider opening, or correct the temperatures");
   }
   const PocketClearances left = pocket_clearances(hot, 0);
   check.require(left.ring[0] > 0, "cage.inner_diameter_mm",

@@ -46,10 +46,6 @@ bool outer_fit_presses(const Scene& s) {
   return operating_clearance(s).outer_fit.pressure > 0;
 }
 
-bool grows_by_speed(const Scene& s) {
-  return s.operation.centrifugal_growth && s.operation.inner_speed != 0;
-}
-
 bool strengths_given(const CageGeometry& cage) {
   return given(cage.yield_stress) && given(cage.tensile_strength) && given(cage.fatigue_strength);
 }
@@ -164,24 +160,26 @@ const std::vector<Rule>& rules() {
       {{"bearing.ring_young_GPa", "bearing.ring_poisson"},
        [](const Scene& s) {
          return !races_use_moduli(s) && !inner_fit_presses(s) && !outer_fit_presses(s) &&
-                !grows_by_speed(s);
+                !grows_by_rotation(s);
        },
        "model.motion = \"quasi-static\" and contact.race.force_law = \"impact\""},
       {{"roller.young_GPa", "roller.poisson"},
-       [](const Scene& s) { return !races_use_moduli(s) && !grows_by_speed(s); },
+       [](const Scene& s) { return !races_use_moduli(s) && !grows_by_rotation(s); },
        "model.motion = \"quasi-static\" and contact.race.force_law = \"impact\""},
       {{"cage.poisson"},
        [](const Scene& s) { return !is_flexible(s) && !bars_use_moduli(s); },
        "cage.model = \"rigid\" and contact.bar.force_law = \"impact\""},
       {{"cage.young_GPa"},
-       [](const Scene& s) { return !is_flexible(s) && !bars_use_moduli(s) && !grows_by_speed(s); },
+       [](const Scene& s) {
+         return !is_flexible(s) && !bars_use_moduli(s) && !grows_by_rotation(s);
+       },
        "cage.model = \"rigid\" and contact.bar.force_law = \"impact\""},
       {{"bearing.width_mm"},
        [](const Scene& s) { return given(s.bearing.inner_ring_mass) && !has_free_ring_tilt(s); },
        "bearing.inner_ring_mass_kg is given"},
       {{"bearing.ring_density_kg_m3"},
        [](const Scene& s) {
-         return given(s.bearing.inner_ring_mass) && !has_free_ring_tilt(s) && !grows_by_speed(s);
+         return given(s.bearing.inner_ring_mass) && !has_free_ring_tilt(s) && !grows_by_rotation(s);
        },
        "bearing.inner_ring_mass_kg is given"},
       {{"cage.density_kg_m3"},
@@ -244,7 +242,7 @@ const std::vector<Rule>& rules() {
        },
        "no pressure between outer ring and housing, or all properties given"},
       {{"fit.shaft_density_kg_m3"},
-       [](const Scene& s) { return !grows_by_speed(s); },
+       [](const Scene& s) { return !grows_by_rotation(s); },
        "no centrifugal growth"},
       {{"speed.centrifugal_growth"},
        [](const Scene& s) { return s.operation.inner_speed == 0; },

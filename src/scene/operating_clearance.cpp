@@ -147,10 +147,15 @@ void grow_cage(const OperatingClearance& by, double guide, CageGeometry& cage) {
 
 }  // namespace
 
+bool grows_by_rotation(const Scene& scene) {
+  const RingSpeeds speeds = growing_speeds(scene);
+  return speeds.inner != 0 || speeds.outer != 0;
+}
+
 bool changes_in_operation(const Scene& scene) {
   return given_or(scene.fit.inner_interference, 0) != 0 ||
          given_or(scene.fit.outer_interference, 0) != 0 || scene.temperature.growth ||
-         (scene.operation.centrifugal_growth && scene.operation.inner_speed != 0);
+         grows_by_rotation(scene);
 }
 
 OperatingClearance operating_clearance(const Scene& scene) {
@@ -171,7 +176,7 @@ OperatingClearance operating_clearance(const Scene& scene) {
   at.outer_ring_heat = outer.inside.heat;
   at.roller_heat = heat_of(scene, scene.roller.material, parts.rollers);
   at.cage_heat = heat_of(scene, scene.cage.material, cage_temperature(scene));
-  if (speeds.inner != 0 || speeds.outer != 0) add_spin(scene, speeds, at);
+  if (grows_by_rotation(scene)) add_spin(scene, speeds, at);
   return at;
 }
 

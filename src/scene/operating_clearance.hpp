@@ -15,7 +15,8 @@
 //
 // A flexible cage has the same e; its elastic modes answer centrifugal load besides
 // (cage.centrifugal), of which the lowest ones hold next to nothing of a uniform growth.
-// Speeds are the full ones of the scene, also during a ramp.
+// Speeds are the full ones of the scene, also during a ramp. A housing without a diameter does not
+// grow by rotation.
 #pragma once
 
 #include "src/scene/press_fit.hpp"
@@ -38,6 +39,9 @@ struct OperatingClearance {
             outer_raceway.spin - inner_raceway.spin - 2 * roller_spin};
   }
 };
+
+/// Whether a part of the scene grows by its rotation.
+bool grows_by_rotation(const Scene& scene);
 
 /// Whether anything of a scene changes its dimensions in operation.
 bool changes_in_operation(const Scene& scene);

@@ -257,6 +257,10 @@ TEST(OperatingClearance, RefusesWhatDoesNotTurn) {
   EXPECT_THAT(operating_problem(warm + "temperature.rollers_C = 250\ncage.temperature_C = 20\n"
                                        "cage.pocket_width_mm = 7.51\n"),
               HasSubstr("pocket 0 is not wider than its roller, by 10.7 um"));
+  const std::string lips = warm + "cage.temperature_C = 20\ncage.retention_width_outer_mm = 6.71\n";
+  EXPECT_EQ(operating_problem(lips), "no error");
+  EXPECT_THAT(operating_problem(lips + "temperature.rollers_C = 250\n"),
+              HasSubstr("pocket 0 pinches its roller radially"));
   // 30e-6 * 230 K of 21.7 mm are 150 um, the outer ring stays.
   EXPECT_THAT(operating_problem(warm + "cage.temperature_C = 250\ncage.material = \"pa66-gf25\"\n"
                                        "cage.outer_diameter_mm = 43.6\n"),
