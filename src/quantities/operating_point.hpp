@@ -63,6 +63,8 @@ struct OperatingRow {
   const char* unit;                           ///< "-" for a ratio
   const char* definition;                     ///< one sentence
   double (*value)(const OperatingPoint& of);  ///< in that unit
+  /// Of what changes in operation: says nothing where nothing does (changes_in_operation()).
+  bool of_change = false;
 };
 /// All lines, in the order of tables and files.
 const std::vector<OperatingRow>& operating_rows();

@@ -10,8 +10,6 @@
 namespace cagetol {
 namespace {
 
-using std::numbers::pi;
-
 /// Speeds of both rings; zero where nothing grows by them [rad/s].
 struct RingSpeeds {
   double inner = 0, outer = 0;
@@ -79,9 +77,10 @@ double cage_strain(const Scene& scene, double speed) {
   const double pockets =
       static_cast<double>(scene.bearing.roller_count) * mean_of(cage.pocket_width) * length;
   const double mass =
-      given_or(cage.mass, material.density * thickness * (2 * pi * radius * cage.width - pockets));
+      given_or(cage.mass, material.density * thickness *
+                              (2 * std::numbers::pi * radius * cage.width - pockets));
   const double section = thickness * (cage.width - length);
-  return mass * speed * speed * radius / (2 * pi * material.young * section);
+  return mass * speed * speed * radius / (2 * std::numbers::pi * material.young * section);
 }
 
 /// Growth by rotation of what turns between the rings.

@@ -330,6 +330,23 @@ TEST(Program, ChecksEveryShippedFile) {
   }
 }
 
+TEST(Program, CheckShowsWhatChangesTheClearanceWhereSomethingDoes) {
+  const auto check = [](std::vector<std::string> settings) {
+    settings.insert(settings.begin(), {"check", shipped("scenes/nu205.toml")});
+    const auto ended = run(settings);
+    EXPECT_EQ(ended.code, 0) << ended.output;
+    return ended.output;
+  };
+  EXPECT_THAT(check({}), AllOf(HasSubstr("  internal_clearance_um "), Not(HasSubstr("change_um")),
+                               Not(HasSubstr("as_made"))));
+  EXPECT_THAT(check({"--set", "fit.inner_interference_um=25"}),
+              AllOf(HasSubstr("internal_clearance_as_made_um                   30  um"),
+                    HasSubstr("inner_fit_change_um                       -19.8413  um"),
+                    HasSubstr("inner_fit_pressure_MPa ")));
+  EXPECT_THAT(check({"--set", "fit.inner_interference_um=50"}),
+              HasSubstr("warning: the internal clearance in operation is -9.7 um, a preload"));
+}
+
 TEST(Program, SimulatePrintsJsonWithEveryQuantity) {
   const auto ended =
       run({"simulate", shipped("scenes/nu205.toml"), "--json", "--set",
