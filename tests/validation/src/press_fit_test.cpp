@@ -87,13 +87,13 @@ TEST(PressFitByFiniteElements, AgreesForAnyPairOfBodies) {
     ++closed;
     const Grown grown = by_finite_elements(fit);
     const double scale = fit.interference;
-    EXPECT_NEAR(fit_growth(fit, false, seat).total(), grown.seat_inside, 1e-3 * scale);
-    EXPECT_NEAR(fit_growth(fit, true, seat).total(), grown.seat_outside, 1e-3 * scale);
+    EXPECT_NEAR(fit_growth(fit, false, seat).total(), grown.seat_inside, 1e-5 * scale);
+    EXPECT_NEAR(fit_growth(fit, true, seat).total(), grown.seat_outside, 1e-5 * scale);
     EXPECT_NEAR(fit_growth(fit, true, fit.outside.ring.outer_radius).total(), grown.end_outside,
-                1e-3 * scale);
+                1e-5 * scale);
     if (fit.inside.ring.inner_radius > 0) {
       EXPECT_NEAR(fit_growth(fit, false, fit.inside.ring.inner_radius).total(), grown.end_inside,
-                  1e-3 * scale);
+                  1e-5 * scale);
     }
   }
   EXPECT_GT(closed, 30);
@@ -128,11 +128,23 @@ TEST(PressFitByFiniteElements, AgreesForTheRacewaysOfABearing) {
   const OperatingClearance by = operating_clearance(scene);
   EXPECT_GT(by.inner_fit.pressure, 1e6);
   EXPECT_GT(by.outer_fit.pressure, 1e6);
-  EXPECT_NEAR(by.inner_raceway.total() / inner_raceway, 1, 1e-3);
-  EXPECT_NEAR(by.outer_raceway.total() / outer_raceway, 1, 1e-3);
+  EXPECT_NEAR(by.inner_raceway.total() / inner_raceway, 1, 1e-5);
+  EXPECT_NEAR(by.outer_raceway.total() / outer_raceway, 1, 1e-5);
   const BearingModel model = make_bearing_model(scene);
   EXPECT_NEAR(2 * (model.outer_radius - model.inner_radius),
               15e-3 + 30e-6 + outer_raceway - inner_raceway, 0.05e-6);
+}
+
+/// What leaving the shoulders out is worth at most: an outer ring as thick all along as there.
+TEST(PressFitByFiniteElements, BoundsTheStiffnessOfShoulders) {
+  const Material steel = material_named("bearing-steel").at_room,
+                 iron = material_named("cast-iron").at_room;
+  const auto ring = [&](double bore) {
+    return PressFit{{{bore, 26e-3, steel}}, {{26e-3, 45e-3, iron}}, 16e-6, 26e-3};
+  };
+  const double plain = by_finite_elements(ring(23.25e-3)).end_inside;  // at the raceway
+  const double stout = fit_growth(ring(21.9e-3), false, 23.25e-3).total();
+  EXPECT_NEAR(stout / plain, 0.84, 0.005);
 }
 
 }  // namespace
