@@ -30,15 +30,18 @@ constexpr const char* kDefined[] = {"ring_displacement_mean_um", "ring_displacem
 struct Positions {
   long count;
   double end, spacing;
+  double time_end, interval;  ///< [s]
   double angle(long k) const { return end - spacing * static_cast<double>(count - 1 - k); }
+  double time(long k) const { return time_end - interval * static_cast<double>(count - 1 - k); }
 };
 Positions positions_in_window(const Scene& scene, const BearingModel& model, double cage_speed) {
   const WindowTimes window = window_times(scene, model);
   const double span = std::min(std::abs(cage_speed) * window.measure, 2 * pi);
   const double pitch = 2 * pi / model.layout.rollers;
   const long count = std::max(1L, std::lround(std::ceil(kPositionsPerPitch * span / pitch)));
-  return {count, scene.start.cage_phase + cage_speed * (window.settle + window.measure),
-          std::copysign(span, cage_speed) / static_cast<double>(count)};
+  const double end = window.settle + window.measure, every = span / static_cast<double>(count);
+  return {count, scene.start.cage_phase + cage_speed * end, std::copysign(every, cage_speed), end,
+          cage_speed != 0 ? every / std::abs(cage_speed) : 0};
 }
 
 }  // namespace
@@ -51,14 +54,18 @@ Outcome quasi_static_outcome(const Scene& scene) {
   outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
   outcome.run.energy_residual = outcome.run.static_consistency_error =
       std::numeric_limits<double>::quiet_NaN();  // nothing to watch
-  const double cage_speed = kinematic_cage_speed(model, model.inner_speed);
+  const double cage_speed = kinematic_cage_speed(model, model.duty.speed);
   const Positions positions = positions_in_window(scene, model, cage_speed);
   StaticEquilibrium equilibrium(model);
-  Series ring_y, ring_z, ring_tilt, tilt;
+  Duty full = model.duty;
+  full.load_ramp = full.speed_ramp = 0;
+  Series ring_y, ring_z, sunk, ring_tilt, tilt;
+  double sunk_at_end = 0;
   for (long k = 0; k < positions.count; ++k) {
     const std::vector<double> angle = roller_angles(model, positions.angle(k));
+    const RingLoad load = load_at(full, positions.time(k));
     const StaticState& rest =
-        equilibrium.solve(angle.data(), cage_speed, model.load, RollerMotion::orbiting);
+        equilibrium.solve(angle.data(), cage_speed, load, RollerMotion::orbiting);
     ++outcome.run.steps;
     if (!rest.converged) {
       outcome.status = Status::failed;
@@ -71,12 +78,14 @@ Outcome quasi_static_outcome(const Scene& scene) {
     }
     ring_y.add(rest.ring_y, 1, 1);
     ring_z.add(rest.ring_z, 1, 1);
+    sunk_at_end = way_of(load).along(rest.ring_y, rest.ring_z);
+    sunk.add(sunk_at_end, 1);
     ring_tilt.add(std::hypot(rest.tilt_y, rest.tilt_z), 1);
     for (int j = 0; j < model.layout.rollers; ++j)
       tilt.add(std::abs(rest.tilt[static_cast<std::size_t>(j)]), 1, 1);
   }
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const double values[] = {-1e6 * ring_z.mean(), -1e6 * equilibrium.state().ring_z,
+  const double values[] = {1e6 * sunk.mean(), 1e6 * sunk_at_end,
                            1e6 * distance_quantile(ring_y, ring_z, 0.95),
                            model.planar ? none : 1e3 * ring_tilt.mean(),
                            model.planar ? none : 1e3 * tilt.quantile(0.95)};

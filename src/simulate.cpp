@@ -96,7 +96,7 @@ constexpr double kMissedMax = 0.5;
 /// Empty, or what still drifts at the end of the window.
 std::string find_drift(const Scene& scene, const BearingModel& model, const Observer& observer) {
   if (!observer.stationarity()) return {};
-  return observer.stationarity()->find_drift({kinematic_cage_speed(model, model.inner_speed),
+  return observer.stationarity()->find_drift({kinematic_cage_speed(model, model.duty.speed),
                                               scene.watch.cage_drift_max,
                                               scene.watch.power_surplus_max});
 }
@@ -200,7 +200,7 @@ struct Motion {
 /// Whether the means of a window that ends by itself are known well enough, and their motion is the
 /// one that is meant.
 bool has_converged(const Scene& scene, const Motion& run) {
-  return run.t >= std::max(run.model.load_ramp, run.model.speed_ramp) &&
+  return run.t >= ramps_end(run.model.duty) &&
          run.observer->convergence().worst().share <= scene.window.measure_share &&
          find_drift(scene, run.model, *run.observer).empty();
 }

@@ -8,7 +8,7 @@ namespace cagetol {
 
 WindowTimes window_times(const Scene& scene, const BearingModel& model) {
   const double revolution =
-      2 * std::numbers::pi / std::abs(kinematic_cage_speed(model, model.inner_speed));
+      2 * std::numbers::pi / std::abs(kinematic_cage_speed(model, model.duty.speed));
   const Window& w = scene.window;
   const double settle =
       std::isnan(w.settle_time) ? w.settle_revolutions * revolution : w.settle_time;

@@ -33,15 +33,17 @@ void churn_cage(const Churning& law, const BorderState& b, BorderLoads& border, 
                 Observation* seen) {
   if constexpr (linear) {
     using D = Dual<double, 1>;
-    const ChurningLoads<D> on = cage_churning(law, variable<D>(b.phi_rate, 0), b.inner_speed);
+    const ChurningLoads<D> on =
+        cage_churning(law, variable<D>(b.phi_rate, 0), b.speed.inner, b.speed.outer);
     border.cage[3] += on.cage.value;
     jac->cage_touched = true;
     jac->border_velocity(kCagePhi, kCagePhi) += on.cage.slope[0];
-    jac->power_velocity[kCagePhi] -= on.lost.slope[0] + on.ring.slope[0] * b.inner_speed;
-    seen->drive_power -= on.ring.value * b.inner_speed;
+    jac->power_velocity[kCagePhi] -=
+        on.lost.slope[0] + on.inner.slope[0] * b.speed.inner + on.outer.slope[0] * b.speed.outer;
+    seen->drive_power -= on.inner.value * b.speed.inner + on.outer.value * b.speed.outer;
     seen->rub(kChurning, on.lost.value);
   } else {
-    border.cage[3] += cage_churning(law, b.phi_rate, b.inner_speed).cage;
+    border.cage[3] += cage_churning(law, b.phi_rate, b.speed.inner, b.speed.outer).cage;
   }
 }
 

@@ -26,7 +26,7 @@ struct BorderState {
   double phi, phi_rate, phi_cos, phi_sin;
   double axis[2], axis_rate[2];  ///< A_y, A_z
   double unbalance[2];           ///< inertial directions [m]
-  double inner_speed;
+  RingSpeeds speed;
 };
 
 /// Generalised forces on the border: inner ring, and the moment on it conjugate to (B_y, B_z); cage

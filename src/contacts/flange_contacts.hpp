@@ -1,6 +1,7 @@
 // Roller ends against the flanges of the outer ring, by the points of wall_contacts.hpp. The flange
 // is normal to the bearing's axis:
 //   p = e (x - h a_r - tau a_t) - c_fl/2
+// and turns with its ring.
 // The points keep their place beside the roller's orbit and turn with theta'; p depends on that
 // angle through `turn` = e dp/d(angle) at a centre held still.
 #pragma once
@@ -23,20 +24,20 @@ struct FlangePoint {
   Pack turn;
   Touch<Pack> touch;
 };
-inline FlangePoint flange_point(const BearingModel& model, const RollerPack& q, double e,
-                                const EndPoint& point) {
+inline FlangePoint flange_point(const BearingModel& model, const RollerPack& q, double ring_speed,
+                                double e, const EndPoint& point) {
   FlangePoint at{e, e * model.roller_half_length, point.radial, point.tangential, {}, {}};
   at.turn = at.tau * q.a_r - at.h * q.a_t;
   at.touch.p = e * (q.x - at.h * q.a_r - at.tau * q.a_t) - model.flange_half_clearance;
   at.touch.rate = e * (q.vx - at.h * q.b_r - at.tau * q.b_t + at.turn * q.omega);
-  at.touch.v1 = q.vr + at.xi * q.b_r - q.spin * at.tau;
-  at.touch.v2 = q.vt + at.xi * q.b_t + q.spin * at.h;
+  at.touch.v1 = q.vr + at.xi * q.b_r - (q.spin - ring_speed) * at.tau;
+  at.touch.v2 = q.vt + at.xi * q.b_t + q.spin * at.h - ring_speed * (q.r + at.h);
   return at;
 }
 
 /// Derivatives of the forces of one point.
 inline void add_flange_slopes(const FlangePoint& at, const EndForces& on, const RollerPack& q,
-                              GroupLinear& to) {
+                              double ring_speed, GroupLinear& to) {
   const double e = at.e, xi = at.xi, h = at.h, tau = at.tau;
   const auto& [p, rate, v1, v2] = at.touch;
   const auto& normal = on.contact.normal;
@@ -68,10 +69,18 @@ inline void add_flange_slopes(const FlangePoint& at, const EndForces& on, const 
     const Pack stiffness = slide * normal.stiffness + gn[i] * film.normal_p - film.drag_p * sliding;
     const Pack damped = slide * normal.damping + gn[i] * film.normal_rate;
     const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
-    for (int j = 0; j < kLocalVelocities; ++j)
-      to.velocity[i][j] -= damped * gn[j] + w1 * g1[j] + w2 * g2[j];
-    for (int j = 0; j < kLocalPositions; ++j) to.position[i][j] -= stiffness * gn[j];
-    to.position[i][kLr] -= q.omega * w2;
+    // The ring is driven by what turns the roller about the bearing's axis.
+    const Pack driven = i == kLt ? ring_speed * q.r : splat(i == kLs ? ring_speed : 0);
+    for (int j = 0; j < kLocalVelocities; ++j) {
+      const Pack slope = damped * gn[j] + w1 * g1[j] + w2 * g2[j];
+      to.velocity[i][j] -= slope;
+      to.power_velocity[j] -= driven * slope;
+    }
+    for (int j = 0; j < kLocalPositions; ++j) {
+      to.position[i][j] -= stiffness * gn[j];
+      to.power_position[j] -= driven * stiffness * gn[j];
+    }
+    to.position[i][kLr] -= (q.omega - ring_speed) * w2;
     to.position[i][kLt] += (damped * rate_turn - xi * (w1 * q.b_t - w2 * q.b_r)) / q.r;
     to.position[i][kLar] += e * q.omega * tau * damped;
     to.position[i][kLat] -= e * q.omega * h * damped;
@@ -80,12 +89,13 @@ inline void add_flange_slopes(const FlangePoint& at, const EndForces& on, const 
 
 template <bool linear>
 void flange_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
-                     int group, RollerLoads& loads, Linearisation* jac, Observation* seen) {
+                     double ring_speed, int group, RollerLoads& loads, Linearisation* jac,
+                     Observation* seen) {
   const FlatFilm& oil = model.flange_film;
   if (!flanges_in_reach(model, roller, q, splat(oil.layer))) return;
   for (const double e : {-1.0, 1.0})
     for (const EndPoint& point : model.flange_points) {
-      const FlangePoint at = flange_point(model, q, e, point);
+      const FlangePoint at = flange_point(model, q, ring_speed, e, point);
       const Touch<Pack>& touch = at.touch;
       const Mask wet = (touch.p > -oil.layer) & (roller.exists > 0.0);
       if (!any(wet)) continue;
@@ -101,7 +111,8 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
       if constexpr (linear) {
         observe_end(on, model.flange, oil, touch, kFlangeFriction,
                     seen->flange_force.data() + group * kLanes, *seen);
-        add_flange_slopes(at, on, q, jac->groups[static_cast<std::size_t>(group)]);
+        seen->drive_power += ring_speed * sum((q.r + at.h) * f2 - at.tau * f1);
+        add_flange_slopes(at, on, q, ring_speed, jac->groups[static_cast<std::size_t>(group)]);
       }
     }
 }

@@ -20,7 +20,7 @@ void guide_film(const CageGuide& guide, const BorderState& b, double X, const do
                 const double rate[2], BorderLoads& border, double on_cage[2], ContactRows* rows,
                 Linearisation* jac, Observation* seen) {
   const bool inner = guide.inner;
-  const double s = inner ? -1 : 1, ring_spin = inner ? b.inner_speed : 0;
+  const double s = inner ? -1 : 1, ring_spin = inner ? b.speed.inner : b.speed.outer;
   const double mean = 0.5 * (b.phi_rate + ring_spin), apart = b.phi_rate - ring_spin,
                sliding = b.cage_rate[2];
   const double D[2] = {s * delta[0], s * delta[1]};

@@ -113,8 +113,9 @@ inline bool land_touch(const BearingModel& model, const CageGuide& guide, const 
         at.side * (on.bent.rate[0] + on.bent.slope * (at.along * at.inverse - b.phi_rate));
   }
   if (!(touch.p > 0)) return false;
-  on.ring_surface = at.inner ? b.inner_speed * at.side * guide.ring_radius : 0;
-  on.drift = on.ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny);
+  on.ring_surface = (at.inner ? b.speed.inner : b.speed.outer) * at.side * guide.ring_radius;
+  on.drift =
+      at.inner ? on.ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny) : 0;
   on.n_A = b.axis[0] * nz - b.axis[1] * ny;
   touch.v1 = at.along + b.phi_rate * at.R - on.ring_surface + at.side * on.bent.rate[1];
   touch.v2 = b.cage_rate[2] + on.bent.rate[2] +
@@ -195,7 +196,7 @@ void apply_land_touch(const BearingModel& model, const BorderState& b, const Mod
     pressed.touches += push;
     seen->land_touching[land] = seen->land_touching[land] || push > 0;
     account(on.touch, contact, model.land, kLandFriction, *seen);
-    if (at.inner) seen->drive_power += f1 * on.ring_surface + f2 * on.drift;
+    seen->drive_power += f1 * on.ring_surface + f2 * on.drift;
     add_land_slopes(b, modal, at, on, contact, *rows, *jac);
   }
 }

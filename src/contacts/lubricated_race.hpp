@@ -43,8 +43,7 @@ void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
   totals.sliding += on.normal * sqrt(squared);
   totals.normal_r += on.normal * m.n_r;
   totals.normal_t += on.normal * m.n_t;
-  if constexpr (moving)
-    totals.drive += (on.rolling - on.ratio * m.v1) * race.surface() + on.f2 * m.drift;
+  totals.drive += (on.rolling - on.ratio * m.v1) * race.surface() + on.f2 * m.drift;
   const Pack film = value_of(f.at.film) * one, steady = value_of(f.at.steady) * one;
   seen.rub(kRaceSliding, sum(on.ratio * squared));
   seen.rub(kRollingResistance, sum(2.0 * on.rolling * u.speed));

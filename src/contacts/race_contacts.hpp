@@ -36,10 +36,10 @@ inline RaceFilm race_film(const RaceSide& race, const RollerGroup& roller, const
 }
 
 /// Powers, energy and sums of one slice.
-template <bool moving>
-void observe_slice(const BearingModel& model, const RaceSide& race, const SliceMotion& m,
-                   const SliceForces& on, const FilmContact<Pack>& contact, const RaceFilm& film,
-                   Mask touching, Observation& seen, RaceTotals& totals) {
+inline void observe_slice(const BearingModel& model, const RaceSide& race, const SliceMotion& m,
+                          const SliceForces& on, const FilmContact<Pack>& contact,
+                          const RaceFilm& film, Mask touching, Observation& seen,
+                          RaceTotals& totals) {
   const NormalForce<Pack>& normal = contact.normal;
   const Pack squared = m.v1 * m.v1 + m.v2 * m.v2;
   totals.normal += normal.force;
@@ -47,7 +47,7 @@ void observe_slice(const BearingModel& model, const RaceSide& race, const SliceM
   totals.sliding += normal.force * sqrt(squared);
   totals.normal_r += normal.elastic * m.n_r;
   totals.normal_t += normal.elastic * m.n_t;
-  if constexpr (moving) totals.drive += on.f1 * race.surface() + on.f2 * m.drift;
+  totals.drive += on.f1 * race.surface() + on.f2 * m.drift;
   seen.rub(kRaceSliding, sum(on.ratio * squared));
   seen.damp(kDamping, sum((normal.force - normal.elastic) * m.rate));
   if (race.film.on) {
@@ -91,7 +91,7 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const SliceForces on = slice_forces(m, normal, fr.ratio * normal, Pack{}, Pack{});
     add_slice_loads<moving, tilting>(q, race, m, on, loads, tilt);
     if constexpr (linear) {
-      observe_slice<moving>(model, race, m, on, contact, film, touching, *seen, totals);
+      observe_slice(model, race, m, on, contact, film, touching, *seen, totals);
       add_slice_slopes<moving, tilting>(q, race, m, on, dry_law(contact, fr), film.speed, Pack{},
                                         *jac, tilt);
     }

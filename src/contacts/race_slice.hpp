@@ -76,8 +76,8 @@ struct RaceTotals {
 struct SliceGap {
   Pack p, n_r, n_t, inverse;
 };
-/// `moving`: the race may turn, move and be tilted; else `race` stands still, straight and centred,
-/// and nothing of what that would do is computed. `tilting`: its tilt is free.
+/// `moving`: the race may move and be tilted; else `race` turns where it stands, straight and
+/// centred, and nothing of what that would do is computed. `tilting`: its tilt is free.
 template <bool moving = true>
 [[gnu::always_inline]] inline SliceGap slice_gap(const RollerGroup& roller, const RollerPack& q,
                                                  const RaceSide& race, const Slice& slice) {
@@ -136,11 +136,11 @@ SliceMotion slice_motion(const Slice& slice, const SliceGap& gap, const RollerGr
   m.w_t = q.spin * q.a_t + q.b_r;
   m.v1 = m.along - m.radius * q.spin;
   m.v2 = q.vx + m.radius * (m.n_r * m.w_t - m.n_t * m.w_r);
+  m.v1 -= race.surface();
   m.askew = m.drift = Pack{};
   if constexpr (moving) {
     m.askew = race.B_r * m.n_t - race.B_t * m.n_r;
     m.drift = race.surface() * m.askew;
-    m.v1 -= race.surface();
     m.v2 -= m.drift;
   }
   if constexpr (tilting) m.v2 += race.arm() * (m.n_r * tilt->rate_r + m.n_t * tilt->rate_t);
@@ -208,9 +208,8 @@ inline ForceSlopes force_slopes(const SliceLaw& law, const SliceMotion& m, Pack 
 
 /// Change of the net power: the drive of the turning race less what the contact takes,
 ///   (F_r - ratio v_1) surface + F_2 drift - (Q p' + ratio |v|^2 + 2 F_r u), elastic part left out.
-template <bool moving>
-BySlice net_power_slopes(const SliceLaw& law, const SliceMotion& m, const RaceSide& race,
-                         const ForceSlopes& by, Pack u) {
+inline BySlice net_power_slopes(const SliceLaw& law, const SliceMotion& m, const RaceSide& race,
+                                const ForceSlopes& by, Pack u) {
   const Pack &v1 = m.v1, &v2 = m.v2, squared = v1 * v1 + v2 * v2;
   const Pack *N = law.normal.slope, *G = law.ratio.slope, *F = law.rolling.slope,
              *S = law.storing.slope;
@@ -220,14 +219,12 @@ BySlice net_power_slopes(const SliceLaw& law, const SliceMotion& m, const RaceSi
                   2.0 * F[1] * u,
               (S[2] - N[2]) * m.rate - G[2] * squared - 2.0 * (F[2] * u + law.rolling.value),
               -slide * v1, -slide * v2};
-  if constexpr (moving) {
-    const double surface = race.surface();
-    net.p += surface * (F[0] - G[0] * v1) + m.drift * by.two.p;
-    net.rate += surface * (F[1] - G[1] * v1) + m.drift * by.two.rate;
-    net.u += surface * (F[2] - G[2] * v1) + m.drift * by.two.u;
-    net.v1 += surface * by.one.v1 + m.drift * by.two.v1;
-    net.v2 += surface * by.one.v2 + m.drift * by.two.v2;
-  }
+  const double surface = race.surface();
+  net.p += surface * (F[0] - G[0] * v1) + m.drift * by.two.p;
+  net.rate += surface * (F[1] - G[1] * v1) + m.drift * by.two.rate;
+  net.u += surface * (F[2] - G[2] * v1) + m.drift * by.two.u;
+  net.v1 += surface * by.one.v1 + m.drift * by.two.v1;
+  net.v2 += surface * by.one.v2 + m.drift * by.two.v2;
   return net;
 }
 
@@ -353,7 +350,7 @@ void add_slice_slopes(const RollerPack& q, const RaceSide& race, const SliceMoti
                       Pack axis_share, GroupLinear& jac, [[maybe_unused]] RingTilt* tilt) {
   const SliceRows<moving, tilting> rows(q, race, m);
   const ForceSlopes force = force_slopes(law, m, axis_share);
-  const BySlice net = net_power_slopes<moving>(law, m, race, force, oil.speed);
+  const BySlice net = net_power_slopes(law, m, race, force, oil.speed);
   add_net_power(rows, net, on, oil, jac, tilt);
   const Pack zero{};
 #pragma GCC unroll 8

@@ -29,7 +29,7 @@ void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerP
       put(l.velocity(slot, j), Pack{});
     return;
   }
-  put(l.velocity(kAxialSpeed, j), loads.f[kLx] * roller.inverse_mass);
+  put(l.velocity(kAxialSpeed, j), loads.f[kLx] * roller.inverse_mass - m.gravity_axial);
   const Pack gyro = roller.polar * q.spin;
   const Pack lean_r = (loads.f[kLar] - gyro * q.b_t) * roller.inverse_transverse;
   const Pack lean_t = (loads.f[kLat] + gyro * q.b_r) * roller.inverse_transverse;
@@ -45,12 +45,12 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
   double *dq = rate + m.layout.border_position(0), *dv = rate + m.layout.border_velocity(0);
   for (int i = 0; i < m.layout.border(); ++i) dq[i] = v[i];
   for (int i = m.layout.border(); i < m.layout.padded_border(); ++i) dq[i] = dv[i] = 0;
-  const RingLoad load = load_at(m, t);
-  dv[kRingY] = loads.ring[0] / m.ring_mass;
-  dv[kRingZ] = (loads.ring[1] - load.radial) / m.ring_mass - m.gravity;
+  const RingLoad load = load_at(m.duty, t);
+  dv[kRingY] = (loads.ring[0] + load.y) / m.ring_mass;
+  dv[kRingZ] = (loads.ring[1] + load.z) / m.ring_mass - m.gravity;
   if (m.layout.ring_tilt > 0) {
     const int tilt = m.layout.ring_tilt_slot();
-    const double gyro = m.ring_polar * b.inner_speed;
+    const double gyro = m.ring_polar * b.speed.inner;
     const double held_y = m.tilt_stiffness * (b.tilt[0] - m.misalignment_y),
                  held_z = m.tilt_stiffness * (b.tilt[1] - m.misalignment_z);
     const double moment_y = loads.tilt[0] + load.moment_y - held_y - gyro * b.tilt_rate[1],
@@ -60,7 +60,7 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
   }
   dv[kCageY] = loads.cage[0] / m.cage_mass;
   dv[kCageZ] = loads.cage[1] / m.cage_mass - m.gravity;
-  dv[kCageX] = loads.cage[2] / m.cage_mass;
+  dv[kCageX] = loads.cage[2] / m.cage_mass - m.gravity_axial;
   // Moment about the mass centre: the forces act about the geometric centre, at -e from it.
   const double torque =
       loads.cage[3] + loads.cage[0] * b.unbalance[1] - loads.cage[1] * b.unbalance[0];

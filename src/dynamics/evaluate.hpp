@@ -91,7 +91,7 @@ void inner_race(Pass& pass, Shared& all) {
   const RollerPack& q = pass.q;
   const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
   const auto t = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };
-  const RaceSide race{1,         m.inner_radius, b.inner_speed,  m.inner_film, r(b.ring),
+  const RaceSide race{1,         m.inner_radius, b.speed.inner,  m.inner_film, r(b.ring),
                       t(b.ring), r(b.ring_rate), t(b.ring_rate), r(b.tilt),    t(b.tilt)};
   [[maybe_unused]] RingTilt tilt;
   if constexpr (tilting) {
@@ -128,7 +128,8 @@ void inner_race(Pass& pass, Shared& all) {
 template <bool linear, bool lubricated>
 void outer_race(Pass& pass, Shared& all) {
   const BearingModel& m = all.model;
-  const RaceSide race{-1, m.outer_radius, 0, m.outer_film, {}, {}, {}, {}, {}, {}};
+  const RaceSide race{-1, m.outer_radius, all.border.speed.outer, m.outer_film, {}, {}, {}, {}, {},
+                      {}};
   RaceTotals on;
   if constexpr (lubricated)
     lubricated_race<linear, false>(m, m.outer_line, pass.roller, pass.q, race, pass.loads,
@@ -139,6 +140,7 @@ void outer_race(Pass& pass, Shared& all) {
   if constexpr (linear) {
     pass.energy_by_vt += on.energy_by_vt;
     pass.energy_by_spin += on.energy_by_spin;
+    all.seen->drive_power += sum(on.drive);
     store(all.seen->outer_force.data() + pass.group * kLanes, on.normal);
     all.seen->outer_slice = std::max(all.seen->outer_slice, largest(on.heaviest));
     for (int i = 0; i < kLocalVelocities; ++i)
@@ -194,7 +196,7 @@ void finish_rollers(Pass& pass, Shared& all) {
   }
   add_inertial(m, roller, q, loads, *pass.linear);
   if constexpr (planar) all.jac->hold(pass.group);
-  all.seen->net_power_rate += roller_power_rate(roller, q, loads, m.gravity, *pass.linear);
+  all.seen->net_power_rate += roller_power_rate(roller, q, loads, m, *pass.linear);
 }
 
 /// Power of the load and rate of the net power, from the border's rates.
@@ -204,9 +206,10 @@ void finish_border(double t, const double* y, const double* rate, const Shared& 
   const BorderState& b = all.border;
   Linearisation& jac = *all.jac;
   Observation& seen = *all.seen;
-  const RingLoad load = load_at(m, t);
-  seen.load_power = -load.radial * b.ring_rate[1];
-  jac.power_velocity[kRingZ] -= load.radial;
+  const RingLoad load = load_at(m.duty, t);
+  seen.load_power = load.y * b.ring_rate[0] + load.z * b.ring_rate[1];
+  jac.power_velocity[kRingY] += load.y;
+  jac.power_velocity[kRingZ] += load.z;
   if constexpr (tilting) {
     add_shaft_block(m, b, jac);
     seen.load_power += load.moment_y * b.tilt_rate[0] + load.moment_z * b.tilt_rate[1];
@@ -246,7 +249,7 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     inner_race<linear, tilting, lubricated>(pass, all);
     outer_race<linear, lubricated>(pass, all);
     if constexpr (!planar)  // who stands still in the middle touches no flange
-      flange_contacts<linear>(m, pass.roller, pass.q, group, pass.loads, jac, seen);
+      flange_contacts<linear>(m, pass.roller, pass.q, b.speed.outer, group, pass.loads, jac, seen);
     if (lubricated && m.churning.on)
       roller_churning<linear>(m.churning, pass.roller, pass.q, b, pass.loads, pass.linear, seen);
     pocket<linear, lubricated>(pass, all);

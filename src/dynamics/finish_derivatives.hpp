@@ -39,12 +39,12 @@ void finish_inner(const RollerPack& q, GroupLinear& g) {
 /// Rate of the net power along the motion, in frozen directions: gradient times velocities and
 /// accelerations.
 double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,
-                         double gravity, const GroupLinear& g) {
+                         const BearingModel& m, const GroupLinear& g) {
   const Pack gyro = roller.polar * q.spin;
   const Pack acceleration[kLocalVelocities] = {
-      loads.f[kLr] * roller.inverse_mass - gravity * q.sine,
-      loads.f[kLt] * roller.inverse_mass - gravity * q.cosine,
-      loads.f[kLx] * roller.inverse_mass,
+      loads.f[kLr] * roller.inverse_mass - m.gravity * q.sine,
+      loads.f[kLt] * roller.inverse_mass - m.gravity * q.cosine,
+      loads.f[kLx] * roller.inverse_mass - m.gravity_axial,
       (loads.f[kLar] - gyro * q.b_t) * roller.inverse_transverse,
       (loads.f[kLat] + gyro * q.b_r) * roller.inverse_transverse,
       loads.f[kLs] * roller.inverse_polar};
@@ -161,7 +161,7 @@ void set_cage_block(const BearingModel& m, const BorderState& b, const double* y
 /// The shaft's hold on the ring's tilt, and the gyroscopic moment of the spinning ring.
 void add_shaft_block(const BearingModel& m, const BorderState& b, Linearisation& linear) {
   const int tilt = m.layout.ring_tilt_slot();
-  const double gyro = m.ring_polar * b.inner_speed;
+  const double gyro = m.ring_polar * b.speed.inner;
   linear.border_velocity(tilt, tilt + 1) -= gyro;
   linear.border_velocity(tilt + 1, tilt) += gyro;
   for (int k = 0; k < 2; ++k) linear.border_position(tilt + k, tilt + k) -= m.tilt_stiffness;

@@ -23,10 +23,11 @@ double body_energy(const BearingModel& m, const double* y) {
     const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
     const RollerPack q = m.planar ? unpack_rollers<true>(m.layout, y, group)
                                   : unpack_rollers<false>(m.layout, y, group);
-    energy += sum(roller.exists *
-                  (0.5 * roller.mass * (q.vr * q.vr + q.vt * q.vt + q.vx * q.vx) +
-                   0.5 * roller.transverse * (q.b_r * q.b_r + q.b_t * q.b_t) +
-                   0.5 * roller.polar * q.spin * q.spin + roller.mass * m.gravity * q.r * q.sine));
+    energy +=
+        sum(roller.exists * (0.5 * roller.mass * (q.vr * q.vr + q.vt * q.vt + q.vx * q.vx) +
+                             0.5 * roller.transverse * (q.b_r * q.b_r + q.b_t * q.b_t) +
+                             0.5 * roller.polar * q.spin * q.spin +
+                             roller.mass * (m.gravity * q.r * q.sine + m.gravity_axial * q.x)));
   }
   const double *q = y + m.layout.border_position(0), *v = y + m.layout.border_velocity(0);
   const auto square = [&](int slot) { return v[slot] * v[slot]; };
@@ -39,7 +40,7 @@ double body_energy(const BearingModel& m, const double* y) {
               0.5 * m.tilt_stiffness * (bent_y * bent_y + bent_z * bent_z);
   }
   energy += 0.5 * m.cage_mass * (square(kCageY) + square(kCageZ) + square(kCageX)) +
-            m.cage_mass * m.gravity * q[kCageZ];
+            m.cage_mass * (m.gravity * q[kCageZ] + m.gravity_axial * q[kCageX]);
   energy += 0.5 * m.cage_polar * square(kCagePhi) +
             0.5 * m.cage_transverse * (square(kCageAxisY) + square(kCageAxisZ));
   if (m.layout.modes > 0) energy += modal_energy(m.flexible, v[kCagePhi], q + kModes, v + kModes);

@@ -65,7 +65,7 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
   b.axis[1] = q[kCageAxisZ];
   b.axis_rate[0] = v[kCageAxisY];
   b.axis_rate[1] = v[kCageAxisZ];
-  b.inner_speed = inner_speed_at(m, t);
+  b.speed = ring_speeds_at(m.duty, t);
   return b;
 }
 

@@ -29,6 +29,7 @@ const std::vector<Unit>& units() {
       {"1_GPa", "1/GPa", "pressure-viscosity", 1e-9},
       {"kg_mm2", "kg mm^2", "inertia", 1e-6},
       {"kg_m2", "kg m^2", "inertia", 1},
+      {"g_mm", "g mm", "unbalance", 1e-6},
       {"g_mm2", "g mm^2", "inertia", 1e-9},
       {"kg_m3", "kg/m^3", "density", 1},
       {"g_cm3", "g/cm^3", "density", 1e3},

@@ -51,21 +51,22 @@ bool System::linearise_at(double t, const double* y) {
 }
 
 bool System::driven_by_time(double t) const {
-  return t < std::max(model.load_ramp, model.speed_ramp);
+  return model.duty.load_turns() || t < ramps_end(model.duty);
 }
 
 void System::rates_by_time(double t, const double* y, double* out) {
   constexpr double dt = 1e-7;
-  if (t < model.speed_ramp) {
+  if (t < model.duty.speed_ramp) {
     rates(t + dt, y, out);
     for (int i = 0; i < size; ++i) out[i] = (out[i] - rate[static_cast<std::size_t>(i)]) / dt;
     return;
   }
   // The load acts on the ring and nowhere else.
   std::fill(out, out + size, 0.0);
-  const RingLoad now = load_at(model, t), soon = load_at(model, t + dt);
+  const RingLoad now = load_at(model.duty, t), soon = load_at(model.duty, t + dt);
   double* ring = out + model.layout.border_velocity(0);
-  ring[kRingZ] = -(soon.radial - now.radial) / dt / model.ring_mass;
+  ring[kRingY] = (soon.y - now.y) / dt / model.ring_mass;
+  ring[kRingZ] = (soon.z - now.z) / dt / model.ring_mass;
   if (model.layout.ring_tilt == 0) return;
   double* tilt = ring + model.layout.ring_tilt_slot();
   tilt[0] = (soon.moment_y - now.moment_y) / dt / model.ring_transverse;

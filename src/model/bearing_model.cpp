@@ -241,8 +241,8 @@ void lubricate(const Scene& scene, BearingModel& m) {
   m.inner_line.starved = true;
   m.inner_line.layer = l.race_layer;
   m.outer_line = race(-1 / m.outer_radius);
-  m.film_watch =
-      kWatchedShare * std::max(m.load.radial, 1.0) / static_cast<double>(m.race_slices.size());
+  m.film_watch = kWatchedShare * std::max(largest_load(m.duty), 1.0) /
+                 static_cast<double>(m.race_slices.size());
   m.oiled_bars = l.pocket_film;
   const auto pocket = [&](double curvature) {
     const double modulus = effective_modulus(roller_material(scene), cage_material(scene));
@@ -361,29 +361,22 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   set_guides(scene, m);
 
   const auto& o = scene.operation;
-  m.load = {o.radial_load, o.tilting_moment_y, o.tilting_moment_z};
+  m.duty = make_duty(o);
   if (is_lubricated(scene)) lubricate(scene, m);
-  m.load_ramp = o.load_ramp;
-  m.gravity = o.gravity;
-  m.inner_speed = o.inner_speed;
-  m.speed_from = given_or(o.speed_ramp_from, o.inner_speed);
-  m.speed_ramp = std::isnan(o.speed_ramp_from) ? 0 : o.speed_ramp;
+  m.gravity = o.gravity * std::cos(o.shaft_inclination);
+  m.gravity_axial = o.gravity * std::sin(o.shaft_inclination);
   return m;
 }
 
-RingLoad load_at(const BearingModel& m, double t) {
-  if (!(m.load_ramp > 0)) return m.load;
-  const double share = smooth_step(t / m.load_ramp);
-  return {m.load.radial * share, m.load.moment_y * share, m.load.moment_z * share};
+double kinematic_cage_speed(const BearingModel& m, const RingSpeeds& speeds) {
+  return (speeds.inner * m.inner_radius + speeds.outer * m.outer_radius) /
+         (m.inner_radius + m.outer_radius);
 }
 
-double inner_speed_at(const BearingModel& m, double t) {
-  if (!(m.speed_ramp > 0)) return m.inner_speed;
-  return m.speed_from + (m.inner_speed - m.speed_from) * smooth_step(t / m.speed_ramp);
-}
-
-double kinematic_cage_speed(const BearingModel& m, double inner_speed) {
-  return inner_speed * m.inner_radius / (m.inner_radius + m.outer_radius);
+RingLoad ring_force_at(const BearingModel& m, double t) {
+  RingLoad force = load_at(m.duty, t);
+  force.z -= m.ring_mass * m.gravity;
+  return force;
 }
 
 double slice_length(const BearingModel& m) {

@@ -12,6 +12,7 @@
 #include "src/lubrication/churning.hpp"
 #include "src/lubrication/flat_film.hpp"
 #include "src/lubrication/lubricated_line.hpp"
+#include "src/model/duty.hpp"
 #include "src/model/flexible_cage.hpp"
 #include "src/model/state.hpp"
 #include "src/scene/scene.hpp"
@@ -59,13 +60,6 @@ struct EndPoint {
 
 /// What rubs on what, each pair with its friction; kEndPair: roller end on pocket end wall.
 enum FrictionPair { kRacePair, kBarPair, kEndPair, kFlangePair, kLandPair, kFrictionPairs };
-
-/// What acts on the inner ring from outside: a force along -z [N], and a moment [N m] conjugate to
-/// its tilt (B_y, B_z): moment_y tilts the centre line towards +y (a vector along +z), moment_z
-/// towards +z (a vector along -y). The shaft takes the moment where the tilt is prescribed.
-struct RingLoad {
-  double radial = 0, moment_y = 0, moment_z = 0;
-};
 
 /// A surface of a ring that the cage's lands may meet.
 struct CageGuide {
@@ -121,9 +115,8 @@ struct BearingModel {
   double land_offset = 0;      ///< lands are at x = +- this, ...
   double land_edge = 0;        ///< ... and touch at +- this from there; 0: at one point [m]
 
-  RingLoad load;
-  double load_ramp = 0, gravity = 0;
-  double inner_speed = 0, speed_from = 0, speed_ramp = 0;
+  Duty duty;
+  double gravity = 0, gravity_axial = 0;  ///< along -z, along -x [m/s^2]
 
   double pitch_radius = 0;      ///< (F + E)/4 of the actual raceways [m]
   double nominal_diameter = 0;  ///< roller diameter, mean of all [m]
@@ -141,12 +134,11 @@ inline void turned_unbalance(const BearingModel& m, double cosine, double sine, 
   to[1] = sine * m.unbalance_y + cosine * m.unbalance_z;
 }
 
-/// Load on the inner ring at time t, and its speed [rad/s].
-RingLoad load_at(const BearingModel& model, double t);
-double inner_speed_at(const BearingModel& model, double t);
+/// Kinematic cage speed (w_i R_i + w_o R_o) / (R_i + R_o) at these speeds of the rings [rad/s].
+double kinematic_cage_speed(const BearingModel& model, const RingSpeeds& speeds);
 
-/// Kinematic cage speed w_i R_i / (R_i + R_o) at inner speed w_i [rad/s].
-double kinematic_cage_speed(const BearingModel& model, double inner_speed);
+/// Load and weight on the inner ring at time t [N], [N m].
+RingLoad ring_force_at(const BearingModel& model, double t);
 
 /// Axial length of one slice of a race [m].
 double slice_length(const BearingModel& model);

@@ -32,8 +32,8 @@ constexpr double kTurnsToDrift = 2;          // of the cage: within one its spee
 /// Whether the motion should repeat itself within the window, and whether it would show.
 bool should_be_stationary(const BearingModel& m, double begin, double end) {
   const double turns =
-      std::abs(kinematic_cage_speed(m, m.inner_speed)) * (end - begin) / (2 * std::numbers::pi);
-  return m.lubricated && std::max(m.load_ramp, m.speed_ramp) <= begin && turns >= kTurnsToDrift;
+      std::abs(kinematic_cage_speed(m, m.duty.speed)) * (end - begin) / (2 * std::numbers::pi);
+  return m.lubricated && ramps_end(m.duty) <= begin && turns >= kTurnsToDrift;
 }
 
 /// Values by row of quantity_table(); all() throws where one was never set.
@@ -125,7 +125,7 @@ void Observer::record_revolution(double t, const double* y) {
   const double* angles = y + l.position(kAngle, 0);
   const double rollers = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
   const double cage = y[l.border_position(kCagePhi)];
-  const double turned = kinematic_cage_speed(model_, 1) * inner_speed_.sums().integral();
+  const double turned = rolling_.sums().integral();
   const auto mean = [](const Series::Sums& of) { return MeanIntegral{of.integral(), of.weight}; };
   const auto square = [](const Series::Sums& of) {
     return MeanIntegral{of.square_integral(), of.weight};
@@ -136,7 +136,7 @@ void Observer::record_revolution(double t, const double* y) {
   now[kMeanRaceSliding] = square(sliding_.sums());
   now[kMeanPocketForce] = square(pocket_force_.sums());
   now[kMeanGuideForce] = square(guide_force_.sums());
-  now[kMeanDisplacement] = mean(ring_z_.sums());
+  now[kMeanDisplacement] = mean(sunk_.sums());
   now[kMeanTorque] = mean(drive_.sums());
   if (stress_) now[kMeanStress] = square(cage_stress_.sums());
   convergence_.add(now);
@@ -163,7 +163,7 @@ void Observer::record(double t, const double* y, const System& system) {
   const double moving = body_energy(model_, y), energy = moving + seen.elastic_energy;
   if (first) {
     first_energy_ = energy;
-    first_ring_speed_ = v[kRingZ];
+    std::copy(v + kRingY, v + kRingZ + 1, first_ring_speed_);
     start_phase_ = q[kCagePhi];
     last_stress_ = t;
     orbit_angle_ = std::atan2(cage_z, cage_y);
@@ -171,7 +171,7 @@ void Observer::record(double t, const double* y, const System& system) {
     start_orbit_ = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
   }
   last_energy_ = energy;
-  last_ring_speed_ = v[kRingZ];
+  std::copy(v + kRingY, v + kRingZ + 1, last_ring_speed_);
   net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
                 seen.net_power_rate);
   drive_.add(seen.drive_power, step);
@@ -188,7 +188,10 @@ void Observer::record(double t, const double* y, const System& system) {
   revolutions_ = std::abs(q[kCagePhi] - start_phase_) / (2 * std::numbers::pi);
 
   cage_speed_.add(v[kCagePhi], step);
-  inner_speed_.add(inner_speed_at(model_, t), step);
+  const RingSpeeds rings = ring_speeds_at(model_.duty, t);
+  const double rolling = kinematic_cage_speed(model_, rings);
+  rolling_.add(rolling, step);
+  apart_.add(rings.inner - rings.outer, step);
   whirl_radius_.add(std::hypot(cage_y, cage_z), step);
   whirl_speed_.add(std::hypot(cage_vy, cage_vz), step);
   cage_axial_.add(q[kCageX], step);
@@ -198,7 +201,9 @@ void Observer::record(double t, const double* y, const System& system) {
   ring_z_.add(q[kRingZ], step);
   ring_acceleration_.add({dv[kRingY], dv[kRingZ]}, {v[kRingY], v[kRingZ]}, {q[kRingY], q[kRingZ]},
                          step);
-  ring_elastic_z_.add(seen.ring_elastic_z, step);
+  const Way down = way_of(ring_force_at(model_, t));
+  sunk_.add(down.along(q[kRingY], q[kRingZ]), step);
+  ring_elastic_.add(-down.along(seen.ring_elastic_y, seen.ring_elastic_z), step);
   if (l.ring_tilt > 0) {
     const double tilt_y = q[l.ring_tilt_slot()], tilt_z = q[l.ring_tilt_slot() + 1];
     ring_tilt_.add(std::hypot(tilt_y, tilt_z), step);
@@ -208,10 +213,10 @@ void Observer::record(double t, const double* y, const System& system) {
   guide_force_.add(seen.land_force[0] + seen.land_force[1], step);
   guide_blocks_.see(seen.land_force[0] + seen.land_force[1]);
   guide_impacts_.see(0, Mask{-seen.land_touching[0], -seen.land_touching[1]});
-  end_displacement_ = -q[kRingZ];
+  end_displacement_ = down.along(q[kRingY], q[kRingZ]);
   const double* angles = y + l.position(kAngle, 0);
   orbit_slip_.record(t, q[kCagePhi], std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers,
-                     inner_speed_at(model_, t));
+                     rolling);
   record_rollers(y, system, step);
   record_statics(t, y);
   if (stress_) record_stress(t, y, seen);
@@ -260,9 +265,9 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
   const StateLayout& l = model_.layout;
   const Observation& seen = system.seen;
   const double ratio = model_.nominal_diameter / (2 * model_.pitch_radius);
-  const double inner_speed = inner_speed_at(model_, last_time_ < 0 ? begin_ : last_time_);
-  const double rolling = inner_speed / (2 * ratio) * (1 - ratio * ratio);
-  const double threshold = kLoadedShare * model_.load.radial;
+  const RingSpeeds rings = ring_speeds_at(model_.duty, last_time_ < 0 ? begin_ : last_time_);
+  const double rolling = (rings.inner - rings.outer) / (2 * ratio) * (1 - ratio * ratio);
+  const double threshold = kLoadedShare * largest_load(model_.duty);
   const double rolls = rolling != 0 ? 1 / std::abs(rolling) : 0;
   for (int group = 0; group < l.groups; ++group) {
     const int j = group * kLanes;
@@ -303,17 +308,19 @@ void Observer::record_statics(double t, const double* y) {
   while (next_statics_ <= t) next_statics_ += statics_interval_;
   const StateLayout& l = model_.layout;
   std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
-  if (model_.lubricated) statics_.spin(y + l.velocity(kSpin, 0), inner_speed_at(model_, t));
+  if (model_.lubricated) statics_.spin(y + l.velocity(kSpin, 0), ring_speeds_at(model_.duty, t));
   const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)],
-                                           load_at(model_, t), RollerMotion::orbiting);
+                                           load_at(model_.duty, t), RollerMotion::orbiting);
   ++static_positions_;
   if (!rest.converged) {
     ++static_positions_missed_;
     return;
   }
-  dynamic_displacement_.add(-y[l.border_position(kRingZ)], 1);
-  static_displacement_.add(-rest.ring_z, 1);
-  static_elastic_z_.add(rest.ring_elastic_z, 1);
+  const Way down = way_of(ring_force_at(model_, t));
+  const double* ring = y + l.border_position(kRingY);
+  dynamic_displacement_.add(down.along(ring[0], ring[1]), 1);
+  static_displacement_.add(down.along(rest.ring_y, rest.ring_z), 1);
+  static_elastic_.add(-down.along(rest.ring_elastic[0], rest.ring_elastic[1]), 1);
   static_carried_.add(
       std::accumulate(rest.inner_force.begin(), rest.inner_force.begin() + l.rollers, 0.0) /
           l.rollers,
@@ -334,7 +341,7 @@ double Observer::energy_resolution(double tolerance) const {
   double mass = model_.ring_mass + model_.cage_mass;
   for (const RollerGroup& g : model_.groups) mass += sum(g.exists * g.mass);
   const double carried = static_carried_.empty() ? 0 : static_carried_.mean() * l.rollers;
-  const double force = std::max(std::abs(load_at(model_, end_).radial), carried);
+  const double force = std::max(largest_load(model_.duty), carried);
   // Momentum is at most the root of twice mass times energy.
   const double energy = std::max(std::abs(first_energy_), std::abs(last_energy_));
   const double by_scale =
@@ -370,27 +377,27 @@ double Observer::light_force() const {
 }
 
 double Observer::static_scale() const {
-  const RingLoad load = load_at(model_, end_);
-  const double weight = load.radial + model_.ring_mass * model_.gravity;
+  const RingLoad load = ring_force_at(model_, end_);
   // Rollers that are pressed without a load rub: statics leaves that out.
   const double carried = static_carried_.empty() ? 0 : static_carried_.mean();
-  return std::max({std::abs(weight), light_force(), rollers_couple(load), carried});
+  return std::max({std::hypot(load.y, load.z), light_force(), rollers_couple(load), carried});
 }
 
 double Observer::static_resolution() const {
-  const double momentum = model_.ring_mass * std::abs(last_ring_speed_ - first_ring_speed_);
+  const double momentum = model_.ring_mass * std::hypot(last_ring_speed_[0] - first_ring_speed_[0],
+                                                        last_ring_speed_[1] - first_ring_speed_[1]);
   const double cage = model_.guidance == Guidance::outer ? 0 : guide_force_.mean();
   return (momentum / (last_time_ - begin_) + cage) / static_scale();
 }
 
 double Observer::static_consistency_error() const {
-  const RingLoad load = load_at(model_, end_);
-  const double weight = load.radial + model_.ring_mass * model_.gravity;
-  const double expected_force = static_elastic_z_.empty() ? weight : static_elastic_z_.mean();
-  const double force = std::abs(ring_elastic_z_.mean() - expected_force) / static_scale();
+  const RingLoad load = ring_force_at(model_, end_);
+  const double weight = std::hypot(load.y, load.z);
+  const double expected_force = static_elastic_.empty() ? weight : static_elastic_.mean();
+  const double force = std::abs(ring_elastic_.mean() - expected_force) / static_scale();
   // Below the centrifugal force of one roller the ring bounces within its clearance: its mean place
   // says nothing.
-  if (dynamic_displacement_.empty() || std::abs(weight) < light_force()) return force;
+  if (dynamic_displacement_.empty() || weight < light_force()) return force;
   const double expected = static_displacement_.mean();
   return std::max(force, std::abs(dynamic_displacement_.mean() - expected) /
                              std::max(std::abs(expected), kDisplacementFloor));
@@ -406,18 +413,15 @@ std::vector<double> Observer::quantities() const {
 std::vector<double> Observer::quantities_so_far() const {
   const double none = std::numeric_limits<double>::quiet_NaN();
   QuantityValues q;
-  const double cage_speed = cage_speed_.mean(), inner_speed = inner_speed_.mean();
+  const double cage_speed = cage_speed_.mean(), rolling = rolling_.mean(), apart = apart_.mean();
+  const bool turns = rolling != 0;
   const double clearance = model_.guide_clearance, duration = end_ - begin_;
   const double revolutions = std::max(revolutions_, 1e-12);
-  q[quantity_row("cage_slip_ratio")] =
-      inner_speed != 0 ? 1 - cage_speed / kinematic_cage_speed(model_, inner_speed) : none;
-  q[quantity_row("orbit_slip_ratio")] =
-      inner_speed != 0 ? 1 - orbit_slip_.rate_ratio() / kinematic_cage_speed(model_, 1) : none;
+  q[quantity_row("cage_slip_ratio")] = turns ? 1 - cage_speed / rolling : none;
+  q[quantity_row("orbit_slip_ratio")] = turns ? 1 - orbit_slip_.rate_ratio() : none;
   const double carried = carried_.all().mean();
   q[quantity_row("orbit_slip_ratio_loaded")] =
-      inner_speed != 0 && carried > 0
-          ? 1 - carried_orbit_.all().mean() / carried / kinematic_cage_speed(model_, inner_speed)
-          : none;
+      turns && carried > 0 ? 1 - carried_orbit_.all().mean() / carried / rolling : none;
   q[quantity_row("roller_slip_ratio_loaded")] = slip_loaded_.all().mean();
   q[quantity_row("roller_slip_ratio_all")] = slip_all_.all().mean();
   const Series sliding = sliding_.all(), skew = skew_.all(), speeds = roller_speed_.all();
@@ -436,7 +440,7 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("orbit_class")] = centred ? 0 : circling ? 1 : 2;
   q[quantity_row("whirl_scatter_ratio")] = whirl_.scatter();
   q[quantity_row("whirl_energy_ratio")] =
-      inner_speed != 0 ? model_.cage_mass / model_.cage_polar * whirl_.speed_ratio_squared() : none;
+      turns ? model_.cage_mass / model_.cage_polar * whirl_.speed_ratio_squared() : none;
   const auto shares = whirl_.shares();
   const auto share = [&](OrbitClass of) { return shares[static_cast<std::size_t>(of)]; };
   q[quantity_row("whirl_resting_share")] = share(OrbitClass::resting);
@@ -451,7 +455,7 @@ std::vector<double> Observer::quantities_so_far() const {
   force(force_rows("pocket"), pocket_force_.all(), pocket_impacts_);
   force(force_rows("guide"), guide_force_, guide_impacts_);
   force(force_rows("end"), wall_force_.all(), wall_impacts_);
-  const double per_turn = inner_speed != 0 ? duration / revolutions : none;
+  const double per_turn = turns ? duration / revolutions : none;
   const Series::Sums pressed = pocket_force_.sums();
   q[quantity_row("pocket_impulse_N_s")] = pressed.integral() / pressed.weight * per_turn;
   q[quantity_row("pocket_friction_work_J")] =
@@ -465,7 +469,7 @@ std::vector<double> Observer::quantities_so_far() const {
       1e-6 * race_pressure(model_, inner_slice_, outer_slice_);
   q[quantity_row("load_zone_mean_deg")] =
       360 * slip_loaded_.sums().weight / slip_all_.sums().weight;
-  q[quantity_row("ring_displacement_mean_um")] = -1e6 * ring_z_.mean();
+  q[quantity_row("ring_displacement_mean_um")] = 1e6 * sunk_.mean();
   q[quantity_row("ring_displacement_end_um")] = 1e6 * end_displacement_;
   q[quantity_row("ring_orbit_p95_um")] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
   q[quantity_row("ring_acceleration_rms_m_s2")] = ring_acceleration_.rms();
@@ -491,7 +495,7 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("power_squeeze_W")] = lost(kSqueeze);
   q[quantity_row("power_damping_W")] = lost(kDamping);
   q[quantity_row("power_film_W")] = lost(kFilm);
-  q[quantity_row("friction_torque_Nmm")] = inner_speed != 0 ? 1e3 * drive_.mean() / inner_speed : 0;
+  q[quantity_row("friction_torque_Nmm")] = apart != 0 ? 1e3 * drive_.mean() / apart : 0;
   q[quantity_row("cage_stress_peak_MPa")] = stress_ ? 1e-6 * cage_stress_.peak() : none;
   q[quantity_row("cage_stress_p99_MPa")] = stress_ ? 1e-6 * cage_stress_.quantile(0.99) : none;
   q[quantity_row("cage_stress_rms_MPa")] = stress_ ? 1e-6 * cage_stress_.rms() : none;

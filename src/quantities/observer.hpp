@@ -98,16 +98,16 @@ class Observer {
   double next_statics_;
   double statics_interval_;
   long static_positions_ = 0, static_positions_missed_ = 0;
-  Series dynamic_displacement_, static_displacement_, static_elastic_z_,
+  Series dynamic_displacement_, static_displacement_, static_elastic_,
       static_carried_;  ///< mean force of a roller on the inner race at rest [N]
 
   StepClock clock_;
   double last_time_ = -1;
 
-  StepSeries cage_speed_, inner_speed_, whirl_speed_, cage_axial_, cage_lean_y_, cage_lean_z_,
-      ring_elastic_z_, tilt_y_, tilt_z_;
+  StepSeries cage_speed_, rolling_, apart_, whirl_speed_, cage_axial_, cage_lean_y_, cage_lean_z_,
+      ring_elastic_, tilt_y_, tilt_z_;
   StepSeries whirl_radius_{kPeak | kQuantiles}, guide_force_{kPeak | kQuantiles},
-      ring_y_{kQuantiles}, ring_z_{kQuantiles}, ring_tilt_{kPeak};
+      ring_y_{kQuantiles}, ring_z_{kQuantiles}, sunk_, ring_tilt_{kPeak};
   CageWhirl whirl_;
   OrbitSlip orbit_slip_;
   std::optional<Stationarity> stationarity_;
@@ -150,7 +150,7 @@ class Observer {
   StepSeries dissipation_, drive_;  ///< powers [W]
   std::array<StepSeries, kMechanisms> lost_;
   double first_energy_ = 0, last_energy_ = 0;
-  double first_ring_speed_ = 0, last_ring_speed_ = 0;  ///< along z [m/s]
+  double first_ring_speed_[2] = {0, 0}, last_ring_speed_[2] = {0, 0};  ///< y and z [m/s]
 };
 
 }  // namespace cagetol

@@ -39,8 +39,9 @@ OperatingPoint rated_point(const Scene& scene) {
   OperatingPoint at{};
   at.dynamic_rating = given_or(b.dynamic_rating, dynamic_rating(rollers));
   at.static_rating = given_or(b.static_rating, static_rating(rollers));
-  at.load = std::abs(scene.operation.radial_load);
-  at.speed = std::abs(scene.operation.inner_speed);
+  const Duty duty = make_duty(scene.operation);
+  at.load = largest_load(duty);
+  at.speed = std::abs(duty.speed.inner - duty.speed.outer);
   at.life = rating_life(at.dynamic_rating, at.load);
   at.life_time = 2 * pi * at.life / at.speed;
   at.least_load_schaeffler = least_load_schaeffler(at.static_rating);
@@ -95,8 +96,8 @@ void add_masses(const BearingModel& m, OperatingPoint& at) {
 }
 
 void add_kinematics(const BearingModel& m, OperatingPoint& at) {
-  at.cage_speed = kinematic_cage_speed(m, m.inner_speed);
-  const double rolling = (m.inner_speed - at.cage_speed) * m.inner_radius;
+  at.cage_speed = kinematic_cage_speed(m, m.duty.speed);
+  const double rolling = (m.duty.speed.inner - at.cage_speed) * m.inner_radius;
   at.roller_speed = 2 * rolling / m.nominal_diameter;
   at.roller_spin = at.cage_speed - at.roller_speed;
   at.entrainment = std::abs(rolling);
@@ -111,7 +112,7 @@ void add_load_distribution(const BearingModel& m, OperatingPoint& at) {
   for (int k = 0; k < kPositionsPerPitch; ++k) {
     const double turned = 2 * pi * k / kPositionsPerPitch / m.layout.rollers;
     const StaticState& rest =
-        equilibrium.solve(roller_angles(m, turned).data(), at.cage_speed, m.load);
+        equilibrium.solve(roller_angles(m, turned).data(), at.cage_speed, heaviest_load(m.duty));
     if (!rest.converged) return;
     for (std::size_t j = 0; j < static_cast<std::size_t>(m.layout.rollers); ++j) {
       heaviest = std::max(heaviest, rest.inner_force[j]);
@@ -181,11 +182,11 @@ const std::vector<OperatingRow>& operating_rows() {
   static const std::vector<OperatingRow> rows = {
       {"dynamic_rating_kN", "kN", "basic dynamic load rating C: bearing.dynamic_rating_kN, else by ISO 281", [](At p) { return 1e-3 * p.dynamic_rating; }},
       {"static_rating_kN", "kN", "basic static load rating C0: bearing.static_rating_kN, else by ISO 76", [](At p) { return 1e-3 * p.static_rating; }},
-      {"equivalent_load_N", "N", "equivalent load P: the radial load", [](At p) { return p.load; }},
+      {"equivalent_load_N", "N", "equivalent load P: radial load, rotating load and unbalance where they add up", [](At p) { return p.load; }},
       {"rating_ratio", "-", "C/P", [](At p) { return p.dynamic_rating / p.load; }},
       {"static_safety", "-", "C0/P0", [](At p) { return p.static_rating / p.load; }},
       {"life_L10_Mrev", "1e6 rev", "basic rating life L10 of ISO 281, in millions of revolutions: reached by 90 % of bearings", [](At p) { return 1e-6 * p.life; }},
-      {"life_L10_h", "h", "the same life at the speed of the inner ring", [](At p) { return p.life_time / 3600; }},
+      {"life_L10_h", "h", "the same life at the speed of one ring against the other", [](At p) { return p.life_time / 3600; }},
       {"least_load_skf_N", "N", "least load by SKF's rule; where bearing.least_load_factor and bearing.reference_speed_rpm are given", [](At p) { return p.least_load_skf; }},
       {"least_load_schaeffler_N", "N", "least load by Schaeffler's rule, C0/60", [](At p) { return p.least_load_schaeffler; }},
       {"roller_load_max_N", "N", "largest force of a roller on the inner race in static equilibrium, over positions of the rollers", [](At p) { return p.roller_load; }},
@@ -193,7 +194,7 @@ const std::vector<OperatingRow>& operating_rows() {
       {"load_zone_deg", "deg", "angle within which rollers carry more than 1 % of the load, likewise", [](At p) { return p.load_zone / (pi / 180); }},
       {"film_um", "um", "oil film at the heaviest slice of the inner race, rolling without slip", [](At p) { return 1e6 * p.film; }},
       {"lambda_ratio", "-", "the same film over the composite roughness of the races", [](At p) { return p.lambda; }},
-      {"speed_factor_mm_min", "mm/min", "n d_m, d_m the diameter of the rollers' pitch circle", [](At p) { return 1e3 * p.pitch_diameter * p.speed / kRpm; }},
+      {"speed_factor_mm_min", "mm/min", "n d_m, n the speed of one ring against the other, d_m the diameter of the rollers' pitch circle", [](At p) { return 1e3 * p.pitch_diameter * p.speed / kRpm; }},
       {"cage_speed_rpm", "rpm", "kinematic speed of the cage", [](At p) { return p.cage_speed / kRpm; }},
       {"roller_speed_rpm", "rpm", "kinematic speed of a roller about its axis, relative to the cage, positive against the inner ring's sense", [](At p) { return p.roller_speed / kRpm; }},
       {"roller_spin_rpm", "rpm", "the same seen from outside, positive in the inner ring's sense", [](At p) { return p.roller_spin / kRpm; }},
@@ -233,7 +234,9 @@ std::vector<std::string> operating_warnings(const Scene& scene) {
   const auto force = [](double newtons) {
     return newtons >= 1e4 ? rounded(1e-3 * newtons, "kN") : rounded(newtons, "N");
   };
-  const std::string load = "load.radial_N = " + force(at.load);
+  const bool turns = make_duty(scene.operation).load_turns();
+  const std::string load =
+      (turns ? "the radial load in all, " : "load.radial_N = ") + force(at.load);
   if (at.load > at.static_rating)
     warnings.push_back(load + " is above the static load rating C0 = " + force(at.static_rating) +
                        ": races and rollers yield (ISO 76)");
@@ -243,7 +246,10 @@ std::vector<std::string> operating_warnings(const Scene& scene) {
   else if (at.load > kLifeShare * at.dynamic_rating)
     warnings.push_back(load + " is above half the dynamic load rating C = " +
                        force(at.dynamic_rating) + ": rating life does not hold there (ISO 281)");
-  const std::string speed = "speed.inner_rpm = " + std::to_string(std::lround(at.speed / kRpm));
+  const std::string speed =
+      (scene.operation.outer_speed != 0 ? "the speed of one ring against the other, "
+                                        : "speed.inner_rpm = ") +
+      std::to_string(std::lround(at.speed / kRpm));
   if (at.speed > at.limiting_speed)
     warnings.push_back(speed + " is above bearing.limiting_speed_rpm = " +
                        std::to_string(std::lround(at.limiting_speed / kRpm)));

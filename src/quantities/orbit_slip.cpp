@@ -5,16 +5,16 @@
 
 namespace cagetol {
 
-void OrbitSlip::record(double t, double cage_angle, double roller_angle, double inner_speed) {
+void OrbitSlip::record(double t, double cage_angle, double roller_angle, double rolling) {
   if (!started_) {
     started_ = true;
-    time_ = t, cage_ = cage_angle, rollers_ = roller_angle, inner_speed_ = inner_speed;
+    time_ = t, cage_ = cage_angle, rollers_ = roller_angle, rolling_ = rolling;
     return;
   }
   const Angles before = last_;
   last_ = {cage_angle - cage_, roller_angle - rollers_,
-           before.inner + (t - time_) * (inner_speed_ + inner_speed) / 2};
-  time_ = t, inner_speed_ = inner_speed;
+           before.rolling + (t - time_) * (rolling_ + rolling) / 2};
+  time_ = t, rolling_ = rolling;
   const double turns = std::floor(std::abs(last_.cage) / (2 * std::numbers::pi));
   if (turns <= turns_) return;
   turns_ = turns;
@@ -23,12 +23,12 @@ void OrbitSlip::record(double t, double cage_angle, double roller_angle, double 
   const double share = missing / (last_.cage - before.cage);
   const auto at = [share](double first, double last) { return first + share * (last - first); };
   whole_ = {at(before.cage, last_.cage), at(before.rollers, last_.rollers),
-            at(before.inner, last_.inner)};
+            at(before.rolling, last_.rolling)};
 }
 
 double OrbitSlip::rate_ratio() const {
   const Angles& turned = turns_ > 0 ? whole_ : last_;
-  return turned.rollers / turned.inner;
+  return turned.rollers / turned.rolling;
 }
 
 }  // namespace cagetol

@@ -62,14 +62,14 @@ PlausibleRange whirl(Reach r) {
 PlausibleRange roller_slip(Reach r) {
   // Spin relative to the orbit, over that of rolling: about 1; 4 where a roller spun at the largest
   // speed of any surface.
-  return within(r.slowest > 0 ? 1 - 4 * r.fastest / r.slowest : -kInfinite, 1);
+  return within(r.apart > 0 ? 1 - 4 * r.fastest / r.apart : -kInfinite, 1);
 }
 PlausibleRange cage_slip(Reach r) {
-  const double most = r.slowest > 0 ? 2 * r.orbit_ratio * r.fastest / r.slowest : kInfinite;
+  const double most = r.slowest > 0 ? 2 * r.fastest / r.slowest : kInfinite;
   return within(1 - most, 1 + most);
 }
 PlausibleRange orbit_slip(Reach r) {
-  const double most = r.slowest > 0 ? r.orbit_ratio * r.orbit_rate / r.slowest : kInfinite;
+  const double most = r.slowest > 0 ? r.orbit_rate / r.slowest : kInfinite;
   return within(1 - most, 1 + most);
 }
 double turned(Reach r) {
@@ -178,7 +178,7 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"end_force_p99_N", moving, [](Reach r) { return magnitude(r.end_force); }, kForceReason, kTighten},
       {"end_force_peak_N", moving, [](Reach r) { return magnitude(r.end_force); }, kForceReason, kTighten},
       {"end_impacts_per_revolution", moving, [](Reach r) { return touches(r, r.rollers); }, kTouchReason, kTighten},
-      {"cage_speed_std_ratio", turning, [](Reach r) { return magnitude(r.turns ? r.orbit_ratio * r.fastest * r.duration / turned(r) : kInfinite); }, kCageSlipReason, kTighten},
+      {"cage_speed_std_ratio", turning, [](Reach r) { return magnitude(r.turns ? 3 * r.fastest * r.duration / turned(r) : kInfinite); }, kCageSlipReason, kTighten},
       {"cage_axial_std_um", moving, [](Reach r) { return magnitude(1e6 * r.axial); }, "the rollers' ends and the flanges leave the cage less axial play", "check cage.pocket_length_mm, bearing.flange_clearance_mm and contact.end, and tighten integration.tolerance"},
       {"cage_tilt_std_mrad", moving, lean, kLeanReason, kLeanRemedy},
       {"roller_load_peak_N", moving, [](Reach r) { return magnitude(r.race_force); }, kForceReason, kTighten},

@@ -66,8 +66,7 @@ struct Contact {
 };
 
 /// Slowest magnitude of a speed that ramps smoothly from one value to another.
-double slowest_in_window(const BearingModel& m, double begin) {
-  const double first = inner_speed_at(m, begin), last = m.inner_speed;
+double slowest_of(double first, double last) {
   return first * last <= 0 ? 0 : std::min(std::abs(first), std::abs(last));
 }
 
@@ -101,17 +100,22 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
     widest_gap = std::max(widest_gap, std::abs(each(scene.cage.pocket_pitch, j)) +
                                           std::max(gap, 0.0) / m.pitch_radius);
   }
-  fastest = std::max(std::abs(m.inner_speed), m.speed_ramp > 0 ? std::abs(m.speed_from) : 0.0);
-  slowest = slowest_in_window(m, run.begin);
+  const RingSpeeds rings = fastest_speeds(m.duty);
+  fastest = rings.inner + rings.outer;
+  const RingSpeeds first = ring_speeds_at(m.duty, run.begin), &last = m.duty.speed;
+  slowest = slowest_of(kinematic_cage_speed(m, first), kinematic_cage_speed(m, last));
+  apart = slowest_of(first.inner - first.outer, last.inner - last.outer);
   turns = slowest > 0;
-  const double gravity = std::abs(m.gravity), surface = fastest * m.inner_radius;
+  const double gravity = std::abs(m.gravity),
+               surface = rings.inner * m.inner_radius + rings.outer * m.outer_radius;
 
   // The inner ring: clearance, more where it sinks between two rollers, and elastic approach.
   const Contact race{m.race, static_cast<double>(m.race_slices.size())};
-  const double speed_of_cage = kinematic_cage_speed(m, fastest);
+  const double speed_of_cage = kinematic_cage_speed(m, rings);
   const double centrifugal = mass * m.pitch_radius * speed_of_cage * speed_of_cage;
-  const double at_rest = m.load.radial + (m.ring_mass + mass) * gravity + centrifugal +
-                         std::hypot(m.load.moment_y, m.load.moment_z) / m.roller_half_length;
+  const RingLoad load = heaviest_load(m.duty);
+  const double at_rest = largest_load(m.duty) + (m.ring_mass + mass) * gravity + centrifugal +
+                         std::hypot(load.moment_y, load.moment_z) / m.roller_half_length;
   const double gap = m.outer_radius - m.inner_radius - 2 * smallest;
   const double preload = std::max(0.0, -gap) + 2e-6;
   const double between = std::min(pi / rollers + 2 * widest_gap, kLargestGapAngle);
@@ -149,7 +153,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   race_pressure = cagetol::race_pressure(m, race_force, race_force);
   const Contact all_races{m.race, race.shares * rollers};
   const double races = all_races.force(all_races.depth(energy) + preload, 2 * speed);
-  ring_acceleration = (races + m.load.radial + guide_force) / m.ring_mass + gravity;
+  ring_acceleration = (races + largest_load(m.duty) + guide_force) / m.ring_mass + gravity;
   touch_rate = std::sqrt(std::max({bars.stiffness(bars.depth(energy) + pinch),
                                    walls.stiffness(walls.depth(energy) + length_pinch),
                                    lands.stiffness(pressed)}) /
@@ -172,7 +176,6 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   axial = play + m.flange_half_clearance + walls.depth(energy) + flanges.depth(energy) +
           kLeanMax * m.nominal_diameter + offset_x;
 
-  orbit_ratio = (m.inner_radius + m.outer_radius) / m.inner_radius;
   stress = kStrainMax * cage_material(scene).young;
   const Strength strength = cage_strength(scene);
   yield = stress / strength.yield;

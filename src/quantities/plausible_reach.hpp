@@ -25,14 +25,16 @@ struct PlausibleReach {
 
   bool flexible, planar, tilts, quasi_static;
   bool peaks_in_part;
-  bool turns;       ///< the inner ring rotates throughout the window
+  bool turns;       ///< rolling turns the cage throughout the window
   int rollers;      ///< Z
   double duration;  ///< of the window [s]
   double revolutions, steps;
 
-  /// Largest magnitude of the inner ring's speed in the run, and smallest in the window [rad/s].
-  double fastest, slowest;
-  double speed;       ///< of any surface: twice that of inner race and free fall [m/s]
+  double fastest;  ///< largest magnitudes of the rings' speeds in the run, added up [rad/s]
+  /// Smallest magnitudes in the window: of the kinematic cage speed, and of the inner ring's speed
+  /// against the outer one [rad/s].
+  double slowest, apart;
+  double speed;       ///< of any surface: twice that of the races and free fall [m/s]
   double orbit_rate;  ///< of a roller about the bearing's axis, at that speed [rad/s]
   double energy;  ///< stored in the bearing: kinetic at that speed, of load and of the start [J]
 
@@ -41,7 +43,6 @@ struct PlausibleReach {
   /// The same in a run with these peak forces on the lands and on a roller's bars [N].
   double whirl_under(double guide_force, double pocket_force) const;
   double axial;            ///< of the cage from the middle [m]
-  double orbit_ratio;      ///< speed of the inner ring over the kinematic cage speed
   double guide_clearance;  ///< [m]
 
   double pocket_force, guide_force, end_force;  ///< on one roller, on the lands, on one roller [N]

@@ -371,8 +371,12 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
                 "only a lubricated bearing has the steady state that is sought (" +
                     check.with_value("lubrication.model") + ")",
                 "set start.state = \"equilibrium\" or \"auto\", or lubrication.model = \"film\"");
-  check.require(scene.operation.inner_speed != 0 || !std::isnan(scene.window.measure_time),
-                "speed.inner_rpm", "at standstill the cage makes no revolutions to measure over",
+  const auto& rings = scene.operation;
+  const double rolling = rings.inner_speed * scene.bearing.inner_raceway_diameter +
+                         rings.outer_speed * scene.bearing.outer_raceway_diameter;
+  check.require(rolling != 0 || !std::isnan(scene.window.measure_time), "speed.inner_rpm",
+                "rolling does not turn the cage, so it makes no revolutions to measure over (" +
+                    check.with_value("speed.outer_rpm") + ")",
                 "give window.settle_time_s and window.measure_time_s");
   check_window(scene, check);
 }

@@ -46,6 +46,10 @@ bool outer_fit_presses(const Scene& s) {
   return operating_clearance(s).outer_fit.pressure > 0;
 }
 
+bool outer_grows_by_rotation(const Scene& s) {
+  return grows_by_rotation(s) && s.operation.outer_speed != 0;
+}
+
 bool strengths_given(const CageGeometry& cage) {
   return given(cage.yield_stress) && given(cage.tensile_strength) && given(cage.fatigue_strength);
 }
@@ -71,9 +75,12 @@ struct Rule {
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = {
       {{"bearing.outside_diameter_mm"},
-       [](const Scene& s) { return !has_line_races(s) && !outer_fit_presses(s); },
-       "no result depends on it but by contact.race.approach = \"line\" or a fit of the outer "
-       "ring"},
+       [](const Scene& s) {
+         return !has_line_races(s) && !outer_fit_presses(s) && !outer_grows_by_rotation(s);
+       },
+       "no result depends on it but by contact.race.approach = \"line\", a fit or the rotation of "
+       "the "
+       "outer ring"},
       {{"bearing.dynamic_rating_kN", "bearing.static_rating_kN", "bearing.reference_speed_rpm",
         "bearing.limiting_speed_rpm", "bearing.least_load_factor"},
        [](const Scene&) { return true; },
@@ -140,6 +147,7 @@ const std::vector<Rule>& rules() {
         "discretisation.bar_stations",
         "load.ramp_ms",
         "speed.ramp*",
+        "speed.outer_ramp_from_rpm",
         "contact.race.static*",
         "contact.race.dynamic*",
         "contact.race.roughness_um",
@@ -242,11 +250,17 @@ const std::vector<Rule>& rules() {
        },
        "no pressure between outer ring and housing, or all properties given"},
       {{"fit.shaft_density_kg_m3"},
-       [](const Scene& s) { return !grows_by_rotation(s); },
-       "no centrifugal growth"},
+       [](const Scene& s) { return !grows_by_rotation(s) || s.operation.inner_speed == 0; },
+       "no centrifugal growth of the shaft"},
+      {{"fit.housing_density_kg_m3"},
+       [](const Scene& s) {
+         return !outer_fit_presses(s) || !outer_grows_by_rotation(s) ||
+                !given(s.fit.housing_diameter);
+       },
+       "no centrifugal growth of the housing"},
       {{"speed.centrifugal_growth"},
-       [](const Scene& s) { return s.operation.inner_speed == 0; },
-       "speed.inner_rpm = 0"},
+       [](const Scene& s) { return s.operation.inner_speed == 0 && s.operation.outer_speed == 0; },
+       "no ring turns"},
       // The cage.
       {{"cage.modes", "cage.bar_modes", "cage.mode_damping", "cage.mesh_density",
         "cage.corner_radius_mm", "cage.centrifugal", "cage.coriolis", "cage.yield_stress_MPa",
@@ -333,9 +347,23 @@ const std::vector<Rule>& rules() {
        [](const Scene& s) { return given(s.window.measure_time); },
        "window.measure_time_s is given"},
       {{"speed.ramp_ms"},
-       [](const Scene& s) { return !given(s.operation.speed_ramp_from); },
-       "speed.ramp_from_rpm is not given"},
-      {{"speed.ramp_from_rpm"},
+       [](const Scene& s) {
+         return !given(s.operation.speed_ramp_from) && !given(s.operation.outer_ramp_from);
+       },
+       "no speed to ramp from is given (speed.ramp_from_rpm, speed.outer_ramp_from_rpm)"},
+      {{"load.direction_deg"},
+       [](const Scene& s) { return s.operation.radial_load == 0; },
+       "load.radial_N = 0"},
+      {{"load.rotating_rpm"},
+       [](const Scene& s) { return s.operation.rotating_load == 0; },
+       "load.rotating_N = 0"},
+      {{"load.rotating_phase_deg"},
+       [](const Scene& s) { return s.operation.rotating_load == 0 && s.operation.unbalance == 0; },
+       "no load turns (load.rotating_N, load.unbalance_g_mm)"},
+      {{"environment.shaft_inclination_deg"},
+       [](const Scene& s) { return s.operation.gravity == 0; },
+       "environment.gravity_m_s2 = 0"},
+      {{"speed.ramp_from_rpm", "speed.outer_ramp_from_rpm"},
        [](const Scene& s) { return s.operation.speed_ramp == 0; },
        "speed.ramp_ms = 0"},
       {{"integration.fixed_step_us"},

@@ -11,12 +11,12 @@ namespace cagetol {
 namespace {
 
 /// Speeds of both rings; zero where nothing grows by them [rad/s].
-struct RingSpeeds {
+struct GrowingSpeeds {
   double inner = 0, outer = 0;
 };
-RingSpeeds growing_speeds(const Scene& scene) {
+GrowingSpeeds growing_speeds(const Scene& scene) {
   if (!scene.operation.centrifugal_growth) return {};
-  return {scene.operation.inner_speed, 0};
+  return {scene.operation.inner_speed, scene.operation.outer_speed};
 }
 
 double mean_of(const std::vector<double>& values) {
@@ -84,7 +84,7 @@ double cage_strain(const Scene& scene, double speed) {
 }
 
 /// Growth by rotation of what turns between the rings.
-void add_spin(const Scene& scene, const RingSpeeds& speeds, OperatingClearance& at) {
+void add_spin(const Scene& scene, const GrowingSpeeds& speeds, OperatingClearance& at) {
   const double inner = scene.bearing.inner_raceway_diameter / 2,
                outer = scene.bearing.outer_raceway_diameter / 2,
                roller = mean_of(scene.roller.diameter) / 2;
@@ -147,7 +147,7 @@ void grow_cage(const OperatingClearance& by, double guide, CageGeometry& cage) {
 }  // namespace
 
 bool grows_by_rotation(const Scene& scene) {
-  const RingSpeeds speeds = growing_speeds(scene);
+  const GrowingSpeeds speeds = growing_speeds(scene);
   return speeds.inner != 0 || speeds.outer != 0;
 }
 
@@ -162,7 +162,7 @@ OperatingClearance operating_clearance(const Scene& scene) {
   if (!changes_in_operation(scene)) return at;
   const BearingGeometry& b = scene.bearing;
   const PartTemperatures parts = part_temperatures(scene);
-  const RingSpeeds speeds = growing_speeds(scene);
+  const GrowingSpeeds speeds = growing_speeds(scene);
   const PressFit inner = inner_fit(scene, parts, speeds.inner),
                  outer = outer_fit(scene, parts, speeds.outer);
   at.inner_raceway = fit_growth(inner, true, b.inner_raceway_diameter / 2);

@@ -219,15 +219,23 @@ struct Lubrication {
 };
 
 struct Operation {
-  double radial_load = 1000;    ///< on the inner ring, along -z [N]
-  double tilting_moment_y = 0;  ///< on a free inner ring: tilts its centre line to +y [N m]
-  double tilting_moment_z = 0;  ///< tilts it to +z [N m]
-  double load_ramp = 0;         ///< rise time of load and moment from zero, by STEP [s]
+  double radial_load = 1000;      ///< on the inner ring [N]
+  double load_direction = 0;      ///< of the radial load, about +x from -z [rad]
+  double rotating_load = 0;       ///< on the inner ring, beside the radial load [N]
+  double rotating_speed = kAuto;  ///< about +x; kAuto: turns with the inner ring [rad/s]
+  double rotating_phase = 0;      ///< direction of rotating load and unbalance at t = 0 [rad]
+  double unbalance = 0;           ///< of what turns with the inner ring [kg m]
+  double tilting_moment_y = 0;    ///< on a free inner ring: tilts its centre line to +y [N m]
+  double tilting_moment_z = 0;    ///< tilts it to +z [N m]
+  double load_ramp = 0;           ///< rise time of load and moment from zero, by STEP [s]
   double inner_speed = 6000 * 0.10471975511965977;  ///< about +x [rad/s]
-  double speed_ramp_from = kAuto;                   ///< speed at t = 0; kAuto: no ramp [rad/s]
-  double speed_ramp = 0;                            ///< duration of the ramp, by STEP [s]
-  double gravity = 9.81;                            ///< along -z [m/s^2]
-  bool centrifugal_growth = false;  ///< of rings, shaft, rollers and cage at their speeds
+  double outer_speed = 0;                           ///< of the outer ring, likewise [rad/s]
+  double speed_ramp_from = kAuto;   ///< inner_speed at t = 0; kAuto: no ramp [rad/s]
+  double outer_ramp_from = kAuto;   ///< likewise of outer_speed [rad/s]
+  double speed_ramp = 0;            ///< duration of the ramps, by STEP [s]
+  double gravity = 9.81;            ///< [m/s^2]
+  double shaft_inclination = 0;     ///< of +x above the horizontal; gravity is along -z at 0 [rad]
+  bool centrifugal_growth = false;  ///< of rings, shaft, housing, rollers and cage at their speeds
 };
 
 struct Start {

@@ -77,11 +77,11 @@ RollerOrbit::RollerOrbit(const BearingModel& model)
       model_(straight(model, kAngles, roller_)),
       bar_(model.bar_line),
       share_(static_cast<double>(model.layout.rollers) / kAngles),
-      load_(load_at(model, 0).radial + model.ring_mass * model.gravity),
-      inner_speed_(inner_speed_at(model, 0)) {
+      load_(ring_force_at(model, 0)),
+      speeds_(ring_speeds_at(model.duty, 0)) {
   bar_.length *= static_cast<double>(model.bar_stations.size());
-  rolling_ =
-      std::abs(kinematic_cage_speed(model, inner_speed_)) * model.outer_radius / roller_.radius[0];
+  rolling_ = std::abs(kinematic_cage_speed(model, speeds_) - speeds_.outer) * model.outer_radius /
+             roller_.radius[0];
   for (int k = 0; k < kAngles; k += kLanes) {
     Pack angle, sine, cosine;
     for (int i = 0; i < kLanes; ++i) angle[i] = 2 * std::numbers::pi * (k + i) / kAngles;
@@ -98,13 +98,13 @@ void RollerOrbit::start(const BearingModel& whole) {
   std::vector<double> angle(static_cast<std::size_t>(whole.layout.padded()));
   for (std::size_t j = 0; j < angle.size(); ++j)
     angle[j] = 2 * std::numbers::pi * static_cast<double>(j) / whole.layout.rollers;
-  speed_ = kinematic_cage_speed(whole, inner_speed_);
+  speed_ = kinematic_cage_speed(whole, speeds_);
   StaticEquilibrium statics(whole, kStaticsAccuracy);
-  const StaticState& rest = statics.solve(angle.data(), speed_, load_at(whole, 0));
+  const StaticState& rest = statics.solve(angle.data(), speed_, load_at(whole.duty, 0));
   ring_[0] = rest.ring_y;
   ring_[1] = rest.ring_z;
   const Pack rolling =
-      (whole.pitch_radius * speed_ - whole.inner_radius * inner_speed_) / roller_.radius;
+      (whole.pitch_radius * speed_ - whole.inner_radius * speeds_.inner) / roller_.radius;
   for (std::size_t k = 0; k < r_.size(); ++k) {
     s_[k] = rolling;
     Pack low = splat(whole.pitch_radius - kRadialReach), high = low + 2 * kRadialReach;
@@ -192,7 +192,7 @@ RollerOrbit::Forces RollerOrbit::forces(std::size_t pack, Pack r, Pack s, Pack& 
   const RollerPack q = steady_pack(sine, cosine, r, s, speed_);
   const RaceSide inner{1,
                        model_.inner_radius,
-                       inner_speed_,
+                       speeds_.inner,
                        model_.inner_film,
                        along_r(q, splat(ring_[0]), splat(ring_[1])),
                        along_t(q, splat(ring_[0]), splat(ring_[1])),
@@ -200,7 +200,8 @@ RollerOrbit::Forces RollerOrbit::forces(std::size_t pack, Pack r, Pack s, Pack& 
                        zero,
                        zero,
                        zero};
-  const RaceSide outer{-1, model_.outer_radius, 0, model_.outer_film, {}, {}, {}, {}, {}, {}};
+  const RaceSide outer{
+      -1, model_.outer_radius, speeds_.outer, model_.outer_film, {}, {}, {}, {}, {}, {}};
   RollerLoads loads;
   RaceTotals totals;
   lubricated_race<false, true>(model_, model_.inner_line, roller_, q, inner, loads, nullptr,
@@ -241,7 +242,7 @@ void RollerOrbit::collect(std::size_t pack, Pack r, Pack s, Pack x, double (&on_
 bool RollerOrbit::solve(double w) {
   speed_ = w;
   const std::size_t packs = r_.size();
-  const int way = w < 0 || (w == 0 && inner_speed_ < 0) ? -1 : 1;
+  const int way = w < 0 || (w == 0 && speeds_.inner < 0) ? -1 : 1;
   const auto index = [&](int n) {
     return static_cast<std::size_t>((way > 0 ? n : -n) & (kAngles - 1));
   };
@@ -315,7 +316,7 @@ bool RollerOrbit::solve(double w) {
     from_r = r_;
     from_s = s_;
     from_x = x_;
-    double pushed[2] = {0, -load_}, K[3] = {kSoftSpring, 0, kSoftSpring};
+    double pushed[2] = {load_.y, load_.z}, K[3] = {kSoftSpring, 0, kSoftSpring};
     std::vector<Pack> stiff(packs), inner(packs), by_ring(packs);
     for (std::size_t k = 0; k < packs; ++k) {
       const Forces& f = now[k];

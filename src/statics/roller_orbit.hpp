@@ -53,9 +53,9 @@ class RollerOrbit {
   BearingModel model_;  ///< with as many of them as there are angles
   LubricatedLine bar_;  ///< whole
   double share_;        ///< rollers for each angle
-  double load_;         ///< of the ring, its weight included [N]
+  RingLoad load_;       ///< of the ring, its weight included
   double rolling_;      ///< spin of a roller that rolls without slip [rad/s]
-  double inner_speed_;
+  RingSpeeds speeds_;
   std::vector<Pack> sine_, cosine_, r_, s_, x_;
   double ring_[2] = {0, 0}, speed_ = 0;
   OrbitTurn turn_;

@@ -57,16 +57,19 @@ struct RollersBetweenRaces {
   RollerPack q{};
   RaceSide inner, outer;
 
-  /// `spin` of all rollers and `inner_speed`, or nullptr: they roll.
+  /// `spin` of all rollers between rings of these `speeds`, or nullptr: they roll on the outer
+  /// ring, and the inner one turns with them.
   RollersBetweenRaces(const BearingModel& bearing, int group, const double* angle, double rate,
-                      const StaticState& ring, const double* spin, double inner_speed)
+                      const StaticState& ring, const double* spin, const RingSpeeds& speeds)
       : model(bearing),
         roller(bearing.groups[static_cast<std::size_t>(group)]),
         first(group * kLanes),
         orbit_rate(rate),
         inner{1,
               bearing.inner_radius,
-              spin ? inner_speed : 2 * bearing.pitch_radius * rate / bearing.inner_radius,
+              spin ? speeds.inner
+                   : (2 * bearing.pitch_radius * rate - bearing.outer_radius * speeds.outer) /
+                         bearing.inner_radius,
               bearing.inner_film,
               {},
               {},
@@ -74,7 +77,7 @@ struct RollersBetweenRaces {
               {},
               {},
               {}},
-        outer{-1, bearing.outer_radius, 0, bearing.outer_film, {}, {}, {}, {}, {}, {}} {
+        outer{-1, bearing.outer_radius, speeds.outer, bearing.outer_film, {}, {}, {}, {}, {}, {}} {
     sine_cosine(load(angle + first), q.sine, q.cosine);
     inner.u_r = along_r(q, splat(ring.ring_y), splat(ring.ring_z));
     inner.u_t = along_t(q, splat(ring.ring_y), splat(ring.ring_z));
@@ -130,7 +133,7 @@ struct RollersBetweenRaces {
   /// Rolling, without slip, drags the film in.
   void travel(Pack speed) {
     q.vt = speed;
-    if (!spinning) q.spin = -q.vt / roller.radius;
+    if (!spinning) q.spin = (outer.radius * outer.speed - q.vt) / roller.radius;
   }
 };
 

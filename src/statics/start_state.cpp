@@ -68,14 +68,14 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   const bool seeks =
       start.state == StartState::steady || (start.state == StartState::automatic && m.lubricated);
   const SteadyStart steady = seeks ? find_steady_start(m) : SteadyStart{};
-  const double inner_speed = inner_speed_at(m, 0),
-               cage_speed =
-                   steady.found ? steady.turn.cage_speed : kinematic_cage_speed(m, inner_speed);
+  const RingSpeeds rings = ring_speeds_at(m.duty, 0);
+  const double cage_speed = steady.found ? steady.turn.cage_speed : kinematic_cage_speed(m, rings);
 
   const std::vector<double> angle = roller_angles(m, start.cage_phase);
   StaticEquilibrium equilibrium(m);
+  equilibrium.turn_outer(rings.outer);
   const StaticState* rest =
-      settled ? &equilibrium.solve(angle.data(), cage_speed, load_at(m, 0)) : nullptr;
+      settled ? &equilibrium.solve(angle.data(), cage_speed, load_at(m.duty, 0)) : nullptr;
   for (int j = 0; j < l.padded(); ++j) {
     const auto k = static_cast<std::size_t>(j);
     const double a = angle[k], radius = rest ? rest->radius[k] : m.pitch_radius;
@@ -88,7 +88,7 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
     at(l.velocity(kOrbitRate, j)) = cage_speed;
     // Pure rolling at both races: R_pitch w_c - R_w w_s = R_i w_i.
     at(l.velocity(kSpin, j)) =
-        (m.pitch_radius * cage_speed - m.inner_radius * inner_speed) / roller_radius;
+        (m.pitch_radius * cage_speed - m.inner_radius * rings.inner) / roller_radius;
     // The tilt goes round with the roller.
     at(l.velocity(kAxisRateY, j)) = -tilt * cage_speed * std::sin(a);
     at(l.velocity(kAxisRateZ, j)) = tilt * cage_speed * std::cos(a);

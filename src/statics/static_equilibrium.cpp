@@ -46,8 +46,8 @@ void store_forces(const RollerBalance& b, int first, StaticState& state) {
 struct StaticEquilibrium::RingForce {
   Eigen::Vector4d force = Eigen::Vector4d::Zero();
   Eigen::Matrix4d slope = Eigen::Matrix4d::Zero();
-  double elastic_z = 0;  ///< elastic part of the force along z
-  bool settled = true;   ///< every roller found its place
+  double elastic[2] = {0, 0};  ///< elastic part of the force
+  bool settled = true;         ///< every roller found its place
 
   /// A pack of rollers, where they balance: force, and moment where the ring `tilts`. A move of the
   /// ring changes them directly, and through the roller that follows it.
@@ -55,7 +55,8 @@ struct StaticEquilibrium::RingForce {
     const Pack cosine = at.q.cosine, sine = at.q.sine;
     const Pack co = cosine * at.roller.exists, si = sine * at.roller.exists;
     const RaceNormals& on = b.inner;
-    elastic_z -= sum(si * on.elastic[0] + co * on.elastic[1]);
+    elastic[0] -= sum(co * on.elastic[0] - si * on.elastic[1]);
+    elastic[1] -= sum(si * on.elastic[0] + co * on.elastic[1]);
     const int blocks = tilts ? 2 : 1;
     for (int m = 0; m < blocks; ++m) {
       Pack f[2];
@@ -87,7 +88,8 @@ StaticEquilibrium::StaticEquilibrium(const BearingModel& model, double accuracy)
       damped_(model.race),
       accuracy_(accuracy),
       lever_(model.roller_half_length),
-      tilts_(model.layout.ring_tilt > 0) {
+      tilts_(model.layout.ring_tilt > 0),
+      speeds_(model.duty.speed) {
   undamped_.damping = undamped_.chi = 0;
   const auto n = static_cast<std::size_t>(model.layout.padded());
   state_.radius.assign(n, model.outer_radius - model.nominal_diameter / 2);
@@ -107,7 +109,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
   RingForce ring;
   for (int group = 0; group < model_.layout.groups; ++group) {
     const int j = group * kLanes;
-    RollersBetweenRaces at(model_, group, angle, orbit_rate, state_, spins_, inner_speed_);
+    RollersBetweenRaces at(model_, group, angle, orbit_rate, state_, spins_, speeds_);
     Pack &r = at.q.r, &a = at.q.a_r;
     at.put(state_.radius, state_.tilt);
     // At rest first, where no speed damps; then orbiting, and the law's damping has its say.
@@ -139,19 +141,19 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
 }
 
 void StaticEquilibrium::add_outside(const RingLoad& load, RingForce& ring) const {
-  ring.force[1] -= weight(load);
+  ring.force.head<2>() += force(load);
   if (!tilts_) return;
   ring.force[2] += load.moment_y - model_.tilt_stiffness * (state_.tilt_y - model_.misalignment_y);
   ring.force[3] += load.moment_z - model_.tilt_stiffness * (state_.tilt_z - model_.misalignment_z);
   ring.slope.diagonal().tail<2>().array() -= model_.tilt_stiffness;
 }
 
-double StaticEquilibrium::weight(const RingLoad& load) const {
-  return load.radial + model_.ring_mass * model_.gravity;
+Eigen::Vector2d StaticEquilibrium::force(const RingLoad& load) const {
+  return {load.y, load.z - model_.ring_mass * model_.gravity};
 }
 
 double StaticEquilibrium::size(const RingLoad& load) const {
-  const double radial = weight(load);
+  const double radial = force(load).norm();
   return tilts_ ? std::max(radial, std::hypot(load.moment_y, load.moment_z) / lever_) : radial;
 }
 
@@ -171,7 +173,7 @@ Eigen::Vector4d StaticEquilibrium::newton_move(const RingForce& ring, const Ring
   // A light ring on one roller turns over it with a stiffness of weight over radius only: the
   // spring must not outweigh that many times, or the ring creeps to the next roller.
   const double soft =
-      std::min(kSoftSpring, std::max(4 * std::abs(weight(load)), 1e-3) / model_.inner_radius);
+      std::min(kSoftSpring, std::max(4 * force(load).norm(), 1e-3) / model_.inner_radius);
   Eigen::Matrix4d K = -ring.slope;
   K.diagonal() += Eigen::Vector4d(soft, soft, soft * lever_ * lever_, soft * lever_ * lever_);
   Eigen::Vector4d d = K.partialPivLu().solve(ring.force);
@@ -186,9 +188,9 @@ void StaticEquilibrium::move_ring(const Eigen::Vector4d& d) {
   state_.tilt_z += d[3];
 }
 
-void StaticEquilibrium::spin(const double* spins, double inner_speed) {
+void StaticEquilibrium::spin(const double* spins, const RingSpeeds& speeds) {
   spins_ = spins;
-  inner_speed_ = inner_speed;
+  speeds_ = speeds;
 }
 
 const StaticState& StaticEquilibrium::solve(const double* angle, double orbit_rate,
@@ -209,7 +211,7 @@ bool StaticEquilibrium::follow(const double* angle, double orbit_rate, const Rin
     RollersBetweenRaces at;
     RollerBalance resting, orbiting;
     Step(const StaticEquilibrium& of, int group, const double* angle, double orbit_rate)
-        : at(of.model_, group, angle, orbit_rate, of.state_, of.spins_, of.inner_speed_),
+        : at(of.model_, group, angle, orbit_rate, of.state_, of.spins_, of.speeds_),
           resting(at.put(of.resting_radius_, of.resting_tilt_).balance(of.undamped_, 0)),
           orbiting(
               at.orbit(resting).put(of.state_.radius, of.state_.tilt).balance(of.model_.race, 1)) {}
@@ -227,7 +229,7 @@ bool StaticEquilibrium::follow(const double* angle, double orbit_rate, const Rin
       farthest = std::max({farthest, step.resting.size, step.orbiting.size});
     }
     add_outside(load, ring);
-    state_.ring_elastic_z = ring.elastic_z;
+    std::copy(ring.elastic, ring.elastic + 2, state_.ring_elastic);
     if (imbalance(ring) < tolerance(load) && farthest < kFollowedWithin * accuracy_) return true;
     const Eigen::Vector4d d = newton_move(ring, load);
     move_ring(d);
@@ -275,7 +277,7 @@ void StaticEquilibrium::balance(const double* angle, double orbit_rate, const Ri
       break;
     }
   }
-  state_.ring_elastic_z = f.elastic_z;
+  std::copy(f.elastic, f.elastic + 2, state_.ring_elastic);
 }
 
 void StaticEquilibrium::reset() {
@@ -319,7 +321,7 @@ void StaticEquilibrium::search(const double* angle, double orbit_rate, const Rin
     share_ = 1;
     state_.converged = share == 1;
   }
-  state_.ring_elastic_z = f.elastic_z;
+  std::copy(f.elastic, f.elastic + 2, state_.ring_elastic);
 }
 
 StaticEquilibrium::RingForce StaticEquilibrium::descend(const double* angle, double orbit_rate,
@@ -329,7 +331,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::descend(const double* angle, dou
   // its magnitude), until the next roller holds the ring.
   const Eigen::Vector4d lever(1, 1, lever_, lever_);  // makes all four lengths and forces
   const double soft =
-      std::min(kSoftSpring, std::max(4 * std::abs(weight(load)), 1e-3) / model_.inner_radius);
+      std::min(kSoftSpring, std::max(4 * force(load).norm(), 1e-3) / model_.inner_radius);
   const auto settle = [&] {
     return settle_rollers(angle, orbit_rate, load, RollerMotion::at_rest);
   };

@@ -16,7 +16,7 @@ namespace cagetol {
 struct StaticState {
   double ring_y = 0, ring_z = 0;     ///< displacement of the inner ring [m]
   double tilt_y = 0, tilt_z = 0;     ///< slopes of its centre line [rad]
-  double ring_elastic_z = 0;         ///< elastic part of the force on the ring along z [N]
+  double ring_elastic[2] = {0, 0};   ///< elastic part of the force on the ring, y and z [N]
   std::vector<double> radius, tilt;  ///< of each roller (padded) [m], [rad]
   std::vector<double> inner_force;   ///< on the inner race, all slices [N]
   /// Largest force of a slice at each roller's races [N].
@@ -37,9 +37,11 @@ class StaticEquilibrium {
   /// [rad/s].
   const StaticState& solve(const double* angle, double orbit_rate, const RingLoad& load,
                            RollerMotion motion = RollerMotion::at_rest);
-  /// From now on films are dragged in by rollers that spin so, one element per roller (padded), on
-  /// a ring at `inner_speed` [rad/s]; without this by rollers that roll at their orbit's rate.
-  void spin(const double* spins, double inner_speed);
+  /// From now on films are dragged in by rollers that spin so, one element per roller (padded),
+  /// between rings of these speeds; without this by rollers that roll at their orbit's rate on an
+  /// outer ring of the duty's last speed, or that of turn_outer().
+  void spin(const double* spins, const RingSpeeds& speeds);
+  void turn_outer(double speed) { speeds_.outer = speed; }
   /// The last solution.
   const StaticState& state() const { return state_; }
 
@@ -66,7 +68,8 @@ class StaticEquilibrium {
   Eigen::Vector4d newton_move(const RingForce& ring, const RingLoad& load) const;
   void move_ring(const Eigen::Vector4d& d);
 
-  double weight(const RingLoad& load) const;
+  /// Load and weight: y and z [N].
+  Eigen::Vector2d force(const RingLoad& load) const;
   double size(const RingLoad& load) const;           ///< of what the rollers carry [N]
   double tolerance(const RingLoad& load) const;      ///< of the imbalance [N]
   double imbalance(const RingForce& ring) const;     ///< [N]
@@ -81,7 +84,7 @@ class StaticEquilibrium {
   bool tilts_;    ///< the ring, freely
   StaticState state_;
   const double* spins_ = nullptr;
-  double inner_speed_ = 0;
+  RingSpeeds speeds_;
   std::vector<double> resting_radius_, resting_tilt_;  ///< of orbiting rollers, before they orbit
 };
 

@@ -20,8 +20,8 @@ constexpr int kMostTrials = 40;
 
 }  // namespace
 
-CageRest cage_rest(const BearingModel& model, double cage_speed, double ring_speed, double force_y,
-                   double force_z) {
+CageRest cage_rest(const BearingModel& model, double cage_speed, const RingSpeeds& rings,
+                   double force_y, double force_z) {
   CageRest rest;
   if (model.guidance == Guidance::roller) return rest;
   static const FlexibleCage rigid;
@@ -34,7 +34,7 @@ CageRest cage_rest(const BearingModel& model, double cage_speed, double ring_spe
     b.cage[1] = z;
     b.phi_rate = cage_speed;
     b.phi_cos = 1;
-    b.inner_speed = ring_speed;
+    b.speed = rings;
     BorderLoads loads;
     land_contacts<false>(straight, b, modal, loads, nullptr, nullptr, nullptr, nullptr);
     return loads;
@@ -58,21 +58,20 @@ CageRest cage_rest(const BearingModel& model, double cage_speed, double ring_spe
 
 SteadyStart find_steady_start(const BearingModel& model) {
   SteadyStart start;
-  const double inner_speed = inner_speed_at(model, 0);
-  const double rolling = kinematic_cage_speed(model, inner_speed);
-  if (!model.lubricated || rolling == 0) return start;
+  const RingSpeeds rings = ring_speeds_at(model.duty, 0);
+  const double rolling = kinematic_cage_speed(model, rings);
+  if (!model.lubricated || rolling == 0 || rings.inner == rings.outer) return start;
   RollerOrbit orbit(model);
-  const bool inner = model.guidance == Guidance::inner;
   bool sound = true;
   // Torque on the cage along its turning, at a share of the speed without slip.
   const auto torque = [&](double share) {
     const double w = share * rolling;
     sound = orbit.solve(w);
     const OrbitTurn& turn = orbit.turn();
-    start.rest = cage_rest(model, w, inner ? inner_speed : 0, turn.force_y,
-                           turn.force_z - model.cage_mass * model.gravity);
+    start.rest =
+        cage_rest(model, w, rings, turn.force_y, turn.force_z - model.cage_mass * model.gravity);
     const double churned =
-        model.churning.on ? cage_churning(model.churning, w, inner_speed).cage : 0;
+        model.churning.on ? cage_churning(model.churning, w, rings.inner, rings.outer).cage : 0;
     return (turn.torque + start.rest.torque + churned) * (rolling < 0 ? -1 : 1);
   };
   struct Trial {

@@ -16,10 +16,10 @@ struct CageRest {
   double y = 0, z = 0;  ///< of its centre, from the axis of the guiding ring [m]
   double torque = 0;    ///< of both lands on the cage [N m]
 };
-/// Of a cage that turns at `cage_speed`, guided by a ring at `ring_speed`, without lean. Zero where
-/// the rollers guide it.
-CageRest cage_rest(const BearingModel& model, double cage_speed, double ring_speed, double force_y,
-                   double force_z);
+/// Of a cage that turns at `cage_speed`, guided by one of rings at these speeds, without lean. Zero
+/// where the rollers guide it.
+CageRest cage_rest(const BearingModel& model, double cage_speed, const RingSpeeds& rings,
+                   double force_y, double force_z);
 
 struct SteadyStart {
   bool found = false;  ///< else `turn` has no meaning: start from the equilibrium

@@ -67,6 +67,17 @@ Scene random_scene(unsigned seed, double lean) {
   s.operation.speed_ramp = draw.coin() ? 2e-3 : 0;
   s.operation.speed_ramp_from = 500;
   s.operation.gravity = draw.coin() ? 9.81 : 0;
+  if (seed % 3 == 2) {  // both rings turn, loads turn, the shaft leans
+    Draw more(seed + 3000017);
+    s.operation.outer_speed = more.about(400);
+    s.operation.outer_ramp_from = more.about(400);
+    s.operation.load_direction = more.about(3);
+    s.operation.rotating_load = more.between(100, 500);
+    if (more.coin()) s.operation.rotating_speed = more.about(900);
+    s.operation.rotating_phase = more.about(3);
+    s.operation.unbalance = more.between(1e-4, 1e-3);
+    s.operation.shaft_inclination = more.about(1.5);
+  }
   return s;
 }
 
@@ -174,8 +185,9 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   b.t = draw.between(0, 1.5e-3);
   b.y.assign(static_cast<std::size_t>(l.size()), 0.0);
   const auto at = [&](int slot) -> double& { return b.y[static_cast<std::size_t>(slot)]; };
-  const double depth = options.depth, lean = options.lean, speed = inner_speed_at(m, b.t);
-  const double orbit = kinematic_cage_speed(m, speed);
+  const double depth = options.depth, lean = options.lean;
+  const RingSpeeds rings = ring_speeds_at(m.duty, b.t);
+  const double orbit = kinematic_cage_speed(m, rings);
   const double sliding[] = {0.03, 0.3, 3};  // below v_s, between, above v_d
 
   const double phi = draw.about(0.5);
@@ -220,7 +232,7 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
     at(l.velocity(kAxialSpeed, j)) = draw.about(0.1);
     at(l.velocity(kAxisRateY, j)) = draw.about(10);
     at(l.velocity(kAxisRateZ, j)) = draw.about(10);
-    const double rolling = (m.pitch_radius * orbit - m.inner_radius * speed) / g.radius[lane];
+    const double rolling = (m.pitch_radius * orbit - m.inner_radius * rings.inner) / g.radius[lane];
     at(l.velocity(kSpin, j)) = rolling + draw.about(slide) / g.radius[lane];
   }
   const double positions[kRigidBorder] = {ring_y, ring_z, cage_y + turn_y, cage_z + turn_z,

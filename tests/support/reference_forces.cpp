@@ -39,7 +39,7 @@ struct Motion {
   Vector3d cage = Vector3d::Zero();       ///< of the cage's mass centre
   double cage_spin = 0;                   ///< phi'
   Vector3d cage_lean = Vector3d::Zero();  ///< A'
-  double inner_spin = 0;                  ///< w_i
+  double inner_spin = 0, outer_spin = 0;  ///< w_i, w_o
 };
 
 /// Rate of penetration and two sliding speeds.
@@ -104,7 +104,7 @@ class Bearing {
     for (int j = 0; j < layout_.rollers; ++j) roller(j);
     lands();
     border();
-    result_.load_power = -load() * moving_.ring.z() + moment().dot(moving_.ring_tilt);
+    result_.load_power = force().dot(moving_.ring) + moment().dot(moving_.ring_tilt);
     return result_;
   }
 
@@ -113,20 +113,39 @@ class Bearing {
   double& size(int slot) { return result_.gross[static_cast<std::size_t>(slot)]; }
   double& rate(int slot) { return result_.rates[static_cast<std::size_t>(slot)]; }
 
-  double load() const {
+  double ramped() const {
     const auto& o = scene_.operation;
-    return o.load_ramp > 0 ? reference_step(t_, 0, 0, o.load_ramp, o.radial_load) : o.radial_load;
+    return o.load_ramp > 0 ? reference_step(t_, 0, 0, o.load_ramp, 1) : 1;
   }
-  double inner_speed() const {
+  static Vector3d downwards(double angle) {
+    return Eigen::AngleAxisd(angle, kX) * -Vector3d::UnitZ();
+  }
+  /// On the inner ring; the angle of what turns by Simpson's rule, which a ramp fits exactly.
+  Vector3d force() const {
     const auto& o = scene_.operation;
-    if (!(o.speed_ramp > 0)) return o.inner_speed;
-    return reference_step(t_, 0, auto_or(o.speed_ramp_from, o.inner_speed), o.speed_ramp,
-                          o.inner_speed);
+    const auto at = [&](double t) { return speed(o.inner_speed, o.speed_ramp_from, t); };
+    const double ramp = std::min(t_, o.speed_ramp);
+    const double turned = ramp / 6 * (at(0) + 4 * at(ramp / 2) + at(ramp)) + (t_ - ramp) * at(t_);
+    const double with = std::isnan(o.rotating_speed) ? turned : o.rotating_speed * t_;
+    const double now = speed(o.inner_speed, o.speed_ramp_from, t_);
+    return ramped() * (o.radial_load * downwards(o.load_direction) +
+                       o.rotating_load * downwards(o.rotating_phase + with)) +
+           o.unbalance * now * now * downwards(o.rotating_phase + turned);
+  }
+  double speed(double last, double first, double t) const {
+    const auto& o = scene_.operation;
+    if (!(o.speed_ramp > 0)) return last;
+    return reference_step(t, 0, auto_or(first, last), o.speed_ramp, last);
+  }
+  Vector3d gravity() const {
+    const auto& o = scene_.operation;
+    const Vector3d down = -o.gravity * Vector3d::UnitZ();
+    return Eigen::AngleAxisd(o.shaft_inclination, Vector3d::UnitY()) * down;
   }
   /// Conjugate to the ring's tilt, where that is free.
   Vector3d moment() const {
     const auto& o = scene_.operation;
-    return load() / o.radial_load * Vector3d(0, o.tilting_moment_y, o.tilting_moment_z);
+    return ramped() * Vector3d(0, o.tilting_moment_y, o.tilting_moment_z);
   }
   Vector3d misalignment() const {
     return {0, scene_.bearing.misalignment_y, scene_.bearing.misalignment_z};
@@ -149,7 +168,9 @@ class Bearing {
     moving_.cage = Vector3d(v(kCageX), v(kCageY), v(kCageZ));
     moving_.cage_spin = v(kCagePhi);
     moving_.cage_lean = Vector3d(0, v(kCageAxisY), v(kCageAxisZ));
-    moving_.inner_spin = inner_speed();
+    const auto& o = scene_.operation;
+    moving_.inner_spin = speed(o.inner_speed, o.speed_ramp_from, t_);
+    moving_.outer_spin = speed(o.outer_speed, o.outer_ramp_from, t_);
     cage_mass_ = auto_or(scene_.cage.mass, mass.mass);
     cage_polar_ = auto_or(scene_.cage.polar_inertia, mass.polar_inertia);
     cage_transverse_ = auto_or(scene_.cage.transverse_inertia, mass.transverse_inertia);
@@ -229,10 +250,11 @@ class Bearing {
     unit = {};
     unit.cage_spin = 1;
     border_.cage_spin += power(unit);
+    // What shaft and housing must supply against the contact.
     unit = {};
-    unit.inner_spin = 1;
-    result_.drive_power -=
-        power(unit) * now.inner_spin;  // what the shaft must supply against the contact
+    unit.inner_spin = now.inner_spin;
+    unit.outer_spin = now.outer_spin;
+    result_.drive_power -= power(unit);
     result_.elastic_energy += elastic * penetration / (exponent(law) + 1);
     result_.friction_power += traction * speed;
     result_.damping_power += (Q - elastic) * s.approach;
@@ -265,7 +287,7 @@ class Bearing {
         // The ring's axis at the slice, and the turning of the ring.
         const Vector3d tilt = inner ? v.ring_tilt : Vector3d::Zero().eval();
         const Vector3d ring = inner ? (v.ring + place * tilt).eval() : tilt;
-        const double spin = inner ? v.inner_spin : 0;
+        const double spin = inner ? v.inner_spin : v.outer_spin;
         const Vector3d approach = v.roller + xi * v.lean - ring - v.roller.x() * m;
         const Vector3d surface =
             ring + (spin * (kX + m) + kX.cross(tilt)).cross(s * race_radius * n);
@@ -428,7 +450,8 @@ class Bearing {
           if (flange) {
             const double p = e * (roller.centre.x() - q.dot(a)) - b.flange_clearance / 2;
             const auto speeds = [=, &roller](const Motion& v) {
-              const Vector3d slide = roller_point(roller, v, xi, q);
+              const Vector3d on_ring = v.outer_spin * kX.cross(radial(roller.centre) + q);
+              const Vector3d slide = roller_point(roller, v, xi, q) - on_ring;
               return Speeds{e * (v.roller.x() - q.dot(v.lean) - q_rate(v).dot(a)), slide.dot(one),
                             slide.dot(two)};
             };
@@ -482,8 +505,7 @@ class Bearing {
     bars(roller, j, forces);
     ends(roller, j, forces);
 
-    const Vector3d acceleration =
-        net(forces.centre) / roller.mass - scene_.operation.gravity * Vector3d::UnitZ();
+    const Vector3d acceleration = net(forces.centre) / roller.mass + gravity();
     const Vector3d lean =
         (net(forces.lean) + roller.polar * roller.own.spin * kX.cross(roller.own.lean)) /
         roller.transverse;
@@ -546,7 +568,7 @@ class Bearing {
     const auto speeds = [=, this](const Motion& v) {
       const Vector3d ring = inner ? v.ring : Vector3d::Zero().eval();
       const Vector3d centre = cage_centre_rate(v) + X * v.cage_lean;
-      const double spin = inner ? v.inner_spin : 0;
+      const double spin = inner ? v.inner_spin : v.outer_spin;
       const Vector3d on_cage =
           centre + (v.cage_spin * cage_axis_ + kX.cross(v.cage_lean)).cross(side * land_radius * n);
       const Vector3d on_ring = ring + spin * (kX + m).cross(side * ring_radius * n);
@@ -562,12 +584,13 @@ class Bearing {
                  inner = b.inner_raceway_diameter - b.internal_clearance / 2;
     const double ring_mass = auto_or(b.inner_ring_mass, b.ring_material.density * b.width * pi / 4 *
                                                             (inner * inner - bore * bore));
-    const double g = scene_.operation.gravity;
+    const Vector3d g = gravity();
     const auto q = [&](int slot) -> double& { return rate(layout_.border_position(slot)); };
     const auto v = [&](int slot) -> double& { return rate(layout_.border_velocity(slot)); };
     for (int slot = 0; slot < kRigidBorder; ++slot) q(slot) = state(layout_.border_velocity(slot));
-    v(kRingY) = border_.ring[1].net / ring_mass;
-    v(kRingZ) = (border_.ring[2].net - load()) / ring_mass - g;
+    const Vector3d pushed = net(border_.ring) + force();
+    v(kRingY) = pushed.y() / ring_mass;
+    v(kRingZ) = pushed.z() / ring_mass + g.z();
     if (layout_.ring_tilt > 0) {
       const int tilt = layout_.ring_tilt_slot();
       const double outer = inner / 2, hole = bore / 2, radii = outer * outer + hole * hole;
@@ -584,9 +607,9 @@ class Bearing {
         size(layout_.border_velocity(tilt + k)) = gross(border_.ring_tilt) / transverse;
       }
     }
-    v(kCageX) = border_.cage[0].net / cage_mass_;
+    v(kCageX) = border_.cage[0].net / cage_mass_ + g.x();
     v(kCageY) = border_.cage[1].net / cage_mass_;
-    v(kCageZ) = border_.cage[2].net / cage_mass_ - g;
+    v(kCageZ) = border_.cage[2].net / cage_mass_ + g.z();
     v(kCagePhi) = border_.cage_spin.net / cage_polar_;
     const Vector3d lean =
         (net(border_.cage_lean) + cage_polar_ * moving_.cage_spin * kX.cross(moving_.cage_lean)) /

@@ -25,7 +25,7 @@ Scene tight_nu205() {
 TEST(BearingModel, KinematicsOfNu205) {
   const Scene scene = tight_nu205();
   const BearingModel model = make_bearing_model(scene);
-  EXPECT_NEAR(kinematic_cage_speed(model, scene.operation.inner_speed) / kRpm, 2423.08, 0.005);
+  EXPECT_NEAR(kinematic_cage_speed(model, {scene.operation.inner_speed, 0}) / kRpm, 2423.08, 0.005);
   const std::vector<double> y = start_state(model, scene.start);
   for (int j = 0; j < model.layout.rollers; ++j) {
     const double spin = y[static_cast<std::size_t>(model.layout.velocity(kSpin, j))];
@@ -84,14 +84,14 @@ TEST(BearingModel, RampsFollowStep) {
   scene.operation.speed_ramp = 2e-3;
   scene.operation.speed_ramp_from = 100;
   const BearingModel m = make_bearing_model(scene);
-  EXPECT_EQ(load_at(m, 0).radial, 0);
-  EXPECT_DOUBLE_EQ(load_at(m, 0.5e-3).radial, 500);
-  EXPECT_DOUBLE_EQ(load_at(m, 0.5e-3).moment_y, 2);
-  EXPECT_DOUBLE_EQ(load_at(m, 0.5e-3).moment_z, -3);
-  EXPECT_DOUBLE_EQ(load_at(m, 1).radial, 1000);
-  EXPECT_EQ(inner_speed_at(m, 0), 100);
-  EXPECT_DOUBLE_EQ(inner_speed_at(m, 1e-3), (100 + scene.operation.inner_speed) / 2);
-  EXPECT_DOUBLE_EQ(inner_speed_at(m, 1), scene.operation.inner_speed);
+  EXPECT_EQ(load_at(m.duty, 0).z, 0);
+  EXPECT_DOUBLE_EQ(-load_at(m.duty, 0.5e-3).z, 500);
+  EXPECT_DOUBLE_EQ(load_at(m.duty, 0.5e-3).moment_y, 2);
+  EXPECT_DOUBLE_EQ(load_at(m.duty, 0.5e-3).moment_z, -3);
+  EXPECT_DOUBLE_EQ(-load_at(m.duty, 1).z, 1000);
+  EXPECT_EQ(ring_speeds_at(m.duty, 0).inner, 100);
+  EXPECT_DOUBLE_EQ(ring_speeds_at(m.duty, 1e-3).inner, (100 + scene.operation.inner_speed) / 2);
+  EXPECT_DOUBLE_EQ(ring_speeds_at(m.duty, 1).inner, scene.operation.inner_speed);
 }
 
 TEST(FindJam, NamesTheWorstPocketAndItsInterference) {

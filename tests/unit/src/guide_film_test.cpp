@@ -221,7 +221,7 @@ TEST(GuideFilm, CarriesTheCageOfARun) {
   EXPECT_LT(quantity(oil, "whirl_radius_ratio_peak"), 1);
   // Two lands rub in oil: Petroff's loss at the cage's speed is the least.
   const BearingModel model = make_bearing_model(scene);
-  const double speed = kinematic_cage_speed(model, model.inner_speed);
+  const double speed = kinematic_cage_speed(model, model.duty.speed);
   const double petroff = 2 * model.guides[0].film.torque / model.guide_clearance * speed * speed;
   EXPECT_GT(quantity(oil, "power_loss_W"), petroff);
   EXPECT_LT(quantity(oil, "power_loss_W"), quantity(touching, "power_loss_W") + 3 * petroff);

@@ -234,6 +234,13 @@ INSTANTIATE_TEST_SUITE_P(
                s.temperature.growth = true;
                s.operation.centrifugal_growth = true;
              }},
+        Case{"fitted_outer_ring_turns",
+             [](Scene& s) {
+               s.operation.outer_speed = -10;  // lands slide below the speed of full sliding
+               s.fit.inner_interference = s.fit.outer_interference = 15e-6;
+               s.fit.housing_diameter = 90e-3;
+               s.operation.centrifugal_growth = true;
+             }},
         Case{"fitted_equilibria",
              [](Scene& s) {
                s.model.motion = MotionModel::quasi_static;

@@ -96,28 +96,31 @@ TEST_P(Linearisation, RatesAreThoseOfTheRightHandSide) {
 }
 
 TEST_P(Linearisation, RatesChangeWithTimeAsTheRampsDo) {
-  for (const bool speed_too : {false, true}) {
-    RandomBearing b = bearing(1, GetParam());
-    b.model.load = {1000, 3, -2};
-    b.model.load_ramp = 1e-3;
-    b.model.speed_ramp = speed_too ? 1e-3 : 0;
-    b.model.speed_from = 0.5 * b.model.inner_speed;
-    System system(b.model);
-    const double t = 4e-4, dt = 1e-6;
-    system.linearise_at(t, b.y.data());
-    std::vector<double> ahead(b.y.size()), behind(b.y.size()), found(b.y.size());
-    evaluate_rates(b.model, t + dt, b.y.data(), ahead.data());
-    evaluate_rates(b.model, t - dt, b.y.data(), behind.data());
-    system.rates_by_time(t, b.y.data(), found.data());
-    double size = 0, apart = 0;
-    for (std::size_t i = 0; i < b.y.size(); ++i) {
-      const double due = (ahead[i] - behind[i]) / (2 * dt);
-      size = std::max(size, std::abs(due) / system.scale[i]);
-      apart = std::max(apart, std::abs(due - found[i]) / system.scale[i]);
+  for (const bool turning : {false, true})
+    for (const bool speed_too : {false, true}) {
+      RandomBearing b = bearing(1, GetParam());
+      Duty& duty = b.model.duty;
+      duty.fixed = {0, -1000, 3, -2};
+      duty.load_ramp = 1e-3;
+      duty.speed_ramp = speed_too ? 1e-3 : 0;
+      duty.speed_from = {0.5 * duty.speed.inner, 100};
+      if (turning) duty.rotating = 700, duty.rotating_speed = -900, duty.unbalance = 1e-3;
+      System system(b.model);
+      const double t = 4e-4, dt = 1e-6;
+      system.linearise_at(t, b.y.data());
+      std::vector<double> ahead(b.y.size()), behind(b.y.size()), found(b.y.size());
+      evaluate_rates(b.model, t + dt, b.y.data(), ahead.data());
+      evaluate_rates(b.model, t - dt, b.y.data(), behind.data());
+      system.rates_by_time(t, b.y.data(), found.data());
+      double size = 0, apart = 0;
+      for (std::size_t i = 0; i < b.y.size(); ++i) {
+        const double due = (ahead[i] - behind[i]) / (2 * dt);
+        size = std::max(size, std::abs(due) / system.scale[i]);
+        apart = std::max(apart, std::abs(due - found[i]) / system.scale[i]);
+      }
+      EXPECT_GT(size, 0);
+      EXPECT_LT(apart, 1e-3 * size) << speed_too;
     }
-    EXPECT_GT(size, 0);
-    EXPECT_LT(apart, 1e-3 * size) << speed_too;
-  }
 }
 
 TEST_P(Linearisation, ForgetsWhatTouchedTheCage) {
@@ -201,7 +204,8 @@ TEST_P(Linearisation, LoadedRacesWithAFilmAreExact) {
       for (const double speed : {1.0, 1e-3, 0.0}) {
         RandomBearing b = loaded_races(law, film, GetParam());
         const StateLayout& l = b.model.layout;
-        b.model.inner_speed = b.model.speed_from = b.model.inner_speed * speed;
+        b.model.duty.speed.inner *= speed;
+        b.model.duty.speed_from.inner = b.model.duty.speed.inner;
         for (int j = 0; j < l.rollers; ++j)
           for (const RollerVelocity slot : {kOrbitRate, kSpin})
             b.y[static_cast<std::size_t>(l.velocity(slot, j))] *= speed;
@@ -233,7 +237,8 @@ TEST_P(Linearisation, LubricatedRacesAreExact) {
   for (const double speed : {1.0, 1e-3, 0.0}) {
     RandomBearing b = lubricated_races(GetParam());
     const StateLayout& l = b.model.layout;
-    b.model.inner_speed = b.model.speed_from = b.model.inner_speed * speed;
+    b.model.duty.speed.inner *= speed;
+    b.model.duty.speed_from.inner = b.model.duty.speed.inner;
     for (int j = 0; j < l.rollers; ++j)
       for (const RollerVelocity slot : {kOrbitRate, kSpin})
         b.y[static_cast<std::size_t>(l.velocity(slot, j))] *= speed;

@@ -229,6 +229,31 @@ TEST(OperatingClearance, WidensRollersAsSolidDiscs) {
               2 * 7810 * spin * spin * r * r * r * 0.7 / (4 * 208e9), 1e-15);
 }
 
+/// An outer ring alone grows as a ring, pressed into a housing of its steel as one body with it; the
+/// cage turns at w_o R_o/(R_i + R_o), rollers at w_o R_o/(2 R).
+TEST(OperatingClearance, FollowsAnOuterRingThatTurns) {
+  Scene scene;
+  scene.operation.centrifugal_growth = true;
+  scene.operation.inner_speed = 0;
+  scene.operation.outer_speed = 1500;
+  const Material steel{208e9, 0.3, 7810};
+  const OperatingClearance free = operating_clearance(scene);
+  EXPECT_EQ(free.inner_raceway.spin, 0);
+  EXPECT_NEAR(free.outer_raceway.spin,
+              2 * spinning_growth({23.25e-3, 26e-3, steel}, 1500, 23.25e-3), 1e-15);
+  const double spin = 1500 * 23.25 / 7.5, r = 3.75e-3;
+  EXPECT_NEAR(free.roller_spin, 2 * 7810 * spin * spin * r * r * r * 0.7 / (4 * 208e9), 1e-15);
+  scene.fit.outer_interference = 20e-6;
+  scene.fit.housing_diameter = 90e-3;
+  scene.fit.housing_material = {"bearing-steel"};
+  EXPECT_NEAR(operating_clearance(scene).outer_raceway.spin,
+              2 * spinning_growth({23.25e-3, 45e-3, steel}, 1500, 23.25e-3), 1e-15);
+  const double strain = free.cage_spin;
+  scene.operation.inner_speed = scene.operation.outer_speed;
+  scene.operation.outer_speed = 0;
+  EXPECT_NEAR(strain / operating_clearance(scene).cage_spin, std::pow(46.5 / 31.5, 2), 1e-12);
+}
+
 std::string operating_problem(const std::string& text) {
   try {
     read_scene(reference_scene_table(text, "t.toml"), "t.toml");

@@ -64,7 +64,7 @@ TEST(OrbitSlip, OfARunIsThatOfItsRollersNotOfItsCage) {
   scene.start.state = StartState::centred;
   const BearingModel model = make_bearing_model(scene);
   const StateLayout& l = model.layout;
-  const double kinematic = kinematic_cage_speed(model, model.inner_speed);
+  const double kinematic = kinematic_cage_speed(model, model.duty.speed);
   std::vector<double> start = start_state(model, scene.start);
   const auto rate = [&](int j) { return (j % 2 == 0 ? 0.8 : 0.9) * kinematic; };
   const double turn = 2 * pi / (0.95 * kinematic);

@@ -57,13 +57,13 @@ TEST(QuasiStatic, MeanIsThatOfManyMorePositions) {
   scene.roller.diameter[4] += 3e-6;  // the pitch does not repeat, the turn does
   const Outcome outcome = simulate(quasi_static(scene));
   const BearingModel model = make_bearing_model(scene);
-  const double speed = kinematic_cage_speed(model, model.inner_speed);
+  const double speed = kinematic_cage_speed(model, model.duty.speed);
   StaticEquilibrium equilibrium(model);
   constexpr int kMany = 13 * 200;
   double sum = 0;
   for (int k = 0; k < kMany; ++k)
     sum -= equilibrium
-               .solve(roller_angles(model, 2 * pi * k / kMany).data(), speed, model.load,
+               .solve(roller_angles(model, 2 * pi * k / kMany).data(), speed, model.duty.fixed,
                       RollerMotion::orbiting)
                .ring_z;
   const double mean = quantity(outcome, "ring_displacement_mean_um");
@@ -103,7 +103,7 @@ TEST(QuasiStatic, WindowShorterThanATurnIsCoveredToItsEnd) {
   StaticEquilibrium equilibrium(model);
   const StaticState& end = equilibrium.solve(
       roller_angles(model, scene.start.cage_phase + 1.5 * pi).data(),
-      kinematic_cage_speed(model, model.inner_speed), model.load, RollerMotion::orbiting);
+      kinematic_cage_speed(model, model.duty.speed), model.duty.fixed, RollerMotion::orbiting);
   EXPECT_NEAR(quantity(outcome, "ring_displacement_end_um"), -1e6 * end.ring_z, 1e-6);
 }
 

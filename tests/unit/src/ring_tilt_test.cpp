@@ -125,7 +125,7 @@ TEST(RingTilt, UnderAMomentBalancesTheSumOverRollersAndSlices) {
         scene.bearing.misalignment_z = stiffness > 0 ? 0.2e-3 : 0;
         scene.discretisation.race_slices = slices;
         const BearingModel model = make_bearing_model(scene);
-        const RingLoad load{radial, 6, 10};
+        const RingLoad load{0, -radial, 6, 10};
         const std::vector<double> angle = roller_angles(model, 0.1);
         StaticEquilibrium equilibrium(model);
         const StaticState& rest = equilibrium.solve(angle.data(), 0, load);

@@ -64,7 +64,7 @@ class OrbitOfRollers : public testing::TestWithParam<std::tuple<double, double, 
 TEST_P(OrbitOfRollers, HoldsTheEquationsOfMotionOfTheBearing) {
   const auto [load, rpm, share] = GetParam();
   const BearingModel model = make_bearing_model(orbit_scene(load, rpm));
-  const double w = share * kinematic_cage_speed(model, model.inner_speed);
+  const double w = share * kinematic_cage_speed(model, model.duty.speed);
   RollerOrbit orbit(model);
   ASSERT_TRUE(orbit.solve(w));
   const OrbitTurn& turn = orbit.turn();
@@ -72,7 +72,7 @@ TEST_P(OrbitOfRollers, HoldsTheEquationsOfMotionOfTheBearing) {
   const std::size_t angles = turn.radius.size(), phases = angles / kRollers;
   const double mass = model.groups[0].mass[0], polar = model.groups[0].polar[0],
                radius = model.groups[0].radius[0];
-  const double rolling = std::abs(model.inner_speed) * model.inner_radius / (2 * radius);
+  const double rolling = std::abs(model.duty.speed.inner) * model.inner_radius / (2 * radius);
   double torque = 0, force_y = 0, force_z = 0, ring_y = 0, ring_z = 0, moments = 0, spins = 0;
   for (std::size_t phase = 0; phase < phases; ++phase) {
     const Snapshot now(model, turn, phase);

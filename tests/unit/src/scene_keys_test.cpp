@@ -183,7 +183,7 @@ TEST(SceneKeys, TheRingTiltsWhereItIsFreeTo) {
                                "tilt_stiffness_N_m_rad = 2e4\ninner_ring_polar_inertia_kg_mm2 = 9\n"
                                "inner_ring_transverse_inertia_kg_mm2 = 6\n");
   const BearingModel model = make_bearing_model(scene);
-  EXPECT_EQ(model.load.moment_z, 3);
+  EXPECT_EQ(model.duty.fixed.moment_z, 3);
   EXPECT_EQ(model.tilt_stiffness, 2e4);
   EXPECT_DOUBLE_EQ(model.ring_polar, 9e-6);
   EXPECT_DOUBLE_EQ(model.ring_transverse, 6e-6);

@@ -22,7 +22,7 @@ Scene oiled(double load) {
 }
 
 double slip(const BearingModel& m, const SteadyStart& start) {
-  return 1 - start.turn.cage_speed / kinematic_cage_speed(m, inner_speed_at(m, 0));
+  return 1 - start.turn.cage_speed / kinematic_cage_speed(m, ring_speeds_at(m.duty, 0));
 }
 
 TEST(CageRest, OnDryLandsLeansByTheAngleOfFriction) {
@@ -30,7 +30,7 @@ TEST(CageRest, OnDryLandsLeansByTheAngleOfFriction) {
   scene.lubrication.land_film = false;
   const BearingModel m = make_bearing_model(scene);
   const double mu = scene.contact.friction_dynamic, push = 3;  // slides far beyond dynamic_speed
-  const CageRest rest = cage_rest(m, 250, 0, 0, -push);
+  const CageRest rest = cage_rest(m, 250, {}, 0, -push);
   const double normal = push / std::hypot(1, mu);
   const double depth = 2 * (std::hypot(rest.y, rest.z) - m.guide_clearance);  // of both lands
   EXPECT_GT(depth, 0);
@@ -43,7 +43,7 @@ TEST(CageRest, OnDryLandsLeansByTheAngleOfFriction) {
 TEST(CageRest, NowhereWhereRollersGuide) {
   Scene scene = oiled(1000);
   scene.cage.guidance = Guidance::roller;
-  const CageRest rest = cage_rest(make_bearing_model(scene), 250, 0, 1, 1);
+  const CageRest rest = cage_rest(make_bearing_model(scene), 250, {}, 1, 1);
   EXPECT_EQ(rest.torque, 0);
   EXPECT_EQ(rest.y, 0);
 }
@@ -58,8 +58,8 @@ TEST(SteadyStart, BalancesTheTorquesOnTheCage) {
       RollerOrbit orbit(m);
       EXPECT_TRUE(orbit.solve(share * start.turn.cage_speed));
       const OrbitTurn& t = orbit.turn();
-      return t.torque + cage_churning(m.churning, t.cage_speed, m.inner_speed).cage +
-             cage_rest(m, t.cage_speed, 0, t.force_y, t.force_z - m.cage_mass * m.gravity).torque;
+      return t.torque + cage_churning(m.churning, t.cage_speed, m.duty.speed.inner, 0).cage +
+             cage_rest(m, t.cage_speed, {}, t.force_y, t.force_z - m.cage_mass * m.gravity).torque;
     };
     EXPECT_GT(torque(0.999), 0) << load;
     EXPECT_LT(torque(1.001), 0) << load;
@@ -110,7 +110,7 @@ TEST(SteadyStart, IsWhatLubricatedBearingsStartFrom) {
     return y[static_cast<std::size_t>(m.layout.border_velocity(kCagePhi))];
   };
   EXPECT_EQ(speed(steady), start.turn.cage_speed);
-  EXPECT_EQ(speed(rolling), kinematic_cage_speed(m, m.inner_speed));
+  EXPECT_EQ(speed(rolling), kinematic_cage_speed(m, m.duty.speed));
 
   const BearingModel dry = make_bearing_model(dry_scene("nu205"));
   EXPECT_FALSE(find_steady_start(dry).found);

@@ -34,7 +34,7 @@ double cage_speed_ratio(const Scene& scene, double share, double from, double to
     slow(l.velocity(kSpin, j));
   }
   slow(l.border_velocity(kCagePhi));
-  const double turning = kinematic_cage_speed(model, model.inner_speed),
+  const double turning = kinematic_cage_speed(model, model.duty.speed),
                turn = 2 * std::numbers::pi / turning;
   System system(model);
   double t = 0;
@@ -61,7 +61,7 @@ TEST_P(NightlySteadyStart, IsWhereLongRunsEnd) {
   const BearingModel model = make_bearing_model(scene);
   const SteadyStart start = find_steady_start(model);
   ASSERT_TRUE(start.found);
-  const double found = start.turn.cage_speed / kinematic_cage_speed(model, model.inner_speed);
+  const double found = start.turn.cage_speed / kinematic_cage_speed(model, model.duty.speed);
   const double rolling = cage_speed_ratio(scene, 1, 50, 60),
                slipping = cage_speed_ratio(scene, 0.7, 50, 60);
   EXPECT_NEAR(found, rolling, 0.03 * rolling);

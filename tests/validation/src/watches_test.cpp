@@ -126,7 +126,7 @@ Scene skidding_bearing() {
 double turns(const Outcome& outcome) {
   const Scene scene = skidding_bearing();
   const BearingModel model = make_bearing_model(scene);
-  return outcome.run.simulated_s * kinematic_cage_speed(model, model.inner_speed) / (2 * M_PI);
+  return outcome.run.simulated_s * kinematic_cage_speed(model, model.duty.speed) / (2 * M_PI);
 }
 
 // By whole windows, and to the slip of a run that has settled longer.
