@@ -15,6 +15,7 @@
 #include "src/cage/cage_table_bytes.hpp"
 #include "src/cage/unsolved_cage.hpp"
 #include "src/input/input_error.hpp"
+#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {
@@ -71,7 +72,8 @@ std::shared_ptr<const CageTable> made_cage_table(const Scene& nominal,
 }
 
 CageTables::CageTables(const Scene& nominal) : nominal_(nominal) {
-  const CageDimensions cage = cage_dimensions(nominal.cage, nominal.bearing.roller_count);
+  const CageDimensions cage =
+      cage_dimensions(operating_scene(nominal).cage, nominal.bearing.roller_count);
   const std::vector<PocketDeviation> none(static_cast<std::size_t>(cage.pocket_count));
   if (const auto fault = cage_fault(cage, none))
     throw InputError({}, "cage", "", "the cage without deviations is impossible: " + fault->reason,

@@ -120,7 +120,7 @@ std::string key_documentation() {
       "tensile "
       "strength. At other temperatures yield stress and fatigue strength fall as the tensile "
       "strength "
-      "does. No model uses the expansion. Loss factors of metal cages stand for their seats and "
+      "does. Loss factors of metal cages stand for their seats and "
       "joints (assumption).\n\n";
   text += material_table();
   text +=

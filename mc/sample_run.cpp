@@ -8,6 +8,7 @@
 #include "src/cage/cage_check.hpp"
 #include "src/cage/scene_cage.hpp"
 #include "src/cage/unsolved_cage.hpp"
+#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {
@@ -39,7 +40,7 @@ double cage_error(const Scene& scene, const CageTable& table, const CageModel& m
 
 SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions options,
                      const std::function<void(const Instant&)>& on_instant) {
-  const Scene& scene = sample.scene;
+  const Scene scene = operating_scene(sample.scene);
   const HistoryPlan& plan = study.history;
   std::optional<SampleHistory> history;
   if (plan.points > 0) history.emplace(plan, scene);

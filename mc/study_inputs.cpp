@@ -209,11 +209,14 @@ void check_flexible_cage(const Study& study, const toml::table& scene, const std
                      "narrow the laws (uniform and truncated_normal have ends), or set cage.model "
                      "= \"rigid\"");
   }
+  const bool grows = study.scene.temperature.growth;
   for (const auto& input : study.inputs) {
     const bool warms = input.key == "lubrication.temperature_C" &&
                        std::isnan(study.scene.cage.temperature) &&
-                       softens(study.scene.cage.material);
-    if (!warms && !tabulated.contains(input.key)) continue;
+                       (grows || softens(study.scene.cage.material));
+    const bool expands =
+        grows && (input.key == "cage.expansion_um_m_K" || input.key == "temperature.reference_C");
+    if (!warms && !expands && !tabulated.contains(input.key)) continue;
     const auto* node = find_node(scene, input.key);
     throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, input.key,
                      node ? shown(*node) : "",

@@ -12,6 +12,8 @@
 #include "src/quantities/plausibility.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
+#include "src/scene/operating_clearance.hpp"
+#include "src/scene/pocket_clearances.hpp"
 #include "src/statics/start_state.hpp"
 #include "src/window_times.hpp"
 
@@ -34,6 +36,21 @@ Outcome jammed(const Jam& jam) {
   outcome.reason = "the roller is " + number(outcome.interference_um) +
                    " um too large for pocket " + std::to_string(jam.pocket) +
                    (jam.in_width ? " (width)" : " (length)");
+  outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
+  return outcome;
+}
+
+/// A cage that a ring holds fast: drawn too large, or grown too large in operation.
+std::optional<Outcome> seized(const Scene& scene) {
+  const PocketClearances left = pocket_clearances(scene, 0);
+  const int ring = left.ring[0] < left.ring[1] ? 0 : 1;
+  if (left.ring[ring] > 0) return {};
+  Outcome outcome;
+  outcome.status = Status::jammed;
+  outcome.interference_um = -1e6 * left.ring[ring];
+  outcome.reason = std::string(ring == 0 ? "the cage's bore is " : "the cage's outside is ") +
+                   number(outcome.interference_um) + " um (of radii) too " +
+                   (ring == 0 ? "small for the inner ring" : "large for the outer ring");
   outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
   return outcome;
 }
@@ -299,10 +316,13 @@ Outcome motion_outcome(const Scene& scene, const SimulateOptions& options,
 
 }  // namespace
 
-Outcome simulate(const Scene& scene, const SimulateOptions& options) {
+Outcome simulate(const Scene& as_made, const SimulateOptions& options) {
   const Clock::time_point began = Clock::now();
+  const Scene scene = operating_scene(as_made);
   const Jam jam = find_jam(scene);
   if (jam.pocket >= 0 && !scene.allow_interference) return jammed(jam);
+  if (!is_quasi_static(scene))
+    if (const std::optional<Outcome> held = seized(scene)) return *held;
   Outcome outcome =
       is_quasi_static(scene) ? quasi_static_outcome(scene) : motion_outcome(scene, options, began);
   if (jam.pocket >= 0 &&

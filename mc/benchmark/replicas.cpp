@@ -8,6 +8,7 @@
 
 #include "distributions/random_stream.hpp"
 #include "mc/sample.hpp"
+#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {
@@ -19,7 +20,8 @@ double start_draw(const Study& study, std::uint64_t id, const char* what) {
       uniform(static_cast<std::uint64_t>(study.seed), Purpose::noise, id, stream_address(what), 0));
 }
 
-double pocket_clearance(const Scene& scene) {
+double pocket_clearance(const Scene& as_made) {
+  const Scene scene = operating_scene(as_made);
   double least = 1;
   for (long j = 0; j < scene.bearing.roller_count; ++j)
     least = std::min(least, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));

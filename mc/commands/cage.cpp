@@ -14,6 +14,7 @@
 #include "src/cage/cage_report.hpp"
 #include "src/cage/unsolved_cage.hpp"
 #include "src/input/input_error.hpp"
+#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {
@@ -131,9 +132,10 @@ int run_cage(const CageArguments& options) {
   if (options.pocket < 0 || options.pocket >= scene.bearing.roller_count)
     throw InputError({}, "--pocket", std::to_string(options.pocket), "the cage has no such pocket",
                      fmt::format("give 0 to {}", scene.bearing.roller_count - 1));
-  const Scene sample = sample_of(scene, options);
+  const Scene sample = operating_scene(sample_of(scene, options));
   Json json{{"kind", "cage"}, {"drawing", pocket_drawing_json(sample, options.pocket)}};
-  std::string text = "scene " + scene.name + "\n" + clearances_text(json["drawing"]) + "\n";
+  const char* state = changes_in_operation(scene) ? " in operation (fits, heat, rotation)" : "";
+  std::string text = "scene " + scene.name + state + "\n" + clearances_text(json["drawing"]) + "\n";
   if (is_flexible(scene)) {
     const CageReport report = flexible_report(scene, sample, options);
     json.update(report_json(report));

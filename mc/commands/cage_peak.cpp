@@ -16,6 +16,7 @@
 #include "src/cage/cage_surface.hpp"
 #include "src/cage/field_recovery.hpp"
 #include "src/quantities/quantity_table.hpp"
+#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {
@@ -97,7 +98,7 @@ Json peak_json(const std::filesystem::path& sweep_directory, const StudyData& st
             {"pocket", peak.pocket},
             {"stations_MPa", again.outcome.quantities.at(static_cast<std::size_t>(
                                  quantity_index("cage_stress_peak_MPa")))}};
-  json.update(field_json(*options.cage_table, stored.sample.scene.cage, peak));
+  json.update(field_json(*options.cage_table, operating_scene(stored.sample.scene).cage, peak));
   return json;
 }
 

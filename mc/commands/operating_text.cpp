@@ -11,8 +11,9 @@ std::string operating_table(const Scene& scene) {
   for (const std::string& warning : operating_warnings(scene)) text += "warning: " + warning + "\n";
   text += "operating point\n";
   const OperatingPoint at = operating_point(scene);
+  const bool changes = changes_in_operation(scene);
   for (const OperatingRow& row : operating_rows())
-    text += value_line(row.key, row.value(at), row.unit);
+    if (changes || !row.of_change) text += value_line(row.key, row.value(at), row.unit);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/scene/operating_clearance.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -37,7 +38,8 @@ std::vector<Rung> climbed(const std::vector<Rung>& steps) {
   return rungs;
 }
 
-double pocket_clearance_um(const Scene& scene) {
+double pocket_clearance_um(const Scene& as_made) {
+  const Scene scene = operating_scene(as_made);
   double least = 1;
   for (long j = 0; j < scene.bearing.roller_count; ++j)
     least = std::min(least, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));

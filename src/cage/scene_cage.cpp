@@ -6,6 +6,7 @@
 #include "src/cage/cage_mass.hpp"
 #include "src/cage/cage_table_bytes.hpp"
 #include "src/scene/materials.hpp"
+#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {
@@ -25,7 +26,8 @@ struct TableInput {
   CageTableOptions options;
 };
 
-TableInput table_input(const Scene& nominal, const GridPoint& point) {
+TableInput table_input(const Scene& as_made, const GridPoint& point) {
+  const Scene nominal = operating_scene(as_made);
   return {cage_dimensions(nominal.cage, nominal.bearing.roller_count),
           tabulated_material(nominal),
           cage_stations(nominal),
@@ -46,8 +48,9 @@ bool close(double a, double b) {
 }  // namespace
 
 GridPoint table_point(const Scene& nominal, const Scene& sample) {
-  const CageDimensions cage = cage_dimensions(nominal.cage, nominal.bearing.roller_count);
-  return nearest_point(cage, pocket_deviations(sample.cage, cage));
+  const CageDimensions cage =
+      cage_dimensions(operating_scene(nominal).cage, nominal.bearing.roller_count);
+  return nearest_point(cage, pocket_deviations(operating_scene(sample).cage, cage));
 }
 
 std::string scene_cage_table_key(const Scene& nominal, const GridPoint& point) {
@@ -72,8 +75,9 @@ std::shared_ptr<const CageTable> scene_cage_table_from_bytes(const Scene& nomina
   return std::make_shared<const CageTable>(std::move(table));
 }
 
-std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const Scene& sample,
+std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const Scene& as_made,
                                                                            const CageTable& table) {
+  const Scene sample = operating_scene(as_made);
   const CageDimensions cage = cage_dimensions(sample.cage, sample.bearing.roller_count);
   const Material material = cage_material(sample);
   const bool same = cage.pocket_count == table.cage.pocket_count &&

@@ -1,4 +1,5 @@
-// The flexible cage of a scene: the interface of src/cage to the rest of the program.
+// The flexible cage of a scene: the interface of src/cage to the rest of the program. Its
+// dimensions are those in operation (src/scene/operating_clearance.hpp).
 #pragma once
 
 #include <memory>

@@ -24,6 +24,7 @@ const std::vector<Unit>& units() {
       {"N_mm", "N mm", "moment", 1e-3},
       {"Pa_s", "Pa s", "viscosity", 1},
       {"mm2_s", "mm^2/s", "kinematic viscosity", 1},
+      {"um_m_K", "um/(m K)", "thermal expansion", 1e-6},
       {"W_m_K", "W/(m K)", "conductivity", 1},
       {"1_GPa", "1/GPa", "pressure-viscosity", 1e-9},
       {"kg_mm2", "kg mm^2", "inertia", 1e-6},

@@ -10,6 +10,7 @@
 #include "src/contact_laws/line_approach.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/scene/materials.hpp"
+#include "src/scene/operating_clearance.hpp"
 #include "src/scene/pocket_outline.hpp"
 
 namespace cagetol {
@@ -297,7 +298,8 @@ void lubricate(const Scene& scene, BearingModel& m) {
 
 }  // namespace
 
-BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> flexible) {
+BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const CageModel> flexible) {
+  const Scene scene = operating_scene(as_made);
   BearingModel m;
   const auto& b = scene.bearing;
   m.layout.rollers = static_cast<int>(b.roller_count);
@@ -411,7 +413,9 @@ double least_static_speed(const BearingModel& m) {
   return least;
 }
 
-Jam find_jam(const Scene& scene) {
+Jam find_jam(const Scene& as_made) {
+  if (changes_in_operation(as_made)) return find_jam(operating_scene(as_made));
+  const Scene& scene = as_made;
   Jam worst;
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const double in_width = each(scene.roller.diameter, j) - each(scene.cage.pocket_width, j);

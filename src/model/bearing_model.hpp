@@ -130,8 +130,9 @@ struct BearingModel {
   double nominal_diameter = 0;  ///< roller diameter, mean of all [m]
 };
 
-/// Builds the model, with the elastic modes of `cage` where given. Throws std::domain_error for
-/// what cannot be built (the reader checks scenes before).
+/// Builds the model of a scene in operation (src/scene/operating_clearance.hpp), with the elastic
+/// modes of `cage` where given. Throws std::domain_error for what cannot be built (the reader
+/// checks scenes before).
 BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> cage = {});
 
 /// Mass centre minus geometric centre of the cage in inertial directions (y, z) [m], at the cosine
@@ -163,7 +164,7 @@ struct Jam {
   bool in_width = true;
   double interference = 0;  ///< [m], >= 0
 };
-/// The worst jam of the scene.
+/// The worst jam of the scene in operation.
 Jam find_jam(const Scene& scene);
 
 }  // namespace cagetol

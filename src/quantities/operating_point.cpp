@@ -8,6 +8,7 @@
 #include "src/input/unit.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/load_rating.hpp"
+#include "src/scene/pocket_clearances.hpp"
 #include "src/statics/start_state.hpp"
 #include "src/statics/static_equilibrium.hpp"
 
@@ -48,23 +49,48 @@ OperatingPoint rated_point(const Scene& scene) {
                                      (b.bore_diameter + b.outside_diameter) / 2);
   at.pitch_diameter = rollers.pitch_diameter;
   at.limiting_speed = b.limiting_speed;
-  at.flange_clearance = b.flange_clearance;
   return at;
 }
 
-void add_clearances(const Scene& scene, const BearingModel& m, OperatingPoint& at) {
-  at.internal_clearance = at.pocket_width_clearance = at.pocket_length_clearance =
-      std::numeric_limits<double>::infinity();
+double thickest_roller(const Scene& scene) {
+  return *std::max_element(scene.roller.diameter.begin(), scene.roller.diameter.end());
+}
+
+/// Of a scene and the model of the same dimensions.
+Clearances clearances_of(const Scene& scene, const BearingModel& m) {
+  Clearances left;
+  left.internal = 2 * (m.outer_radius - m.inner_radius - thickest_roller(scene));
+  left.pocket_width = left.pocket_length = std::numeric_limits<double>::infinity();
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
-    const double roller = each(scene.roller.diameter, j);
-    at.internal_clearance =
-        std::min(at.internal_clearance, 2 * (m.outer_radius - m.inner_radius - roller));
-    at.pocket_width_clearance =
-        std::min(at.pocket_width_clearance, each(scene.cage.pocket_width, j) - roller);
-    at.pocket_length_clearance = std::min(at.pocket_length_clearance,
-                                          each(scene.cage.pocket_length, j) - scene.roller.length);
+    const PocketClearances pocket = pocket_clearances(scene, j);
+    left.pocket_width = std::min(left.pocket_width, pocket.tangential);
+    left.pocket_length = std::min(left.pocket_length, pocket.axial);
   }
-  at.guide_clearance = m.guide_clearance;
+  left.guide = m.guide_clearance;
+  left.flange = scene.bearing.flange_clearance;
+  return left;
+}
+
+/// Clearances of the parts as they are made, and what changes them.
+void add_clearances(const Scene& scene, const Scene& hot, const BearingModel& m,
+                    OperatingPoint& at) {
+  at.clearance = clearances_of(hot, m);
+  Scene cold = scene;
+  cold.fit = {};
+  cold.temperature.growth = cold.operation.centrifugal_growth = false;
+  at.made_clearance =
+      changes_in_operation(scene) ? clearances_of(cold, make_bearing_model(cold)) : at.clearance;
+  const OperatingClearance by = operating_clearance(scene);
+  const double roller = thickest_roller(scene);
+  const Growth& inner = by.inner_raceway;
+  at.inner_change = {0 - inner.fit, 0 - inner.heat, 0 - inner.spin};  // no change is 0, not -0
+  at.outer_change = by.outer_raceway;
+  at.roller_change = {0, 0 - 2 * roller * by.roller_heat, 0 - 2 * by.roller_spin};
+  at.inner_fit = by.inner_fit;
+  at.outer_fit = by.outer_fit;
+}
+
+void add_masses(const BearingModel& m, OperatingPoint& at) {
   at.cage_mass = m.cage_mass;
   at.roller_mass = m.groups.front().mass[0];
 }
@@ -109,12 +135,42 @@ std::string rounded(double value, const std::string& unit) {
          unit;
 }
 
+std::string micrometres(double length) {
+  return number_text(std::round(1e7 * length) / 10) + " um";
+}
+
+/// Preload and fits that open.
+void add_clearance_warnings(const Scene& scene, std::vector<std::string>& warnings) {
+  const BearingGeometry& b = scene.bearing;
+  const double made = b.outer_raceway_diameter - b.inner_raceway_diameter + b.internal_clearance -
+                      2 * thickest_roller(scene);
+  const OperatingClearance by = operating_clearance(scene);
+  const Growth change = by.internal(thickest_roller(scene));
+  if (made + change.total() < 0)
+    warnings.push_back("the internal clearance in operation is " +
+                       micrometres(made + change.total()) + ", a preload: as made " +
+                       micrometres(made) + ", fits " + micrometres(change.fit) + ", heat " +
+                       micrometres(change.heat) + ", rotation " + micrometres(change.spin));
+  const auto opens = [&](double given, const FitState& fit, const char* parts, const char* key) {
+    if (!(given > 0) || fit.interference > 0) return;
+    warnings.push_back(std::string(parts) + " come loose in operation: of " + key + " = " +
+                       micrometres(given) + " heat and rotation leave a gap of " +
+                       micrometres(-fit.interference));
+  };
+  opens(scene.fit.inner_interference, by.inner_fit, "inner ring and shaft",
+        "fit.inner_interference_um");
+  opens(scene.fit.outer_interference, by.outer_fit, "outer ring and housing",
+        "fit.outer_interference_um");
+}
+
 }  // namespace
 
 OperatingPoint operating_point(const Scene& scene) {
   OperatingPoint at = rated_point(scene);
-  const BearingModel model = make_bearing_model(scene);
-  add_clearances(scene, model, at);
+  const Scene hot = operating_scene(scene);
+  const BearingModel model = make_bearing_model(hot);
+  add_clearances(scene, hot, model, at);
+  add_masses(model, at);
   add_kinematics(model, at);
   add_load_distribution(model, at);
   return at;
@@ -143,11 +199,28 @@ const std::vector<OperatingRow>& operating_rows() {
       {"roller_speed_rpm", "rpm", "kinematic speed of a roller about its axis, relative to the cage, positive against the inner ring's sense", [](At p) { return p.roller_speed / kRpm; }},
       {"roller_spin_rpm", "rpm", "the same seen from outside, positive in the inner ring's sense", [](At p) { return p.roller_spin / kRpm; }},
       {"entrainment_speed_m_s", "m/s", "speed at which the inner race and a roller carry oil into their contact", [](At p) { return p.entrainment; }},
-      {"internal_clearance_um", "um", "diametral clearance that raceways and rollers leave, of the thickest roller", [](At p) { return 1e6 * p.internal_clearance; }},
-      {"pocket_width_clearance_um", "um", "pocket width less roller diameter, least over pockets", [](At p) { return 1e6 * p.pocket_width_clearance; }},
-      {"pocket_length_clearance_um", "um", "pocket length less roller length, least over pockets", [](At p) { return 1e6 * p.pocket_length_clearance; }},
-      {"guide_clearance_um", "um", "radial clearance of the cage in what guides it", [](At p) { return 1e6 * p.guide_clearance; }},
-      {"flange_clearance_um", "um", "axial clearance of a roller between its flanges", [](At p) { return 1e6 * p.flange_clearance; }},
+      {"internal_clearance_as_made_um", "um", "diametral clearance that raceways and rollers leave, of the thickest roller, before fits, heat and rotation", [](At p) { return 1e6 * p.made_clearance.internal; }, true},
+      {"inner_fit_change_um", "um", "change of that clearance by the fit of the inner ring, cold and at rest", [](At p) { return 1e6 * p.inner_change.fit; }, true},
+      {"outer_fit_change_um", "um", "likewise by the fit of the outer ring", [](At p) { return 1e6 * p.outer_change.fit; }, true},
+      {"inner_heat_change_um", "um", "then by heat of inner ring and shaft", [](At p) { return 1e6 * p.inner_change.heat; }, true},
+      {"outer_heat_change_um", "um", "then by heat of outer ring and housing", [](At p) { return 1e6 * p.outer_change.heat; }, true},
+      {"roller_heat_change_um", "um", "then by heat of the rollers", [](At p) { return 1e6 * p.roller_change.heat; }, true},
+      {"inner_rotation_change_um", "um", "then by rotation of inner ring and shaft", [](At p) { return 1e6 * p.inner_change.spin; }, true},
+      {"outer_rotation_change_um", "um", "then by rotation of outer ring and housing", [](At p) { return 1e6 * p.outer_change.spin; }, true},
+      {"roller_rotation_change_um", "um", "then by rotation of the rollers", [](At p) { return 1e6 * p.roller_change.spin; }, true},
+      {"internal_clearance_um", "um", "the clearance in operation, with all these changes", [](At p) { return 1e6 * p.clearance.internal; }},
+      {"inner_fit_interference_um", "um", "interference of inner ring and shaft in operation, of diameters; below 0: the fit is open; none without fit.inner_interference_um", [](At p) { return 1e6 * p.inner_fit.interference; }, true},
+      {"inner_fit_pressure_MPa", "MPa", "pressure between inner ring and shaft in operation", [](At p) { return 1e-6 * p.inner_fit.pressure; }, true},
+      {"outer_fit_interference_um", "um", "likewise of outer ring and housing", [](At p) { return 1e6 * p.outer_fit.interference; }, true},
+      {"outer_fit_pressure_MPa", "MPa", "likewise of outer ring and housing", [](At p) { return 1e-6 * p.outer_fit.pressure; }, true},
+      {"pocket_width_clearance_as_made_um", "um", "pocket width less roller diameter, least over pockets, before fits, heat and rotation", [](At p) { return 1e6 * p.made_clearance.pocket_width; }, true},
+      {"pocket_width_clearance_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.pocket_width; }},
+      {"pocket_length_clearance_as_made_um", "um", "pocket length less roller length, likewise", [](At p) { return 1e6 * p.made_clearance.pocket_length; }, true},
+      {"pocket_length_clearance_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.pocket_length; }},
+      {"guide_clearance_as_made_um", "um", "radial clearance of the cage in what guides it, likewise", [](At p) { return 1e6 * p.made_clearance.guide; }, true},
+      {"guide_clearance_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.guide; }},
+      {"flange_clearance_as_made_um", "um", "axial clearance of a roller between its flanges, likewise", [](At p) { return 1e6 * p.made_clearance.flange; }, true},
+      {"flange_clearance_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.flange; }},
       {"cage_mass_g", "g", "mass of the cage", [](At p) { return 1e3 * p.cage_mass; }},
       {"roller_mass_g", "g", "mass of a roller", [](At p) { return 1e3 * p.roller_mass; }},
   };
@@ -185,6 +258,7 @@ std::vector<std::string> operating_warnings(const Scene& scene) {
         speed + " makes n d_m = " + rounded(1e3 * at.speed * at.pitch_diameter / kRpm, "mm/min") +
         ": bearings of aircraft engines, the fastest in service, reach some 3 "
         "million");
+  add_clearance_warnings(scene, warnings);
   if (at.speed == 0) return warnings;
   if (at.load < at.least_load_skf)
     warnings.push_back(load + " is below the least load by SKF's rule, " +

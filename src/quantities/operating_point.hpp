@@ -13,9 +13,17 @@
 #include <string>
 #include <vector>
 
+#include "src/scene/operating_clearance.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
+
+/// Clearances: least over rollers and pockets [m].
+struct Clearances {
+  double internal;                     ///< diametral
+  double pocket_width, pocket_length;  ///< pocket less roller
+  double guide, flange;                ///< radial of the cage, axial of a roller
+};
 
 /// NaN: not known, or not defined for the scene.
 struct OperatingPoint {
@@ -31,18 +39,19 @@ struct OperatingPoint {
   double film;           ///< at the heaviest slice of the inner race [m]
   double lambda;         ///< film over composite roughness of the races
 
-  double pitch_diameter;                     ///< d_m [m]
-  double speed;                              ///< magnitude, of the inner ring [rad/s]
-  double limiting_speed;                     ///< [rad/s]
-  double cage_speed;                         ///< w_c [rad/s]
-  double roller_speed;                       ///< w_r, relative to the cage [rad/s]
-  double roller_spin;                        ///< w_c - w_r, seen from outside [rad/s]
-  double entrainment;                        ///< u [m/s]
-  double internal_clearance;                 ///< diametral, least over the rollers [m]
-  double pocket_width_clearance;             ///< least over the pockets [m]
-  double pocket_length_clearance;            ///< least over the pockets [m]
-  double guide_clearance, flange_clearance;  ///< radial of the cage, axial of a roller [m]
-  double cage_mass, roller_mass;             ///< [kg]
+  double pitch_diameter;      ///< d_m [m]
+  double speed;               ///< magnitude, of the inner ring [rad/s]
+  double limiting_speed;      ///< [rad/s]
+  double cage_speed;          ///< w_c [rad/s]
+  double roller_speed;        ///< w_r, relative to the cage [rad/s]
+  double roller_spin;         ///< w_c - w_r, seen from outside [rad/s]
+  double entrainment;         ///< u [m/s]
+  Clearances clearance;       ///< in operation (src/scene/operating_clearance.hpp)
+  Clearances made_clearance;  ///< as the scene gives the parts, cold and not mounted
+  Growth inner_change, outer_change,
+      roller_change;  ///< of the internal clearance, by each part [m]
+  FitState inner_fit, outer_fit;
+  double cage_mass, roller_mass;  ///< [kg]
 };
 
 /// Load distribution and film are NaN where no equilibrium is found.
@@ -54,6 +63,8 @@ struct OperatingRow {
   const char* unit;                           ///< "-" for a ratio
   const char* definition;                     ///< one sentence
   double (*value)(const OperatingPoint& of);  ///< in that unit
+  /// Of what changes in operation: says nothing where nothing does (changes_in_operation()).
+  bool of_change = false;
 };
 /// All lines, in the order of tables and files.
 const std::vector<OperatingRow>& operating_rows();

@@ -6,38 +6,10 @@
 #include "src/lubrication/lubricant.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/pocket_outline.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/scene/scene_check.hpp"
 
 namespace cagetol {
 namespace {
-
-// Writes the errors: where the key stands, what it disagrees with.
-class SceneCheck {
- public:
-  SceneCheck(const Scene& scene, const std::string& file, const toml::table* root)
-      : scene_(scene), file_(file), root_(root) {}
-
-  /// Throws, naming `key` with its value, unless `condition` holds.
-  void require(bool condition, const std::string& key, const std::string& problem,
-               const std::string& remedy) const {
-    if (condition) return;
-    const auto* node = root_ ? find_node(*root_, key) : nullptr;
-    throw InputError(node ? place_of(*node, file_) : SourcePlace{file_, 0}, key, value(key),
-                     problem, remedy);
-  }
-
-  /// "roller.diameter_mm = 7.5".
-  std::string with_value(const std::string& key) const { return key + " = " + value(key); }
-
- private:
-  std::string value(const std::string& key) const {
-    return key_text(*find_key(scene_keys(), key), scene_);
-  }
-
-  const Scene& scene_;
-  const std::string& file_;
-  const toml::table* root_;
-};
 
 void check_rings(const Scene& scene, const SceneCheck& check) {
   const auto& bearing = scene.bearing;
@@ -132,10 +104,6 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
       oil ? "lubrication.land_film_width_mm" : "cage.guide_film_width_mm",
       "two lands this wide do not fit on the cage (" + check.with_value("cage.width_mm") + ")",
       "give at most half the cage's width");
-}
-
-std::string in_mm(double length) {
-  return number_text(std::round(1e6 * length) / 1e3) + " mm";
 }
 
 /// "10.34 mm, say, leaves 0.1 mm": lips that hold a cage as loosely as pockets are wide.
@@ -433,6 +401,7 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
                     check.with_value("bearing.roller_count") + ")",
                 "keep fewer elastic modes, or set cage.bar_modes = false");
   check_outline(scene, check);
+  check_operation(scene, check);
   check_filmed_contacts(scene, check);
   check_line_races(scene, check);
   check_oil(scene, check);

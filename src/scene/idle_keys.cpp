@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/scene/materials.hpp"
+#include "src/scene/operating_clearance.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -33,8 +34,20 @@ bool has_line_races(const Scene& s) {
   return hertz(s.contact.race) && s.contact.race_approach == RaceApproach::line;
 }
 
-bool all_given(const MaterialChoice& material) {
-  return given(material.young) && given(material.poisson) && given(material.density);
+bool all_given(const Scene& s, const MaterialChoice& material) {
+  return given(material.young) && given(material.poisson) && given(material.density) &&
+         (given(material.expansion) || !s.temperature.growth);
+}
+
+bool inner_fit_presses(const Scene& s) {
+  return operating_clearance(s).inner_fit.pressure > 0;
+}
+bool outer_fit_presses(const Scene& s) {
+  return operating_clearance(s).outer_fit.pressure > 0;
+}
+
+bool outer_grows_by_rotation(const Scene& s) {
+  return grows_by_rotation(s) && s.operation.outer_speed != 0;
 }
 
 bool strengths_given(const CageGeometry& cage) {
@@ -59,11 +72,16 @@ struct Rule {
   std::string_view why;
 };
 
+/// One table, hence one file: of two rules that hold the first gives the reason.
 const std::vector<Rule>& rules() {
   static const std::vector<Rule> all = {
       {{"bearing.outside_diameter_mm"},
-       [](const Scene& s) { return !has_line_races(s); },
-       "no result depends on it but by contact.race.approach = \"line\""},
+       [](const Scene& s) {
+         return !has_line_races(s) && !outer_fit_presses(s) && !outer_grows_by_rotation(s);
+       },
+       "no result depends on it but by contact.race.approach = \"line\", a fit or the rotation of "
+       "the "
+       "outer ring"},
       {{"bearing.dynamic_rating_kN", "bearing.static_rating_kN", "bearing.reference_speed_rpm",
         "bearing.limiting_speed_rpm", "bearing.least_load_factor"},
        [](const Scene&) { return true; },
@@ -75,6 +93,7 @@ const std::vector<Rule>& rules() {
         "cage.young_GPa",
         "cage.poisson",
         "cage.density_kg_m3",
+        "cage.expansion_um_m_K",
         "cage.material",
         "cage.temperature_C",
         "cage.guidance",
@@ -147,14 +166,30 @@ const std::vector<Rule>& rules() {
        [](const Scene& s) { return !has_free_ring_tilt(s); },
        "model.ring_tilt = \"prescribed\""},
       // Materials.
-      {{"bearing.ring_young_GPa", "bearing.ring_poisson", "roller.young_GPa", "roller.poisson"},
-       [](const Scene& s) { return !races_use_moduli(s); },
+      {{"bearing.ring_young_GPa", "bearing.ring_poisson"},
+       [](const Scene& s) {
+         return !races_use_moduli(s) && !inner_fit_presses(s) && !outer_fit_presses(s) &&
+                !grows_by_rotation(s);
+       },
        "model.motion = \"quasi-static\" and contact.race.force_law = \"impact\""},
-      {{"cage.young_GPa", "cage.poisson"},
+      {{"roller.young_GPa", "roller.poisson"},
+       [](const Scene& s) { return !races_use_moduli(s) && !grows_by_rotation(s); },
+       "model.motion = \"quasi-static\" and contact.race.force_law = \"impact\""},
+      {{"cage.poisson"},
        [](const Scene& s) { return !is_flexible(s) && !bars_use_moduli(s); },
        "cage.model = \"rigid\" and contact.bar.force_law = \"impact\""},
-      {{"bearing.ring_density_kg_m3", "bearing.width_mm"},
+      {{"cage.young_GPa"},
+       [](const Scene& s) {
+         return !is_flexible(s) && !bars_use_moduli(s) && !grows_by_rotation(s);
+       },
+       "cage.model = \"rigid\" and contact.bar.force_law = \"impact\""},
+      {{"bearing.width_mm"},
        [](const Scene& s) { return given(s.bearing.inner_ring_mass) && !has_free_ring_tilt(s); },
+       "bearing.inner_ring_mass_kg is given"},
+      {{"bearing.ring_density_kg_m3"},
+       [](const Scene& s) {
+         return given(s.bearing.inner_ring_mass) && !has_free_ring_tilt(s) && !grows_by_rotation(s);
+       },
        "bearing.inner_ring_mass_kg is given"},
       {{"cage.density_kg_m3"},
        [](const Scene& s) {
@@ -163,25 +198,70 @@ const std::vector<Rule>& rules() {
        },
        "the cage's mass and inertias are given"},
       {{"cage.temperature_C"},
-       [](const Scene& s) { return !cage_softens(s); },
-       "no modulus or strength of the cage depends on it"},
+       [](const Scene& s) { return !cage_softens(s) && !s.temperature.growth; },
+       "no modulus, strength or dimension of the cage depends on it"},
       {{"lubrication.temperature_C"},
        [](const Scene& s) {
-         return !is_lubricated(s) && (given(s.cage.temperature) || !cage_softens(s));
+         const bool rings = s.temperature.growth &&
+                            !(given(s.temperature.inner_ring) && given(s.temperature.outer_ring));
+         const bool cage = s.temperature.growth && !is_quasi_static(s);
+         return !is_lubricated(s) && !rings &&
+                (given(s.cage.temperature) || !(cage_softens(s) || cage));
        },
        "lubrication.model = \"none\""},
       {{"bearing.ring_material"},
-       [](const Scene& s) { return all_given(s.bearing.ring_material); },
+       [](const Scene& s) { return all_given(s, s.bearing.ring_material); },
        "all properties of the rings' material are given"},
       {{"roller.material"},
-       [](const Scene& s) { return all_given(s.roller.material); },
+       [](const Scene& s) { return all_given(s, s.roller.material); },
        "all properties of the rollers' material are given"},
       {{"cage.material"},
        [](const Scene& s) {
-         return all_given(s.cage.material) &&
+         return all_given(s, s.cage.material) &&
                 (!is_flexible(s) || (given(s.cage.mode_damping) && strengths_given(s.cage)));
        },
        "all properties of the cage's material are given"},
+      // Operating clearance.
+      {{"temperature.reference_C", "temperature.inner_ring_C", "temperature.outer_ring_C",
+        "temperature.rollers_C", "temperature.shaft_C", "temperature.housing_C",
+        "bearing.ring_expansion_um_m_K", "roller.expansion_um_m_K", "cage.expansion_um_m_K",
+        "fit.shaft_expansion_um_m_K", "fit.housing_expansion_um_m_K"},
+       [](const Scene& s) { return !s.temperature.growth; },
+       "temperature.growth = false"},
+      {{"temperature.shaft_C", "fit.shaft_bore_mm", "fit.shaft_young_GPa", "fit.shaft_poisson",
+        "fit.shaft_density_kg_m3", "fit.shaft_expansion_um_m_K"},
+       [](const Scene& s) { return !inner_fit_presses(s); },
+       "no pressure between inner ring and shaft"},
+      {{"temperature.housing_C", "fit.housing_diameter_mm", "fit.housing_young_GPa",
+        "fit.housing_poisson", "fit.housing_expansion_um_m_K"},
+       [](const Scene& s) { return !outer_fit_presses(s); },
+       "no pressure between outer ring and housing"},
+      {{"fit.shaft_material"},
+       [](const Scene& s) {
+         return all_given(s, s.fit.shaft_material) ||
+                (!inner_fit_presses(s) &&
+                 !(s.temperature.growth && given(s.fit.inner_interference)));
+       },
+       "no pressure between inner ring and shaft, or all properties given"},
+      {{"fit.housing_material"},
+       [](const Scene& s) {
+         return all_given(s, s.fit.housing_material) ||
+                (!outer_fit_presses(s) &&
+                 !(s.temperature.growth && given(s.fit.outer_interference)));
+       },
+       "no pressure between outer ring and housing, or all properties given"},
+      {{"fit.shaft_density_kg_m3"},
+       [](const Scene& s) { return !grows_by_rotation(s) || s.operation.inner_speed == 0; },
+       "no centrifugal growth of the shaft"},
+      {{"fit.housing_density_kg_m3"},
+       [](const Scene& s) {
+         return !outer_fit_presses(s) || !outer_grows_by_rotation(s) ||
+                !given(s.fit.housing_diameter);
+       },
+       "no centrifugal growth of the housing"},
+      {{"speed.centrifugal_growth"},
+       [](const Scene& s) { return s.operation.inner_speed == 0 && s.operation.outer_speed == 0; },
+       "no ring turns"},
       // The cage.
       {{"cage.modes", "cage.bar_modes", "cage.mode_damping", "cage.mesh_density",
         "cage.corner_radius_mm", "cage.centrifugal", "cage.coriolis", "cage.yield_stress_MPa",

@@ -59,6 +59,19 @@ const std::vector<MaterialPreset>& material_presets() {
        .strength = {860e6, 930e6, 420e6},
        .loss_factor = 0.02,
        .source = "AMS 6415 tempered to 28 to 36 HRC; a silver plating changes the friction only"},
+      {.name = "cast-iron",
+       .at_room = {110e9, 0.26, 7200},
+       .expansion = 10.5e-6,
+       .strength = {165e6, 250e6, 90e6},
+       .loss_factor = 0.02,
+       .source = "EN 1561, EN-GJL-250: 103 to 118 GPa; expansion near room temperature"},
+      {.name = "aluminium-cast",
+       .at_room = {75e9, 0.33, 2650},
+       .expansion = 21e-6,
+       .strength = {180e6, 220e6, 80e6},
+       .loss_factor = 0.02,
+       .source =
+           "EN 1706, AC-43000 (AlSi10Mg) T6 from sand moulds; fatigue strength 80 to 110 MPa"},
       {.name = "brass-cuzn40pb2",
        .at_room = {102e9, 0.34, 8430},
        .expansion = 20.4e-6,
@@ -110,17 +123,17 @@ Material properties_of(const MaterialChoice& material, double temperature) {
           given_or(material.density, preset.at_room.density)};
 }
 
+double expansion_of(const MaterialChoice& material) {
+  return given_or(material.expansion, material_named(material.name).expansion);
+}
+
 bool softens(const MaterialChoice& material) {
   return std::isnan(material.young) && !material_named(material.name).young.empty();
 }
 
-namespace {
-
 double cage_temperature(const Scene& scene) {
   return given_or(scene.cage.temperature, scene.lubrication.temperature);
 }
-
-}  // namespace
 
 Material cage_material(const Scene& scene) {
   return properties_of(scene.cage.material, cage_temperature(scene));

@@ -1,6 +1,6 @@
-// Named materials of cages, rollers and rings: the values of the material keys that are left to
-// auto. Strengths and moduli of one name scatter between deliveries, of polymers by a tenth and
-// with moisture by a third: a measured value goes into the key of its own.
+// Named materials of cages, rollers, rings, shafts and housings: the values of the material keys
+// that are left to auto. Strengths and moduli of one name scatter between deliveries, of polymers
+// by a tenth and with moisture by a third: a measured value goes into the key of its own.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace cagetol {
 struct MaterialPreset {
   std::string name;
   Material at_room;        ///< at 20 degC
-  double expansion = 0;    ///< linear thermal expansion, for information: no model uses it [1/K]
+  double expansion = 0;    ///< linear thermal expansion [1/K]
   Strength strength;       ///< at 20 degC
   double loss_factor = 0;  ///< of a cage as it runs, its joints and seats included
   std::string source;
@@ -32,10 +32,16 @@ const MaterialPreset& material_named(const std::string& name);
 /// The given properties, the others of the named material at `temperature` [degC].
 Material properties_of(const MaterialChoice& material, double temperature = 20);
 
+/// Linear thermal expansion, given or of the named material [1/K].
+double expansion_of(const MaterialChoice& material);
+
 /// Whether its modulus depends on the temperature.
 bool softens(const MaterialChoice& material);
 
-/// Materials as a scene runs. The cage's temperature is that of the oil where it is not given.
+/// Of the cage: that of the oil where it is not given [degC].
+double cage_temperature(const Scene& scene);
+
+/// Materials as a scene runs.
 Material cage_material(const Scene& scene);
 /// Strengths of the cage at its temperature.
 Strength cage_strength(const Scene& scene);

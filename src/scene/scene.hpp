@@ -35,6 +35,7 @@ struct Strength {
 struct MaterialChoice {
   std::string name;  ///< a name of material_presets()
   double young = kAuto, poisson = kAuto, density = kAuto;
+  double expansion = kAuto;  ///< linear thermal expansion [1/K]
 };
 
 /// Which motions are modelled.
@@ -79,6 +80,26 @@ struct RollerGeometry {
   std::vector<double> taper = {0};  ///< diameter at the +x end minus diameter at the -x end [m]
   RollerProfile profile = RollerProfile::none;
   MaterialChoice material{"bearing-steel"};
+};
+
+/// Seats of the rings (src/scene/operating_clearance.hpp).
+struct Fits {
+  /// Of the inner ring on its shaft, diametral; < 0: loose, kAuto: a ring without seat [m].
+  double inner_interference = kAuto;
+  double shaft_bore = 0;  ///< diameter, 0: solid [m]
+  MaterialChoice shaft_material{"bearing-steel"};
+  double outer_interference = kAuto;  ///< of the outer ring in its housing, likewise [m]
+  double housing_diameter = kAuto;    ///< outside; kAuto: much larger than the bearing [m]
+  MaterialChoice housing_material{"cast-iron"};
+};
+
+/// Temperatures of parts, by which they grow from the dimensions that the scene gives [degC].
+/// That of the cage is CageGeometry::temperature. kAuto: of the inner and the outer ring that of
+/// the oil, of the rollers the mean of both rings, of shaft and housing that of their ring.
+struct Temperatures {
+  bool growth = false;    ///< false: parts have the dimensions that the scene gives
+  double reference = 20;  ///< at which they have these
+  double inner_ring = kAuto, outer_ring = kAuto, rollers = kAuto, shaft = kAuto, housing = kAuto;
 };
 
 /// Oil film between the cage's lands and their guiding ring (src/contact_laws/short_bearing.hpp).
@@ -213,11 +234,12 @@ struct Operation {
   double load_ramp = 0;           ///< rise time of load and moment from zero, by STEP [s]
   double inner_speed = 6000 * 0.10471975511965977;  ///< about +x [rad/s]
   double outer_speed = 0;                           ///< of the outer ring, likewise [rad/s]
-  double speed_ramp_from = kAuto;  ///< inner_speed at t = 0; kAuto: no ramp [rad/s]
-  double outer_ramp_from = kAuto;  ///< likewise of outer_speed [rad/s]
-  double speed_ramp = 0;           ///< duration of the ramps, by STEP [s]
-  double gravity = 9.81;           ///< [m/s^2]
-  double shaft_inclination = 0;    ///< of +x above the horizontal; gravity is along -z at 0 [rad]
+  double speed_ramp_from = kAuto;   ///< inner_speed at t = 0; kAuto: no ramp [rad/s]
+  double outer_ramp_from = kAuto;   ///< likewise of outer_speed [rad/s]
+  double speed_ramp = 0;            ///< duration of the ramps, by STEP [s]
+  double gravity = 9.81;            ///< [m/s^2]
+  double shaft_inclination = 0;     ///< of +x above the horizontal; gravity is along -z at 0 [rad]
+  bool centrifugal_growth = false;  ///< of rings, shaft, housing, rollers and cage at their speeds
 };
 
 struct Start {
@@ -280,6 +302,8 @@ struct Scene {
   BearingGeometry bearing;
   RollerGeometry roller;
   CageGeometry cage;
+  Fits fit;
+  Temperatures temperature;
   Contacts contact;
   OilFilm film;
   Lubrication lubrication;

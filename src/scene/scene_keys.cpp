@@ -51,6 +51,7 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"bearing.ring_young_GPa", or_auto(above(0)), AT(bearing.ring_material.young), "Young's modulus of the rings; auto: of the named material"},
       {"bearing.ring_poisson", or_auto(within(0, 0.49)), AT(bearing.ring_material.poisson), "Poisson's ratio of the rings; auto: likewise"},
       {"bearing.ring_density_kg_m3", or_auto(above(0)), AT(bearing.ring_material.density), "density of the rings; auto: likewise"},
+      {"bearing.ring_expansion_um_m_K", or_auto(within(0, 300)), AT(bearing.ring_material.expansion), "linear thermal expansion of the rings, in 1e-6/K; auto: likewise"},
       {"bearing.inner_ring_mass_kg", or_auto(above(0)), AT(bearing.inner_ring_mass), "moving mass of the inner ring; auto: from its geometry"},
       {"bearing.inner_ring_polar_inertia_kg_mm2", or_auto(above(0)), AT(bearing.inner_ring_polar_inertia), "of a ring whose tilt is free: moment of inertia about its centre line, for the gyroscopic moment; auto: hollow cylinder of its mass"},
       {"bearing.inner_ring_transverse_inertia_kg_mm2", or_auto(above(0)), AT(bearing.inner_ring_transverse_inertia), "of a ring whose tilt is free: moment of inertia about a diameter; auto: hollow cylinder of its mass"},
@@ -70,6 +71,7 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"roller.young_GPa", or_auto(above(0)), AT(roller.material.young), "Young's modulus of the rollers; auto: of the named material"},
       {"roller.poisson", or_auto(within(0, 0.49)), AT(roller.material.poisson), "Poisson's ratio of the rollers; auto: likewise"},
       {"roller.density_kg_m3", or_auto(above(0)), AT(roller.material.density), "density of the rollers; auto: likewise"},
+      {"roller.expansion_um_m_K", or_auto(within(0, 300)), AT(roller.material.expansion), "linear thermal expansion of the rollers; auto: likewise"},
   };
   keys.insert(keys.end(), table.begin(), table.end());
 }
@@ -85,10 +87,11 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.pocket_pitch_mrad", within(-100, 100), AT(cage.pocket_pitch), "angular deviation of a pocket's centre"},
       {"cage.pocket_squareness_mrad", within(-100, 100), AT(cage.pocket_squareness), "angle of a pocket's bar faces to the bearing axis"},
       {"cage.material", one_of(material_names()), AT(cage.material.name), "named material of the cage, for its keys that are left to auto"},
-      {"cage.temperature_C", or_auto(within(-60, 250)), AT(cage.temperature), "temperature of the cage, for the modulus of the named material; auto: lubrication.temperature_C"},
+      {"cage.temperature_C", or_auto(within(-60, 250)), AT(cage.temperature), "temperature of the cage, for the modulus of the named material and, with temperature.growth, its dimensions; auto: lubrication.temperature_C"},
       {"cage.young_GPa", or_auto(above(0)), AT(cage.material.young), "Young's modulus of the cage; auto: of the named material at its temperature"},
       {"cage.poisson", or_auto(within(0, 0.49)), AT(cage.material.poisson), "Poisson's ratio of the cage; auto: of the named material"},
       {"cage.density_kg_m3", or_auto(above(0)), AT(cage.material.density), "density of the cage; auto: likewise"},
+      {"cage.expansion_um_m_K", or_auto(within(0, 300)), AT(cage.material.expansion), "linear thermal expansion of the cage, of fibre-filled polymers along the flow; auto: likewise"},
       {"cage.yield_stress_MPa", or_auto(above(0)), AT(cage.yield_stress), "yield stress of the cage, for cage_yield_utilisation; auto: of the named material at its temperature"},
       {"cage.tensile_strength_MPa", or_auto(above(0)), AT(cage.tensile_strength), "tensile strength of the cage, for cage_fatigue_utilisation; auto: likewise"},
       {"cage.fatigue_strength_MPa", or_auto(above(0)), AT(cage.fatigue_strength), "fully reversed fatigue strength of the cage (amplitude), for the same; auto: likewise"},
@@ -115,6 +118,33 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.centrifugal", any_value(), AT(cage.centrifugal), "centrifugal loading of the elastic modes"},
       {"cage.coriolis", any_value(), AT(cage.coriolis), "Coriolis coupling of the elastic modes"},
       {"cage.allow_interference", any_value(), AT(allow_interference), "simulate the elastic pinch of a roller larger than its pocket instead of reporting the jam"},
+  };
+  keys.insert(keys.end(), table.begin(), table.end());
+}
+
+void add_clearance_keys(KeyTable<Scene>& keys) {
+  const KeyTable<Scene> table = {
+      {"fit.inner_interference_um", or_auto(within(-2000, 2000)), AT(fit.inner_interference), "interference of the inner ring on its shaft, of diameters, cold and before mounting, smoothing of the surfaces deducted; below 0: a clearance; auto: no seat, the ring is free to grow"},
+      {"fit.shaft_bore_mm", at_least(0), AT(fit.shaft_bore), "bore of a hollow shaft; 0: solid"},
+      {"fit.shaft_material", one_of(material_names()), AT(fit.shaft_material.name), "named material of the shaft, for its keys that are left to auto"},
+      {"fit.shaft_young_GPa", or_auto(above(0)), AT(fit.shaft_material.young), "Young's modulus of the shaft; auto: of the named material"},
+      {"fit.shaft_poisson", or_auto(within(0, 0.49)), AT(fit.shaft_material.poisson), "Poisson's ratio of the shaft; auto: likewise"},
+      {"fit.shaft_density_kg_m3", or_auto(above(0)), AT(fit.shaft_material.density), "density of the shaft, for its centrifugal growth; auto: likewise"},
+      {"fit.shaft_expansion_um_m_K", or_auto(within(0, 300)), AT(fit.shaft_material.expansion), "linear thermal expansion of the shaft; auto: likewise"},
+      {"fit.outer_interference_um", or_auto(within(-2000, 2000)), AT(fit.outer_interference), "interference of the outer ring in its housing, likewise"},
+      {"fit.housing_diameter_mm", or_auto(above(0)), AT(fit.housing_diameter), "outside diameter of the housing; auto: much larger than the bearing"},
+      {"fit.housing_material", one_of(material_names()), AT(fit.housing_material.name), "named material of the housing, for its keys that are left to auto"},
+      {"fit.housing_young_GPa", or_auto(above(0)), AT(fit.housing_material.young), "Young's modulus of the housing; auto: of the named material"},
+      {"fit.housing_poisson", or_auto(within(0, 0.49)), AT(fit.housing_material.poisson), "Poisson's ratio of the housing; auto: likewise"},
+      {"fit.housing_density_kg_m3", or_auto(above(0)), AT(fit.housing_material.density), "density of a housing of given diameter, for its centrifugal growth with an outer ring that turns; auto: likewise"},
+      {"fit.housing_expansion_um_m_K", or_auto(within(0, 300)), AT(fit.housing_material.expansion), "linear thermal expansion of the housing; auto: likewise"},
+      {"temperature.growth", any_value(), AT(temperature.growth), "rings, rollers, cage, shaft and housing grow by heat: the scene's dimensions and fits are those at temperature.reference_C; false: the dimensions are those in operation, the other keys of this section do nothing"},
+      {"temperature.reference_C", within(-60, 250), AT(temperature.reference), "temperature at which dimensions and interferences are given"},
+      {"temperature.inner_ring_C", or_auto(within(-60, 250)), AT(temperature.inner_ring), "temperature of the inner ring; auto: lubrication.temperature_C (also of dry bearings)"},
+      {"temperature.outer_ring_C", or_auto(within(-60, 250)), AT(temperature.outer_ring), "temperature of the outer ring; auto: likewise"},
+      {"temperature.rollers_C", or_auto(within(-60, 250)), AT(temperature.rollers), "temperature of the rollers; auto: mean of both rings (the cage has cage.temperature_C)"},
+      {"temperature.shaft_C", or_auto(within(-60, 250)), AT(temperature.shaft), "temperature of the shaft; auto: that of the inner ring"},
+      {"temperature.housing_C", or_auto(within(-60, 250)), AT(temperature.housing), "temperature of the housing; auto: that of the outer ring"},
   };
   keys.insert(keys.end(), table.begin(), table.end());
 }
@@ -203,6 +233,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"speed.ramp_from_rpm", or_auto(within(-1e6, 1e6)), AT(operation.speed_ramp_from), "speed of the inner ring at the start of a smooth ramp; auto: no ramp"},
       {"speed.outer_ramp_from_rpm", or_auto(within(-1e6, 1e6)), AT(operation.outer_ramp_from), "likewise of the outer ring"},
       {"speed.ramp_ms", at_least(0), AT(operation.speed_ramp), "duration of the speed ramps"},
+      {"speed.centrifugal_growth", any_value(), AT(operation.centrifugal_growth), "rings with shaft and housing, rollers and cage grow by rotation; false: the dimensions are those at speed"},
       {"environment.gravity_m_s2", within(-1e4, 1e4), AT(operation.gravity), "gravity, along -z where the shaft is horizontal"},
       {"environment.shaft_inclination_deg", within(-90, 90), AT(operation.shaft_inclination), "angle of the bearing's axis (+x) above the horizontal; 90: a vertical shaft, gravity along -x"},
       {"start.state", any_value(), AT(start.state), "steady: of a lubricated bearing, the speeds of cage and rollers and the sides of pockets at which the torques on the cage balance over a turn, where they do; equilibrium: loaded static equilibrium, rolling without slip; centred: ring and cage centred, rollers at mid-clearance; auto: steady where lubrication.model = \"film\", else equilibrium"},
@@ -243,6 +274,7 @@ KeyTable<Scene> make_scene_keys() {
   KeyTable<Scene> keys;
   add_ring_and_roller_keys(keys);
   add_cage_keys(keys);
+  add_clearance_keys(keys);
   add_contact_keys(keys, "race", &Contacts::race, "roller against raceways", true);
   add_contact_keys(keys, "bar", &Contacts::bar, "roller against pocket bars", true);
   add_contact_keys(keys, "end", &Contacts::end, "roller end against pocket end wall", false);

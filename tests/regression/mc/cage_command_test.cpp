@@ -54,6 +54,17 @@ TEST(CageCommand, DrawsAPocketWithItsClearances) {
   EXPECT_THAT(other, HasSubstr("<!-- radial play of the roller towards the outside"));
 }
 
+TEST(CageCommand, ShowsClearancesInOperation) {
+  const ScratchDirectory scratch;
+  const std::string cold = printed_by_cage(scratch.path(), {}),
+                    warm = printed_by_cage(scratch.path(), {"--set", "temperature.growth=true",
+                                                            "--set", "cage.temperature_C=220"});
+  EXPECT_THAT(cold, Not(HasSubstr("in operation")));
+  EXPECT_THAT(warm, HasSubstr("scene nu205 in operation (fits, heat, rotation)"));
+  // 7.65 mm * 12e-6/K * 200 K less 7.5 mm * 12e-6/K * 50 K
+  EXPECT_THAT(warm, HasSubstr(" 0.1639"));
+}
+
 TEST(CageCommand, SaysWhatAForceOnABarOfAFlexibleCageDoes) {
   const ScratchDirectory scratch;
   const std::string printed = printed_by_cage(

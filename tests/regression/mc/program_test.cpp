@@ -322,11 +322,29 @@ TEST(Program, ChecksEveryShippedFile) {
        {"scenes/nu205.toml", "scenes/nu205-thin.toml", "scenes/nu205-paper.toml",
         "scenes/nu205-paper-tight.toml", "scenes/speed-z16.toml", "scenes/speed-z16-skew.toml",
         "studies/nu205.toml", "studies/nu205-centre.toml", "studies/nu205-slip.toml",
-        "studies/nu205-displacement.toml", "studies/nu205-measured.toml", "studies/nightly.toml"}) {
+        "studies/nu205-displacement.toml", "studies/nu205-fit.toml", "studies/nu205-measured.toml",
+        "studies/nightly.toml"}) {
     const auto ended = run({"check", shipped(path)});
     EXPECT_EQ(ended.code, 0) << path << ended.output;
     EXPECT_THAT(ended.output, HasSubstr("no mistakes found"));
   }
+}
+
+TEST(Program, CheckShowsWhatChangesTheClearanceWhereSomethingDoes) {
+  const auto check = [](std::vector<std::string> settings) {
+    settings.insert(settings.begin(), {"check", shipped("scenes/nu205.toml")});
+    const auto ended = run(settings);
+    EXPECT_EQ(ended.code, 0) << ended.output;
+    return ended.output;
+  };
+  EXPECT_THAT(check({}), AllOf(HasSubstr("  internal_clearance_um "), Not(HasSubstr("change_um")),
+                               Not(HasSubstr("as_made"))));
+  EXPECT_THAT(check({"--set", "fit.inner_interference_um=25"}),
+              AllOf(HasSubstr("internal_clearance_as_made_um                   30  um"),
+                    HasSubstr("inner_fit_change_um                       -19.8413  um"),
+                    HasSubstr("inner_fit_pressure_MPa ")));
+  EXPECT_THAT(check({"--set", "fit.inner_interference_um=50"}),
+              HasSubstr("warning: the internal clearance in operation is -9.7 um, a preload"));
 }
 
 TEST(Program, SimulatePrintsJsonWithEveryQuantity) {

@@ -47,6 +47,18 @@ TEST(JamShares, AgreeWithTheClosedForm) {
   EXPECT_DOUBLE_EQ(curve.share.front(), jams.candidate[0]);
 }
 
+// Rollers 60 K warmer than the cage, of a material that expands by 60e-6/K.
+TEST(JamShares, AreThoseInOperation) {
+  const JamShares jams = jam_shares(
+      pockets_alone({"scene.temperature.growth=true", "scene.temperature.inner_ring_C=80",
+                     "scene.temperature.outer_ring_C=80", "scene.cage.temperature_C=20",
+                     "scene.roller.expansion_um_m_K=60"}));
+  const double sigma = 0.3 / 6, lost = 7.5 * 60e-6 * 60;
+  const double exact = 1 - std::pow(1 - gsl_cdf_gaussian_P(lost - 0.15, sigma), 13);
+  EXPECT_NEAR(jams.candidate[1], exact, 4 * std::sqrt(exact * (1 - exact) / kJamCages));
+  EXPECT_GT(exact, 4 * closed_form(sigma));
+}
+
 TEST(JamShares, SimulatedPinchesAreNoJams) {
   EXPECT_TRUE(jam_shares(pockets_alone({"cage.allow_interference=true"})).candidate.empty());
 }

@@ -325,6 +325,13 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
       {"samples = 1\n[scene.cage]\nmodel = 'flexible'\nwidth_mm = { nominal = 14, lot = { law = "
        "'normal', sigma = 0.01 } }",
        {"study.toml:4: cage.width_mm", "tabulated once", "set cage.model = \"rigid\""}},
+      {"samples = 1\n[scene.temperature]\ngrowth = true\nreference_C = { nominal = 20, noise = { "
+       "law "
+       "= 'normal', sigma = 1 } }\n[scene.cage]\nmodel = 'flexible'",
+       {"study.toml:4: temperature.reference_C", "tabulated once"}},
+      {"samples = 1\n[scene.temperature]\ngrowth = true\n[scene.lubrication]\ntemperature_C = { "
+       "nominal = 70, lot = { law = 'normal', sigma = 1 } }\n[scene.cage]\nmodel = 'flexible'",
+       {"study.toml:5: lubrication.temperature_C", "tabulated once"}},
       {width + "{ nominal = 7.65, lot = { law = 'empirical', file = 'absent.csv', column = "
                "'width_mm' } }",
        {"study.toml:2: cage.pocket_width_mm.lot.file = 'absent.csv'", "no such file"}},

@@ -208,6 +208,35 @@ TEST(FlexibleCage, DiametersMayDeviateByAShareOfTheThickness) {
       << std::get<CageFault>(refused).reason;
 }
 
+// Stiffness grows with the size, mass stays: frequencies by the root of 1 + g. Samples whose fit or
+// speed differ have the same table, those of another temperature none.
+TEST(FlexibleCage, HasTheDimensionsOfOperation) {
+  Scene warm = coarse_scene();
+  warm.cage.temperature = 220;
+  warm.temperature.growth = true;
+  const auto table = make_scene_cage_table(warm);
+  EXPECT_EQ(table_point(warm, warm), GridPoint{});
+  const auto made = scene_cage_model(warm, *table),
+             cold = scene_cage_model(coarse_scene(), *coarse_table());
+  const CageModel &grown = *std::get<std::shared_ptr<const CageModel>>(made),
+                  &as_made = *std::get<std::shared_ptr<const CageModel>>(cold);
+  EXPECT_NEAR(grown.body.mass / as_made.body.mass, 1, 1e-9);
+  for (Eigen::Index k = 0; k < grown.elastic_modes(); ++k)
+    EXPECT_NEAR(grown.frequency[k] / as_made.frequency[k], std::sqrt(1 + 12e-6 * 200), 1e-5);
+  Scene sample = warm;
+  sample.fit.inner_interference = 10e-6;
+  sample.operation.centrifugal_growth = true;
+  sample.cage.pocket_width[0] += 10e-6;
+  ASSERT_TRUE(
+      std::holds_alternative<std::shared_ptr<const CageModel>>(scene_cage_model(sample, *table)));
+  sample.window.settle_time = 0;
+  sample.window.measure_time = 0.2e-3;
+  const Outcome outcome = simulate(sample, {.cage_table = table});
+  EXPECT_EQ(outcome.status, Status::ok) << outcome.reason;
+  sample.cage.temperature = 219;
+  ASSERT_TRUE(std::holds_alternative<CageFault>(scene_cage_model(sample, *table)));
+}
+
 /// What becomes of a cage whose pockets are all wider, at the table that serves it.
 std::variant<std::shared_ptr<const CageModel>, CageFault> wider_cage(double by) {
   Scene scene = coarse_scene();

@@ -227,6 +227,32 @@ INSTANTIATE_TEST_SUITE_P(
                s.cage.material = {"steel-q235", 206e9, 0.3, 7850};
                s.contact.race_approach = RaceApproach::line;
              }},
+        Case{"fitted",
+             [](Scene& s) {
+               s.fit.inner_interference = s.fit.outer_interference = 15e-6;
+               s.fit.housing_diameter = 90e-3;
+               s.temperature.growth = true;
+               s.operation.centrifugal_growth = true;
+             }},
+        Case{"fitted_outer_ring_turns",
+             [](Scene& s) {
+               s.operation.outer_speed = -10;  // lands slide below the speed of full sliding
+               s.fit.inner_interference = s.fit.outer_interference = 15e-6;
+               s.fit.housing_diameter = 90e-3;
+               s.operation.centrifugal_growth = true;
+             }},
+        Case{"fitted_equilibria",
+             [](Scene& s) {
+               s.model.motion = MotionModel::quasi_static;
+               s.fit.inner_interference = s.fit.outer_interference = 15e-6;
+               s.fit.housing_diameter = 90e-3;
+               s.operation.centrifugal_growth = true;
+             }},
+        Case{"warm_loose_rings",
+             [](Scene& s) {
+               s.lubrication.model = LubricationModel::none;
+               s.temperature.growth = true;
+             }},
         Case{"oiled_equilibria", [](Scene& s) { s.model.motion = MotionModel::quasi_static; }},
         Case{"equilibria",
              [](Scene& s) {
