@@ -1,0 +1,164 @@
+#include "src/catalogue/cage_design.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "src/input/input_error.hpp"
+#include "src/scene/pocket_outline.hpp"
+
+namespace cagetol {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kPastAxes = 0.2;         // reach of a cage past the rollers' axes over D_we
+constexpr double kLeastBar = 0.08;        // bar at the bore over D_we
+constexpr double kLeastSideRing = 0.1;    // over D_we
+constexpr double kWidestCage = 14. / 15;  // over B
+constexpr double kEdge = 0.2 / 7.5;       // over D_we
+constexpr double kStep = 0.01e-3;         // dimensions are multiples of this [m]
+
+double rounded(double value) {
+  return kStep * std::round(value / kStep);
+}
+
+InputError no_room(const CatalogueRow& row, const std::string& problem) {
+  return InputError({}, "DESIGNATION", row.designation, problem,
+                    "choose another --guidance or --cage");
+}
+
+bool has_hollow_faces(const CageSection& cage) {
+  return cage.make == CageMake::polyamide && cage.guidance == Guidance::roller;
+}
+
+/// About the pitch circle, as thick as the rule has it, but no nearer to a ring than `gap`. The
+/// middle of a flat face stands half a pocket beside a roller's axis, on a larger circle.
+void place_about_axes(const CatalogueRow& row, const RollerDiameter& roller, double thickness,
+                      double gap, CageSection& cage) {
+  const double middle = has_hollow_faces(cage)
+                            ? roller.pitch_diameter
+                            : std::hypot(roller.pitch_diameter, cage.pocket_width);
+  const double room = std::min(row.outer_shoulder - middle, middle - row.inner_raceway) - 2 * gap;
+  const double half = std::min(thickness, room);  // of the difference of the diameters
+  cage.inner_diameter = rounded(middle - half);
+  cage.outer_diameter = rounded(middle + half);
+}
+
+void place_at_outer_ring(const RollerDiameter& roller, double thickness, CageSection& cage) {
+  cage.outer_diameter = rounded(cage.land_diameter - 2 * cage.guide_clearance);
+  cage.inner_diameter = rounded(std::min(cage.outer_diameter - 2 * thickness,
+                                         roller.pitch_diameter - kPastAxes * roller.diameter));
+}
+
+void place_at_inner_ring(const RollerDiameter& roller, double thickness, CageSection& cage) {
+  cage.inner_diameter = rounded(cage.land_diameter + 2 * cage.guide_clearance);
+  cage.outer_diameter = rounded(std::max(cage.inner_diameter + 2 * thickness,
+                                         roller.pitch_diameter + kPastAxes * roller.diameter));
+}
+
+/// Lips or hollow faces that hold the cage as loosely as pockets are wide.
+void shape_pockets(const RollerDiameter& roller, CageSection& cage) {
+  const double play = (cage.pocket_width - roller.diameter) / 2;
+  cage.guide_clearance = play;
+  if (has_hollow_faces(cage)) {
+    cage.face_radius = cage.pocket_width / 2;
+    return;
+  }
+  CageGeometry plain;
+  plain.inner_diameter = cage.inner_diameter;
+  plain.outer_diameter = cage.outer_diameter;
+  plain.edge_radius = cage.edge_radius;
+  for (const int end : {0, 1})
+    (end == 0 ? cage.retention_inner : cage.retention_outer) =
+        rounded(retention_width(plain, roller.pitch_diameter / 2, roller.diameter / 2, end, play));
+}
+
+}  // namespace
+
+const CageRule& cage_rule(CageMake make) {
+  using enum Guidance;
+  // clang-format off
+  //   material, guidance, thickness, clearances of pockets: width, length, side ring, guide clearance, corner
+  static constexpr CageRule kSheet{"steel-sheet", outer, 0.15, 0.03, 0.04, 0.15, 0.0046, 0.067};
+  static constexpr CageRule kSteel{"steel-q235", outer, 0.43, 0.02, 0.033, 0.32, 0.0046, 0.067};
+  static constexpr CageRule kBrass{"brass-cuzn40pb2", outer, 0.43, 0.02, 0.033, 0.32, 0.0046, 0.067};
+  static constexpr CageRule kMoulded{"pa66-gf25", outer, 0.50, 0.03, 0.04, 0.32, 0.0060, 0.1};
+  static constexpr CageRule kPeek{"peek-cf30", outer, 0.43, 0.02, 0.033, 0.32, 0.0046, 0.067};
+  // clang-format on
+  switch (make) {
+    case CageMake::steel_sheet:
+      return kSheet;
+    case CageMake::brass_machined:
+      return kBrass;
+    case CageMake::polyamide:
+      return kMoulded;
+    case CageMake::peek_machined:
+      return kPeek;
+    case CageMake::steel_machined:
+      break;
+  }
+  return kSteel;
+}
+
+CageMake usual_make(const std::string& designation) {
+  const std::string suffix = designation.substr(designation.find_last_of(' ') + 1);
+  if (suffix.find('P') != std::string::npos) return CageMake::polyamide;
+  if (suffix.find('J') != std::string::npos && suffix.front() == 'E') return CageMake::steel_sheet;
+  if (suffix.find('M') != std::string::npos) return CageMake::brass_machined;
+  return CageMake::steel_machined;
+}
+
+CageSection cage_section(const CatalogueRow& row, const RollerDiameter& roller, CageMake make,
+                         Guidance guidance) {
+  const CageRule& rule = cage_rule(make);
+  CageSection cage;
+  cage.make = make;
+  cage.guidance = guidance;
+  const double d = roller.diameter, thickness = rule.thickness * d;
+  cage.pocket_width = rounded(d * (1 + rule.pocket_width));
+  cage.corner_radius = rounded(rule.corner * d);
+  cage.edge_radius = rounded(kEdge * d);
+  if (guidance != Guidance::roller) {
+    cage.land_diameter = guidance == Guidance::outer ? row.outer_shoulder : row.inner_raceway;
+    cage.guide_clearance = rounded(rule.guide_clearance * cage.land_diameter);
+  }
+  cage.flanged = make == CageMake::steel_sheet && guidance != Guidance::roller;
+  if (guidance == Guidance::roller || cage.flanged)
+    place_about_axes(row, roller, thickness, rule.guide_clearance * row.outer_shoulder, cage);
+  else if (guidance == Guidance::outer)
+    place_at_outer_ring(roller, thickness, cage);
+  else
+    place_at_inner_ring(roller, thickness, cage);
+  if (guidance == Guidance::roller) shape_pockets(roller, cage);
+  if (cage.inner_diameter <= row.inner_raceway || cage.outer_diameter >= row.outer_shoulder)
+    throw no_room(row, std::string("a ") + spelled(make) +
+                           " cage with this guidance does not fit between the inner raceway and "
+                           "the outer ring's shoulders");
+  return cage;
+}
+
+double bar_width(const CageSection& cage, long count) {
+  const double half_pocket = std::asin(cage.pocket_width / cage.inner_diameter);
+  return cage.inner_diameter * (pi / static_cast<double>(count) - half_pocket);
+}
+
+long most_rollers(const CageSection& cage, const RollerDiameter& roller) {
+  long count = most_rollers(roller);
+  while (count > 3 && bar_width(cage, count) < kLeastBar * roller.diameter) --count;
+  return count;
+}
+
+CageLengths cage_lengths(const CatalogueRow& row, const CageSection& cage,
+                         const RatedRollers& rollers) {
+  const CageRule& rule = cage_rule(cage.make);
+  CageLengths lengths;
+  lengths.pocket_length = rounded(rollers.length + rule.pocket_length * rollers.diameter);
+  lengths.width = rounded(std::min(lengths.pocket_length + 2 * rule.side_ring * rollers.diameter,
+                                   kWidestCage * row.width));
+  if (lengths.width - lengths.pocket_length < 2 * kLeastSideRing * rollers.diameter)
+    throw no_room(row, "the bearing's width leaves the cage no side rings");
+  return lengths;
+}
+
+}  // namespace cagetol
