@@ -128,13 +128,9 @@ void write_guidance(const DesignedBearing& bearing, SceneText& out) {
   const CageRule& of = cage_rule(cage.make);
   out.word("guidance", spelled(cage.guidance), guided_by(cage.guidance));
   if (cage.guidance == Guidance::roller) {
-    if (!std::isnan(cage.face_radius))
-      out.number("face_radius_mm", in_mm(cage.face_radius), rule("half the pocket's width"));
-    if (!std::isnan(cage.retention_inner))
-      out.number("retention_width_inner_mm", in_mm(cage.retention_inner),
-                 rule("lips leave half the pocket's clearance"));
-    if (!std::isnan(cage.retention_outer))
-      out.number("retention_width_outer_mm", in_mm(cage.retention_outer), rule("likewise"));
+    out.number("retention_width_inner_mm", in_mm(cage.retention_inner),
+               rule("lips leave half the pocket's clearance"));
+    out.number("retention_width_outer_mm", in_mm(cage.retention_outer), rule("likewise"));
     return;
   }
   const std::string land =

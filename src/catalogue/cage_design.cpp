@@ -28,17 +28,11 @@ InputError no_room(const CatalogueRow& row, const std::string& problem) {
                     "choose another --guidance or --cage");
 }
 
-bool has_hollow_faces(const CageSection& cage) {
-  return cage.make == CageMake::polyamide && cage.guidance == Guidance::roller;
-}
-
 /// About the pitch circle, as thick as the rule has it, but no nearer to a ring than `gap`. The
 /// middle of a flat face stands half a pocket beside a roller's axis, on a larger circle.
 void place_about_axes(const CatalogueRow& row, const RollerDiameter& roller, double thickness,
                       double gap, CageSection& cage) {
-  const double middle = has_hollow_faces(cage)
-                            ? roller.pitch_diameter
-                            : std::hypot(roller.pitch_diameter, cage.pocket_width);
+  const double middle = std::hypot(roller.pitch_diameter, cage.pocket_width);
   const double room = std::min(row.outer_shoulder - middle, middle - row.inner_raceway) - 2 * gap;
   const double half = std::min(thickness, room);  // of the difference of the diameters
   cage.inner_diameter = rounded(middle - half);
@@ -57,14 +51,10 @@ void place_at_inner_ring(const RollerDiameter& roller, double thickness, CageSec
                                          roller.pitch_diameter + kPastAxes * roller.diameter));
 }
 
-/// Lips or hollow faces that hold the cage as loosely as pockets are wide.
+/// Lips that hold the cage as loosely as pockets are wide.
 void shape_pockets(const RollerDiameter& roller, CageSection& cage) {
   const double play = (cage.pocket_width - roller.diameter) / 2;
   cage.guide_clearance = play;
-  if (has_hollow_faces(cage)) {
-    cage.face_radius = cage.pocket_width / 2;
-    return;
-  }
   CageGeometry plain;
   plain.inner_diameter = cage.inner_diameter;
   plain.outer_diameter = cage.outer_diameter;
@@ -111,6 +101,8 @@ CageMake usual_make(const std::string& designation) {
 
 CageSection cage_section(const CatalogueRow& row, const RollerDiameter& roller, CageMake make,
                          Guidance guidance) {
+  if (make == CageMake::steel_sheet && guidance == Guidance::roller)
+    throw no_room(row, "lips of a sheet so thin do not hold a cage: rollers wedge between them");
   const CageRule& rule = cage_rule(make);
   CageSection cage;
   cage.make = make;

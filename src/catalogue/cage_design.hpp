@@ -6,10 +6,9 @@
 //   radial guide clearance: share of the diameter of the guiding surface
 //
 // A cage that a ring guides lies at that ring, and reaches past the rollers' axes by 0.2 D_we at
-// least. One that rollers guide lies about their pitch circle: lips at both ends of its pockets
-// hold it, hollow faces where it is moulded. One pressed from sheet lies there too, and its side
-// rings are flanged out to the land: cage.guide_clearance_mm is given, the mass of these flanges
-// left out.
+// least. One that rollers guide lies about their axes, and lips at both ends of its pockets hold
+// it. One pressed from sheet lies there too, and its side rings are flanged out to the land:
+// cage.guide_clearance_mm is given, the mass of these flanges left out.
 #pragma once
 
 #include "src/catalogue/rated_rollers.hpp"
@@ -52,7 +51,6 @@ struct CageSection {
   double guide_clearance = 0;                     ///< radial [m]
   bool flanged = false;                           ///< side rings reach out to the land
   double pocket_width = 0;                        ///< [m]
-  double face_radius = kAuto;                     ///< [m]
   double retention_inner = kAuto, retention_outer = kAuto;  ///< [m]
   double corner_radius = 0, edge_radius = 0;                ///< [m]
 };
