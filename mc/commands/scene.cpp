@@ -48,19 +48,12 @@ std::string in_mm_or_dash(double length) {
   return std::isnan(length) ? "-" : fmt::format("{:g}", std::round(1e6 * length) / 1e3);
 }
 
-/// Rollers beside the bearing's usual cage, or beside any, and that cage.
-std::pair<RatedSet, std::string> list_rollers(const CatalogueRow& row) {
-  if (row.type != BearingType::NU) {
-    const RollerDiameter roller = roller_diameter(row);
-    return {rated_set(row, roller, most_rollers(roller)),
-            fmt::format("{} is not modelled yet", spelled(row.type))};
-  }
-  const CageMake make = usual_make(row.designation);
-  return {designed_bearing(row, make, cage_rule(make).guidance).set, spelled(make)};
-}
-
 std::string list_line(const CatalogueRow& row) {
-  const auto [set, cage] = list_rollers(row);
+  const CageMake make = usual_make(row.designation);
+  const RatedSet set = designed_bearing(row, make, cage_rule(make).guidance).set;
+  const std::string cage = row.type == BearingType::NU
+                               ? spelled(make)
+                               : fmt::format("{} is not modelled yet", spelled(row.type));
   return fmt::format(
       "{:<13}{:>4} {:>4} {:>4} {:>6} {:>6} {:>6g} {:>6g} {:>6.0f}   {:>2} x {:>4} x {:<5} "
       "{:>+5.1f} "

@@ -117,24 +117,25 @@ void write_rollers(const DesignedBearing& bearing, SceneText& out) {
              "logarithmic as in ISO/TS 16281; the maker's profile is not published");
 }
 
-std::string guided_by(Guidance guidance) {
-  if (guidance == Guidance::outer) return "the outer ring's shoulders";
-  if (guidance == Guidance::inner) return "the inner raceway";
-  return "the rollers";
+std::string guided_by(Guidance guidance, BearingType type) {
+  if (guidance == Guidance::roller) return "the rollers";
+  if (guidance == Guidance::outer)
+    return has_outer_flanges(type) ? "the outer ring's shoulders" : "the outer raceway";
+  return has_inner_flanges(type) ? "the inner ring's flanges" : "the inner raceway";
 }
 
 void write_guidance(const DesignedBearing& bearing, SceneText& out) {
   const CageSection& cage = bearing.section;
   const CageRule& of = cage_rule(cage.make);
-  out.word("guidance", spelled(cage.guidance), guided_by(cage.guidance));
+  out.word("guidance", spelled(cage.guidance), guided_by(cage.guidance, bearing.row->type));
   if (cage.guidance == Guidance::roller) {
     out.number("retention_width_inner_mm", in_mm(cage.retention_inner),
                rule("lips leave half the pocket's clearance"));
     out.number("retention_width_outer_mm", in_mm(cage.retention_outer), rule("likewise"));
     return;
   }
-  const std::string land =
-      number_text(in_mm(cage.land_diameter)) + " mm, " + guided_by(cage.guidance);
+  const std::string land = number_text(in_mm(cage.land_diameter)) + " mm, " +
+                           guided_by(cage.guidance, bearing.row->type);
   if (cage.flanged)
     out.number(
         "guide_clearance_mm", in_mm(cage.guide_clearance),
@@ -218,14 +219,18 @@ void write_operation(const SceneRequest& asked, const CatalogueRow& row, SceneTe
   out.number("measure_revolutions", 6, "of the cage");
 }
 
-}  // namespace
-
-DesignedBearing designed_bearing(const CatalogueRow& row, CageMake make, Guidance guidance) {
+/// Types whose flanges the scene's keys can say.
+void require_modelled(const CatalogueRow& row) {
   if (row.type != BearingType::NU)
     throw InputError({}, "DESIGNATION", row.designation,
                      std::string("bearings of type ") + spelled(row.type) +
                          ", with flanges on the inner ring, are not modelled yet",
                      "choose the NU of the same size, whose raceways and rollers are the same");
+}
+
+}  // namespace
+
+DesignedBearing designed_bearing(const CatalogueRow& row, CageMake make, Guidance guidance) {
   DesignedBearing bearing;
   bearing.row = &row;
   bearing.roller = roller_diameter(row);
@@ -237,6 +242,7 @@ DesignedBearing designed_bearing(const CatalogueRow& row, CageMake make, Guidanc
 
 std::string bearing_scene(const SceneRequest& request) {
   const CatalogueRow& row = catalogue_row(request.designation);
+  require_modelled(row);
   const CageMake make = request.make.value_or(usual_make(row.designation));
   const DesignedBearing bearing =
       designed_bearing(row, make, request.guidance.value_or(cage_rule(make).guidance));

@@ -35,12 +35,11 @@ struct DesignedBearing {
   CageSection section;
   CageLengths lengths;
 };
-/// Throws InputError for types that are not modelled yet, and where rollers or cage do not come
-/// out.
+/// Throws InputError where rollers or cage do not come out.
 DesignedBearing designed_bearing(const CatalogueRow& row, CageMake make, Guidance guidance);
 
 /// The file. It is held to the reader and check_scene(); throws InputError like these,
-/// designed_bearing() and catalogue_row().
+/// designed_bearing() and catalogue_row(), and for types that are not modelled yet.
 std::string bearing_scene(const SceneRequest& request);
 
 }  // namespace cagetol

@@ -30,10 +30,10 @@ InputError no_room(const CatalogueRow& row, const std::string& problem) {
 
 /// About the pitch circle, as thick as the rule has it, but no nearer to a ring than `gap`. The
 /// middle of a flat face stands half a pocket beside a roller's axis, on a larger circle.
-void place_about_axes(const CatalogueRow& row, const RollerDiameter& roller, double thickness,
+void place_about_axes(const RingSurfaces& rings, const RollerDiameter& roller, double thickness,
                       double gap, CageSection& cage) {
   const double middle = std::hypot(roller.pitch_diameter, cage.pocket_width);
-  const double room = std::min(row.outer_shoulder - middle, middle - row.inner_raceway) - 2 * gap;
+  const double room = std::min(rings.outer - middle, middle - rings.inner) - 2 * gap;
   const double half = std::min(thickness, room);  // of the difference of the diameters
   cage.inner_diameter = rounded(middle - half);
   cage.outer_diameter = rounded(middle + half);
@@ -99,11 +99,17 @@ CageMake usual_make(const std::string& designation) {
   return CageMake::steel_machined;
 }
 
+RingSurfaces ring_surfaces(const CatalogueRow& row, const RollerDiameter& roller) {
+  return {has_inner_flanges(row.type) ? row.inner_shoulder : row.inner_raceway,
+          has_outer_flanges(row.type) ? row.outer_shoulder : roller.outer_raceway};
+}
+
 CageSection cage_section(const CatalogueRow& row, const RollerDiameter& roller, CageMake make,
                          Guidance guidance) {
   if (make == CageMake::steel_sheet && guidance == Guidance::roller)
     throw no_room(row, "lips of a sheet so thin do not hold a cage: rollers wedge between them");
   const CageRule& rule = cage_rule(make);
+  const RingSurfaces rings = ring_surfaces(row, roller);
   CageSection cage;
   cage.make = make;
   cage.guidance = guidance;
@@ -112,21 +118,20 @@ CageSection cage_section(const CatalogueRow& row, const RollerDiameter& roller, 
   cage.corner_radius = rounded(rule.corner * d);
   cage.edge_radius = rounded(kEdge * d);
   if (guidance != Guidance::roller) {
-    cage.land_diameter = guidance == Guidance::outer ? row.outer_shoulder : row.inner_raceway;
+    cage.land_diameter = guidance == Guidance::outer ? rings.outer : rings.inner;
     cage.guide_clearance = rounded(rule.guide_clearance * cage.land_diameter);
   }
   cage.flanged = make == CageMake::steel_sheet && guidance != Guidance::roller;
   if (guidance == Guidance::roller || cage.flanged)
-    place_about_axes(row, roller, thickness, rule.guide_clearance * row.outer_shoulder, cage);
+    place_about_axes(rings, roller, thickness, rule.guide_clearance * rings.outer, cage);
   else if (guidance == Guidance::outer)
     place_at_outer_ring(roller, thickness, cage);
   else
     place_at_inner_ring(roller, thickness, cage);
   if (guidance == Guidance::roller) shape_pockets(roller, cage);
-  if (cage.inner_diameter <= row.inner_raceway || cage.outer_diameter >= row.outer_shoulder)
+  if (cage.inner_diameter <= rings.inner || cage.outer_diameter >= rings.outer)
     throw no_room(row, std::string("a ") + spelled(make) +
-                           " cage with this guidance does not fit between the inner raceway and "
-                           "the outer ring's shoulders");
+                           " cage with this guidance does not fit between the rings");
   return cage;
 }
 

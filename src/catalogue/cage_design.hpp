@@ -42,6 +42,13 @@ const CageRule& cage_rule(CageMake make);
 /// steel.
 CageMake usual_make(const std::string& designation);
 
+/// Diameters of the rings' surfaces that meet a cage: flanges where a ring has them, else its
+/// raceway [m].
+struct RingSurfaces {
+  double inner = 0, outer = 0;
+};
+RingSurfaces ring_surfaces(const CatalogueRow& row, const RollerDiameter& roller);
+
 /// Cross-section of a cage, which its rollers' number and length do not change.
 struct CageSection {
   CageMake make = CageMake::steel_machined;

@@ -19,6 +19,13 @@ constexpr auto spellings(BearingType) {
   return std::array{Spelling{NU, "NU"}, Spelling{NJ, "NJ"}, Spelling{N, "N"}};
 }
 
+inline bool has_outer_flanges(BearingType type) {
+  return type != BearingType::N;
+}
+inline bool has_inner_flanges(BearingType type) {
+  return type != BearingType::NU;
+}
+
 /// One bearing. NaN: not published.
 struct CatalogueRow {
   std::string designation;  ///< "NU 208 ECP"

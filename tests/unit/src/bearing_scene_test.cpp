@@ -72,6 +72,25 @@ INSTANTIATE_TEST_SUITE_P(Rows, ModelledRow, testing::ValuesIn(modelled()), [](co
   return name;
 });
 
+// N and NJ, too, whose scenes wait for the keys of their flanges.
+TEST(DesignedBearing, ClearsTheFlangesOfEitherRing) {
+  for (const CatalogueRow& row : catalogue()) {
+    SCOPED_TRACE(row.designation);
+    for (const auto& make : spellings(CageMake{})) {
+      const DesignedBearing bearing = designed_bearing(row, make.value, Guidance::outer);
+      const CageSection& cage = bearing.section;
+      const double inner = row.type == BearingType::NU ? row.inner_raceway : row.inner_shoulder,
+                   outer = row.type == BearingType::N ? bearing.roller.outer_raceway
+                                                      : row.outer_shoulder;
+      EXPECT_GT(cage.inner_diameter, inner + 0.04e-3);
+      EXPECT_LT(cage.outer_diameter, outer);
+      EXPECT_LT(cage.inner_diameter, bearing.roller.pitch_diameter);
+      EXPECT_GT(cage.outer_diameter, bearing.roller.pitch_diameter);
+      EXPECT_GT(bar_width(cage, bearing.set.rollers.count), 0.07 * bearing.roller.diameter);
+    }
+  }
+}
+
 // Bars at the bore of a cage on the inner raceway take room from the rollers; where too few are
 // left for the ratings, that is said.
 TEST(BearingScene, AnInnerGuidedCageHasFewerRollers) {
