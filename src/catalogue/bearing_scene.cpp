@@ -1,5 +1,6 @@
 #include "src/catalogue/bearing_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,11 +13,12 @@
 namespace cagetol {
 namespace {
 
-constexpr double kRpm = std::numbers::pi / 30;   // [rad/s]
-constexpr double kLoadShare = 0.1;               // of C
-constexpr double kSpeedShare = 0.5;              // of the limiting speed
-constexpr double kFlangeClearance = 0.01;        // over L_we
-constexpr const char* kCatalogue = "catalogue";  // sources of values
+constexpr double kRpm = std::numbers::pi / 30;    // [rad/s]
+constexpr double kLoadShare = 0.1;                // of C
+constexpr double kSpeedShare = 0.5;               // of the limiting speed
+constexpr double kFlangeClearance = 0.01;         // over L_we
+constexpr double kColdest = -60, kHottest = 250;  // of lubrication.temperature_C [degC]
+constexpr const char* kCatalogue = "catalogue";   // sources of values
 constexpr const char* kAsked = "as asked for";
 
 std::string share_text(double share) {
@@ -166,12 +168,17 @@ void write_cage(const SceneRequest& asked, const DesignedBearing& bearing, Scene
              rule("clearance " + share_text(of.pocket_width) + " D_we"));
   out.number("pocket_length_mm", in_mm(bearing.lengths.pocket_length),
              rule("clearance " + share_text(of.pocket_length) + " D_we"));
-  out.number("corner_radius_mm", in_mm(cage.corner_radius), rule(share_text(of.corner) + " D_we"));
+  const char* rule_note = "a design rule; no catalogue states it";
+  if (asked.model == CageKind::flexible) {
+    out.number("corner_radius_mm", in_mm(cage.corner_radius),
+               rule(share_text(of.corner) + " D_we"));
+    out.assume("cage.corner_radius_mm", rule_note);
+  }
   out.number("edge_radius_mm", in_mm(cage.edge_radius), rule("0.0267 D_we"));
   write_guidance(bearing, out);
   for (const char* key : {"inner_diameter_mm", "outer_diameter_mm", "width_mm", "pocket_width_mm",
-                          "pocket_length_mm", "corner_radius_mm"})
-    out.assume(std::string("cage.") + key, "a design rule; no catalogue states it");
+                          "pocket_length_mm"})
+    out.assume(std::string("cage.") + key, rule_note);
 }
 
 void write_oil(const SceneRequest& asked, SceneText& out) {
@@ -187,7 +194,7 @@ void write_oil(const SceneRequest& asked, SceneText& out) {
   out.assume("lubrication.temperature_C",
              "of the oil in the bearing; a colder one has thicker oil. The range: 30 K less to "
              "30 K more",
-             temperature - 30, temperature + 30);
+             std::max(temperature - 30, kColdest), std::min(temperature + 30, kHottest));
   out.assume("lubrication.race_layer_um",
              "20 um; rolling resistance and slip depend on it. The range: from starved to an oil "
              "bath",

@@ -55,6 +55,7 @@ void expect_sound(const Scene& scene, const CatalogueRow& row) {
   for (const int ring : {0, 1}) EXPECT_GT(clear.ring[ring], 0.04e-3);
   EXPECT_THAT(scene_doubts(scene), IsEmpty());
   EXPECT_THAT(operating_warnings(scene), IsEmpty());
+  EXPECT_THAT(idle_notes(scene), IsEmpty());
 }
 
 TEST_P(ModelledRow, GivesASoundSceneWithEveryMakeOfCage) {
@@ -131,6 +132,12 @@ TEST(BearingScene, TakesWhatIsAskedFor) {
   EXPECT_EQ(scene.operation.radial_load, 12345);
   EXPECT_NEAR(scene.operation.inner_speed / *asked.speed, 1, 1e-9);
   EXPECT_EQ(scene.cage.model, CageKind::rigid);
+  EXPECT_THAT(idle_notes(scene), IsEmpty());
+  for (const double temperature : {-50.0, 240.0}) {
+    asked.temperature = temperature;
+    asked.lubricant = "iso-vg-10";
+    EXPECT_EQ(scene_of(bearing_scene(asked)).lubrication.temperature, temperature);
+  }
 }
 
 TEST(BearingScene, LoadAndSpeedAreSharesOfTheCatalogues) {
