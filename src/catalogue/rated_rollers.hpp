@@ -6,8 +6,8 @@
 // C by ISO 281 with b_m = 1.1, or 1.1 x 1.15 for bearings that the catalogue marks as uprated, C_0
 // by ISO 76 (src/quantities/load_rating.hpp). Ratings hardly tell Z: C_0 fixes Z L_we, and then C
 // goes by Z^(-1/36). Z is therefore the largest number that leaves the cage its bars, less what
-// would make rollers shorter than 0.86 of their diameter: those of DIN 5402-1 are as long as thick
-// at least, and their chamfers do not carry.
+// would make rollers shorter than 0.86 of their diameter: standard ones are as long as thick at
+// least, and their chamfers do not carry.
 //
 // Without E, D_we is the multiple of half a millimetre at which both ratings agree best, among
 // those that make the outer ring's flanges (E - D_1)/2 from 0.1 to 0.3 D_we high.
