@@ -153,10 +153,12 @@ void write_cage(const SceneRequest& asked, const DesignedBearing& bearing, Scene
   const CageRule& of = cage_rule(cage.make);
   const bool outer = cage.guidance == Guidance::outer && !cage.flanged,
              inner = cage.guidance == Guidance::inner && !cage.flanged;
-  const std::string thick = rule("thickness " + share_text(of.thickness) + " D_we, past the axes"),
+  const std::string thick = rule("thickness " + share_text(of.thickness) +
+                                 " D_we, or as the guide clearance needs"),
                     land = rule("radial clearance " + share_text(of.guide_clearance) +
                                 " of the guiding diameter"),
-                    about = rule("about the axes, thickness " + share_text(of.thickness) + " D_we");
+                    about = rule("about the axes, thickness " + share_text(of.thickness) +
+                                 " D_we, or as the guide clearance needs");
   out.section("cage");
   out.word("model", spelled(asked.model), "rigid, or flexible for modes and stress");
   out.word("material", of.material, std::string("of a ") + spelled(cage.make) + " cage");

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kPastAxes = 0.2;         // reach of a cage past the rollers' axes over D_we
+constexpr double kReach = 1.2;            // of faces past the axes over the guide clearance
 constexpr double kLeastBar = 0.08;        // bar at the bore over D_we
 constexpr double kLeastSideRing = 0.1;    // over D_we
 constexpr double kWidestCage = 14. / 15;  // over B
@@ -28,27 +28,34 @@ InputError no_room(const CatalogueRow& row, const std::string& problem) {
                     "choose another --guidance or --cage");
 }
 
-/// About the pitch circle, as thick as the rule has it, but no nearer to a ring than `gap`. The
-/// middle of a flat face stands half a pocket beside a roller's axis, on a larger circle.
+/// Diameter on which a flat face ends that reaches past the rollers' axes, towards the outside
+/// (`side` 1) or the bore (-1), by more than the guide lets the cage go. A face stands half a
+/// pocket beside the axes, on a larger circle.
+double end_of_face(const RollerDiameter& roller, const CageSection& cage, double side) {
+  const double past = kReach * cage.guide_clearance + cage.edge_radius;
+  return std::hypot(roller.pitch_diameter + 2 * side * past, cage.pocket_width);
+}
+
+/// About the rollers' axes, but no nearer to a ring than `gap`.
 void place_about_axes(const RingSurfaces& rings, const RollerDiameter& roller, double thickness,
                       double gap, CageSection& cage) {
   const double middle = std::hypot(roller.pitch_diameter, cage.pocket_width);
-  const double room = std::min(rings.outer - middle, middle - rings.inner) - 2 * gap;
-  const double half = std::min(thickness, room);  // of the difference of the diameters
-  cage.inner_diameter = rounded(middle - half);
-  cage.outer_diameter = rounded(middle + half);
+  const double wanted = std::max(thickness, end_of_face(roller, cage, 1) - middle),
+               room = std::min(rings.outer - middle, middle - rings.inner) - 2 * gap;
+  cage.inner_diameter = rounded(middle - std::min(wanted, room));
+  cage.outer_diameter = rounded(middle + std::min(wanted, room));
 }
 
 void place_at_outer_ring(const RollerDiameter& roller, double thickness, CageSection& cage) {
   cage.outer_diameter = rounded(cage.land_diameter - 2 * cage.guide_clearance);
-  cage.inner_diameter = rounded(std::min(cage.outer_diameter - 2 * thickness,
-                                         roller.pitch_diameter - kPastAxes * roller.diameter));
+  cage.inner_diameter =
+      rounded(std::min(cage.outer_diameter - 2 * thickness, end_of_face(roller, cage, -1)));
 }
 
 void place_at_inner_ring(const RollerDiameter& roller, double thickness, CageSection& cage) {
   cage.inner_diameter = rounded(cage.land_diameter + 2 * cage.guide_clearance);
-  cage.outer_diameter = rounded(std::max(cage.inner_diameter + 2 * thickness,
-                                         roller.pitch_diameter + kPastAxes * roller.diameter));
+  cage.outer_diameter =
+      rounded(std::max(cage.inner_diameter + 2 * thickness, end_of_face(roller, cage, 1)));
 }
 
 /// Lips that hold the cage as loosely as pockets are wide.

@@ -5,10 +5,11 @@
 //   thickness t, side rings, clearances in pockets, corners and edges: shares of D_we
 //   radial guide clearance: share of the diameter of the guiding surface
 //
-// A cage that a ring guides lies at that ring, and reaches past the rollers' axes by 0.2 D_we at
-// least. One that rollers guide lies about their axes, and lips at both ends of its pockets hold
-// it. One pressed from sheet lies there too, and its side rings are flanged out to the land:
-// cage.guide_clearance_mm is given, the mass of these flanges left out.
+// A cage that a ring guides lies at that ring. One that rollers guide lies about their axes, and
+// lips at both ends of its pockets hold it. One pressed from sheet lies there too, and its side
+// rings are flanged out to the land: cage.guide_clearance_mm is given, the mass of these flanges
+// left out. Faces reach past the axes by more than the guide clearance, if need be by a thicker
+// cage: where they do not, rollers wedge under the bars' edges.
 #pragma once
 
 #include "src/catalogue/rated_rollers.hpp"

@@ -15,6 +15,7 @@
 #include "src/scene/idle_keys.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/pocket_clearances.hpp"
+#include "src/scene/pocket_outline.hpp"
 #include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
@@ -53,6 +54,13 @@ void expect_sound(const Scene& scene, const CatalogueRow& row) {
   EXPECT_GT(clear.tangential, 0.015 * rollers.diameter);
   EXPECT_GT(clear.axial, scene.bearing.flange_clearance);
   for (const int ring : {0, 1}) EXPECT_GT(clear.ring[ring], 0.04e-3);
+  const PocketOutline outline =
+      pocket_outline(cage, pitch_radius(scene.bearing), cage.pocket_width[0]);
+  const double way = clear.ring[cage.guidance == Guidance::inner ? 0 : 1];
+  if (cage.guidance != Guidance::roller) {
+    EXPECT_LT(outline.end[0].height, pitch_radius(scene.bearing) - way);
+    EXPECT_GT(outline.end[1].height, pitch_radius(scene.bearing) + way);
+  }
   EXPECT_THAT(scene_doubts(scene), IsEmpty());
   EXPECT_THAT(operating_warnings(scene), IsEmpty());
   EXPECT_THAT(idle_notes(scene), IsEmpty());
@@ -85,8 +93,10 @@ TEST(DesignedBearing, ClearsTheFlangesOfEitherRing) {
                                                       : row.outer_shoulder;
       EXPECT_GT(cage.inner_diameter, inner + 0.04e-3);
       EXPECT_LT(cage.outer_diameter, outer);
-      EXPECT_LT(cage.inner_diameter, bearing.roller.pitch_diameter);
-      EXPECT_GT(cage.outer_diameter, bearing.roller.pitch_diameter);
+      // Where faces, half a pocket beside the axes, are as high as these.
+      const double axes = std::hypot(bearing.roller.pitch_diameter, cage.pocket_width);
+      EXPECT_LT(cage.inner_diameter + 2 * cage.guide_clearance, axes);
+      EXPECT_GT(cage.outer_diameter - 2 * cage.guide_clearance, axes);
       EXPECT_GT(bar_width(cage, bearing.set.rollers.count), 0.07 * bearing.roller.diameter);
     }
   }
