@@ -32,6 +32,7 @@ constexpr const char* kExamples =
     "  cagetol stability -o out/stability\n"
     "  cagetol limits inputs/studies/nu205.toml -o out/nu205-limits\n"
     "  cagetol quantities pocket_force\n"
+    "  cagetol scene NU208 > nu208.toml\n"
     "  cagetol --dump-default scene";
 
 }  // namespace
@@ -62,6 +63,7 @@ int main(int argc, char** argv) try {
   add_stability_command(app, chosen);
   add_limits_command(app, chosen);
   add_quantities_command(app, chosen);
+  add_scene_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
   try {

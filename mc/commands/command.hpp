@@ -32,6 +32,7 @@ void add_ladder_command(CLI::App& app, Chosen& chosen);
 void add_stability_command(CLI::App& app, Chosen& chosen);
 void add_limits_command(CLI::App& app, Chosen& chosen);
 void add_quantities_command(CLI::App& app, Chosen& chosen);
+void add_scene_command(CLI::App& app, Chosen& chosen);
 
 /// --dump-default scene|study|keys, an option of the program itself.
 void add_dump_default_option(CLI::App& app, Chosen& chosen);

@@ -48,6 +48,7 @@ const std::vector<LubricantPreset>& lubricant_presets() {
       {"iso-vg-150", {150, 14.8, 885, 2.0e-8}},
       {"iso-vg-220", {220, 19.0, 890, 2.1e-8}},
       {"iso-vg-320", {320, 24.0, 895, 2.2e-8}},
+      {"iso-vg-460", {460, 30.4, 900, 2.3e-8}},
       // Polyol ester of 5 mm2/s at 100 degC (MIL-PRF-23699 asks for 4.9 to 5.4, and 23 at 40 degC).
       {"ester-turbine-oil", {25.5, 5.1, 995, 1.2e-8}},
   };

@@ -28,7 +28,10 @@ check src/dynamics "src/($laws|model|newton|contacts|dynamics)/" $(sources src/d
 check src/statics "src/($laws|model|newton|contacts|statics)/" $(sources src/statics)
 check src/integration "src/($laws|model|newton|dynamics|integration)/" $(sources src/integration)
 # What a run amounts to stands above how it is computed.
-check 'what is below src/quantities' 'src/[a-pr-z][a-z_]*/' $(find src -mindepth 2 -name '*.?pp' ! -path 'src/quantities/*')
+check 'what is below src/quantities' 'src/[a-pr-z][a-z_]*/' $(find src -mindepth 2 -name '*.?pp' ! -path 'src/quantities/*' ! -path 'src/catalogue/*')
+# Bearings by designation end in a scene; nothing of src knows where a scene is from.
+check src/catalogue 'src/(catalogue|scene|input|lubrication|quantities/load_rating)' $(sources src/catalogue)
+check 'what is below src/catalogue' 'src/(cage|c[b-z][a-z_]*|[abd-z][a-z_]*)[./]' $(find src -name '*.?pp' ! -path 'src/catalogue/*')
 check distributions 'distributions/' $(sources distributions)
 check mc/study_file 'mc/study_file/|distributions/' $(sources mc/study_file)
 check analysis 'analysis/|distributions/|mc/study_file/' $(sources analysis)

@@ -7,7 +7,7 @@ tree=$(mktemp -d); trap 'rm -rf "$tree" "$tree.out"' EXIT
 status=0
 fresh() {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/{src/{input,numerics,scene,cage,model,contacts,dynamics,statics,quantities},distributions,mc/{benchmark,commands,study_file},analysis/statistics,tests}
+  mkdir -p "$tree"/{src/{input,numerics,scene,cage,model,contacts,dynamics,statics,quantities,catalogue},distributions,mc/{benchmark,commands,study_file},analysis/statistics,tests}
   for folder in $(cd "$tree" && find src distributions mc analysis tests -type d); do
     printf '#include "%s/own.hpp"\n' "$folder" > "$tree/$folder/own.cpp"
     printf '#pragma once\n' > "$tree/$folder/own.hpp"
@@ -42,6 +42,9 @@ rooms '^src/model includes' src/model/own.hpp '#include "src/contacts/own.hpp"'
 rooms '^src/contacts includes' src/contacts/own.hpp '#include "src/dynamics/own.hpp"'
 rooms '^src/dynamics includes' src/dynamics/own.cpp '#include "src/statics/own.hpp"'
 rooms 'below src/quantities includes' src/dynamics/own.cpp '#include "src/quantities/own.hpp"'
+rooms '^src/catalogue includes' src/catalogue/own.cpp '#include "src/model/own.hpp"'
+rooms 'below src/catalogue includes' src/quantities/own.cpp '#include "src/catalogue/own.hpp"'
+rooms 'below src/catalogue includes' src/own.cpp '#include "src/catalogue/own.hpp"'
 rooms '^distributions includes' distributions/own.cpp '#include "src/own.hpp"'
 rooms '^analysis includes' analysis/statistics/own.cpp '#include "src/own.hpp"'
 rooms '^analysis includes' analysis/statistics/own.cpp '#include "mc/own.hpp"'

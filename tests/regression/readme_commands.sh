@@ -12,6 +12,7 @@ lines=$(grep -E '^    .*build/cagetol ' README.md | grep -v '&&' | sed 's/ *#.*/
 while read -r line; do
   command=${line//build\/cagetol/$program}
   command=${command//out\/nu205/$out\/nu205}
+  command=${command//nu208.toml/$out\/nu208.toml}
   [[ $line == *" sweep "* ]] && command="$command $short --set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
   [[ $line == *" limits "* ]] && command="$command --samples 6 ${short/--set samples=20/} --set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
   [[ $line == *" cage "* ]] && command="$command --set cage.corner_radius_mm=0"

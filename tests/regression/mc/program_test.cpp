@@ -426,6 +426,45 @@ TEST(Program, QuantitiesAreListedWithUnitDefinitionNeedsAndUse) {
   EXPECT_THAT(none.output, HasSubstr("did you mean friction_torque_Nmm?"));
 }
 
+TEST(Program, WritesScenesOfCatalogueBearings) {
+  ScratchDirectory directory;
+  const std::string scene = directory / "nu2205.toml";
+  const auto written = run({"scene", "nu", "2205", "--cage", "brass-machined", "--clearance", "C3",
+                            "--lubricant", "iso-vg-32", "--load", "2000", "--rigid"});
+  ASSERT_EQ(written.code, 0) << written.output;
+  std::ofstream(scene) << written.output;
+  const auto checked = run({"check", scene});
+  EXPECT_EQ(checked.code, 0) << checked.output;
+  EXPECT_THAT(checked.output, AllOf(HasSubstr("scene NU 2205 ECP: 13 rollers, rigid cage, 2000 N"),
+                                    HasSubstr("no mistakes found"), Not(HasSubstr("warning"))));
+  EXPECT_EQ(run({"simulate", scene, "--set", "window.settle_revolutions=0.1", "--set",
+                 "window.measure_revolutions=0.5"})
+                .code,
+            0);
+}
+
+TEST(Program, ListsCatalogueBearingsAndNamesNearOnes) {
+  const auto list = run({"scene", "--list", "nu 22"});
+  EXPECT_EQ(list.code, 0);
+  EXPECT_THAT(list.output, AllOf(HasSubstr("\nNU 2205 ECP "), Not(HasSubstr("NU 205 ECP"))));
+  EXPECT_THAT(run({"scene", "--list"}).output, HasSubstr("\nNU 330 ECM "));
+  const auto unknown = run({"scene", "NUP208"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.output, AllOf(HasSubstr("no bearing of this designation"),
+                                    HasSubstr("near ones: NU 208 ECP")));
+  for (const auto& [arguments, words] :
+       {std::pair<std::vector<std::string>, std::string>{{"scene"}, "no bearing is named"},
+        {{"scene", "NU208", "--cage", "gold"}, "brass-machined"},
+        {{"scene", "NU208", "--clearance", "C9"}, "C4"},
+        {{"scene", "NU208", "--lubricant", "water"}, "iso-vg-460"},
+        {{"scene", "NU208", "--load", "-1"}, "load.radial_N"},
+        {{"scene", "NJ208"}, "not modelled yet"}}) {
+    const auto refused = run(arguments);
+    EXPECT_EQ(refused.code, 2) << refused.output;
+    EXPECT_THAT(refused.output, HasSubstr(words));
+  }
+}
+
 TEST(Program, CheckShowsTheOperatingPointAndWarns) {
   const auto quiet = run({"check", shipped("studies/nu205.toml")});
   EXPECT_THAT(quiet.output, AllOf(HasSubstr("life_L10_h"), HasSubstr("cage_mass_g"),
