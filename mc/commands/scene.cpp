@@ -51,9 +51,6 @@ std::string in_mm_or_dash(double length) {
 std::string list_line(const CatalogueRow& row) {
   const CageMake make = usual_make(row.designation);
   const RatedSet set = designed_bearing(row, make, cage_rule(make).guidance).set;
-  const std::string cage = row.type == BearingType::NU
-                               ? spelled(make)
-                               : fmt::format("{} is not modelled yet", spelled(row.type));
   return fmt::format(
       "{:<13}{:>4} {:>4} {:>4} {:>6} {:>6} {:>6g} {:>6g} {:>6.0f}   {:>2} x {:>4} x {:<5} "
       "{:>+5.1f} "
@@ -62,7 +59,7 @@ std::string list_line(const CatalogueRow& row) {
       in_mm_or_dash(row.width), in_mm_or_dash(row.inner_raceway), in_mm_or_dash(row.outer_raceway),
       1e-3 * row.dynamic_rating, 1e-3 * row.static_rating, row.limiting_speed / kRpm,
       set.rollers.count, in_mm_or_dash(set.rollers.diameter), in_mm_or_dash(set.rollers.length),
-      100 * set.dynamic_error, 100 * set.static_error, cage);
+      100 * set.dynamic_error, 100 * set.static_error, spelled(make));
 }
 
 /// Dimensions in mm, ratings in kN, the rollers derived from them, in how far they miss C and C0.

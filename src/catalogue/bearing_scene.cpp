@@ -66,6 +66,22 @@ void write_head(const DesignedBearing& bearing, SceneText& out) {
   out.word("name", row.designation, "for titles");
 }
 
+void write_flanges(const CatalogueRow& row, SceneText& out) {
+  if (has_outer_flanges(row.type))
+    out.number("shoulder_diameter_mm", in_mm(row.outer_shoulder), "catalogue, D1");
+  else
+    out.word("shoulder_diameter_mm", "auto", "the outer ring has no flanges");
+  if (!has_inner_flanges(row.type)) return;
+  const std::string type = std::string("type ") + spelled(row.type);
+  const bool both = row.type == BearingType::N;
+  out.word("outer_flanges", both ? "none" : "both", type);
+  out.word("inner_flanges", both ? "both" : "right", type);
+  out.number("inner_flange_diameter_mm", in_mm(row.inner_shoulder), "catalogue, d1");
+  if (!both)
+    out.number("inner_land_diameter_mm", in_mm(row.inner_shoulder),
+               "catalogue, d1: the cage must clear the flange");
+}
+
 void write_bearing(const SceneRequest& asked, const DesignedBearing& bearing, SceneText& out) {
   const CatalogueRow& row = *bearing.row;
   const ClearanceRange range = clearance_range(asked.clearance, row.bore);
@@ -81,7 +97,7 @@ void write_bearing(const SceneRequest& asked, const DesignedBearing& bearing, Sc
   out.number("inner_raceway_diameter_mm", in_mm(row.inner_raceway), "catalogue, F");
   out.number("outer_raceway_diameter_mm", in_mm(bearing.roller.outer_raceway),
              outer_raceway_source(bearing));
-  out.number("shoulder_diameter_mm", in_mm(row.outer_shoulder), "catalogue, D1");
+  write_flanges(row, out);
   out.number("internal_clearance_um", (least + most) / 2,
              of_class + "; the catalogue diameters leave none");
   out.number("flange_clearance_mm", in_mm(kFlangeClearance * bearing.set.rollers.length),
@@ -228,15 +244,6 @@ void write_operation(const SceneRequest& asked, const CatalogueRow& row, SceneTe
   out.number("measure_revolutions", 6, "of the cage");
 }
 
-/// Types whose flanges the scene's keys can say.
-void require_modelled(const CatalogueRow& row) {
-  if (row.type != BearingType::NU)
-    throw InputError({}, "DESIGNATION", row.designation,
-                     std::string("bearings of type ") + spelled(row.type) +
-                         ", with flanges on the inner ring, are not modelled yet",
-                     "choose the NU of the same size, whose raceways and rollers are the same");
-}
-
 }  // namespace
 
 DesignedBearing designed_bearing(const CatalogueRow& row, CageMake make, Guidance guidance) {
@@ -251,7 +258,6 @@ DesignedBearing designed_bearing(const CatalogueRow& row, CageMake make, Guidanc
 
 std::string bearing_scene(const SceneRequest& request) {
   const CatalogueRow& row = catalogue_row(request.designation);
-  require_modelled(row);
   const CageMake make = request.make.value_or(usual_make(row.designation));
   const DesignedBearing bearing =
       designed_bearing(row, make, request.guidance.value_or(cage_rule(make).guidance));

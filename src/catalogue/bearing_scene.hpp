@@ -39,7 +39,7 @@ struct DesignedBearing {
 DesignedBearing designed_bearing(const CatalogueRow& row, CageMake make, Guidance guidance);
 
 /// The file. It is held to the reader and check_scene(); throws InputError like these,
-/// designed_bearing() and catalogue_row(), and for types that are not modelled yet.
+/// designed_bearing() and catalogue_row().
 std::string bearing_scene(const SceneRequest& request);
 
 }  // namespace cagetol

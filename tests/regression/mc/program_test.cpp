@@ -457,8 +457,7 @@ TEST(Program, ListsCatalogueBearingsAndNamesNearOnes) {
         {{"scene", "NU208", "--cage", "gold"}, "brass-machined"},
         {{"scene", "NU208", "--clearance", "C9"}, "C4"},
         {{"scene", "NU208", "--lubricant", "water"}, "iso-vg-460"},
-        {{"scene", "NU208", "--load", "-1"}, "load.radial_N"},
-        {{"scene", "NJ208"}, "not modelled yet"}}) {
+        {{"scene", "NU208", "--load", "-1"}, "load.radial_N"}}) {
     const auto refused = run(arguments);
     EXPECT_EQ(refused.code, 2) << refused.output;
     EXPECT_THAT(refused.output, HasSubstr(words));

@@ -38,11 +38,11 @@ def output_of(program, *arguments):
     return done.stdout
 
 
-def modelled(program):
-    """Designations of all bearings with E and F that can be modelled."""
+def with_raceways(program):
+    """Designations of all bearings with E and F."""
     names = []
     for line in output_of(program, "scene", "--list").splitlines()[1:]:
-        if "not modelled" not in line and line[13:].split()[4] != "-":
+        if line[13:].split()[4] != "-":
             names.append(line[:13].strip())
     return names
 
@@ -94,7 +94,7 @@ def main():
     options = parser.parse_args()
     beside = Path(options.program).resolve().parent / "catalogue-runs"
     program = Program(options.program, options.cache or beside)
-    names = random.Random(SEED).sample(modelled(program.path), 2 if options.quick else 20)
+    names = random.Random(SEED).sample(with_raceways(program.path), 2 if options.quick else 20)
     settings = SETTINGS | (QUICK if options.quick else {})
     failures = 0
     print(f"{'bearing':<14} {'run':<7} {'torque':>8} {'SKF':>8} {'Palmgren':>8} {'ratio':>6} {'slip':>7}  [N mm]")
