@@ -77,8 +77,8 @@ void add_inertial(const BearingModel& m, const RollerGroup& roller, const Roller
   g.velocity[kLat][kLs] += roller.polar * q.b_r;
 }
 
-/// What the axial motion of the inner ring does at its race, and to it: the opposite of what that of
-/// the rollers does.
+/// What the axial motion of the inner ring does at its race, and to it: the opposite of what that
+/// of the rollers does.
 void finish_axial(const RollerPack& q, const GroupLinear& g, Pack exists, int group, int slot,
                   Linearisation& linear) {
   Pack to_position[kLocalPositions], to_velocity[kLocalVelocities];

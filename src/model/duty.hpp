@@ -1,7 +1,7 @@
 // What is imposed on a bearing from outside, over time: the speeds of both rings, and the load on
-// the inner one. A load is a force in the radial plane and along x, and a moment conjugate to the ring's tilt
-// (B_y, B_z): moment_y tilts the centre line towards +y (a vector along +z), moment_z towards +z (a
-// vector along -y). The shaft takes the moment where the tilt is prescribed.
+// the inner one. A load is a force in the radial plane and along x, and a moment conjugate to the
+// ring's tilt (B_y, B_z): moment_y tilts the centre line towards +y (a vector along +z), moment_z
+// towards +z (a vector along -y). The shaft takes the moment where the tilt is prescribed.
 //
 //   load(t)  = s(t) [F d(phi_F) + P d(phi_P + psi)] + U w_i^2 d(phi_P + turned)
 //   d(phi)   = (sin phi, -cos phi) in (y, z): along -z turned by phi about +x

@@ -26,8 +26,8 @@ enum RollerVelocity {
   kRollerVelocities
 };
 /// Border slots: inner ring, then the cage's mass centre, spin angle and axis, then modal
-/// coordinates, then of the inner ring, where they are free, its axial place and the two slopes B_y,
-/// B_z of its centre line.
+/// coordinates, then of the inner ring, where they are free, its axial place and the two slopes
+/// B_y, B_z of its centre line.
 enum Border { kRingY, kRingZ, kCageY, kCageZ, kCageX, kCagePhi, kCageAxisY, kCageAxisZ, kModes };
 inline constexpr int kRigidBorder = kModes;
 inline constexpr int kCageRigid = kModes - kCageY;  ///< rigid degrees of freedom of the cage

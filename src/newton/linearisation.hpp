@@ -106,8 +106,9 @@ struct Linearisation {
   std::vector<GroupLinear> groups;
   std::vector<TiltLinear> tilts;  ///< one for each group where the inner ring's tilt is free
   Eigen::MatrixXd border_position, border_velocity;
-  /// Something touches the cage: a roller, a ring, a guide film; or the inner ring moves axially. Where nothing does, the border's
-  /// matrices hold but the blocks of the ring and the cage's own terms.
+  /// Something touches the cage: a roller, a ring, a guide film; or the inner ring moves axially.
+  /// Where nothing does, the border's matrices hold but the blocks of the ring and the cage's own
+  /// terms.
   bool cage_touched = false;
   /// Gradient over the border of the net power: drive + load - dissipation, the rate of the stored
   /// energy. Its time derivative makes the energy account's quadrature one order better than the
