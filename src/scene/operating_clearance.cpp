@@ -104,13 +104,20 @@ void keep_mass(MaterialChoice& material, double heat) {
 }
 
 void grow_rings(const OperatingClearance& by, double roller_length, BearingGeometry& b) {
-  b.flange_clearance +=
-      (roller_length + b.flange_clearance) * by.outer_ring_heat - roller_length * by.roller_heat;
+  const auto grown = [&](double clearance, double heat) {
+    return clearance + (roller_length + clearance) * heat - roller_length * by.roller_heat;
+  };
+  if (b.inner_flanges != FlangeSides::none)
+    b.inner_flange_clearance =
+        grown(given_or(b.inner_flange_clearance, b.flange_clearance), by.inner_ring_heat);
+  b.flange_clearance = grown(b.flange_clearance, by.outer_ring_heat);
   // What stands on a ring moves with its raceway.
-  b.inner_land_diameter += b.inner_land_diameter * by.inner_ring_heat + by.inner_raceway.total() -
-                           b.inner_raceway_diameter * by.inner_ring_heat;
-  b.shoulder_diameter += b.shoulder_diameter * by.outer_ring_heat + by.outer_raceway.total() -
-                         b.outer_raceway_diameter * by.outer_ring_heat;
+  for (double* diameter : {&b.inner_land_diameter, &b.inner_flange_diameter})
+    *diameter += *diameter * by.inner_ring_heat + by.inner_raceway.total() -
+                 b.inner_raceway_diameter * by.inner_ring_heat;
+  for (double* diameter : {&b.outer_land_diameter, &b.shoulder_diameter})
+    *diameter += *diameter * by.outer_ring_heat + by.outer_raceway.total() -
+                 b.outer_raceway_diameter * by.outer_ring_heat;
   b.inner_raceway_diameter += by.inner_raceway.total();
   b.outer_raceway_diameter += by.outer_raceway.total();
   b.bore_diameter += by.bore.total();
@@ -186,8 +193,9 @@ Scene operating_scene(const Scene& scene) {
   grow_rings(by, scene.roller.length, hot.bearing);
   grow_rollers(by, hot.roller);
   const bool inner = scene.cage.guidance == Guidance::inner;
-  const double guide = inner ? inner_land_diameter(hot.bearing) - inner_land_diameter(scene.bearing)
-                             : hot.bearing.shoulder_diameter - scene.bearing.shoulder_diameter;
+  const double guide = inner
+                           ? inner_land_diameter(hot.bearing) - inner_land_diameter(scene.bearing)
+                           : outer_land_diameter(hot.bearing) - outer_land_diameter(scene.bearing);
   grow_cage(by, guide / 2, hot.cage);
   hot.fit.inner_interference = hot.fit.outer_interference = kAuto;
   hot.temperature.growth = hot.operation.centrifugal_growth = false;
