@@ -269,18 +269,20 @@ void lubricate(const Scene& scene, BearingModel& m) {
   m.bar_line = pocket(m.curved_faces ? -1 / cage.face_radius : 0);
   m.edge_line = pocket(1 / cage.edge_radius);
   if (l.end_film) {
-    const auto flat = [&](const ContactParameters& of, double area) {
+    const auto flat = [&](const ContactParameters& of, double area, bool squeeze) {
       return make_flat_film(oil.viscosity, area, l.pocket_layer,
-                            given_or(of.roughness, l.pocket_roughness), 2, l.squeeze);
+                            given_or(of.roughness, l.pocket_roughness), 2, squeeze);
     };
     const double face = pi * roller * roller,
                  wall = m.nominal_diameter * (cage.outer_diameter - cage.inner_diameter) / 2;
-    m.wall_film = flat(contact.end, std::min(face, wall));
-    for (Flange& flange : m.flanges)
+    m.wall_film = flat(contact.end, std::min(face, wall), l.squeeze);
+    for (Flange& flange : m.flanges) {
+      const double height = flange.inner ? b.inner_flange_diameter / 2 - m.inner_radius
+                                         : m.outer_radius - b.shoulder_diameter / 2;
+      // Rollers stand on the flanges that carry an axial load: nothing is squeezed out there.
       flange.film =
-          flat(contact.flange,
-               segment_area(roller, flange.inner ? b.inner_flange_diameter / 2 - m.inner_radius
-                                                 : m.outer_radius - b.shoulder_diameter / 2));
+          flat(contact.flange, segment_area(roller, height), l.squeeze && m.layout.ring_axial == 0);
+    }
   }
   if (!l.churning) return;
   Churning& c = m.churning;

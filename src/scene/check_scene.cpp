@@ -41,7 +41,7 @@ void check_rings(const Scene& scene, const SceneCheck& check) {
                     (bearing.shoulder_diameter > pitch_diameter &&
                      bearing.shoulder_diameter < bearing.outer_raceway_diameter),
                 "bearing.shoulder_diameter_mm",
-                "the outer ring's flanges must end between the pitch circle (" +
+                "the shoulders must stand between the pitch circle (" +
                     number_text(unit_value(pitch_diameter, 1e-3)) + " mm) and the outer raceway (" +
                     check.with_value("bearing.outer_raceway_diameter_mm") + ")",
                 "correct the shoulder diameter, or set bearing.outer_flanges = \"none\"");
@@ -78,7 +78,7 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                     check.with_value("bearing.inner_land_diameter_mm") + ")",
                 "give a larger inner diameter of the cage or smaller flanges");
   check.require(cage.outer_diameter < outer_land_diameter(scene.bearing), "cage.outer_diameter_mm",
-                "the cage does not fit inside the outer ring's land, " +
+                "the cage does not fit inside the outer ring's shoulders or its land, " +
                     number_text(unit_value(outer_land_diameter(scene.bearing), 1e-3)) + " mm (" +
                     check.with_value("bearing.shoulder_diameter_mm") + ")",
                 "give a smaller outer diameter of the cage or larger shoulders");

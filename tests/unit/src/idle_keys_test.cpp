@@ -167,6 +167,7 @@ TEST_P(IdleKeys, AreThoseThatChangeNothing) {
   scene.start.state = StartState::equilibrium;  // found sooner than the steady one
   scene.bearing.ring_material = scene.roller.material = {"bearing-steel"};
   scene.cage.material = {"steel-q235"};
+  scene.bearing.inner_flange_diameter = 34.7e-3;  // for the choices of inner_flanges
   scene.lubrication.viscosity_40 = 68;
   scene.lubrication.viscosity_100 = 8.7;
   GetParam().set(scene);
