@@ -16,6 +16,7 @@ from engine import error_against_cost, legend_below  # noqa: E402
 
 OFFSETS = ((-9, 4), (10, 2), (-9, 5), (-10, 2), (10, 2), (-9, -4), (-2, 10), (2, -10), (10, 3))  # of the numbers, points
 NU205 = ROOT / "inputs/scenes/nu205.toml"
+STUDY = ROOT / "inputs/studies/nu205.toml"
 LOADS = (150, 1000, 10000)  # N
 RUNG_LOADS = (150, 1000)  # N; at 10 kN the explicit reference of the rungs would take hours
 CAGES = {"rigid": {"cage.model": "rigid"}, "flexible": {"cage.model": "flexible"}}
@@ -120,3 +121,57 @@ def rung_chapter(page, program, quick):
     page.table(["number", "rung"] + [f"{load} N: time, bias" for load in charts],
                [[f"{place}", name] + [f"{number(rungs[name]['rtf'])}, {number(rungs[name]['bias_rms'], 2)}" for rungs in by_load]
                 for place, name in enumerate(names, 1)])
+
+
+def laddered(program, quick):
+    """ladder.json of the default study; kept by program and study."""
+    settings = QUICK_WINDOW if quick else {}
+    key = json.dumps([program.build, STUDY.read_text(encoding="utf-8"), NU205.read_text(encoding="utf-8"),
+                      sorted(settings.items())])
+    place = program.cache / ("ladder-" + hashlib.sha256(key.encode()).hexdigest()[:24])
+    if not (place / "ladder.json").exists():
+        command = [str(program.path), "ladder", str(STUDY), "-o", str(place), "--samples", "3" if quick else "24"]
+        for name, value in settings.items():
+            command += ["--set", f"scene.{name}={toml_value(value)}"]
+        done = subprocess.run(command, env=os.environ | MPI, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(command)}\nended with code {done.returncode}:\n{done.stderr}")
+    return json.loads((place / "ladder.json").read_text(encoding="utf-8"))
+
+
+def limited_chapter(page, program, quick):
+    ladder = laddered(program, quick)
+    limited = [quantity for quantity in ladder["quantities"] if quantity["limited"]]
+    cost = {rung["name"]: rung["cost_ratio"] for rung in ladder["rungs"]}
+    page.heading("Error against cost: the quantities that the default study limits")
+    page.add("`cagetol ladder inputs/studies/nu205.toml`: the same 24 cages on every rung. Error: shift of the mean against the",
+             "highest rung, in per cent of that mean, the bar its 95 % interval; an arrow where the interval reaches zero: the",
+             "error is below its end. A rung that does not define a quantity is not drawn.", "")
+    figure, axes = pyplot.subplots(2, 2, figsize=(WIDTH, 5.2), sharex=True)
+    rows = []
+    for axis, quantity in zip(axes.flat, limited):
+        shown = [rung for rung in quantity["rungs"] if rung["shift"] is not None and rung["rung"] in cost]
+        scale = 100 / abs(quantity["mean"])
+        for rung in shown:
+            low, high = sorted(abs(rung[end]) * scale for end in ("lower", "upper"))
+            told = rung["lower"] * rung["upper"] > 0
+            x, y = cost[rung["rung"]], abs(rung["shift"]) * scale if told else high
+            if y == 0:
+                continue
+            axis.errorbar(x, y, yerr=[[max(0.0, y - low)], [max(0.0, high - y)]] if told else [[0.6 * y], [0]],
+                          uplims=not told, marker="o", markersize=4, color="C0" if told else "grey", linewidth=1)
+            axis.annotate(rung["rung"], (x, high), xytext=(0, 4), textcoords="offset points", fontsize=6, ha="center")
+        axis.set_xscale("log")
+        axis.set_yscale("log")
+        axis.margins(x=0.2, y=0.25)
+        axis.set_title(quantity["quantity"], fontsize=8)
+        rows.append([f"`{quantity['quantity']}`: {number(quantity['mean'], 4)}"]
+                    + [next((f"{100 * r['shift'] / abs(quantity['mean']):+.2g} ± "
+                             f"{50 * (r['upper'] - r['lower']) / abs(quantity['mean']):.2g}"
+                             for r in shown if r["rung"] == name), "-") for name in cost])
+    for axis in axes[1]:
+        axis.set_xlabel("cost over that of the highest rung")
+    for axis in axes[:, 0]:
+        axis.set_ylabel("error of the mean, %")
+    page.figure("cost-limited", figure, "Error against cost of the quantities that the default study limits")
+    page.table(["quantity, mean"] + [f"{name}: {number(ratio, 2)}" for name, ratio in cost.items()], rows)

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 
-from chart_section import method_chapter, rung_chapter
+from chart_section import limited_chapter, method_chapter, rung_chapter
 from program import MPI, Program
 from report import ROOT, WIDTH, Page, logarithmic, number, pyplot, table, ticks_within
 from validation_page import processor
@@ -225,6 +225,7 @@ def main():
     page = Page(out / "COST.md", out / "figures")
     method_chapter(page, program, options.quick)
     rung_chapter(page, program, options.quick)
+    limited_chapter(page, program, options.quick)
     panels = bearing_chapter(page, program, options.quick)
     panels += study_chapter(page, Studies(program, cache), options.quick)
     draw(page, panels)

@@ -1,0 +1,36 @@
+// The bearings of other kinds that inputs/scenes ships run, each with a rigid cage for a moment.
+#include <gtest/gtest.h>
+#include <cmath>
+
+#include "src/simulate.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+class ShippedBearings : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedBearings,
+                         testing::Values("nu208-brass", "nj308-axial", "nu2322-gearbox",
+                                         "nu226-axlebox", "nu208-planet"),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           for (char& c : name)
+                             if (c == '-') c = '_';
+                           return name;
+                         });
+
+TEST_P(ShippedBearings, Run) {
+  Scene scene = shipped_scene(GetParam());
+  EXPECT_EQ(scene.name, GetParam());
+  scene.cage.model = CageKind::rigid;
+  scene.window.settle_revolutions = 0.5;
+  scene.window.measure_revolutions = 0.5;
+  const Outcome outcome = simulate(scene);
+  EXPECT_EQ(outcome.status, Status::ok) << outcome.reason;
+  // Loaded by a tenth of their rating, rollers hold cages to their rolling speed.
+  EXPECT_LT(std::abs(quantity(outcome, "orbit_slip_ratio")), 0.05);
+  EXPECT_GT(std::abs(quantity(outcome, "friction_torque_Nmm")), 10);
+}
+
+}  // namespace
+}  // namespace cagetol
