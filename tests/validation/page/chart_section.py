@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 from program import MPI, toml_value
-from report import ROOT, WIDTH, number, pyplot
+from report import ROOT, WIDTH, logarithmic, number, pyplot, ticks_within
 
 sys.path.insert(0, str(ROOT / "analysis/figures"))
 from common import known  # noqa: E402
@@ -123,24 +123,20 @@ def rung_chapter(page, program, quick):
                 for place, name in enumerate(names, 1)])
 
 
-def laddered(program, quick):
+def laddered(program):
     """ladder.json of the default study; kept by program and study."""
-    settings = QUICK_WINDOW if quick else {}
-    key = json.dumps([program.build, STUDY.read_text(encoding="utf-8"), NU205.read_text(encoding="utf-8"),
-                      sorted(settings.items())])
+    key = json.dumps([program.build, STUDY.read_text(encoding="utf-8"), NU205.read_text(encoding="utf-8")])
     place = program.cache / ("ladder-" + hashlib.sha256(key.encode()).hexdigest()[:24])
     if not (place / "ladder.json").exists():
-        command = [str(program.path), "ladder", str(STUDY), "-o", str(place), "--samples", "3" if quick else "24"]
-        for name, value in settings.items():
-            command += ["--set", f"scene.{name}={toml_value(value)}"]
+        command = [str(program.path), "ladder", str(STUDY), "-o", str(place)]
         done = subprocess.run(command, env=os.environ | MPI, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"{' '.join(command)}\nended with code {done.returncode}:\n{done.stderr}")
     return json.loads((place / "ladder.json").read_text(encoding="utf-8"))
 
 
-def limited_chapter(page, program, quick):
-    ladder = laddered(program, quick)
+def limited_chapter(page, program):
+    ladder = laddered(program)
     limited = [quantity for quantity in ladder["quantities"] if quantity["limited"]]
     cost = {rung["name"]: rung["cost_ratio"] for rung in ladder["rungs"]}
     page.heading("Error against cost: the quantities that the default study limits")
@@ -152,7 +148,8 @@ def limited_chapter(page, program, quick):
     for axis, quantity in zip(axes.flat, limited):
         shown = [rung for rung in quantity["rungs"] if rung["shift"] is not None and rung["rung"] in cost]
         scale = 100 / abs(quantity["mean"])
-        for rung in shown:
+        tops = []
+        for place, rung in enumerate(shown):
             low, high = sorted(abs(rung[end]) * scale for end in ("lower", "upper"))
             told = rung["lower"] * rung["upper"] > 0
             x, y = cost[rung["rung"]], abs(rung["shift"]) * scale if told else high
@@ -160,9 +157,12 @@ def limited_chapter(page, program, quick):
                 continue
             axis.errorbar(x, y, yerr=[[max(0.0, y - low)], [max(0.0, high - y)]] if told else [[0.6 * y], [0]],
                           uplims=not told, marker="o", markersize=4, color="C0" if told else "grey", linewidth=1)
-            axis.annotate(rung["rung"], (x, high), xytext=(0, 4), textcoords="offset points", fontsize=6, ha="center")
-        axis.set_xscale("log")
-        axis.set_yscale("log")
+            axis.annotate(rung["rung"], (x, high), xytext=(0, 3 + 7 * (place % 2)), textcoords="offset points", fontsize=6,
+                          ha="center")
+            tops.append((low, high))
+        logarithmic(axis, (0.2, 0.3, 0.4, 0.6))
+        logarithmic(axis, ticks_within(min(low for low, _ in tops) / 2 or 0.01, 2 * max(high for _, high in tops))
+                    if tops else (1,), "y")
         axis.margins(x=0.2, y=0.25)
         axis.set_title(quantity["quantity"], fontsize=8)
         rows.append([f"`{quantity['quantity']}`: {number(quantity['mean'], 4)}"]

@@ -225,7 +225,8 @@ def main():
     page = Page(out / "COST.md", out / "figures")
     method_chapter(page, program, options.quick)
     rung_chapter(page, program, options.quick)
-    limited_chapter(page, program, options.quick)
+    if not options.quick:  # a minute at least: tables of flexible cages
+        limited_chapter(page, program)
     panels = bearing_chapter(page, program, options.quick)
     panels += study_chapter(page, Studies(program, cache), options.quick)
     draw(page, panels)
