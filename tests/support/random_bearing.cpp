@@ -182,7 +182,8 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
   if (options.freedom == Freedom::planar) b.scene.model.rollers = RollerModel::planar;
   if (options.freedom == Freedom::tilting) free_the_ring(seed, b.scene);
-  if (options.freedom == Freedom::spatial && seed % 4 == 3) flange_the_inner_ring(seed, b.scene);
+  if (options.inner_flanges && options.freedom == Freedom::spatial && seed % 4 == 3)
+    flange_the_inner_ring(seed, b.scene);
   b.scene.film.model = options.film;
   if (options.lubricated) {
     b.scene.lubrication.model = LubricationModel::film;

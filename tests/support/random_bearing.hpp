@@ -37,6 +37,7 @@ struct RandomBearingOptions {
   FilmModel film = FilmModel::none;
   bool lubricated = false;          ///< lubrication.model = LubricationModel::film
   Outline outline = Outline::flat;  ///< else rollers stand apart from the races
+  bool inner_flanges = true;        ///< of spatial rollers, on every fourth bearing
 };
 
 /// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered,

@@ -73,8 +73,7 @@ TEST(Flanges, CarryAnAxialLoadEitherWay) {
   EXPECT_NEAR(torque[0], torque[1], 0.02 * torque[1]);
 }
 
-// At the end of a run the flanges of both rings bear the load, but for what the races pull axially
-// and the little that still accelerates.
+// Rollers between flanges of both rings push the inner one back by what the outer one holds.
 TEST(Flanges, BalanceTheAxialLoad) {
   Scene scene = nj205();
   scene.operation.axial_load = 300;
