@@ -9,22 +9,33 @@
 namespace cagetol {
 
 /// Oil of one point of an end (src/lubrication/flat_film.hpp): its forces at penetration p, and
-/// their slopes by p and p'.
+/// their slopes by p, p' and the speed at which oil is drawn in.
 struct EndFilm {
-  Pack normal{}, normal_p{}, normal_rate{};  ///< pushes apart [N]
-  Pack drag{}, drag_p{};                     ///< times the sliding velocity, against it [N s/m]
+  Pack normal{}, normal_p{}, normal_rate{}, normal_speed{};  ///< pushes apart [N]
+  Pack wedge{};                                              ///< of that [N]
+  Pack drag{}, drag_p{};  ///< times the sliding velocity, against it [N s/m]
 };
-template <bool linear>
-EndFilm end_film(const FlatFilm& law, Mask wet, Pack p, Pack rate) {
+/// `drawn`: speed at which oil is drawn in [m/s]; of no effect without a wedge.
+template <bool linear, bool wedge>
+EndFilm end_film(const FlatFilm& law, Mask wet, Pack p, Pack rate, [[maybe_unused]] Pack drawn) {
   EndFilm film;
   const Pack gap = select(wet, -p, splat(0.5 * law.layer)), one = select(wet, splat(1.0), Pack{});
   if constexpr (linear) {
-    using D = Dual<Pack, 2>;
-    const FlatFilmForces<D> f = flat_film(law, -variable<D>(-gap, 0), -variable<D>(rate, 1));
-    film = {f.normal.value * one, f.normal.slope[0] * one, f.normal.slope[1] * one,
-            f.drag.value * one, f.drag.slope[0] * one};
+    using D = Dual<Pack, wedge ? 3 : 2>;
+    const D opening = -variable<D>(-gap, 0);
+    D pushed{};
+    if constexpr (wedge) pushed = flat_wedge(law, opening, variable<D>(drawn, 2));
+    const FlatFilmForces<D> f = flat_film(law, opening, -variable<D>(rate, 1), pushed);
+    film.normal = f.normal.value * one;
+    film.normal_p = f.normal.slope[0] * one;
+    film.normal_rate = f.normal.slope[1] * one;
+    if constexpr (wedge) film.normal_speed = f.normal.slope[2] * one;
+    film.wedge = pushed.value * one;
+    film.drag = f.drag.value * one;
+    film.drag_p = f.drag.slope[0] * one;
   } else {
-    const FlatFilmForces<Pack> f = flat_film(law, gap, -rate);
+    const Pack pushed = wedge ? flat_wedge(law, gap, drawn) : Pack{};
+    const FlatFilmForces<Pack> f = flat_film(law, gap, -rate, pushed);
     film.normal = f.normal * one;
     film.drag = f.drag * one;
   }
@@ -56,13 +67,17 @@ struct EndForces {
   Pack normal;  ///< [N]
   Pack drag;    ///< friction force over sliding speed [N s/m]
 };
-/// `wet`: lanes within the layer of oil; without oil those in contact.
+/// `wet`: lanes within the layer of oil; without oil those in contact. `drawn`: speed at which oil
+/// is drawn in between wedges [m/s].
 template <bool linear>
 EndForces end_forces(const NormalLaw& law, const FrictionLaw& rubbing, const FlatFilm& oil,
-                     const Touch<Pack>& touch, Mask wet) {
+                     const Touch<Pack>& touch, Mask wet, Pack drawn = Pack{}) {
   EndForces on;
   on.contact = answer_to(touch, wet & (touch.p > 0.0), law, rubbing);
-  if (oil.on) on.film = end_film<linear>(oil, wet, touch.p, touch.rate);
+  if (oil.wedge > 0)
+    on.film = end_film<linear, true>(oil, wet, touch.p, touch.rate, drawn);
+  else if (oil.on)
+    on.film = end_film<linear, false>(oil, wet, touch.p, touch.rate, drawn);
   on.normal = on.contact.normal.force + on.film.normal;
   on.drag = on.contact.drag + on.film.drag;
   return on;
@@ -76,7 +91,8 @@ inline void observe_end(const EndForces& on, const NormalLaw& law, const FlatFil
   account(touch, on.contact, law, where, seen);
   if (!oil.on) return;
   seen.rub(where, sum(on.film.drag * on.contact.squared));
-  seen.damp(kSqueeze, sum(on.film.normal * touch.rate));
+  seen.damp(kSqueeze, sum((on.film.normal - on.film.wedge) * touch.rate));
+  seen.damp(kFilm, sum(on.film.wedge * touch.rate));
 }
 
 }  // namespace cagetol

@@ -5,6 +5,8 @@
 // The points keep their place beside the roller's orbit and turn with theta'; p depends on that
 // angle through `turn` = e dp/d(angle). Sliding speeds are those of the roller's end against the
 // flange, radially and tangentially; the force on the ring is the opposite of that on the roller.
+// Both surfaces draw oil past the point at the mean of their tangential speeds beside it,
+//   u = [spin h - theta' h + (w - theta') (r + h)]/2
 #pragma once
 
 #include "src/contacts/contact_frame.hpp"
@@ -40,13 +42,21 @@ struct FlangePoint {
   double e, xi, h, tau;  ///< end, and place of the point [m]
   Pack turn, lean;       ///< lean: dp/dr over e
   Touch<Pack> touch;
+  Pack rate_by[kLocalPositions];  ///< slopes of p'
+  Pack v1_by_t, v2_by_t;          ///< of the sliding speeds with the orbit
+  Pack drawn, drawn_vt, drawn_r;  ///< u, and its slopes by r theta' and, at that theta', by r
 };
 template <bool inner>
 FlangePoint flange_point(const BearingModel& model, const Flange& flange, const FlangeRing& ring,
                          const RollerPack& q, const EndPoint& point) {
   const double e = flange.side, h = point.radial, tau = point.tangential;
-  FlangePoint at{e, e * model.roller_half_length, h, tau, {}, {}, {}};
+  FlangePoint at{e, e * model.roller_half_length, h, tau, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   at.turn = tau * q.a_r - h * q.a_t;
+  at.rate_by[kLt] = tau * q.b_r - h * q.b_t + q.omega * (tau * q.a_t + h * q.a_r);
+  at.rate_by[kLar] = tau * q.omega;
+  at.rate_by[kLat] = -h * q.omega;
+  at.v1_by_t = at.xi * q.b_t / q.r;
+  at.v2_by_t = -at.xi * q.b_r / q.r;
   Pack place = q.x - h * q.a_r - tau * q.a_t, along = q.vx - h * q.b_r - tau * q.b_t;
   at.touch.v1 = q.vr + at.xi * q.b_r - (q.spin - ring.speed) * tau;
   at.touch.v2 = q.vt + at.xi * q.b_t + q.spin * h - ring.speed * (q.r + h);
@@ -55,20 +65,31 @@ FlangePoint flange_point(const BearingModel& model, const Flange& flange, const 
     along += ring.B_r * (q.vr - ring.du_r) - ring.B_t * ring.du_t - ring.x_rate;
     at.turn += ring.B_t * (q.r + h) - ring.B_r * tau;
     at.lean = ring.B_r;
+    at.rate_by[kLr] = ring.B_t * q.omega;
+    at.rate_by[kLt] += ring.B_t * q.vr - (ring.B_r * (q.r + h) + ring.B_t * tau) * q.omega;
     at.touch.v1 -= ring.du_r + ring.speed * ring.u_t;
     at.touch.v2 -= ring.du_t - ring.speed * ring.u_r;
+    at.v1_by_t -= (ring.du_t - ring.speed * ring.u_r) / q.r;
+    at.v2_by_t += (ring.du_r + ring.speed * ring.u_t) / q.r;
   }
   at.touch.p = e * place - flange.clearance;
   at.touch.rate = e * (along + at.turn * q.omega);
+  at.rate_by[kLt] /= q.r;
+  for (Pack& slope : at.rate_by) slope *= e;
+  at.drawn = 0.5 * ((q.spin - q.omega) * h + (ring.speed - q.omega) * (q.r + h));
+  at.drawn_vt = -0.5 * (q.r + 2.0 * h) / q.r;
+  at.drawn_r = 0.5 * (ring.speed - q.omega);
   return at;
 }
 
 /// What the motion of the inner ring changes: slopes of the normal force `by_p`, `by_rate`, of the
 /// forces on the rollers `on_p`, `on_rate`, of the friction by both sliding speeds, and of the lost
-/// power.
+/// power; and the normal force's slopes by the oil that roller and orbit draw in, and by what
+/// positions make of p' and of that.
 struct RingSlopes {
   Pack by_p, by_rate, lost_p, lost_rate, lost_v1, lost_v2;
   Pack d11, d12, d22;
+  Pack drawn[kLocalVelocities], held[kLocalPositions];
   Pack gn[kLocalVelocities], on_p[kLocalVelocities], on_rate[kLocalVelocities];
 };
 /// In the radial plane.
@@ -76,6 +97,19 @@ inline void add_plane_block(const RingSlopes& s, const GroupLinear& g, Linearisa
   add_turned(g, -s.d11, -s.d12, -s.d12, -s.d22, jac.border_velocity, kRingY, kRingY);
   jac.power_velocity[kRingY] += sum(g.cosine * s.lost_v1 - g.sine * s.lost_v2);
   jac.power_velocity[kRingZ] += sum(g.sine * s.lost_v1 + g.cosine * s.lost_v2);
+}
+/// Between its axial place and its place in the plane, which a leaning flange ties together.
+inline void add_lean_coupling(const RingSlopes& s, const FlangeRing& ring, const GroupLinear& g,
+                              Mask wet, int slot, Linearisation& jac) {
+  const Pack lean[2] = {select(wet, g.cosine * ring.B_r - g.sine * ring.B_t, Pack{}),
+                        select(wet, g.sine * ring.B_r + g.cosine * ring.B_t, Pack{})};
+  for (const int k : {kRingY, kRingZ}) {
+    const double by_place = sum(lean[k] * s.by_p), by_speed = sum(lean[k] * s.by_rate);
+    jac.border_position(k, slot) -= by_place;
+    jac.border_position(slot, k) -= by_place;
+    jac.border_velocity(k, slot) -= by_speed;
+    jac.border_velocity(slot, k) -= by_speed;
+  }
 }
 /// Along the axis, where the ring's place is free: with the rollers that touch.
 inline void add_axial_coupling(const RingSlopes& s, double e, Mask wet, int group, int slot,
@@ -89,8 +123,9 @@ inline void add_axial_coupling(const RingSlopes& s, double e, Mask wet, int grou
       const auto at = static_cast<std::size_t>(k) * packs + packs - 1;
       c.position[column][k] -= e * s.on_p[k][i];
       c.velocity[column][k] -= e * s.on_rate[k][i];
-      c.to_velocity[at][lane_of_slot] -= e * s.by_rate[i] * s.gn[k][i];
-      if (k < kLocalPositions) c.to_position[at][lane_of_slot] -= e * s.by_p[i] * s.gn[k][i];
+      c.to_velocity[at][lane_of_slot] += e * (s.drawn[k][i] - s.by_rate[i] * s.gn[k][i]);
+      if (k < kLocalPositions)
+        c.to_position[at][lane_of_slot] += e * (s.held[k][i] - s.by_p[i] * s.gn[k][i]);
     }
   }
   jac.border_position(slot, slot) -= sum(select(wet, s.by_p, Pack{}));
@@ -121,9 +156,15 @@ RingSlopes add_flange_slopes(const FlangePoint& at, const EndForces& on, const R
       d11,
       d12,
       d22,
+      {},
+      {},
       {-e * at.lean, -e * at.turn / q.r, splat(-e), splat(e * h), splat(e * tau), Pack{}},
       {},
       {}};
+  by_ring.drawn[kLt] = film.normal_speed * at.drawn_vt;
+  by_ring.drawn[kLs] = film.normal_speed * (0.5 * h);
+  for (int j = 0; j < kLocalPositions; ++j) by_ring.held[j] = by_ring.by_rate * at.rate_by[j];
+  by_ring.held[kLr] += film.normal_speed * at.drawn_r;
   const Pack(&gn)[kLocalVelocities] = by_ring.gn;
   const double g1[] = {1, 0, 0, xi, 0, -tau}, g2[] = {0, 1, 0, 0, xi, h};
   auto lost = dissipation_slopes(normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend,
@@ -133,45 +174,54 @@ RingSlopes add_flange_slopes(const FlangePoint& at, const EndForces& on, const R
   lost.v1 += 2.0 * film.drag * v1;
   lost.v2 += 2.0 * film.drag * v2;
   by_ring.lost_p = lost.p, by_ring.lost_rate = lost.rate;
-  by_ring.lost_v1 = lost.v1, by_ring.lost_v2 = lost.v2;
+  // Its motion in the plane also changes the power that drives it.
+  by_ring.lost_v1 = lost.v1 + ring_speed * ((q.r + h) * d12 - tau * d11);
+  by_ring.lost_v2 = lost.v2 + ring_speed * ((q.r + h) * d22 - tau * d12);
   // Points and directions turn with the orbit, and so do the forces; add_inertial, which takes
   // these for held still, does the same again: less that.
-  const Pack rate_turn =
-      e * (tau * q.b_r - h * q.b_t + q.omega * (tau * q.a_t + h * q.a_r));  // dp'/d(theta)
   to.position[kLr][kLt] -= (f2 - push * at.turn / q.r) / q.r;
   to.position[kLt][kLt] += f1 / q.r;
   to.position[kLar][kLt] -= (xi * f2 + tau * push) / q.r;
   to.position[kLat][kLt] += (xi * f1 + h * push) / q.r;
+  const Pack v1_held = at.v1_by_t + q.omega, v2_held = at.v2_by_t - q.vr / q.r;
+  to.power_position[kLr] +=
+      lost.v2 * ring_speed + ring_speed * f2 - rate * film.normal_speed * at.drawn_r;
+  to.power_position[kLt] -= lost.v1 * v1_held + lost.v2 * v2_held;
   for (int i = 0; i < kLocalVelocities; ++i) {
-    to.power_velocity[i] += lost.rate * gn[i] - lost.v1 * g1[i] - lost.v2 * g2[i];
-    if (i < kLocalPositions) to.power_position[i] += lost.p * gn[i];
+    to.power_velocity[i] +=
+        lost.rate * gn[i] - lost.v1 * g1[i] - lost.v2 * g2[i] - rate * by_ring.drawn[i];
+    if (i < kLocalPositions) to.power_position[i] += lost.p * gn[i] - lost.rate * at.rate_by[i];
     const Pack sliding = v1 * g1[i] + v2 * g2[i], slide = gn[i] - fr.ratio * sliding;
     const Pack stiffness = slide * normal.stiffness + gn[i] * film.normal_p - film.drag_p * sliding;
     const Pack damped = slide * normal.damping + gn[i] * film.normal_rate;
     const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
-    // The ring is driven by what turns the roller about the bearing's axis.
+    // The ring is driven by the friction that turns the roller about the bearing's axis.
+    const Pack rubs_by_p = stiffness - gn[i] * by_ring.by_p,
+               rubs_by_rate = damped - gn[i] * by_ring.by_rate;
     const Pack driven = i == kLt ? ring_speed * q.r : splat(i == kLs ? ring_speed : 0);
     by_ring.on_p[i] = stiffness, by_ring.on_rate[i] = damped;
-    by_ring.lost_p -= driven * stiffness, by_ring.lost_rate -= driven * damped;
+    by_ring.lost_p -= driven * rubs_by_p, by_ring.lost_rate -= driven * rubs_by_rate;
     if constexpr (inner) {
       to.ring.velocity[i][0] += w1;
       to.ring.velocity[i][1] += w2;
     }
     for (int j = 0; j < kLocalVelocities; ++j) {
-      const Pack slope = damped * gn[j] + w1 * g1[j] + w2 * g2[j];
+      const Pack rubs = w1 * g1[j] + w2 * g2[j],
+                 slope = damped * gn[j] + rubs - gn[i] * by_ring.drawn[j];
       to.velocity[i][j] -= slope;
-      to.power_velocity[j] -= driven * slope;
+      to.power_velocity[j] -= driven * (rubs_by_rate * gn[j] + rubs);
       if (inner && i < 2) to.ring.to_velocity[i][j] += slope;  // the ring's r, t
     }
     for (int j = 0; j < kLocalPositions; ++j) {
-      to.position[i][j] -= stiffness * gn[j];
-      to.power_position[j] -= driven * stiffness * gn[j];
+      to.position[i][j] += damped * at.rate_by[j] - stiffness * gn[j];
+      to.power_position[j] += driven * (rubs_by_rate * at.rate_by[j] - rubs_by_p * gn[j]);
       if (inner && i < 2) to.ring.to_position[i][j] += stiffness * gn[j];
     }
-    to.position[i][kLr] -= (q.omega - ring_speed) * w2;
-    to.position[i][kLt] += (damped * rate_turn - xi * (w1 * q.b_t - w2 * q.b_r)) / q.r;
-    to.position[i][kLar] += e * q.omega * tau * damped;
-    to.position[i][kLat] -= e * q.omega * h * damped;
+    to.position[i][kLr] += gn[i] * film.normal_speed * at.drawn_r - (q.omega - ring_speed) * w2;
+    to.position[i][kLt] -= w1 * at.v1_by_t + w2 * at.v2_by_t;
+    // Held still, directions leave out what turns the roller's velocity.
+    to.power_position[kLr] += driven * ring_speed * w2;
+    to.power_position[kLt] -= driven * (w1 * v1_held + w2 * v2_held);
   }
   return by_ring;
 }
@@ -188,7 +238,7 @@ void flange_contact(const BearingModel& model, const Flange& flange, const Flang
     const Mask wet = (touch.p > -oil.layer) & (roller.exists > 0.0);
     if (!any(wet)) continue;
     const EndForces on =
-        end_forces<linear>(model.flange, model.friction[kFlangePair], oil, touch, wet);
+        end_forces<linear>(model.flange, model.friction[kFlangePair], oil, touch, wet, at.drawn);
     const Pack push = at.e * on.normal, f1 = -on.drag * touch.v1, f2 = -on.drag * touch.v2;
     loads.f[kLr] += f1;
     loads.f[kLt] += f2 - push * at.turn / q.r;
@@ -211,8 +261,11 @@ void flange_contact(const BearingModel& model, const Flange& flange, const Flang
       GroupLinear& linear_group = jac->groups[static_cast<std::size_t>(group)];
       const RingSlopes slopes = add_flange_slopes<inner>(at, on, q, ring.speed, linear_group);
       if constexpr (inner) add_plane_block(slopes, linear_group, *jac);
-      if (inner && model.layout.ring_axial > 0)
-        add_axial_coupling(slopes, at.e, wet, group, model.layout.ring_axial_slot(), *jac);
+      if (inner && model.layout.ring_axial > 0) {
+        const int slot = model.layout.ring_axial_slot();
+        add_axial_coupling(slopes, at.e, wet, group, slot, *jac);
+        add_lean_coupling(slopes, ring, linear_group, wet, slot, *jac);
+      }
     }
   }
 }

@@ -90,6 +90,16 @@ void finish_axial(const RollerPack& q, const GroupLinear& g, Pack exists, int gr
   linear.cage_touched = true;
   linear.border_velocity(slot, slot) += sum(exists * g.velocity[kLx][kLx]);
   linear.border_position(slot, slot) += sum(exists * g.position[kLx][kLx]);
+  const auto cross = [&](Pack on_r, Pack on_t, int k) {
+    return sum(exists *
+               (k == kRingY ? g.cosine * on_r - g.sine * on_t : g.sine * on_r + g.cosine * on_t));
+  };
+  for (const int k : {kRingY, kRingZ}) {
+    linear.border_velocity(k, slot) += cross(g.velocity[kLr][kLx], g.velocity[kLt][kLx], k);
+    linear.border_position(k, slot) += cross(g.position[kLr][kLx], g.position[kLt][kLx], k);
+    linear.border_velocity(slot, k) += cross(g.velocity[kLx][kLr], g.velocity[kLx][kLt], k);
+    linear.border_position(slot, k) += cross(g.position[kLx][kLr], g.position[kLx][kLt], k);
+  }
   linear.power_velocity[slot] -= sum(exists * g.power_velocity[kLx]);
   linear.power_position[slot] -= sum(exists * g.power_position[kLx]);
   const auto column = static_cast<std::size_t>(slot - kCageY), packs = column / kLanes + 1;

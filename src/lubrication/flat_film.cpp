@@ -10,7 +10,13 @@ FlatFilm make_flat_film(double viscosity, double area, double layer, double leas
   if (!(viscosity > 0 && layer > 0 && least > 0 && area >= 0 && points > 0))
     throw std::domain_error("flat film: viscosity, layer and roughness must be positive");
   const double k = squeeze ? 1.5 * viscosity * area * area / std::numbers::pi : 0;
-  return {true, k / points, viscosity * area / points, layer, least};
+  return {true, k / points, viscosity * area / points, 0, layer, least};
+}
+
+FlatFilm with_wedge(FlatFilm film, double viscosity, double width, int points) {
+  film.wedge = 3.0 / 16.0 * viscosity * width * width * width / points;
+  film.shear *= std::numbers::ln2;
+  return film;
 }
 
 }  // namespace cagetol

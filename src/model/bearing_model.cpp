@@ -189,15 +189,18 @@ CageGuide ring_guide(const Scene& scene, bool inner) {
   return guide;
 }
 
-void set_flanges(const BearingGeometry& b, BearingModel& m) {
+void set_flanges(const Scene& scene, BearingModel& m) {
+  const BearingGeometry& b = scene.bearing;
   for (const bool inner : {false, true})
     for (const bool right : {false, true}) {
       if (!has_flange(inner ? b.inner_flanges : b.outer_flanges, right)) continue;
       const double clearance =
           inner ? given_or(b.inner_flange_clearance, b.flange_clearance) : b.flange_clearance;
-      const double rim = (inner ? b.inner_flange_diameter : b.shoulder_diameter) / 2;
+      const double rim = (inner ? b.inner_flange_diameter : b.shoulder_diameter) / 2,
+                   half_pad = flange_pad(scene, inner) / 2,
+                   middle = rim + (inner ? -half_pad : half_pad) - m.pitch_radius;
       m.flanges.push_back({inner, right ? 1.0 : -1.0, clearance / 2,
-                           end_points(m.nominal_diameter / 2, rim - m.pitch_radius), FlatFilm{}});
+                           end_points(m.nominal_diameter / 2, middle), FlatFilm{}});
     }
 }
 
@@ -276,12 +279,14 @@ void lubricate(const Scene& scene, BearingModel& m) {
     const double face = pi * roller * roller,
                  wall = m.nominal_diameter * (cage.outer_diameter - cage.inner_diameter) / 2;
     m.wall_film = flat(contact.end, std::min(face, wall), l.squeeze);
+    // Rollers that an axial load presses against flanges squeeze out next to nothing there, in many
+    // steps.
+    const bool squeezed = l.squeeze && m.layout.ring_axial == 0;
     for (Flange& flange : m.flanges) {
-      const double height = flange.inner ? b.inner_flange_diameter / 2 - m.inner_radius
-                                         : m.outer_radius - b.shoulder_diameter / 2;
-      // Rollers stand on the flanges that carry an axial load: nothing is squeezed out there.
+      const double pad = flange_pad(scene, flange.inner), reach = flange.points[0].radial;
       flange.film =
-          flat(contact.flange, segment_area(roller, height), l.squeeze && m.layout.ring_axial == 0);
+          with_wedge(flat(contact.flange, segment_area(std::abs(reach) + pad / 2, pad), squeezed),
+                     oil.viscosity, pad, 2);
     }
   }
   if (!l.churning) return;
@@ -354,7 +359,7 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
                                slices, m.race);
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
-  set_flanges(b, m);
+  set_flanges(scene, m);
   if (!m.planar) {
     m.misalignment_y = b.misalignment_y;
     m.misalignment_z = b.misalignment_z;

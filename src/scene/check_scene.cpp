@@ -237,6 +237,16 @@ void check_flanges(const Scene& scene, const SceneCheck& check) {
                 "flanges do not follow the free tilt of the inner ring (" +
                     check.with_value("bearing.inner_flanges") + ")",
                 "set model.ring_tilt = \"prescribed\", or give the inner ring no flanges");
+  for (const bool inner : {false, true}) {
+    if ((inner ? b.inner_flanges : b.outer_flanges) == FlangeSides::none) continue;
+    check.require(flange_pad(scene, inner) > 0, "roller.corner_radius_mm",
+                  std::string("the flanges of the ") + (inner ? "inner" : "outer") +
+                      " ring do not reach past the rollers' corners (" +
+                      check.with_value(inner ? "bearing.inner_flange_diameter_mm"
+                                             : "bearing.shoulder_diameter_mm") +
+                      ")",
+                  "give a smaller corner radius, or higher flanges");
+  }
   const double load = scene.operation.axial_load;
   if (load == 0) return;
   check.require(!is_quasi_static(scene) && !has_planar_rollers(scene), "load.axial_N",

@@ -77,6 +77,7 @@ struct BearingGeometry {
 struct RollerGeometry {
   std::vector<double> diameter = {7.5e-3};  ///< D, one value for all rollers or one for each [m]
   double length = 9e-3;                     ///< L_w [m]
+  double corner_radius = kAuto;             ///< from the end to the cylinder; kAuto: 0.06 D [m]
   std::vector<double> taper = {0};  ///< diameter at the +x end minus diameter at the -x end [m]
   RollerProfile profile = RollerProfile::none;
   MaterialChoice material{"bearing-steel"};
@@ -364,6 +365,15 @@ inline double outer_land_diameter(const BearingGeometry& b) {
   if (!std::isnan(b.outer_land_diameter)) return b.outer_land_diameter;
   return b.outer_flanges == FlangeSides::both ? b.shoulder_diameter
                                               : b.outer_raceway_diameter + b.internal_clearance / 2;
+}
+/// Height of a ring's flange that meets the flat part of roller ends: from the rollers' corners to
+/// its rim [m]. Not positive where they do not reach each other.
+inline double flange_pad(const Scene& scene, bool inner) {
+  const BearingGeometry& b = scene.bearing;
+  const double height = inner ? b.inner_flange_diameter - b.inner_raceway_diameter
+                              : b.outer_raceway_diameter - b.shoulder_diameter;
+  const double corner = scene.roller.corner_radius;
+  return height / 2 - (std::isnan(corner) ? 0.06 * scene.roller.diameter[0] : corner);
 }
 inline bool is_quasi_static(const Scene& scene) {
   return scene.model.motion == MotionModel::quasi_static;

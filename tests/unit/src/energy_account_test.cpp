@@ -161,7 +161,7 @@ TEST_P(EnergyAccount, NetPowerRateIsTheDerivativeAlongTheMotion) {
   EXPECT_LT(worst_net_power_rate(GetParam(), false), 0.08);
 }
 
-// Flanges of the inner ring leave out more, 0.114 at worst; which term is not known.
+// Flanges of the inner ring leave out more, 0.113 at worst; which term is not known.
 TEST(EnergyAccountOfFlanges, NetPowerRateIsTheDerivativeAlongTheMotion) {
   EXPECT_LT(worst_net_power_rate(Freedom::spatial, true), 0.12);
 }
