@@ -51,17 +51,21 @@ bool System::linearise_at(double t, const double* y) {
 }
 
 bool System::driven_by_time(double t) const {
-  return model.duty.load_turns() || t < ramps_end(model.duty);
+  return duty_changes(model.duty, t);
 }
 
 void System::rates_by_time(double t, const double* y, double* out) {
-  constexpr double dt = 1e-7;
-  if (t < model.duty.speed_ramp) {
+  // Friction peaks within a cm/s, which a speed may pass in microseconds: a difference over 1e-7 s
+  // was wrong by a thousandth and cost the methods their order. Shorter ones meet rounding.
+  constexpr double kOfSpeeds = 1e-9, kOfLoads = 1e-7;
+  if (speeds_change(model.duty, t)) {
+    const double dt = (t + kOfSpeeds) - t;
     rates(t + dt, y, out);
     for (int i = 0; i < size; ++i) out[i] = (out[i] - rate[static_cast<std::size_t>(i)]) / dt;
     return;
   }
   // The load acts on the ring and nowhere else.
+  constexpr double dt = kOfLoads;
   std::fill(out, out + size, 0.0);
   const RingLoad now = load_at(model.duty, t), soon = load_at(model.duty, t + dt);
   double* ring = out + model.layout.border_velocity(0);
