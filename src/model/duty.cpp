@@ -82,6 +82,13 @@ RingSpeeds ring_speeds_at(const Duty& d, double t) {
           d.speed_from.outer + (d.speed.outer - d.speed_from.outer) * share};
 }
 
+RingSpeeds ring_accelerations_at(const Duty& d, double t) {
+  if (!speeds_change(d, t)) return {};
+  const double dt = (t + 1e-8) - t;
+  const RingSpeeds now = ring_speeds_at(d, t), soon = ring_speeds_at(d, t + dt);
+  return {(soon.inner - now.inner) / dt, (soon.outer - now.outer) / dt};
+}
+
 RingAngles rings_turned(const Duty& d, double t) {
   if (!d.over_time())
     return {ramped_angle(d.speed_from.inner, d.speed.inner, d.speed_ramp, t),

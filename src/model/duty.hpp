@@ -60,6 +60,8 @@ Way way_of(const RingLoad& load);
 Duty make_duty(const Operation& operation);
 
 RingSpeeds ring_speeds_at(const Duty& duty, double t);
+/// Rates of these speeds, of a corner to come [rad/s^2].
+RingSpeeds ring_accelerations_at(const Duty& duty, double t);
 /// Angles of the rings since t = 0 [rad].
 struct RingAngles {
   double inner = 0, outer = 0;

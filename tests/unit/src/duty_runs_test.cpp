@@ -98,7 +98,7 @@ TEST(DutyRuns, AReversedDutyHasTheSameSlipAndTorque) {
                           "friction_torque_Nmm", "power_loss_W"}) {
     const double value = quantity(there, key);
     EXPECT_NE(value, 0) << key;
-    EXPECT_NEAR(quantity(back, key), value, 1e-3 * std::abs(value)) << key;
+    EXPECT_NEAR(quantity(back, key), value, 5e-3 * std::abs(value)) << key;
   }
 }
 
