@@ -7,12 +7,13 @@
 #include <filesystem>
 
 #include "mc/machine.hpp"
+#include "mc/operating_points.hpp"
 #include "mc/sample.hpp"
 #include "mc/sample_history.hpp"
 #include "mc/stored_outcome.hpp"
 #include "src/cage/scene_cage.hpp"
 #include "src/input/input_error.hpp"
-#include "src/quantities/quantity_table.hpp"
+#include "src/quantities/quantity_labels.hpp"
 
 namespace cagetol {
 namespace {
@@ -73,7 +74,7 @@ double stored_bytes(const std::string& directory) {
 }  // namespace
 
 SweepForecast forecast_sweep(const Study& study) {
-  const auto quantities = static_cast<double>(quantity_table().size());
+  const auto quantities = static_cast<double>(quantity_count(quantity_labels(study)));
   const auto fields = static_cast<double>(stored_run_fields().size());
   const double history =
       static_cast<double>(history_columns().size()) * static_cast<double>(study.history.points);

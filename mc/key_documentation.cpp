@@ -23,6 +23,11 @@ constexpr const char* kExamples = R"(
 #   key = "cage.pocket_width_mm"
 #   band_mm = 0.1
 #   candidates = ["IT9", "IT10", 0.08]
+# Several operating points, at each of which every sample runs:
+#   [[operating_point]]
+#   name = "idle"
+#   weight = 0.2
+#   "load.radial_N" = 150
 # Two inputs that deviate together:
 #   [[correlation]]
 #   between = ["cage.pocket_width_mm:lot", "cage.pocket_length_mm:lot"]
@@ -142,6 +147,11 @@ std::string key_documentation() {
                 "`key`, `band_mm` and `candidates` must be given. Costs: for every dimension or "
                 "for none; then the cheapest tolerance that meets the target is chosen instead "
                 "of the widest.");
+  text +=
+      "\n### `[[operating_point]]`: where every sample runs\n\n" +
+      list_rows(operating_point_keys(),
+                "`name` must be given. Keys of the scene stand in quotes (\"load.radial_N\") or "
+                "as load.radial_N; a duty in its columns, not as duty.file.");
   text += "\n### `[[correlation]]`: inputs that deviate together\n\n" +
           list_rows(correlation_keys(), "Both must be given.");
   text += "\n### `[[assumption]]`: what nobody measured\n\n" +

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "mc/csv_heading.hpp"
-#include "mc/csv_records.hpp"
+#include "src/input/csv_heading.hpp"
+#include "src/input/csv_records.hpp"
 #include "src/input/key_table.hpp"
 #include "src/input/printable.hpp"
 #include "src/input/unit.hpp"

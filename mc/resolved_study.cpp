@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "mc/law_reader.hpp"
+#include "mc/operating_points.hpp"
 #include "mc/study_keys.hpp"
 #include "mc/study_trends.hpp"
 #include "src/scene/oil_keys.hpp"
@@ -141,6 +142,9 @@ toml::table resolved_table(const Study& study) {
   root.insert("inputs", std::move(inputs));
   root.insert("correlation", std::move(correlations));
   root.insert("limit", std::move(limits));
+  toml::array points;
+  for (const auto& point : study.points) points.push_back(operating_point_table(point));
+  if (!points.empty()) root.insert("operating_point", std::move(points));
   root.insert("trend", std::move(trends));
   root.get("tolerance")->as_table()->insert("dimension", std::move(dimensions));
   root.insert("candidates", std::move(candidates));

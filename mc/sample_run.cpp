@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "distributions/random_stream.hpp"
+#include "mc/operating_points.hpp"
 #include "mc/sample_history.hpp"
 #include "src/cage/cage_check.hpp"
 #include "src/cage/scene_cage.hpp"
@@ -38,9 +39,12 @@ double cage_error(const Scene& scene, const CageTable& table, const CageModel& m
 
 }  // namespace
 
-SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions options,
-                     const std::function<void(const Instant&)>& on_instant) {
-  const Scene scene = operating_scene(sample.scene);
+namespace {
+
+SampleRun run_scene(const Study& study, const Scene& as_drawn, std::uint64_t id,
+                    SimulateOptions options,
+                    const std::function<void(const Instant&)>& on_instant) {
+  const Scene scene = operating_scene(as_drawn);
   const HistoryPlan& plan = study.history;
   std::optional<SampleHistory> history;
   if (plan.points > 0) history.emplace(plan, scene);
@@ -54,7 +58,7 @@ SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions o
       if (history) history->record(at);
       if (on_instant) on_instant(at);
     };
-  if (is_flexible(scene) && cage_is_checked(study, sample.id))
+  if (is_flexible(scene) && cage_is_checked(study, id))
     options.cage_model = checked_cage(scene, options);
   SampleRun run{simulate(scene, options), {}};
   if (options.cage_model && run.outcome.status == Status::ok)
@@ -62,6 +66,21 @@ SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions o
         cage_error(scene, *options.cage_table, *options.cage_model);
   if (history) run.history = history->take();
   return run;
+}
+
+}  // namespace
+
+SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions options,
+                     const std::function<void(const Instant&)>& on_instant) {
+  if (study.points.empty()) return run_scene(study, sample.scene, sample.id, options, on_instant);
+  std::vector<Outcome> outcomes;
+  for (const OperatingPointPlan& point : study.points) {
+    outcomes.push_back(
+        run_scene(study, at_operating_point(sample.scene, point), sample.id, options, on_instant)
+            .outcome);
+    if (outcomes.back().status != Status::ok) break;
+  }
+  return {join_points(study, outcomes), {}};
 }
 
 }  // namespace cagetol

@@ -17,8 +17,9 @@ struct SampleRun {
   std::vector<double> history;  ///< SampleHistory::take(); empty where the study keeps none
 };
 
-/// Simulates a sample; the cage of some samples, chosen by study.seed and their id, is also solved
-/// in full (Study::cage_check_share). `on_instant`, where given, sees every accepted state;
+/// Simulates a sample, at each operating point of the study in turn where it has several. The cage
+/// of some samples, chosen by study.seed and their id, is also solved in full
+/// (Study::cage_check_share). `on_instant`, where given, sees every accepted state;
 /// `options.on_state` is not for callers. A flexible cage needs `options.cage_table` of study.scene
 /// (mc/cage_cache.hpp).
 SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions options = {},

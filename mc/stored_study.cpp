@@ -9,13 +9,14 @@
 
 #include "mc/file_write.hpp"
 #include "mc/jam_shares.hpp"
+#include "mc/operating_points.hpp"
 #include "mc/sample_history.hpp"
 #include "mc/study_file/h5.hpp"
 #include "mc/study_file/hdf5_reader.hpp"
 #include "mc/study_file/study_bytes.hpp"
 #include "mc/study_file/study_file_error.hpp"
 #include "src/quantities/operating_point.hpp"
-#include "src/quantities/quantity_table.hpp"
+#include "src/quantities/quantity_labels.hpp"
 
 namespace cagetol {
 namespace {
@@ -105,6 +106,8 @@ void write_study_texts(hid_t root, const Study& study) {
   std::vector<std::string> files;
   for (const auto& [name, hash] : study.files) files.push_back(name + " " + hash);
   write_h5(group, "files", files, {"-", "further input files: name and hash of the text"});
+  write_h5(group, "labels", quantity_labels(study),
+           {"-", "operating points and phases with quantities of their own"});
 }
 
 void write_operating_point(hid_t root, const Scene& scene) {
@@ -195,14 +198,19 @@ void write_jams(hid_t root, const JamShares& jams) {
   }
 }
 
-void write_results(hid_t root, const OutcomesById& outcomes) {
+void write_results(hid_t root, const OutcomesById& outcomes,
+                   const std::vector<std::string>& labels) {
   const H5Handle quantities = make_h5_group(root, "quantities");
-  for (std::size_t i = 0; i < quantity_table().size(); ++i) {
-    const Quantity& quantity = quantity_table()[i];
-    write_h5(quantities, quantity.key,
-             column<double>(outcomes, [i](const auto& s) { return s.quantities.at(i); }),
-             {quantity.unit, quantity.definition});
-  }
+  const std::vector<LabelledQuantity> columns = labelled_quantities(labels);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    write_h5(quantities, columns[i].name,
+             column<double>(outcomes,
+                            [i](const auto& s) {
+                              return i < s.quantities.size()
+                                         ? s.quantities[i]
+                                         : std::numeric_limits<double>::quiet_NaN();
+                            }),
+             {columns[i].unit, columns[i].definition});
   const H5Handle run = make_h5_group(root, "run");
   const std::vector<RunField> fields = stored_run_fields();
   for (std::size_t i = 0; i < fields.size(); ++i)
@@ -313,7 +321,7 @@ std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
     write_inputs(root, plan.study, drawn);
   }
   write_jams(root, jam_shares(plan.study));
-  write_results(root, outcomes);
+  write_results(root, outcomes, quantity_labels(plan.study));
   write_histories(root, outcomes, static_cast<std::size_t>(plan.study.history.points));
   return sealed_h5_image(file);
 }
@@ -350,8 +358,10 @@ StudyFile read_study_file(const std::string& path) {
                .history = {},
                .wall_s = wall[i],
                .rank = static_cast<int>(rank[i])};
-  for (const Quantity& quantity : quantity_table()) {
-    const std::string dataset = std::string("/quantities/") + quantity.key;
+  std::vector<std::string> labels;  // of files of older programs: none
+  if (file.file().has("/study/labels")) labels = file.file().strings("/study/labels");
+  for (const LabelledQuantity& quantity : labelled_quantities(labels)) {
+    const std::string dataset = "/quantities/" + quantity.name;
     if (!file.file().has(dataset))
       throw StudyFileError(
           path,

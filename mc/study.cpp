@@ -6,6 +6,7 @@
 
 #include "mc/assumption_ranges.hpp"
 #include "mc/build_info.hpp"
+#include "mc/operating_points.hpp"
 #include "mc/resolved_study.hpp"
 #include "mc/sample.hpp"
 #include "mc/study_file/cage_thickness.hpp"
@@ -14,6 +15,7 @@
 #include "mc/study_layers.hpp"
 #include "mc/study_limits.hpp"
 #include "mc/study_trends.hpp"
+#include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
 #include "src/scene/idle_keys.hpp"
@@ -52,11 +54,12 @@ std::vector<long> read_grid_levels(const toml::node& node, const std::string& fi
 void read_plain_keys(const toml::table& root, const std::string& file, Study& study) {
   for (const auto& leaf : toml_leaves(root, {})) {
     if (leaf.name == "scene" || leaf.name.starts_with("scene.") || leaf.name == "limit" ||
-        leaf.name == "correlation" || leaf.name == "tolerance.dimension" || leaf.name == "trend")
+        leaf.name == "correlation" || leaf.name == "tolerance.dimension" || leaf.name == "trend" ||
+        leaf.name == "operating_point")
       continue;
     if (leaf.name == "tolerance" && leaf.node->is_table()) continue;
     for (const std::string list :
-         {"limit", "correlation", "tolerance.dimension", "trend", "assumption"})
+         {"limit", "correlation", "tolerance.dimension", "trend", "assumption", "operating_point"})
       if (leaf.name.starts_with(list + "."))
         throw InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node),
                          "there may be several of these: they are a list of tables",
@@ -68,7 +71,7 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
     } else {
       auto known = key_infos(study_keys());
       for (const char* list : {"grid_levels", "scene", "limit", "correlation",
-                               "tolerance.dimension", "trend", "assumption"})
+                               "tolerance.dimension", "trend", "assumption", "operating_point"})
         known.emplace_back(list, any_value(), "", KeyKind::text);
       throw unknown_key(leaf, file, known);
     }
@@ -153,7 +156,8 @@ Study study_of(toml::table root, const std::string& file) {
   study.inputs = read_inputs(scene, file, study.scene, measurements);
   for (const auto& [name, text] : measurements) study.files.emplace_back(name, text_hash(text));
   study.correlations = read_correlations(root, file, study.inputs);
-  study.limits = read_limits(root, file);
+  study.points = read_operating_points(root, file, study);
+  study.limits = limits_at_points(read_limits(root, file, quantity_labels(study)), study.points);
   study.tolerance.dimensions = read_dimensions(root, file, study.inputs);
   study.candidates = make_candidates(study, root, file);
   check_drawn_range(study, scene, file);
@@ -210,7 +214,7 @@ std::vector<std::string> model_notes(const Study& study) {
       "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "
       "and a film of scene.film.model are not (scene.model.motion)");
   for (const auto& limit : study.limits)
-    if (!is_quasi_static_quantity(limit.quantity))
+    if (!is_quasi_static_quantity(labelled_key(limit.quantity).key))
       notes.push_back("limit on " + limit.quantity + ": a quasi-static run does not define it");
   return notes;
 }
@@ -230,6 +234,7 @@ std::vector<std::string> study_notes(const Study& study) {
   std::vector<std::string> notes = model_notes(study);
   const auto& window = study.scene.window;
   for (const auto& limit : study.limits) {
+    if (changes_over_time(study.scene.operation) || !study.points.empty()) break;
     const bool in_part = is_extreme(limit.quantity) && !std::isnan(window.peak_revolutions);
     const double measured = in_part ? window.peak_revolutions : window.measure_revolutions;
     // A mean is the same whatever time its window took to know it.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "distributions/design.hpp"
@@ -75,6 +76,13 @@ struct FidelityDecision {
   std::vector<FidelityShift> shifts;  ///< by quantity, then by rung
 };
 
+/// One of several operating points at which each sample runs (mc/operating_points.hpp).
+struct OperatingPointPlan {
+  std::string name;
+  double weight = 1;                                          ///< relative to the other points
+  std::vector<std::pair<std::string, std::string>> settings;  ///< scene key, value as TOML text
+};
+
 struct Study {
   std::string name = "study";
   long seed = 1;
@@ -93,6 +101,7 @@ struct Study {
   Scene scene;                        ///< nominal
   bool names_lubrication = true;      ///< the scene gives lubrication.model
   std::vector<UncertainInput> inputs;
+  std::vector<OperatingPointPlan> points;  ///< none: the scene's own load and speed
   std::vector<Correlation> correlations;
   std::vector<Limit> limits;
   TolerancePlan tolerance;

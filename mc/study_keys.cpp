@@ -79,6 +79,15 @@ const std::vector<KeyInfo>& assumption_keys() {
   return keys;
 }
 
+const std::vector<KeyInfo>& operating_point_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"operating_point.name", any_value(), "name of an operating point at which every sample runs; its quantities are QUANTITY@NAME", KeyKind::text},
+      {"operating_point.weight", above(0), "share of the time in service, relative to the other points, for mean powers and friction torque; left out: 1", KeyKind::number},
+      {"operating_point.KEY", any_value(), "any scene key of load, speed, duty, phase, window, start, environment or lubrication (not lubrication.model, lubrication.temperature_C and speed.centrifugal_growth) with its value at the point", KeyKind::number},
+  };
+  return keys;
+}
+
 const std::vector<KeyInfo>& trend_keys() {
   static const std::vector<KeyInfo> keys = {
       {"trend.claim", any_value(), "what is claimed, in words; entries with the same words and source are readings of one claim", KeyKind::text},
@@ -95,8 +104,9 @@ const std::vector<KeyInfo>& trend_keys() {
 // clang-format on
 
 bool is_study_section(const std::string& name) {
-  static const std::vector<std::string> lists = {
-      "scene", "limit", "correlation", "grid_levels", "inputs", "candidates", "trend"};
+  static const std::vector<std::string> lists = {"scene",       "limit",          "correlation",
+                                                 "grid_levels", "inputs",         "candidates",
+                                                 "trend",       "operating_point"};
   if (std::find(lists.begin(), lists.end(), name) != lists.end()) return true;
   return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
     return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;

@@ -17,6 +17,7 @@ const std::vector<KeyInfo>& limit_keys();
 const std::vector<KeyInfo>& dimension_keys();
 const std::vector<KeyInfo>& correlation_keys();
 const std::vector<KeyInfo>& assumption_keys();
+const std::vector<KeyInfo>& operating_point_keys();
 const std::vector<KeyInfo>& trend_keys();
 
 /// Whether `name` is the first part of a key of a study file ("tolerance", "limit", "scene", ...),

@@ -7,6 +7,7 @@
 #include "distributions/iso286.hpp"
 #include "mc/study_inputs.hpp"
 #include "mc/study_keys.hpp"
+#include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -14,7 +15,8 @@ namespace {
 
 constexpr std::size_t kMostCandidates = 1000;
 
-Limit read_limit(const toml::table& entry, const std::string& file) {
+Limit read_limit(const toml::table& entry, const std::string& file,
+                 const std::vector<std::string>& labels) {
   const auto info = [](const std::string& name) -> const KeyInfo& {
     return info_of(limit_keys(), "limit." + name);
   };
@@ -27,8 +29,8 @@ Limit read_limit(const toml::table& entry, const std::string& file) {
     throw missing("the limit names no quantity",
                   "add quantity = \"...\", a key of `simulate --json`");
   limit.quantity = text_value(info("quantity"), *quantity, file);
-  if (quantity_index(limit.quantity) < 0)
-    throw no_such_quantity(*quantity, "limit.quantity", limit.quantity, file);
+  if (labelled_index(limit.quantity, labels) < 0)
+    throw no_such_quantity(*quantity, "limit.quantity", limit.quantity, file, labels);
   if (const auto* node = entry.get("min")) limit.minimum = number_value(info("min"), *node, file);
   if (const auto* node = entry.get("max")) limit.maximum = number_value(info("max"), *node, file);
   if (!limit.minimum && !limit.maximum)
@@ -174,7 +176,18 @@ void check_costs(const std::vector<ToleranceDimension>& dimensions,
 }  // namespace
 
 InputError no_such_quantity(const toml::node& node, const std::string& key,
-                            const std::string& quantity, const std::string& file) {
+                            const std::string& quantity, const std::string& file,
+                            const std::vector<std::string>& labels) {
+  if (const auto [plain, label] = labelled_key(quantity);
+      !label.empty() && quantity_index(plain) >= 0) {
+    std::string known;
+    for (const std::string& name : labels) known += (known.empty() ? "" : ", ") + name;
+    return InputError(place_of(node, file), key, shown(node),
+                      "no phase and no operating point is called '" + label + "'",
+                      known.empty() ? "leave out @" + label +
+                                          ", or name phases ([[scene.phase]]) or operating points"
+                                    : "choose from " + known);
+  }
   std::vector<std::string> names;
   for (const auto& known : quantity_table()) names.emplace_back(known.key);
   return InputError(place_of(node, file), key, shown(node), "there is no such quantity of interest",
@@ -182,10 +195,11 @@ InputError no_such_quantity(const toml::node& node, const std::string& key,
                         "? `cagetol simulate SCENE` lists every quantity");
 }
 
-std::vector<Limit> read_limits(const toml::table& root, const std::string& file) {
+std::vector<Limit> read_limits(const toml::table& root, const std::string& file,
+                               const std::vector<std::string>& labels) {
   std::vector<Limit> limits;
   for (const auto* entry : table_entries(root, "limit", limit_keys(), file))
-    limits.push_back(read_limit(*entry, file));
+    limits.push_back(read_limit(*entry, file, labels));
   return limits;
 }
 

@@ -11,13 +11,16 @@
 
 namespace cagetol {
 
-/// The error for a node that names a quantity which is not in quantity_table().
+/// The error for a node that names a quantity which is not in quantity_table(), or a label that is
+/// none of `labels`.
 InputError no_such_quantity(const toml::node& node, const std::string& key,
-                            const std::string& quantity, const std::string& file);
+                            const std::string& quantity, const std::string& file,
+                            const std::vector<std::string>& labels);
 
 /// The [[limit]] entries. Throws InputError, for instance for a quantity that is not in
-/// quantity_table().
-std::vector<Limit> read_limits(const toml::table& root, const std::string& file);
+/// quantity_table(), or whose label is none of `labels` (src/quantities/quantity_labels.hpp).
+std::vector<Limit> read_limits(const toml::table& root, const std::string& file,
+                               const std::vector<std::string>& labels = {});
 
 /// The [[tolerance.dimension]] entries: each names an uncertain length. `inputs` must be read
 /// already.

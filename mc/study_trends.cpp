@@ -4,10 +4,11 @@
 #include <cmath>
 #include <set>
 
+#include "mc/operating_points.hpp"
 #include "mc/study_inputs.hpp"
 #include "mc/study_keys.hpp"
 #include "mc/study_limits.hpp"
-#include "src/quantities/quantity_table.hpp"
+#include "src/quantities/quantity_labels.hpp"
 
 namespace cagetol {
 namespace {
@@ -46,8 +47,9 @@ Trend read_trend(const toml::table& entry, const std::string& file, const Study&
   trend.claim = required_text(entry, "claim", file);
   trend.source = required_text(entry, "source", file);
   trend.quantity = required_text(entry, "quantity", file);
-  if (quantity_index(trend.quantity) < 0)
-    throw no_such_quantity(*entry.get("quantity"), "trend.quantity", trend.quantity, file);
+  const std::vector<std::string> labels = quantity_labels(study);
+  if (labelled_index(trend.quantity, labels) < 0)
+    throw no_such_quantity(*entry.get("quantity"), "trend.quantity", trend.quantity, file, labels);
   trend.expected = required_text(entry, "expected", file);
   trend.key = required_text(entry, "key", file);
   if (find_input_scope(study.inputs, trend.key + ":lot").input < 0)

@@ -13,6 +13,7 @@
 #include "mc/failure.hpp"
 #include "mc/forecast.hpp"
 #include "mc/hand_out.hpp"
+#include "mc/operating_points.hpp"
 #include "mc/signals.hpp"
 #include "mc/stored_study.hpp"
 #include "mc/study_file/exit_code.hpp"
@@ -263,6 +264,8 @@ void Sweep::prepare(const std::function<SweepPlan()>& make_plan, bool mpi_runs) 
     if (launch_.rank != 0) return;
     const SweepForecast forecast = forecast_sweep(plan_.study);
     spdlog::info("{}", forecast_text(forecast));
+    if (const std::string points = operating_points_text(plan_.study); !points.empty())
+      spdlog::info("{}", points);
     require_memory(forecast, ranks_on_this_machine());
     require_disk(forecast, options_.directory);
     directory_ = std::make_unique<SweepDirectory>(options_.directory, plan_.study, build_);

@@ -74,8 +74,8 @@ struct CagePeak {
 };
 
 /// Result of one sample. `quantities` are in the order of quantity_table()
-/// (src/quantities/quantity_table.hpp). NaN: the scene does not define the quantity (stress of a
-/// rigid cage) or the run has no value (jammed).
+/// (src/quantities/quantity_table.hpp), then again those of each label. NaN: the scene does not
+/// define the quantity (stress of a rigid cage) or the run has no value (jammed).
 struct Outcome {
   Status status = Status::not_run;
   std::string reason;  ///< what happened, with numbers and units; empty when ok
@@ -83,6 +83,8 @@ struct Outcome {
   double interference_um = 0;  ///< excess of the roller over that pocket, in width or length
   std::string least_known;     ///< key of the watched mean that is known least, for people
   std::vector<double> quantities;
+  /// Phases with quantities of their own (src/quantities/quantity_labels.hpp).
+  std::vector<std::string> labels;
   RunRecord run;
   CagePeak cage_peak;
 };

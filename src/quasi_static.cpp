@@ -26,22 +26,58 @@ constexpr const char* kDefined[] = {"ring_displacement_mean_um", "ring_displacem
                                     "ring_orbit_p95_um", "ring_tilt_mean_mrad",
                                     "roller_tilt_p95_mrad"};
 
-/// The cage's angles, equally spaced, up to the end of the window and over a turn at most [rad].
-struct Positions {
-  long count;
-  double end, spacing;
-  double time_end, interval;  ///< [s]
-  double angle(long k) const { return end - spacing * static_cast<double>(count - 1 - k); }
-  double time(long k) const { return time_end - interval * static_cast<double>(count - 1 - k); }
+/// An instant at which equilibrium is sought.
+struct Instant {
+  double time = 0;        ///< [s]
+  double angle = 0;       ///< of the cage [rad]
+  double cage_speed = 0;  ///< kinematic [rad/s]
+  RingSpeeds rings;
 };
-Positions positions_in_window(const Scene& scene, const BearingModel& model, double cage_speed) {
-  const WindowTimes window = window_times(scene, model);
+
+/// The cage's angles, equally spaced, up to the end of the window and over a turn at most.
+std::vector<Instant> instants_of_turn(const Scene& scene, const BearingModel& model,
+                                      const WindowTimes& window) {
+  const double cage_speed = kinematic_cage_speed(model, model.duty.speed);
   const double span = std::min(std::abs(cage_speed) * window.measure, 2 * pi);
   const double pitch = 2 * pi / model.layout.rollers;
   const long count = std::max(1L, std::lround(std::ceil(kPositionsPerPitch * span / pitch)));
   const double end = window.settle + window.measure, every = span / static_cast<double>(count);
-  return {count, scene.start.cage_phase + cage_speed * end, std::copysign(every, cage_speed), end,
-          cage_speed != 0 ? every / std::abs(cage_speed) : 0};
+  const double last = scene.start.cage_phase + cage_speed * end,
+               spacing = std::copysign(every, cage_speed),
+               interval = cage_speed != 0 ? every / std::abs(cage_speed) : 0;
+  std::vector<Instant> instants;
+  for (long k = 0; k < count; ++k) {
+    const auto before_end = static_cast<double>(count - 1 - k);
+    instants.push_back(
+        {end - interval * before_end, last - spacing * before_end, cage_speed, model.duty.speed});
+  }
+  return instants;
+}
+
+/// Instants over the whole window of a duty over time, equally spaced.
+std::vector<Instant> instants_of_duty(const Scene& scene, const BearingModel& model,
+                                      const WindowTimes& window) {
+  constexpr int count = 512;
+  std::vector<Instant> instants;
+  for (int k = 1; k <= count; ++k) {
+    const double t = window.settle + window.measure * k / count;
+    const RingAngles turned = rings_turned(model.duty, t);
+    const RingSpeeds rings = ring_speeds_at(model.duty, t);
+    instants.push_back(
+        {t, scene.start.cage_phase + kinematic_cage_speed(model, {turned.inner, turned.outer}),
+         kinematic_cage_speed(model, rings), rings});
+  }
+  return instants;
+}
+
+/// Turned by the cage from before the first instant to the last one [revolutions].
+double revolutions_over(const std::vector<Instant>& instants) {
+  if (instants.size() < 2) return 0;
+  double turned = 0;
+  for (std::size_t k = 1; k < instants.size(); ++k)
+    turned += std::abs(instants[k].angle - instants[k - 1].angle);
+  const auto count = static_cast<double>(instants.size());
+  return turned * count / (count - 1) / (2 * pi);
 }
 
 }  // namespace
@@ -54,23 +90,26 @@ Outcome quasi_static_outcome(const Scene& scene) {
   outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
   outcome.run.energy_residual = outcome.run.static_consistency_error =
       std::numeric_limits<double>::quiet_NaN();  // nothing to watch
-  const double cage_speed = kinematic_cage_speed(model, model.duty.speed);
-  const Positions positions = positions_in_window(scene, model, cage_speed);
+  const WindowTimes window = window_times(scene, model);
+  const std::vector<Instant> instants = model.duty.over_time()
+                                            ? instants_of_duty(scene, model, window)
+                                            : instants_of_turn(scene, model, window);
   StaticEquilibrium equilibrium(model);
   Duty full = model.duty;
   full.load_ramp = full.speed_ramp = 0;
   Series ring_y, ring_z, sunk, ring_tilt, tilt;
   double sunk_at_end = 0;
-  for (long k = 0; k < positions.count; ++k) {
-    const std::vector<double> angle = roller_angles(model, positions.angle(k));
-    const RingLoad load = load_at(full, positions.time(k));
+  for (const Instant& at : instants) {
+    const std::vector<double> angle = roller_angles(model, at.angle);
+    const RingLoad load = load_at(full, at.time);
+    equilibrium.turn_outer(at.rings.outer);
     const StaticState& rest =
-        equilibrium.solve(angle.data(), cage_speed, load, RollerMotion::orbiting);
+        equilibrium.solve(angle.data(), at.cage_speed, load, RollerMotion::orbiting);
     ++outcome.run.steps;
     if (!rest.converged) {
       outcome.status = Status::failed;
       outcome.reason = "no equilibrium of ring and rollers found at a cage angle of " +
-                       std::to_string(positions.angle(k) * 180 / pi) +
+                       std::to_string(at.angle * 180 / pi) +
                        " degrees: the rollers' damping or clearance leaves the ring no place; "
                        "remedy: check contact.race (damping, restitution), load.radial_N, "
                        "bearing.internal_clearance_um and roller.diameter_mm";
@@ -92,9 +131,7 @@ Outcome quasi_static_outcome(const Scene& scene) {
   static_assert(std::size(values) == std::size(kDefined));
   for (std::size_t k = 0; k < std::size(kDefined); ++k)
     outcome.quantities[static_cast<std::size_t>(quantity_index(kDefined[k]))] = values[k];
-  outcome.run.cage_revolutions =
-      std::abs(positions.spacing) * static_cast<double>(positions.count) / (2 * pi);
-  const WindowTimes window = window_times(scene, model);
+  outcome.run.cage_revolutions = revolutions_over(instants);
   const PlausibleReach reach(dry, model,
                              {.begin = window.settle,
                               .end = window.settle + window.measure,

@@ -10,6 +10,7 @@
 #include "src/integration/integrator.hpp"
 #include "src/quantities/observer.hpp"
 #include "src/quantities/plausibility.hpp"
+#include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
 #include "src/scene/operating_clearance.hpp"
@@ -180,6 +181,9 @@ struct Motion {
         system(model),
         observer(std::in_place, model, times),
         end(times.settle + times.measure) {
+    for (std::size_t i = 0; i < scene.phase.name.size(); ++i)
+      phases.push_back({scene.phase.from[i], scene.phase.to[i],
+                        Observer(model, scene.phase.from[i], scene.phase.to[i])});
     const std::vector<double> start = start_state(model, scene.start);
     y.assign(start.begin(), start.end());
     integrator = make_integrator(scene.integration, system, t, y.data());
@@ -189,6 +193,11 @@ struct Motion {
   WindowTimes times;
   System system;
   std::optional<Observer> observer;
+  struct Phase {
+    double from, to;  ///< [s]
+    Observer observer;
+  };
+  std::vector<Phase> phases;
   PackVector y;
   double t = 0, end;  ///< now, and end of the window [s]
   std::unique_ptr<Integrator> integrator;
@@ -235,26 +244,67 @@ std::string stop_reason(const Scene& scene, const SimulateOptions& options,
   return budget > 0 && seconds_since(began) > budget ? "aborted by the wall-clock limit" : "";
 }
 
+/// Instants this close are one [s].
+constexpr double kSame = 1e-10;
+
+/// Where the next step ends at the latest: a bound of the window or of a phase, a corner of the duty.
+double next_stop(const Motion& run) {
+  const double settle = run.times.settle, peaks_end = settle + run.times.peaks;
+  double stop = run.t < settle      ? settle
+                : run.t < peaks_end ? std::min(peaks_end, run.end)
+                                    : run.end;
+  if (!run.model.duty.over_time()) return stop;
+  std::vector<double> due = {stop, next_corner(run.model.duty, run.t)};
+  for (const Motion::Phase& phase : run.phases)
+    for (const double bound : {phase.from, phase.to})
+      if (bound > run.t + kSame) due.push_back(bound);
+  std::sort(due.begin(), due.end());
+  stop = due.front();
+  for (const double other : due)
+    if (other < due.front() + kSame) stop = other;
+  return stop;
+}
+
+void record(Motion& run) {
+  if (run.t >= run.times.settle) run.observer->record(run.t, run.y.data(), run.system);
+  for (Motion::Phase& phase : run.phases)
+    if (run.t > phase.from - kSame && run.t < phase.to + kSame)
+      phase.observer.record(run.t, run.y.data(), run.system);
+}
+
 /// Steps to the end of the window. Returns why the run was stopped; empty if it was not.
 std::string integrate(const Scene& scene, const SimulateOptions& options, Clock::time_point began,
                       Motion& run) {
   run.finite = run.system.linearise_at(run.t, run.y.data());
   for (long n = 0; run.finite && run.status == StepStatus::accepted; ++n) {
-    if (run.t >= run.times.settle) run.observer->record(run.t, run.y.data(), run.system);
+    record(run);
     if (run.t >= run.end) extend_window(scene, options, run);
     if (options.on_state) options.on_state(run.t, run.y.data(), run.system);
     if (run.t >= run.end) break;
     if (n % kStepsBetweenQuestions == 0)
       if (std::string reason = stop_reason(scene, options, began); !reason.empty()) return reason;
-    const double settle = run.times.settle, peaks_end = settle + run.times.peaks;
-    const double stop = run.t < settle      ? settle
-                        : run.t < peaks_end ? std::min(peaks_end, run.end)
-                                            : run.end;
-    run.status = run.integrator->step(run.system, run.t, run.y.data(), stop);
+    run.status = run.integrator->step(run.system, run.t, run.y.data(), next_stop(run));
     if (run.status == StepStatus::accepted)
       run.finite = run.system.linearise_at(run.t, run.y.data());
   }
   return {};
+}
+
+/// The quantities of a phase into the outcome, which fails where one is impossible.
+void add_phase(const Scene& scene, const Motion& run, std::size_t i, Outcome& outcome) {
+  const Motion::Phase& phase = run.phases[i];
+  const std::vector<double> quantities = phase.observer.quantities();
+  outcome.quantities.insert(outcome.quantities.end(), quantities.begin(), quantities.end());
+  if (outcome.status != Status::ok) return;
+  const PlausibleReach reach(scene, run.model,
+                             {.begin = phase.from,
+                              .end = phase.to,
+                              .revolutions = phase.observer.cage_revolutions(),
+                              .steps = outcome.run.steps});
+  const std::string problem = find_implausible(reach, quantities);
+  if (problem.empty()) return;
+  outcome.status = Status::failed;
+  outcome.reason = "phase " + scene.phase.name[i] + ": " + problem;
 }
 
 /// What the run amounts to, into the outcome, and whether it can be trusted.
@@ -292,6 +342,7 @@ void conclude(const Scene& scene, const Motion& run, Outcome& outcome) {
   outcome.quantities = observer.quantities();
   outcome.cage_peak = observer.cage_peak();
   judge(scene, run.model, run.times, counts.largest_step_error, observer, outcome);
+  for (std::size_t i = 0; i < run.phases.size(); ++i) add_phase(scene, run, i, outcome);
 }
 
 /// The run in time of a bearing whose rollers fit, or may pinch.
@@ -314,15 +365,23 @@ Outcome motion_outcome(const Scene& scene, const SimulateOptions& options,
   return outcome;
 }
 
+/// With a value, or none, for each phase.
+Outcome complete(const Scene& scene, Outcome outcome) {
+  outcome.labels = scene.phase.name;
+  outcome.quantities.resize(quantity_count(outcome.labels),
+                            std::numeric_limits<double>::quiet_NaN());
+  return outcome;
+}
+
 }  // namespace
 
 Outcome simulate(const Scene& as_made, const SimulateOptions& options) {
   const Clock::time_point began = Clock::now();
   const Scene scene = operating_scene(as_made);
   const Jam jam = find_jam(scene);
-  if (jam.pocket >= 0 && !scene.allow_interference) return jammed(jam);
+  if (jam.pocket >= 0 && !scene.allow_interference) return complete(scene, jammed(jam));
   if (!is_quasi_static(scene))
-    if (const std::optional<Outcome> held = seized(scene)) return *held;
+    if (const std::optional<Outcome> held = seized(scene)) return complete(scene, *held);
   Outcome outcome =
       is_quasi_static(scene) ? quasi_static_outcome(scene) : motion_outcome(scene, options, began);
   if (jam.pocket >= 0 &&
@@ -330,6 +389,7 @@ Outcome simulate(const Scene& as_made, const SimulateOptions& options) {
     outcome.pocket = jam.pocket;
     outcome.interference_um = 1e6 * jam.interference;
   }
+  outcome = complete(scene, std::move(outcome));
   outcome.run.wall_s = seconds_since(began);
   return outcome;
 }

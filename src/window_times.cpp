@@ -2,11 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace cagetol {
+namespace {
+
+WindowTimes times_of_duty(const Scene& scene, const Duty& duty) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN(),
+                   never = std::numeric_limits<double>::infinity();
+  const Phases& phases = scene.phase;
+  const double period = duty.course.empty()     ? 2 * std::numbers::pi / duty.swing_rate
+                        : duty.course.repeats() ? duty.course.period()
+                                                : 0;
+  const auto least = [](const NumberList& of) {
+    return *std::min_element(of.values.begin(), of.values.end());
+  };
+  const double settle =
+      given_or(scene.window.settle_time, phases.name.empty() ? period : least(phases.from));
+  double end = settle + period;
+  if (!phases.name.empty())
+    end = *std::max_element(phases.to.values.begin(), phases.to.values.end());
+  else if (period == 0)
+    end = duty.course.rows().back().time;
+  const double measure = given_or(scene.window.measure_time, end - settle);
+  return {settle, measure, measure, measure, never, none, 0};
+}
+
+}  // namespace
 
 WindowTimes window_times(const Scene& scene, const BearingModel& model) {
+  if (model.duty.over_time()) return times_of_duty(scene, model.duty);
   const double revolution =
       2 * std::numbers::pi / std::abs(kinematic_cage_speed(model, model.duty.speed));
   const Window& w = scene.window;

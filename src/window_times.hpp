@@ -19,7 +19,8 @@ struct WindowTimes {
 /// nor drift.
 inline constexpr double kLeastRevolutions = 2;
 
-/// Cage revolutions are converted to time with the kinematic cage speed.
+/// Cage revolutions are converted to time with the kinematic cage speed. Under a duty over time
+/// windows are in seconds, or follow its phases, its period or its length; no revolution is known.
 WindowTimes window_times(const Scene& scene, const BearingModel& model);
 
 }  // namespace cagetol

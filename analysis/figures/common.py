@@ -30,6 +30,9 @@ def with_unit(name, unit):
 
 def readable(quantity):
     """"cage_stress_peak_MPa" -> "cage stress peak"."""
+    key, at, label = quantity.partition("@")
+    if at:  # of an operating point or a phase
+        return f"{readable(key)} @ {label}"
     units = {"MPa", "N", "J", "um", "mrad", "W", "Nmm", "s2", "m", "s", "mm", "deg"}
     words = quantity.split("_")
     while len(words) > 1 and words[-1] in units:

@@ -97,6 +97,9 @@ std::string unit_suffix(const std::string& unit) {
 std::string readable(const std::string& quantity) {
   static const std::set<std::string> units = {"MPa", "N", "J", "um", "mrad", "W",
                                               "Nmm", "s", "m", "s2", "mm",   "deg"};
+  // "KEY@LABEL": of an operating point or a phase.
+  if (const std::size_t at = quantity.find('@'); at != std::string::npos)
+    return readable(quantity.substr(0, at)) + " @ " + quantity.substr(at + 1);
   std::string words = quantity;
   for (std::size_t last = words.rfind('_');
        last != std::string::npos && units.count(words.substr(last + 1)) > 0;

@@ -9,6 +9,7 @@
 #include "mc/commands/operating_text.hpp"
 #include "mc/forecast.hpp"
 #include "mc/law_reader.hpp"
+#include "mc/operating_points.hpp"
 #include "mc/sample.hpp"
 #include "mc/study.hpp"
 
@@ -64,6 +65,8 @@ std::string summary(const Study& study) {
   for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
   text += operating_table(study.scene);
   const SweepForecast forecast = forecast_sweep(study);
+  if (const std::string points = operating_points_text(study); !points.empty())
+    text += points + "\n";
   if (forecast.samples > 1) text += "a sweep of " + forecast_text(forecast) + "\n";
   if (const double cage = forecast_cage_table(study.scene); cage > 0)
     text += fmt::format("making a table of the flexible cage takes about {:.2g} GB of memory\n",

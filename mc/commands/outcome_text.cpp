@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mc/json_number.hpp"
+#include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -19,11 +20,12 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
                                  {"reason", outcome.reason},
                                  {"least_known", outcome.least_known}};
   auto& quantities = json["qoi"] = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < quantity_table().size(); ++i)
-    quantities[quantity_table()[i].key] =
+  const std::vector<LabelledQuantity> columns = labelled_quantities(outcome.labels);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    quantities[columns[i].name] =
         i < outcome.quantities.size() ? json_number(outcome.quantities[i]) : nullptr;
   auto& units = json["units"] = nlohmann::ordered_json::object();
-  for (const Quantity& quantity : quantity_table()) units[quantity.key] = quantity.unit;
+  for (const LabelledQuantity& quantity : columns) units[quantity.name] = quantity.unit;
   for (const RunField& field : run_fields()) units[field.key] = field.unit;
   units["wall_s"] = "s";
   auto& run = json["run"] = nlohmann::ordered_json::object();
@@ -35,8 +37,11 @@ nlohmann::ordered_json outcome_json(const Outcome& outcome) {
 
 std::string outcome_table(const Outcome& outcome) {
   std::string text = "quantities of interest\n";
+  const std::vector<LabelledQuantity> columns = labelled_quantities(outcome.labels);
   for (std::size_t i = 0; i < outcome.quantities.size(); ++i)
-    text += value_line(quantity_table()[i].key, outcome.quantities[i], quantity_table()[i].unit);
+    // What a label leaves undefined says nothing anew.
+    if (i < quantity_table().size() || std::isfinite(outcome.quantities[i]))
+      text += value_line(columns[i].name, outcome.quantities[i], columns[i].unit);
   text += "run\n";
   const auto values = run_values(outcome.run);
   for (std::size_t i = 0; i < values.size(); ++i)

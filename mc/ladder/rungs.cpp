@@ -197,7 +197,8 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
     window.meaning = "measured twice as long as the longest run";
     window.settings.emplace_back("window.measure='fixed'");
   }
-  rungs.push_back(window);
+  // A duty over time has the length that it has.
+  if (!changes_over_time(scene.operation)) rungs.push_back(window);
   rungs.push_back({"as-run", "the scene as it is", {}});
   return rungs;
 }

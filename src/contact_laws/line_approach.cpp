@@ -52,7 +52,7 @@ std::array<LineContact, 2> race_lines(const Scene& scene) {
 double reference_line_load(const Scene& scene) {
   const double rollers = static_cast<double>(scene.bearing.roller_count);
   return std::max(kLeastLineLoad,
-                  5 * std::abs(scene.operation.radial_load) / (rollers * scene.roller.length));
+                  5 * largest_radial_load(scene.operation) / (rollers * scene.roller.length));
 }
 
 double race_stiffness_modulus(const Scene& scene) {

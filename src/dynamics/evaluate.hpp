@@ -50,6 +50,13 @@ struct Pass {
   Pack energy_by_vt{}, energy_by_spin{};  ///< elastic energy by the speeds that make films
 };
 
+/// What a race that turns faster puts into the bodies' elastic energy, by way of the films [W].
+inline double film_power(const RaceTotals& on, const RaceSide& race, const RollerGroup& roller,
+                         double speeding_up) {
+  if (speeding_up == 0) return 0;
+  return -sum(on.energy_by_spin / roller.radius) * race.arm() * speeding_up;
+}
+
 /// The ring's share of the derivatives of the inner race, and its sums.
 template <bool tilting>
 void finish_inner_race(Pass& pass, const RaceTotals& on, RingTilt& tilt, Shared& all) {
@@ -124,6 +131,7 @@ void inner_race(Pass& pass, Shared& all) {
       all.ring_energy[0] += sum(on.energy_by_vt * q.sine);
       all.ring_energy[1] -= sum(on.energy_by_vt * q.cosine);
       all.seen->damp(kFilm, -sum(on.energy_by_vt * q.omega * race.du_r));
+      all.seen->damp(kFilm, -film_power(on, race, pass.roller, b.speeding_up.inner));
     }
     finish_inner_race<tilting>(pass, on, tilt, all);
   }
@@ -144,6 +152,8 @@ void outer_race(Pass& pass, Shared& all) {
   if constexpr (linear) {
     pass.energy_by_vt += on.energy_by_vt;
     pass.energy_by_spin += on.energy_by_spin;
+    if constexpr (lubricated)
+      all.seen->damp(kFilm, -film_power(on, race, pass.roller, all.border.speeding_up.outer));
     all.seen->drive_power += sum(on.drive);
     store(all.seen->outer_force.data() + pass.group * kLanes, on.normal);
     all.seen->outer_slice = std::max(all.seen->outer_slice, largest(on.heaviest));

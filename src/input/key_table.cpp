@@ -59,6 +59,10 @@ std::string example_of(const KeyInfo& key) {
       return "a whole number, " + range_text(key);
     case KeyKind::numbers:
       return "a number in " + key.unit + ", or an array with one for each pocket";
+    case KeyKind::list:
+      return "an array of numbers in " + key.unit;
+    case KeyKind::names:
+      return "an array of texts in quotes";
     default:
       return (key.unit == "-" ? std::string("a plain number") : "a number in " + key.unit) +
              (key.range.may_be_auto ? " or \"auto\"" : "");
@@ -247,6 +251,24 @@ std::vector<double> numbers_value(const KeyInfo& key, const toml::node& node,
   return values;
 }
 
+std::vector<double> list_value(const KeyInfo& key, const toml::node& node,
+                               const std::string& file) {
+  const auto* array = node.as_array();
+  if (!array) throw wrong_type(key, node, file);
+  std::vector<double> values;
+  for (const auto& element : *array) values.push_back(checked_number(key, element, file));
+  return values;
+}
+
+std::vector<std::string> names_value(const KeyInfo& key, const toml::node& node,
+                                     const std::string& file) {
+  const auto* array = node.as_array();
+  if (!array) throw wrong_type(key, node, file);
+  std::vector<std::string> names;
+  for (const auto& element : *array) names.push_back(text_value(key, element, file));
+  return names;
+}
+
 long integer_value(const KeyInfo& key, const toml::node& node, const std::string& file) {
   if (!node.is_integer()) throw wrong_type(key, node, file);
   const auto value = node.value<int64_t>().value();
@@ -302,6 +324,16 @@ std::string numbers_text(const std::vector<double>& values) {
   return list + "]";
 }
 
+std::string list_text(const std::vector<double>& values) {
+  return values.size() == 1 ? "[" + numbers_text(values) + "]" : numbers_text(values);
+}
+
+std::string names_text(const std::vector<std::string>& names) {
+  std::string list = "[";
+  for (const std::string& name : names) list += (list.size() > 1 ? ", " : "") + quoted(name);
+  return list + "]";
+}
+
 std::string dump_line(const KeyInfo& key, const std::string& value) {
   const std::string line = last_part(key.name) + " = " + value;
   const std::string padding(line.size() < 34 ? 34 - line.size() : 1, ' ');
@@ -323,7 +355,9 @@ std::string section_header(const std::string& name, const std::string& previous,
 
 std::string markdown_row(const KeyInfo& key, const std::string& value) {
   const std::string per_pocket =
-      key.kind == KeyKind::numbers ? "; one number or one for each pocket" : "";
+      key.kind == KeyKind::numbers ? "; one number or one for each pocket"
+      : key.kind == KeyKind::list || key.kind == KeyKind::names ? "; an array"
+                                                                : "";
   const std::string& conditional = key.range.required_where;
   const std::string otherwise =
       conditional.empty() ? value : "required where " + conditional + ", else " + value;
@@ -352,9 +386,7 @@ void insert_numbers(toml::table& table, const std::string& name,
       table.insert_or_assign(name, values[0]);
     return;
   }
-  toml::array list;
-  for (const double value : values) list.push_back(value);
-  table.insert_or_assign(name, std::move(list));
+  table.insert_or_assign(name, array_of(values));
 }
 
 }  // namespace key_detail

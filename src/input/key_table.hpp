@@ -17,14 +17,15 @@
 
 #include "src/input/choice.hpp"
 #include "src/input/input_error.hpp"
+#include "src/input/number_list.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/input/unit.hpp"
 
 namespace cagetol {
 
 /// Type of a key's value. `numbers`: one number for all pockets (or rollers), or an array with one
-/// for each.
-enum class KeyKind { number, numbers, integer, boolean, choice, text };
+/// for each. `list`, `names`: an array of any length, empty by default.
+enum class KeyKind { number, numbers, integer, boolean, choice, text, list, names };
 
 /// Values a key may take, in the key's unit.
 struct KeyRange {
@@ -70,9 +71,11 @@ struct ChoicePlace {
 /// One key of an input file that fills a struct of type T.
 template <class T>
 struct Key : KeyInfo {
-  using Place = std::variant<std::function<double&(T&)>, std::function<std::vector<double>&(T&)>,
-                             std::function<long&(T&)>, std::function<bool&(T&)>,
-                             std::function<std::string&(T&)>, ChoicePlace<T>>;
+  using Place =
+      std::variant<std::function<double&(T&)>, std::function<std::vector<double>&(T&)>,
+                   std::function<long&(T&)>, std::function<bool&(T&)>,
+                   std::function<std::string&(T&)>, ChoicePlace<T>, std::function<NumberList&(T&)>,
+                   std::function<std::vector<std::string>&(T&)>>;
   Place place;
 
   /// The unit follows from the suffix of the name, the kind from the type that `accessor` returns.
@@ -104,6 +107,9 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
 double number_value(const KeyInfo& key, const toml::node& node, const std::string& file);
 std::vector<double> numbers_value(const KeyInfo& key, const toml::node& node,
                                   const std::string& file, std::size_t count);
+std::vector<double> list_value(const KeyInfo& key, const toml::node& node, const std::string& file);
+std::vector<std::string> names_value(const KeyInfo& key, const toml::node& node,
+                                     const std::string& file);
 long integer_value(const KeyInfo& key, const toml::node& node, const std::string& file);
 bool boolean_value(const KeyInfo& key, const toml::node& node, const std::string& file);
 std::string text_value(const KeyInfo& key, const toml::node& node, const std::string& file);
@@ -124,7 +130,7 @@ void read_key(const Key<T>& key, const toml::node& node, const std::string& file
 template <class T>
 void set_key_numbers(const Key<T>& key, const std::vector<double>& values, T& target);
 
-/// The numbers at a `number` or `numbers` key, in the key's unit.
+/// The numbers at a `number`, `numbers` or `list` key, in the key's unit.
 template <class T>
 std::vector<double> key_numbers(const Key<T>& key, const T& source);
 

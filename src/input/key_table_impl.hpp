@@ -15,6 +15,8 @@ template <class Value>
 constexpr KeyKind kind_of() {
   if constexpr (std::is_same_v<Value, double>) return KeyKind::number;
   if constexpr (std::is_same_v<Value, std::vector<double>>) return KeyKind::numbers;
+  if constexpr (std::is_same_v<Value, NumberList>) return KeyKind::list;
+  if constexpr (std::is_same_v<Value, std::vector<std::string>>) return KeyKind::names;
   if constexpr (std::is_same_v<Value, long>) return KeyKind::integer;
   if constexpr (std::is_same_v<Value, bool>) return KeyKind::boolean;
   if constexpr (std::is_enum_v<Value>) return KeyKind::choice;
@@ -53,6 +55,11 @@ void read_value(const KeyInfo& key, const toml::node& node, const std::string& f
   } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
     value = numbers_value(key, node, file, count);
     for (double& each_value : value) each_value = to_si(each_value, key.to_si);
+  } else if constexpr (std::is_same_v<Value, NumberList>) {
+    value.values = list_value(key, node, file);
+    for (double& each_value : value.values) each_value = to_si(each_value, key.to_si);
+  } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+    value = names_value(key, node, file);
   } else if constexpr (std::is_same_v<Value, long>) {
     value = integer_value(key, node, file);
   } else if constexpr (std::is_same_v<Value, bool>) {
@@ -76,10 +83,19 @@ std::string section_header(const std::string& name, const std::string& previous,
                            const std::string& prefix);
 std::string markdown_row(const KeyInfo& key, const std::string& value);
 std::string numbers_text(const std::vector<double>& values);
+/// As an array, whatever its length.
+std::string list_text(const std::vector<double>& values);
+std::string names_text(const std::vector<std::string>& names);
 std::string quoted(const std::string& text);
 /// The table of `root` that holds a dotted name, created if missing, and the last part of the name.
 /// nullptr if a value other than a table is in the way.
 std::pair<toml::table*, std::string> section_of(toml::table& root, const std::string& name);
+template <class Value>
+toml::array array_of(const std::vector<Value>& values) {
+  toml::array list;
+  for (const Value& value : values) list.push_back(value);
+  return list;
+}
 void insert_numbers(toml::table& table, const std::string& name, const std::vector<double>& values);
 
 }  // namespace key_detail
@@ -134,7 +150,9 @@ std::vector<double> key_numbers(const Key<T>& key, const T& source) {
   if (key.kind == KeyKind::number)
     return {unit_value(std::get<std::function<double&(T&)>>(key.place)(readable), key.to_si)};
   std::vector<double> values =
-      std::get<std::function<std::vector<double>&(T&)>>(key.place)(readable);
+      key.kind == KeyKind::list
+          ? std::get<std::function<NumberList&(T&)>>(key.place)(readable).values
+          : std::get<std::function<std::vector<double>&(T&)>>(key.place)(readable);
   for (double& value : values) value = unit_value(value, key.to_si);
   return values;
 }
@@ -146,6 +164,11 @@ std::string key_text(const Key<T>& key, const T& source) {
     case KeyKind::number:
     case KeyKind::numbers:
       return key_detail::numbers_text(key_numbers(key, source));
+    case KeyKind::list:
+      return key_detail::list_text(key_numbers(key, source));
+    case KeyKind::names:
+      return key_detail::names_text(
+          std::get<std::function<std::vector<std::string>&(T&)>>(key.place)(readable));
     case KeyKind::integer:
       return std::to_string(std::get<std::function<long&(T&)>>(key.place)(readable));
     case KeyKind::boolean:
@@ -163,6 +186,14 @@ void insert_key(const Key<T>& key, const T& source, toml::table& root) {
     case KeyKind::number:
     case KeyKind::numbers:
       key_detail::insert_numbers(*section, name, key_numbers(key, source));
+      break;
+    case KeyKind::list:
+      section->insert_or_assign(name, key_detail::array_of(key_numbers(key, source)));
+      break;
+    case KeyKind::names:
+      section->insert_or_assign(
+          name, key_detail::array_of(
+                    std::get<std::function<std::vector<std::string>&(T&)>>(key.place)(readable)));
       break;
     case KeyKind::integer:
       section->insert_or_assign(

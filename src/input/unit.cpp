@@ -54,6 +54,7 @@ const std::vector<Unit>& units() {
       {"um", "um", "length", 1e-6},
       {"nm", "nm", "length", 1e-9},
       {"m", "m", "length", 1},
+      {"Hz", "Hz", "frequency", 1},
       {"h", "h", "time", 3600},
       {"ms", "ms", "time", 1e-3},
       {"us", "us", "time", 1e-6},

@@ -51,17 +51,34 @@ bool System::linearise_at(double t, const double* y) {
 }
 
 bool System::driven_by_time(double t) const {
-  return model.duty.load_turns() || t < ramps_end(model.duty);
+  return duty_changes(model.duty, t);
 }
 
+namespace {
+
+/// Time over which the faster surface changes its speed by 1e-10 m/s [s]. The traction of a thin film
+/// under pressure turns over within 1e-8 m/s: a difference over more is no derivative, and Rosenbrock
+/// methods without one chatter about rolling in steps a thousand times too short.
+double difference_time(const BearingModel& m, double t) {
+  constexpr double change = 1e-10, longest = 1e-9, shortest = 1e-13;
+  const RingSpeeds rate = ring_accelerations_at(m.duty, t);
+  const double surface =
+      std::max(std::abs(rate.inner) * m.inner_radius, std::abs(rate.outer) * m.outer_radius);
+  const double dt = std::clamp(change / std::max(surface, 1e-9), shortest, longest);
+  return std::max((t + dt) - t, std::nextafter(t, t + 1) - t);  // as time resolves it
+}
+
+}  // namespace
+
 void System::rates_by_time(double t, const double* y, double* out) {
-  constexpr double dt = 1e-7;
-  if (t < model.duty.speed_ramp) {
+  if (speeds_change(model.duty, t)) {
+    const double dt = difference_time(model, t);
     rates(t + dt, y, out);
     for (int i = 0; i < size; ++i) out[i] = (out[i] - rate[static_cast<std::size_t>(i)]) / dt;
     return;
   }
   // The load acts on the ring and nowhere else.
+  constexpr double dt = 1e-7;
   std::fill(out, out + size, 0.0);
   const RingLoad now = load_at(model.duty, t), soon = load_at(model.duty, t + dt);
   double* ring = out + model.layout.border_velocity(0);

@@ -378,12 +378,14 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   m.cage_polar = given_or(scene.cage.polar_inertia, cage.polar_inertia);
   m.cage_transverse = given_or(scene.cage.transverse_inertia, cage.transverse_inertia);
   m.cage_strength = cage_strength(scene);
-  m.unbalance_y = cage.centre_y;
-  m.unbalance_z = cage.centre_z;
+  const double off_centre = scene.cage.unbalance / m.cage_mass;
+  m.unbalance_y = cage.centre_y + off_centre * std::cos(scene.cage.unbalance_phase);
+  m.unbalance_z = cage.centre_z + off_centre * std::sin(scene.cage.unbalance_phase);
   set_guides(scene, m);
 
   const auto& o = scene.operation;
   m.duty = make_duty(o);
+  m.first_axial_load = first_axial_load(o);
   if (is_lubricated(scene)) lubricate(scene, m);
   m.gravity = o.gravity * std::cos(o.shaft_inclination);
   m.gravity_axial = o.gravity * std::sin(o.shaft_inclination);

@@ -124,6 +124,7 @@ struct BearingModel {
   double land_edge = 0;        ///< ... and touch at +- this from there; 0: at one point [m]
 
   Duty duty;
+  double first_axial_load = 0;            ///< by whose side rollers start [N]
   double gravity = 0, gravity_axial = 0;  ///< along -z, along -x [m/s^2]
 
   double pitch_radius = 0;      ///< (F + E)/4 of the actual raceways [m]

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "src/contact_laws/step.hpp"
 
@@ -18,16 +20,20 @@ double ramped_time(double ramp, double t) {
   return ramp * s * s * s * (1 - s / 2) + std::max(0.0, t - ramp);
 }
 
-/// Angle of the inner ring since t = 0 [rad].
-double inner_turned(const Duty& d, double t) {
-  if (!(d.speed_ramp > 0)) return d.speed.inner * t;
-  return d.speed_from.inner * t +
-         (d.speed.inner - d.speed_from.inner) * ramped_time(d.speed_ramp, t);
+double ramped_angle(double from, double to, double ramp, double t) {
+  if (!(ramp > 0)) return to * t;
+  return from * t + (to - from) * ramped_time(ramp, t);
 }
 
 void add_force(double force, double angle, RingLoad& load) {
   load.y += force * std::sin(angle);
   load.z -= force * std::cos(angle);
+}
+
+RingLoad load_of(const DutyCourse::Row& row) {
+  RingLoad load{0, 0, row.moment_y, row.moment_z, row.axial};
+  add_force(row.radial, row.direction, load);
+  return load;
 }
 
 }  // namespace
@@ -47,30 +53,74 @@ Duty make_duty(const Operation& o) {
   d.rotating_speed = given_or(o.rotating_speed, 0);
   d.phase = o.rotating_phase;
   d.unbalance = o.unbalance;
-  d.speed = {o.inner_speed, o.outer_speed};
+  d.speed = d.steady = {o.inner_speed, o.outer_speed};
   d.speed_from = {given_or(o.speed_ramp_from, o.inner_speed),
                   given_or(o.outer_ramp_from, o.outer_speed)};
   const bool ramps = !std::isnan(o.speed_ramp_from) || !std::isnan(o.outer_ramp_from);
   d.speed_ramp = ramps ? o.speed_ramp : 0;
+  d.swing = o.swing_amplitude;
+  d.swing_rate = 2 * std::numbers::pi * o.swing_frequency;
+  d.course = DutyCourse(o);
+  const auto relative = [](const RingSpeeds& of) { return std::abs(of.inner - of.outer); };
+  if (!d.course.empty()) d.speed = {d.course.rows().front().inner, d.course.rows().front().outer};
+  for (const DutyCourse::Row& row : d.course.rows())
+    if (relative({row.inner, row.outer}) > relative(d.speed)) d.speed = {row.inner, row.outer};
+  if (d.swing > 0) d.speed.inner += std::copysign(d.swing * d.swing_rate, d.speed.inner);
   return d;
 }
 
 RingSpeeds ring_speeds_at(const Duty& d, double t) {
+  if (d.over_time()) {
+    const double swung = d.swing > 0 ? d.swing * d.swing_rate * std::sin(d.swing_rate * t) : 0;
+    if (d.course.empty()) return {d.steady.inner + swung, d.steady.outer};
+    const DutyCourse::Row now = d.course.at(t);
+    return {now.inner + swung, now.outer};
+  }
   if (!(d.speed_ramp > 0)) return d.speed;
   const double share = share_of(d.speed_ramp, t);
   return {d.speed_from.inner + (d.speed.inner - d.speed_from.inner) * share,
           d.speed_from.outer + (d.speed.outer - d.speed_from.outer) * share};
 }
 
+RingSpeeds ring_accelerations_at(const Duty& d, double t) {
+  if (!speeds_change(d, t)) return {};
+  const double dt = (t + 1e-8) - t;
+  const RingSpeeds now = ring_speeds_at(d, t), soon = ring_speeds_at(d, t + dt);
+  return {(soon.inner - now.inner) / dt, (soon.outer - now.outer) / dt};
+}
+
+RingAngles rings_turned(const Duty& d, double t) {
+  if (!d.over_time())
+    return {ramped_angle(d.speed_from.inner, d.speed.inner, d.speed_ramp, t),
+            ramped_angle(d.speed_from.outer, d.speed.outer, d.speed_ramp, t)};
+  const double swung = d.swing * (1 - std::cos(d.swing_rate * t));
+  if (d.course.empty()) return {d.steady.inner * t + swung, d.steady.outer * t};
+  const DutyCourse::Row now = d.course.at(t);
+  return {now.inner_turned + swung, now.outer_turned};
+}
+
+bool speeds_change(const Duty& d, double t) {
+  return t < d.speed_ramp || d.swing > 0 || (d.course.drives() && t < d.course.end());
+}
+
+bool duty_changes(const Duty& d, double t) {
+  return d.load_turns() || t < ramps_end(d) || d.swing > 0 ||
+         (!d.course.empty() && t < d.course.end());
+}
+
+double next_corner(const Duty& d, double t) {
+  return d.course.empty() ? std::numeric_limits<double>::infinity() : d.course.next_corner(t);
+}
+
 RingLoad load_at(const Duty& d, double t) {
-  RingLoad load = d.fixed;
+  RingLoad load = d.course.empty() ? d.fixed : load_of(d.course.at(t));
   if (d.load_ramp > 0) {
     const double share = share_of(d.load_ramp, t);
     load = {load.y * share, load.z * share, load.moment_y * share, load.moment_z * share,
             load.axial * share};
   }
   if (!d.load_turns()) return load;
-  const double inner = inner_turned(d, t), speed = ring_speeds_at(d, t).inner;
+  const double inner = rings_turned(d, t).inner, speed = ring_speeds_at(d, t).inner;
   add_force(d.rotating * share_of(d.load_ramp, t),
             d.phase + (d.with_inner ? inner : d.rotating_speed * t), load);
   add_force(d.unbalance * speed * speed, d.phase + inner, load);
@@ -83,9 +133,20 @@ double ramps_end(const Duty& d) {
 
 RingLoad heaviest_load(const Duty& d) {
   const double speed = fastest_speeds(d).inner;
-  const Way way = way_of(d.fixed);
+  RingLoad load = d.course.empty() ? d.fixed : load_of(d.course.rows().front());
+  const auto larger = [](double value, double than) {
+    return std::abs(value) > std::abs(than) ? value : than;
+  };
+  for (const DutyCourse::Row& row : d.course.rows()) {
+    const RingLoad other = load_of(row);
+    if (std::hypot(other.y, other.z) > std::hypot(load.y, load.z))
+      load.y = other.y, load.z = other.z;
+    load.axial = larger(other.axial, load.axial);
+    load.moment_y = larger(other.moment_y, load.moment_y);
+    load.moment_z = larger(other.moment_z, load.moment_z);
+  }
+  const Way way = way_of(load);
   const double turning = d.rotating + d.unbalance * speed * speed;
-  RingLoad load = d.fixed;
   load.y += turning * way.y;
   load.z += turning * way.z;
   return load;
@@ -97,6 +158,15 @@ double largest_load(const Duty& d) {
 }
 
 RingSpeeds fastest_speeds(const Duty& d) {
+  if (d.over_time()) {
+    RingSpeeds fastest{std::abs(d.steady.inner), std::abs(d.steady.outer)};
+    if (!d.course.empty()) fastest = {};
+    for (const DutyCourse::Row& row : d.course.rows()) {
+      fastest.inner = std::max(fastest.inner, std::abs(row.inner));
+      fastest.outer = std::max(fastest.outer, std::abs(row.outer));
+    }
+    return {fastest.inner + d.swing * d.swing_rate, fastest.outer};
+  }
   const auto larger = [&](double last, double first) {
     return std::max(std::abs(last), d.speed_ramp > 0 ? std::abs(first) : 0.0);
   };

@@ -6,11 +6,15 @@
 //   load(t)  = s(t) [F d(phi_F) + P d(phi_P + psi)] + U w_i^2 d(phi_P + turned)
 //   d(phi)   = (sin phi, -cos phi) in (y, z): along -z turned by phi about +x
 //
+// Under a duty over time F, phi_F, axial force, moments and the speeds follow a table (DutyCourse).
+// The inner ring may oscillate besides, by a (1 - cos v t) about its other motion.
+//
 // s rises from 0 to 1 over the ramp of the load (STEP, contact_laws/step.hpp), psi turns at a speed
 // of its own or with the inner ring, `turned` is the angle of the inner ring since t = 0. Left out:
 // the force along the circle of an unbalance whose speed changes, U w_i'.
 #pragma once
 
+#include "src/model/duty_course.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -32,9 +36,15 @@ struct Duty {
   bool with_inner = false;                  ///< P turns with the inner ring
   double phase = 0;                         ///< phi_P [rad]
   double unbalance = 0;                     ///< U [kg m]
-  RingSpeeds speed, speed_from;             ///< at the end and at the start of the ramp
-  double speed_ramp = 0;                    ///< [s]
+  /// At the end and at the start of the ramp; under a duty over time the fastest pair.
+  RingSpeeds speed, speed_from;
+  double speed_ramp = 0;             ///< [s]
+  DutyCourse course;                 ///< empty: nothing follows a table
+  RingSpeeds steady;                 ///< about which the inner ring oscillates
+  double swing = 0, swing_rate = 0;  ///< a [rad], v [rad/s]
 
+  /// Whether speed or load follow a table or an oscillation: windows are in seconds then.
+  bool over_time() const { return !course.empty() || swing > 0; }
   /// Whether the load turns: no instant then stands for another.
   bool load_turns() const { return rotating != 0 || unbalance != 0; }
 };
@@ -50,6 +60,18 @@ Way way_of(const RingLoad& load);
 Duty make_duty(const Operation& operation);
 
 RingSpeeds ring_speeds_at(const Duty& duty, double t);
+/// Rates of these speeds, of a corner to come [rad/s^2].
+RingSpeeds ring_accelerations_at(const Duty& duty, double t);
+/// Angles of the rings since t = 0 [rad].
+struct RingAngles {
+  double inner = 0, outer = 0;
+};
+RingAngles rings_turned(const Duty& duty, double t);
+/// Whether speeds, or anything at all, change at time t.
+bool speeds_change(const Duty& duty, double t);
+bool duty_changes(const Duty& duty, double t);
+/// The next instant at which a value has a corner; infinite if there is none [s].
+double next_corner(const Duty& duty, double t);
 RingLoad load_at(const Duty& duty, double t);
 /// Time after which nothing ramps [s].
 double ramps_end(const Duty& duty);
@@ -57,7 +79,7 @@ double ramps_end(const Duty& duty);
 RingLoad heaviest_load(const Duty& duty);
 /// Its force [N].
 double largest_load(const Duty& duty);
-/// Largest magnitudes of the ramped speeds.
+/// Largest magnitudes of the speeds.
 RingSpeeds fastest_speeds(const Duty& duty);
 
 }  // namespace cagetol

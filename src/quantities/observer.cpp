@@ -19,6 +19,7 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
+constexpr int kDutyInstants = 256;           // likewise under a duty over time
 constexpr double kStaticsAccuracy = 1e-6;    // of the balance, in shares of the load
 constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
 constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, which costs more
@@ -33,7 +34,8 @@ constexpr double kTurnsToDrift = 2;          // of the cage: within one its spee
 bool should_be_stationary(const BearingModel& m, double begin, double end) {
   const double turns =
       std::abs(kinematic_cage_speed(m, m.duty.speed)) * (end - begin) / (2 * std::numbers::pi);
-  return m.lubricated && ramps_end(m.duty) <= begin && turns >= kTurnsToDrift;
+  return m.lubricated && !m.duty.over_time() && ramps_end(m.duty) <= begin &&
+         turns >= kTurnsToDrift;
 }
 
 /// Values by row of quantity_table(); all() throws where one was never set.
@@ -81,12 +83,13 @@ void Observer::Impacts::see(std::size_t pack, Mask touching) {
 
 Observer::Observer(const BearingModel& model, double begin, double end)
     : model_(model),
+      over_time_(model.duty.over_time()),
       begin_(begin),
       end_(end),
       statics_(model, kStaticsAccuracy),
       angles_(static_cast<std::size_t>(model.layout.padded())),
       next_statics_(begin),
-      statics_interval_((end - begin) / kStaticsInstants),
+      statics_interval_((end - begin) / (over_time_ ? kDutyInstants : kStaticsInstants)),
       clock_(begin, kRecordInterval),
       whirl_(model.guide_clearance) {
   if (const auto& cage = model.flexible.model) {
@@ -111,16 +114,24 @@ void Observer::extend(double end) {
   if (stationarity_) stationarity_->end_at(end);
 }
 
-void Observer::record_revolution(double t, const double* y) {
+bool Observer::revolution_ended(double t) const {
+  if (over_time_)
+    return along_.rolled() >= 2 * std::numbers::pi * static_cast<double>(ended_revolutions_ + 1);
   // Rounding may put the end of a revolution after the state that is meant to be there.
   const auto ended = static_cast<double>(convergence_.revolutions()) + 1;
-  if (!(t >= begin_ + (ended - 1e-9) * revolution_)) return;
+  return t >= begin_ + (ended - 1e-9) * revolution_;
+}
+
+void Observer::record_revolution(double t, const double* y) {
+  if (!revolution_ended(t)) return;
+  ++ended_revolutions_;
   whirl_.end_revolution();
   for (BlockPeaks* blocks : {&pocket_blocks_, &guide_blocks_, &stress_blocks_}) blocks->end();
   if (fatigue_) {
     fatigue_->end_revolution();
     bar_peaks_->begin_revolution();
   }
+  if (over_time_) return;  // means that change with the duty do not converge
   const StateLayout& l = model_.layout;
   const double* angles = y + l.position(kAngle, 0);
   const double rollers = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
@@ -174,6 +185,9 @@ void Observer::record(double t, const double* y, const System& system) {
   std::copy(v + kRingY, v + kRingZ + 1, last_ring_speed_);
   net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
                 seen.net_power_rate);
+  if (over_time_)
+    net_power_.add(seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
+                   step);
   drive_.add(seen.drive_power, step);
   const double lost = seen.friction_power + seen.damping_power;
   dissipation_.add(lost, step);
@@ -187,11 +201,26 @@ void Observer::record(double t, const double* y, const System& system) {
   orbit_angle_ = angle;
   revolutions_ = std::abs(q[kCagePhi] - start_phase_) / (2 * std::numbers::pi);
 
-  cage_speed_.add(v[kCagePhi], step);
   const RingSpeeds rings = ring_speeds_at(model_.duty, t);
   const double rolling = kinematic_cage_speed(model_, rings);
-  rolling_.add(rolling, step);
-  apart_.add(rings.inner - rings.outer, step);
+  const double* angles = y + l.position(kAngle, 0);
+  const double rollers = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
+  if (over_time_) {
+    along_.record(t, rolling, q[kCagePhi], rollers, orbit_turned_);
+    revolutions_ = along_.travelled() / (2 * std::numbers::pi);
+    const double way = rolling > 0 ? 1 : rolling < 0 ? -1 : 0;
+    cage_speed_.add(way * v[kCagePhi], step);
+    rolling_.add(std::abs(rolling), step);
+    apart_.add(std::abs(rings.inner - rings.outer), step);
+    const RingLoad imposed = ring_force_at(model_, t);
+    imposed_.add(std::hypot(imposed.y, imposed.z), step);
+    orbit_slip_.record(t, along_.cage(), along_.rollers(), std::abs(rolling));
+  } else {
+    cage_speed_.add(v[kCagePhi], step);
+    rolling_.add(rolling, step);
+    apart_.add(rings.inner - rings.outer, step);
+    orbit_slip_.record(t, q[kCagePhi], rollers, rolling);
+  }
   whirl_radius_.add(std::hypot(cage_y, cage_z), step);
   whirl_speed_.add(std::hypot(cage_vy, cage_vz), step);
   cage_axial_.add(q[kCageX], step);
@@ -214,10 +243,7 @@ void Observer::record(double t, const double* y, const System& system) {
   guide_blocks_.see(seen.land_force[0] + seen.land_force[1]);
   guide_impacts_.see(0, Mask{-seen.land_touching[0], -seen.land_touching[1]});
   end_displacement_ = down.along(q[kRingY], q[kRingZ]);
-  const double* angles = y + l.position(kAngle, 0);
-  orbit_slip_.record(t, q[kCagePhi], std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers,
-                     rolling);
-  record_rollers(y, system, step);
+  record_rollers(t, y, system, step);
   record_statics(t, y);
   if (stress_) record_stress(t, y, seen);
   last_time_ = t;
@@ -261,14 +287,20 @@ void Observer::record_stress(double t, const double* y, const Observation& seen)
   if (keep) last_stress_ = t;
 }
 
-void Observer::record_rollers(const double* y, const System& system, const SeenStep& step) {
+void Observer::record_rollers(double t, const double* y, const System& system,
+                              const SeenStep& step) {
   const StateLayout& l = model_.layout;
   const Observation& seen = system.seen;
   const double ratio = model_.nominal_diameter / (2 * model_.pitch_radius);
-  const RingSpeeds rings = ring_speeds_at(model_.duty, last_time_ < 0 ? begin_ : last_time_);
+  const RingSpeeds rings = ring_speeds_at(model_.duty, t);
   const double rolling = (rings.inner - rings.outer) / (2 * ratio) * (1 - ratio * ratio);
-  const double threshold = kLoadedShare * largest_load(model_.duty);
+  const double cage = kinematic_cage_speed(model_, rings), way = cage > 0 ? 1 : cage < 0 ? -1 : 0;
+  const RingLoad load_now = load_at(model_.duty, t);
+  const double threshold =
+      kLoadedShare *
+      (over_time_ ? std::max(std::hypot(load_now.y, load_now.z), 1.0) : largest_load(model_.duty));
   const double rolls = rolling != 0 ? 1 / std::abs(rolling) : 0;
+  if (over_time_) spun_.add(std::abs(rolling), step);
   for (int group = 0; group < l.groups; ++group) {
     const int j = group * kLanes;
     const auto k = static_cast<std::size_t>(group);
@@ -281,15 +313,21 @@ void Observer::record_rollers(const double* y, const System& system, const SeenS
         std::max(largest_lean_squared_, largest(select(here, ay * ay + az * az, Pack{})));
     skew_.add(k, abs(linear.cosine * az - linear.sine * ay), here, step);
     tilt_.add(k, abs(linear.cosine * ay + linear.sine * az), here, step);
-    roller_speed_.add(k, spin, here, step);
-    const Pack slip = rolls > 0 ? 1.0 - abs(spin - orbit) * rolls : Pack{};
+    roller_speed_.add(k, over_time_ ? way * spin : spin, here, step);
+    const Pack slip = over_time_  ? std::abs(rolling) - abs(spin - orbit)
+                      : rolls > 0 ? 1.0 - abs(spin - orbit) * rolls
+                                  : Pack{};
     slip_all_.add(k, slip, here, step);
     const Pack carried = force(seen.inner_force);
     const Mask loaded = here & (carried > threshold);
     slip_loaded_.add(k, slip, loaded, step);
     roller_load_ = std::max(roller_load_, largest(select(here, carried, Pack{})));
     carried_.add(k, carried, here, step);
-    carried_orbit_.add(k, carried * orbit, here, step);
+    carried_orbit_.add(k, carried * (over_time_ ? way * orbit : orbit), here, step);
+    if (over_time_) {
+      spun_loaded_.add(k, splat(std::abs(rolling)), loaded, step);
+      carried_rolling_.add(k, carried * std::abs(cage), here, step);
+    }
     sliding_.add_above(k, force(seen.inner_sliding), force(seen.inner_force), threshold, here,
                        step);
     const Pack leading = force(seen.leading_force), trailing = force(seen.trailing_force),
@@ -308,6 +346,7 @@ void Observer::record_statics(double t, const double* y) {
   while (next_statics_ <= t) next_statics_ += statics_interval_;
   const StateLayout& l = model_.layout;
   std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
+  if (over_time_) statics_.turn_outer(ring_speeds_at(model_.duty, t).outer);
   if (model_.lubricated) statics_.spin(y + l.velocity(kSpin, 0), ring_speeds_at(model_.duty, t));
   const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)],
                                            load_at(model_.duty, t), RollerMotion::orbiting);
@@ -333,7 +372,8 @@ double Observer::energy_scale() const {
 }
 
 double Observer::energy_residual() const {
-  return std::abs(net_work_.integral() - (last_energy_ - first_energy_)) / energy_scale();
+  const double net_work = over_time_ ? net_power_.sums().integral() : net_work_.integral();
+  return std::abs(net_work - (last_energy_ - first_energy_)) / energy_scale();
 }
 
 double Observer::energy_resolution(double tolerance) const {
@@ -376,11 +416,17 @@ double Observer::light_force() const {
                   model_.groups.front().mass[0] * model_.pitch_radius * cage_speed * cage_speed);
 }
 
+double Observer::mean_imposed() const {
+  if (over_time_) return imposed_.mean();
+  const RingLoad load = ring_force_at(model_, end_);
+  return std::hypot(load.y, load.z);
+}
+
 double Observer::static_scale() const {
   const RingLoad load = ring_force_at(model_, end_);
   // Rollers that are pressed without a load rub: statics leaves that out.
   const double carried = static_carried_.empty() ? 0 : static_carried_.mean();
-  return std::max({std::hypot(load.y, load.z), light_force(), rollers_couple(load), carried});
+  return std::max({mean_imposed(), light_force(), rollers_couple(load), carried});
 }
 
 double Observer::static_resolution() const {
@@ -391,8 +437,7 @@ double Observer::static_resolution() const {
 }
 
 double Observer::static_consistency_error() const {
-  const RingLoad load = ring_force_at(model_, end_);
-  const double weight = std::hypot(load.y, load.z);
+  const double weight = mean_imposed();
   const double expected_force = static_elastic_.empty() ? weight : static_elastic_.mean();
   const double force = std::abs(ring_elastic_.mean() - expected_force) / static_scale();
   // Below the centrifugal force of one roller the ring bounces within its clearance: its mean place
@@ -420,10 +465,16 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("cage_slip_ratio")] = turns ? 1 - cage_speed / rolling : none;
   q[quantity_row("orbit_slip_ratio")] = turns ? 1 - orbit_slip_.rate_ratio() : none;
   const double carried = carried_.all().mean();
+  const double rolling_weight = over_time_ ? carried_rolling_.all().mean() / carried : rolling;
   q[quantity_row("orbit_slip_ratio_loaded")] =
-      turns && carried > 0 ? 1 - carried_orbit_.all().mean() / carried / rolling : none;
-  q[quantity_row("roller_slip_ratio_loaded")] = slip_loaded_.all().mean();
-  q[quantity_row("roller_slip_ratio_all")] = slip_all_.all().mean();
+      turns && carried > 0 ? 1 - carried_orbit_.all().mean() / carried / rolling_weight : none;
+  const auto of_rolling = [&](double slip, const auto& spun) {
+    return !over_time_ ? slip : turns ? slip / spun() : none;
+  };
+  q[quantity_row("roller_slip_ratio_loaded")] =
+      of_rolling(slip_loaded_.all().mean(), [&] { return spun_loaded_.all().mean(); });
+  q[quantity_row("roller_slip_ratio_all")] =
+      of_rolling(slip_all_.all().mean(), [&] { return spun_.mean(); });
   const Series sliding = sliding_.all(), skew = skew_.all(), speeds = roller_speed_.all();
   q[quantity_row("race_sliding_speed_rms")] = sliding.rms();
   q[quantity_row("race_sliding_speed_peak")] = sliding.peak();
@@ -432,8 +483,10 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("whirl_radius_ratio_peak")] = whirl_radius_.peak() / clearance;
   q[quantity_row("whirl_speed_deviation_ratio")] =
       whirl_speed_.standard_deviation() / whirl_speed_.mean();
-  const double frequency = orbit_turned_ / duration / cage_speed;
-  q[quantity_row("whirl_frequency_ratio")] = frequency;
+  const bool stands = over_time_ && !turns;
+  const double frequency = over_time_ ? along_.centre() / (2 * std::numbers::pi * revolutions)
+                                      : orbit_turned_ / duration / cage_speed;
+  q[quantity_row("whirl_frequency_ratio")] = stands ? none : frequency;
   const bool centred = whirl_radius_.mean() < 0.1 * clearance;
   const bool circling =
       whirl_radius_.standard_deviation() < 0.25 * whirl_radius_.mean() && std::abs(frequency) > 0.1;
@@ -460,7 +513,8 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("pocket_impulse_N_s")] = pressed.integral() / pressed.weight * per_turn;
   q[quantity_row("pocket_friction_work_J")] =
       lost_[kPocketFriction].mean() * per_turn / model_.layout.rollers;
-  q[quantity_row("cage_speed_std_ratio")] = cage_speed_.standard_deviation() / std::abs(cage_speed);
+  q[quantity_row("cage_speed_std_ratio")] =
+      stands ? none : cage_speed_.standard_deviation() / std::abs(cage_speed);
   q[quantity_row("cage_axial_std_um")] = 1e6 * cage_axial_.standard_deviation();
   q[quantity_row("cage_tilt_std_mrad")] =
       1e3 * std::hypot(cage_lean_y_.standard_deviation(), cage_lean_z_.standard_deviation());
@@ -479,7 +533,8 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("ring_tilt_mean_mrad")] = lean ? 1e3 * (tilts ? ring_tilt_.mean() : held) : none;
   q[quantity_row("ring_tilt_std_mrad")] =
       tilts ? 1e3 * std::hypot(tilt_y_.standard_deviation(), tilt_z_.standard_deviation()) : none;
-  q[quantity_row("roller_speed_std_ratio")] = speeds.standard_deviation() / std::abs(speeds.mean());
+  q[quantity_row("roller_speed_std_ratio")] =
+      stands ? none : speeds.standard_deviation() / std::abs(speeds.mean());
   q[quantity_row("roller_skew_rms_mrad")] = lean ? 1e3 * skew.rms() : none;
   q[quantity_row("roller_skew_p95_mrad")] = lean ? 1e3 * skew.quantile(0.95) : none;
   q[quantity_row("roller_tilt_p95_mrad")] = lean ? 1e3 * tilt_.all().quantile(0.95) : none;

@@ -10,6 +10,7 @@
 
 #include "src/integration/system.hpp"
 #include "src/outcome.hpp"
+#include "src/quantities/along_rolling.hpp"
 #include "src/quantities/bar_peaks.hpp"
 #include "src/quantities/cage_fatigue.hpp"
 #include "src/quantities/cage_stress.hpp"
@@ -74,7 +75,11 @@ class Observer {
     long count = 0;
     void see(std::size_t pack, Mask touching);
   };
-  void record_rollers(const double* y, const System& system, const SeenStep& step);
+  void record_rollers(double t, const double* y, const System& system, const SeenStep& step);
+  /// Whether a whole revolution of the cage has ended at t.
+  bool revolution_ended(double t) const;
+  /// Mean load and weight on the ring [N].
+  double mean_imposed() const;
   void record_statics(double t, const double* y);
   /// The centrifugal force of one roller [N].
   double light_force() const;
@@ -90,6 +95,7 @@ class Observer {
   std::vector<double> quantities_so_far() const;
 
   const BearingModel& model_;
+  bool over_time_;  ///< a duty over time: speeds and angles count along rolling without slip
   double begin_, end_;
   double revolution_ = std::numeric_limits<double>::infinity();  ///< of the cage [s]
   double peaks_end_ = std::numeric_limits<double>::infinity();   ///< where peaks end [s]
@@ -110,6 +116,12 @@ class Observer {
       ring_y_{kQuantiles}, ring_z_{kQuantiles}, sunk_, ring_tilt_{kPeak};
   CageWhirl whirl_;
   OrbitSlip orbit_slip_;
+  AlongRolling along_;            ///< of a duty over time
+  StepSeries imposed_;            ///< likewise: load and weight on the ring [N]
+  StepSeries spun_;               ///< likewise: kinematic spin of the rollers [rad/s]
+  RollerSeries spun_loaded_;      ///< likewise, of loaded rollers
+  RollerSeries carried_rolling_;  ///< likewise: force times kinematic speed of the cage
+  long ended_revolutions_ = 0;    ///< likewise
   std::optional<Stationarity> stationarity_;
   RollerSeries carried_, carried_orbit_;  ///< force on the inner race [N], and times orbital rate
   RollerSeries slip_loaded_, slip_all_, sliding_{kPeak}, roller_speed_;
@@ -147,6 +159,7 @@ class Observer {
   double end_displacement_ = 0;
   Impacts pocket_impacts_, wall_impacts_, guide_impacts_;
   HermiteQuadrature net_work_;
+  StepSeries net_power_;  ///< of a duty over time, whose share of the power's rate is not known [W]
   StepSeries dissipation_, drive_;  ///< powers [W]
   std::array<StepSeries, kMechanisms> lost_;
   double first_energy_ = 0, last_energy_ = 0;

@@ -32,6 +32,31 @@ RatedRollers rated_rollers(const Scene& scene) {
           scene.roller.length, 2 * pitch_radius(scene.bearing)};
 }
 
+/// Load of equal damage, and mean speed of one ring against the other.
+struct MeanDuty {
+  double load, speed;  ///< [N], [rad/s]
+};
+MeanDuty mean_duty(const Duty& duty) {
+  MeanDuty mean{largest_load(duty), std::abs(duty.speed.inner - duty.speed.outer)};
+  if (!duty.over_time()) return mean;
+  constexpr int instants = 4096;
+  constexpr double exponent = 10.0 / 3;
+  const bool table = !duty.course.empty();
+  const double begin = table ? duty.course.rows().front().time : 0,
+               end = table ? duty.course.rows().back().time : 2 * pi / duty.swing_rate;
+  double turned = 0, damage = 0;
+  for (int k = 0; k < instants; ++k) {
+    const double t = begin + (end - begin) * (k + 0.5) / instants;
+    const RingSpeeds rings = ring_speeds_at(duty, t);
+    const RingLoad load = load_at(duty, t);
+    const double speed = std::abs(rings.inner - rings.outer);
+    turned += speed;
+    damage += speed * std::pow(std::hypot(load.y, load.z), exponent);
+  }
+  if (turned > 0) mean = {std::pow(damage / turned, 1 / exponent), turned / instants};
+  return mean;
+}
+
 /// All that needs neither model nor equilibrium.
 OperatingPoint rated_point(const Scene& scene) {
   const BearingGeometry& b = scene.bearing;
@@ -40,10 +65,12 @@ OperatingPoint rated_point(const Scene& scene) {
   at.dynamic_rating = given_or(b.dynamic_rating, dynamic_rating(rollers));
   at.static_rating = given_or(b.static_rating, static_rating(rollers));
   const Duty duty = make_duty(scene.operation);
-  at.load = largest_load(duty);
+  const MeanDuty mean = mean_duty(duty);
+  at.load = mean.load;
+  at.largest_load = largest_load(duty);
   at.speed = std::abs(duty.speed.inner - duty.speed.outer);
   at.life = rating_life(at.dynamic_rating, at.load);
-  at.life_time = 2 * pi * at.life / at.speed;
+  at.life_time = 2 * pi * at.life / mean.speed;
   at.least_load_schaeffler = least_load_schaeffler(at.static_rating);
   at.least_load_skf = least_load_skf(b.least_load_factor, at.speed / b.reference_speed,
                                      (b.bore_diameter + b.outside_diameter) / 2);
@@ -118,7 +145,7 @@ void add_load_distribution(const BearingModel& m, OperatingPoint& at) {
       heaviest = std::max(heaviest, rest.inner_force[j]);
       inner = std::max(inner, rest.inner_slice[j]);
       outer = std::max(outer, rest.outer_slice[j]);
-      if (rest.inner_force[j] > kLoadedShare * at.load) ++loaded;
+      if (rest.inner_force[j] > kLoadedShare * at.largest_load) ++loaded;
     }
   }
   at.roller_load = heaviest;
@@ -184,7 +211,7 @@ const std::vector<OperatingRow>& operating_rows() {
       {"static_rating_kN", "kN", "basic static load rating C0: bearing.static_rating_kN, else by ISO 76", [](At p) { return 1e-3 * p.static_rating; }},
       {"equivalent_load_N", "N", "equivalent load P: radial load, rotating load and unbalance where they add up", [](At p) { return p.load; }},
       {"rating_ratio", "-", "C/P", [](At p) { return p.dynamic_rating / p.load; }},
-      {"static_safety", "-", "C0/P0", [](At p) { return p.static_rating / p.load; }},
+      {"static_safety", "-", "C0/P0", [](At p) { return p.static_rating / p.largest_load; }},
       {"life_L10_Mrev", "1e6 rev", "basic rating life L10 of ISO 281, in millions of revolutions: reached by 90 % of bearings", [](At p) { return 1e-6 * p.life; }},
       {"life_L10_h", "h", "the same life at the speed of one ring against the other", [](At p) { return p.life_time / 3600; }},
       {"least_load_skf_N", "N", "least load by SKF's rule; where bearing.least_load_factor and bearing.reference_speed_rpm are given", [](At p) { return p.least_load_skf; }},
@@ -234,11 +261,15 @@ std::vector<std::string> operating_warnings(const Scene& scene) {
   const auto force = [](double newtons) {
     return newtons >= 1e4 ? rounded(1e-3 * newtons, "kN") : rounded(newtons, "N");
   };
-  const bool turns = make_duty(scene.operation).load_turns();
-  const std::string load =
-      (turns ? "the radial load in all, " : "load.radial_N = ") + force(at.load);
-  if (at.load > at.static_rating)
-    warnings.push_back(load + " is above the static load rating C0 = " + force(at.static_rating) +
+  const bool turns = make_duty(scene.operation).load_turns(),
+             over_time = changes_over_time(scene.operation);
+  const std::string load = (over_time ? "the load of equal damage, "
+                            : turns   ? "the radial load in all, "
+                                      : "load.radial_N = ") +
+                           force(at.load);
+  if (at.largest_load > at.static_rating)
+    warnings.push_back((over_time ? "the largest load, " + force(at.largest_load) : load) +
+                       " is above the static load rating C0 = " + force(at.static_rating) +
                        ": races and rollers yield (ISO 76)");
   if (at.load > at.dynamic_rating)
     warnings.push_back(load + " is above the dynamic load rating C = " + force(at.dynamic_rating) +
@@ -247,8 +278,9 @@ std::vector<std::string> operating_warnings(const Scene& scene) {
     warnings.push_back(load + " is above half the dynamic load rating C = " +
                        force(at.dynamic_rating) + ": rating life does not hold there (ISO 281)");
   const std::string speed =
-      (scene.operation.outer_speed != 0 ? "the speed of one ring against the other, "
-                                        : "speed.inner_rpm = ") +
+      (over_time                          ? "the largest speed of one ring against the other, "
+       : scene.operation.outer_speed != 0 ? "the speed of one ring against the other, "
+                                          : "speed.inner_rpm = ") +
       std::to_string(std::lround(at.speed / kRpm));
   if (at.speed > at.limiting_speed)
     warnings.push_back(speed + " is above bearing.limiting_speed_rpm = " +

@@ -27,8 +27,10 @@ struct Clearances {
 
 /// NaN: not known, or not defined for the scene.
 struct OperatingPoint {
-  double dynamic_rating, static_rating;          ///< C, C_0: given or by the standards [N]
-  double load;                                   ///< P = P_0 [N]
+  double dynamic_rating, static_rating;  ///< C, C_0: given or by the standards [N]
+  /// P; under a duty over time the one of equal damage, by ISO 281 with exponent 10/3 [N].
+  double load;
+  double largest_load;                           ///< P_0 [N]
   double life;                                   ///< L_10 [revolutions]
   double life_time;                              ///< at the speed of the inner ring [s]
   double least_load_skf, least_load_schaeffler;  ///< [N]
@@ -40,7 +42,7 @@ struct OperatingPoint {
   double lambda;         ///< film over composite roughness of the races
 
   double pitch_diameter;      ///< d_m [m]
-  double speed;               ///< magnitude, of the inner ring [rad/s]
+  double speed;               ///< of one ring against the other, under a duty the largest [rad/s]
   double limiting_speed;      ///< [rad/s]
   double cage_speed;          ///< w_c [rad/s]
   double roller_speed;        ///< w_r, relative to the cage [rad/s]

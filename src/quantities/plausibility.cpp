@@ -150,7 +150,7 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"orbit_slip_ratio", turning, orbit_slip, kOrbitSlipReason, kTighten},
       {"orbit_slip_ratio_loaded", never, orbit_slip, kOrbitSlipReason, kTighten},
       {"roller_slip_ratio_loaded", never, roller_slip, kSlipReason, kTighten},
-      {"roller_slip_ratio_all", moving, roller_slip, kSlipReason, kTighten},
+      {"roller_slip_ratio_all", [](Reach r) { return moving(r) && !r.over_time; }, roller_slip, kSlipReason, kTighten},
       {"race_sliding_speed_rms", never, [](Reach r) { return magnitude(r.speed); }, kSlidingReason, kTighten},
       {"race_sliding_speed_peak", never, [](Reach r) { return magnitude(r.speed); }, kSlidingReason, kTighten},
       {"whirl_radius_ratio_mean", moving, whirl, kWhirlReason, kGuide},

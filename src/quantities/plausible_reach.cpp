@@ -112,6 +112,8 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   const RingSpeeds first = ring_speeds_at(m.duty, run.begin), &last = m.duty.speed;
   slowest = slowest_of(kinematic_cage_speed(m, first), kinematic_cage_speed(m, last));
   apart = slowest_of(first.inner - first.outer, last.inner - last.outer);
+  over_time = m.duty.over_time();
+  if (over_time) slowest = apart = 0;
   turns = slowest > 0;
   const double gravity = std::abs(m.gravity),
                surface = rings.inner * m.inner_radius + rings.outer * m.outer_radius;

@@ -26,6 +26,7 @@ struct PlausibleReach {
   bool flexible, planar, tilts, quasi_static;
   bool peaks_in_part;
   bool turns;       ///< rolling turns the cage throughout the window
+  bool over_time;   ///< under a duty that may stand or reverse: then this is not known
   int rollers;      ///< Z
   double duration;  ///< of the window [s]
   double revolutions, steps;

@@ -14,7 +14,8 @@ bool moves(const Scene& s) {
   return !is_quasi_static(s);
 }
 bool turns(const Scene& s) {
-  return moves(s) && (s.operation.inner_speed != 0 || s.operation.outer_speed != 0);
+  return moves(s) &&
+         (largest_inner_speed(s.operation) != 0 || largest_outer_speed(s.operation) != 0);
 }
 bool extrapolates(const Scene& s) {
   return moves(s) && !std::isnan(s.window.extrapolate_revolutions) &&

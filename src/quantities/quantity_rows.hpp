@@ -15,7 +15,7 @@ namespace cagetol {
 inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"cage_slip_ratio", "-",
      "1 - w_c/(w_i R_i/(R_i + R_o)), w_c the mean cage speed, R the actual race radii; none at "
-     "standstill"},
+     "standstill; under a duty over time of means along the turning of rolling"},
     {"orbit_slip_ratio", "-",
      "the same with the mean orbital rate of all rollers in place of w_c, over the whole turns of "
      "the cage in the window"},
@@ -133,7 +133,10 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"power_film_W", "W",
      "of it, what steady films and the bodies' elasticity in series with them take: of either "
      "sign, because a film's force follows the speed of its surfaces"},
-    {"friction_torque_Nmm", "N mm", "mean torque that drives the inner ring"},
+    {"friction_torque_Nmm", "N mm",
+     "mean torque that drives the inner ring; under a duty over time the mean power of the drive "
+     "over the mean speed of one ring against the other: negative where parts that slow down "
+     "drive the ring"},
     {"cage_stress_peak_MPa", "MPa",
      "largest von Mises stress of a flexible cage over its stress stations and every accepted "
      "step; modes and the static rest of bar forces and turning. Bars and the fillets of pocket "

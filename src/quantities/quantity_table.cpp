@@ -9,7 +9,8 @@ const std::vector<Quantity>& quantity_table() {
   return table;
 }
 
-bool is_extreme(const std::string& key) {
+bool is_extreme(const std::string& name) {
+  const std::string key = name.substr(0, name.find('@'));
   for (const char* part : {"_peak", "_p95", "_p99", "_min_", "_fatigue_", "_utilisation"})
     if (key.find(part) != std::string::npos) return true;
   return false;

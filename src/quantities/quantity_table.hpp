@@ -15,8 +15,8 @@ struct Quantity {
 const std::vector<Quantity>& quantity_table();
 
 /// Whether a quantity is a peak, a minimum or a quantile, by its name: it depends on the time that
-/// it is taken over (window.peak_revolutions).
-bool is_extreme(const std::string& key);
+/// it is taken over (window.peak_revolutions). The name may have a label (quantity_labels.hpp).
+bool is_extreme(const std::string& name);
 
 /// Position of `key` in quantity_table(), or -1.
 int quantity_index(const std::string& key);

@@ -247,24 +247,27 @@ void check_flanges(const Scene& scene, const SceneCheck& check) {
                       ")",
                   "give a smaller corner radius, or higher flanges");
   }
-  const double load = scene.operation.axial_load;
-  if (load == 0) return;
-  check.require(!is_quasi_static(scene) && !has_planar_rollers(scene), "load.axial_N",
+  const AxialLoads loads = axial_loads(scene.operation);
+  if (loads.least == 0 && loads.greatest == 0) return;
+  const char* key = scene.operation.table.axial_load.empty() ? "load.axial_N" : "duty.axial_N";
+  check.require(!is_quasi_static(scene) && !has_planar_rollers(scene), key,
                 "rollers carry an axial load by their ends, which " +
                     check.with_value(is_quasi_static(scene) ? "model.motion" : "model.rollers") +
                     " leaves out",
                 "set model.motion = \"dynamic\" and model.rollers = \"spatial\", or leave the load "
                 "out");
-  check.require(
-      has_flange(b.inner_flanges, load < 0) && has_flange(b.outer_flanges, load > 0),
-      "load.axial_N",
-      std::string("it needs a flange of the inner ring on the ") +
-          (load > 0 ? "left and one of the outer ring on the right ("
-                    : "right and one of the outer ring on the left (") +
-          check.with_value("bearing.inner_flanges") + ", " +
-          check.with_value("bearing.outer_flanges") + ")",
-      "turn the load round or give the rings these flanges: an NJ has both outside and one "
-      "inside, an NUP both and both");
+  for (const double load : {loads.least, loads.greatest})
+    check.require(
+        load == 0 ||
+            (has_flange(b.inner_flanges, load < 0) && has_flange(b.outer_flanges, load > 0)),
+        key,
+        std::string("it needs a flange of the inner ring on the ") +
+            (load > 0 ? "left and one of the outer ring on the right ("
+                      : "right and one of the outer ring on the left (") +
+            check.with_value("bearing.inner_flanges") + ", " +
+            check.with_value("bearing.outer_flanges") + ")",
+        "turn the load round or give the rings these flanges: an NJ has both outside and one "
+        "inside, an NUP both and both");
 }
 
 void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
@@ -328,7 +331,7 @@ void check_line_races(const Scene& scene, const SceneCheck& check) {
   const auto& b = scene.bearing;
   const double radius = each(scene.roller.diameter, 0) / 2;
   const auto softness = [](const Material& m) { return (1 - m.poisson * m.poisson) / m.young; };
-  const double load = 5 * std::abs(scene.operation.radial_load) /
+  const double load = 5 * largest_radial_load(scene.operation) /
                       (static_cast<double>(b.roller_count) * scene.roller.length);
   const auto require = [&](double thickness, double curvature, const char* ring, const char* key) {
     const double width =
@@ -432,11 +435,13 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
   const auto& rings = scene.operation;
   const double rolling = rings.inner_speed * scene.bearing.inner_raceway_diameter +
                          rings.outer_speed * scene.bearing.outer_raceway_diameter;
-  check.require(rolling != 0 || !std::isnan(scene.window.measure_time), "speed.inner_rpm",
+  check.require(rolling != 0 || !std::isnan(scene.window.measure_time) || changes_over_time(rings),
+                "speed.inner_rpm",
                 "rolling does not turn the cage, so it makes no revolutions to measure over (" +
                     check.with_value("speed.outer_rpm") + ")",
                 "give window.settle_time_s and window.measure_time_s");
   check_window(scene, check);
+  check_duty(scene, check);
 }
 
 }  // namespace cagetol

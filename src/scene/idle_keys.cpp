@@ -47,7 +47,7 @@ bool outer_fit_presses(const Scene& s) {
 }
 
 bool outer_grows_by_rotation(const Scene& s) {
-  return grows_by_rotation(s) && s.operation.outer_speed != 0;
+  return grows_by_rotation(s) && largest_outer_speed(s.operation) != 0;
 }
 
 bool strengths_given(const CageGeometry& cage) {
@@ -87,7 +87,8 @@ const std::vector<Rule>& rules() {
        [](const Scene&) { return true; },
        kCatalogue},
       // What equilibria leave out.
-      {{"cage.mass_kg",
+      {{"cage.unbalance*",
+        "cage.mass_kg",
         "cage.polar_inertia_kg_mm2",
         "cage.transverse_inertia_kg_mm2",
         "cage.young_GPa",
@@ -260,7 +261,9 @@ const std::vector<Rule>& rules() {
        },
        "no pressure between outer ring and housing, or all properties given"},
       {{"fit.shaft_density_kg_m3"},
-       [](const Scene& s) { return !grows_by_rotation(s) || s.operation.inner_speed == 0; },
+       [](const Scene& s) {
+         return !grows_by_rotation(s) || largest_inner_speed(s.operation) == 0;
+       },
        "no centrifugal growth of the shaft"},
       {{"fit.housing_density_kg_m3"},
        [](const Scene& s) {
@@ -269,7 +272,9 @@ const std::vector<Rule>& rules() {
        },
        "no centrifugal growth of the housing"},
       {{"speed.centrifugal_growth"},
-       [](const Scene& s) { return s.operation.inner_speed == 0 && s.operation.outer_speed == 0; },
+       [](const Scene& s) {
+         return largest_inner_speed(s.operation) == 0 && largest_outer_speed(s.operation) == 0;
+       },
        "no ring turns"},
       // The cage.
       {{"cage.modes", "cage.bar_modes", "cage.mode_damping", "cage.mesh_density",
@@ -277,6 +282,9 @@ const std::vector<Rule>& rules() {
         "cage.tensile_strength_MPa", "cage.fatigue_strength_MPa"},
        [](const Scene& s) { return !is_flexible(s); },
        "cage.model = \"rigid\""},
+      {{"cage.unbalance_phase_deg"},
+       [](const Scene& s) { return s.cage.unbalance == 0; },
+       "cage.unbalance_g_mm = 0"},
       {{"cage.guide_film_*"},
        [](const Scene& s) { return s.cage.guide_film.model == GuideFilmModel::none; },
        "cage.guide_film = \"none\""},
@@ -362,8 +370,45 @@ const std::vector<Rule>& rules() {
        },
        "no speed to ramp from is given (speed.ramp_from_rpm, speed.outer_ramp_from_rpm)"},
       {{"load.direction_deg"},
-       [](const Scene& s) { return s.operation.radial_load == 0; },
+       [](const Scene& s) {
+         return largest_radial_load(s.operation) == 0 && s.operation.table.direction.empty();
+       },
        "load.radial_N = 0"},
+      {{"duty.direction_deg"},
+       [](const Scene& s) { return largest_radial_load(s.operation) == 0; },
+       "no radial load"},
+      {{"load.radial_N"},
+       [](const Scene& s) { return !s.operation.table.radial_load.empty(); },
+       "duty.radial_N is given"},
+      {{"load.direction_deg"},
+       [](const Scene& s) { return !s.operation.table.direction.empty(); },
+       "duty.direction_deg is given"},
+      {{"load.axial_N"},
+       [](const Scene& s) { return !s.operation.table.axial_load.empty(); },
+       "duty.axial_N is given"},
+      {{"load.tilting_moment_y_N_m"},
+       [](const Scene& s) { return !s.operation.table.moment_y.empty(); },
+       "duty.moment_y_N_m is given"},
+      {{"load.tilting_moment_z_N_m"},
+       [](const Scene& s) { return !s.operation.table.moment_z.empty(); },
+       "duty.moment_z_N_m is given"},
+      {{"speed.inner_rpm"},
+       [](const Scene& s) { return !s.operation.table.inner_speed.empty(); },
+       "duty.inner_rpm is given"},
+      {{"speed.outer_rpm"},
+       [](const Scene& s) { return !s.operation.table.outer_speed.empty(); },
+       "duty.outer_rpm is given"},
+      {{"duty.repeat_s"},
+       [](const Scene& s) { return s.operation.table.empty(); },
+       "no duty to repeat"},
+      {{"speed.oscillation_Hz"},
+       [](const Scene& s) { return s.operation.swing_amplitude == 0; },
+       "speed.oscillation_amplitude_deg = 0"},
+      {{"window.settle_revolutions", "window.measure", "window.measure_revolutions",
+        "window.measure_share", "window.peak_revolutions", "window.extrapolate_revolutions",
+        "window.longest_settle_revolutions", "watch.cage_drift_max", "watch.power_surplus_max"},
+       [](const Scene& s) { return changes_over_time(s.operation); },
+       "a duty over time has its window in seconds or from its phases"},
       {{"load.rotating_rpm"},
        [](const Scene& s) { return s.operation.rotating_load == 0; },
        "load.rotating_N = 0"},

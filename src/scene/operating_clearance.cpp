@@ -16,7 +16,7 @@ struct GrowingSpeeds {
 };
 GrowingSpeeds growing_speeds(const Scene& scene) {
   if (!scene.operation.centrifugal_growth) return {};
-  return {scene.operation.inner_speed, scene.operation.outer_speed};
+  return {largest_inner_speed(scene.operation), largest_outer_speed(scene.operation)};
 }
 
 double mean_of(const std::vector<double>& values) {

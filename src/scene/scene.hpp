@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "src/input/number_list.hpp"
 #include "src/scene/choices.hpp"
 
 namespace cagetol {
@@ -134,6 +135,9 @@ struct CageGeometry {
   double mass = kAuto;                                        ///< [kg]
   double polar_inertia = kAuto;                               ///< about the bearing axis [kg m^2]
   double transverse_inertia = kAuto;                          ///< about a diameter [kg m^2]
+  /// Mass times eccentricity of its mass centre, beside that of the pockets' deviations [kg m].
+  double unbalance = 0;
+  double unbalance_phase = 0;  ///< direction, from the middle of pocket 0 about +x [rad]
   Guidance guidance = Guidance::outer;
   double guide_clearance = kAuto;  ///< radial [m]
   double land_offset = kAuto;      ///< lands at x = +-land_offset [m]
@@ -222,6 +226,25 @@ struct Lubrication {
   double land_film_least = 1e-6;   ///< smallest film: below it the lands touch [m]
 };
 
+/// What a duty imposes, at instants in time and on straight lines between them; after the last one
+/// it stays. A column without values keeps the constant of Operation.
+struct DutyTable {
+  std::string file;  ///< CSV that holds the columns; read_scene() fills them and empties this
+  NumberList time;   ///< [s]
+  NumberList inner_speed, outer_speed;        ///< [rad/s]
+  NumberList radial_load, direction;          ///< [N], [rad]
+  NumberList axial_load, moment_y, moment_z;  ///< [N], [N m]
+  double repeat = kAuto;                      ///< period of a duty that repeats itself [s]
+
+  bool empty() const { return time.empty(); }
+};
+
+/// Named parts of a run, with quantities of their own.
+struct Phases {
+  std::vector<std::string> name;
+  NumberList from, to;  ///< [s]
+};
+
 struct Operation {
   double radial_load = 1000;      ///< on the inner ring [N]
   double axial_load = 0;          ///< on the inner ring, along +x [N]
@@ -235,9 +258,12 @@ struct Operation {
   double load_ramp = 0;           ///< rise time of load and moment from zero, by STEP [s]
   double inner_speed = 6000 * 0.10471975511965977;  ///< about +x [rad/s]
   double outer_speed = 0;                           ///< of the outer ring, likewise [rad/s]
-  double speed_ramp_from = kAuto;   ///< inner_speed at t = 0; kAuto: no ramp [rad/s]
-  double outer_ramp_from = kAuto;   ///< likewise of outer_speed [rad/s]
-  double speed_ramp = 0;            ///< duration of the ramps, by STEP [s]
+  double speed_ramp_from = kAuto;  ///< inner_speed at t = 0; kAuto: no ramp [rad/s]
+  double outer_ramp_from = kAuto;  ///< likewise of outer_speed [rad/s]
+  double speed_ramp = 0;           ///< duration of the ramps, by STEP [s]
+  double swing_amplitude = 0;      ///< of an oscillation of the inner ring, from its middle [rad]
+  double swing_frequency = 0;      ///< [Hz]
+  DutyTable table = {};
   double gravity = 9.81;            ///< [m/s^2]
   double shaft_inclination = 0;     ///< of +x above the horizontal; gravity is along -z at 0 [rad]
   bool centrifugal_growth = false;  ///< of rings, shaft, housing, rollers and cage at their speeds
@@ -309,6 +335,7 @@ struct Scene {
   OilFilm film;
   Lubrication lubrication;
   Operation operation;
+  Phases phase;
   Start start;
   Window window;
   Discretisation discretisation;
@@ -331,9 +358,27 @@ inline bool has_planar_rollers(const Scene& scene) {
 inline bool has_free_ring_tilt(const Scene& scene) {
   return scene.model.ring_tilt == TiltModel::free && !has_planar_rollers(scene);
 }
+/// Whether speed or load follow a table or an oscillation, so that no cage revolution stands for
+/// another.
+inline bool changes_over_time(const Operation& operation) {
+  return !operation.table.empty() || operation.swing_amplitude > 0;
+}
+/// Ends of the values that an axial load takes, zero among them [N].
+struct AxialLoads {
+  double least = 0, greatest = 0;
+};
+AxialLoads axial_loads(const Operation& operation);
+/// The axial load at the start, or else the first one that is not zero [N].
+double first_axial_load(const Operation& operation);
+/// Largest magnitudes of radial load and speeds over time [N], [rad/s].
+double largest_radial_load(const Operation& operation);
+double largest_inner_speed(const Operation& operation);
+double largest_outer_speed(const Operation& operation);
+
 /// An axial load moves the inner ring until flanges carry it; without one it keeps its place.
 inline bool has_free_axial_place(const Scene& scene) {
-  return scene.operation.axial_load != 0 && !has_planar_rollers(scene);
+  const AxialLoads loads = axial_loads(scene.operation);
+  return (loads.least != 0 || loads.greatest != 0) && !has_planar_rollers(scene);
 }
 inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == CageKind::flexible;

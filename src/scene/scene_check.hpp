@@ -28,7 +28,9 @@ class SceneCheck {
 
  private:
   std::string value(const std::string& key) const {
-    return key_text(*find_key(scene_keys(), key), scene_);
+    constexpr std::size_t longest = 60;
+    const std::string text = key_text(*find_key(scene_keys(), key), scene_);
+    return text.size() > longest ? text.substr(0, longest - 3) + "..." : text;
   }
 
   const Scene& scene_;
@@ -43,6 +45,9 @@ inline std::string in_mm(double length) {
 inline std::string in_um(double length) {
   return number_text(std::round(1e7 * length) / 10) + " um";
 }
+
+/// Tables over time, oscillation and phases.
+void check_duty(const Scene& scene, const SceneCheck& check);
 
 /// Shafts, housings and temperatures, and whether the bearing turns in operation.
 void check_operation(const Scene& scene, const SceneCheck& check);

@@ -5,6 +5,7 @@
 
 #include "src/lubrication/lubricant.hpp"
 #include "src/scene/assumptions.hpp"
+#include "src/scene/duty_file.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/oil_keys.hpp"
 
@@ -99,6 +100,8 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.mass_kg", or_auto(above(0)), AT(cage.mass), "mass of the cage; auto: from geometry and density"},
       {"cage.polar_inertia_kg_mm2", or_auto(above(0)), AT(cage.polar_inertia), "moment of inertia about the bearing axis; auto: from geometry and density"},
       {"cage.transverse_inertia_kg_mm2", or_auto(above(0)), AT(cage.transverse_inertia), "moment of inertia about a diameter; auto: from geometry and density"},
+      {"cage.unbalance_g_mm", at_least(0), AT(cage.unbalance), "unbalance of the cage, mass times eccentricity of its mass centre, beside that of deviating pockets"},
+      {"cage.unbalance_phase_deg", within(-360, 360), AT(cage.unbalance_phase), "its direction, from the middle of pocket 0, positive turned about +x"},
       {"cage.guidance", any_value(), AT(cage.guidance), "what guides the cage: outer-ring shoulders or inner ring; rollers hold no cage by flat pocket faces, and are refused unless model.motion = \"quasi-static\""},
       {"cage.guide_clearance_mm", or_auto(above(0)), AT(cage.guide_clearance), "radial guide clearance; auto: from the diameters"},
       {"cage.land_offset_mm", or_auto(above(0)), AT(cage.land_offset), "guide lands at x = +- this; auto: middle of the side rings"},
@@ -235,6 +238,21 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"speed.outer_ramp_from_rpm", or_auto(within(-1e6, 1e6)), AT(operation.outer_ramp_from), "likewise of the outer ring"},
       {"speed.ramp_ms", at_least(0), AT(operation.speed_ramp), "duration of the speed ramps"},
       {"speed.centrifugal_growth", any_value(), AT(operation.centrifugal_growth), "rings with shaft and housing, rollers and cage grow by rotation; false: the dimensions are those at speed"},
+      {"speed.oscillation_amplitude_deg", within(0, 36000), AT(operation.swing_amplitude), "amplitude, from the middle, of an oscillation of the inner ring that is added to its speed; the ring starts from rest at one end; 0: none"},
+      {"speed.oscillation_Hz", within(0, 1e5), AT(operation.swing_frequency), "frequency of that oscillation"},
+      {"duty.file", any_value(), AT(operation.table.file), "CSV file of a duty over time, its path relative to this file: the header names columns as the keys below with their units (time_s, inner_rpm, radial_kN ...), one line for each instant; resolved scenes hold its values in these keys"},
+      {"duty.time_s", at_least(0), AT(operation.table.time), "instants of a duty over time, increasing; values between them lie on straight lines, the first and the last one hold before and after"},
+      {"duty.inner_rpm", within(-1e6, 1e6), AT(operation.table.inner_speed), "speed of the inner ring at these instants; left out: speed.inner_rpm"},
+      {"duty.outer_rpm", within(-1e6, 1e6), AT(operation.table.outer_speed), "likewise of the outer ring; left out: speed.outer_rpm"},
+      {"duty.radial_N", at_least(0), AT(operation.table.radial_load), "likewise the radial load; left out: load.radial_N"},
+      {"duty.direction_deg", within(-36000, 36000), AT(operation.table.direction), "likewise its direction; left out: load.direction_deg"},
+      {"duty.axial_N", any_value(), AT(operation.table.axial_load), "likewise the axial load; left out: load.axial_N"},
+      {"duty.moment_y_N_m", any_value(), AT(operation.table.moment_y), "likewise the moment towards +y; left out: load.tilting_moment_y_N_m"},
+      {"duty.moment_z_N_m", any_value(), AT(operation.table.moment_z), "likewise the moment towards +z; left out: load.tilting_moment_z_N_m"},
+      {"duty.repeat_s", or_auto(above(0)), AT(operation.table.repeat), "period after which the duty begins anew; a straight line leads from the last instant to the first one; auto: the last values hold"},
+      {"phase.name", any_value(), AT(phase.name), "names of parts of a run under a duty over time, with quantities of their own (orbit_slip_ratio@NAME); or as tables [[phase]] with name, from_s, to_s"},
+      {"phase.from_s", at_least(0), AT(phase.from), "where each of them begins"},
+      {"phase.to_s", above(0), AT(phase.to), "where each of them ends"},
       {"environment.gravity_m_s2", within(-1e4, 1e4), AT(operation.gravity), "gravity, along -z where the shaft is horizontal"},
       {"environment.shaft_inclination_deg", within(-90, 90), AT(operation.shaft_inclination), "angle of the bearing's axis (+x) above the horizontal; 90: a vertical shaft, gravity along -x"},
       {"start.state", any_value(), AT(start.state), "steady: of a lubricated bearing, the speeds of cage and rollers and the sides of pockets at which the torques on the cage balance over a turn, where they do; equilibrium: loaded static equilibrium, rolling without slip; centred: ring and cage centred, rollers at mid-clearance; auto: steady where lubrication.model = \"film\", else equilibrium"},
@@ -249,8 +267,8 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"window.peak_revolutions", or_auto(above(0)), AT(window.peak_revolutions), "cage revolutions from the beginning of the window over which peaks, minima and quantiles are taken; auto: the whole window, not with window.measure = \"auto\", where it must be the same for all samples"},
       {"window.extrapolate_revolutions", or_auto(above(0)), AT(window.extrapolate_revolutions), "cage revolutions to which peaks are extrapolated from the largest values of single revolutions (*_peak_extrapolated_*), which takes at least 5 revolutions; auto: not"},
       {"window.longest_settle_revolutions", at_least(0), AT(window.longest_settle_revolutions), "cage revolutions to which settling is extended, by the length of the window at a time, while a lubricated bearing drifts; after that the run has failed"},
-      {"window.settle_time_s", or_auto(at_least(0)), AT(window.settle_time), "time before measuring; auto: settle_revolutions"},
-      {"window.measure_time_s", or_auto(above(0)), AT(window.measure_time), "time measured; auto: measure_revolutions"},
+      {"window.settle_time_s", or_auto(at_least(0)), AT(window.settle_time), "time before measuring; auto: settle_revolutions; under a duty over time, until its first phase begins, else for one period of one that repeats, else 0"},
+      {"window.measure_time_s", or_auto(above(0)), AT(window.measure_time), "time measured; auto: measure_revolutions; under a duty over time, until its last phase ends, else one period of one that repeats, else until its last instant"},
       {"window.history_interval_us", above(0), AT(history_interval), "interval of time histories, where they are asked for"},
       {"discretisation.race_slices", within(1, 100), AT(discretisation.race_slices), "slices of a roller-race contact along the roller"},
       {"discretisation.bar_stations", within(1, 100), AT(discretisation.bar_stations), "axial stations of a roller-bar contact"},
@@ -361,6 +379,10 @@ Scene read_scene(const toml::table& root, const std::string& file) {
       scene.assumptions = read_assumptions(*leaf.node, file);
       return;
     }
+    if (leaf.name == "phase" && leaf.node->is_array()) {
+      read_phases(*leaf.node, file, scene.phase);
+      return;
+    }
     const auto* key = find_key(keys, leaf.name);
     if (!key) {
       const bool empty_section =
@@ -380,6 +402,8 @@ Scene read_scene(const toml::table& root, const std::string& file) {
   for (const auto& leaf : leaves)
     if (leaf.name == "bearing.roller_count") read(leaf);
   for (const auto& leaf : leaves) read(leaf);
+  if (!scene.operation.table.file.empty())
+    read_duty_file(*find_node(root, "duty.file"), file, scene.operation.table);
   refuse_missing(given, scene, file);
   refuse_replaced_keys(scene, root, file);
   check_scene(scene, file, &root);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "src/input/key_table.hpp"
@@ -26,6 +27,9 @@ Scene read_scene(const toml::table& root, const std::string& file);
 /// True if a table of a scene is a distribution: it has at least one of the entries `law`, `lot`,
 /// `pocket`, `noise` and `nominal`.
 bool is_distribution(const toml::table& table);
+
+/// Whether a text may name a phase or an operating point: letters, digits, _ and -, 40 at most.
+bool is_label(std::string_view text);
 
 /// Checks the scene as a whole: the nominal roller fits the nominal pocket, the cage fits between
 /// the rings, the pockets fit the pitch. Throws InputError with `file`, the conflicting keys and

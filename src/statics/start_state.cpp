@@ -100,7 +100,7 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   }
   if (l.ring_axial > 0) {
     // An axial load closes the gaps: rollers at the outer flange, the inner one at the rollers.
-    const double way = m.duty.fixed.axial > 0 ? 1 : -1;
+    const double way = m.first_axial_load > 0 ? 1 : -1;
     double outer = 0, inner = 0;
     for (const Flange& flange : m.flanges) (flange.inner ? inner : outer) = flange.clearance;
     for (int j = 0; j < l.rollers; ++j) at(l.position(kAxial, j)) = way * outer;

@@ -13,7 +13,7 @@ declare -A sources=(
   [scene]="src/input/toml_file.cpp src/input/key_table.cpp src/scene/scene_keys.cpp src/scene/check_scene.cpp src/scene/oil_keys.cpp"
   [study]="mc/study.cpp mc/study_inputs.cpp mc/study_layers.cpp mc/study_limits.cpp mc/study_trends.cpp mc/law_reader.cpp"
   [resolved]="mc/study.cpp mc/resolved_study.cpp" [settings]="src/input/toml_file.cpp mc/study_layers.cpp"
-  [csv]="mc/csv_records.cpp mc/csv_heading.cpp mc/measurement_csv.cpp" [journal]="mc/journal.cpp mc/byte_stream.hpp"
+  [csv]="src/input/csv_records.cpp src/input/csv_heading.cpp mc/measurement_csv.cpp" [journal]="mc/journal.cpp mc/byte_stream.hpp"
   [study_file]="mc/stored_study.cpp mc/study_file/file_seal.cpp mc/study_file/hdf5_reader.cpp"
   [study_data]="analysis/study/study_data.cpp analysis/study/study_plan.cpp mc/study_file/hdf5_reader.cpp"
   [cage_table]="src/cage/cage_table_bytes.cpp")

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -60,6 +61,27 @@ TEST(ProgramTest, AnyNumberOfRanksGivesTheSameFileAndEverySampleReplaysToTheBit)
 }
 
 /// The run alone decides when its window ends: some samples converge, others measure the most.
+TEST(ProgramTest, OperatingPointsGiveTheSameFileOnAnyNumberOfRanks) {
+  const ScratchDirectory scratch;
+  const auto sweep = [&](const std::string& directory) {
+    auto command = sweep_of(CAGETOL_SOURCE_DIR "/inputs/studies/nu205-duty.toml", directory);
+    std::replace(command.begin(), command.end(), std::string("history.points=25"),
+                 std::string("history.points=0"));
+    return command;
+  };
+  const Ended serial = run(sweep(scratch / "0"));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  EXPECT_THAT(serial.output, HasSubstr("3 operating points, each sample runs at all of them"));
+  ASSERT_EQ(run(with_mpirun(3, sweep(scratch / "3"))).code, 0);
+  EXPECT_THAT(study_file_differences(study_file_of(scratch / "0"), study_file_of(scratch / "3")),
+              IsEmpty());
+  const Ended replay =
+      run({CAGETOL_BINARY_DIR "/cagetol", "replay", scratch / "3", "--sample", "4"});
+  EXPECT_EQ(replay.code, 0) << replay.output;
+  EXPECT_THAT(replay.output, HasSubstr("reproduced to the bit"));
+  EXPECT_THAT(replay.output, HasSubstr("friction_torque_Nmm@idle"));
+}
+
 TEST(ProgramTest, WindowsThatEndByThemselvesGiveTheSameFileOnAnyRankAndReplay) {
   const ScratchDirectory scratch;
   const auto sweep = [&](const std::string& directory) {

@@ -38,13 +38,14 @@ std::vector<double> runge_kutta(const BearingModel& model, std::vector<double> y
     for (std::size_t i = 0; i < n; ++i) at[i] = y[i] + by * k[i];
   };
   for (long s = 0; s < steps; ++s) {
-    evaluate_rates(model, 0, y.data(), k1.data());
+    const double t = static_cast<double>(s) * h;
+    evaluate_rates(model, t, y.data(), k1.data());
     move(k1, h / 2);
-    evaluate_rates(model, 0, at.data(), k2.data());
+    evaluate_rates(model, t + h / 2, at.data(), k2.data());
     move(k2, h / 2);
-    evaluate_rates(model, 0, at.data(), k3.data());
+    evaluate_rates(model, t + h / 2, at.data(), k3.data());
     move(k3, h);
-    evaluate_rates(model, 0, at.data(), k4.data());
+    evaluate_rates(model, t + h, at.data(), k4.data());
     for (std::size_t i = 0; i < n; ++i) y[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
   }
   return y;
@@ -77,6 +78,7 @@ double apart(const System& system, const std::vector<double>& a, const std::vect
 
 struct Order {
   IntegrationMethod method;
+  bool driven;  ///< by speeds and a load on straight lines over time
   double order;
   double coarse;  ///< largest step [s]
 };
@@ -84,7 +86,14 @@ struct Order {
 class ObservedOrder : public testing::TestWithParam<Order> {};
 
 TEST_P(ObservedOrder, IsTheMethodsOwn) {
-  const Scene scene = smooth_scene();
+  Scene scene = smooth_scene();
+  if (GetParam().driven) {
+    const double w = scene.operation.inner_speed;
+    scene.operation.table.time = {{0, 2 * kEnd}};
+    scene.operation.table.inner_speed = {{w, 1.03 * w}};
+    scene.operation.table.radial_load = {{1000, 1400}};
+    scene.operation.table.direction = {{0, 0.1}};
+  }
   const BearingModel model = make_bearing_model(scene);
   const System system(model);
   const std::vector<double> start = smooth_start(model, scene);
@@ -104,9 +113,14 @@ TEST_P(ObservedOrder, IsTheMethodsOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rosenbrock, ObservedOrder,
-                         testing::Values(Order{IntegrationMethod::rodas3, 3, 2e-6},
-                                         Order{IntegrationMethod::rodasp, 4, 8e-6}),
-                         [](const auto& test) { return std::string(spelled(test.param.method)); });
+                         testing::Values(Order{IntegrationMethod::rodas3, false, 3, 2e-6},
+                                         Order{IntegrationMethod::rodasp, false, 4, 8e-6},
+                                         Order{IntegrationMethod::rodas3, true, 3, 2e-6},
+                                         Order{IntegrationMethod::rodasp, true, 4, 8e-6}),
+                         [](const auto& test) {
+                           return std::string(spelled(test.param.method)) +
+                                  (test.param.driven ? "_driven" : "");
+                         });
 
 }  // namespace
 }  // namespace cagetol

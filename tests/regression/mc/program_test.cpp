@@ -323,7 +323,7 @@ TEST(Program, ChecksEveryShippedFile) {
         "scenes/nu205-paper-tight.toml", "scenes/speed-z16.toml", "scenes/speed-z16-skew.toml",
         "studies/nu205.toml", "studies/nu205-centre.toml", "studies/nu205-slip.toml",
         "studies/nu205-displacement.toml", "studies/nu205-fit.toml", "studies/nu205-measured.toml",
-        "studies/nightly.toml"}) {
+        "studies/nightly.toml", "studies/nu205-duty.toml"}) {
     const auto ended = run({"check", shipped(path)});
     EXPECT_EQ(ended.code, 0) << path << ended.output;
     EXPECT_THAT(ended.output, HasSubstr("no mistakes found"));

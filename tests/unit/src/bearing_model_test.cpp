@@ -116,5 +116,16 @@ TEST(FindJam, NamesTheWorstPocketAndItsInterference) {
   EXPECT_EQ(find_jam(exact).pocket, 0);
 }
 
+// 2 g mm on a cage of 20 g: 0.1 mm, towards 30 degrees from pocket 0.
+TEST(BearingModel, AnUnbalanceOfTheCageMovesItsMassCentre) {
+  Scene scene;
+  scene.cage.mass = 20e-3;
+  scene.cage.unbalance = 2e-6;
+  scene.cage.unbalance_phase = std::numbers::pi / 6;
+  const BearingModel m = make_bearing_model(scene);
+  EXPECT_NEAR(m.unbalance_y, 0.1e-3 * std::cos(std::numbers::pi / 6), 1e-12);
+  EXPECT_NEAR(m.unbalance_z, 0.05e-3, 1e-12);
+}
+
 }  // namespace
 }  // namespace cagetol

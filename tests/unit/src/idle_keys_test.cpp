@@ -126,6 +126,14 @@ std::vector<Scene> altered(const Key<Scene>& key, const Scene& from) {
       value = !value;
       break;
     }
+    case KeyKind::list: {
+      auto& list = std::get<std::function<NumberList&(Scene&)>>(key.place)(scene);
+      if (list.empty()) return {};  // tables are given as a whole
+      for (double& value : list.values) value = value == 0 ? key.to_si : 1.3 * value;
+      break;
+    }
+    case KeyKind::names:
+      return {};
     case KeyKind::choice:
     case KeyKind::text: {
       std::vector<Scene> all;
@@ -151,7 +159,8 @@ bool elsewhere(const Scene& scene, const std::string& key) {
     return true;
   static const std::set<std::string> names = {
       "name",       "integration.step_budget", "integration.wall_budget_s",
-      "cage.model", "cage.allow_interference", "window.history_interval_us"};
+      "cage.model", "cage.allow_interference", "window.history_interval_us",
+      "duty.file"};
   return names.count(key) || key.starts_with("watch.");
 }
 
@@ -214,6 +223,16 @@ INSTANTIATE_TEST_SUITE_P(
                s.operation.load_ramp = 1e-3;
                s.operation.speed_ramp_from = 100;
                s.operation.speed_ramp = 1e-3;
+             }},
+        Case{"under_a_duty",
+             [](Scene& s) {
+               s.operation.table.time = {{0, 100e-6}};
+               s.operation.table.radial_load = {{1000, 3000}};
+               s.operation.table.direction = {{0, 1}};
+               s.operation.table.outer_speed = {{0, -20}};
+               s.operation.table.repeat = 120e-6;
+               s.operation.swing_amplitude = 0.1;
+               s.operation.swing_frequency = 500;
              }},
         Case{"rollers_guide",
              [](Scene& s) {

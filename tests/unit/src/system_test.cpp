@@ -5,7 +5,9 @@
 #include <limits>
 #include <vector>
 
+#include "src/statics/start_state.hpp"
 #include "tests/support/random_bearing.hpp"
+#include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
 namespace {
@@ -52,6 +54,34 @@ TEST(System, TellsOfARateThatIsNotFiniteWhereverItStands) {
       without_mass(*mass);
     if (l.ring_tilt > 0) without_mass(b.model.ring_transverse);
   }
+}
+
+// Under pressure the traction of a thin film turns over within nanometres a second: only a far
+// smaller difference tells how the rates change with the speed of a ring.
+TEST(System, KnowsHowTractionChangesWithTheSpeedOfARing) {
+  Scene scene = shipped_scene("nu208-planet");
+  scene.cage.model = CageKind::rigid;
+  scene.operation.table.time = {{0, 0.02}};
+  scene.operation.table.outer_speed = {{10, 42}};
+  const BearingModel model = make_bearing_model(scene);
+  System system(model);
+  const std::vector<double> start = start_state(model, scene.start);
+  const PackVector y(start.begin(), start.end());
+  const double t = 1e-3, d = 1e-13;
+  ASSERT_TRUE(system.linearise_at(t, y.data()));
+  PackVector by_time(y.size()), before(y.size()), after(y.size());
+  system.rates_by_time(t, y.data(), by_time.data());
+  const double later = t + d, earlier = t - d;
+  ASSERT_TRUE(system.rates(later, y.data(), after.data()));
+  ASSERT_TRUE(system.rates(earlier, y.data(), before.data()));
+  double largest = 0;
+  for (int j = 0; j < model.layout.rollers; ++j) {
+    const auto spin = static_cast<std::size_t>(model.layout.velocity(kSpin, j));
+    const double exact = (after[spin] - before[spin]) / (later - earlier);
+    largest = std::max(largest, std::abs(exact));
+    EXPECT_NEAR(by_time[spin], exact, 0.01 * std::abs(exact) + 1e5) << j;
+  }
+  EXPECT_GT(largest, 1e8);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "mc/csv_heading.hpp"
+#include "src/input/csv_heading.hpp"
 
 #include <algorithm>
 #include <functional>
 
-#include "mc/csv_records.hpp"
+#include "src/input/csv_records.hpp"
 #include "src/input/unit.hpp"
 
 namespace cagetol {

@@ -1,4 +1,4 @@
-#include "mc/csv_records.hpp"
+#include "src/input/csv_records.hpp"
 
 #include <algorithm>
 #include <array>

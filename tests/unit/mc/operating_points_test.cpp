@@ -1,0 +1,176 @@
+// A study with several operating points: what it reads and refuses, and what its samples are.
+#include "mc/operating_points.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "mc/sample_run.hpp"
+#include "mc/stored_study.hpp"
+#include "src/quantities/quantity_labels.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "src/simulate.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shipped_input.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const char* const kScene = R"(name = "points"
+samples = 3
+[scene.model]
+rollers = "planar"
+[scene.window]
+settle_time_s = 2e-4
+measure_time_s = 4e-4
+[scene.cage]
+pocket_width_mm = { nominal = 7.65, lot = { law = "normal", sigma = 0.009 } }
+[scene.start]
+cage_phase_deg = { noise = { law = "uniform", lower = 0, upper = 360 } }
+)";
+
+const char* const kPoints = R"([[operating_point]]
+name = "rated"
+weight = 3
+[[operating_point]]
+name = "idle"
+"load.radial_N" = 200
+speed.inner_rpm = 3000
+)";
+
+class OperatingPoints : public testing::Test {
+ protected:
+  Study study_of(const std::string& text) const {
+    const std::string path = scratch_ / "study.toml";
+    std::ofstream(path) << text << "[scene]\nfile = '" << shipped("scenes/nu205.toml") << "'\n";
+    return read_study(path);
+  }
+  std::string problem_of(const std::string& text) const {
+    try {
+      study_of(kScene + text);
+    } catch (const InputError& problem) {
+      return problem.what();
+    }
+    return "no problem";
+  }
+  const ScratchDirectory scratch_;
+};
+
+std::vector<std::string> limited(const Study& study) {
+  std::vector<std::string> names;
+  for (const Limit& limit : study.limits) names.push_back(limit.quantity);
+  return names;
+}
+
+TEST_F(OperatingPoints, ALimitWithoutLabelIsOneAtEachPoint) {
+  const Study study =
+      study_of(std::string(kScene) + kPoints +
+               "[[limit]]\nquantity = 'cage_slip_ratio'\nmax = 1\nsource = 's'\n"
+               "[[limit]]\nquantity = 'power_loss_W@idle'\nmax = 1\nsource = 's'\n");
+  EXPECT_THAT(limited(study),
+              ElementsAre("cage_slip_ratio@rated", "cage_slip_ratio@idle", "power_loss_W@idle"));
+  EXPECT_THAT(quantity_labels(study), ElementsAre("rated", "idle"));
+  // The resolved study is the same study.
+  const Study again = read_resolved_study(study.resolved_toml, "again");
+  EXPECT_EQ(again.hash, study.hash);
+  EXPECT_EQ(limited(again), limited(study));
+  EXPECT_DOUBLE_EQ(again.points[0].weight, 3);
+  EXPECT_DOUBLE_EQ(at_operating_point(again.scene, again.points[1]).operation.radial_load, 200);
+  EXPECT_DOUBLE_EQ(at_operating_point(again.scene, again.points[0]).operation.radial_load, 1000);
+}
+
+TEST_F(OperatingPoints, ASampleIsTheDrawnBearingAtEachPoint) {
+  const Study study = study_of(std::string(kScene) + kPoints);
+  const Sample sample = draw_sample(study, 1);
+  const Outcome joined = run_sample(study, sample).outcome;
+  ASSERT_EQ(joined.status, Status::ok) << joined.reason;
+  Scene idle = sample.scene;
+  idle.operation.radial_load = 200;
+  idle.operation.inner_speed /= 2;
+  const Outcome rated = simulate(sample.scene, {}), light = simulate(idle, {});
+  const auto& table = quantity_table();
+  ASSERT_EQ(joined.quantities.size(), 3 * table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    EXPECT_TRUE(same(joined.quantities[table.size() + i], rated.quantities[i])) << table[i].key;
+    EXPECT_TRUE(same(joined.quantities[2 * table.size() + i], light.quantities[i])) << table[i].key;
+  }
+  const auto value = [&](const Outcome& of, const std::string& name) {
+    return of.quantities[static_cast<std::size_t>(labelled_index(name, of.labels))];
+  };
+  const double torque = value(rated, "friction_torque_Nmm"),
+               less = value(light, "friction_torque_Nmm");
+  EXPECT_NE(torque, less);
+  EXPECT_NEAR(value(joined, "friction_torque_Nmm"), (3 * torque + less) / 4, 1e-9 * torque);
+  EXPECT_EQ(value(joined, "roller_load_peak_N"), value(rated, "roller_load_peak_N"));
+  EXPECT_EQ(value(joined, "film_min_um"),
+            std::min(value(rated, "film_min_um"), value(light, "film_min_um")));
+  EXPECT_TRUE(std::isnan(value(joined, "cage_slip_ratio")));
+  EXPECT_EQ(joined.run.steps, rated.run.steps + light.run.steps);
+}
+
+TEST_F(OperatingPoints, APointThatFailsFailsItsSampleAndIsNamed) {
+  const Study study = study_of(std::string(kScene) + kPoints +
+                               "[[operating_point]]\nname = 'cut'\nwindow.measure_time_s = 9\n"
+                               "[scene.integration]\nstep_budget = 5000\n");
+  const Outcome joined = run_sample(study, draw_sample(study, 0)).outcome;
+  EXPECT_EQ(joined.status, Status::censored);
+  EXPECT_THAT(joined.reason, HasSubstr("operating point cut: "));
+  EXPECT_EQ(joined.quantities.size(), 4 * quantity_table().size());
+  EXPECT_TRUE(std::isnan(joined.quantities[0]));
+}
+
+TEST_F(OperatingPoints, AreKeptInTheStudyFile) {
+  const SweepPlan plan = make_sweep_plan(study_of(std::string(kScene) + kPoints));
+  OutcomesById outcomes;
+  for (std::uint64_t id = 0; id < plan.samples; ++id)
+    outcomes[id] = make_stored_outcome(id, plan.job(plan.draw(id), [] { return false; }), 0.1, 0);
+  const std::string path = scratch_ / "study.h5";
+  write_study_file(path, plan, outcomes, build_info());
+  const StudyFile file = read_study_file(path);
+  ASSERT_EQ(file.outcomes.size(), outcomes.size());
+  for (const auto& [id, outcome] : outcomes)
+    EXPECT_THAT(outcome_differences(file.outcomes.at(id), outcome), testing::IsEmpty());
+}
+
+TEST_F(OperatingPoints, RefuseWhatIsNoOperationOfTheBearing) {
+  const std::string point = "[[operating_point]]\nname = 'a'\n";
+  EXPECT_THAT(problem_of(point + "cage.width_mm = 13\n"),
+              AllOf(HasSubstr("cage.width_mm = 13"), HasSubstr("nothing that the bearing is")));
+  EXPECT_THAT(problem_of(point + "load.radial_M = 13\n"), HasSubstr("load.radial_N"));
+  EXPECT_THAT(problem_of(point + "start.cage_phase_deg = 13\n"), HasSubstr("varies in the study"));
+  EXPECT_THAT(problem_of(point + "load.radial_N = -1\n"), HasSubstr("at least 0 N"));
+  EXPECT_THAT(
+      problem_of(point + "load.axial_N = 10\n"),
+      AllOf(HasSubstr("study.toml:12: operating_point = a"), HasSubstr("load.axial_N = 10")));
+  EXPECT_THAT(problem_of(point + "weight = 0\n"), HasSubstr("operating_point.weight"));
+  EXPECT_THAT(problem_of("[[operating_point]]\nweight = 1\n"), HasSubstr("has no name"));
+  EXPECT_THAT(problem_of("[[operating_point]]\nname = 'a@b'\n"), HasSubstr("letters, digits"));
+  EXPECT_THAT(problem_of(point + point), HasSubstr("two points are called a"));
+  EXPECT_THAT(problem_of("[operating_point]\nname = 'a'\n"), HasSubstr("[[operating_point]]"));
+  EXPECT_THAT(problem_of(point + "[[limit]]\nquantity = 'power_loss_W@b'\nmax = 1\nsource = 's'\n"),
+              AllOf(HasSubstr("called 'b'"), HasSubstr("choose from a")));
+  EXPECT_THAT(problem_of("[[limit]]\nquantity = 'power_loss_W@b'\nmax = 1\nsource = 's'\n"),
+              HasSubstr("leave out @b"));
+  EXPECT_THAT(problem_of(point + "[history]\npoints = 5\n"), HasSubstr("history.points"));
+}
+
+TEST_F(OperatingPoints, SayWhatTheyCost) {
+  const Study study = study_of(std::string(kScene) + kPoints);
+  EXPECT_THAT(
+      operating_points_text(study),
+      AllOf(HasSubstr("2 operating points"), HasSubstr("6 runs"), HasSubstr("weight 0.75"),
+            HasSubstr("idle, weight 0.25, load.radial_N = 200"), HasSubstr("0.0012 s of motion")));
+  Study plain = study;
+  plain.points.clear();
+  EXPECT_EQ(operating_points_text(plain), "");
+}
+
+}  // namespace
+}  // namespace cagetol
