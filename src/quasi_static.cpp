@@ -64,6 +64,7 @@ Outcome quasi_static_outcome(const Scene& scene) {
   for (long k = 0; k < positions.count; ++k) {
     const std::vector<double> angle = roller_angles(model, positions.angle(k));
     const RingLoad load = load_at(full, positions.time(k));
+    equilibrium.turn_rings(ring_angles_at(full, positions.time(k)));
     const StaticState& rest =
         equilibrium.solve(angle.data(), cage_speed, load, RollerMotion::orbiting);
     ++outcome.run.steps;

@@ -28,6 +28,7 @@ struct BorderState {
   double axis[2], axis_rate[2];  ///< A_y, A_z
   double unbalance[2];           ///< inertial directions [m]
   RingSpeeds speed;
+  RingAngles turned;  ///< where raceways have lobes
 };
 
 /// Generalised forces on the border: inner ring, and the moment on it conjugate to (B_y, B_z); cage

@@ -26,6 +26,9 @@ using Evaluation = void (*)(const BearingModel&, double t, const double* y, doub
 /// Of a lubricated model: its rates alone, or with derivatives and what is seen.
 Evaluation lubricated_rates(const BearingModel& model);
 Evaluation lubricated_linearisation(const BearingModel& model);
+/// The same of a model whose raceways have lobes, dry or lubricated.
+Evaluation lobed_rates(const BearingModel& model);
+Evaluation lobed_linearisation(const BearingModel& model);
 
 namespace {  // each source compiles its own
 
@@ -86,16 +89,27 @@ void finish_inner_race(Pass& pass, const RaceTotals& on, RingTilt& tilt, Shared&
   seen.drive_power += sum(on.drive);
 }
 
-template <bool linear, bool tilting, bool lubricated>
+template <bool linear, bool tilting, bool lubricated, bool lobed>
 void inner_race(Pass& pass, Shared& all) {
   const BearingModel& m = all.model;
   const BorderState& b = all.border;
   const RollerPack& q = pass.q;
   const auto r = [&](const double v[2]) { return along_r(q, splat(v[0]), splat(v[1])); };
   const auto t = [&](const double v[2]) { return along_t(q, splat(v[0]), splat(v[1])); };
-  const RaceSide race{1,         m.inner_radius, b.speed.inner,  m.inner_film,
-                      r(b.ring), t(b.ring),      r(b.ring_rate), t(b.ring_rate),
-                      r(b.tilt), t(b.tilt),      b.ring_axial,   b.ring_axial_rate};
+  const RaceSide race{1,
+                      m.inner_radius,
+                      b.speed.inner,
+                      m.inner_film,
+                      r(b.ring),
+                      t(b.ring),
+                      r(b.ring_rate),
+                      t(b.ring_rate),
+                      r(b.tilt),
+                      t(b.tilt),
+                      b.ring_axial,
+                      b.ring_axial_rate,
+                      &m.forms.inner,
+                      b.turned.inner};
   [[maybe_unused]] RingTilt tilt;
   if constexpr (tilting) {
     tilt.rate_r = r(b.tilt_rate);
@@ -105,11 +119,11 @@ void inner_race(Pass& pass, Shared& all) {
   RaceTotals on;
   RingTilt* const free_tilt = tilting ? &tilt : nullptr;
   if constexpr (lubricated)
-    lubricated_race<linear, true, tilting>(m, m.inner_line, pass.roller, q, race, pass.loads,
-                                           pass.linear, all.seen, on, free_tilt);
+    lubricated_race<linear, true, tilting, lobed>(m, m.inner_line, pass.roller, q, race, pass.loads,
+                                                  pass.linear, all.seen, on, free_tilt);
   else
-    race_contacts<linear, true, tilting>(m, pass.roller, q, race, pass.loads, pass.linear, all.seen,
-                                         on, free_tilt);
+    race_contacts<linear, true, tilting, lobed>(m, pass.roller, q, race, pass.loads, pass.linear,
+                                                all.seen, on, free_tilt);
   const RollerLoads& loads = pass.loads;
   all.loads.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
   all.loads.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
@@ -129,18 +143,19 @@ void inner_race(Pass& pass, Shared& all) {
   }
 }
 
-template <bool linear, bool lubricated>
+template <bool linear, bool lubricated, bool lobed>
 void outer_race(Pass& pass, Shared& all) {
   const BearingModel& m = all.model;
-  const RaceSide race{-1, m.outer_radius, all.border.speed.outer, m.outer_film, {}, {}, {}, {}, {},
-                      {}};
+  const RaceSide race{
+      -1, m.outer_radius, all.border.speed.outer, m.outer_film, {}, {}, {}, {}, {}, {}, 0,
+      0,  &m.forms.outer, all.border.turned.outer};
   RaceTotals on;
   if constexpr (lubricated)
-    lubricated_race<linear, false>(m, m.outer_line, pass.roller, pass.q, race, pass.loads,
-                                   pass.linear, all.seen, on);
+    lubricated_race<linear, false, false, lobed>(m, m.outer_line, pass.roller, pass.q, race,
+                                                 pass.loads, pass.linear, all.seen, on);
   else
-    race_contacts<linear, false>(m, pass.roller, pass.q, race, pass.loads, pass.linear, all.seen,
-                                 on);
+    race_contacts<linear, false, false, lobed>(m, pass.roller, pass.q, race, pass.loads,
+                                               pass.linear, all.seen, on);
   if constexpr (linear) {
     pass.energy_by_vt += on.energy_by_vt;
     pass.energy_by_spin += on.energy_by_spin;
@@ -235,7 +250,8 @@ void finish_border(double t, const double* y, const double* rate, const Shared& 
 }
 
 /// `tilting`: the inner ring's tilt is free. `lubricated`: there is oil by src/lubrication.
-template <bool linear, bool planar, bool tilting, bool lubricated>
+/// `lobed`: raceways are no circles.
+template <bool linear, bool planar, bool tilting, bool lubricated, bool lobed>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
@@ -254,8 +270,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     Pass pass{group, m.groups[static_cast<std::size_t>(group)],
               unpack_rollers<planar>(m.layout, y, group)};
     if constexpr (linear) pass.linear = start_group(pass.q, group, *jac);
-    inner_race<linear, tilting, lubricated>(pass, all);
-    outer_race<linear, lubricated>(pass, all);
+    inner_race<linear, tilting, lubricated, lobed>(pass, all);
+    outer_race<linear, lubricated, lobed>(pass, all);
     if constexpr (!planar)  // who stands still in the middle touches no flange
       flange_contacts<linear>(m, pass.roller, pass.q, b, group, pass.loads, border, jac, seen);
     if (lubricated && m.churning.on)
@@ -273,11 +289,11 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
 }
 
 /// The one that suits a model; a dry bearing pays nothing for what oil would do.
-template <bool linear, bool lubricated>
+template <bool linear, bool lubricated, bool lobed = false>
 Evaluation evaluation_as(const BearingModel& m) {
-  return m.planar                 ? evaluate<linear, true, false, lubricated>
-         : m.layout.ring_tilt > 0 ? evaluate<linear, false, true, lubricated>
-                                  : evaluate<linear, false, false, lubricated>;
+  return m.planar                 ? evaluate<linear, true, false, lubricated, lobed>
+         : m.layout.ring_tilt > 0 ? evaluate<linear, false, true, lubricated, lobed>
+                                  : evaluate<linear, false, false, lubricated, lobed>;
 }
 }  // namespace
 }  // namespace cagetol

@@ -5,15 +5,17 @@
 namespace cagetol {
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
-  const Evaluation with =
-      model.lubricated ? lubricated_rates(model) : evaluation_as<false, false>(model);
+  const Evaluation with = !model.forms.round ? lobed_rates(model)
+                          : model.lubricated ? lubricated_rates(model)
+                                             : evaluation_as<false, false>(model);
   with(model, t, y, rate, nullptr, nullptr);
 }
 
 void linearise(const BearingModel& model, double t, const double* y, double* rate,
                Linearisation& linear, Observation& seen) {
-  const Evaluation with =
-      model.lubricated ? lubricated_linearisation(model) : evaluation_as<true, false>(model);
+  const Evaluation with = !model.forms.round ? lobed_linearisation(model)
+                          : model.lubricated ? lubricated_linearisation(model)
+                                             : evaluation_as<true, false>(model);
   with(model, t, y, rate, &linear, &seen);
 }
 

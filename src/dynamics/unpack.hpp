@@ -69,6 +69,7 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
   b.axis_rate[0] = v[kCageAxisY];
   b.axis_rate[1] = v[kCageAxisZ];
   b.speed = ring_speeds_at(m.duty, t);
+  if (!m.forms.round) b.turned = ring_angles_at(m.duty, t);
   return b;
 }
 

@@ -50,13 +50,24 @@ bool System::linearise_at(double t, const double* y) {
   return all_finite(rate.data(), size);
 }
 
+/// Whether a raceway that is no circle turns.
+static bool lobes_turn(const BearingModel& m) {
+  const auto lobed = [](const auto& form, double speed, double from) {
+    return (speed != 0 || from != 0) &&
+           std::any_of(form.begin(), form.end(), [](const Lobes& l) { return l.amplitude != 0; });
+  };
+  const Duty& d = m.duty;
+  return lobed(m.forms.inner, d.speed.inner, d.speed_from.inner) ||
+         lobed(m.forms.outer, d.speed.outer, d.speed_from.outer);
+}
+
 bool System::driven_by_time(double t) const {
-  return model.duty.load_turns() || t < ramps_end(model.duty);
+  return model.duty.load_turns() || t < ramps_end(model.duty) || lobes_turn(model);
 }
 
 void System::rates_by_time(double t, const double* y, double* out) {
   constexpr double dt = 1e-7;
-  if (t < model.duty.speed_ramp) {
+  if (t < model.duty.speed_ramp || lobes_turn(model)) {
     rates(t + dt, y, out);
     for (int i = 0; i < size; ++i) out[i] = (out[i] - rate[static_cast<std::size_t>(i)]) / dt;
     return;

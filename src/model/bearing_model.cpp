@@ -353,6 +353,7 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   m.outer_film = make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length,
                                slices, m.race);
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
+  m.forms = RacewayForms(b);
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
   set_flanges(b, m);
   if (!m.planar) {

@@ -18,11 +18,11 @@ double ramped_time(double ramp, double t) {
   return ramp * s * s * s * (1 - s / 2) + std::max(0.0, t - ramp);
 }
 
-/// Angle of the inner ring since t = 0 [rad].
-double inner_turned(const Duty& d, double t) {
-  if (!(d.speed_ramp > 0)) return d.speed.inner * t;
-  return d.speed_from.inner * t +
-         (d.speed.inner - d.speed_from.inner) * ramped_time(d.speed_ramp, t);
+/// Angle of a ring since t = 0 [rad].
+double turned(const Duty& d, double RingSpeeds::*ring, double t) {
+  const double from = d.speed_from.*ring, to = d.speed.*ring;
+  if (!(d.speed_ramp > 0)) return to * t;
+  return from * t + (to - from) * ramped_time(d.speed_ramp, t);
 }
 
 void add_force(double force, double angle, RingLoad& load) {
@@ -62,6 +62,10 @@ RingSpeeds ring_speeds_at(const Duty& d, double t) {
           d.speed_from.outer + (d.speed.outer - d.speed_from.outer) * share};
 }
 
+RingAngles ring_angles_at(const Duty& d, double t) {
+  return {turned(d, &RingSpeeds::inner, t), turned(d, &RingSpeeds::outer, t)};
+}
+
 RingLoad load_at(const Duty& d, double t) {
   RingLoad load = d.fixed;
   if (d.load_ramp > 0) {
@@ -70,7 +74,7 @@ RingLoad load_at(const Duty& d, double t) {
             load.axial * share};
   }
   if (!d.load_turns()) return load;
-  const double inner = inner_turned(d, t), speed = ring_speeds_at(d, t).inner;
+  const double inner = turned(d, &RingSpeeds::inner, t), speed = ring_speeds_at(d, t).inner;
   add_force(d.rotating * share_of(d.load_ramp, t),
             d.phase + (d.with_inner ? inner : d.rotating_speed * t), load);
   add_force(d.unbalance * speed * speed, d.phase + inner, load);

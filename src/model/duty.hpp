@@ -20,6 +20,11 @@ struct RingSpeeds {
   double inner = 0, outer = 0;
 };
 
+/// Turned since t = 0, about +x [rad].
+struct RingAngles {
+  double inner = 0, outer = 0;
+};
+
 /// On the inner ring [N], [N m].
 struct RingLoad {
   double y = 0, z = 0, moment_y = 0, moment_z = 0, axial = 0;
@@ -50,6 +55,7 @@ Way way_of(const RingLoad& load);
 Duty make_duty(const Operation& operation);
 
 RingSpeeds ring_speeds_at(const Duty& duty, double t);
+RingAngles ring_angles_at(const Duty& duty, double t);
 RingLoad load_at(const Duty& duty, double t);
 /// Time after which nothing ramps [s].
 double ramps_end(const Duty& duty);

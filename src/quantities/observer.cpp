@@ -309,6 +309,7 @@ void Observer::record_statics(double t, const double* y) {
   const StateLayout& l = model_.layout;
   std::copy(y + l.position(kAngle, 0), y + l.position(kAngle, 0) + l.padded(), angles_.begin());
   if (model_.lubricated) statics_.spin(y + l.velocity(kSpin, 0), ring_speeds_at(model_.duty, t));
+  statics_.turn_rings(ring_angles_at(model_.duty, t));
   const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)],
                                            load_at(model_.duty, t), RollerMotion::orbiting);
   ++static_positions_;

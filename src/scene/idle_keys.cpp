@@ -172,6 +172,18 @@ const std::vector<Rule>& rules() {
       {{"bearing.inner_flange_diameter_mm", "bearing.inner_flange_clearance_mm"},
        [](const Scene& s) { return s.bearing.inner_flanges == FlangeSides::none; },
        "bearing.inner_flanges = \"none\""},
+      {{"lobes.inner_1_count", "lobes.inner_1_phase_deg"},
+       [](const Scene& s) { return s.bearing.inner_lobes[0].amplitude == 0; },
+       "lobes.inner_1_um = 0"},
+      {{"lobes.inner_2_count", "lobes.inner_2_phase_deg"},
+       [](const Scene& s) { return s.bearing.inner_lobes[1].amplitude == 0; },
+       "lobes.inner_2_um = 0"},
+      {{"lobes.outer_1_count", "lobes.outer_1_phase_deg"},
+       [](const Scene& s) { return s.bearing.outer_lobes[0].amplitude == 0; },
+       "lobes.outer_1_um = 0"},
+      {{"lobes.outer_2_count", "lobes.outer_2_phase_deg"},
+       [](const Scene& s) { return s.bearing.outer_lobes[1].amplitude == 0; },
+       "lobes.outer_2_um = 0"},
       // Materials.
       {{"bearing.ring_young_GPa", "bearing.ring_poisson"},
        [](const Scene& s) {

@@ -3,6 +3,7 @@
 // cage. inputs/README.md lists every key.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -45,6 +46,14 @@ struct Simplification {
   TiltModel ring_tilt = TiltModel::prescribed;  ///< of the inner ring
 };
 
+/// Waves around a raceway, one harmonic of its radial form (src/model/raceway_form.hpp).
+struct Lobes {
+  double amplitude = 0;  ///< a_k [m]
+  long count = 2;        ///< k
+  double phase = 0;      ///< phi_k [rad]
+};
+inline constexpr int kLobes = 2;  ///< harmonics of a raceway
+
 struct BearingGeometry {
   long roller_count = 13;                   ///< Z
   double bore_diameter = 25e-3;             ///< [m]
@@ -64,6 +73,8 @@ struct BearingGeometry {
   MaterialChoice ring_material{"bearing-steel"};
   double inner_ring_mass = kAuto;                                                  ///< [kg]
   double inner_ring_polar_inertia = kAuto, inner_ring_transverse_inertia = kAuto;  ///< [kg m^2]
+  std::array<Lobes, kLobes> inner_lobes = {Lobes{0, 2, 0}, Lobes{0, 3, 0}},
+                            outer_lobes = inner_lobes;
   double misalignment_y = 0;  ///< slope of the inner ring's centre line in y [rad]
   double misalignment_z = 0;  ///< slope in z [rad]
   double tilt_stiffness = 0;  ///< of the shaft against the tilt of a free ring [N m/rad]

@@ -76,6 +76,25 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
   keys.insert(keys.end(), table.begin(), table.end());
 }
 
+void add_lobe_keys(KeyTable<Scene>& keys) {
+  const auto add = [&](const std::string& ring, std::array<Lobes, kLobes> BearingGeometry::*form) {
+    for (std::size_t n = 0; n < kLobes; ++n) {
+      const auto at = [form, n](auto Lobes::*member) {
+        return [form, n, member](Scene& s) -> auto& { return (s.bearing.*form)[n].*member; };
+      };
+      const std::string name = "lobes." + ring + "_" + std::to_string(n + 1);
+      const KeyTable<Scene> table = {
+          {name + "_um", within(-500, 500), at(&Lobes::amplitude), "amplitude of the " + std::string(n == 0 ? "first" : "second") + " harmonic of the " + ring + " raceway's radial form, outwards: a cos(k theta - phase), theta as the angle of rollers, from +y towards +z, in the ring, which turns; half the waviness of one harmonic; fits, heat and rotation do not change it"},
+          {name + "_count", within(1, 200), at(&Lobes::count), "its number of lobes k around the raceway"},
+          {name + "_phase_deg", within(-360, 360), at(&Lobes::phase), "its phase; the first crest stands at phase over k from +y at the start of the run"},
+      };
+      keys.insert(keys.end(), table.begin(), table.end());
+    }
+  };
+  add("inner", &BearingGeometry::inner_lobes);
+  add("outer", &BearingGeometry::outer_lobes);
+}
+
 void add_cage_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
       {"cage.model", any_value(), AT(cage.model), "cage model; rigid: six degrees of freedom; flexible: elastic modes and stress too"},
@@ -273,6 +292,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
 KeyTable<Scene> make_scene_keys() {
   KeyTable<Scene> keys;
   add_ring_and_roller_keys(keys);
+  add_lobe_keys(keys);
   add_cage_keys(keys);
   add_clearance_keys(keys);
   add_contact_keys(keys, "race", &Contacts::race, "roller against raceways", true);

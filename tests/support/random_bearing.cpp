@@ -178,12 +178,21 @@ void flange_the_inner_ring(unsigned seed, Scene& scene) {
     b.outer_flanges = FlangeSides::none;
 }
 
+/// Lobes on both raceways.
+void wave_the_raceways(unsigned seed, Scene& scene) {
+  Draw draw(seed + 5000011);
+  for (auto* form : {&scene.bearing.inner_lobes, &scene.bearing.outer_lobes})
+    for (Lobes& lobes : *form)
+      lobes = {draw.about(15e-6), static_cast<long>(draw.between(1, 9)), draw.about(3)};
+}
+
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
   if (options.freedom == Freedom::planar) b.scene.model.rollers = RollerModel::planar;
   if (options.freedom == Freedom::tilting) free_the_ring(seed, b.scene);
   if (options.inner_flanges && options.freedom == Freedom::spatial && seed % 4 == 3)
     flange_the_inner_ring(seed, b.scene);
+  if (options.lobed) wave_the_raceways(seed, b.scene);
   b.scene.film.model = options.film;
   if (options.lubricated) {
     b.scene.lubrication.model = LubricationModel::film;

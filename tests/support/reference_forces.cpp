@@ -120,12 +120,16 @@ class Bearing {
   static Vector3d downwards(double angle) {
     return Eigen::AngleAxisd(angle, kX) * -Vector3d::UnitZ();
   }
-  /// On the inner ring; the angle of what turns by Simpson's rule, which a ramp fits exactly.
+  /// Angle of a ring, by Simpson's rule, which a ramp fits exactly.
+  double turned_by(double last, double first) const {
+    const auto at = [&](double t) { return speed(last, first, t); };
+    const double ramp = std::min(t_, scene_.operation.speed_ramp);
+    return ramp / 6 * (at(0) + 4 * at(ramp / 2) + at(ramp)) + (t_ - ramp) * at(t_);
+  }
+  /// On the inner ring.
   Vector3d force() const {
     const auto& o = scene_.operation;
-    const auto at = [&](double t) { return speed(o.inner_speed, o.speed_ramp_from, t); };
-    const double ramp = std::min(t_, o.speed_ramp);
-    const double turned = ramp / 6 * (at(0) + 4 * at(ramp / 2) + at(ramp)) + (t_ - ramp) * at(t_);
+    const double turned = turned_by(o.inner_speed, o.speed_ramp_from);
     const double with = std::isnan(o.rotating_speed) ? turned : o.rotating_speed * t_;
     const double now = speed(o.inner_speed, o.speed_ramp_from, t_);
     return ramped() * (o.radial_load * downwards(o.load_direction) +
@@ -275,6 +279,18 @@ class Bearing {
     double mean_diameter = 0;
     for (long k = 0; k < b.roller_count; ++k) mean_diameter += each(scene_.roller.diameter, k);
     mean_diameter /= static_cast<double>(b.roller_count);
+    // Form of the race where the middle of the roller is, and its slope.
+    const auto& o = scene_.operation;
+    const Vector3d to = radial(roller.centre - (inner ? ring_ : Vector3d::Zero().eval()));
+    const double angle =
+        std::atan2(to.z(), to.y()) - (inner ? turned_by(o.inner_speed, o.speed_ramp_from)
+                                            : turned_by(o.outer_speed, o.outer_ramp_from));
+    double height = 0, slope = 0;
+    for (const Lobes& of : inner ? b.inner_lobes : b.outer_lobes) {
+      const auto lobes = static_cast<double>(of.count);
+      height += of.amplitude * std::cos(lobes * angle - of.phase);
+      slope -= lobes * of.amplitude * std::sin(lobes * angle - of.phase);
+    }
     for (long k = 0; k < slices; ++k) {
       const double xi =
           ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
@@ -285,7 +301,7 @@ class Bearing {
       const Vector3d on_axis = radial(roller.centre + xi * roller.axis);
       const Vector3d d = on_axis - (inner ? radial(ring_) : Vector3d::Zero().eval()) - place * m;
       const Vector3d n = s * d.normalized(), t = kX.cross(n);
-      const double p = s * (race_radius - d.norm()) + radius;
+      const double p = s * (race_radius + height - d.norm()) + radius;
       const auto speeds = [=, &roller](const Motion& v) {
         // The ring's axis at the slice, and the turning of the ring.
         const Vector3d tilt = inner ? v.ring_tilt : Vector3d::Zero().eval();
@@ -295,7 +311,9 @@ class Bearing {
         const Vector3d surface =
             ring + (spin * (kX + m) + kX.cross(tilt)).cross(s * race_radius * n);
         const Vector3d slide = roller_point(roller, v, xi, -radius * n) - surface;
-        return Speeds{-n.dot(approach), t.dot(slide), slide.x()};
+        const Vector3d past = v.roller - (inner ? v.ring : Vector3d::Zero().eval());
+        const double passing = kX.cross(to).dot(past) / to.squaredNorm() - spin;
+        return Speeds{-n.dot(approach) + s * slope * passing, t.dot(slide), slide.x()};
       };
       contact(inner ? kInnerRace : kOuterRace, scene_.contact.race, static_cast<double>(slices), p,
               roller.own, speeds, &forces);

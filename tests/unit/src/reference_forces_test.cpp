@@ -89,6 +89,17 @@ TEST_P(ReferenceForces, AgreeInRandomStatesOfEveryKind) {
   }
 }
 
+TEST_P(ReferenceForces, AgreeOnLobedRaceways) {
+  long touching = 0;
+  for (unsigned seed = 0; seed < 96; ++seed) {
+    const RandomBearing b = random_bearing(seed, {.freedom = GetParam(), .lobed = true});
+    const Reference reference = reference_rates(b.scene, b.t, b.y);
+    touching += reference.touching[kInnerRace] + reference.touching[kOuterRace];
+    expect_same(b, reference, seed);
+  }
+  EXPECT_GT(touching, 1000);
+}
+
 TEST(ReferenceForcesOfPockets, AgreeOnEdgesLipsAndCurvedFaces) {
   for (const Outline outline : {Outline::edges, Outline::lips, Outline::curved}) {
     SCOPED_TRACE(outline_name(outline));
