@@ -15,6 +15,8 @@
 namespace cagetol {
 
 inline LobedRace lobed_race(const RollerPack& q, const RaceSide& race) {
+  LobedRace on{};
+  if (is_round(*race.form)) return on;
   const Pack d[2] = {q.r - race.u_r, -race.u_t}, v[2] = {q.vr - race.du_r, q.vt - race.du_t};
   const Pack inverse = 1.0 / (d[0] * d[0] + d[1] * d[1]);
   // Angle of d: that of the roller, and the small one from there.
@@ -25,7 +27,6 @@ inline LobedRace lobed_race(const RollerPack& q, const RaceSide& race) {
   const double s = race.sign, speed = race.speed;
   const Pack by[2] = {-d[1] * inverse, d[0] * inverse};   // of beta
   const Pack away[2] = {d[0] * inverse, d[1] * inverse};  // of ln D
-  LobedRace on;
   on.w = s * at.height;
   on.w_t = -s * speed * at.slope;
   on.w_tt = s * speed * speed * at.bend;

@@ -53,8 +53,7 @@ bool System::linearise_at(double t, const double* y) {
 /// Whether a raceway that is no circle turns.
 static bool lobes_turn(const BearingModel& m) {
   const auto lobed = [](const auto& form, double speed, double from) {
-    return (speed != 0 || from != 0) &&
-           std::any_of(form.begin(), form.end(), [](const Lobes& l) { return l.amplitude != 0; });
+    return (speed != 0 || from != 0) && !is_round(form);
   };
   const Duty& d = m.duty;
   return lobed(m.forms.inner, d.speed.inner, d.speed_from.inner) ||

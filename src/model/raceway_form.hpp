@@ -12,16 +12,20 @@
 
 namespace cagetol {
 
+inline bool is_round(const std::array<Lobes, kLobes>& form) {
+  for (const Lobes& lobes : form)
+    if (lobes.amplitude != 0) return false;
+  return true;
+}
+
 /// Of the raceways of both rings.
 struct RacewayForms {
   std::array<Lobes, kLobes> inner, outer;
   bool round = true;  ///< both are circles
 
   RacewayForms() = default;
-  explicit RacewayForms(const BearingGeometry& b) : inner(b.inner_lobes), outer(b.outer_lobes) {
-    for (const auto* of : {&inner, &outer})
-      for (const Lobes& lobes : *of) round = round && lobes.amplitude == 0;
-  }
+  explicit RacewayForms(const BearingGeometry& b)
+      : inner(b.inner_lobes), outer(b.outer_lobes), round(is_round(inner) && is_round(outer)) {}
 };
 
 /// Form and its first two derivatives by the angle [m].

@@ -127,7 +127,7 @@ inline constexpr int kMostModes = 62;
 inline constexpr int kMostElasticModes = 36;
 
 struct CageGeometry {
-  CageKind model = CageKind::rigid;
+  CageKind model = CageKind::rigid;               ///< none: the rest does nothing
   double inner_diameter = 37.0e-3;                ///< [m]
   double outer_diameter = 43.4e-3;                ///< [m]
   double width = 14e-3;                           ///< axial [m]
@@ -347,6 +347,10 @@ inline bool has_free_axial_place(const Scene& scene) {
 }
 inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == CageKind::flexible;
+}
+/// False for a full complement of rollers.
+inline bool has_cage(const Scene& scene) {
+  return scene.cage.model != CageKind::none;
 }
 inline bool is_lubricated(const Scene& scene) {
   return scene.lubrication.model == LubricationModel::film;

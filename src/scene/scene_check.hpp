@@ -46,5 +46,7 @@ inline std::string in_um(double length) {
 
 /// Shafts, housings and temperatures, and whether the bearing turns in operation.
 void check_operation(const Scene& scene, const SceneCheck& check);
+/// Bearings without a cage.
+void check_full_complement(const Scene& scene, const SceneCheck& check);
 
 }  // namespace cagetol
