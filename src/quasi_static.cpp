@@ -61,7 +61,7 @@ std::vector<Instant> instants_of_duty(const Scene& scene, const BearingModel& mo
   std::vector<Instant> instants;
   for (int k = 1; k <= count; ++k) {
     const double t = window.settle + window.measure * k / count;
-    const RingAngles turned = rings_turned(model.duty, t);
+    const RingAngles turned = ring_angles_at(model.duty, t);
     const RingSpeeds rings = ring_speeds_at(model.duty, t);
     instants.push_back(
         {t, scene.start.cage_phase + kinematic_cage_speed(model, {turned.inner, turned.outer}),
@@ -103,6 +103,7 @@ Outcome quasi_static_outcome(const Scene& scene) {
     const std::vector<double> angle = roller_angles(model, at.angle);
     const RingLoad load = load_at(full, at.time);
     equilibrium.turn_outer(at.rings.outer);
+    equilibrium.turn_rings(ring_angles_at(full, at.time));
     const StaticState& rest =
         equilibrium.solve(angle.data(), at.cage_speed, load, RollerMotion::orbiting);
     ++outcome.run.steps;

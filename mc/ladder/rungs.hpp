@@ -34,13 +34,13 @@ std::vector<Rung> separate_rungs(const Scene& scene);
 /// cannot be refined in this scene is left out.
 std::vector<Rung> refining_rungs(const Scene& scene);
 
-/// The scene on that rung.
+/// The scene on that rung. A full complement stays one: what a rung says of the cage is left out.
 Scene on_rung(Scene scene, const Rung& rung);
 
 /// The study's first `samples` random samples on that rung, without its replicates, histories and
 /// claims. All rungs of a study draw the same samples. A study in which nothing varies gets scatter
-/// of the cage's start: a tenth of the pocket clearance in y and z, any phase. Throws InputError
-/// where a key of the rung is a distribution.
+/// of the start: any phase, and of a cage a tenth of the pocket clearance in y and z. Throws
+/// InputError where a key of the rung is a distribution.
 Study rung_study(const Study& study, const Rung& rung, long samples);
 
 /// Size of the study whose standard error sets the budget: its rows; of a mere scene, 1000.

@@ -104,6 +104,23 @@ std::string_view stem(std::string_view plain_text) {
   return plain_text.substr(0, plain_text.find_last_of("0123456789") + 1);
 }
 
+/// Bearings that the table leaves out, because no scene or no rule of a cage says what they are.
+void refuse_unmodelled(std::string_view designation) {
+  const std::string asked = plain(designation);
+  const auto begins = [&](const auto&... with) { return (asked.starts_with(with) || ...); };
+  if (begins("NN", "SL01", "SL02", "SL04", "SL11", "SL14", "SL15", "SL1850"))
+    throw InputError({}, "DESIGNATION", std::string(designation),
+                     "a bearing with rows of rollers beside each other: only one row is modelled",
+                     "write the scene of one row (inputs/README.md), under its share of the load");
+  if (begins("NCF", "NJG", "RNU", "RN", "SL18", "SL19"))
+    throw InputError({}, "DESIGNATION", std::string(designation),
+                     begins("RN") ? "a bearing without one of its rings is not in the table"
+                                  : "a full complement bearing: the table has bearings with cages",
+                     begins("RN") ? "write its scene with the raceway of shaft or housing"
+                                  : "write its scene with cage.model = \"none\", as "
+                                    "inputs/scenes/ncf3008-full-complement.toml does");
+}
+
 }  // namespace
 
 std::vector<CatalogueRow> read_catalogue(std::string_view text, const std::string& name) {
@@ -134,6 +151,7 @@ const CatalogueRow& catalogue_row(std::string_view designation) {
     if (plain(row.designation) == asked) return row;
   for (const CatalogueRow& row : catalogue())
     if (stem(plain(row.designation)) == asked) return row;
+  refuse_unmodelled(designation);
   std::string near;
   for (const std::string& name : nearest_designations(designation, 5))
     near += (near.empty() ? "" : ", ") + name;

@@ -31,6 +31,8 @@ struct RaceSide {
   Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
   Pack B_r, B_t;              ///< slope of its axis, likewise
   double x = 0, x_rate = 0;   ///< of its ring [m], [m/s]
+  const std::array<Lobes, kLobes>* form = nullptr;  ///< of the raceway (lobed_race.hpp)
+  double turned = 0;                                ///< angle of its ring [rad]
 
   double surface() const { return sign * speed * radius; }  ///< its speed along t [m/s]
   double arm() const { return sign * radius; }              ///< of its surface along n [m]
@@ -71,6 +73,16 @@ struct RaceTotals {
   /// Derivatives of the bodies' elastic energy by the speeds that make the film: it changes with
   /// these at a gap held still [J s/m], [J s].
   Pack energy_by_vt{}, energy_by_spin{};
+};
+
+/// What the form of a raceway adds at a pack of rollers (lobed_race.hpp).
+struct LobedRace {
+  Pack w, rate;             ///< w [m], w' [m/s]
+  Pack g[2], H[2][2];       ///< by d, in r and t [-], [1/m]
+  Pack rate_by_place[2];    ///< of w' [1/s]
+  Pack w_t, w_t_by[2];      ///< change with time alone [m/s], and of that with place [1/s]
+  Pack rate_by_time, w_tt;  ///< of w' and of w_t [m/s^2]
+  Pack power_by_time{};     ///< net power of the slices with time alone [W/s]
 };
 
 /// A slice's penetration, its normal, and s over the distance of the axes.
@@ -232,7 +244,8 @@ inline BySlice net_power_slopes(const SliceLaw& law, const SliceMotion& m, const
 /// Rows of a slice over the roller's velocities, then the ring's tilt: of -p', of the axis along t,
 /// of v2 (that of v1 is the axis' less R_slice times the spin); and how the same change as the axis
 /// moves along t, which turns n.
-template <bool moving, bool tilting>
+/// `lobed`: the race is no circle.
+template <bool moving, bool tilting, bool lobed = false>
 struct SliceRows {
   static constexpr int kRows = kLocalVelocities + (tilting ? 2 : 0);
   Pack gn[kRows], gc[kRows], g2[kRows];
@@ -240,6 +253,7 @@ struct SliceRows {
   Pack rate_turn, v1_turn, v2_turn, drift_turn;
   Pack lean_r, lean_t;  ///< of v2 by the lean of the roller's axis
   Pack drifting[2];     ///< of v2 by the ring's tilt
+  Pack rate_by[2];      ///< of p' by place, where lobed
 
   SliceRows(const RollerPack& q, const RaceSide& race, const SliceMotion& m)
       : gn{m.n_r, m.n_t, m.n_x, m.xi * m.n_r, m.xi * m.n_t, Pack{}},
@@ -268,6 +282,13 @@ struct SliceRows {
     drifting[1] = race.surface() * m.n_r;
   }
 
+  void add_form(const LobedRace& form) {
+    for (int i = 0; i < 2; ++i) {
+      gn[i] -= form.g[i];
+      rate_by[i] = form.rate_by_place[i];
+    }
+  }
+
   Pack g1(int i) const { return i == kLs ? -radius : gc[i]; }
   /// Motion of the axis along t.
   Pack tau(int j) const { return moving && j == kLx ? askew : gc[j]; }
@@ -283,6 +304,8 @@ struct SliceRows {
   [[gnu::always_inline]] Pack by_position(const BySlice& by, Pack turned, int j) const {
     Pack sum =
         -by.p * gn[j] + (turned + by.rate * rate_turn + by.v1 * v1_turn + by.v2 * v2_turn) * tau(j);
+    if constexpr (lobed)
+      if (j < 2) sum += by.rate * rate_by[j];
     if (j == kLar) sum += by.v2 * lean_r;
     if (j == kLat) sum += by.v2 * lean_t;
     if (j >= kLocalVelocities) sum += by.v2 * drifting[j - kLocalVelocities];
@@ -308,8 +331,8 @@ LinearRow linear_row(int i, GroupLinear& of_roller, [[maybe_unused]] RingTilt* t
 }
 
 /// Adds the gradient of the net power.
-template <bool moving, bool tilting>
-[[gnu::always_inline]] inline void add_net_power(const SliceRows<moving, tilting>& rows,
+template <bool moving, bool tilting, bool lobed>
+[[gnu::always_inline]] inline void add_net_power(const SliceRows<moving, tilting, lobed>& rows,
                                                  const BySlice& net, const SliceForces& on,
                                                  const Entrainment& oil, GroupLinear& jac,
                                                  [[maybe_unused]] RingTilt* tilt) {
@@ -329,8 +352,8 @@ template <bool moving, bool tilting>
 }
 
 /// What the forces, held fast, do to direction i as n turns with t, and with it the lever of F2.
-template <bool moving, bool tilting>
-[[gnu::always_inline]] inline Pack turned_force(const SliceRows<moving, tilting>& rows,
+template <bool moving, bool tilting, bool lobed>
+[[gnu::always_inline]] inline Pack turned_force(const SliceRows<moving, tilting, lobed>& rows,
                                                 const SliceForces& on, const SliceMotion& m,
                                                 const RollerPack& q, const RaceSide& race, int i) {
   const Pack spread = m.inverse * on.normal, lever = m.inverse * on.f2;
@@ -344,14 +367,32 @@ template <bool moving, bool tilting>
   return turned;
 }
 
-/// Adds the derivatives of one slice.
-template <bool moving, bool tilting>
+/// Net power of a slice by what the form adds, and how that changes with time alone [W/s].
+inline Pack add_form_power(const LobedRace& form, const SliceForces& on, BySlice& net,
+                           const ForceSlopes& force, GroupLinear& jac) {
+  net.p += form.w_t * force.n.p;
+  net.rate += form.w_t * force.n.rate;
+  net.u += form.w_t * force.n.u;
+  for (int j = 0; j < 2; ++j) {
+    jac.power_position[j] += on.normal * form.w_t_by[j];
+    for (int i = 0; i < 2; ++i) jac.position[i][j] -= on.normal * form.H[i][j];
+  }
+  return net.p * form.w_t + net.rate * form.rate_by_time + on.normal * form.w_tt;
+}
+
+/// Adds the derivatives of one slice. `form`: where the race is lobed.
+template <bool moving, bool tilting, bool lobed = false>
 void add_slice_slopes(const RollerPack& q, const RaceSide& race, const SliceMotion& m,
                       const SliceForces& on, const SliceLaw& law, const Entrainment& oil,
-                      Pack axis_share, GroupLinear& jac, [[maybe_unused]] RingTilt* tilt) {
-  const SliceRows<moving, tilting> rows(q, race, m);
+                      Pack axis_share, GroupLinear& jac, [[maybe_unused]] RingTilt* tilt,
+                      [[maybe_unused]] LobedRace* form = nullptr) {
+  SliceRows<moving, tilting, lobed> rows(q, race, m);
   const ForceSlopes force = force_slopes(law, m, axis_share);
-  const BySlice net = net_power_slopes(law, m, race, force, oil.speed);
+  BySlice net = net_power_slopes(law, m, race, force, oil.speed);
+  if constexpr (lobed) {
+    rows.add_form(*form);
+    form->power_by_time += add_form_power(*form, on, net, force, jac);
+  }
   add_net_power(rows, net, on, oil, jac, tilt);
   const Pack zero{};
 #pragma GCC unroll 8

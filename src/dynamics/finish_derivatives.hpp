@@ -24,6 +24,25 @@ void turn_frame(const RollerPack& q, Pack* position, const Pack* velocity) {
   position[kLt] += q.vr / q.r * velocity[kLt] - q.omega * velocity[kLr];
 }
 
+/// Likewise of the contacts between neighbours; planar rollers neither answer nor move in the
+/// directions in which they are held.
+template <bool planar>
+void finish_neighbours(const RollerPack& q, const RollerPack& next, NeighbourLinear& of) {
+  const auto finish = [](const RollerPack& moved, RollerOnRoller& forces) {
+    for (int i = 0; i < kLocalVelocities; ++i) {
+      turn_frame(moved, forces.position[i], forces.velocity[i]);
+      for (int j = 0; j < kLocalVelocities; ++j) {
+        if (!held<planar>(i) && !held<planar>(j)) continue;
+        forces.velocity[i][j] = Pack{};
+        if (j < kLocalPositions) forces.position[i][j] = Pack{};
+      }
+    }
+  };
+  finish(q, of.own.forces);
+  finish(next, of.ahead);
+  finish(q, of.behind);
+}
+
 /// Keeps what the inner race alone gives for the ring.
 void finish_inner(const RollerPack& q, GroupLinear& g) {
   for (int i = 0; i < kLocalVelocities; ++i)

@@ -70,6 +70,7 @@ BorderState unpack_border(const BearingModel& m, double t, const double* y) {
   b.axis_rate[1] = v[kCageAxisZ];
   b.speed = ring_speeds_at(m.duty, t);
   b.speeding_up = ring_accelerations_at(m.duty, t);
+  if (!m.forms.round) b.turned = ring_angles_at(m.duty, t);
   return b;
 }
 

@@ -50,8 +50,18 @@ bool System::linearise_at(double t, const double* y) {
   return all_finite(rate.data(), size);
 }
 
+/// Whether a raceway that is no circle turns.
+static bool lobes_turn(const BearingModel& m) {
+  const auto lobed = [](const auto& form, double speed, double from) {
+    return (speed != 0 || from != 0) && !is_round(form);
+  };
+  const Duty& d = m.duty;
+  return lobed(m.forms.inner, d.speed.inner, d.speed_from.inner) ||
+         lobed(m.forms.outer, d.speed.outer, d.speed_from.outer);
+}
+
 bool System::driven_by_time(double t) const {
-  return duty_changes(model.duty, t);
+  return duty_changes(model.duty, t) || lobes_turn(model);
 }
 
 namespace {
@@ -71,8 +81,9 @@ double difference_time(const BearingModel& m, double t) {
 }  // namespace
 
 void System::rates_by_time(double t, const double* y, double* out) {
-  if (speeds_change(model.duty, t)) {
-    const double dt = difference_time(model, t);
+  const bool speeds = speeds_change(model.duty, t);
+  if (speeds || lobes_turn(model)) {
+    const double dt = speeds ? difference_time(model, t) : 1e-7;
     rates(t + dt, y, out);
     for (int i = 0; i < size; ++i) out[i] = (out[i] - rate[static_cast<std::size_t>(i)]) / dt;
     return;

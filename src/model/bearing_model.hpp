@@ -14,6 +14,7 @@
 #include "src/lubrication/lubricated_line.hpp"
 #include "src/model/duty.hpp"
 #include "src/model/flexible_cage.hpp"
+#include "src/model/raceway_form.hpp"
 #include "src/model/state.hpp"
 #include "src/scene/scene.hpp"
 
@@ -81,7 +82,8 @@ struct CageGuide {
 
 struct BearingModel {
   StateLayout layout;
-  bool planar = false;  ///< rollers keep their axes parallel to the bearing's, and x = 0
+  bool full_complement = false;  ///< no cage: rollers touch each other by `bar` or `bar_line`
+  bool planar = false;           ///< rollers keep their axes parallel to the bearing's, and x = 0
   std::vector<RollerGroup> groups;
   std::vector<Slice> race_slices;
   std::vector<double> bar_stations;     ///< positions along the roller's axis [m]
@@ -106,6 +108,7 @@ struct BearingModel {
 
   double inner_radius = 0, outer_radius = 0;  ///< actual race radii R_i, R_o [m]
   double race_modulus = 0;                    ///< E' of rollers and rings [Pa]
+  RacewayForms forms;                         ///< of the raceways
   double misalignment_y = 0,
          misalignment_z = 0;  ///< tilt of the ring, or what its shaft would give it
   double ring_mass = 0, ring_polar = 0, ring_transverse = 0;

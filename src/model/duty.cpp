@@ -89,7 +89,7 @@ RingSpeeds ring_accelerations_at(const Duty& d, double t) {
   return {(soon.inner - now.inner) / dt, (soon.outer - now.outer) / dt};
 }
 
-RingAngles rings_turned(const Duty& d, double t) {
+RingAngles ring_angles_at(const Duty& d, double t) {
   if (!d.over_time())
     return {ramped_angle(d.speed_from.inner, d.speed.inner, d.speed_ramp, t),
             ramped_angle(d.speed_from.outer, d.speed.outer, d.speed_ramp, t)};
@@ -120,7 +120,7 @@ RingLoad load_at(const Duty& d, double t) {
             load.axial * share};
   }
   if (!d.load_turns()) return load;
-  const double inner = rings_turned(d, t).inner, speed = ring_speeds_at(d, t).inner;
+  const double inner = ring_angles_at(d, t).inner, speed = ring_speeds_at(d, t).inner;
   add_force(d.rotating * share_of(d.load_ramp, t),
             d.phase + (d.with_inner ? inner : d.rotating_speed * t), load);
   add_force(d.unbalance * speed * speed, d.phase + inner, load);

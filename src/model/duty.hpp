@@ -24,6 +24,11 @@ struct RingSpeeds {
   double inner = 0, outer = 0;
 };
 
+/// Turned since t = 0, about +x [rad].
+struct RingAngles {
+  double inner = 0, outer = 0;
+};
+
 /// On the inner ring [N], [N m].
 struct RingLoad {
   double y = 0, z = 0, moment_y = 0, moment_z = 0, axial = 0;
@@ -62,11 +67,7 @@ Duty make_duty(const Operation& operation);
 RingSpeeds ring_speeds_at(const Duty& duty, double t);
 /// Rates of these speeds, of a corner to come [rad/s^2].
 RingSpeeds ring_accelerations_at(const Duty& duty, double t);
-/// Angles of the rings since t = 0 [rad].
-struct RingAngles {
-  double inner = 0, outer = 0;
-};
-RingAngles rings_turned(const Duty& duty, double t);
+RingAngles ring_angles_at(const Duty& duty, double t);
 /// Whether speeds, or anything at all, change at time t.
 bool speeds_change(const Duty& duty, double t);
 bool duty_changes(const Duty& duty, double t);

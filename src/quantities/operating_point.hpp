@@ -23,6 +23,7 @@ struct Clearances {
   double internal;                     ///< diametral
   double pocket_width, pocket_length;  ///< pocket less roller
   double guide, flange;                ///< radial of the cage, axial of a roller
+  double neighbours;                   ///< sum of the gaps of a full complement
 };
 
 /// NaN: not known, or not defined for the scene.

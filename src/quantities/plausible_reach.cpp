@@ -84,6 +84,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
       planar(m.planar),
       tilts(m.layout.ring_tilt > 0),
       quasi_static(run.quasi_static),
+      caged(!m.full_complement),
       peaks_in_part(run.peaks_in_part),
       rollers(m.layout.rollers),
       duration(run.end - run.begin),
@@ -126,11 +127,14 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   const double at_rest = largest_load(m.duty) + (m.ring_mass + mass) * gravity + centrifugal +
                          std::hypot(load.moment_y, load.moment_z) / m.roller_half_length;
   const double gap = m.outer_radius - m.inner_radius - 2 * smallest;
-  const double preload = std::max(0.0, -gap) + 2e-6;
+  double lobes = 0;
+  for (const auto* form : {&m.forms.inner, &m.forms.outer})
+    for (const Lobes& wave : *form) lobes += std::abs(wave.amplitude);
+  const double preload = std::max(0.0, lobes - gap) + 2e-6;
   const double between = std::min(pi / rollers + 2 * widest_gap, kLargestGapAngle);
   const double lean = m.roller_half_length * std::hypot(m.misalignment_y, m.misalignment_z);
-  ring_move = (std::max(gap, 0.0) + 2 * race.depth_under(kLoadMargin * at_rest) + preload + lean +
-               0.00035 * m.nominal_diameter * std::log(1e4)) /
+  ring_move = (std::max(gap, 0.0) + lobes + 2 * race.depth_under(kLoadMargin * at_rest) + preload +
+               lean + 0.00035 * m.nominal_diameter * std::log(1e4)) /
               std::cos(between);
 
   const ShortBearing& guide_film = m.guides[0].film;
@@ -166,7 +170,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   touch_rate = std::sqrt(std::max({bars.stiffness(bars.depth(energy) + pinch),
                                    walls.stiffness(walls.depth(energy) + length_pinch),
                                    lands.stiffness(pressed)}) /
-                         std::min(lightest, m.cage_mass)) /
+                         (caged ? std::min(lightest, m.cage_mass) : lightest)) /
                pi;
 
   // The cage: its guide and what that gives way; rollers that guide it move between the races.

@@ -3,6 +3,7 @@
 
 #include "src/scene/operating_clearance.hpp"
 #include "src/scene/pocket_clearances.hpp"
+#include "src/scene/roller_gap.hpp"
 #include "src/scene/scene_check.hpp"
 
 namespace cagetol {
@@ -73,6 +74,15 @@ void check_in_operation(const Scene& scene, const SceneCheck& check) {
     return "in operation (fits, temperatures, centrifugal growth) " + what + ", by " +
            in_um(-clearance);
   };
+  if (!has_cage(scene)) {
+    check.require(hot.bearing.flange_clearance >= 0, "bearing.flange_clearance_mm",
+                  say("the rollers do not fit between their flanges", hot.bearing.flange_clearance),
+                  "give a larger clearance, or correct the temperatures");
+    check.require(total_roller_gap(hot) > 0, "bearing.roller_count",
+                  say("the rollers do not fit beside each other", total_roller_gap(hot)),
+                  "give one roller less, or correct the temperatures");
+    return;
+  }
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const PocketClearances left = pocket_clearances(hot, j);
     const std::string pocket = "pocket " + std::to_string(j) + " is not ";
@@ -103,10 +113,31 @@ void check_in_operation(const Scene& scene, const SceneCheck& check) {
                 "give a larger clearance, or correct the temperatures");
 }
 
+/// Share of a raceway's curvature that a lobe may change: rollers are taken to meet a circle.
+constexpr double kFlattest = 0.1;
+
+void check_lobes(const Scene& scene, const SceneCheck& check) {
+  const auto& b = scene.bearing;
+  for (const bool inner : {true, false}) {
+    const double radius = (inner ? b.inner_raceway_diameter : b.outer_raceway_diameter) / 2;
+    int n = 0;
+    for (const Lobes& lobes : inner ? b.inner_lobes : b.outer_lobes) {
+      const std::string name =
+          std::string(inner ? "lobes.inner_" : "lobes.outer_") + std::to_string(++n);
+      const double k = static_cast<double>(lobes.count);
+      check.require(k * k * std::abs(lobes.amplitude) < kFlattest * radius, name + "_um",
+                    "with so many lobes (" + check.with_value(name + "_count") +
+                        ") the waves change the raceway's curvature by more than a tenth",
+                    "give a smaller amplitude or fewer lobes");
+    }
+  }
+}
+
 }  // namespace
 
 void check_operation(const Scene& scene, const SceneCheck& check) {
   check_fits(scene, check);
+  check_lobes(scene, check);
   check_in_operation(scene, check);
 }
 

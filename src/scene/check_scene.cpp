@@ -271,12 +271,13 @@ void check_flanges(const Scene& scene, const SceneCheck& check) {
 }
 
 void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
-  check.require(!has_free_ring_tilt(scene) || scene.cage.guidance != Guidance::inner,
-                "model.ring_tilt",
-                "the lands of a cage do not follow the free tilt of the ring that guides it (" +
-                    check.with_value("cage.guidance") + ")",
-                "set model.ring_tilt = \"prescribed\", or guide the cage by the outer ring or the "
-                "rollers");
+  check.require(
+      !has_free_ring_tilt(scene) || !has_cage(scene) || scene.cage.guidance != Guidance::inner,
+      "model.ring_tilt",
+      "the lands of a cage do not follow the free tilt of the ring that guides it (" +
+          check.with_value("cage.guidance") + ")",
+      "set model.ring_tilt = \"prescribed\", or guide the cage by the outer ring or the "
+      "rollers");
   const auto& load = scene.operation;
   for (const auto& [key, moment] : {std::pair{"load.tilting_moment_y_N_m", load.tilting_moment_y},
                                     std::pair{"load.tilting_moment_z_N_m", load.tilting_moment_z}})
@@ -383,29 +384,16 @@ void check_window(const Scene& scene, const SceneCheck& check) {
 
 }  // namespace
 
-std::vector<std::string> scene_doubts(const Scene& scene) {
-  std::vector<std::string> doubts;
-  if (is_quasi_static(scene)) return doubts;
-  const double axes = pitch_radius(scene.bearing);
-  const PocketOutline outline = pocket_outline(scene.cage, axes, each(scene.cage.pocket_width, 0));
-  const auto beside = [&](const OutlineEnd& end, double past) {
-    return !outline.curved && !end.lip && past > 0;
-  };
-  if (beside(outline.end[0], outline.end[0].height - axes) ||
-      beside(outline.end[1], axes - outline.end[1].height))
-    doubts.push_back("the rollers' axes, at a radius of " + in_mm(axes) +
-                     ", lie beside the flat faces of the bars (" + in_mm(outline.end[0].height) +
-                     " to " + in_mm(outline.end[1].height) +
-                     " above the cage's axis): rollers ride on the bars' edges, with more "
-                     "clearance and inclined forces");
-  return doubts;
-}
-
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root) {
   const SceneCheck check(scene, file, root);
   check_rings(scene, check);
-  check_cage_between_rings(scene, check);
-  check_pockets(scene, check);
+  if (has_cage(scene)) {
+    check_cage_between_rings(scene, check);
+    check_pockets(scene, check);
+    check_outline(scene, check);
+  } else {
+    check_full_complement(scene, check);
+  }
   check.require(!is_flexible(scene) || !scene.cage.bar_modes ||
                     scene.cage.modes + scene.bearing.roller_count <= kMostModes,
                 "cage.modes",
@@ -413,7 +401,6 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
                     std::to_string(kMostModes) + " modes (" +
                     check.with_value("bearing.roller_count") + ")",
                 "keep fewer elastic modes, or set cage.bar_modes = false");
-  check_outline(scene, check);
   check_operation(scene, check);
   check_filmed_contacts(scene, check);
   check_line_races(scene, check);
@@ -423,7 +410,7 @@ void check_scene(const Scene& scene, const std::string& file, const toml::table*
                 "friction must peak at a lower speed than that of full sliding (" +
                     check.with_value("friction.dynamic_speed_m_s") + ")",
                 "give a smaller static_speed or a larger dynamic_speed");
-  check.require(!is_quasi_static(scene) || scene.cage.model == CageKind::rigid, "cage.model",
+  check.require(!is_quasi_static(scene) || !is_flexible(scene), "cage.model",
                 "no force bends the cage while model.motion = \"quasi-static\"",
                 "set cage.model = \"rigid\", or model.motion = \"dynamic\"");
   check_flanges(scene, check);

@@ -3,6 +3,7 @@
 // cage. inputs/README.md lists every key.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -46,6 +47,14 @@ struct Simplification {
   TiltModel ring_tilt = TiltModel::prescribed;  ///< of the inner ring
 };
 
+/// Waves around a raceway, one harmonic of its radial form (src/model/raceway_form.hpp).
+struct Lobes {
+  double amplitude = 0;  ///< a_k [m]
+  long count = 2;        ///< k
+  double phase = 0;      ///< phi_k [rad]
+};
+inline constexpr int kLobes = 2;  ///< harmonics of a raceway
+
 struct BearingGeometry {
   long roller_count = 13;                   ///< Z
   double bore_diameter = 25e-3;             ///< [m]
@@ -65,6 +74,8 @@ struct BearingGeometry {
   MaterialChoice ring_material{"bearing-steel"};
   double inner_ring_mass = kAuto;                                                  ///< [kg]
   double inner_ring_polar_inertia = kAuto, inner_ring_transverse_inertia = kAuto;  ///< [kg m^2]
+  std::array<Lobes, kLobes> inner_lobes = {Lobes{0, 2, 0}, Lobes{0, 3, 0}},
+                            outer_lobes = inner_lobes;
   double misalignment_y = 0;  ///< slope of the inner ring's centre line in y [rad]
   double misalignment_z = 0;  ///< slope in z [rad]
   double tilt_stiffness = 0;  ///< of the shaft against the tilt of a free ring [N m/rad]
@@ -118,7 +129,7 @@ inline constexpr int kMostModes = 62;
 inline constexpr int kMostElasticModes = 36;
 
 struct CageGeometry {
-  CageKind model = CageKind::rigid;
+  CageKind model = CageKind::rigid;               ///< none: the rest does nothing
   double inner_diameter = 37.0e-3;                ///< [m]
   double outer_diameter = 43.4e-3;                ///< [m]
   double width = 14e-3;                           ///< axial [m]
@@ -382,6 +393,10 @@ inline bool has_free_axial_place(const Scene& scene) {
 }
 inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == CageKind::flexible;
+}
+/// False for a full complement of rollers.
+inline bool has_cage(const Scene& scene) {
+  return scene.cage.model != CageKind::none;
 }
 inline bool is_lubricated(const Scene& scene) {
   return scene.lubrication.model == LubricationModel::film;

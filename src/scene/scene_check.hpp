@@ -51,5 +51,7 @@ void check_duty(const Scene& scene, const SceneCheck& check);
 
 /// Shafts, housings and temperatures, and whether the bearing turns in operation.
 void check_operation(const Scene& scene, const SceneCheck& check);
+/// Bearings without a cage.
+void check_full_complement(const Scene& scene, const SceneCheck& check);
 
 }  // namespace cagetol

@@ -8,6 +8,7 @@
 #include "src/scene/duty_file.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/oil_keys.hpp"
+#include "src/scene/unmodelled_keys.hpp"
 
 namespace cagetol {
 namespace {
@@ -23,6 +24,8 @@ std::vector<std::string> material_names() {
   for (const MaterialPreset& preset : material_presets()) names.push_back(preset.name);
   return names;
 }
+
+const std::string kWithCage = R"(cage.model != "none")";
 
 // clang-format off
 #define AT(member) [](Scene& s) -> auto& { return s.member; }
@@ -78,14 +81,33 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
   keys.insert(keys.end(), table.begin(), table.end());
 }
 
+void add_lobe_keys(KeyTable<Scene>& keys) {
+  const auto add = [&](const std::string& ring, std::array<Lobes, kLobes> BearingGeometry::*form) {
+    for (std::size_t n = 0; n < kLobes; ++n) {
+      const auto at = [form, n](auto Lobes::*member) {
+        return [form, n, member](Scene& s) -> auto& { return (s.bearing.*form)[n].*member; };
+      };
+      const std::string name = "lobes." + ring + "_" + std::to_string(n + 1);
+      const KeyTable<Scene> table = {
+          {name + "_um", within(-500, 500), at(&Lobes::amplitude), "amplitude of the " + std::string(n == 0 ? "first" : "second") + " harmonic of the " + ring + " raceway's radial form, outwards: a cos(k theta - phase), theta as the angle of rollers, from +y towards +z, in the ring, which turns; half the waviness of one harmonic; fits, heat and rotation do not change it"},
+          {name + "_count", within(1, 200), at(&Lobes::count), "its number of lobes k around the raceway"},
+          {name + "_phase_deg", within(-360, 360), at(&Lobes::phase), "its phase; the first crest stands at phase over k from +y at the start of the run"},
+      };
+      keys.insert(keys.end(), table.begin(), table.end());
+    }
+  };
+  add("inner", &BearingGeometry::inner_lobes);
+  add("outer", &BearingGeometry::outer_lobes);
+}
+
 void add_cage_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
-      {"cage.model", any_value(), AT(cage.model), "cage model; rigid: six degrees of freedom; flexible: elastic modes and stress too"},
-      {"cage.inner_diameter_mm", required(above(0)), AT(cage.inner_diameter), "inner diameter of the cage"},
-      {"cage.outer_diameter_mm", required(above(0)), AT(cage.outer_diameter), "outer diameter of the cage"},
-      {"cage.width_mm", required(above(0)), AT(cage.width), "axial width of the cage"},
-      {"cage.pocket_width_mm", required(above(0)), AT(cage.pocket_width), "circumferential opening S of a pocket"},
-      {"cage.pocket_length_mm", required(above(0)), AT(cage.pocket_length), "axial opening L of a pocket"},
+      {"cage.model", any_value(), AT(cage.model), "cage model; rigid: six degrees of freedom; flexible: elastic modes and stress too; none: a full complement, whose rollers touch each other (by contact.bar), and all other keys of this section do nothing"},
+      {"cage.inner_diameter_mm", required_where(kWithCage, above(0)), AT(cage.inner_diameter), "inner diameter of the cage"},
+      {"cage.outer_diameter_mm", required_where(kWithCage, above(0)), AT(cage.outer_diameter), "outer diameter of the cage"},
+      {"cage.width_mm", required_where(kWithCage, above(0)), AT(cage.width), "axial width of the cage"},
+      {"cage.pocket_width_mm", required_where(kWithCage, above(0)), AT(cage.pocket_width), "circumferential opening S of a pocket"},
+      {"cage.pocket_length_mm", required_where(kWithCage, above(0)), AT(cage.pocket_length), "axial opening L of a pocket"},
       {"cage.pocket_pitch_mrad", within(-100, 100), AT(cage.pocket_pitch), "angular deviation of a pocket's centre"},
       {"cage.pocket_squareness_mrad", within(-100, 100), AT(cage.pocket_squareness), "angle of a pocket's bar faces to the bearing axis"},
       {"cage.material", one_of(material_names()), AT(cage.material.name), "named material of the cage, for its keys that are left to auto"},
@@ -292,10 +314,12 @@ void add_operation_keys(KeyTable<Scene>& keys) {
 KeyTable<Scene> make_scene_keys() {
   KeyTable<Scene> keys;
   add_ring_and_roller_keys(keys);
+  add_lobe_keys(keys);
   add_cage_keys(keys);
   add_clearance_keys(keys);
   add_contact_keys(keys, "race", &Contacts::race, "roller against raceways", true);
-  add_contact_keys(keys, "bar", &Contacts::bar, "roller against pocket bars", true);
+  add_contact_keys(keys, "bar", &Contacts::bar,
+                   "roller against pocket bars, of a full complement against its neighbours", true);
   add_contact_keys(keys, "end", &Contacts::end, "roller end against pocket end wall", false);
   add_contact_keys(keys, "flange", &Contacts::flange, "roller end against ring flange", false);
   add_contact_keys(keys, "land", &Contacts::land, "cage against its guiding land", false);
@@ -342,7 +366,9 @@ bool is_required(const Key<Scene>& key, const Scene& scene) {
   const std::string& condition = key.range.required_where;
   if (condition.empty()) return key.range.required;
   const std::string other = condition.substr(0, condition.find(' '));
-  return other + " = " + key_text(*find_key(scene_keys(), other), scene) == condition;
+  const std::string value = key_text(*find_key(scene_keys(), other), scene);
+  return other + " = " + value == condition ||
+         (condition.starts_with(other + " != ") && other + " != " + value != condition);
 }
 
 void refuse_missing(const Given& given, const Scene& scene, const std::string& file) {
@@ -390,6 +416,7 @@ Scene read_scene(const toml::table& root, const std::string& file) {
             return known.name.starts_with(leaf.name + ".");
           });
       if (empty_section && leaf.node->as_table()->empty()) return;
+      refuse_unmodelled_key(leaf, file);
       throw unknown_key(leaf, file, key_infos(keys));
     }
     const auto* node = nominal_node(*leaf.node);

@@ -7,7 +7,7 @@
 // and d = r e_r + X alpha_r e_r - u - X B: everything follows from moments over X.
 #pragma once
 
-#include "src/contacts/race_slice.hpp"
+#include "src/contacts/lobed_race.hpp"
 #include "src/lubrication/lubricated_line.hpp"
 
 namespace cagetol {
@@ -18,6 +18,7 @@ struct RaceNormals {
   Pack total{};           ///< of Q [N]
   Pack heaviest{};        ///< largest Q of a slice [N]
   Pack elastic[2]{};      ///< sums of the elastic part of F; r, t [N]
+  Pack by_time[2]{};      ///< sums of dF/dt where nothing but the race turns; r, t [N/s]
 };
 
 /// Adds the normal force of one slice, its slopes by penetration and by its rate, and its elastic
@@ -44,6 +45,22 @@ inline void add_normal(const Slice& slice, const NormalForce<Pack>& normal, cons
     }
 }
 
+/// Adds what the form of the race makes of that slice: F = Q (n - g). Left out of the slopes: what
+/// the form does to p'.
+inline void add_normal_of_form(const LobedRace& form, const NormalForce<Pack>& normal,
+                               const SliceGap& gap, RaceNormals& sums) {
+  const Pack n[2] = {gap.n_r, gap.n_t};
+  for (int i = 0; i < 2; ++i) {
+    sums.force[0][i] -= normal.force * form.g[i];
+    sums.elastic[i] -= normal.elastic * form.g[i];
+    sums.by_time[i] += normal.stiffness * form.w_t * (n[i] - form.g[i]);
+    for (int j = 0; j < 2; ++j)
+      sums.slope[0][i][j] +=
+          normal.stiffness * (n[i] * form.g[j] + form.g[i] * n[j] - form.g[i] * form.g[j]) -
+          normal.force * form.H[i][j];
+  }
+}
+
 /// The same with an oil film. `share` of the speed of approach damps and squeezes.
 inline RaceNormals lubricated_normals(const BearingModel& model, const LubricatedLine& line,
                                       const RollerGroup& roller, const RollerPack& q,
@@ -51,20 +68,25 @@ inline RaceNormals lubricated_normals(const BearingModel& model, const Lubricate
   using D = Dual<Pack, 2>;
   RaceNormals sums;
   const LineSpeed<D> speed = line_speed(line, D{entrainment(race, roller, q).speed, {}});
+  const LobedRace form = race.form ? lobed_race(q, race) : LobedRace{};
   for (const Slice& slice : model.race_slices) {
-    const SliceGap gap = slice_gap(roller, q, race, slice);
+    SliceGap gap = slice_gap(roller, q, race, slice);
+    if (race.form) gap.p += form.w;
     const auto& [p, n_r, n_t, inverse] = gap;
     Mask wet = roller.exists > 0.0;
     if (line.starved) wet &= -p < line.layer;
     if (!any(wet)) continue;
-    const Pack rate = -share * (n_r * q.vr + n_t * q.vt), along = share * (n_r * q.vt - n_t * q.vr);
+    Pack rate = -share * (n_r * q.vr + n_t * q.vt), along = share * (n_r * q.vt - n_t * q.vr);
+    if (race.form) rate += share * form.rate;
     const Pack inside = select(wet, p, splat(line.starved ? -0.5 * line.layer : -1e-5));
     const D normal =
         line_normal(line, speed, -variable<D>(inside, 0), -variable<D>(rate, 1)).normal;
     const Pack force = select(wet, normal.value, Pack{}),
                stiffness = select(wet, normal.slope[0], Pack{});
-    add_normal(slice, {force, force, stiffness, select(wet, normal.slope[1], Pack{}), stiffness},
-               gap, along, sums);
+    const NormalForce<Pack> on{force, force, stiffness, select(wet, normal.slope[1], Pack{}),
+                               stiffness};
+    add_normal(slice, on, gap, along, sums);
+    if (race.form) add_normal_of_form(form, on, gap, sums);
   }
   return sums;
 }
@@ -80,17 +102,21 @@ inline RaceNormals race_normals(const BearingModel& model, const NormalLaw& law,
     film = film_at_speed(race.film, absolute(entrainment(race, roller, q)).speed);
     thickest = thickest_film(race.film, film);
   }
+  const LobedRace form = race.form ? lobed_race(q, race) : LobedRace{};
   for (const Slice& slice : model.race_slices) {
-    const SliceGap gap = slice_gap(roller, q, race, slice);
+    SliceGap gap = slice_gap(roller, q, race, slice);
+    if (race.form) gap.p += form.w;
     const auto& [p, n_r, n_t, inverse] = gap;
     const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
     if (!any(touching)) continue;
     const Pack reached = select(touching, p, splat(-1.0));
-    const Pack rate = -(n_r * q.vr + n_t * q.vt), along = n_r * q.vt - n_t * q.vr;
+    Pack rate = -(n_r * q.vr + n_t * q.vt), along = n_r * q.vt - n_t * q.vr;
+    if (race.form) rate += form.rate;
     const NormalForce<Pack> normal = race.film.on
                                          ? film_contact(law, race.film, film, reached, rate).normal
                                          : normal_force(law, reached, rate);
     add_normal(slice, normal, gap, along, sums);
+    if (race.form) add_normal_of_form(form, normal, gap, sums);
   }
   return sums;
 }

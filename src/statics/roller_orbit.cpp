@@ -57,6 +57,7 @@ BearingModel straight(const BearingModel& from, int count, const RollerGroup& ro
   BearingModel m = from;
   m.planar = true;
   m.misalignment_y = m.misalignment_z = 0;
+  m.forms = {};
   m.layout = {count, (count + kLanes - 1) / kLanes, 0, 0};
   m.flexible = {};
   m.groups.assign(static_cast<std::size_t>(m.layout.groups), roller);

@@ -60,7 +60,8 @@ struct RollersBetweenRaces {
   /// `spin` of all rollers between rings of these `speeds`, or nullptr: they roll on the outer
   /// ring, and the inner one turns with them.
   RollersBetweenRaces(const BearingModel& bearing, int group, const double* angle, double rate,
-                      const StaticState& ring, const double* spin, const RingSpeeds& speeds)
+                      const StaticState& ring, const double* spin, const RingSpeeds& speeds,
+                      const RingAngles& turned)
       : model(bearing),
         roller(bearing.groups[static_cast<std::size_t>(group)]),
         first(group * kLanes),
@@ -83,6 +84,12 @@ struct RollersBetweenRaces {
     inner.u_t = along_t(q, splat(ring.ring_y), splat(ring.ring_z));
     inner.B_r = along_r(q, splat(ring.tilt_y), splat(ring.tilt_z));
     inner.B_t = along_t(q, splat(ring.tilt_y), splat(ring.tilt_z));
+    if (!model.forms.round) {
+      inner.form = &model.forms.inner;
+      outer.form = &model.forms.outer;
+      inner.turned = turned.inner;
+      outer.turned = turned.outer;
+    }
     spinning = spin != nullptr;
     if (spinning) q.spin = load(spin + first);
     travel(splat(model.pitch_radius * rate));
@@ -95,10 +102,11 @@ struct RollersBetweenRaces {
     return *this;
   }
 
-  /// They orbit from their places at rest: follow the races, r' = orbit_rate dr/dtheta.
+  /// They orbit from their places at rest: follow the races, r' = orbit_rate dr/dtheta + dr/dt.
   RollersBetweenRaces& orbit(const RollerBalance& rest) {
     travel(q.r * orbit_rate);
     q.vr = q.vt * (rest.inner.slope[0][0][1] + rest.outer.slope[0][0][1]) / rest.k_rr;
+    if (inner.form) q.vr += (rest.inner.by_time[0] + rest.outer.by_time[0]) / rest.k_rr;
     return *this;
   }
 

@@ -65,8 +65,8 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   std::vector<double> y(static_cast<std::size_t>(l.size()), 0.0);
   const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
   const bool settled = start.state != StartState::centred;
-  const bool seeks =
-      start.state == StartState::steady || (start.state == StartState::automatic && m.lubricated);
+  const bool seeks = !m.full_complement && (start.state == StartState::steady ||
+                                            (start.state == StartState::automatic && m.lubricated));
   const SteadyStart steady = seeks ? find_steady_start(m) : SteadyStart{};
   const RingSpeeds rings = ring_speeds_at(m.duty, 0);
   const double cage_speed = steady.found ? steady.turn.cage_speed : kinematic_cage_speed(m, rings);
@@ -110,6 +110,9 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
     at(l.border_position(l.ring_tilt_slot())) = rest ? rest->tilt_y : m.misalignment_y;
     at(l.border_position(l.ring_tilt_slot() + 1)) = rest ? rest->tilt_z : m.misalignment_z;
   }
+  at(l.border_position(kCagePhi)) = start.cage_phase;
+  at(l.border_velocity(kCagePhi)) = cage_speed;
+  if (m.full_complement) return y;
   // The scene speaks of the geometric centre, the state of the mass centre.
   const double c = std::cos(start.cage_phase), s = std::sin(start.cage_phase);
   double e[2];
@@ -117,10 +120,8 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   at(l.border_position(kCageY)) = start.cage_offset_y + e[0];
   at(l.border_position(kCageZ)) = start.cage_offset_z + e[1];
   at(l.border_position(kCageX)) = start.cage_offset_x + at(l.position(kAxial, 0));
-  at(l.border_position(kCagePhi)) = start.cage_phase;
   at(l.border_velocity(kCageY)) = -cage_speed * e[1];
   at(l.border_velocity(kCageZ)) = cage_speed * e[0];
-  at(l.border_velocity(kCagePhi)) = cage_speed;
   if (m.flexible.centrifugal)  // spun out already
     for (int k = 0; k < l.modes; ++k)
       at(l.border_position(kModes + k)) = cage_speed * cage_speed *

@@ -109,7 +109,7 @@ StaticEquilibrium::RingForce StaticEquilibrium::settle_rollers(const double* ang
   RingForce ring;
   for (int group = 0; group < model_.layout.groups; ++group) {
     const int j = group * kLanes;
-    RollersBetweenRaces at(model_, group, angle, orbit_rate, state_, spins_, speeds_);
+    RollersBetweenRaces at(model_, group, angle, orbit_rate, state_, spins_, speeds_, angles_);
     Pack &r = at.q.r, &a = at.q.a_r;
     at.put(state_.radius, state_.tilt);
     // At rest first, where no speed damps; then orbiting, and the law's damping has its say.
@@ -211,7 +211,7 @@ bool StaticEquilibrium::follow(const double* angle, double orbit_rate, const Rin
     RollersBetweenRaces at;
     RollerBalance resting, orbiting;
     Step(const StaticEquilibrium& of, int group, const double* angle, double orbit_rate)
-        : at(of.model_, group, angle, orbit_rate, of.state_, of.spins_, of.speeds_),
+        : at(of.model_, group, angle, orbit_rate, of.state_, of.spins_, of.speeds_, of.angles_),
           resting(at.put(of.resting_radius_, of.resting_tilt_).balance(of.undamped_, 0)),
           orbiting(
               at.orbit(resting).put(of.state_.radius, of.state_.tilt).balance(of.model_.race, 1)) {}

@@ -42,6 +42,8 @@ class StaticEquilibrium {
   /// outer ring of the duty's last speed, or that of turn_outer().
   void spin(const double* spins, const RingSpeeds& speeds);
   void turn_outer(double speed) { speeds_.outer = speed; }
+  /// From now on the rings, whose raceways may have lobes, stand so.
+  void turn_rings(const RingAngles& angles) { angles_ = angles; }
   /// The last solution.
   const StaticState& state() const { return state_; }
 
@@ -85,6 +87,7 @@ class StaticEquilibrium {
   StaticState state_;
   const double* spins_ = nullptr;
   RingSpeeds speeds_;
+  RingAngles angles_;
   std::vector<double> resting_radius_, resting_tilt_;  ///< of orbiting rollers, before they orbit
 };
 

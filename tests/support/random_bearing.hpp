@@ -37,6 +37,8 @@ struct RandomBearingOptions {
   FilmModel film = FilmModel::none;
   bool lubricated = false;          ///< lubrication.model = LubricationModel::film
   Outline outline = Outline::flat;  ///< else rollers stand apart from the races
+  bool lobed = false;               ///< raceways with random lobes
+  bool full_complement = false;     ///< no cage: neighbours touch
   bool inner_flanges = true;        ///< of spatial rollers, on every fourth bearing
 };
 

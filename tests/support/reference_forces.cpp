@@ -102,13 +102,14 @@ class Bearing {
     result_.rates.assign(y_.size(), 0.0);
     result_.gross.assign(y_.size(), 0.0);
     for (int j = 0; j < layout_.rollers; ++j) roller(j);
-    lands();
+    if (!full_complement()) lands();
     border();
     result_.load_power = force().dot(moving_.ring) + moment().dot(moving_.ring_tilt);
     return result_;
   }
 
  private:
+  bool full_complement() const { return scene_.cage.model == CageKind::none; }
   double state(int slot) const { return y_[static_cast<std::size_t>(slot)]; }
   double& size(int slot) { return result_.gross[static_cast<std::size_t>(slot)]; }
   double& rate(int slot) { return result_.rates[static_cast<std::size_t>(slot)]; }
@@ -120,12 +121,16 @@ class Bearing {
   static Vector3d downwards(double angle) {
     return Eigen::AngleAxisd(angle, kX) * -Vector3d::UnitZ();
   }
-  /// On the inner ring; the angle of what turns by Simpson's rule, which a ramp fits exactly.
+  /// Angle of a ring, by Simpson's rule, which a ramp fits exactly.
+  double turned_by(double last, double first) const {
+    const auto at = [&](double t) { return speed(last, first, t); };
+    const double ramp = std::min(t_, scene_.operation.speed_ramp);
+    return ramp / 6 * (at(0) + 4 * at(ramp / 2) + at(ramp)) + (t_ - ramp) * at(t_);
+  }
+  /// On the inner ring.
   Vector3d force() const {
     const auto& o = scene_.operation;
-    const auto at = [&](double t) { return speed(o.inner_speed, o.speed_ramp_from, t); };
-    const double ramp = std::min(t_, o.speed_ramp);
-    const double turned = ramp / 6 * (at(0) + 4 * at(ramp / 2) + at(ramp)) + (t_ - ramp) * at(t_);
+    const double turned = turned_by(o.inner_speed, o.speed_ramp_from);
     const double with = std::isnan(o.rotating_speed) ? turned : o.rotating_speed * t_;
     const double now = speed(o.inner_speed, o.speed_ramp_from, t_);
     return ramped() * (o.radial_load * downwards(o.load_direction) +
@@ -197,7 +202,9 @@ class Bearing {
   /// How much stiffer the kind's pair of materials is than steel on steel.
   double against_steel(ContactKind kind) const {
     const auto softness = [](const Material& m) { return (1 - m.poisson * m.poisson) / m.young; };
-    const Material other = kind == kBar ? cage_material(scene_) : ring_material(scene_);
+    const Material other = kind == kBar         ? cage_material(scene_)
+                           : kind == kNeighbour ? roller_material(scene_)
+                                                : ring_material(scene_);
     return 2 * softness({208e9, 0.3, 0}) / (softness(roller_material(scene_)) + softness(other));
   }
 
@@ -275,6 +282,18 @@ class Bearing {
     double mean_diameter = 0;
     for (long k = 0; k < b.roller_count; ++k) mean_diameter += each(scene_.roller.diameter, k);
     mean_diameter /= static_cast<double>(b.roller_count);
+    // Form of the race where the middle of the roller is, and its slope.
+    const auto& o = scene_.operation;
+    const Vector3d to = radial(roller.centre - (inner ? ring_ : Vector3d::Zero().eval()));
+    const double angle =
+        std::atan2(to.z(), to.y()) - (inner ? turned_by(o.inner_speed, o.speed_ramp_from)
+                                            : turned_by(o.outer_speed, o.outer_ramp_from));
+    double height = 0, slope = 0;
+    for (const Lobes& of : inner ? b.inner_lobes : b.outer_lobes) {
+      const auto lobes = static_cast<double>(of.count);
+      height += of.amplitude * std::cos(lobes * angle - of.phase);
+      slope -= lobes * of.amplitude * std::sin(lobes * angle - of.phase);
+    }
     for (long k = 0; k < slices; ++k) {
       const double xi =
           ((static_cast<double>(k) + 0.5) / static_cast<double>(slices) - 0.5) * length;
@@ -285,7 +304,7 @@ class Bearing {
       const Vector3d on_axis = radial(roller.centre + xi * roller.axis);
       const Vector3d d = on_axis - (inner ? radial(ring_) : Vector3d::Zero().eval()) - place * m;
       const Vector3d n = s * d.normalized(), t = kX.cross(n);
-      const double p = s * (race_radius - d.norm()) + radius;
+      const double p = s * (race_radius + height - d.norm()) + radius;
       const auto speeds = [=, &roller](const Motion& v) {
         // The ring's axis at the slice, and the turning of the ring.
         const Vector3d tilt = inner ? v.ring_tilt : Vector3d::Zero().eval();
@@ -295,7 +314,9 @@ class Bearing {
         const Vector3d surface =
             ring + (spin * (kX + m) + kX.cross(tilt)).cross(s * race_radius * n);
         const Vector3d slide = roller_point(roller, v, xi, -radius * n) - surface;
-        return Speeds{-n.dot(approach), t.dot(slide), slide.x()};
+        const Vector3d past = v.roller - (inner ? v.ring : Vector3d::Zero().eval());
+        const double passing = kX.cross(to).dot(past) / to.squaredNorm() - spin;
+        return Speeds{-n.dot(approach) + s * slope * passing, t.dot(slide), slide.x()};
       };
       contact(inner ? kInnerRace : kOuterRace, scene_.contact.race, static_cast<double>(slices), p,
               roller.own, speeds, &forces);
@@ -437,6 +458,7 @@ class Bearing {
       enum Against { kPocket, kOuterFlange, kInnerFlange };
       for (const Against against : {kPocket, kOuterFlange, kInnerFlange}) {
         const bool flange = against != kPocket, inner = against == kInnerFlange;
+        if (!flange && full_complement()) continue;
         if (flange && !has_flange(inner ? b.inner_flanges : b.outer_flanges, e > 0)) continue;
         // Points stand in the middle of what lies between a roller's corner and the flange's rim.
         const double foot =
@@ -496,7 +518,64 @@ class Bearing {
     }
   }
 
-  void roller(int j) {
+  /// Roller `a` against the next one, `b`: what acts on one of both.
+  void neighbours(const Roller& a, int ja, const Roller& b, int jb, bool on_a, Forces& forces) {
+    const long stations = scene_.discretisation.bar_stations;
+    const double length = scene_.roller.length;
+    const auto& law = scene_.contact.bar;
+    for (long k = 0; k < stations; ++k) {
+      const double share =
+          stations == 1 ? 0 : static_cast<double>(k) / static_cast<double>(stations - 1) - 0.5;
+      const double s = 0.8 * share * length;
+      const double R_a = a.radius + s / length * each(scene_.roller.taper, ja) / 2,
+                   R_b = b.radius + s / length * each(scene_.roller.taper, jb) / 2;
+      const double half = (b.centre.x() - a.centre.x()) / 2, xi_a = s + half, xi_b = s - half;
+      const Vector3d d = radial(b.centre + xi_b * b.axis - a.centre - xi_a * a.axis),
+                     n = d.normalized(), t = kX.cross(n);
+      const auto speeds = [&](const Motion& A, const Motion& B) {
+        const double shift = (B.roller.x() - A.roller.x()) / 2;
+        const Vector3d d_rate = B.roller + xi_b * B.lean - A.roller - xi_a * A.lean -
+                                shift * (radial(a.axis) + radial(b.axis));
+        const Vector3d slide =
+            roller_point(a, A, xi_a, R_a * n) - roller_point(b, B, xi_b, -R_b * n);
+        return Speeds{-n.dot(d_rate), t.dot(slide), slide.x()};
+      };
+      const double p = R_a + R_b - d.norm();
+      if (p <= 0) continue;
+      const Speeds now = speeds(a.own, b.own);
+      const double part = (law.law == ForceLaw::hertz ? against_steel(kNeighbour) : 1) /
+                          static_cast<double>(stations);
+      const double Q = reference_normal_force(law, length, p, now.approach) * part,
+                   elastic = elastic_force(law, length, p) * part;
+      const double speed = std::hypot(now.v1, now.v2),
+                   traction = reference_friction_coefficient(scene_.contact, speed) * Q,
+                   F1 = speed > 0 ? -traction * now.v1 / speed : 0,
+                   F2 = speed > 0 ? -traction * now.v2 / speed : 0;
+      const auto power = [&](const Motion& unit) {
+        const Speeds u = on_a ? speeds(unit, {}) : speeds({}, unit);
+        return -Q * u.approach + F1 * u.v1 + F2 * u.v2;
+      };
+      for (int i = 0; i < 3; ++i) {
+        Motion unit;
+        unit.roller = Vector3d::Unit(i);
+        forces.centre[static_cast<std::size_t>(i)] += power(unit);
+        if (i == 0) continue;
+        unit = {};
+        unit.lean = Vector3d::Unit(i);
+        forces.lean[static_cast<std::size_t>(i)] += power(unit);
+      }
+      Motion unit;
+      unit.spin = 1;
+      forces.spin += power(unit);
+      if (!on_a) continue;
+      ++result_.touching[kNeighbour];
+      result_.elastic_energy += elastic * p / (exponent(law) + 1);
+      result_.friction_power += traction * speed;
+      result_.damping_power += (Q - elastic) * now.approach;
+    }
+  }
+
+  Roller unpack_roller(int j) const {
     const auto q = [&](RollerPosition slot) { return state(layout_.position(slot, j)); };
     const auto v = [&](RollerVelocity slot) { return state(layout_.velocity(slot, j)); };
     Roller roller;
@@ -519,11 +598,22 @@ class Bearing {
                         roller.r * roller.theta_rate * roller.e_t;
     roller.own.lean = Vector3d(0, v(kAxisRateY), v(kAxisRateZ));
     roller.own.spin = v(kSpin);
+    return roller;
+  }
 
+  void roller(int j) {
+    const Roller roller = unpack_roller(j);
     Forces forces;
     race(roller, j, true, forces);
     race(roller, j, false, forces);
-    bars(roller, j, forces);
+    if (full_complement()) {
+      const int next = (j + 1) % layout_.rollers,
+                last = (j + layout_.rollers - 1) % layout_.rollers;
+      neighbours(roller, j, unpack_roller(next), next, true, forces);
+      neighbours(unpack_roller(last), last, roller, j, false, forces);
+    } else {
+      bars(roller, j, forces);
+    }
     ends(roller, j, forces);
 
     const Vector3d acceleration = net(forces.centre) / roller.mass + gravity();
@@ -639,6 +729,12 @@ class Bearing {
         size(layout_.border_velocity(tilt + k)) = gross(border_.ring_tilt) / transverse;
       }
     }
+    const double in_plane = std::max(border_.ring[1].gross, border_.ring[2].gross);
+    if (full_complement()) {
+      for (const int slot : {kRingY, kRingZ})
+        size(layout_.border_velocity(slot)) = in_plane / ring_mass;
+      return;
+    }
     v(kCageX) = border_.cage[0].net / cage_mass_ + g.x();
     v(kCageY) = border_.cage[1].net / cage_mass_;
     v(kCageZ) = border_.cage[2].net / cage_mass_ + g.z();
@@ -648,7 +744,6 @@ class Bearing {
         cage_transverse_;
     v(kCageAxisY) = lean.y();
     v(kCageAxisZ) = lean.z();
-    const double in_plane = std::max(border_.ring[1].gross, border_.ring[2].gross);
     const double sizes[kRigidBorder] = {in_plane / ring_mass,
                                         in_plane / ring_mass,
                                         gross(border_.cage) / cage_mass_,

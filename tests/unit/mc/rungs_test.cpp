@@ -225,6 +225,16 @@ TEST(Rungs, TheLowestGivesItsQuantitiesAndNoOthers) {
         << quantity_table()[k].key;
 }
 
+TEST(Rungs, LeaveAFullComplementWithoutACage) {
+  const Study study = read_study(shipped("scenes/ncf3008-full-complement.toml"));
+  for (const Rung& rung : climbing_rungs())
+    EXPECT_EQ(on_rung(study.scene, rung).cage.model, CageKind::none) << rung.name;
+  for (const Rung& rung : refining_rungs(study.scene)) EXPECT_NE(rung.name, "modes");
+  const Study rung = rung_study(study, climbing_rungs().back(), 4);
+  ASSERT_EQ(rung.inputs.size(), 1u);
+  EXPECT_EQ(rung.inputs[0].key, "start.cage_phase_deg");
+}
+
 TEST(Rungs, AllSeeTheSameSamples) {
   const Study study = read_study(shipped("studies/nu205.toml"));
   const Study low = rung_study(study, climbing_rungs().front(), 24),

@@ -127,6 +127,17 @@ TEST(RatedRollers, RefusesRatingsThatNoRollersGive) {
   EXPECT_THAT(refusal([&] { rated_set(row, roller, 14); }), HasSubstr("are off by up to"));
 }
 
+TEST(Catalogue, SaysWhyDoubleRowsAndFullComplementsAreNotInIt) {
+  for (const char* double_row : {"NN3010", "nnu 4920", "SL04 5010", "NNCF 5010 CV"})
+    EXPECT_THAT(refusal([&] { catalogue_row(double_row); }), HasSubstr("rows of rollers"))
+        << double_row;
+  for (const char* full : {"NCF 3008 CV", "NJG2308", "SL18 2208"})
+    EXPECT_THAT(refusal([&] { catalogue_row(full); }),
+                AllOf(HasSubstr("full complement"), HasSubstr("cage.model = \"none\"")))
+        << full;
+  EXPECT_THAT(refusal([&] { catalogue_row("NU209X"); }), HasSubstr("near ones"));
+}
+
 TEST(ClearanceClass, IsThatOfTheStandard) {
   const auto um = [](ClearanceClass which, double bore) {
     const ClearanceRange range = clearance_range(which, bore);

@@ -53,7 +53,7 @@ TEST(DutyCourse, TurnsTheRingsByTheIntegralOfTheirSpeeds) {
       sum.inner += h * at.inner;
       sum.outer += h * at.outer;
     }
-    const RingAngles turned = rings_turned(duty, 15e-3);
+    const RingAngles turned = ring_angles_at(duty, 15e-3);
     EXPECT_NEAR(turned.inner, sum.inner, 1e-5) << repeat;
     EXPECT_NEAR(turned.outer, sum.outer, 1e-5) << repeat;
   }
@@ -94,9 +94,9 @@ TEST(Duty, AnOscillationStartsFromRestAndSwingsByItsAmplitude) {
   const Duty duty = make_duty(o);
   EXPECT_EQ(ring_speeds_at(duty, 0).inner, 20);
   const double half = 0.5 / 50;
-  EXPECT_NEAR(rings_turned(duty, half).inner, 20 * half + 0.6, 1e-12);
+  EXPECT_NEAR(ring_angles_at(duty, half).inner, 20 * half + 0.6, 1e-12);
   const double t = 3.3e-3, h = 1e-6;
-  EXPECT_NEAR((rings_turned(duty, t + h).inner - rings_turned(duty, t - h).inner) / (2 * h),
+  EXPECT_NEAR((ring_angles_at(duty, t + h).inner - ring_angles_at(duty, t - h).inner) / (2 * h),
               ring_speeds_at(duty, t).inner, 1e-4);
   EXPECT_TRUE(duty.over_time());
 }

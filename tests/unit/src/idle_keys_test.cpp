@@ -240,6 +240,34 @@ INSTANTIATE_TEST_SUITE_P(
                s.cage.retention_outer =
                    retention_width(s.cage, pitch_radius(s.bearing), 3.75e-3, 1, 0.1e-3);
              }},
+        Case{"lobed",
+             [](Scene& s) {
+               s.bearing.inner_lobes[0].amplitude = 3e-6;
+               s.bearing.outer_lobes[1] = {2e-6, 5, 0.4};
+             }},
+        Case{"lobed_equilibria",
+             [](Scene& s) {
+               s.model.motion = MotionModel::quasi_static;
+               s.bearing.inner_lobes[1].amplitude = 3e-6;
+               s.bearing.outer_lobes[0].amplitude = 2e-6;
+             }},
+        Case{"full_complement",
+             [](Scene& s) {
+               s.cage.model = CageKind::none;
+               s.bearing.roller_count = 16;
+               s.roller.diameter = {7.59e-3};
+               s.bearing.inner_raceway_diameter = 31.41e-3;
+               s.bearing.outer_raceway_diameter = 46.59e-3;
+             }},
+        Case{"dry_full_complement",
+             [](Scene& s) {
+               s.cage.model = CageKind::none;
+               s.bearing.roller_count = 16;
+               s.roller.diameter = {7.59e-3};
+               s.bearing.inner_raceway_diameter = 31.41e-3;
+               s.bearing.outer_raceway_diameter = 46.59e-3;
+               s.lubrication.model = LubricationModel::none;
+             }},
         Case{"polymer", [](Scene& s) { s.cage.material = {"pa66-gf25"}; }},
         Case{"given_materials",
              [](Scene& s) {

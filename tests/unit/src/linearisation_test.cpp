@@ -95,6 +95,31 @@ TEST_P(Linearisation, RatesAreThoseOfTheRightHandSide) {
   }
 }
 
+TEST_P(Linearisation, RatesChangeWithTimeAsLobesPass) {
+  for (const bool lubricated : {false, true}) {
+    RandomBearing b =
+        random_bearing(2, {.freedom = GetParam(), .lubricated = lubricated, .lobed = true});
+    b.t = 5e-3;  // after the ramps
+    System system(b.model);
+    const double dt = 1e-6;
+    ASSERT_TRUE(system.driven_by_time(b.t));
+    system.linearise_at(b.t, b.y.data());
+    std::vector<double> ahead(b.y.size()), behind(b.y.size()), found(b.y.size());
+    evaluate_rates(b.model, b.t + dt, b.y.data(), ahead.data());
+    evaluate_rates(b.model, b.t - dt, b.y.data(), behind.data());
+    system.rates_by_time(b.t, b.y.data(), found.data());
+    double size = 0, apart = 0;
+    for (std::size_t i = 0; i < b.y.size(); ++i) {
+      const double due = (ahead[i] - behind[i]) / (2 * dt);
+      size = std::max(size, std::abs(due) / system.scale[i]);
+      apart = std::max(apart, std::abs(due - found[i]) / system.scale[i]);
+    }
+    EXPECT_LT(apart, 1e-2 * size);
+    const int roller = b.model.layout.velocity(kRadialSpeed, 0);
+    EXPECT_NE(found[static_cast<std::size_t>(roller)], 0);
+  }
+}
+
 TEST_P(Linearisation, RatesChangeWithTimeAsTheRampsDo) {
   for (const bool turning : {false, true})
     for (const bool speed_too : {false, true}) {
@@ -193,6 +218,22 @@ TEST_P(Linearisation, LoadedRacesAreExact) {
     // this one.
     EXPECT_LT(relative_difference(b, 1e-4), 2e-7) << spelled(law);
   }
+}
+
+TEST_P(Linearisation, LobedRacesAreExact) {
+  for (const bool lubricated : {false, true})
+    for (const ForceLaw law : {ForceLaw::hertz, ForceLaw::impact}) {
+      if (lubricated && law == ForceLaw::impact) continue;
+      RandomBearing b = loaded_races(law, FilmModel::none, GetParam());
+      b.scene.bearing.inner_lobes = {Lobes{4e-6, 2, 0.3}, Lobes{1e-6, 9, -1}};
+      b.scene.bearing.outer_lobes = {Lobes{3e-6, 3, 2}, Lobes{}};
+      b.scene.operation.outer_speed = -100;
+      if (lubricated) b.scene.lubrication.model = LubricationModel::film;
+      b.model = make_bearing_model(b.scene);
+      b.t = 0.7e-3;
+      EXPECT_LT(relative_difference(b, lubricated ? 1e-5 : 1e-4), 2e-6)
+          << spelled(law) << (lubricated ? ", lubricated" : ", dry");
+    }
 }
 
 // The film with all that it depends on: force, elastic depth and entrainment. Left out is the turn

@@ -1,0 +1,16 @@
+// The right-hand side of bearings whose raceways have lobes, or whose rollers have no cage.
+#include "src/dynamics/evaluate.hpp"
+
+namespace cagetol {
+
+Evaluation uncommon_rates(const BearingModel& model) {
+  return model.lubricated ? evaluation_as<false, true, true>(model)
+                          : evaluation_as<false, false, true>(model);
+}
+
+Evaluation uncommon_linearisation(const BearingModel& model) {
+  return model.lubricated ? evaluation_as<true, true, true>(model)
+                          : evaluation_as<true, false, true>(model);
+}
+
+}  // namespace cagetol

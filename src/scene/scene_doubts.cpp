@@ -1,0 +1,43 @@
+#include <cmath>
+
+#include "src/scene/pocket_outline.hpp"
+#include "src/scene/roller_gap.hpp"
+#include "src/scene/scene_check.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Share of a roller's diameter that the gaps of a full complement hardly exceed in all.
+constexpr double kLooseComplement = 0.5;
+
+}  // namespace
+
+std::vector<std::string> scene_doubts(const Scene& scene) {
+  std::vector<std::string> doubts;
+  const double axes = pitch_radius(scene.bearing);
+  if (!has_cage(scene)) {
+    const double gap = total_roller_gap(scene), diameter = each(scene.roller.diameter, 0);
+    if (gap > kLooseComplement * diameter)
+      doubts.push_back("the gaps between the rollers add up to " + in_mm(gap) + ", " +
+                       (most_rollers(axes, diameter) > scene.bearing.roller_count
+                            ? "room for another roller"
+                            : "more than half a roller") +
+                       ": is this a full complement (bearing.roller_count)?");
+    return doubts;
+  }
+  if (is_quasi_static(scene)) return doubts;
+  const PocketOutline outline = pocket_outline(scene.cage, axes, each(scene.cage.pocket_width, 0));
+  const auto beside = [&](const OutlineEnd& end, double past) {
+    return !outline.curved && !end.lip && past > 0;
+  };
+  if (beside(outline.end[0], outline.end[0].height - axes) ||
+      beside(outline.end[1], axes - outline.end[1].height))
+    doubts.push_back("the rollers' axes, at a radius of " + in_mm(axes) +
+                     ", lie beside the flat faces of the bars (" + in_mm(outline.end[0].height) +
+                     " to " + in_mm(outline.end[1].height) +
+                     " above the cage's axis): rollers ride on the bars' edges, with more "
+                     "clearance and inclined forces");
+  return doubts;
+}
+
+}  // namespace cagetol
