@@ -11,12 +11,12 @@
 namespace cagetol {
 namespace {
 
-/// Value of f at the state moved by `step` along its own rates; time stands still.
+/// Value of f at the state moved by `step` along its own rates, and at that time.
 template <class F>
 double along_motion(const RandomBearing& b, const PackVector& rates, double step, F f) {
   std::vector<double> moved = b.y;
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += step * rates[i];
-  return f(moved);
+  return f(moved, b.t + step);
 }
 
 /// Derivative along the motion, central and of fourth order.
@@ -45,8 +45,9 @@ double differenced_net_power(const RandomBearing& b) {
   System system(b.model);
   system.linearise_at(b.t, b.y.data());
   const PackVector rates = system.rate;
-  return rate_along_motion(b, rates, 2e-9,
-                           [&](const std::vector<double>& y) { return net_power(system, b.t, y); });
+  return rate_along_motion(b, rates, 2e-9, [&](const std::vector<double>& y, double) {
+    return net_power(system, b.t, y);
+  });
 }
 
 class EnergyAccount : public testing::TestWithParam<Freedom> {};
@@ -61,16 +62,18 @@ double open_power(const RandomBearing& b, const std::vector<double>& steps) {
   const PackVector rates = system.rate;
   const Observation& seen = system.seen;
   const double bodies = rate_along_motion(
-      b, rates, 1e-7, [&](const std::vector<double>& y) { return body_energy(b.model, y.data()); });
+      b, rates, 1e-7,
+      [&](const std::vector<double>& y, double) { return body_energy(b.model, y.data()); });
   System moved(b.model);
   const double in = seen.drive_power + seen.load_power,
                out = seen.friction_power + seen.damping_power;
   double open = 1;
   for (const double step : steps) {
-    const double elastic = rate_along_motion(b, rates, step, [&](const std::vector<double>& y) {
-      moved.linearise_at(b.t, y.data());
-      return moved.seen.elastic_energy;
-    });
+    const double elastic =
+        rate_along_motion(b, rates, step, [&](const std::vector<double>& y, double t) {
+          moved.linearise_at(t, y.data());
+          return moved.seen.elastic_energy;
+        });
     const double size = std::abs(seen.drive_power) + std::abs(seen.load_power) +
                         std::abs(seen.friction_power) + std::abs(seen.damping_power) +
                         std::abs(elastic);
