@@ -185,7 +185,7 @@ std::string ladder_text(const ModelLadder& ladder) {
       "\nleast rung of each quantity, predicted gain of a mean with the help of cheaper rungs\n";
   for (const LadderQuantity& quantity : ladder.quantities)
     if (is_defined(quantity))
-      text += fmt::format("  {:<32}{:<16}{:.2f}\n", quantity.name,
+      text += fmt::format("  {:<31} {:<16}{:.2f}\n", quantity.name,
                           least_name(ladder, quantity.ladder), quantity.multifidelity_gain);
   return text;
 }

@@ -12,6 +12,7 @@
 #include "mc/operating_points.hpp"
 #include "mc/sample.hpp"
 #include "mc/study.hpp"
+#include "src/quantities/operating_point.hpp"
 
 namespace cagetol {
 namespace {
@@ -68,6 +69,9 @@ std::string summary(const Study& study) {
   const SweepForecast forecast = forecast_sweep(study);
   if (const std::string points = operating_points_text(study); !points.empty())
     text += points + "\n";
+  for (const OperatingPointPlan& point : study.points)
+    for (const std::string& warning : operating_warnings(at_operating_point(study.scene, point)))
+      text += "warning: at " + point.name + ": " + warning + "\n";
   if (forecast.samples > 1) text += "a sweep of " + forecast_text(forecast) + "\n";
   if (const double cage = forecast_cage_table(study.scene); cage > 0)
     text += fmt::format("making a table of the flexible cage takes about {:.2g} GB of memory\n",

@@ -11,13 +11,12 @@
 namespace cagetol {
 namespace {
 
-/// Value of f at the state moved by `step` [s] along its own rates, and at that time: time stands
-/// still but where raceways with lobes turn.
+/// Value of f at the state moved by `step` [s] along its own rates, and at that time.
 template <class F>
 double along_motion(const RandomBearing& b, const PackVector& rates, double step, F f) {
   std::vector<double> moved = b.y;
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += step * rates[i];
-  return f(moved, b.model.forms.round ? b.t : b.t + step);
+  return f(moved, b.t + step);
 }
 
 /// Derivative along the motion, central and of fourth order.
@@ -48,8 +47,9 @@ double differenced_net_power(const RandomBearing& b) {
   System system(b.model);
   system.linearise_at(b.t, b.y.data());
   const PackVector rates = system.rate;
+  // The rate of the net power holds what lobes do in time, and nothing else that time does.
   return rate_along_motion(b, rates, 2e-9, [&](const std::vector<double>& y, double t) {
-    return net_power(system, t, y);
+    return net_power(system, b.model.forms.round ? b.t : t, y);
   });
 }
 
