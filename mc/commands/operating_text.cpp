@@ -1,5 +1,7 @@
 #include "mc/commands/operating_text.hpp"
 
+#include <cmath>
+
 #include "mc/commands/outcome_text.hpp"
 #include "mc/json_number.hpp"
 #include "src/quantities/operating_point.hpp"
@@ -13,7 +15,8 @@ std::string operating_table(const Scene& scene) {
   const OperatingPoint at = operating_point(scene);
   const bool changes = changes_in_operation(scene);
   for (const OperatingRow& row : operating_rows())
-    if (changes || !row.of_change) text += value_line(row.key, row.value(at), row.unit);
+    if ((changes || !row.of_change) && !(row.of_some && std::isnan(row.value(at))))
+      text += value_line(row.key, row.value(at), row.unit);
   return text;
 }
 

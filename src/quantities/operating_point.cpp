@@ -255,8 +255,8 @@ const std::vector<OperatingRow>& operating_rows() {
       {"guide_clearance_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.guide; }},
       {"flange_clearance_as_made_um", "um", "axial clearance of a roller between its flanges, likewise", [](At p) { return 1e6 * p.made_clearance.flange; }, true},
       {"flange_clearance_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.flange; }},
-      {"neighbour_gap_as_made_um", "um", "of a full complement: sum of the gaps between neighbours on the pitch circle, before fits, heat and rotation", [](At p) { return 1e6 * p.made_clearance.neighbours; }, true},
-      {"neighbour_gap_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.neighbours; }},
+      {"neighbour_gap_as_made_um", "um", "of a full complement: sum of the gaps between neighbours on the pitch circle, before fits, heat and rotation", [](At p) { return 1e6 * p.made_clearance.neighbours; }, true, true},
+      {"neighbour_gap_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.neighbours; }, false, true},
       {"cage_mass_g", "g", "mass of the cage", [](At p) { return 1e3 * p.cage_mass; }},
       {"roller_mass_g", "g", "mass of a roller", [](At p) { return 1e3 * p.roller_mass; }},
   };

@@ -68,6 +68,7 @@ struct OperatingRow {
   double (*value)(const OperatingPoint& of);  ///< in that unit
   /// Of what changes in operation: says nothing where nothing does (changes_in_operation()).
   bool of_change = false;
+  bool of_some = false;  ///< of bearings that have it alone: tables leave it out elsewhere
 };
 /// All lines, in the order of tables and files.
 const std::vector<OperatingRow>& operating_rows();

@@ -32,8 +32,11 @@ TEST(NoAllocation, TheCounterCounts) {
 
 TEST(NoAllocation, InRightHandSideDerivativesAndSolution) {
   for (unsigned seed = 0; seed < 24; ++seed) {
-    const RandomBearing b = random_bearing(
-        seed, {.modes = seed % 2 == 0 ? 0 : 5, .freedom = static_cast<Freedom>(seed / 2 % 3)});
+    const bool lobed = seed % 3 == 1, full_complement = seed % 4 == 2;
+    const RandomBearing b = random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
+                                                  .freedom = static_cast<Freedom>(seed / 2 % 3),
+                                                  .lobed = lobed,
+                                                  .full_complement = full_complement});
     System system(b.model);
     NewtonMatrix newton(b.model);
     std::vector<double> rates(b.y.size());
