@@ -200,7 +200,7 @@ void set_flanges(const Scene& scene, BearingModel& m) {
       const double clearance =
           inner ? given_or(b.inner_flange_clearance, b.flange_clearance) : b.flange_clearance;
       const double rim = (inner ? b.inner_flange_diameter : b.shoulder_diameter) / 2,
-                   half_pad = flange_pad(scene, inner) / 2,
+                   half_pad = has_end_film(scene) ? flange_pad(scene, inner) / 2 : 0,
                    middle = rim + (inner ? -half_pad : half_pad) - m.pitch_radius;
       m.flanges.push_back({inner, right ? 1.0 : -1.0, clearance / 2,
                            end_points(m.nominal_diameter / 2, middle), FlatFilm{}});

@@ -239,6 +239,7 @@ void check_flanges(const Scene& scene, const SceneCheck& check) {
                 "set model.ring_tilt = \"prescribed\", or give the inner ring no flanges");
   for (const bool inner : {false, true}) {
     if ((inner ? b.inner_flanges : b.outer_flanges) == FlangeSides::none) continue;
+    if (!has_end_film(scene)) break;
     check.require(flange_pad(scene, inner) > 0, "roller.corner_radius_mm",
                   std::string("the flanges of the ") + (inner ? "inner" : "outer") +
                       " ring do not reach past the rollers' corners (" +

@@ -426,6 +426,10 @@ inline double outer_land_diameter(const BearingGeometry& b) {
   return b.outer_flanges == FlangeSides::both ? b.shoulder_diameter
                                               : b.outer_raceway_diameter + b.internal_clearance / 2;
 }
+/// Whether roller ends have oil between them and what they face.
+inline bool has_end_film(const Scene& scene) {
+  return is_lubricated(scene) && scene.lubrication.end_film;
+}
 /// Height of a ring's flange that meets the flat part of roller ends: from the rollers' corners to
 /// its rim [m]. Not positive where they do not reach each other.
 inline double flange_pad(const Scene& scene, bool inner) {

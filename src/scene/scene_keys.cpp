@@ -69,7 +69,7 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"bearing.least_load_factor", or_auto(above(0)), AT(bearing.least_load_factor), "factor k_r of the least load by SKF's rule (0.1 in series 10, 0.15 in series 2, 3 and 4, 0.2 in series 22, 0.25 in series 23); auto: not known"},
       {"roller.diameter_mm", required(above(0)), AT(roller.diameter), "roller diameter D_we"},
       {"roller.length_mm", required(above(0)), AT(roller.length), "roller length L_we"},
-      {"roller.corner_radius_mm", or_auto(at_least(0)), AT(roller.corner_radius), "radius between a roller's end and its cylinder: what lies within it meets no flange; auto: 0.06 D_we, an assumption"},
+      {"roller.corner_radius_mm", or_auto(at_least(0)), AT(roller.corner_radius), "radius between a roller's end and its cylinder: beyond it oil holds the flat end off a flange; auto: 0.06 D_we, an assumption"},
       {"roller.taper_um", within(-500, 500), AT(roller.taper), "diameter at the +x end minus diameter at the -x end"},
       {"roller.profile", any_value(), AT(roller.profile), "axial profile; logarithmic: ISO/TS 16281"},
       {"roller.material", one_of(material_names()), AT(roller.material.name), "named material of the rollers, for its keys that are left to auto"},

@@ -453,18 +453,14 @@ class Bearing {
     mean_radius /= static_cast<double>(b.roller_count);
     const double pitch = (b.inner_raceway_diameter + b.outer_raceway_diameter) / 4;
     for (const double e : {-1.0, 1.0}) {
-      const double xi = e * scene_.roller.length / 2,
-                   corner = auto_or(scene_.roller.corner_radius, 0.06 * scene_.roller.diameter[0]);
+      const double xi = e * scene_.roller.length / 2;
       enum Against { kPocket, kOuterFlange, kInnerFlange };
       for (const Against against : {kPocket, kOuterFlange, kInnerFlange}) {
         const bool flange = against != kPocket, inner = against == kInnerFlange;
         if (!flange && full_complement()) continue;
         if (flange && !has_flange(inner ? b.inner_flanges : b.outer_flanges, e > 0)) continue;
-        // Points stand in the middle of what lies between a roller's corner and the flange's rim.
-        const double foot =
-            inner ? b.inner_raceway_diameter / 2 + corner : b.outer_raceway_diameter / 2 - corner;
-        const double rim = (inner ? b.inner_flange_diameter : b.shoulder_diameter) / 2;
-        const double h = flange ? (foot + rim) / 2 - pitch : 0;
+        const double rim = inner ? b.inner_flange_diameter : b.shoulder_diameter;
+        const double h = flange ? rim / 2 - pitch : 0;
         const double tau = std::min(0.8 * mean_radius,
                                     std::sqrt(std::max(0.0, mean_radius * mean_radius - h * h)));
         // A wall's points keep their place beside the pocket and turn with the cage, a flange's

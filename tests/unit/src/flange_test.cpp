@@ -37,7 +37,7 @@ TEST(Flanges, StandOnTheSidesThatTheSceneSays) {
   EXPECT_EQ(m.flanges[1].side, 1);
   EXPECT_TRUE(m.flanges[2].inner);
   EXPECT_EQ(m.flanges[2].side, -1);
-  // In the middle between a corner of 0.06 D and the rim: outside the rollers' axes for the outer
+  // Oiled, in the middle between a corner of 0.06 D and the rim: outside the rollers' axes for the outer
   // ring, inside for the inner one.
   const double corner = 0.06 * 7.5e-3, outer_race = scene.bearing.outer_raceway_diameter / 2,
                inner_race = scene.bearing.inner_raceway_diameter / 2;
@@ -45,6 +45,10 @@ TEST(Flanges, StandOnTheSidesThatTheSceneSays) {
               (43.8e-3 / 2 + outer_race - corner) / 2 - m.pitch_radius, 1e-15);
   EXPECT_NEAR(m.flanges[2].points[0].radial,
               (34.7e-3 / 2 + inner_race + corner) / 2 - m.pitch_radius, 1e-15);
+  // Dry, at the rim.
+  scene.lubrication.end_film = false;
+  m = make_bearing_model(scene);
+  EXPECT_NEAR(m.flanges[0].points[0].radial, 43.8e-3 / 2 - m.pitch_radius, 1e-15);
   scene.bearing.outer_flanges = FlangeSides::none;
   m = make_bearing_model(scene);
   EXPECT_EQ(m.flanges.size(), 1U);
@@ -150,7 +154,7 @@ TEST(Flanges, ThatAreMissingAreNamed) {
               HasSubstr("no flange holds the rollers on the right"));
   EXPECT_THAT(refused("[bearing]\ninner_flanges = \"left\"\n"),
               HasSubstr("inner_flange_diameter_mm"));
-  EXPECT_THAT(refused("[roller]\ncorner_radius_mm = 2\n"),
+  EXPECT_THAT(refused("[lubrication]\nmodel = \"film\"\n[roller]\ncorner_radius_mm = 2\n"),
               HasSubstr("do not reach past the rollers' corners"));
   EXPECT_THAT(refused("[load]\naxial_N = 100\n"),
               HasSubstr("a flange of the inner ring on the left"));

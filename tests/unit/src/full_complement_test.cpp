@@ -144,7 +144,7 @@ TEST_P(FullComplement, TheChainIsSolvedLikeDenseFactors) {
       newton.solve(rhs.data(), solution.data());
       const Eigen::MatrixXd J = scale.cwiseInverse().asDiagonal() * assembled * scale.asDiagonal();
       const Eigen::VectorXd dense =
-          Eigen::FullPivLU<Eigen::MatrixXd>(Eigen::MatrixXd::Identity(n, n) / beta - J)
+          Eigen::PartialPivLU<Eigen::MatrixXd>(Eigen::MatrixXd::Identity(n, n) / beta - J)
               .solve(scale.cwiseInverse().cwiseProduct(rhs));
       const Eigen::VectorXd ours = scale.cwiseInverse().cwiseProduct(solution);
       const double apart = (ours - dense).cwiseAbs().maxCoeff() / dense.cwiseAbs().maxCoeff();
