@@ -71,9 +71,10 @@ OperatingPointPlan read_point(const toml::table& entry, const std::string& file,
     };
     if (!is_about_operation(leaf.name) || leaf.name == "duty.file")
       throw refuse(
-          "an operating point changes load, speed, duty, oil, window and surroundings, "
-          "nothing that the bearing is",
-          "set it below [scene]; a duty in its columns (duty.time_s ...)");
+          "an operating point changes load, speed, duty, the oil's viscosity, window and "
+          "surroundings, nothing that the bearing is",
+          "set it below [scene]; a duty in its columns (duty.time_s ...); for a colder or warmer "
+          "oil give lubrication.viscosity_Pa_s");
     if (std::any_of(study.inputs.begin(), study.inputs.end(),
                     [&](const UncertainInput& input) { return input.key == leaf.name; }))
       throw refuse("this key varies in the study", "leave it out here, or give it one value there");

@@ -105,8 +105,9 @@ void add_scene_command(CLI::App& app, Chosen& chosen) {
       "  cagetol scene NU1014 --cage peek-machined --lubricant iso-vg-32 --speed 6000 --load 2000\n"
       "  cagetol scene --list 22");
   auto options = std::make_shared<Options>();
-  command->add_option("DESIGNATION", options->designation,
-                      "A bearing; case, blanks and the suffix do not count (of --list: a part)");
+  command->add_option(
+      "DESIGNATION", options->designation,
+      "A bearing; case and blanks do not count, the suffix may be left out (of --list: a part)");
   command->add_option("--cage", options->make, "Make of the cage; left out: by the suffix")
       ->check(CLI::IsMember(choice_texts<CageMake>()));
   command->add_option("--guidance", options->guidance, "What guides the cage; left out: outer")

@@ -152,6 +152,14 @@ const CatalogueRow& catalogue_row(std::string_view designation) {
   for (const CatalogueRow& row : catalogue())
     if (stem(plain(row.designation)) == asked) return row;
   refuse_unmodelled(designation);
+  for (const CatalogueRow& row : catalogue())
+    if (const std::string known{stem(plain(row.designation))}; asked.starts_with(known))
+      if (const std::string rest = asked.substr(known.size());
+          std::isdigit(static_cast<unsigned char>(rest[0])) == 0)
+        throw InputError({}, "DESIGNATION", std::string(designation),
+                         "the table has this bearing with another suffix",
+                         "near ones: " + row.designation + "; leave '" + rest +
+                             "' out and say what it means by --cage, --guidance and --clearance");
   std::string near;
   for (const std::string& name : nearest_designations(designation, 5))
     near += (near.empty() ? "" : ", ") + name;

@@ -97,7 +97,9 @@ void check_phases(const Scene& scene, const SceneCheck& check) {
                 "set model.motion = \"dynamic\", or leave the phases out");
   std::set<std::string> seen;
   const Window& w = scene.window;
-  const double end = w.settle_time + w.measure_time;  // NaN: until the last phase ends
+  const double settle =
+      given_or(w.settle_time, *std::min_element(p.from.values.begin(), p.from.values.end()));
+  const double end = settle + w.measure_time;  // NaN: until the last phase ends
   for (std::size_t i = 0; i < p.name.size(); ++i) {
     const std::string& name = p.name[i];
     check.require(is_label(name), "phase.name", "'" + name + "' is no name of a phase",

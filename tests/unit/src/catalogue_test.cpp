@@ -135,7 +135,9 @@ TEST(Catalogue, SaysWhyDoubleRowsAndFullComplementsAreNotInIt) {
     EXPECT_THAT(refusal([&] { catalogue_row(full); }),
                 AllOf(HasSubstr("full complement"), HasSubstr("cage.model = \"none\"")))
         << full;
-  EXPECT_THAT(refusal([&] { catalogue_row("NU209X"); }), HasSubstr("near ones"));
+  EXPECT_THAT(
+      refusal([&] { catalogue_row("NU209X"); }),
+      AllOf(HasSubstr("near ones: NU 209 ECP;"), HasSubstr("leave 'X' out"), HasSubstr("--cage")));
 }
 
 TEST(ClearanceClass, IsThatOfTheStandard) {

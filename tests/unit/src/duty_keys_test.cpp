@@ -136,6 +136,10 @@ TEST_F(DutyKeys, RefuseBadPhases) {
   EXPECT_THAT(phase("[[phase]]\nname = 'a'\nfrom_s = 0\nto_s = 1\n[window]\nsettle_time_s = 0\n"
                     "measure_time_s = 0.5\n"),
               HasSubstr("ends after the run, 0.5 s"));
+  // Left out, the settling ends where the first phase begins.
+  EXPECT_THAT(
+      phase("[[phase]]\nname = 'a'\nfrom_s = 0.2\nto_s = 1\n[window]\nmeasure_time_s = 0.5\n"),
+      HasSubstr("ends after the run, 0.7 s"));
 }
 
 }  // namespace
