@@ -223,8 +223,17 @@ std::string plan_text(const StudyData& pilot, const CampaignPlan& plan) {
       plan.seconds_per_run, plan.processes, plan.mixture_rows, study.candidates.size(), mixture,
       duration_text(each * mixture), rules.attempts, 100 * attempt_confidence(rules),
       confirming_runs(0, rules), plan.confirm_runs, duration_text(each * confirm));
-  if (static_cast<double>(plan.mixture_rows) <
-      kFewestEffectiveRuns * static_cast<double>(study.candidates.size()))
+  const auto rows = static_cast<double>(plan.mixture_rows),
+             candidates = static_cast<double>(study.candidates.size());
+  // Candidates of several dimensions borrow from their bands (yield_curve.hpp).
+  if (study.dimensions.size() == 1 && rows < kLeastEffectiveRuns * candidates)
+    text += fmt::format(
+        "\n  fewer than {:.0f} rows for each candidate: some or all will have too few effective "
+        "runs to be judged; in another directory recommend.budget_samples = {:.0f} gives them",
+        kLeastEffectiveRuns,
+        2 * runs_of_rows(study, kLeastEffectiveRuns * candidates) +
+            static_cast<double>(pilot.id.size()));
+  else if (rows < kFewestEffectiveRuns * candidates)
     text += fmt::format(
         "\n  fewer than {:.0f} rows for each candidate: with so few effective runs their yields "
         "are rough",

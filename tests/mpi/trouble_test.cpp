@@ -94,7 +94,9 @@ TEST_F(TroubleTest, ADamagedJournalIsNamedAndTheRestUsed) {
   sweep();
   fs::remove(study_file_of(directory_));
   const std::string journal = longest_journal(directory_);
-  std::fstream(journal, std::ios::in | std::ios::out).seekp(1500).write("damage", 6);
+  std::fstream(journal, std::ios::in | std::ios::out)
+      .seekp(1500)
+      .write("\xa5", 1);  // in one record
   const Ended ended = run(with_mpirun(2, standin(directory_)));
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.output, AllOf(HasSubstr(journal + ": damaged at byte"),
@@ -154,7 +156,7 @@ TEST_F(TroubleTest, AnUnusableDirectoryIsBadInput) {
 
 TEST_F(TroubleTest, AFileSizeLimitLosesNothing) {
   const Ended limited = run(standin(directory_), [] {
-    const rlimit tight{8000, 8000};
+    const rlimit tight{10000, 10000};
     setrlimit(RLIMIT_FSIZE, &tight);
   });
   EXPECT_EQ(limited.code, 75);

@@ -16,7 +16,7 @@ while read -r line; do
   [[ $line == *" sweep "* ]] && command="$command $short --set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
   [[ $line == *" limits "* ]] && command="$command --samples 6 ${short/--set samples=20/} --set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
   [[ $line == *" cage "* ]] && command="$command --set cage.corner_radius_mm=0"
-  [[ $line == *" ladder "* ]] && command="$command --samples 3"
+  [[ $line == *" ladder "* ]] && command="$command --samples $([[ $line == *--refine* ]] && echo 2 || echo 3)"
   [[ $line == *" ladder inputs/"* ]] && command="$command --set cage.mesh_density=2 --set cage.corner_radius_mm=0 ${short/--set samples=20/}"
   [[ $line == *" recommend "* ]] && command="$command ${short/samples=20/samples=100} --set recommend.pilot_samples=32 --set recommend.budget_samples=180 --set tolerance.target_yield=0.8 --set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
   # So few pairs resolve no bias, which ends with 1.

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 
 #include "analysis/study/refused.hpp"
 #include "tests/support/tolerance_standin.hpp"
@@ -10,6 +11,7 @@ namespace cagetol {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 StudyData pilot_of() {
   StudyData pilot = tolerance_standin(100, 3, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
@@ -60,6 +62,20 @@ TEST(PlanCampaign, TurnsHoursIntoRuns) {
   EXPECT_THAT(text, HasSubstr("3550 rows over 8 candidates, 3550 runs, 30 min"));
   EXPECT_THAT(text,
               HasSubstr("2 attempts at 97.5 % confidence each, from 72 runs for one to 3550"));
+}
+
+// Widths alone borrow from no other dimension: 30 rows each, twice that in all, and the pilot.
+TEST(PlanCampaign, SaysWhatJudgesEveryCandidateOfOneDimension) {
+  StudyData pilot = tolerance_standin(100, 3, {kPrintedWidth}, 0.95, widest_pocket);
+  pilot.timing = {{"wall_s", "s", "", std::vector<double>(100, 2.0)}};
+  const std::size_t rows = 30 * pilot.plan.candidates.size();
+  CampaignPlan plan = plan_campaign(pilot, {.budget_samples = 2000}, 480, 1);
+  plan.mixture_rows = rows - 1;
+  EXPECT_THAT(
+      plan_text(pilot, plan),
+      HasSubstr("recommend.budget_samples = " + std::to_string(2 * rows + 100) + " gives them"));
+  plan.mixture_rows = rows;
+  EXPECT_THAT(plan_text(pilot, plan), Not(HasSubstr("budget_samples")));
 }
 
 TEST(PlanCampaign, SaysWhichBudgetWouldDo) {

@@ -109,7 +109,7 @@ def main():
         if path.stem in HIDDEN:
             continue
         scene = tomllib.loads(path.read_text(encoding="utf-8"))
-        run = program.run(path)
+        run = program.run(path, {"cage.model": "rigid"} if arguments.quick else {})
         if not run.ok:
             sys.exit(f"{path}: {run.reason}")
         page.heading(f"`{path.stem}`")
