@@ -284,7 +284,7 @@ Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes) {
     joined.quantities.insert(joined.quantities.end(), of_point.quantities.begin(),
                              of_point.quantities.end());
   joined.quantities.resize(quantity_count(joined.labels), kNone);
-  joined.least_known = last.least_known.empty() ? "" : last.least_known;
+  joined.least_known = last.least_known;
   if (const long at = largest_of(outcomes, "cage_stress_peak_MPa"); at >= 0)
     joined.cage_peak = outcomes[static_cast<std::size_t>(at)].cage_peak;
   return joined;

@@ -68,7 +68,7 @@ struct EndForces {
   Pack drag;    ///< friction force over sliding speed [N s/m]
 };
 /// `wet`: lanes within the layer of oil; without oil those in contact. `drawn`: speed at which oil
-/// is drawn in between wedges [m/s].
+/// is drawn into the wedge [m/s].
 template <bool linear>
 EndForces end_forces(const NormalLaw& law, const FrictionLaw& rubbing, const FlatFilm& oil,
                      const Touch<Pack>& touch, Mask wet, Pack drawn = Pack{}) {

@@ -84,8 +84,8 @@ FlangePoint flange_point(const BearingModel& model, const Flange& flange, const 
 
 /// What the motion of the inner ring changes: slopes of the normal force `by_p`, `by_rate`, of the
 /// forces on the rollers `on_p`, `on_rate`, of the friction by both sliding speeds, and of the lost
-/// power; and the normal force's slopes by the oil that roller and orbit draw in, and by what
-/// positions make of p' and of that.
+/// power. `drawn`: slopes of the normal force by the roller's velocities by way of u; `held`: by
+/// its positions by way of u and p'.
 struct RingSlopes {
   Pack by_p, by_rate, lost_p, lost_rate, lost_v1, lost_v2;
   Pack d11, d12, d22;

@@ -1,3 +1,4 @@
+// Above 400 lines: one part after another of a single model.
 #include "src/model/bearing_model.hpp"
 
 #include <algorithm>

@@ -130,7 +130,7 @@ bool RollerChain::factor(const Linearisation& linear, const Eigen::VectorXd& bor
     R.bottomRows<kMostRing>() = -ring.to_velocity - beta * ring.to_position;
     Block D = diagonal(j), U = Block::Zero();
     link.behind.setZero();
-    if (j == 0) {  // the last one is behind it
+    if (j == 0) {  // the roller behind the first one is the last one
       C.leftCols<kLocalVelocities>() += behind(last);
       R.topRows<kLocalVelocities>() += ahead(last);
     } else {

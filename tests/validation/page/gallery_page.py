@@ -22,7 +22,7 @@ from matplotlib import cm, colors, patches  # after report, which chooses the ba
 SCENES = ROOT / "inputs/scenes"
 SIZE = 2.6  # inch
 STEEL, CAGE = "0.85", "tab:olive"
-HIDDEN = ("nu205-paper-tight", "speed-z16", "speed-z16-skew")  # scenes of other tests' making, like nu205-paper
+HIDDEN = ("nu205-paper-tight", "speed-z16", "speed-z16-skew")  # a variant of nu205-paper, and what speed is measured on
 
 
 def ring(axis, inside, outside):
@@ -101,7 +101,7 @@ def main():
     page = Page(folder / "GALLERY.md", folder / "gallery")
     page.add("# The bearings that are shipped", "",
              "Each picture shows a bearing from the front, to no common scale: its rollers the redder the more of the",
-             "static load they carry at the clearance as made, which points down, and the bars of its cage. Results are",
+             "static load they carry at the clearance as made, which points down, and its cage's bars. Results are",
              "those of one run of the scene as it stands (`cagetol simulate inputs/scenes/NAME.toml`); what is assumed",
              "stands in each file. Written by tests/validation/page/gallery_page.py from commit "
              f"{program.commit()}.", "")
