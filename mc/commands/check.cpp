@@ -1,6 +1,8 @@
 // cagetol check FILE: reads a scene or study and says what it amounts to, without simulating.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 
@@ -8,6 +10,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/forecast.hpp"
+#include "mc/jam_shares.hpp"
 #include "mc/law_reader.hpp"
 #include "mc/operating_points.hpp"
 #include "mc/sample.hpp"
@@ -16,6 +19,9 @@
 
 namespace cagetol {
 namespace {
+
+/// Below it 4.5 % of a centred normal law's parts and more lie outside their band.
+constexpr double kLeastCapability = 2.0 / 3;
 
 std::string law_text(const std::optional<Law>& law, const char* scope, const std::string& unit) {
   if (!law) return "";
@@ -33,6 +39,51 @@ std::string limit_text(const Limit& limit) {
   if (limit.minimum) text += fmt::format(", at least {:.6g}", *limit.minimum);
   if (limit.maximum) text += fmt::format(", at most {:.6g}", *limit.maximum);
   return text + fmt::format(" ({})\n", limit.source);
+}
+
+/// Of each dimension that gets a tolerance, how its laws fill their band.
+std::string dimensions_text(const Study& study) {
+  std::string text;
+  for (const ToleranceDimension& dimension : study.tolerance.dimensions)
+    for (const UncertainInput& input : study.inputs) {
+      if (input.key != dimension.key) continue;
+      const double of_lot = input.lot ? standard_deviation(*input.lot) : 0,
+                   of_pocket = input.pocket ? standard_deviation(*input.pocket) : 0;
+      const double deviation = std::hypot(of_lot, of_pocket);
+      const double capability = dimension.band_mm / (6 * deviation);
+      text += fmt::format(
+          "  {}: the laws belong to a band of {:.6g} mm and have a standard deviation of {:.4g} "
+          "mm: Cp = {:.2f}; both scale with the candidate\n",
+          dimension.key, dimension.band_mm, deviation, capability);
+      if (capability < kLeastCapability)
+        text += fmt::format(
+            "warning: {}: so many parts lie outside their band that no inspection would pass "
+            "them; give band_mm of the drawing that the laws were measured under, or narrower "
+            "laws\n",
+            dimension.key);
+    }
+  return text;
+}
+
+/// How many cages of the candidates cannot be assembled or turn: geometry alone decides.
+std::string jams_text(const Study& study) {
+  const JamShares jams = jam_shares(study);
+  std::string text;
+  std::size_t over = 0;
+  double most = 0;
+  for (const double share : jams.candidate) {
+    over += share > 1 - study.tolerance.target_yield;
+    most = std::max(most, share);
+  }
+  if (most > 0)
+    text += fmt::format("  up to {:.2g} % of a candidate's cages jam by their dimensions alone\n",
+                        100 * most);
+  if (over > 0)
+    text += fmt::format(
+        "warning: {} of {} candidates miss the target yield of {:.6g} % by jams alone, whatever "
+        "the limits\n",
+        over, jams.candidate.size(), 100 * study.tolerance.target_yield);
+  return text;
 }
 
 std::string summary(const Study& study) {
@@ -57,7 +108,8 @@ std::string summary(const Study& study) {
   for (const auto& limit : study.limits) text += limit_text(limit);
   if (!study.candidates.empty())
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
-                        study.candidates.size(), study.tolerance.dimensions.size());
+                        study.candidates.size(), study.tolerance.dimensions.size()) +
+            dimensions_text(study) + jams_text(study);
   if (const std::size_t count = alternatives_of(study).size();
       count > 0 && !study.candidates.empty())
     text += fmt::format(
@@ -65,7 +117,7 @@ std::string summary(const Study& study) {
         "set\n",
         count);
   for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
-  text += operating_table(study.scene);
+  text += operating_table(study.scene) + duty_text(study.scene);
   const SweepForecast forecast = forecast_sweep(study);
   if (const std::string points = operating_points_text(study); !points.empty())
     text += points + "\n";

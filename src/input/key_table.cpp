@@ -174,6 +174,10 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
   std::vector<std::string> names, section;
   for (const auto& key : known) {
     names.push_back(key.name);
+    if (leaf.name.starts_with(key.name + "."))
+      return {place, leaf.name, value, key.name + " holds a value and has no keys of its own",
+              "give one value; or, in a study, the law of its deviations: " + key.name +
+                  " = { nominal = ..., law = \"normal\", sigma = ... }"};
     if (key.name.starts_with(leaf.name + ".")) section.push_back(key.name);
     const auto stem = without_unit(leaf.name);
     if (without_unit(key.name) != stem && without_unit(key.name) != leaf.name) continue;

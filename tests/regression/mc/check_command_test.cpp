@@ -1,0 +1,84 @@
+// `cagetol check` on duties over time, laws and bands.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/process.hpp"
+#include "tests/support/shipped_input.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// What `cagetol check` prints of a file with this text; its exit code must be `code`.
+std::string printed_by_check(const std::string& text, int code = 0) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch / "file.toml";
+  std::ofstream(file) << text;
+  Process process({std::string(CAGETOL_BINARY_DIR) + "/cagetol", "check", file});
+  EXPECT_EQ(process.wait(), code) << process.output();
+  return process.output();
+}
+
+std::string study_text(const std::string& keys) {
+  return "name = \"own\"\n[scene]\nfile = \"" + shipped("scenes/nu205.toml") +
+         "\"\nlubrication.model = \"none\"\ncage.model = \"rigid\"\n" + keys;
+}
+
+TEST(CheckCommand, SaysWhatADutyDoesAndHowLongARunIs) {
+  const std::string text = printed_by_check(study_text(R"(
+[scene.duty]
+time_s = [0, 0.02, 0.1]
+inner_rpm = [0, 6000, 3000]
+radial_N = [500, 2000, 2500]
+repeat_s = 0.12
+[[scene.phase]]
+name = "braking"
+from_s = 0.03
+to_s = 0.09
+)"));
+  for (const char* words :
+       {"again every 0.12 s", "at 0.02 s: 6000 rpm, 2000 N", "at 0.1 s: 3000 rpm, 2500 N",
+        "phase braking: 0.03 to 0.09 s", "settles for 0.03 s, then measures for 0.06 s"})
+    EXPECT_THAT(text, HasSubstr(words));
+  EXPECT_THAT(printed_by_check(study_text("")), Not(HasSubstr("duty over time")));
+}
+
+TEST(CheckCommand, SaysHowLawsFillTheirBandAndHowManyCagesJam) {
+  const auto with_sigma = [](const char* sigma) {
+    return printed_by_check(study_text(std::string("cage.pocket_width_mm = { nominal = 7.65, law = "
+                                                   "\"normal\", sigma = ") +
+                                       sigma + R"( }
+[[limit]]
+quantity = "friction_torque_Nmm"
+max = 100
+source = "assumption"
+cage_revolutions = 1
+[[tolerance.dimension]]
+key = "cage.pocket_width_mm"
+band_mm = 0.06
+candidates = [0.06, 0.03]
+)"));
+  };
+  const std::string capable = with_sigma("0.01"), wide = with_sigma("0.06");
+  EXPECT_THAT(capable, HasSubstr("a standard deviation of 0.01 mm: Cp = 1.00"));
+  EXPECT_THAT(capable, Not(HasSubstr("warning: cage")));
+  // 0.15 mm of clearance is 2.5 standard deviations: 0.6 % of pockets, 8 % of cages of 13.
+  EXPECT_THAT(wide, HasSubstr("Cp = 0.17"));
+  EXPECT_THAT(wide, HasSubstr("warning: cage.pocket_width_mm: so many parts lie outside"));
+  EXPECT_THAT(wide, testing::ContainsRegex("up to [78]\\.?[0-9]* % of a candidate's cages jam"));
+  EXPECT_THAT(wide, HasSubstr("warning: 1 of 2 candidates miss the target yield of 95 % by jams"));
+}
+
+TEST(CheckCommand, NamesTheLawThatADistributionLacks) {
+  const std::string text =
+      printed_by_check(study_text("cage.pocket_width_mm = { sigma = 0.01 }\n"), 2);
+  EXPECT_THAT(text, HasSubstr("cage.pocket_width_mm holds a value and has no keys of its own"));
+  EXPECT_THAT(text, HasSubstr("law = \"normal\", sigma = ... }"));
+}
+
+}  // namespace
+}  // namespace cagetol
