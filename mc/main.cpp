@@ -66,6 +66,7 @@ int main(int argc, char** argv) try {
   add_scene_command(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
+  add_manual_options(app, chosen);
   try {
     app.parse(argc, argv);
     if (chosen) return chosen();

@@ -10,12 +10,13 @@
 #include "analysis/report/assumption_runs.hpp"
 #include "analysis/study/study_data.hpp"
 #include "mc/study_file/exit_code.hpp"
+#include "mc/study_file/shipped_file.hpp"
 
 namespace cagetol {
 
 struct ReportOptions {
   /// Python scripts that draw from report.json.
-  std::filesystem::path figures_dir = CAGETOL_FIGURES_DIR;
+  std::filesystem::path figures_dir = shipped_file("analysis/figures");
   /// Debian's own interpreter: it has matplotlib, whatever other python3 comes first on the PATH.
   std::string python = "/usr/bin/python3";
   bool json_to_stdout = false;  ///< print report.json instead of the verdict

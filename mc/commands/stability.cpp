@@ -14,12 +14,13 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/file_write.hpp"
+#include "mc/study_file/shipped_file.hpp"
 
 namespace cagetol {
 namespace {
 
 struct StabilityArguments {
-  std::string directory, suite = CAGETOL_SUITE_FILE;
+  std::string directory, suite = shipped_file("inputs/stability.toml").string();
   std::vector<IntegrationMethod> methods;
   bool fast = false;
   int threads = 1;
