@@ -25,6 +25,7 @@ constexpr const char* kExamples =
     "  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
     "  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
     "  cagetol replay out/nu205 --sample 17\n"
+    "  cagetol animate out/nu205 --sample 17\n"
     "  cagetol cage inputs/scenes/nu205.toml\n"
     "  cagetol bench inputs/scenes/speed-z16.toml\n"
     "  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
@@ -54,6 +55,7 @@ int main(int argc, char** argv) try {
   add_sweep_command(app, chosen);
   add_recommend_command(app, chosen);
   add_replay_command(app, chosen);
+  add_animate_command(app, chosen);
   add_report_command(app, chosen);
   add_cage_command(app, chosen);
   add_compare_command(app, chosen);

@@ -7,6 +7,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/recommend_stages.hpp"
+#include "mc/commands/study_motion.hpp"
 #include "mc/signals.hpp"
 #include "mc/study.hpp"
 #include "mc/team.hpp"
@@ -30,7 +31,9 @@ int run_recommend(const RecommendArguments& options) {
   const int code = run_recommend(read, make_sweep_plan, options.stages);
   const bool decided = code == kDone || code == kLimitsNotMet;
   if (decided && launch_from_environment().rank == 0) {
-    update_cage_peak(study_file_in(options.stages.directory).parent_path());
+    const auto sweep_directory = study_file_in(options.stages.directory).parent_path();
+    update_cage_peak(sweep_directory);
+    update_study_motion(sweep_directory);
     run_report(options.stages.directory);
   }
   return code;

@@ -12,6 +12,7 @@
 #include "mc/commands/companion_stages.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
+#include "mc/commands/study_motion.hpp"
 #include "mc/forecast.hpp"
 #include "mc/signals.hpp"
 #include "mc/study.hpp"
@@ -80,7 +81,10 @@ int run_sweep(const SweepArguments& options) {
   const SignalWatch signals;  // before a large study is read
   const int code = run_sweeps(options);
   const bool complete = code == kDone || code == kSamplesFailed;
-  if (complete && launch_from_environment().rank == 0) update_cage_peak(options.sweep.directory);
+  if (complete && launch_from_environment().rank == 0) {
+    update_cage_peak(options.sweep.directory);
+    update_study_motion(options.sweep.directory);
+  }
   return code;
 }
 
