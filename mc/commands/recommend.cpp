@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "analysis/report/report.hpp"
+#include "mc/commands/bearing_facts.hpp"
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
@@ -31,7 +32,7 @@ int run_recommend(const RecommendArguments& options) {
   const bool decided = code == kDone || code == kLimitsNotMet;
   if (decided && launch_from_environment().rank == 0) {
     update_cage_peak(study_file_in(options.stages.directory).parent_path());
-    run_report(options.stages.directory);
+    run_report(options.stages.directory, {.bearing = bearing_facts});
   }
   return code;
 }
