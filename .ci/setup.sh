@@ -32,7 +32,7 @@ program_packages=(g++ cmake ninja-build pkg-config git ca-certificates
   libopenblas0-serial libblas-dev liblapack-dev libboost-dev librandom123-dev libtomlplusplus-dev libcli11-dev
   libfmt-dev libspdlog-dev
   nlohmann-json3-dev)
-figure_packages=(python3 python3-matplotlib python3-h5py fonts-dejavu-core)
+figure_packages=(python3 python3-jinja2 python3-matplotlib python3-h5py fonts-dejavu-core weasyprint)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev calculix-ccx python3-scipy clang-format-14)
 
 # build TARGET...: configures and builds in build/.

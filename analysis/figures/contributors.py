@@ -32,7 +32,7 @@ def pareto(report):
         places = range(len(shares))
         axis.barh(places, [100 * max(known(share["value"]), 0) for share in shares], color=SKY, height=0.65,
                   xerr=100 * np.array(interval_bars(shares)), error_kw={"ecolor": "#333333", "elinewidth": 1, "capsize": 2})
-        axis.set_yticks(places, [share["feature"].removeprefix("pocket ") for share in shares], fontsize=7.5)
+        axis.set_yticks(places, [share["feature"] for share in shares], fontsize=7)
         axis.invert_yaxis()
         axis.set_title(readable(output["output"]), loc="center", fontsize=8.5)
         axis.set_xlim(0, 100)
@@ -42,10 +42,22 @@ def pareto(report):
     return figure
 
 
+MOST_ROWS = 36  # what a page has room for; report.json holds all
+
+
+def most_explained(report):
+    """The deciding outputs, then those that one feature explains most of; no bookkeeping."""
+    idle = {entry["quantity"] for entry in report["quantities"] if entry["bookkeeping"]}
+    outputs = [output for output in report["contributors"]["outputs"] if output["output"] not in idle and output["shares"]]
+    deciding = [output for output in outputs_to_explain(report) if output in outputs]
+    share = lambda output: -max((known(s["value"]) for s in output["shares"] if not math.isnan(known(s["value"]))), default=0)
+    return (deciding + sorted((output for output in outputs if output not in deciding), key=share))[:MOST_ROWS]
+
+
 def matrix(report):
     """Contributor by quantity heat map."""
-    outputs = report["contributors"]["outputs"]
-    features = [feature["name"].removeprefix("pocket ") for feature in report["contributors"]["features"]]
+    outputs = most_explained(report)
+    features = [feature["name"] for feature in report["contributors"]["features"]]
     if not outputs or not features:
         return None
     shares = np.array([[100 * known(share["value"]) for share in output["shares"]] for output in outputs])

@@ -17,6 +17,7 @@ def main(report_file, output_dir):
     matplotlib.use("svg")
     import matplotlib.pyplot as plt
     plt.style.use(str(here / "cagetol.mplstyle"))
+    import bearing
     import cage
     import centres
     import contributors
@@ -29,11 +30,13 @@ def main(report_file, output_dir):
     import tolerance
 
     of_report = {
+        "bearing": bearing.bearing,
         "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
         "jam_curves": tolerance.jam_curves,
         "centre_curves": centres.centre_curves, "centre_map": centres.centre_map,
         "centre_responses": centres.centre_responses,
-        "limited_quantities": quantities.limited_quantities, "other_quantities": quantities.other_quantities,
+        "limited_quantities": quantities.limited_quantities,
+        **{f"other_quantities_{page + 1}": quantities.other_quantities(page) for page in range(4)},
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
         "cage_stress": cage.cage_stress, "error_budget": error_budget.error_budget,

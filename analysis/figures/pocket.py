@@ -49,8 +49,8 @@ def draw_section(axis, section):
     axis.set_ylabel("radius [mm]")
 
 
-def draw_outside(axis, view):
-    """The cage from outside, unrolled at the pitch radius."""
+def draw_outside(axis, view, sizes=True):
+    """The cage from outside, unrolled at the pitch radius; with its sizes written in."""
     half, width = view["half_sector_mm"], view["cage_width_mm"]
     axis.add_patch(Rectangle((-1.05 * half, -width / 2), 2.1 * half, width, facecolor=CAGE, edgecolor=BLACK, linewidth=0.9))
     axis.fill(view["opening"]["across"], view["opening"]["up"], facecolor="white", edgecolor=BLACK, linewidth=0.9)
@@ -67,8 +67,9 @@ def draw_outside(axis, view):
     axis.text(0, 0, "roller", ha="center", va="center", fontsize=7.5)
     size = {"ha": "center", "va": "center", "fontsize": 7.5}
     side = (width + view["pocket_length_mm"]) / 4
-    axis.text(0, side, f"pocket {view['pocket_width_mm']:.3f} × {view['pocket_length_mm']:.3f} mm", **size)
-    axis.text(0, -side, f"roller {roller:.3f} × {length:.3f} mm", **size)
+    if sizes:
+        axis.text(0, side, f"pocket {view['pocket_width_mm']:.3f} × {view['pocket_length_mm']:.3f} mm", **size)
+        axis.text(0, -side, f"roller {roller:.3f} × {length:.3f} mm", **size)
     axis.set_xlim(-1.15 * half, 1.15 * half)
     axis.set_ylim(-0.55 * width, 0.55 * width)
     axis.set_title("from outside, unrolled")

@@ -12,49 +12,88 @@ def bars(axis, histogram, color=BLUE):
                  color=color, edgecolor="white", linewidth=0.4)
 
 
+def reach(histogram):
+    """Ends of the drawn scale: the data, and half their spread on either side."""
+    low, high = histogram["edges"][0], histogram["edges"][-1]
+    return low - 0.5 * (high - low), high + 0.5 * (high - low)
+
+
+def far_limits(limit, histogram):
+    """The bounds that lie beyond the scale, in words."""
+    low, high = reach(histogram)
+    return [f"limit {limit[key]:g} far {'above' if limit[key] > high else 'below'}"
+            for key in ("minimum", "maximum") if limit[key] is not None and not low <= limit[key] <= high]
+
+
 def limited_quantities(report):
-    """Histograms of the quantities with limits."""
-    limits = [entry for entry in report["limits"]["each"] if quantity_of(report, entry["quantity"])]
+    """Histograms of the quantities with limits, on the scale of the data."""
+    limits = [(entry, quantity_of(report, entry["quantity"])) for entry in report["limits"]["each"]]
+    limits = [(limit, entry) for limit, entry in limits if entry and entry["histogram"]["counts"]]
     if not limits:
         return None
-    columns = min(2, len(limits))
+    roles = {entry["quantity"]: entry["role"] for entry in report["margins"]["each"]}
+    columns = min(3 if len(limits) > 4 else 2, len(limits))
     rows = -(-len(limits) // columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 2.4 * rows), squeeze=False)
+    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 1.75 * rows), squeeze=False)
     for axis in axes.flat[len(limits):]:
         axis.set_visible(False)
-    for axis, limit in zip(axes.flat, limits):
-        entry = quantity_of(report, limit["quantity"])
+    for axis, (limit, entry) in zip(axes.flat, limits):
         bars(axis, entry["histogram"])
-        draw_limits(axis, limit)
-        axis.set_xlabel(with_unit(readable(limit["quantity"]), entry["unit"]))
-        axis.set_ylabel("runs")
-        axis.legend(loc="upper right")
+        far = far_limits(limit, entry["histogram"])
+        drawn = {key: limit[key] if limit[key] is not None and reach(entry["histogram"])[0] <= limit[key] <= reach(entry["histogram"])[1]
+                 else None for key in ("minimum", "maximum")}
+        draw_limits(axis, drawn)
+        words = far + ([roles[limit["quantity"]]] if far and roles.get(limit["quantity"]) == "decides nothing" else [])
+        axis.set_title("; ".join(words), fontsize=7.5, color=RED)
+        axis.set_xlabel(with_unit(readable(limit["quantity"]), entry["unit"]), fontsize=8)
+        axis.set_ylabel("runs", fontsize=8)
+        axis.locator_params(axis="x", nbins=5)
+        if any(value is not None for value in drawn.values()):
+            axis.legend(loc="upper right", fontsize=7)
     return figure
 
 
-def other_quantities(report):
-    """Small histograms of all other quantities that vary."""
+PANELS = 40  # of a page
+
+
+def varying(report):
+    """Quantities without limits that vary and are no bookkeeping."""
     limited = {entry["quantity"] for entry in report["limits"]["each"]}
-    entries = [entry for entry in report["quantities"]
-               if entry["quantity"] not in limited and len(entry["histogram"]["counts"]) > 1]
-    if not entries:
-        return None
-    columns = 4
-    rows = -(-len(entries) // columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 1.45 * rows + 0.1), squeeze=False)
-    for axis in axes.flat[len(entries):]:
-        axis.set_visible(False)
-    for axis, entry in zip(axes.flat, entries):
-        bars(axis, entry["histogram"], GREY)
-        axis.set_title(readable(entry["quantity"]).replace(" ", "\n", 1) if len(readable(entry["quantity"])) > 20
-                       else readable(entry["quantity"]), fontsize=7.5)
-        axis.set_xlabel("ratio [-]" if entry["unit"] == "-" else f"[{entry['unit']}]", fontsize=7)
-        axis.tick_params(labelsize=6.5)
-        axis.set_yticks([])
-        axis.grid(False)
-        axis.locator_params(axis="x", nbins=3)
-        axis.ticklabel_format(axis="x", useOffset=False)
-    return figure
+    return [entry for entry in report["quantities"]
+            if entry["quantity"] not in limited and len(entry["histogram"]["counts"]) > 1 and not entry["constant"] and not entry["bookkeeping"]]
+
+
+def other_quantities(page):
+    """Small histograms of all other quantities that vary, a figure for each page."""
+    def draw(report):
+        entries = varying(report)[PANELS * page:PANELS * (page + 1)]
+        if not entries:
+            return None
+        columns = 5
+        rows = -(-len(entries) // columns)
+        figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 1.16 * rows + 0.1), squeeze=False)
+        for axis in axes.flat[len(entries):]:
+            axis.set_visible(False)
+        for axis, entry in zip(axes.flat, entries):
+            bars(axis, entry["histogram"], GREY)
+            axis.set_title(two_lines(readable(entry["quantity"])), fontsize=6.5)
+            axis.set_xlabel("[-]" if entry["unit"] == "-" else f"[{entry['unit']}]", fontsize=6, labelpad=1)
+            axis.tick_params(labelsize=6, pad=1)
+            axis.set_yticks([])
+            axis.grid(False)
+            axis.locator_params(axis="x", nbins=3)
+            axis.ticklabel_format(axis="x", useOffset=False)
+        return figure
+    return draw
+
+
+def two_lines(name, width=20):
+    """Broken at the space nearest to the middle."""
+    spaces = [place for place, letter in enumerate(name) if letter == " "]
+    if len(name) <= width or not spaces:
+        return name
+    middle = min(spaces, key=lambda place: abs(place - len(name) / 2))
+    return f"{name[:middle]}\n{name[middle + 1:]}"
 
 
 def convergence(report):

@@ -3,16 +3,29 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from common import BLUE, GREY, RED, WIDTH, known
+from common import BLUE, GREEN, GREY, RED, WIDTH, known
+from engine import legend_below
+
+
+def confirmed_bands(report):
+    """Bands of the attempt that confirmed, by key."""
+    attempts = (report["confirmation"] or {"attempts": []})["attempts"]
+    return {band["key"]: (band["band_mm"], attempt) for attempt in attempts if attempt["passed"] for band in attempt["bands"]}
 
 
 def yield_curves(report):
     """One panel for each dimension: yield with its bounds over the width of the tolerance."""
     dimensions = report["tolerance"].get("dimensions", []) if report["tolerance"] else []
-    if not any(level["shown"] for dimension in dimensions for level in dimension["levels"]):
+    dimensions = [dimension for dimension in dimensions if any(level["shown"] for level in dimension["levels"])]
+    if not dimensions:
         return None
-    figure, axes = plt.subplots(1, len(dimensions), figsize=(WIDTH, 3.1), sharey=True, squeeze=False)
-    for axis, dimension in zip(axes[0], dimensions):
+    confirmed = confirmed_bands(report)
+    columns = min(len(dimensions), 3)
+    rows = -(-len(dimensions) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 2.9 * rows), sharey=True, squeeze=False)
+    for axis in axes.flat[len(dimensions):]:
+        axis.set_visible(False)
+    for axis, dimension in zip(axes.flat, dimensions):
         levels = [level for level in dimension["levels"] if level["shown"]]
         bands = [1e3 * level["band_mm"] for level in levels]
         low = [100 * known(level["yield"]["if_unknown_fail"]) for level in levels]
@@ -20,21 +33,28 @@ def yield_curves(report):
         lower = [100 * known(level["yield"]["lower_bound"]) for level in levels]
         upper = [100 * known(level["yield"]["upper_bound"]) for level in levels]
         axis.fill_between(bands, lower, upper, color=BLUE, alpha=0.15, linewidth=0, label="between the bounds")
-        axis.plot(bands, low, "o-", color=BLUE, label="runs without result fail")
-        if any(abs(a - b) > 0.05 for a, b in zip(low, high)):
+        apart = any(abs(a - b) > 0.05 for a, b in zip(low, high))
+        axis.plot(bands, low, "o-", color=BLUE, label="estimate, runs without result fail" if apart else "estimate")
+        if apart:
             axis.plot(bands, high, "s:", color=BLUE, markerfacecolor="white", label="runs without result pass")
         axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
-        axis.set_xlabel(f"tolerance of {dimension['name']}, full width [µm]")
-        axis.set_title(f"{dimension['name']}: {dimension['binding']}")
+        if dimension["key"] in confirmed:
+            band, attempt = confirmed[dimension["key"]]
+            bound, value = 100 * attempt["yield"]["lower_bound"], 100 * attempt["yield"]["if_unknown_fail"]
+            axis.plot([1e3 * band] * 2, [bound, value], color=GREEN, linewidth=2.5, label="confirmed, bound to estimate", zorder=4)
+            axis.plot(1e3 * band, bound, "_", color=GREEN, markersize=9, zorder=4)
+        axis.set_xlabel(f"{dimension['name']}, full width [µm]", fontsize=8.5)
         if bands[-1] > 4 * bands[0]:
             axis.set_xscale("log")
             axis.minorticks_off()
         axis.set_xticks(bands)
         axis.set_xticklabels([f"{band:.0f}\n{level['grade']}\n({level['yield']['effective_runs']:.0f})"
-                              for band, level in zip(bands, levels)], fontsize=7 if len(levels) > 4 else 9)
+                              for band, level in zip(bands, levels)], fontsize=7 if len(levels) > 4 or columns > 2 else 8.5)
         axis.margins(x=0.08)
-    axes[0][0].set_ylabel("yield [%]")
-    axes[0][0].legend(loc="lower left")
+    for row in axes:
+        row[0].set_ylabel("yield [%]")
+    handles = {label: handle for axis in axes.flat[:len(dimensions)] for handle, label in zip(*axis.get_legend_handles_labels())}
+    legend_below(figure, list(handles.values()), list(handles), 0.28 / (2.9 * rows))
     return figure
 
 

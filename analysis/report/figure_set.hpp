@@ -1,4 +1,4 @@
-// Figures of a report, drawn by Python from report.json.
+// Figures drawn by Python from the JSON file of a command.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +17,5 @@ struct FigureSet {
 FigureSet draw_figures(const std::string& python, const std::filesystem::path& scripts,
                        const std::filesystem::path& report_json,
                        const std::filesystem::path& output_dir);
-
-/// `<figure>` with the drawing embedded as an image, and its caption; empty for a figure that the
-/// study has no data for.
-std::string figure_html(const FigureSet& figures, const std::string& name,
-                        const std::string& caption);
 
 }  // namespace cagetol

@@ -128,6 +128,20 @@ Json alternative_json(const AssumptionPlan& plan, const AssumedValue& alternativ
           {"quantities", quantities}};
 }
 
+/// Each assumption once, with its value in the study; null where that is "auto".
+Json ranges_json(const AssumptionPlan& plan) {
+  Json list = Json::array();
+  for (const AssumedValue& each : plan.alternatives)
+    if (list.empty() || list.back()["key"] != each.key)
+      list.push_back({{"key", each.key},
+                      {"name", plain_name(each.key)},
+                      {"unit", each.unit},
+                      {"value", number(each.nominal)},
+                      {"low", each.low},
+                      {"high", each.high}});
+  return list;
+}
+
 /// "a = 1, b = 2 and 3 more", the most threatening first.
 std::string names_of(const AssumptionRuns& runs, const AssumptionVerdicts& verdicts,
                      AssumptionAnswer answer) {
@@ -187,6 +201,12 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
       {"runs_each", plan.runs},
       {"confirming_runs", plan.confirming},
       {"settling_runs", plan.settling > 0 ? Json(plan.settling) : Json()},
+      {"runs_in_all", plan.alternatives.size() * (plan.runs > 0 ? plan.runs : plan.confirming)},
+      {"command", alternatives.empty() && plan.attempt > 0
+                      ? Json("cagetol recommend STUDY -o DIR --set "
+                             "recommend.assumption_samples=auto")
+                      : Json()},
+      {"ranges", ranges_json(plan)},
       {"text", assumption_plan_text(plan)},
       {"lower_confidence", verdicts.lower_confidence},
       {"upper_confidence", verdicts.upper_confidence},

@@ -83,28 +83,6 @@ std::string confirming_command(const StudyData& runs, std::int64_t seed, const C
       seed, count, dimensions);
 }
 
-Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates) {
-  Json list = Json::array();
-  for (const PassedOver& passed : candidates) {
-    const Candidate& candidate = basis.study.plan.candidates[passed.candidate];
-    std::string name;
-    for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d)
-      name += fmt::format("{}{} {}{}", d == 0 ? "" : ", ",
-                          plain_name(basis.study.plan.dimensions[d].key),
-                          band_name(candidate.grades[d], candidate.bands_mm[d]),
-                          centre_text(basis.study, candidate, d));
-    list.push_back(
-        {{"name", name},
-         {"reason", passed.reason},
-         {"runs_needed", passed.runs_needed},
-         {"command", passed.runs_needed > 0
-                         ? Json(confirming_command(basis.study, basis.study.provenance.seed + 1,
-                                                   candidate, passed.runs_needed))
-                         : Json()}});
-  }
-  return list;
-}
-
 /// A bound is rounded to its safe side.
 std::string percent_down(double share) {
   return fmt::format("{:.1f} %", std::floor(1000 * share) / 10);
@@ -187,6 +165,28 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
 
 }  // namespace
 
+Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates) {
+  Json list = Json::array();
+  for (const PassedOver& passed : candidates) {
+    const Candidate& candidate = basis.study.plan.candidates[passed.candidate];
+    std::string name;
+    for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d)
+      name += fmt::format("{}{} {}{}", d == 0 ? "" : ", ",
+                          plain_name(basis.study.plan.dimensions[d].key),
+                          band_name(candidate.grades[d], candidate.bands_mm[d]),
+                          centre_text(basis.study, candidate, d));
+    list.push_back(
+        {{"name", name},
+         {"reason", passed.reason},
+         {"runs_needed", passed.runs_needed},
+         {"command", passed.runs_needed > 0
+                         ? Json(confirming_command(basis.study, basis.study.provenance.seed + 1,
+                                                   candidate, passed.runs_needed))
+                         : Json()}});
+  }
+  return list;
+}
+
 Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
                        TolerancePart& tolerance) {
   if (confirmations.empty()) return nullptr;
@@ -213,8 +213,10 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
                              {"passed", passed},
                              {"meeting_runs", last["meeting_runs"]},
                              {"attempts", attempts.size()}};
-  verdict["statement"] = statement(last, verdict["not_binding"], plan, attempts.size()) +
-                         failed_attempts_text(attempts);
+  verdict["status"] = passed ? "confirmed" : "not_confirmed";
+  const std::string judgement = statement(last, verdict["not_binding"], plan, attempts.size());
+  verdict["judgement"] = judgement;
+  verdict["statement"] = judgement + failed_attempts_text(attempts);
   const Json wider = passed_over_json(basis, tolerance.passed_over);
   for (const Json& candidate : wider)
     if (candidate["runs_needed"] > 0)
@@ -230,10 +232,11 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
     verdict["close"].push_back(bands);
   }
   if (!verdict["close"].empty())
-    verdict["statement"] = fmt::format(
-        "{} Close to the target, so that other random numbers might decide otherwise "
-        "about it: {}.",
-        verdict["statement"].get<std::string>(), verdict["close"].back().get<std::string>());
+    for (const char* text : {"statement", "judgement"})
+      verdict[text] = fmt::format(
+          "{} Close to the target, so that other random numbers might decide otherwise "
+          "about it: {}.",
+          verdict[text].get<std::string>(), verdict["close"].back().get<std::string>());
   const auto joint = judge_all(runs);
   const Resampling resampling(runs, kResamples);
   return {{"passed_over", wider},

@@ -102,6 +102,8 @@ Json multifidelity_json(const ReportBasis& basis, const StudyData* companion) {
   json["runs"] = basis.runs.size();
   json["companion_runs"] = companion->size();
   json["cost_ratio"] = number(cost);
+  json["time_ratio"] = number(cost * static_cast<double>(companion->size()) /
+                              static_cast<double>(basis.runs.size()));
   json["pilot_pairs"] = pilot_pairs(basis.runs);
   json["resamples"] = gain_resamples(companion->size());
   json["quantities"] = Json::array();

@@ -21,15 +21,6 @@ std::string replay_command(const ReportBasis& basis, std::int64_t id) {
   return fmt::format("cagetol replay {} --sample {}", basis.directory, id);
 }
 
-std::string limit_text(const Limit& limit, const std::string& unit) {
-  const std::string suffix = unit.empty() || unit == "-" ? "" : " " + unit;
-  std::string text;
-  if (limit.minimum) text += fmt::format("at least {:.4g}{}", *limit.minimum, suffix);
-  if (limit.minimum && limit.maximum) text += " and ";
-  if (limit.maximum) text += fmt::format("at most {:.4g}{}", *limit.maximum, suffix);
-  return text;
-}
-
 /// How far beyond the nearer limit, relative to the limit's size; negative inside.
 double excess(double value, const Limit& limit) {
   double largest = -std::numeric_limits<double>::infinity();
@@ -39,6 +30,15 @@ double excess(double value, const Limit& limit) {
 }
 
 }  // namespace
+
+std::string limit_text(const Limit& limit, const std::string& unit) {
+  const std::string suffix = unit.empty() || unit == "-" ? "" : " " + unit;
+  std::string text;
+  if (limit.minimum) text += fmt::format("at least {:.4g}{}", *limit.minimum, suffix);
+  if (limit.minimum && limit.maximum) text += " and ";
+  if (limit.maximum) text += fmt::format("at most {:.4g}{}", *limit.maximum, suffix);
+  return text;
+}
 
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json();

@@ -40,6 +40,14 @@ Json limits_json(const ReportBasis& basis);
 Json quantities_json(const ReportBasis& basis);
 /// From quantities_json and what read_refining_ladder (refining_ladder.hpp) found.
 Json error_budget_json(const ReportBasis& basis, const Json& quantities, const Json& ladder);
+/// Distances of the limits from the runs at the tolerance decided for: those of the last attempt to
+/// confirm, without any all of the study.
+Json margins_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
+                  const Json& ladder);
+/// Headline, grounds and next steps of the verdict, and what follows from it in other chapters.
+void finish_verdict(const ReportBasis& basis, Json& report);
+/// "at least 1 N and at most 2 N".
+std::string limit_text(const Limit& limit, const std::string& unit);
 /// From the runs of the companion (companion.hpp); null without one.
 Json multifidelity_json(const ReportBasis& basis, const StudyData* companion);
 Json capability_json(const ReportBasis& basis);
@@ -60,6 +68,9 @@ struct TolerancePart {
   std::vector<PassedOver> passed_over;  ///< where there were attempts to confirm
 };
 TolerancePart tolerance_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations);
+
+/// Name, reason and command of candidates that were passed over.
+Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates);
 
 /// Attempts to confirm and the capability at the last one; the verdict becomes theirs. Null without
 /// any.

@@ -2,8 +2,34 @@
 #include <algorithm>
 
 #include "analysis/report/json_parts.hpp"
+#include "analysis/sensitivity/features.hpp"
 
 namespace cagetol {
+namespace {
+
+/// Assumptions that have a range, with their value in the scene; null where that is "auto".
+Json ranged_json(const Json& stated, const Json& scene) {
+  Json list = Json::array();
+  if (!stated.is_array()) return list;
+  for (const Json& entry : stated) {
+    if (!entry.is_object() || !entry.contains("low") || !entry.contains("high")) continue;
+    const std::string key = entry.value("key", "");
+    const std::size_t dot = key.rfind('.');
+    if (dot == std::string::npos) continue;
+    std::string section = "/" + key.substr(0, dot);
+    std::replace(section.begin(), section.end(), '.', '/');
+    const Json::json_pointer place(section + "/" + key.substr(dot + 1));
+    const Json value = scene.contains(place) ? scene.at(place) : Json();
+    list.push_back({{"key", key},
+                    {"name", plain_name(key)},
+                    {"value", value.is_number() ? value : Json()},
+                    {"low", entry.at("low")},
+                    {"high", entry.at("high")}});
+  }
+  return list;
+}
+
+}  // namespace
 
 Json provenance_json(const StudyData& study) {
   const Provenance& from = study.provenance;
@@ -45,7 +71,10 @@ Json assumptions_json(const StudyData& study) {
   if (scene.is_object() && scene.contains("friction"))
     for (const auto& [key, value] : scene.at("friction").items()) speeds["friction." + key] = value;
   const Json model = scene.is_object() ? scene.value("model", Json::object()) : Json::object();
-  return {{"stated", stated}, {"friction", speeds}, {"model", model}};
+  return {{"stated", stated},
+          {"ranged", ranged_json(stated, scene)},
+          {"friction", speeds},
+          {"model", model}};
 }
 
 Json fidelity_json(const StudyData& study) {

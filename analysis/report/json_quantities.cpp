@@ -26,6 +26,16 @@ const Limit* limit_of(const StudyPlan& plan, const std::string& quantity) {
   return nullptr;
 }
 
+/// Scatter that is none.
+constexpr double kRounding = 1e-9;
+
+/// Labels and checks of a run, no amounts that anything contributes to.
+bool is_bookkeeping(const std::string& quantity) {
+  for (const char* end : {"_station", "_pocket", "_class"})
+    if (quantity.ends_with(end)) return true;
+  return quantity == "static_consistency_error";
+}
+
 Json histogram_json(std::span<const double> values) {
   const ValueHistogram histogram = value_histogram(values);
   return {{"edges", histogram.edges}, {"counts", histogram.counts}};
@@ -101,6 +111,9 @@ Json quantities_json(const ReportBasis& basis) {
                          ? Json()
                          : Json{{"minimum", limit->minimum ? Json(*limit->minimum) : Json()},
                                 {"maximum", limit->maximum ? Json(*limit->maximum) : Json()}};
+    entry["bookkeeping"] = is_bookkeeping(column.name);
+    entry["constant"] = summary.largest - summary.smallest <=
+                        kRounding * std::max(std::abs(summary.largest), std::abs(summary.smallest));
     entry["statistics"] = summary_json(summary);
     entry["noise"] = {{"rows_repeated", noise.rows},
                       {"share", to_json(noise.share)},

@@ -170,7 +170,8 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
   if (result.yield.ess < kFewestEffectiveRuns)
     text += fmt::format(" Only {:.0f} effective runs support it: the bound is sound, but rough.",
                         result.yield.ess);
-  text += " Unconfirmed: no fresh runs were made at this tolerance.";
+  if (result.meets_target && !bands.empty())
+    text += " Unconfirmed: no fresh runs were made at this tolerance.";
   return text;
 }
 
@@ -187,6 +188,23 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
     return fmt::format("No yield and no tolerance: {}. Use the design random, lhs or sobol.",
                        reason);
   return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
+}
+
+/// What the statement amounts to, in a word.
+const char* status_of(const StudyPlan& plan, const Recommendation& result) {
+  if (std::all_of(result.bands.begin(), result.bands.end(),
+                  [](const RecommendedBand& band) { return band.not_binding; }))
+    return "no_band";
+  if (result.meets_target) return "recommended";
+  return result.yield.unknown_runs > 0 && result.yield.upper_bound >= plan.target_yield
+             ? "not_known"
+             : "none_meets";
+}
+
+const char* status_without_candidates(const ReportBasis& basis, bool too_few) {
+  if (too_few) return "too_few_runs";
+  if (basis.study.plan.limits.empty()) return "no_limits";
+  return rows_follow_laws(basis.runs) ? "no_candidates" : "no_yield";
 }
 
 Json band_verdict(const RecommendedBand& band) {
@@ -253,6 +271,9 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     Tolerance chosen;
     for (const RecommendedBand& band : result.bands) chosen.bands_mm.push_back(band.band_mm);
     if (result.possible) chosen.shifts = plan.candidates[result.candidate].shifts;
+    if (confirmations.empty() && result.possible && result.meets_target)
+      part.passed_over = passed_over(
+          basis.runs, curves, {snapped_tolerance(basis.runs, plan.candidates[result.candidate])});
     part.tolerance["centres"] = result.possible ? centres_json(basis, mixture, chosen) : Json();
     part.tolerance["centre_responses"] = centre_responses_json(basis);
   }
@@ -267,6 +288,8 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   verdict["confirmation"] = nullptr;
   verdict["not_binding"] = not_binding;
   verdict["undecided"] = undecided;
+  verdict["status"] =
+      result.possible ? status_of(plan, result) : status_without_candidates(basis, candidates);
   verdict["statement"] = result.possible ? statement_of(basis, result, some_binding)
                                          : statement_without_candidates(basis, candidates);
   return part;

@@ -7,8 +7,7 @@
 #include "analysis/report/cage_peak.hpp"
 #include "analysis/report/companion.hpp"
 #include "analysis/report/csv_tables.hpp"
-#include "analysis/report/figure_set.hpp"
-#include "analysis/report/html_report.hpp"
+#include "analysis/report/page_writer.hpp"
 #include "analysis/report/refining_ladder.hpp"
 #include "analysis/report/write_text.hpp"
 
@@ -43,21 +42,23 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
   const Json report = make_report(
       study, confirmations, staged ? "DIR/mixture" : "DIR",
       read_cage_peak(file.parent_path(), study), read_refining_ladder(file.parent_path()),
-      read_companion(file.parent_path()), read_assumption_runs(study_dir, confirmations));
+      read_companion(file.parent_path()), read_assumption_runs(study_dir, confirmations),
+      options.bearing ? options.bearing(file) : Json());
   const std::string text = report.dump(1) + "\n";
   write_text(study_dir / "report.json", text);
   write_csv_tables(study_dir, study, report);
-  const FigureSet figures = draw_figures(options.python, options.figures_dir,
-                                         study_dir / "report.json", study_dir / "figures");
-  write_text(study_dir / "report.html", html_report(report, figures));
+  const std::string problem = write_pages(
+      {options.pages_dir, options.figures_dir, options.python, options.figures, options.pdf},
+      study_dir / "report.json");
   if (options.json_to_stdout) {
     fmt::print("{}", text);
   } else {
     fmt::print("{}\n", report["verdict"]["statement"].get<std::string>());
-    fmt::print("report: {}\n", (study_dir / "report.html").string());
+    for (const char* page : {"report.html", "report.pdf"})
+      if (std::filesystem::exists(study_dir / page))
+        fmt::print("report: {}\n", (study_dir / page).string());
   }
-  if (!figures.problem.empty())
-    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  if (!problem.empty()) fmt::print(stderr, "{}\n", problem);
   return kDone;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -15,11 +16,18 @@
 namespace cagetol {
 
 struct ReportOptions {
-  /// Python scripts that draw from report.json.
-  std::filesystem::path figures_dir = shipped_file("analysis/figures");
-  /// Debian's own interpreter: it has matplotlib, whatever other python3 comes first on the PATH.
+  /// Python scripts that draw from report.json, and those that lay it out.
+  std::filesystem::path figures_dir = shipped_file("analysis/figures"),
+                        pages_dir = shipped_file("analysis/pages");
+  /// Debian's own interpreter: it has Jinja2 and matplotlib, whatever other python3 comes first on
+  /// the PATH.
   std::string python = "/usr/bin/python3";
   bool json_to_stdout = false;  ///< print report.json instead of the verdict
+  /// What the bearing of a study file is, for the page of its operating point: this room knows
+  /// nothing of bearings. Null where it cannot say; empty: nothing is said.
+  std::function<nlohmann::ordered_json(const std::filesystem::path& study_file)> bearing = {};
+  bool figures = true;  ///< draw them: seconds of Python
+  bool pdf = false;     ///< report.pdf, too
 };
 
 /// Every number of the report, from the study alone: the same study gives the same bytes.
@@ -27,22 +35,23 @@ struct ReportOptions {
 /// commands name the place of its runs, `cage_peak` what read_cage_peak (cage_peak.hpp) found,
 /// `refining_ladder` what read_refining_ladder (refining_ladder.hpp) did, `companion` what
 /// read_companion (companion.hpp) did, `assumptions` what read_assumption_runs
-/// (assumption_runs.hpp) did.
+/// (assumption_runs.hpp) did, `bearing` what ReportOptions::bearing said.
 nlohmann::ordered_json make_report(const StudyData& study,
                                    const std::vector<StudyData>& confirmations = {},
                                    const std::string& directory = "DIR",
                                    const nlohmann::ordered_json& cage_peak = {},
                                    const nlohmann::ordered_json& refining_ladder = {},
                                    const std::optional<StudyData>& companion = {},
-                                   const std::optional<AssumptionRuns>& assumptions = {});
+                                   const std::optional<AssumptionRuns>& assumptions = {},
+                                   const nlohmann::ordered_json& bearing = {});
 
 /// DIR/mixture/study.h5 where DIR holds the stages of a recommendation, otherwise DIR/study.h5.
 std::filesystem::path study_file_in(const std::filesystem::path& directory);
 
 /// Reads DIR/study.h5, or DIR/mixture/study.h5 and the confirmations beside it, and writes
 /// report.json, report.html, samples.csv, quantities.csv, error_budget.csv, contributors.csv,
-/// yield.csv and figures/ beside it. Figures that cannot be drawn are replaced by the reason.
-/// Prints the verdict. Returns kDone; throws StudyFileError.
+/// yield.csv and figures/ beside it. Pages and figures that cannot be made are left out; what is
+/// missing for them is printed. Prints the verdict. Returns kDone; throws StudyFileError.
 ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions& options = {});
 
 }  // namespace cagetol

@@ -13,13 +13,11 @@ std::size_t resample_count(std::size_t runs) {
 
 }  // namespace
 
-nlohmann::ordered_json make_report(const StudyData& study,
-                                   const std::vector<StudyData>& confirmations,
-                                   const std::string& directory,
-                                   const nlohmann::ordered_json& cage_peak,
-                                   const nlohmann::ordered_json& refining_ladder,
-                                   const std::optional<StudyData>& companion,
-                                   const std::optional<AssumptionRuns>& assumptions) {
+nlohmann::ordered_json make_report(
+    const StudyData& study, const std::vector<StudyData>& confirmations,
+    const std::string& directory, const nlohmann::ordered_json& cage_peak,
+    const nlohmann::ordered_json& refining_ladder, const std::optional<StudyData>& companion,
+    const std::optional<AssumptionRuns>& assumptions, const nlohmann::ordered_json& bearing) {
   const StudyData runs = select_samples(study, first_runs(study));
   const auto joint = judge_all(runs);
   const Resampling resampling(runs, resample_count(runs.size()));
@@ -27,9 +25,13 @@ nlohmann::ordered_json make_report(const StudyData& study,
   TolerancePart tolerance = tolerance_json(basis, confirmations);
   Json confirmation = confirmation_json(basis, confirmations, tolerance);
   Json assumed = assumption_verdicts_json(basis, confirmations, assumptions, tolerance.verdict);
+  Json wider = passed_over_json(basis, tolerance.passed_over);
   Json report;
-  report["report_version"] = 2;
+  report["report_version"] = 3;
   report["verdict"] = std::move(tolerance.verdict);
+  report["margins"] = margins_json(basis, confirmations, refining_ladder);
+  report["passed_over"] = std::move(wider);
+  report["bearing"] = bearing;
   report["tolerance"] = std::move(tolerance.tolerance);
   report["trends"] = trends_json(basis);
   report["response"] = response_json(basis);
@@ -51,6 +53,7 @@ nlohmann::ordered_json make_report(const StudyData& study,
   report["fidelity"] = fidelity_json(study);
   report["assumptions"] = assumptions_json(study);
   report["provenance"] = provenance_json(study);
+  finish_verdict(basis, report);
   return report;
 }
 

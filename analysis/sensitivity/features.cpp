@@ -89,16 +89,20 @@ void add_pocket_features(const StudyData& study, const InputColumns& input,
 }  // namespace
 
 std::string plain_name(const std::string& key) {
-  static const std::set<std::string> units = {"mm",  "um",  "mrad", "deg", "N",  "rpm",
-                                              "Nmm", "MPa", "GPa",  "s",   "kg", "m"};
+  static const std::set<std::string> units = {"mm",  "um",  "mrad", "deg", "N", "rpm", "Nmm",
+                                              "MPa", "GPa", "s",    "kg",  "m", "C",   "s2"};
   const std::size_t dot = key.rfind('.');
   std::string name = dot == std::string::npos ? key : key.substr(dot + 1);
-  const std::size_t last = name.rfind('_');
-  if (last != std::string::npos && units.count(name.substr(last + 1)) > 0) name.resize(last);
+  for (std::size_t last = name.rfind('_');
+       last != std::string::npos && units.count(name.substr(last + 1)) > 0; last = name.rfind('_'))
+    name.resize(last);
   const std::string section = dot == std::string::npos ? "" : key.substr(0, dot);
   const bool of_pocket = section == "cage" && name.starts_with("pocket_");
-  if (!section.empty() && !of_pocket) name = section + " " + name;
-  std::replace(name.begin(), name.end(), '_', ' ');
+  if (section == "load")
+    name += " load";
+  else if (!section.empty() && !of_pocket)
+    name = section + " " + name;
+  for (const char mark : {'_', '.'}) std::replace(name.begin(), name.end(), mark, ' ');
   return name;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "analysis/report/report.hpp"
+#include "mc/commands/bearing_facts.hpp"
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
@@ -34,7 +35,7 @@ int run_recommend(const RecommendArguments& options) {
     const auto sweep_directory = study_file_in(options.stages.directory).parent_path();
     update_cage_peak(sweep_directory);
     update_study_motion(sweep_directory);
-    run_report(options.stages.directory);
+    run_report(options.stages.directory, {.bearing = bearing_facts});
   }
   return code;
 }

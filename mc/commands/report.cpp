@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "analysis/report/report.hpp"
+#include "mc/commands/bearing_facts.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/study_file/study_file_error.hpp"
@@ -19,9 +20,11 @@ void add_report_command(CLI::App& app, Chosen& chosen) {
     ReportOptions options;
   };
   const auto arguments = std::make_shared<Arguments>();
+  arguments->options.bearing = bearing_facts;
   add_result_directory(*command, "DIR", arguments->directory, "directory of the sweep");
   command->add_flag("--json", arguments->options.json_to_stdout,
                     "print report.json on standard output");
+  command->add_flag("--pdf", arguments->options.pdf, "write report.pdf, too (needs weasyprint)");
   command->callback([arguments, &chosen] {
     chosen = [arguments] {
       try {

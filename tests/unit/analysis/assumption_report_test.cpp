@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "analysis/report/html_report.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/tolerance/assumption_plan.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {
@@ -66,17 +66,12 @@ class AssumptionReport : public testing::Test {
 
   nlohmann::json report() const {
     testing::internal::CaptureStdout();
-    run_report(scratch_.path(), {.python = "/nonexistent/python3"});
+    run_report(scratch_.path(), {.figures = false});
     testing::internal::GetCapturedStdout();
     std::ifstream stream(scratch_ / "report.json");
     return nlohmann::json::parse(stream);
   }
-  std::string page() const {
-    std::ifstream stream(scratch_ / "report.html");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
+  std::string page() const { return page_text(scratch_ / "report.html"); }
 
   ScratchDirectory scratch_;
 };
@@ -142,7 +137,7 @@ TEST(AssumptionTable, ShowsRanges) {
   study.plan.scene["assumption"] = {
       {{"key", "lubrication.race_layer_um"}, {"note", "why"}, {"low", 5}, {"high", 50}},
       {{"key", "cage.width_mm"}, {"note", "why"}}};
-  EXPECT_THAT(html_report(make_report(study), {}), HasSubstr(">5 to 50<"));
+  EXPECT_THAT(page_of(make_report(study)), HasSubstr(">5 to 50<"));
 }
 
 TEST(AssumptionPlan, IsReadAsWrittenAndSaysWhatItTakes) {

@@ -5,9 +5,10 @@
 #include <fstream>
 
 #include "analysis/report/cage_peak.hpp"
-#include "analysis/report/html_report.hpp"
+#include "analysis/report/json_parts.hpp"
 #include "analysis/report/report.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {
@@ -57,7 +58,7 @@ TEST(CageReport, SaysHowFarTheModelIsFromFullSolves) {
   EXPECT_EQ(accuracy.at("samples"), 10);
   EXPECT_DOUBLE_EQ(accuracy.at("largest_error"), 0.0016);
   EXPECT_DOUBLE_EQ(accuracy.at("mean_error"), 0.0010);
-  const std::string page = html_report(report, {});
+  const std::string page = page_of(report);
   EXPECT_THAT(page, HasSubstr("<b>3</b> of 10 samples"));
   EXPECT_THAT(page, HasSubstr("<b>0.160 %</b> at most, 0.100 % on average"));
   EXPECT_THAT(page, HasSubstr("within 0.2 % on scattered pockets, 0.5 %"));
@@ -68,7 +69,7 @@ TEST(CageReport, SaysWhenNoSampleWasChecked) {
   study.run.back().values.assign(10, std::nan(""));
   const Json report = make_report(study);
   EXPECT_TRUE(report.at("cage").at("accuracy").at("largest_error").is_null());
-  EXPECT_THAT(html_report(report, {}), HasSubstr("No sample's cage was also solved in full"));
+  EXPECT_THAT(page_of(report), HasSubstr("No sample's cage was also solved in full"));
 }
 
 TEST(CageReport, HasNoChapterForARigidCage) {
@@ -76,7 +77,7 @@ TEST(CageReport, HasNoChapterForARigidCage) {
   study.plan.scene["cage"]["model"] = "rigid";
   const Json report = make_report(study);
   EXPECT_TRUE(report.at("cage").is_null());
-  EXPECT_THAT(html_report(report, {}), testing::Not(HasSubstr("id=\"cage\"")));
+  EXPECT_THAT(page_of(report), testing::Not(HasSubstr("id=\"cage\"")));
 }
 
 TEST(CageReport, TheMostStressedSampleIsOkAndTheFirstOfEquals) {
@@ -118,22 +119,16 @@ TEST(CageReport, SaysWhatScatteringDiametersLeaveWrong) {
   outside.lot[3] = -0.03;
   const Json report = make_report(study);
   EXPECT_NEAR(report.at("cage").at("thickness").at("largest_share").get<double>(), 0.005, 1e-9);
-  EXPECT_THAT(html_report(report, {}), HasSubstr("deviate by up to 0.5 % of the thickness"));
+  EXPECT_THAT(page_of(report), HasSubstr("deviate by up to 0.5 % of the thickness"));
 }
 
 TEST(CageReport, DrawsTheField) {
   const Json report = make_report(flexible_study(), {}, "DIR", field(7));
-  const ScratchDirectory scratch;
-  std::ofstream(scratch / "report.json") << report;
-  const ReportOptions options;
-  const FigureSet figures =
-      draw_figures(options.python, options.figures_dir, scratch / "report.json", scratch / "drawn");
-  EXPECT_EQ(figures.problem, "");
-  EXPECT_TRUE(figures.svg.contains("cage_stress"));
-  const std::string page = html_report(report, figures);
+  const std::string page = page_with_figures(report);
   EXPECT_THAT(page, HasSubstr("alt=\"cage_stress\""));
   EXPECT_THAT(page, HasSubstr("<b>60 MPa</b>"));
-  EXPECT_THAT(page, HasSubstr("<b>61 MPa</b> at 110.0&deg;, x = 4.50 mm, radius 18.50"));
+  EXPECT_THAT(page, HasSubstr("<b>61 MPa</b> at 110.0°"));
+  EXPECT_THAT(page, HasSubstr("4.50 mm, radius 18.50 mm"));
   EXPECT_THAT(page, HasSubstr("cagetol replay DIR --sample 7 --snapshot cage.vtu"));
 }
 

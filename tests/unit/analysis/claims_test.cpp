@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/report/html_report.hpp"
+#include "analysis/report/json_parts.hpp"
 #include "analysis/report/report.hpp"
+#include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_grid.hpp"
 
 namespace cagetol {
@@ -80,7 +81,7 @@ TEST(Claims, CountOnceAndHoldFromAClearanceOn) {
     EXPECT_EQ(range.at("differences").size(), 2U);
     EXPECT_NEAR(range.at("differences")[0].at("difference").at("value").get<double>(), 4, 0.01);
   }
-  const std::string page = html_report(report, {});
+  const std::string page = page_of(report);
   EXPECT_THAT(page, HasSubstr("Claims: agrees 1."));
   EXPECT_THAT(page, HasSubstr("from 0.275 mm to 0.15 mm, the last level"));
   EXPECT_THAT(page, HasSubstr("at 0.275 mm against 0.65 mm: slip"));
@@ -89,7 +90,7 @@ TEST(Claims, CountOnceAndHoldFromAClearanceOn) {
 TEST(Claims, SayWhereTheyNeverHold) {
   const Json report = make_report(jumping_slip(3.5));
   EXPECT_EQ(report.at("trends").at("claim_verdicts"), Json({{"agrees in part", 1}}));
-  EXPECT_THAT(html_report(report, {}),
+  EXPECT_THAT(page_of(report),
               HasSubstr("<i>bearing misalignment z 2 mrad:</i> never (levels tried: 2)"));
 }
 
@@ -99,7 +100,7 @@ TEST(Claims, AreNotDeniedWhereTheyAreUndecided) {
     study.quantities[0].values[i] +=
         study.inputs[1].lot[i] < -0.1 && study.replicate[i] % 2 ? 9 : 0;
   for (Trend& trend : study.plan.trends) trend.by_share = 8;
-  EXPECT_THAT(html_report(make_report(study), {}),
+  EXPECT_THAT(page_of(make_report(study)),
               HasSubstr("nowhere for certain (levels tried: 2, undecided at 2)"));
 }
 

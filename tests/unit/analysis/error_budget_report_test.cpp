@@ -6,9 +6,10 @@
 #include <sstream>
 
 #include "analysis/fidelity/model_ladder.hpp"
-#include "analysis/report/html_report.hpp"
+#include "analysis/report/json_parts.hpp"
 #include "analysis/report/refining_ladder.hpp"
 #include "analysis/report/report.hpp"
+#include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {
@@ -60,9 +61,11 @@ TEST(ErrorBudgetReport, WithoutALadderItSaysHowToMeasure) {
   EXPECT_EQ(stress["sources"][2]["state"], "not measured");
   EXPECT_TRUE(stress["sources"][2]["error"]["value"].is_null());
   EXPECT_TRUE(budget_of(report, "lambda_min").is_null());  // it has no mean
-  const std::string page = error_budget_chapter(report, {});
+  const std::string page = page_of(report);
   EXPECT_THAT(page, HasSubstr("cagetol ladder DIR/study.toml --refine -o DIR/ladder-refine"));
-  EXPECT_THAT(page, HasSubstr("<small>not measured</small>"));
+  EXPECT_THAT(
+      page,
+      HasSubstr("Errors of integrator, modes, slices, mesh and window are <b>not measured</b>"));
   // Below mixture/ in the directory of a recommendation.
   const Json staged = make_report(make_synthetic_study({.rows = 200}), {}, "DIR/mixture");
   EXPECT_EQ(staged["error_budget"]["evidence"]["command"],
@@ -81,15 +84,14 @@ TEST(ErrorBudgetReport, ShowsWhatTheLadderMeasured) {
   EXPECT_EQ(slices["state"], "runs lost");
   EXPECT_EQ(slices["lost"], 2);
   EXPECT_EQ(stress["sources"][5]["state"], "not measured");
-  const std::string page = error_budget_chapter(report, {});
+  const std::string page = page_of(report);
   EXPECT_THAT(page, HasSubstr("first 24 samples"));
   EXPECT_THAT(page, HasSubstr("integration tolerance 0.0005"));
   EXPECT_THAT(page, HasSubstr("2 of its runs lost"));
   EXPECT_THAT(page, Not(HasSubstr("Another build")));
   Json other = refining_ladder(study);
   other["build"] = "another";
-  EXPECT_THAT(error_budget_chapter(make_report(study, {}, "DIR", {}, other), {}),
-              HasSubstr("Another build"));
+  EXPECT_THAT(page_of(make_report(study, {}, "DIR", {}, other)), HasSubstr("Another build"));
 }
 
 // Resolved errors of settings alone: the integrator's 3 MPa, not the runs that the slices lost.
@@ -108,16 +110,14 @@ TEST(ErrorBudgetReport, TakesNoOtherStudysLadder) {
   const Json report = make_report(study, {}, "DIR", {}, other);
   EXPECT_EQ(report["error_budget"]["evidence"]["state"], "another study");
   EXPECT_EQ(budget_of(report, "cage_stress_peak_MPa")["sources"][2]["state"], "not measured");
-  EXPECT_THAT(error_budget_chapter(report, {}),
-              HasSubstr("belongs to another study, synthetic: other values of "
-                        "<code>scene.load.radial_N</code>"));
+  EXPECT_THAT(page_of(report), HasSubstr("belongs to another study, synthetic: other values of "
+                                         "<code>scene.load.radial_N</code>"));
   EXPECT_EQ(report["error_budget"]["evidence"]["differing_keys"],
             Json::array({"scene.load.radial_N"}));
   EXPECT_TRUE(std::isnan(known_bias(other, study, "cage_stress_peak_MPa")));
   Json climbing = refining_ladder(study);
   climbing["refining"] = false;
-  EXPECT_THAT(error_budget_chapter(make_report(study, {}, "DIR", {}, climbing), {}),
-              HasSubstr("refines nothing"));
+  EXPECT_THAT(page_of(make_report(study, {}, "DIR", {}, climbing)), HasSubstr("refines nothing"));
 }
 
 TEST(ErrorBudgetReport, IsReadBesideTheStudyAndDrawn) {

@@ -20,6 +20,9 @@ TEST(Features, PlainNames) {
   EXPECT_EQ(plain_name("cage.pocket_width_mm"), "pocket width");
   EXPECT_EQ(plain_name("start.cage_offset_y_um"), "start cage offset y");
   EXPECT_EQ(plain_name("load"), "load");
+  EXPECT_EQ(plain_name("load.radial_N"), "radial load");
+  EXPECT_EQ(plain_name("environment.gravity_m_s2"), "environment gravity");
+  EXPECT_EQ(plain_name("contact.race.restitution"), "contact race restitution");
   EXPECT_EQ(plain_name("roller.diameter_mm"), "roller diameter");
   EXPECT_EQ(plain_name("cage.width_mm"), "cage width");
 }

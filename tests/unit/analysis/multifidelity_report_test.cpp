@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "analysis/report/companion.hpp"
-#include "analysis/report/html_report.hpp"
+#include "analysis/report/json_parts.hpp"
 #include "analysis/report/report.hpp"
 #include "distributions/random_stream.hpp"
+#include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {
@@ -45,7 +46,7 @@ StudyData runs_of(std::int64_t rows, double noise, double seconds) {
 TEST(MultifidelityReport, ShowsEstimatesErrorsAndGains) {
   const StudyData study = runs_of(300, 0.1, 1);
   EXPECT_TRUE(make_report(study)["multifidelity"].is_null());
-  EXPECT_EQ(multifidelity_chapter(make_report(study)), "");
+  EXPECT_EQ(section_of(page_of(make_report(study)), "multifidelity"), "");
   const StudyData companion = runs_of(6000, 0, 0.01);
   const Json report = make_report(study, {}, "DIR", {}, {}, companion);
   const Json& part = report["multifidelity"];
@@ -74,7 +75,7 @@ TEST(MultifidelityReport, ShowsEstimatesErrorsAndGains) {
   EXPECT_LT(part["quantities"][1]["statistics"][0]["predicted_gain"].get<double>(), 1.2);
   EXPECT_TRUE(part["quantities"][1]["statistics"][0]["achieved_gain"].is_null());
   EXPECT_EQ(part["quantities"][1]["statistics"].size(), 2u);  // no yield without a limit
-  const std::string page = multifidelity_chapter(report);
+  const std::string page = page_of(report);
   EXPECT_THAT(page, HasSubstr("6000 runs of a cheaper model"));
   EXPECT_THAT(page, HasSubstr("0.2 times the processor time"));
   EXPECT_EQ(report.dump(), make_report(study, {}, "DIR", {}, {}, companion).dump());
@@ -105,7 +106,7 @@ TEST(MultifidelityReport, TakesNoOtherSamples) {
   EXPECT_THAT(problem([](StudyData& runs) { runs.inputs.clear(); }), HasSubstr("not those"));
   StudyData companion = runs_of(400, 0, 0.01);
   companion.id[3] = 500;
-  EXPECT_THAT(multifidelity_chapter(make_report(study, {}, "DIR", {}, {}, companion)),
+  EXPECT_THAT(page_of(make_report(study, {}, "DIR", {}, {}, companion)),
               HasSubstr("is not used: its samples are not those of the study"));
 }
 

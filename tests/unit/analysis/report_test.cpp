@@ -10,21 +10,13 @@
 #include <sstream>
 
 #include "analysis/report/figure_set.hpp"
-#include "analysis/report/html_report.hpp"
-#include "analysis/report/html_text.hpp"
 #include "mc/study_file/study_file_error.hpp"
+#include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_study.hpp"
 #include "tests/support/tolerance_standin.hpp"
 
 namespace cagetol {
 namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 class Report : public testing::Test {
  protected:
@@ -49,11 +41,11 @@ class Report : public testing::Test {
   std::string printed_;
 };
 
-const ReportOptions kNoPython{.python = "/nonexistent/python3"};
+const ReportOptions kNoPython{.python = "/nonexistent/python3"}, kNoFigures{.figures = false};
 
 TEST_F(Report, WritesEverythingInOnePage) {
   ASSERT_EQ(report_on(make_synthetic_study()), 0);
-  const std::string html = text_of(directory_ / "report.html");
+  const std::string html = page_text(directory_ / "report.html");
   for (const char* title :
        {"What may be printed on the drawing", "Outcomes and limits", "Yield against tolerance",
         "What drives the quantities", "Statistics of every quantity", "Error budget",
@@ -67,7 +59,7 @@ TEST_F(Report, WritesEverythingInOnePage) {
   EXPECT_THAT(html, testing::Not(testing::HasSubstr("http")));
   EXPECT_THAT(html, testing::Not(testing::ContainsRegex("src=\"[^d]")));
   EXPECT_THAT(html, testing::Not(testing::ContainsRegex(">-?nan")));
-  const std::regex figure("<figure>");
+  const std::regex figure("<figure");
   EXPECT_GE(
       std::distance(std::sregex_iterator(html.begin(), html.end(), figure), std::sregex_iterator()),
       9);
@@ -86,7 +78,7 @@ TEST_F(Report, ShowsTheModelThatAPilotChose) {
           "assumption": "that tails are light"})");
   const auto report = make_report(study);
   EXPECT_EQ(report["fidelity"]["rung"], "coarse-3");
-  const std::string html = html_report(report, {});
+  const std::string html = page_of(report);
   EXPECT_THAT(html, testing::HasSubstr("Rung <b>coarse-3</b>: the cheapest."));
   EXPECT_THAT(html, testing::HasSubstr("0.500 (- to -)"));
   EXPECT_THAT(html, testing::HasSubstr("limit at most 0.02"));
@@ -96,11 +88,11 @@ TEST_F(Report, ShowsTheModelThatAPilotChose) {
 
 TEST_F(Report, SameStudySameBytes) {
   report_on(make_synthetic_study({.rows = 400}), kNoPython);
-  const std::string first = text_of(directory_ / "report.json"),
-                    page = text_of(directory_ / "report.html");
+  const std::string first = page_text(directory_ / "report.json"),
+                    page = page_text(directory_ / "report.html");
   report_on(make_synthetic_study({.rows = 400}), kNoPython);
-  EXPECT_EQ(first, text_of(directory_ / "report.json"));
-  EXPECT_EQ(page, text_of(directory_ / "report.html"));
+  EXPECT_EQ(first, page_text(directory_ / "report.json"));
+  EXPECT_EQ(page, page_text(directory_ / "report.html"));
 }
 
 TEST_F(Report, VerdictHasItsKeys) {
@@ -119,14 +111,33 @@ TEST_F(Report, VerdictHasItsKeys) {
   EXPECT_THAT(verdict.at("statement").get<std::string>(), testing::HasSubstr("Unconfirmed"));
 }
 
-TEST_F(Report, ComesWithoutFiguresWhenPythonFails) {
-  ASSERT_EQ(report_on(make_synthetic_study({.rows = 200}), kNoPython), 0);
-  EXPECT_THAT(text_of(directory_ / "report.html"),
-              testing::AllOf(testing::HasSubstr("Figures are missing"),
+TEST_F(Report, SaysWhatToInstallWherePythonFails) {
+  const auto complaint = [&](const ReportOptions& options) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(report_on(make_synthetic_study({.rows = 200}), options), 0);
+    EXPECT_TRUE(std::filesystem::exists(directory_ / "report.json"));
+    EXPECT_TRUE(std::filesystem::exists(directory_ / "yield.csv"));
+    return testing::internal::GetCapturedStderr();
+  };
+  std::ofstream(directory_ / "report.html") << "of an earlier report";
+  EXPECT_THAT(complaint(kNoPython),
+              testing::AllOf(testing::HasSubstr("report.html is not written"),
                              testing::HasSubstr("/nonexistent/python3"),
+                             testing::HasSubstr("python3-jinja2"),
+                             testing::HasSubstr("report.json and the CSV tables are complete")));
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "report.html"));
+  EXPECT_THAT(complaint({.python = "/bin/false"}), testing::HasSubstr("ended with code 1"));
+  // Where figures alone cannot be drawn, the page says so and is complete otherwise.
+  const auto lacking = directory_ / "lacking";
+  std::filesystem::create_directories(lacking);
+  std::ofstream(lacking / "draw.py") << "def main(report, output):\n    import no_such_module\n";
+  std::filesystem::copy(ReportOptions{}.figures_dir / "common.py", lacking);
+  EXPECT_THAT(complaint({.figures_dir = lacking}),
+              testing::AllOf(testing::HasSubstr("no_such_module"),
+                             testing::HasSubstr("python3-matplotlib")));
+  EXPECT_THAT(page_text(directory_ / "report.html"),
+              testing::AllOf(testing::HasSubstr("figures are missing: No module named"),
                              testing::HasSubstr("Where this comes from")));
-  ASSERT_EQ(report_on(make_synthetic_study({.rows = 200}), {.python = "/bin/false"}), 0);
-  EXPECT_THAT(text_of(directory_ / "report.html"), testing::HasSubstr("ended with code 1"));
 }
 
 TEST_F(Report, PythonRunsIsolated) {
@@ -165,7 +176,7 @@ TEST_F(Report, TextsOfAStudyAreNoMarkup) {
   for (std::string& reason : study.reason) reason += markup;
   study.plan.whole["scene"]["name"] = markup;
   study.plan.whole["scene"]["cage"][markup] = markup;
-  const std::string html = html_report(make_report(study), {});
+  const std::string html = page_of(make_report(study));
   EXPECT_THAT(html, testing::HasSubstr("&lt;script&gt;alert(&#39;x&#39;)"));
   EXPECT_THAT(html, testing::Not(testing::HasSubstr("<script")));
   EXPECT_THAT(html, testing::Not(testing::HasSubstr("\" onload=")));
@@ -229,13 +240,13 @@ TEST_F(Report, NoYieldFromAGridOrMorrisDesign) {
     EXPECT_THAT(printed_,
                 testing::HasSubstr(std::string("No yield and no tolerance: the rows of a `") +
                                    design + "` design"));
-    const auto report = nlohmann::json::parse(text_of(directory_ / "report.json"));
+    const auto report = nlohmann::json::parse(page_text(directory_ / "report.json"));
     EXPECT_FALSE(report.at("verdict").at("meets_target"));
     EXPECT_TRUE(report.at("verdict").at("yield_lower_bound").is_null());
     EXPECT_TRUE(report.at("limits").at("joint").at("if_unknown_fail").is_null());
     EXPECT_TRUE(report.at("tolerance").is_null());
     EXPECT_TRUE(report.at("capability").empty());
-    EXPECT_THAT(text_of(directory_ / "report.html"),
+    EXPECT_THAT(page_text(directory_ / "report.html"),
                 testing::Not(testing::ContainsRegex(">-?nan")));
   }
 }
@@ -266,7 +277,7 @@ TEST(ReportConvergence, OneRunIsNotEnoughWhateverItsYield) {
 TEST_F(Report, TablesHaveALineForEveryRow) {
   report_on(make_synthetic_study({.rows = 100}), kNoPython);
   const auto lines = [&](const char* name) {
-    const std::string text = text_of(directory_ / name);
+    const std::string text = page_text(directory_ / name);
     return std::count(text.begin(), text.end(), '\n');
   };
   EXPECT_EQ(lines("samples.csv"), 1 + 115);
@@ -277,21 +288,6 @@ TEST_F(Report, TablesHaveALineForEveryRow) {
 
 TEST_F(Report, DirectoryWithoutStudyIsNamed) {
   EXPECT_THROW(run_report(directory_), StudyFileError);
-}
-
-TEST(HtmlText, NumbersAreRoundedSensibly) {
-  EXPECT_EQ(rounded(Json(1234)), "1234");
-  EXPECT_EQ(rounded(Json(0.0123456)), "0.0123");
-  EXPECT_EQ(rounded(Json(83.4567)), "83.5");
-  EXPECT_EQ(rounded(Json(0.0000123)), "1.23e-05");
-  EXPECT_EQ(rounded(Json()), "-");
-  EXPECT_EQ(percent(Json(0.99853)), "99.9 %");
-  EXPECT_EQ(percent(Json(0.99953)), "99.95 %");
-  EXPECT_EQ(percent(Json(0.99999)), "> 99.99 %");
-  EXPECT_EQ(with_interval({{"value", 83.4567}, {"lower", 82.91}, {"upper", 83.97}}),
-            "83.5<br><small>82.9 to 84.0</small>");
-  EXPECT_EQ(escaped("a<b & \"c\""), "a&lt;b &amp; &quot;c&quot;");
-  EXPECT_EQ(readable("pocket_force_peak_N"), "pocket force peak");
 }
 
 }  // namespace

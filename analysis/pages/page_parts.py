@@ -1,0 +1,400 @@
+"""What is shown, and in which order: the selections that templates make from report.json. Nothing is computed here."""
+
+import math
+
+from page_text import is_number, percent_interval, readable, rounded, signed_general, unit_suffix, value_text
+
+
+class Chapter:
+    def __init__(self, name, title):
+        self.name, self.title = name, title
+
+
+def front(report):
+    """The pages to send."""
+    chapters = [Chapter("verdict", verdict_title(report))]
+    if report["bearing"] and "groups" in report["bearing"]:
+        chapters.append(Chapter("operating", "Operating point"))
+    if report["tolerance"] or report["limits"]["each"]:
+        chapters.append(Chapter("curves", "Yield, optimum and limits"))
+    return chapters
+
+
+def may_be_printed(report):
+    return report["verdict"]["status"] in ("confirmed", "recommended")
+
+
+def verdict_title(report):
+    return "What may be printed on the drawing" if may_be_printed(report) else "No tolerance to print on the drawing yet"
+
+
+def title(report):
+    """The study's name, without that of its stage."""
+    return report["provenance"]["study_name"].removesuffix(", mixture")
+
+
+def css_text(text):
+    """As a string of a style sheet within a page."""
+    return "".join(c if c.isalnum() or c in " :,.-" else f"\\{ord(c):06x}" for c in text)
+
+
+def assumed_ranges(report):
+    """Ranges that the verdict may be judged under, else those of the scene."""
+    verdicts = report["assumption_verdicts"]
+    ranges = verdicts["ranges"] if verdicts else report["assumptions"]["ranged"]
+    return [{**entry, "unit": unit_of_key(entry["key"])} for entry in ranges]
+
+
+def subtitle(report):
+    """The operating point in a line."""
+    bearing = report["bearing"]
+    if not bearing or "section" not in bearing:
+        return f"{rounded(report['outcomes']['samples'])} runs"
+    section = bearing["section"]
+    parts = [bearing["name"]]
+    if bearing["points"]:
+        parts.append(f"{len(bearing['points'])} operating points")
+    else:
+        parts.append(f"{rounded(section['radial_load_N'])} N")
+        parts.append(f"{rounded(section['inner_speed_rpm'] or section['outer_speed_rpm'])} r/min")
+    for group in bearing["groups"]:
+        if group["title"] == "Lubricant":
+            parts.append(" ".join(entry.get("text") or f"at {rounded(entry['value'])} {entry['unit']}" for entry in group["entries"][:2]))
+    return ", ".join(parts + [f"{rounded(report['outcomes']['samples'])} runs"])
+
+
+def bands(report):
+    """Of the attempt that confirmed, else those recommended."""
+    if not report["tolerance"]:
+        return []
+    return report["tolerance"]["bands"]
+
+
+def widest(report):
+    """Dimensions recommended at the widest candidate."""
+    return [band["name"] for band in bands(report) if band["widest_studied"] and not band["not_binding"]]
+
+
+def band_name(band):
+    grade = f" {band['grade']}" if band["grade"] else f" {band['band_mm']:.3f} mm"
+    return f"{band['name']}{grade}"
+
+
+def wider_candidates(report):
+    """Attempts that did not confirm, then candidates that no attempt tried."""
+    rows = []
+    for attempt in (report["confirmation"] or {"attempts": []})["attempts"]:
+        if attempt["passed"]:
+            continue
+        jams = f", {rounded(attempt['jammed_runs'])} jam" if attempt["jammed_runs"] else ""
+        rows.append({"name": ", ".join(band_name(band) for band in attempt["bands"]), "command": None,
+                     "reason": f"tried and not confirmed: {rounded(attempt['meeting_runs'])} of {rounded(attempt['runs'])} fresh runs "
+                               f"meet all limits{jams}"})
+    return rows + report["passed_over"]
+
+
+MOST_MARGINS = 8
+
+
+def margins_shown(margins):
+    """The smallest margins where there are many, in the order of the study."""
+    each = margins["each"]
+    order = sorted(each, key=lambda m: m["extreme_margin"] if is_number(m["extreme_margin"]) else math.inf)[:MOST_MARGINS]
+    return [margin for margin in each if margin in order], [margin for margin in each if margin not in order]
+
+
+def bearing_warnings(bearing):
+    return bearing["warnings"] + [f"at {point['name']}: {warning}" for point in bearing["points"] for warning in point["warnings"]]
+
+
+UNITS = {"um": "µm", "C": "°C", "mrad": "mrad", "mm": "mm", "N": "N", "rpm": "r/min", "deg": "deg", "MPa": "MPa", "GPa": "GPa"}
+
+
+def unit_of_key(key):
+    """The unit that a key of the scene ends with."""
+    if key.endswith("_m_s2"):
+        return "m/s²"
+    return UNITS.get(key.rsplit("_", 1)[-1], "")
+
+
+def binding_sentence(tolerance):
+    """Which dimensions change the yield, in a sentence for each answer."""
+    answers = {}
+    for dimension in tolerance["dimensions"]:
+        answers.setdefault(dimension["binding"], []).append(dimension["name"])
+    words = {"binding": "changes the yield within the widths studied", "not binding": "changes no yield within the widths studied"}
+    answers.pop("undecided", None)
+    return " ".join(f"{' and '.join(names).capitalize()}: the tolerance {words.get(answer, answer)}." for answer, names in answers.items())
+
+
+def undecided_names(report):
+    keys = report["verdict"]["undecided"]
+    return [dimension["name"] for dimension in report["tolerance"]["dimensions"] if dimension["key"] in keys]
+
+
+def appendix(report):
+    """Chapters for the engineer; those that the study has nothing to say in are left out."""
+    tolerance = report["tolerance"]
+    contributors = report["contributors"]
+    chapters = [
+        ("trends", "What the source claims, and what these runs show", report["trends"]),
+        ("response", f"Response to the {report['response']['name']}" if report["response"] else "", report["response"]),
+        ("outcomes", "Outcomes and limits", True),
+        ("confirmation", "Fresh runs at the recommended tolerance", report["confirmation"]),
+        ("tolerance", "Yield against tolerance", tolerance),
+        ("assumed", "What nobody knows", report["assumption_verdicts"]),
+        ("contributors", "What drives the quantities", contributors["features"] and contributors["outputs"]),
+        ("quantities", "Statistics of every quantity", True),
+        ("errors", "Error budget", report["error_budget"]["quantities"]),
+        ("multifidelity", "Help from a cheaper model", report["multifidelity"]),
+        ("cage", "Flexible cage", report["cage"]),
+        ("capability", "Capability at this tolerance" if report["confirmation"] else "Capability against the limits", report["capability"] or (report["confirmation"] or {}).get("capability")),
+        ("failures", "Failures and worst samples", True),
+        ("convergence", "Are there enough runs?", report["convergence"]["rows"]),
+        ("health", "Run health", report["health"]),
+        ("model", "Model, assumptions and scatter", True),
+        ("definitions", "Definitions", report["quantities"]),
+        ("scene", "The scene, nominal values", report["provenance"]["scene"]),
+        ("provenance", "Where this comes from", True),
+    ]
+    return [Chapter(name, title) for name, title, content in chapters if content]
+
+
+def hundred(share):
+    """A share in percent."""
+    return 100 * share if is_number(share) else None
+
+
+MOST_CANDIDATES = 12
+
+
+def candidates_shown(tolerance):
+    """All candidates where they are few, else the chosen one and those whose yields lie nearest to it."""
+    candidates = tolerance["candidates"]
+    if len(candidates) <= MOST_CANDIDATES:
+        return candidates
+    chosen = next((c for c in candidates if c["candidate"] == tolerance["chosen_candidate"]), None)
+    if chosen is None:
+        return candidates[:MOST_CANDIDATES]
+    distance = lambda candidate: sum(abs(math.log(a / b)) for a, b in zip(candidate["bands_mm"], chosen["bands_mm"]))
+    near = sorted(candidates, key=distance)[:MOST_CANDIDATES]
+    return [candidate for candidate in candidates if candidate in near]
+
+
+def centre_points(centres):
+    return [{**point, "name": dimension["name"], "shift_um": 1e3 * point["shifts_mm"][number]}
+            for number, dimension in enumerate(centres["dimensions"]) for point in dimension["points"] if point["shown"]]
+
+
+def names_with_units(quantities):
+    return [readable(entry["quantity"]) + (f" [{entry['unit']}]" if entry["unit"] not in ("", "-") else "")
+            for entry in quantities]
+
+
+def limited_names(report):
+    return [entry["quantity"] for entry in report["limits"]["each"]]
+
+
+def strongest(output):
+    """Up to three contributors whose intervals do not reach zero."""
+    shares = sorted((share for share in output["shares"] if is_number(share["value"])), key=lambda share: -share["value"])
+    texts = []
+    for share in shares[:3]:
+        if is_number(share["lower"]) and share["lower"] <= 0:
+            break
+        texts.append(f"{share['feature']} {percent_interval(share)}")
+    return texts
+
+
+def noise_text(report, name):
+    quantity = next((entry for entry in report["quantities"] if entry["quantity"] == name), None)
+    if quantity is None:
+        return "-"
+    share = quantity["noise"]["share"]
+    if not is_number(share["value"]) or share["value"] <= 1:
+        return percent_interval(share)
+    lower = share["lower"]
+    return f"all of it (above {100 * min(lower, 1):.0f} %)" if is_number(lower) else "all of it"
+
+
+def contributor_groups(report):
+    """What decides first, then the other quantities."""
+    first = ["meets all limits", "jams"] + limited_names(report)
+    rows = [{"output": output["output"], "strongest": strongest(output), "noise": noise_text(report, output["output"])}
+            for output in report["contributors"]["outputs"] if not bookkeeping(report, output["output"])]
+    deciding = sorted((row for row in rows if row["output"] in first), key=lambda row: first.index(row["output"]))
+    others = [row for row in rows if row["output"] not in first]
+    groups = [("", deciding), ("Quantities without limits" if deciding else "", others)]
+    return [(title, outputs) for title, outputs in groups if outputs]
+
+
+def bookkeeping(report, name):
+    quantity = next((entry for entry in report["quantities"] if entry["quantity"] == name), None)
+    return quantity is not None and quantity.get("bookkeeping", False)
+
+
+class QuantityGroups:
+    def __init__(self, report):
+        self.limited, self.others, self.constant, self.missing, self.bound_refused = [], [], [], [], ""
+        names = limited_names(report)
+        for entry in report["quantities"]:
+            statistics = entry["statistics"]
+            if statistics["runs_with_value"] == 0:
+                if "@" not in entry["quantity"]:  # what a point or a phase leaves out says nothing new
+                    self.missing.append(readable(entry["quantity"]))
+                continue
+            self.bound_refused = statistics["bound_refused"] or self.bound_refused
+            if entry["quantity"] in names:
+                self.limited.append(entry)
+            elif entry.get("constant"):
+                self.constant.append(entry)
+            elif not entry.get("bookkeeping"):
+                self.others.append(entry)
+
+
+def quantity_groups(report):
+    return QuantityGroups(report)
+
+
+def quantile(statistics, level):
+    return next((entry for entry in statistics["quantiles"] if entry["level"] == level), statistics["quantiles"][0])
+
+
+MOST_UNLIMITED = 8
+
+
+def budget_groups(report):
+    """Limited quantities; the others, where they vary, only if more than their statistical error was measured."""
+    budget = report["error_budget"]
+    idle = {entry["quantity"] for entry in report["quantities"] if entry["constant"] or entry["bookkeeping"]}
+    limited = [entry for entry in budget["quantities"] if entry["limited"]]
+    others = [entry for entry in budget["quantities"] if not entry["limited"] and entry["quantity"] not in idle]
+    if not limited:
+        return [("", others[:MOST_UNLIMITED])]
+    return [("", limited)] + ([("Quantities without limits", others)] if budget["evidence"]["state"] == "measured" else [])
+
+
+def measured_sources(quantities):
+    """Sources that were measured for one quantity at least."""
+    names = [source["source"] for source in quantities[0]["sources"]]
+    return [name for name in names
+            if any(source["source"] == name and source["state"] != "not measured" for entry in quantities for source in entry["sources"])]
+
+
+def capability(report):
+    """Entries with an index, and whether they are those of the confirmed tolerance."""
+    confirmed = report["confirmation"]
+    entries = confirmed["capability"] if confirmed else report["capability"]
+    return [entry for entry in entries if not entry.get("no_index")], bool(confirmed)
+
+
+def without_capability(report):
+    entries = report["confirmation"]["capability"] if report["confirmation"] else report["capability"]
+    return [entry for entry in entries if entry.get("no_index")]
+
+
+def worst_samples(report):
+    misses = [entry for entry in report["worst_samples"] if not entry["meets_limit"]]
+    missed = {(entry["quantity"], entry["limit"]) for entry in misses}
+    nearest = {}
+    for entry in report["worst_samples"]:
+        if (entry["quantity"], entry["limit"]) not in missed:
+            nearest.setdefault((entry["quantity"], entry["limit"]), entry)
+    return misses, list(nearest.values())
+
+
+def counts_text(verdicts):
+    return ", ".join(f"{verdict} {rounded(count)}" for verdict, count in verdicts.items())
+
+
+def verdict_class(verdict):
+    return {"agrees": "good", "disagrees": "bad"}.get(verdict, "")
+
+
+def place_text(place, unit):
+    """"0.1 mm" of clearance, or the deviation where the dimension leaves no clearance."""
+    if place["clearance"] is None:
+        return signed_general(place["level"]) + unit_suffix(unit)
+    return f"{place['clearance']:g}{unit_suffix(unit)}"
+
+
+def has_clearances(claims):
+    return any(span["first"]["clearance"] is not None for claim in claims for held in claim["held"] for span in held["ranges"])
+
+
+def trend_settings(trends):
+    """Rows by setting, in order of first appearance: trends over different keys have different settings."""
+    settings = {}
+    for row in trends["rows"]:
+        for seen in row["settings"]:
+            settings.setdefault(seen["setting"], []).append((row, seen))
+    return list(settings.items())
+
+
+def relative_text(difference):
+    return f"{100 * difference['value']:+.3g} %" if is_number(difference["value"]) else "-"
+
+
+def stated_assumptions(stated):
+    """Key, reason and range of each, in whatever form the study has them."""
+    if isinstance(stated, dict):
+        return [{"key": key, "note": value_text(text), "range": ""} for key, text in stated.items()]
+    rows = []
+    for entry in stated:
+        if isinstance(entry, dict):
+            both = "low" in entry and "high" in entry
+            rows.append({"key": entry.get("key", ""), "note": value_text(entry.get("note", "")),
+                         "range": f"{value_text(entry['low'])} to {value_text(entry['high'])}" if both else ""})
+        else:
+            rows.append({"key": value_text(entry), "note": "", "range": ""})
+    return rows
+
+
+def defined_quantities(report):
+    return [entry for entry in report["quantities"] if entry["statistics"]["runs_with_value"] > 0]
+
+
+def libraries_text(libraries):
+    if isinstance(libraries, dict):
+        return ", ".join(f"{name} {value_text(version)}" for name, version in libraries.items())
+    return value_text(libraries)
+
+
+RESPONSE_FIGURES = [
+    ("response_cage_stress",
+     "Largest equivalent (von Mises) stress in the cage (Figs. 8 and 16). Peaks are contacts of rollers with bars; "
+     "the right-hand side says whether the level moves their mean or their fluctuation."),
+    ("orbit_cage",
+     "Paths of the cage's centre, one column for each level (six of them where there are more), the first runs of "
+     "each in different colours (Figs. 9 and 17). Look for the size of the path and whether it circles; runs that "
+     "differ as much as levels do mean that the level says little."),
+    ("response_cage_velocity",
+     "Speed of the cage's centre in the radial plane (Fig. 10). A wide fluctuation is a cage that is thrown about "
+     "rather than one that circles."),
+    ("response_cage_speed",
+     "Rotational speed of the cage (Figs. 11 and 18). A mean below pure rolling is cage slip."),
+    ("orbit_ring",
+     "Paths of the inner ring's centre (Figs. 12 and 20). The arc comes from the rollers passing below the load; it "
+     "hardly depends on the cage where the columns look alike."),
+    ("response_ring_velocity",
+     "Speed of the inner ring's centre (Fig. 13)."),
+    ("response_ring_displacement",
+     "Displacement of the inner ring along the load (Fig. 19): its mean is set by load and clearance, its ripple by "
+     "the rollers passing."),
+    ("response_ring_acceleration",
+     "Acceleration of the inner ring (Fig. 21), at the stored instants; peaks between them are in the quantities."),
+    ("response_roller_spin",
+     "Spin of one roller about its own axis (Figs. 14 and 22). It drops where the roller leaves the load zone and is "
+     "spun up again when it enters."),
+    ("slip_bars",
+     "Roller slip by level (Figs. 15 and 23): medians of the runs, with their 5 to 95 % range. Slip depends on the "
+     "friction law's transition speeds."),
+    ("response_quantities",
+     "Every quantity the source speaks about, over the level: median of the runs, band from 5 to 95 % of them. Bands "
+     "that overlap all the way mean that the level is not felt in one run."),
+]
+
+
+def response_figures():
+    """Name and caption of each figure over the levels of a grid."""
+    return RESPONSE_FIGURES

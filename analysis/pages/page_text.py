@@ -1,0 +1,200 @@
+"""Numbers and names as people read them: the filters of the templates."""
+
+import math
+import pathlib
+import re
+import sys
+
+from markupsafe import Markup, escape
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "figures"))
+from common import readable  # noqa: E402  one name for each quantity, in figures and on pages
+
+
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def decimals_for(size, digits):
+    """Decimals that show `digits` significant digits of a number of this size."""
+    if not size > 0:
+        return 0
+    return min(max(digits - 1 - math.floor(math.log10(size)), 0), 9)
+
+
+def fixed(value, decimals=2):
+    """A fixed number of decimals; never "-0.00"."""
+    if not is_number(value):
+        return "-"
+    text = f"{value:.{decimals}f}"
+    return text[1:] if text.startswith("-") and not text.strip("-0.") else text
+
+
+def rounded(value):
+    """Three significant digits, without exponent where it can be avoided; "-" for none."""
+    if not is_number(value):
+        return "-"
+    if value == math.floor(value) and abs(value) < 1e7:
+        return f"{value:.0f}"
+    if abs(value) < 1e-3 or abs(value) >= 1e7:
+        return f"{value:.2e}"
+    return fixed(value, decimals_for(abs(value), 3))
+
+
+def significant(value, digits=4):
+    """Rounded to significant digits before its point, too."""
+    if not is_number(value) or value == 0:
+        return rounded(value)
+    return rounded(round(value, digits - 1 - math.floor(math.log10(abs(value)))))
+
+
+def whole(value):
+    """To the next whole number."""
+    return f"{value:.0f}" if is_number(value) else "-"
+
+
+def plain(value):
+    """As input files have it."""
+    return f"{value:.12g}" if is_number(value) else str(value)
+
+
+def general(value, digits=6):
+    return f"{value:.{digits}g}" if is_number(value) else "-"
+
+
+def signed(value, decimals=1):
+    return f"{value:+.{decimals}f}" if is_number(value) else "-"
+
+
+def signed_general(value):
+    return ("+" if value > 0 else "") + f"{value:g}" if is_number(value) else "-"
+
+
+def interval_ends(value, lower, upper):
+    """The three as text, with as many decimals as the first digit of the interval's half width."""
+    half = 0.5 * (upper - lower)
+    if max(abs(value), abs(upper), half) < 1e-3:
+        return f"{value:.3g}", f"{lower:.2g}", f"{upper:.2g}"
+    decimals = decimals_for(half, 1) if half > 0 else decimals_for(abs(value), 3)
+    return tuple(fixed(number, decimals) for number in (value, lower, upper))
+
+
+def with_interval(estimate):
+    """83.4 and, below it in small print, 82.9 to 83.9."""
+    if not is_number(estimate["value"]):
+        return "-"
+    if not (is_number(estimate["lower"]) and is_number(estimate["upper"])):
+        return rounded(estimate["value"])
+    value, lower, upper = interval_ends(estimate["value"], estimate["lower"], estimate["upper"])
+    return Markup(f"{value}<br><small>{lower} to {upper}</small>")
+
+
+def percent(share):
+    """"97.3 %" of a share."""
+    if not is_number(share):
+        return "-"
+    x = 100 * share
+    distance = min(abs(x), abs(100 - x))
+    if 99.995 <= x < 100:
+        return "> 99.99 %"
+    return fixed(x, 2 if 0 < distance < 0.1 else 1) + " %"
+
+
+def percent_down(share):
+    """A lower bound is rounded to its safe side."""
+    return fixed(math.floor(1000 * share) / 10, 1) + " %" if is_number(share) else "-"
+
+
+def stated_percent(share):
+    """A share that somebody stated, as stated."""
+    return f"{100 * share:.6g} %" if is_number(share) else "-"
+
+
+def percent_interval(estimate):
+    """"97 % (96 to 98)" of an estimated share."""
+    if not is_number(estimate["value"]):
+        return "-"
+    if not is_number(estimate["lower"]):
+        return percent(estimate["value"])
+    return "{} % ({} to {})".format(*(fixed(100 * estimate[key], 0) for key in ("value", "lower", "upper")))
+
+
+def unit_suffix(unit):
+    """" mrad"; nothing for a ratio."""
+    return "" if unit in ("", "-", None) else f" {unit}"
+
+
+def bracketed(unit):
+    return "" if unit in ("", "-", None) else f" [{unit}]"
+
+
+def code(text):
+    """A key or command; it may break after a full stop, an underscore or a slash, never within a word."""
+    return Markup("<code>") + breakable(text) + Markup("</code>")
+
+
+def breakable(text):
+    return Markup(re.sub(r"([._/=])(?=[A-Za-z0-9])", r"\1<wbr>", str(escape(text))))
+
+
+def value_text(value):
+    """A value of the study as it is stored."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if value is None:
+        return "null"
+    if isinstance(value, list):
+        text = "[" + ", ".join(value_text(item) for item in value) + "]"
+        return text if len(text) <= 60 else text[:57] + "..."
+    return str(value)
+
+
+def law_text(law):
+    """"normal (sigma 0.009)" of a law of the study."""
+    if not law:
+        return ""
+    parts = [f"{key} {value_text(value)}" for key, value in law.items() if key != "law" and value is not None]
+    name = law.get("law", "?")
+    return f"{name} ({', '.join(parts)})" if parts else name
+
+
+def scene_items(section, prefix=""):
+    """Every key of the scene with its value, flat; assumptions have a chapter of their own."""
+    items = []
+    for key, value in section.items():
+        if isinstance(value, dict):
+            items += scene_items(value, prefix + key + ".")
+        elif prefix + key != "assumption":
+            items.append((prefix + key, value_text(value)))
+    return items
+
+
+def with_error(estimate):
+    """As many digits as the error deserves, two of it."""
+    value, error = estimate["value"], estimate["standard_error"]
+    if not (is_number(value) and is_number(error) and error > 0):
+        return rounded(value)
+    decimals = min(max(1 - math.floor(math.log10(error)), 0), 15)
+    return f"{value:.{decimals}f} ± {error:.{decimals}f}"
+
+
+def joined(items, last=" and "):
+    items = [str(item) for item in items]
+    return last.join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else "".join(items)
+
+
+def filters():
+    return {"rounded": rounded, "fixed": fixed, "whole": whole, "significant": significant, "plain": plain, "general": general, "signed": signed,
+            "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
+            "percent_down": percent_down, "stated_percent": stated_percent, "percent_interval": percent_interval,
+            "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "breakable": breakable,
+            "value_text": value_text, "law_text": law_text, "scene_items": scene_items, "with_error": with_error,
+            "readable": readable, "joined": joined}
+
+
+def tests():
+    return {"known": is_number}

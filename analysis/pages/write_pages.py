@@ -1,0 +1,103 @@
+"""Lays report.json out: write_pages.py REPORT_JSON REPORT_HTML [--figures SCRIPTS OUTPUT_DIR] [--pdf REPORT_PDF].
+
+Every number on the pages comes from report.json. The page is one self-contained file. What is missing is named in the last line on
+standard error, and the exit code is 1, or 3 where Jinja2 is; the page is written without figures where they cannot be drawn.
+"""
+
+import argparse
+import base64
+import json
+import os
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def draw(scripts, report, report_file, output_dir):
+    """Draws the figures; what went wrong, in a line."""
+    sys.path.insert(0, scripts)
+    try:
+        import draw as drawing
+    except ImportError as missing:
+        return f"figures are missing: {missing}"
+    try:
+        failed = drawing.main(report_file, output_dir)
+    except ImportError as missing:
+        return f"figures are missing: {missing}; Debian's python3-matplotlib draws them"
+    return "some figures are missing, see figures/pages.log" if failed else ""
+
+
+class Figures:
+    """The figures that were drawn, embedded in the page."""
+
+    def __init__(self, directory):
+        self.files = {} if directory is None else {file.stem: file for file in sorted(pathlib.Path(directory).glob("*.svg"))}
+
+    def source(self, name):
+        file = self.files.get(name)
+        return None if file is None else "data:image/svg+xml;base64," + base64.b64encode(file.read_bytes()).decode()
+
+
+def page_of(report, figures, problem):
+    import jinja2
+    sys.path.insert(0, str(HERE))
+    import page_parts
+    import page_text
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True,
+                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+    environment.filters.update(page_text.filters())
+    environment.tests.update(page_text.tests())
+    environment.globals["figure_source"] = figures.source
+    environment.globals.update({name: macro for name, macro in vars(environment.get_template("macros.html.j2").module).items()
+                                if not name.startswith("_")})
+    style = (HERE / "templates" / "style.css").read_text(encoding="utf-8")
+    return environment.get_template("report.html.j2").render(report=report, parts=page_parts, problem=problem, style=style)
+
+
+def replace(file, text):
+    temporary = pathlib.Path(str(file) + ".tmp")
+    temporary.write_text(text, encoding="utf-8")
+    os.replace(temporary, file)
+
+
+def write_pdf(html, pdf):
+    """What went wrong, in a line."""
+    try:
+        import logging
+        logging.getLogger("weasyprint").setLevel(logging.ERROR)
+        import weasyprint
+    except ImportError as missing:
+        return f"report.pdf is not written: {missing}; Debian's weasyprint writes it"
+    weasyprint.HTML(filename=html).write_pdf(pdf)
+    return ""
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("report")
+    parser.add_argument("html")
+    parser.add_argument("--figures", nargs=2, metavar=("SCRIPTS", "OUTPUT_DIR"))
+    parser.add_argument("--pdf")
+    options = parser.parse_args()
+    try:
+        import jinja2  # noqa: F401  before figures are drawn for a page that cannot be written
+    except ImportError as missing:
+        print(missing, file=sys.stderr)
+        return 3
+    with open(options.report, encoding="utf-8") as source:
+        report = json.load(source)
+    problems = []
+    if options.figures:
+        problems.append(draw(options.figures[0], report, options.report, options.figures[1]))
+    problem = "; ".join(filter(None, problems))
+    replace(options.html, page_of(report, Figures(options.figures and options.figures[1]), problem))
+    if options.pdf:
+        problem = "; ".join(filter(None, [problem, write_pdf(options.html, options.pdf)]))
+    if problem:
+        print(problem, file=sys.stderr)
+    return 1 if problem else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

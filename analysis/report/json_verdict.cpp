@@ -1,0 +1,246 @@
+// What the first page says beside the tolerance itself: its margins, what is missing for a verdict
+// and the command that gets it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/report/json_parts.hpp"
+#include "analysis/report/refining_ladder.hpp"
+#include "analysis/tolerance/confirmation.hpp"
+#include "analysis/tolerance/limit_margin.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr const char* kStress = "cage_stress_peak_MPa";
+
+/// Sentences of a text that follows full stops with a space and a capital letter or a figure.
+std::vector<std::string> sentences_of(const std::string& text) {
+  std::vector<std::string> list;
+  std::size_t begin = 0;
+  for (std::size_t at = text.find(". "); at != std::string::npos; at = text.find(". ", at + 1)) {
+    if (at + 2 >= text.size() || !std::isalnum(static_cast<unsigned char>(text[at + 2])) ||
+        std::islower(static_cast<unsigned char>(text[at + 2])))
+      continue;
+    list.push_back(text.substr(begin, at + 1 - begin));
+    begin = at + 2;
+  }
+  if (begin < text.size()) list.push_back(text.substr(begin));
+  return list;
+}
+
+Json step(const std::string& missing, const std::string& command) {
+  return {{"missing", missing}, {"command", command.empty() ? Json() : Json(command)}};
+}
+
+bool is_staged(const ReportBasis& basis) {
+  return basis.directory.find('/') != std::string::npos;
+}
+
+/// More runs of the same directory where its stages keep a budget, of another one for a sweep.
+std::string more_runs(const ReportBasis& basis, double factor) {
+  const double wanted = std::ceil(factor * static_cast<double>(basis.runs.size()) / 100) * 100;
+  return is_staged(basis)
+             ? fmt::format(
+                   "cagetol recommend STUDY -o OTHER_DIR --set "
+                   "recommend.budget_samples={:.0f}",
+                   3 * wanted)
+             : fmt::format("cagetol sweep STUDY -o OTHER_DIR --set samples={:.0f}", wanted);
+}
+
+/// Candidates narrower than any of the study's.
+std::string narrower_command(const ReportBasis& basis) {
+  const StudyPlan& plan = basis.study.plan;
+  std::string dimensions;
+  for (std::size_t d = 0; d < plan.dimensions.size(); ++d) {
+    double narrowest = plan.candidates.front().bands_mm[d];
+    for (const Candidate& candidate : plan.candidates)
+      narrowest = std::min(narrowest, candidate.bands_mm[d]);
+    dimensions +=
+        fmt::format("{}{{key=\"{}\", band_mm={}, candidates=[{:.3g}, {:.3g}, {:.3g}]}}",
+                    d == 0 ? "" : ", ", plan.dimensions[d].key, plan.dimensions[d].band_mm,
+                    0.25 * narrowest, 0.5 * narrowest, narrowest);
+  }
+  return fmt::format("cagetol recommend STUDY -o OTHER_DIR --set 'tolerance.dimension=[{}]'",
+                     dimensions);
+}
+
+bool some_dimension_binds(const Json& tolerance) {
+  return std::any_of(tolerance["dimensions"].begin(), tolerance["dimensions"].end(),
+                     [](const Json& dimension) { return dimension["binding"] == "binding"; });
+}
+
+/// Without a run that misses, this many confirm the target in one attempt.
+std::size_t confirming_runs(const StudyPlan& plan) {
+  const double confidence = attempt_confidence(confirmation_rules(plan, 0));
+  return static_cast<std::size_t>(
+      std::ceil(std::log(1 - confidence) / std::log(plan.target_yield) - 1e-9));
+}
+
+Json unconfirmed_step(const ReportBasis& basis) {
+  const auto runs = confirming_runs(basis.study.plan);
+  const std::string missing = fmt::format(
+      "Fresh independent runs at this tolerance: {} of them confirm it if none misses a limit.",
+      runs);
+  if (!is_staged(basis)) return step(missing, "cagetol recommend STUDY -o OTHER_DIR");
+  const std::size_t spent = basis.study.plan.campaign.budget_samples;
+  return step(missing,
+              fmt::format("cagetol recommend STUDY -o DIR --set recommend.budget_samples={}",
+                          spent + 2 * runs));
+}
+
+Json unknown_step(const ReportBasis& basis) {
+  for (std::size_t i = 0; i < basis.runs.size(); ++i)
+    if (basis.joint[i] == Judgement::unknown)
+      return step(
+          "A judgement of the runs that gave none: their failures and replay commands are in the "
+          "appendix, this is the first.",
+          fmt::format("cagetol replay {} --sample {}", basis.directory, basis.runs.id[i]));
+  return step("A judgement of the runs that gave none.", "");
+}
+
+Json next_steps(const ReportBasis& basis, const Json& report) {
+  const std::string status = report["verdict"]["status"];
+  Json steps = Json::array();
+  if (status == "recommended") steps.push_back(unconfirmed_step(basis));
+  if (status == "not_known") steps.push_back(unknown_step(basis));
+  if (status == "too_few_runs")
+    steps.push_back(
+        step("More runs, so that every candidate has enough effective ones.", more_runs(basis, 3)));
+  if (status == "none_meets" || status == "not_confirmed") {
+    if (report["tolerance"].is_object() && some_dimension_binds(report["tolerance"]))
+      steps.push_back(step("Narrower candidates than those studied.", narrower_command(basis)));
+    else
+      steps.push_back(
+          step("A dimension whose tolerance changes the yield: no difference between the widths "
+               "studied is significant. The limits that runs miss, below, say what has to change "
+               "in the design, or more runs tell widths apart.",
+               more_runs(basis, 4)));
+  }
+  if (status == "no_limits")
+    steps.push_back(step("A limit to judge by: [[limit]] in the study, on one of these quantities.",
+                         "cagetol quantities"));
+  if (status == "no_candidates")
+    steps.push_back(
+        step("Candidate tolerances: dimensions with WIDTH, the full width in mm that the scatter "
+             "of the study belongs to.",
+             "cagetol recommend STUDY -o OTHER_DIR --set "
+             "'tolerance.dimension=[{key=\"cage.pocket_width_mm\", band_mm=WIDTH, "
+             "candidates=[\"IT9\", \"IT10\", \"IT11\", \"IT12\"]}]'"));
+  if (status == "no_yield" && report["trends"].is_null())
+    steps.push_back(step("Rows that follow the laws of the inputs.",
+                         "cagetol sweep STUDY -o OTHER_DIR --set design='\"random\"'"));
+  if (status == "no_runs")
+    steps.push_back(step("Runs with an outcome.", "cagetol sweep STUDY -o DIR"));
+  return steps;
+}
+
+std::string convergence_statement(const Json& report) {
+  const Json& limiting = report["convergence"]["limiting"];
+  if (!limiting.is_object()) return "Too few runs for a statement on their number.";
+  const double needed = limiting["runs_still_needed"];
+  if (needed > 0)
+    return fmt::format(
+        "About {:.0f} more runs until the {} of {} is known as well as wanted; "
+        "everything else needs fewer.",
+        needed, limiting["statistic"].get<std::string>(), limiting["quantity"].get<std::string>());
+  for (const char* open : {"not_known", "too_few_runs", "not_confirmed"})
+    if (report["verdict"]["status"] == open)
+      return "The quantities below are known as well as wanted, the verdict is not: what it needs "
+             "stands on the first page.";
+  return "Every quantity is known as well as wanted.";
+}
+
+/// Median and largest of the cage's peak stress; null without.
+Json stress_json(const StudyData& runs) {
+  const Column* column = find_quantity(runs, kStress);
+  if (column == nullptr) return {};
+  Limit largest;
+  largest.quantity = kStress;
+  largest.maximum = 1;
+  StudyData alone = results_of(runs);
+  alone.plan.limits = {largest};
+  const LimitMargin margin = limit_margins(alone).front();
+  if (std::isnan(margin.median)) return {};
+  return {{"quantity", kStress},
+          {"unit", column->unit},
+          {"median", margin.median},
+          {"largest", margin.extreme}};
+}
+
+/// Why no capability index is given of a limited quantity; empty: it is.
+std::string no_index(const Json& report, const Json& entry) {
+  constexpr double kFar = 3.3;  // ten standard deviations
+  const Json& cpk = entry["cpk"]["value"];
+  if (entry["outside_ppm"] == 0 && cpk.is_number() && cpk.get<double>() > kFar)
+    return fmt::format(
+        "no run misses the limit, which lies {:.0f} standard deviations of the scatter beyond the "
+        "mean: no index is given where nothing is at stake",
+        3 * cpk.get<double>());
+  for (const Json& quantity : report["quantities"]) {
+    if (quantity["quantity"] != entry["quantity"]) continue;
+    const Json& share = quantity["noise"]["share"]["value"];
+    if (share.is_number() && share.get<double>() > 0.5)
+      return "more than half of its variance is noise of the start, which no process owns: the "
+             "share of runs beyond the limit says it all";
+  }
+  return {};
+}
+
+}  // namespace
+
+Json margins_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
+                  const Json& ladder) {
+  const StudyData& runs = confirmations.empty() ? basis.runs : confirmations.back();
+  std::vector<double> errors;
+  for (const Limit& limit : runs.plan.limits)
+    errors.push_back(known_bias(ladder, basis.study, limit.quantity));
+  Json each = Json::array();
+  for (const LimitMargin& margin : limit_margins(runs, errors)) {
+    const Column* column = find_quantity(runs, margin.limit.quantity);
+    each.push_back({{"quantity", margin.limit.quantity},
+                    {"unit", column == nullptr ? "" : column->unit},
+                    {"text", limit_text(margin.limit, column == nullptr ? "" : column->unit)},
+                    {"source", margin.limit.source},
+                    {"cage_revolutions", margin.limit.cage_revolutions},
+                    {"median", number(margin.median)},
+                    {"median_margin", number(margin.median_margin)},
+                    {"extreme", number(margin.extreme)},
+                    {"extreme_margin", number(margin.extreme_margin)},
+                    {"relative", margin.limit.maximum.value_or(1) != 0 &&
+                                     margin.limit.minimum.value_or(1) != 0},
+                    {"judged", margin.judged},
+                    {"missed", margin.missed},
+                    {"unknown", margin.unknown},
+                    {"role", limit_role_name(margin.role)}});
+  }
+  const auto jammed = std::count(runs.status.begin(), runs.status.end(), RunStatus::jammed);
+  return {{"runs", runs.size()},
+          {"jammed", jammed},
+          {"at", confirmations.empty()                 ? "all runs of the study"
+                 : basis.study.plan.candidates.empty() ? "all runs"
+                                                       : "the fresh runs of the last attempt"},
+          {"each", each},
+          {"stress", stress_json(runs)}};
+}
+
+void finish_verdict(const ReportBasis& basis, Json& report) {
+  Json& verdict = report["verdict"];
+  if (basis.runs.size() == 0) verdict["status"] = "no_runs";
+  std::vector<std::string> sentences =
+      sentences_of(verdict.value("judgement", verdict["statement"].get<std::string>()));
+  verdict.erase("judgement");
+  verdict["headline"] = sentences.empty() ? "" : sentences.front();
+  if (!sentences.empty()) sentences.erase(sentences.begin());
+  verdict["grounds"] = sentences;
+  verdict["next"] = next_steps(basis, report);
+  report["convergence"]["statement"] = convergence_statement(report);
+  const auto judge_indices = [&](Json& capability) {
+    for (Json& entry : capability) entry["no_index"] = no_index(report, entry);
+  };
+  judge_indices(report["capability"]);
+  if (report["confirmation"].is_object()) judge_indices(report["confirmation"]["capability"]);
+}
+
+}  // namespace cagetol

@@ -1,0 +1,39 @@
+#include "analysis/report/page_writer.hpp"
+
+#include <fmt/format.h>
+
+#include "analysis/report/python_run.hpp"
+
+namespace cagetol {
+namespace {
+
+/// Exit code of write_pages.py where Python lacks Jinja2.
+constexpr int kNoPackage = 3;
+
+}  // namespace
+
+std::string write_pages(const PageWriter& writer, const std::filesystem::path& report_json) {
+  const auto directory = report_json.parent_path();
+  const auto figures = directory / "figures", html = directory / "report.html",
+             pdf = directory / "report.pdf";
+  std::error_code ignored;
+  std::filesystem::remove_all(figures, ignored);
+  std::filesystem::create_directories(figures, ignored);
+  for (const auto& page : {html, pdf}) std::filesystem::remove(page, ignored);
+  std::vector<std::string> arguments = {report_json.string(), html.string()};
+  if (writer.figures)
+    arguments.insert(arguments.end(), {"--figures", writer.figures_dir.string(), figures.string()});
+  if (writer.pdf) arguments.insert(arguments.end(), {"--pdf", pdf.string()});
+  const PythonRun run = run_python(writer.python, writer.pages_dir / "write_pages.py", arguments,
+                                   figures / "pages.log");
+  if (run.problem.empty()) return {};
+  if (std::filesystem::exists(html)) return "the report is incomplete: " + run.problem;
+  const bool lacks_packages = run.code == kNoPackage || run.code == -1;
+  return fmt::format(
+      "report.html is not written: {}{}. report.json and the CSV tables are complete", run.problem,
+      lacks_packages ? "; install Debian's python3, python3-jinja2 and, for figures, "
+                       "python3-matplotlib"
+                     : "");
+}
+
+}  // namespace cagetol

@@ -1,0 +1,22 @@
+// report.html and report.pdf: Python lays report.json out with the templates of analysis/pages.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace cagetol {
+
+struct PageWriter {
+  std::filesystem::path pages_dir;    ///< analysis/pages
+  std::filesystem::path figures_dir;  ///< analysis/figures
+  std::string python;
+  bool figures = true;  ///< draw figures and place them on the pages
+  bool pdf = false;     ///< report.pdf, too
+};
+
+/// Writes report.html (and report.pdf) and figures/ beside `report_json` in place of those that
+/// are there. Returns what went wrong, with the package to install where one is missing; empty when
+/// nothing did. Never throws for want of Python.
+std::string write_pages(const PageWriter& writer, const std::filesystem::path& report_json);
+
+}  // namespace cagetol

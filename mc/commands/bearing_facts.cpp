@@ -1,0 +1,258 @@
+#include "mc/commands/bearing_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "mc/commands/cage_drawing.hpp"
+#include "mc/commands/operating_text.hpp"
+#include "mc/operating_points.hpp"
+#include "mc/stored_study.hpp"
+#include "mc/study.hpp"
+#include "src/lubrication/lubricant.hpp"
+#include "src/quantities/operating_point.hpp"
+#include "src/scene/materials.hpp"
+#include "src/scene/operating_clearance.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kRpm = std::numbers::pi / 30;
+
+/// Rows of names and values; what is not known is left out.
+class Entries {
+ public:
+  Entries& text(const std::string& name, const std::string& words) {
+    list_.push_back({{"name", name}, {"text", words}});
+    return *this;
+  }
+  Entries& value(const std::string& name, double number, const std::string& unit) {
+    if (std::isfinite(number)) list_.push_back({{"name", name}, {"value", number}, {"unit", unit}});
+    return *this;
+  }
+  Json titled(const std::string& title) const { return {{"title", title}, {"entries", list_}}; }
+
+ private:
+  Json list_ = Json::array();
+};
+
+/// NU, NJ, NUP, N, NF or the flanges in words.
+std::string type_of(const BearingGeometry& bearing) {
+  using enum FlangeSides;
+  const auto one = [](FlangeSides sides) { return sides == left || sides == right; };
+  const FlangeSides outer = bearing.outer_flanges, inner = bearing.inner_flanges;
+  if (outer == both && inner == none) return "NU, flanges on the outer ring";
+  if (outer == both && one(inner)) return "NJ, flanges on the outer and one on the inner ring";
+  if (outer == both && inner == both) return "NUP, flanges on both rings";
+  if (outer == none && inner == both) return "N, flanges on the inner ring";
+  if (one(outer) && inner == both) return "NF, flanges on the inner and one on the outer ring";
+  return fmt::format("flanges of the outer ring: {}, of the inner ring: {}", spelled(outer),
+                     spelled(inner));
+}
+
+Json bearing_group(const Scene& scene, const OperatingPoint& at) {
+  const BearingGeometry& b = scene.bearing;
+  return Entries()
+      .text("type", type_of(b))
+      .text("bore × outside × width",
+            fmt::format("{:.6g} × {:.6g} × {:.6g} mm", 1e3 * b.bore_diameter,
+                        1e3 * b.outside_diameter, 1e3 * b.width))
+      .text("rollers", fmt::format("{}, diameter {:.6g} mm, length {:.6g} mm", b.roller_count,
+                                   1e3 * scene.roller.diameter.front(), 1e3 * scene.roller.length))
+      .value("dynamic load rating C", 1e-3 * at.dynamic_rating, "kN")
+      .value("static load rating C0", 1e-3 * at.static_rating, "kN")
+      .titled("Bearing");
+}
+
+Json load_group(const Scene& scene, const OperatingPoint& at) {
+  const Operation& operation = scene.operation;
+  Entries entries;
+  entries.value("radial load", operation.radial_load, "N");
+  if (operation.axial_load != 0) entries.value("axial load", operation.axial_load, "N");
+  if (operation.rotating_load != 0) entries.value("rotating load", operation.rotating_load, "N");
+  if (!operation.table.empty()) entries.text("duty", "load or speed follow a table over time");
+  entries.value("speed of the inner ring", operation.inner_speed / kRpm, "r/min");
+  if (operation.outer_speed != 0)
+    entries.value("speed of the outer ring", operation.outer_speed / kRpm, "r/min");
+  return entries.value("speed factor n dm", 1e3 * at.pitch_diameter * at.speed / kRpm, "mm/min")
+      .value("load ratio C/P", at.dynamic_rating / at.load, "-")
+      .value("static safety C0/P0", at.static_rating / at.largest_load, "-")
+      .value("rating life L10", at.life_time / 3600, "h")
+      .value("least load, SKF's rule", at.least_load_skf, "N")
+      .value("least load, C0/60", at.least_load_schaeffler, "N")
+      .value("largest roller load", at.roller_load, "N")
+      .value("largest pressure", 1e-6 * at.race_pressure, "MPa")
+      .value("load zone", at.load_zone * 180 / std::numbers::pi, "deg")
+      .titled("Load and speed");
+}
+
+Json clearance_group(const Scene& scene, const OperatingPoint& at) {
+  Entries entries;
+  entries.value("internal, diametral", 1e6 * at.clearance.internal, "µm");
+  if (has_cage(scene))
+    entries.value("total, roller to both bars", 1e6 * at.clearance.pocket_width, "µm")
+        .value("roller to both pocket ends", 1e6 * at.clearance.pocket_length, "µm")
+        .value("guide, radial", 1e6 * at.clearance.guide, "µm");
+  return entries.value("roller to flanges, axial", 1e6 * at.clearance.flange, "µm")
+      .value("between neighbours, sum", 1e6 * at.clearance.neighbours, "µm")
+      .titled(changes_in_operation(scene) ? "Clearances in operation" : "Clearances");
+}
+
+std::string guided_by(Guidance guidance) {
+  return guidance == Guidance::outer   ? "the outer ring"
+         : guidance == Guidance::inner ? "the inner ring"
+                                       : "the rollers";
+}
+
+Json cage_group(const Scene& scene, const OperatingPoint& at) {
+  if (!has_cage(scene)) return Entries().text("cage", "none: a full complement").titled("Cage");
+  const Strength strength = cage_strength(scene);
+  Entries entries;
+  entries.text("material", scene.cage.material.name)
+      .value("mass", 1e3 * at.cage_mass, "g")
+      .text("guided by", guided_by(scene.cage.guidance))
+      .text("pocket, width × length",
+            fmt::format("{:.6g} × {:.6g} mm", 1e3 * scene.cage.pocket_width.front(),
+                        1e3 * scene.cage.pocket_length.front()));
+  if (is_flexible(scene))
+    entries.value("fatigue strength", 1e-6 * strength.fatigue, "MPa")
+        .value("yield strength", 1e-6 * strength.yield, "MPa");
+  return entries.titled("Cage");
+}
+
+Json oil_group(const Scene& scene, const OperatingPoint& at) {
+  const Lubrication& oil = scene.lubrication;
+  if (oil.model == LubricationModel::none)
+    return Entries().text("lubricant", "none: a dry bearing").titled("Lubricant");
+  const Oil named = lubricant_named(oil.lubricant).oil;
+  Entries entries;
+  entries.text("oil", oil.lubricant).value("temperature", oil.temperature, "°C");
+  if (std::isnan(oil.viscosity))
+    entries.value(
+        "viscosity there",
+        kinematic_viscosity(viscosity_curve(given_or(oil.viscosity_40, named.viscosity_40),
+                                            given_or(oil.viscosity_100, named.viscosity_100)),
+                            oil.temperature),
+        "mm²/s");
+  else
+    entries.value("dynamic viscosity", 1e3 * oil.viscosity, "mPa s");
+  return entries.value("film at the inner race", 1e6 * at.film, "µm")
+      .value("film over roughness, lambda", at.lambda, "-")
+      .titled("Lubricant");
+}
+
+/// What a run of this scene models, a sentence for each part.
+std::vector<std::string> model_sentences(const Scene& scene) {
+  const Simplification& model = scene.model;
+  std::vector<std::string> list;
+  if (model.motion == MotionModel::quasi_static)
+    return {
+        "Ring and rollers in static equilibrium at every position of the cage; no motion of the "
+        "cage, slip or friction."};
+  list.push_back(model.rollers == RollerModel::planar
+                     ? "Rollers move in the radial plane, without skew and tilt."
+                     : "Every roller moves in space, with skew, tilt and slip.");
+  list.push_back(is_flexible(scene)
+                     ? fmt::format("The cage is flexible: {} elastic modes{}, stress at its "
+                                   "fillets.",
+                                   scene.cage.modes, scene.cage.bar_modes ? " and its bars" : "")
+                 : has_cage(scene)
+                     ? "The cage is a rigid body with six degrees of freedom: no stress."
+                     : "No cage: rollers touch each other.");
+  list.push_back(model.ring_tilt == TiltModel::free
+                     ? "The inner ring moves and tilts under load and moment."
+                     : "The inner ring moves under load; its misalignment is prescribed.");
+  list.push_back(
+      scene.lubrication.model == LubricationModel::film
+          ? "Oil: films, rolling resistance, traction and drag. Contacts are isothermal but "
+            "for the inlet."
+          : "No oil: dry contacts with velocity-dependent friction.");
+  list.push_back(changes_in_operation(scene)
+                     ? "Fits, temperatures or rotation change the clearances as the scene states."
+                     : "Dimensions are those in operation: no fits, heat or growth are computed.");
+  list.push_back(fmt::format("Each run: {:.6g} revolutions of the cage after {:.6g} to settle.",
+                             scene.window.measure_revolutions, scene.window.settle_revolutions));
+  return list;
+}
+
+Json section_json(const Scene& scene) {
+  const BearingGeometry& b = scene.bearing;
+  const auto mm = [](double length) { return std::isfinite(length) ? Json(1e3 * length) : Json(); };
+  Json section{{"rollers", b.roller_count},
+               {"roller_diameter_mm", mm(scene.roller.diameter.front())},
+               {"roller_length_mm", mm(scene.roller.length)},
+               {"pitch_radius_mm", mm(pitch_radius(b))},
+               {"bore_mm", mm(b.bore_diameter)},
+               {"outside_mm", mm(b.outside_diameter)},
+               {"width_mm", mm(b.width)},
+               {"inner_raceway_mm", mm(b.inner_raceway_diameter)},
+               {"outer_raceway_mm", mm(b.outer_raceway_diameter)},
+               {"inner_land_mm", mm(inner_land_diameter(b))},
+               {"outer_land_mm", mm(outer_land_diameter(b))},
+               {"outer_flanges", spelled(b.outer_flanges)},
+               {"inner_flanges", spelled(b.inner_flanges)},
+               {"load_direction_deg", scene.operation.load_direction * 180 / std::numbers::pi},
+               {"radial_load_N", scene.operation.radial_load},
+               {"axial_load_N", scene.operation.axial_load},
+               {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
+               {"outer_speed_rpm", scene.operation.outer_speed / kRpm},
+               {"cage", Json()}};
+  if (has_cage(scene))
+    section["cage"] = {{"inner_mm", mm(scene.cage.inner_diameter)},
+                       {"outer_mm", mm(scene.cage.outer_diameter)},
+                       {"width_mm", mm(scene.cage.width)},
+                       {"pocket_width_mm", mm(scene.cage.pocket_width.front())},
+                       {"pocket_length_mm", mm(scene.cage.pocket_length.front())}};
+  return section;
+}
+
+Json points_json(const Study& study) {
+  Json list = Json::array();
+  for (const OperatingPointPlan& plan : study.points) {
+    const Scene scene = at_operating_point(study.scene, plan);
+    const OperatingPoint at = operating_point(scene);
+    const auto known = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+    list.push_back({{"name", plan.name},
+                    {"weight", plan.weight},
+                    {"radial_load_N", scene.operation.radial_load},
+                    {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
+                    {"speed_factor_mm_min", known(1e3 * at.pitch_diameter * at.speed / kRpm)},
+                    {"load_ratio", known(at.dynamic_rating / at.load)},
+                    {"warnings", operating_warnings(scene)}});
+  }
+  return list;
+}
+
+Json facts_of(const Study& study) {
+  const Scene& scene = study.scene;
+  const OperatingPoint at = operating_point(scene);
+  Json strength;
+  if (is_flexible(scene)) {
+    const Strength of_cage = cage_strength(scene);
+    strength = {{"fatigue_MPa", 1e-6 * of_cage.fatigue}, {"yield_MPa", 1e-6 * of_cage.yield}};
+  }
+  return {{"name", scene.name},
+          {"groups",
+           {bearing_group(scene, at), load_group(scene, at), clearance_group(scene, at),
+            cage_group(scene, at), oil_group(scene, at)}},
+          {"model", model_sentences(scene)},
+          {"points", points_json(study)},
+          {"warnings", operating_warnings(scene)},
+          {"strength", strength},
+          {"section", section_json(scene)},
+          {"drawing", has_cage(scene) ? pocket_drawing_json(operating_scene(scene), 0) : Json()}};
+}
+
+}  // namespace
+
+Json bearing_facts(const std::filesystem::path& study_file) {
+  try {
+    const StudyFile file = read_study_file(study_file);
+    return facts_of(read_resolved_study(file.study_toml, study_file));
+  } catch (const std::exception& problem) {
+    return {{"problem", problem.what()}};
+  }
+}
+
+}  // namespace cagetol

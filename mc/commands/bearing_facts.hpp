@@ -1,0 +1,17 @@
+// What the bearing of a study is, for the page of its report that shows the operating point.
+#pragma once
+
+#include <filesystem>
+
+#include "analysis/report/json_parts.hpp"
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+/// {groups: [{title, entries: [{name, text} or {name, value, unit}]}], model: [sentence], points,
+/// warnings, strength, section, drawing} of the nominal scene; `section` has what a drawing of the
+/// bearing needs, in mm, `drawing` is pocket_drawing_json() of pocket 0 and null without a cage.
+/// {problem: why} where this program cannot read the study that the file stores.
+Json bearing_facts(const std::filesystem::path& study_file);
+
+}  // namespace cagetol
