@@ -20,8 +20,8 @@ class MotionFrames {
   /// `scene` in operation (src/scene/operating_clearance.hpp): its cage is the one drawn.
   explicit MotionFrames(const Scene& scene) : scene_(scene) {}
 
-  /// To be called at every accepted state: keeps one per half a hundredth of a cage revolution; of a
-  /// duty over time, or at standstill, all over the run. A second run begins anew.
+  /// To be called at every accepted state: keeps 180 in a cage revolution; of a duty over time, or
+  /// at standstill, 360 of the whole run. A second run begins anew.
   void record(const Instant& at);
 
   /// Geometry and frames; null where no state was recorded. mc/RESULTS_FORMAT.md lists the keys.

@@ -148,6 +148,7 @@ def appendix(report):
         ("errors", "Error budget", report["error_budget"]["quantities"]),
         ("multifidelity", "Help from a cheaper model", report["multifidelity"]),
         ("cage", "Flexible cage", report["cage"]),
+        ("motion", "Motion of the worst and the median sample", report.get("motion")),
         ("capability", "Capability at this tolerance" if report["confirmation"] else "Capability against the limits", report["capability"] or (report["confirmation"] or {}).get("capability")),
         ("failures", "Failures and worst samples", True),
         ("convergence", "Are there enough runs?", report["convergence"]["rows"]),

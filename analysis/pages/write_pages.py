@@ -39,6 +39,19 @@ class Figures:
         return None if file is None else "data:image/svg+xml;base64," + base64.b64encode(file.read_bytes()).decode()
 
 
+def motion_of(report, directory):
+    """What the sweep left of its worst and median sample's motion (motion.json); None where it belongs to other runs."""
+    for name, place in (("DIR/mixture", directory / "mixture"), ("DIR", directory)):
+        try:
+            motion = json.loads((place / "motion.json").read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            continue
+        of = report["provenance"]
+        if motion["key"]["study_hash"] == of["study_hash"] and motion["key"]["build"] == of["build"]:
+            return {**motion, "directory": name}
+    return None
+
+
 def page_of(report, figures, problem):
     import jinja2
     sys.path.insert(0, str(HERE))
@@ -52,6 +65,9 @@ def page_of(report, figures, problem):
     environment.globals.update({name: macro for name, macro in vars(environment.get_template("macros.html.j2").module).items()
                                 if not name.startswith("_")})
     style = (HERE / "templates" / "style.css").read_text(encoding="utf-8")
+    if report.get("motion"):
+        style += (HERE / "motion.css").read_text(encoding="utf-8")
+        environment.globals["motion_script"] = (HERE / "motion.js").read_text(encoding="utf-8")
     return environment.get_template("report.html.j2").render(report=report, parts=page_parts, problem=problem, style=style)
 
 
@@ -91,6 +107,7 @@ def main():
     if options.figures:
         problems.append(draw(options.figures[0], report, options.report, options.figures[1]))
     problem = "; ".join(filter(None, problems))
+    report["motion"] = motion_of(report, pathlib.Path(options.report).parent)
     replace(options.html, page_of(report, Figures(options.figures and options.figures[1]), problem))
     if options.pdf:
         problem = "; ".join(filter(None, [problem, write_pdf(options.html, options.pdf)]))

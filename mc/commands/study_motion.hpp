@@ -5,10 +5,10 @@
 
 namespace cagetol {
 
-/// Runs both samples again and writes their frames (mc/motion_frames.hpp) beside study.h5; leaves a
-/// file that is there alone where it belongs to this study, build and these samples. Worst: with the
-/// largest cage stress; of rigid cages the largest pocket force, of full complements the largest
-/// force between rollers. What went wrong is a warning: the report does without.
+/// Runs both samples again and writes their frames (mc/motion_frames.hpp) beside study.h5; leaves
+/// alone a file of this study, build and these samples. Worst: with the largest cage stress; of
+/// rigid cages the largest pocket force, of full complements the largest force between rollers.
+/// What went wrong is a warning: the report does without.
 void update_study_motion(const std::filesystem::path& sweep_directory);
 
 }  // namespace cagetol

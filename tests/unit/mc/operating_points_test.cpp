@@ -9,6 +9,7 @@
 
 #include "mc/sample_run.hpp"
 #include "mc/stored_study.hpp"
+#include "src/input/input_error.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/simulate.hpp"
