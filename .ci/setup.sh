@@ -33,7 +33,8 @@ program_packages=(g++ cmake ninja-build pkg-config git ca-certificates
   libfmt-dev libspdlog-dev
   nlohmann-json3-dev)
 figure_packages=(python3 python3-jinja2 python3-matplotlib python3-h5py fonts-dejavu-core weasyprint)
-test_packages=(libgtest-dev libgmock-dev libbenchmark-dev calculix-ccx python3-scipy clang-format-14)
+test_packages=(libgtest-dev libgmock-dev libbenchmark-dev calculix-ccx python3-scipy python3-pandas python3-pip
+  python3-setuptools clang-format-14)
 
 # build TARGET...: configures and builds in build/.
 build() {
