@@ -168,7 +168,7 @@ void judge(const Scene& scene, const BearingModel& model, const WindowTimes& tim
   } else if (!(step_error <= kStepErrorMax)) {
     outcome.status = Status::failed;
     outcome.reason = "a single step was off by " + number(step_error) +
-                     " error scales (1 cm/s and kin), more than " + number(kStepErrorMax) +
+                     " error scales, more than " + number(kStepErrorMax) +
                      ": shorten integration.fixed_step_us";
   } else {
     const PlausibleReach reach(scene, model,

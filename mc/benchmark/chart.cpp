@@ -12,7 +12,9 @@
 #include "mc/benchmark/trajectory.hpp"
 #include "mc/cage_cache.hpp"
 #include "src/cage/scene_cage.hpp"
+#include "src/model/bearing_model.hpp"
 #include "src/quantities/quantity_table.hpp"
+#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {
@@ -191,7 +193,7 @@ void measure_rungs(const Study& study, Chart& chart,
   const Rung& highest = climbing_rungs().back();
   say("reference of the rungs");
   const auto reference = run_rung(scenes, tight(highest), threads);
-  for (const Rung& rung : climbing_rungs()) {
+  for (const Rung& rung : rungs_for(study.scene, climbing_rungs())) {
     say("rung " + rung.name);
     RungPoint& p = chart.rungs.emplace_back();
     p.rung = rung;
@@ -203,12 +205,19 @@ void measure_rungs(const Study& study, Chart& chart,
   }
 }
 
+/// A roller comes and a roller goes, whatever the bearing's size and speed [s].
+double usual_horizon(const Scene& scene) {
+  const double between = roller_interval(make_bearing_model(operating_scene(scene)));
+  return std::isfinite(between) ? between : 2e-3;
+}
+
 }  // namespace
 
 Chart make_chart(const Study& study, const ChartOptions& options,
                  const std::function<void(const std::string&)>& say) {
   const Scene scene = replica_scenes(study, 1).front();
   Chart chart{scene.name, options, {kUnknown, kUnknown}, {}, {}};
+  if (std::isnan(options.horizon)) chart.options.horizon = usual_horizon(scene);
   for (const Setting& setting : setting_ladder(scene, options.methods)) {
     ChartPoint point;
     point.setting = setting;

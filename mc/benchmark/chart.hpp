@@ -20,11 +20,11 @@ namespace cagetol {
 
 struct ChartOptions {
   std::vector<IntegrationMethod> methods;  ///< empty: all
-  double horizon = 2e-3;                   ///< of trajectories [s]
-  int replicas = 4;                        ///< of the long horizon; 0: short horizon only
-  int starts = 64;     ///< of short runs: places of the rollers within one pitch
-  int threads = 1;     ///< replicas at a time
-  bool rungs = false;  ///< the model ladder beside the settings
+  double horizon = kAuto;  ///< of trajectories; kAuto: the time between two rollers that pass [s]
+  int replicas = 4;        ///< of the long horizon; 0: short horizon only
+  int starts = 64;         ///< of short runs: places of the rollers within one pitch
+  int threads = 1;         ///< replicas at a time
+  bool rungs = false;      ///< the model ladder beside the settings
 };
 
 inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
@@ -66,7 +66,7 @@ struct Chart {
   ChartOptions options;
   std::array<double, 2> reference_gap{};  ///< trajectories of the two references apart, likewise
   std::vector<ChartPoint> points;         ///< the scene's own setting first
-  std::vector<RungPoint> rungs;           ///< climbing_rungs(), where asked for
+  std::vector<RungPoint> rungs;           ///< of the ladder for the scene, where asked for
 };
 
 /// Measures all settings; `say` is told what is going on.

@@ -132,7 +132,7 @@ std::string chart_csv(const Chart& chart) {
 std::string chart_text(const Chart& chart) {
   const ChartPoint& own = chart.points.front();
   std::string text = fmt::format(
-      "scene {}, error scales 1 um and 1 cm/s, after {:g} ms, median of {} starts "
+      "scene {}, in error scales of integration.tolerance, after {:g} ms, median of {} starts "
       "(references apart by {:.2g}):\n"
       "{:<32}{:>9}{:>11}{:>11}{:>11}\n",
       chart.scene, 1e3 * chart.options.horizon, chart.options.starts, chart.reference_gap[1],

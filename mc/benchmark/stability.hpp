@@ -25,8 +25,8 @@ std::vector<SuiteScene> read_suite(const std::string& path);
 
 /// Of five starts, the cage a fifth of a pitch further on in each:
 /// right:      every watch within its bound from every start, and the trajectory within 0.1 error
-///             scales (0.1 um, 1 mm/s and kin, root mean square; median of three instants, then of
-///             the starts) of a tight run of a method of another kind; or the jam that is due
+///             scales (0.1 um, 1 mm/s of an NU 205, root mean square; median of three instants,
+///             then of the starts) of a tight run of a method of another kind; or the due jam
 /// degraded:   the same, within 1 error scale
 /// wrong:      further away though no watch speaks: a silently wrong result
 /// unresolved: every watch within its bound, but two tight references part by more than 0.1 error

@@ -24,7 +24,7 @@ std::vector<Scene> starts_of(const Scene& scene, int count);
 /// Follows the scene, as it is set to be integrated, from its start to `horizon` [s].
 Trajectory follow(const Scene& scene, double horizon, SimulateOptions options = {});
 
-/// Root mean square difference in units of the error scales (1 um, 1 cm/s and kin), at half the
+/// Root mean square difference in units of the error scales (error_units), at half the
 /// horizon and at the horizon; NaN where one of the two did not get there.
 std::array<double, 2> trajectory_error(const Trajectory& run, const Trajectory& reference);
 

@@ -22,7 +22,7 @@ struct ChartArguments {
   std::string file, directory;
   std::vector<std::string> settings;
   ChartOptions chart;
-  double horizon_ms = 2;
+  double horizon_ms = kAuto;
 };
 
 int run_chart(const ChartArguments& options) {
@@ -68,9 +68,10 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   command->add_flag("--rungs", options->chart.rungs,
                     "Run the replicas on each rung of the model ladder, too (`cagetol ladder`)");
-  command->add_option("--horizon-ms", options->horizon_ms, "Length of the trajectories")
-      ->check(CLI::Range(1e-3, 1e3))
-      ->capture_default_str();
+  command
+      ->add_option("--horizon-ms", options->horizon_ms,
+                   "Length of the trajectories; the time between two rollers that pass if absent")
+      ->check(CLI::Range(1e-3, 1e3));
   command->add_option("--starts", options->chart.starts, "Trajectories of each setting")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

@@ -29,9 +29,12 @@ struct Helper {
 std::vector<Helper> helpers_of(const Study& study) {
   std::vector<Helper> helpers;
   if (is_quasi_static(study.scene)) return helpers;
-  const auto& rungs = climbing_rungs();
-  helpers.push_back({rungs[0], 0.01});
-  if (!has_planar_rollers(study.scene)) helpers.push_back({rungs[1], 0.15});
+  const auto& all = climbing_rungs();
+  for (const Rung& rung : rungs_for(study.scene, all))
+    if (rung.name == all[0].name)
+      helpers.push_back({rung, 0.01});
+    else if (rung.name == all[1].name && !has_planar_rollers(study.scene))
+      helpers.push_back({rung, 0.15});
   return helpers;
 }
 

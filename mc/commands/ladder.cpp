@@ -39,7 +39,8 @@ int run_ladder(const LadderArguments& options) {
     const auto rungs = options.refine     ? refining_rungs(study.scene)
                        : options.separate ? separate_rungs(study.scene)
                                           : climbing_rungs();
-    auto climbed = climb(study, rungs, options.ladder, options.directory + "/rungs", stages);
+    const auto own = rungs_for(study.scene, rungs);
+    auto climbed = climb(study, own, options.ladder, options.directory + "/rungs", stages);
     if (const int* code = std::get_if<int>(&climbed)) return *code;
     auto& ladder = std::get<ModelLadder>(climbed);
     ladder.refining = options.refine;

@@ -184,7 +184,7 @@ std::variant<Study, int> with_fidelity(const Study& study, const std::string& di
                      "the study has no limits: there is nothing to judge a rung by",
                      "add [[limit]], or give fidelity = \"pinned\"");
   const std::string folder = fidelity_folder(directory);
-  const auto& rungs = climbing_rungs();
+  const auto rungs = rungs_for(study.scene, climbing_rungs());
   const LadderOptions options{.samples = study.fidelity_samples,
                               .budget_share = study.fidelity_budget};
   const auto climbed = climb_as_needed(study, rungs, options, folder, stages);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "src/scene/operating_clearance.hpp"
 #include "src/scene/scene_keys.hpp"
@@ -212,6 +213,28 @@ Scene on_rung(Scene scene, const Rung& rung) {
   for (const TomlLeaf& leaf : toml_leaves(table))
     read_key(*find_key(scene_keys(), leaf.name), *leaf.node, "rung " + rung.name, pockets, scene);
   return scene;
+}
+
+namespace {
+bool fits(const Scene& on_rung) {
+  try {
+    check_scene(on_rung, "rung");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+}  // namespace
+
+std::vector<Rung> rungs_for(const Scene& scene, const std::vector<Rung>& rungs) {
+  std::vector<Rung> own;
+  std::set<std::string> seen = {dump_keys(scene_keys(), on_rung(scene, rungs.back()))};
+  for (std::size_t i = 0; i + 1 < rungs.size(); ++i) {
+    const Scene other = on_rung(scene, rungs[i]);
+    if (fits(other) && seen.insert(dump_keys(scene_keys(), other)).second) own.push_back(rungs[i]);
+  }
+  own.push_back(rungs.back());
+  return own;
 }
 
 Study rung_study(const Study& study, const Rung& rung, long samples) {

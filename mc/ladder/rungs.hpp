@@ -37,6 +37,11 @@ std::vector<Rung> refining_rungs(const Scene& scene);
 /// The scene on that rung. A full complement stays one: what a rung says of the cage is left out.
 Scene on_rung(Scene scene, const Rung& rung);
 
+/// Those of `rungs` that give this scene a model of its own: not a rung of the cage where there is
+/// none, nor one that takes away what the scene has not, nor one without what the scene needs
+/// (planar rollers carry no axial load). The last one, the reference, stays.
+std::vector<Rung> rungs_for(const Scene& scene, const std::vector<Rung>& rungs);
+
 /// The study's first `samples` random samples on that rung, without its replicates, histories and
 /// claims. All rungs of a study draw the same samples. A study in which nothing varies gets scatter
 /// of the start: any phase, and of a cage a tenth of the pocket clearance in y and z. Throws

@@ -8,8 +8,10 @@
 
 namespace cagetol {
 
-std::unique_ptr<Integrator> make_integrator(const Integration& keys, const System& system,
+std::unique_ptr<Integrator> make_integrator(const Integration& given, const System& system,
                                             double t0, const double* y0) {
+  Integration keys = given;
+  keys.max_step = largest_step(system.model, given);
   switch (keys.method) {
     case IntegrationMethod::rodasp:
       return std::make_unique<Rosenbrock>(kRodasP, keys, system);

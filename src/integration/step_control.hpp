@@ -5,11 +5,20 @@
 namespace cagetol {
 
 struct StepControl {
-  // One unit of error. A step is taken while the root mean square of its error over these, lever
-  // arms included, is below integration.tolerance. Speeds take the finer of speed_unit and the
-  // least speed at which friction sets in, or the power that it dissipates is not known.
-  double length_unit = 1e-6;  ///< [m]
-  double speed_unit = 1e-2;   ///< [m/s]
+  // One unit of error (error_units in system.hpp). A step is taken while the root mean square of
+  // its error over these, lever arms included, is below integration.tolerance. Lengths count by the
+  // roller's diameter: bearings that differ in size alone, at the same surface speed and pressure,
+  // move alike in times that grow with the size, and their contacts vibrate at the same speeds. So
+  // the unit of speed is the same for all sizes. It grows with the raceways' speed where that is
+  // high, because errors are then small beside it.
+  double lengths_per_diameter = 7500;  ///< 1 um for rollers of 7.5 mm
+  double speed_unit = 1e-2;            ///< the least one [m/s]
+  double speed_share = 1e-3;           ///< of the fastest raceway surface's speed
+
+  // The largest step by default: so many between two rollers that pass. It is not shortened
+  // below largest_step, because in fast bearings the error alone keeps steps short.
+  double steps_per_roller = 40;
+  double largest_step = 50e-6;  ///< [s]
 
   double first_step = 1e-7;  ///< of a run [s]; a tenth of a usual step, so that it costs nothing
   double smallest_step = 1e-12;  ///< below which a run fails [s]

@@ -103,39 +103,58 @@ void System::rates_by_time(double t, const double* y, double* out) {
   tilt[1] = (soon.moment_z - now.moment_z) / dt / model.ring_transverse;
 }
 
-double speed_scale(const BearingModel& m) {
-  return std::min(kStepControl.speed_unit, least_static_speed(m));
+/// Speed of the fastest raceway surface over the duty [m/s].
+static double fastest_surface(const BearingModel& m) {
+  const RingSpeeds rings = fastest_speeds(m.duty);
+  return std::max(rings.inner * m.inner_radius, rings.outer * m.outer_radius);
+}
+
+ErrorUnits error_units(const BearingModel& m) {
+  const double speed =
+      std::max(kStepControl.speed_unit, kStepControl.speed_share * fastest_surface(m));
+  // In whole nanometres: rollers that scatter leave it as it is.
+  const double nanometres = 1e9 * m.nominal_diameter / kStepControl.lengths_per_diameter;
+  return {std::max(std::round(nanometres), 1.0) / 1e9, std::min(speed, least_static_speed(m))};
+}
+
+double largest_step(const BearingModel& m, const Integration& keys) {
+  if (!std::isnan(keys.max_step)) return keys.max_step;
+  const double share = roller_interval(m) / kStepControl.steps_per_roller;
+  const bool steady = !m.duty.over_time() && ramps_end(m.duty) == 0;
+  return steady && std::isfinite(share) ? std::max(kStepControl.largest_step, share)
+                                        : kStepControl.largest_step;
 }
 
 PackVector error_scales(const BearingModel& m) {
   const StateLayout& l = m.layout;
   PackVector scale(static_cast<std::size_t>(l.size()), kNever);
   const auto set = [&](int slot, double value) { scale[static_cast<std::size_t>(slot)] = value; };
-  const double half = m.roller_half_length, speed = speed_scale(m);
+  const auto [length, speed] = error_units(m);
+  const double half = m.roller_half_length;
   for (int j = 0; j < l.rollers; ++j) {
     const double lever[kRollerPositions] = {1, m.pitch_radius, 1, half, half};
     for (int slot = 0; slot < kRollerPositions; ++slot) {
-      set(l.position(static_cast<RollerPosition>(slot), j), kStepControl.length_unit / lever[slot]);
+      set(l.position(static_cast<RollerPosition>(slot), j), length / lever[slot]);
       set(l.velocity(static_cast<RollerVelocity>(slot), j), speed / lever[slot]);
     }
     set(l.velocity(kSpin, j), speed / (m.nominal_diameter / 2));
   }
   const double lever[kRigidBorder] = {1, 1, 1, 1, 1, m.pitch_radius, m.land_offset, m.land_offset};
   for (int i = 0; i < kRigidBorder; ++i) {
-    set(l.border_position(i), kStepControl.length_unit / lever[i]);
+    set(l.border_position(i), length / lever[i]);
     set(l.border_velocity(i), speed / lever[i]);
   }
   if (l.ring_axial > 0) {
-    set(l.border_position(l.ring_axial_slot()), kStepControl.length_unit);
+    set(l.border_position(l.ring_axial_slot()), length);
     set(l.border_velocity(l.ring_axial_slot()), speed);
   }
   for (int k = 0; k < l.ring_tilt; ++k) {
-    set(l.border_position(l.ring_tilt_slot() + k), kStepControl.length_unit / half);
+    set(l.border_position(l.ring_tilt_slot() + k), length / half);
     set(l.border_velocity(l.ring_tilt_slot() + k), speed / half);
   }
   for (int k = 0; k < l.modes; ++k) {
     const double moved = m.flexible.scale[static_cast<std::size_t>(k)];
-    set(l.border_position(kModes + k), kStepControl.length_unit / moved);
+    set(l.border_position(kModes + k), length / moved);
     set(l.border_velocity(kModes + k), speed / moved);
   }
   return scale;

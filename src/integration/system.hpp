@@ -7,9 +7,19 @@
 
 namespace cagetol {
 
-/// One unit of error of a speed [m/s]: none coarser than the speed at which friction sets in, or
-/// the power that it dissipates is not known.
-double speed_scale(const BearingModel& model);
+/// What counts as one unit of error; the same over a whole run, whatever its duty.
+struct ErrorUnits {
+  double length;  ///< [m]
+  double speed;   ///< [m/s]
+};
+
+/// length = D_we/7500; speed = 1e-3 of the fastest raceway surface's, at least 1 cm/s and at most
+/// the speed at which friction sets in, or the power that it dissipates is not known.
+ErrorUnits error_units(const BearingModel& model);
+
+/// integration.max_step_us; where it is "auto", 50 us, and under a steady duty a fortieth of the
+/// time between two rollers that pass, if that is more [s].
+double largest_step(const BearingModel& model, const Integration& keys);
 
 struct Counts {
   long steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorisations = 0;
@@ -32,8 +42,7 @@ struct System {
   const BearingModel& model;
   int size;
   int components;        ///< of the state that exist, padding left out
-  PackVector scale;      ///< size of one unit of error of each component: 1 um, 1 cm/s, and
-                         ///< these over lever arms
+  PackVector scale;      ///< size of one unit of error of each component
   PackVector per_scale;  ///< 1/scale
   PackVector rate;       ///< at the last linearise_at
   Linearisation linear;
@@ -41,8 +50,8 @@ struct System {
   Counts counts;
 };
 
-/// Error scale of each state component: lengths 1 um, speeds speed_scale, angles and rates the same
-/// divided by their lever arm; padding gets 1e30.
+/// Error scale of each state component: error_units, of angles and rates divided by their lever
+/// arm; padding gets 1e30.
 PackVector error_scales(const BearingModel& model);
 
 /// Root mean square of error/scale over the components that exist.

@@ -418,6 +418,11 @@ double kinematic_cage_speed(const BearingModel& m, const RingSpeeds& speeds) {
          (m.inner_radius + m.outer_radius);
 }
 
+double roller_interval(const BearingModel& m) {
+  const double orbit = kinematic_cage_speed(m, fastest_speeds(m.duty));
+  return 2 * std::numbers::pi / (orbit * m.layout.rollers);
+}
+
 RingLoad ring_force_at(const BearingModel& m, double t) {
   RingLoad force = load_at(m.duty, t);
   force.z -= m.ring_mass * m.gravity;

@@ -149,6 +149,10 @@ inline void turned_unbalance(const BearingModel& m, double cosine, double sine, 
 /// Kinematic cage speed (w_i R_i + w_o R_o) / (R_i + R_o) at these speeds of the rings [rad/s].
 double kinematic_cage_speed(const BearingModel& model, const RingSpeeds& speeds);
 
+/// Time between two rollers that pass one place, at the largest speeds of the duty; infinite where
+/// nothing turns [s].
+double roller_interval(const BearingModel& model);
+
 /// Load and weight on the inner ring at time t [N], [N m].
 RingLoad ring_force_at(const BearingModel& model, double t);
 

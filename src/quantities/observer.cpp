@@ -19,15 +19,16 @@ namespace cagetol {
 namespace {
 
 constexpr int kStaticsInstants = 64;
-constexpr int kDutyInstants = 256;           // likewise under a duty over time
-constexpr double kStaticsAccuracy = 1e-6;    // of the balance, in shares of the load
-constexpr double kRecordInterval = 20e-6;    // of the thinner record that quantiles use [s]
-constexpr double kStressInterval = 100e-6;   // likewise of the cage's stress, which costs more
+constexpr int kDutyInstants = 256;          // likewise under a duty over time
+constexpr double kStaticsAccuracy = 1e-6;   // of the balance, in shares of the load
+constexpr double kRecordInterval = 20e-6;   // of the thinner record that quantiles use, at most [s]
+constexpr double kStressInterval = 100e-6;  // likewise of the cage's stress, which costs more
+// Of them between two rollers that pass, at least.
+constexpr double kRecordsPerRoller = 95, kStressesPerRoller = 19;
 constexpr double kStressAccuracy = 1e-4;     // of it, in shares of the largest so far
 constexpr double kEnergyFloor = 1e-3;        // of the stored energy: runs that hardly dissipate
 constexpr double kLoadedShare = 0.01;        // of the applied load
 constexpr double kResolvedTolerance = 1e-3;  // the default's: of the energy account, at most
-constexpr double kDisplacementFloor = 1e-6;  // of the consistency error [m]
 constexpr double kTurnsToDrift = 2;          // of the cage: within one its speed goes up and down
 
 /// Whether the motion should repeat itself within the window, and whether it would show.
@@ -84,13 +85,15 @@ void Observer::Impacts::see(std::size_t pack, Mask touching) {
 Observer::Observer(const BearingModel& model, double begin, double end)
     : model_(model),
       over_time_(model.duty.over_time()),
+      rate_known_(!over_time_ && !model.lubricated),
       begin_(begin),
       end_(end),
       statics_(model, kStaticsAccuracy),
       angles_(static_cast<std::size_t>(model.layout.padded())),
       next_statics_(begin),
       statics_interval_((end - begin) / (over_time_ ? kDutyInstants : kStaticsInstants)),
-      clock_(begin, kRecordInterval),
+      clock_(begin, std::min(kRecordInterval, roller_interval(model) / kRecordsPerRoller)),
+      stress_interval_(std::min(kStressInterval, roller_interval(model) / kStressesPerRoller)),
       whirl_(model.guide_clearance) {
   if (const auto& cage = model.flexible.model) {
     stress_.emplace(*cage);
@@ -190,11 +193,12 @@ void Observer::record(double t, const double* y, const System& system) {
   }
   last_energy_ = energy;
   std::copy(v + kRingY, v + kRingZ + 1, last_ring_speed_);
-  net_work_.add(t, seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
-                seen.net_power_rate);
-  if (over_time_)
-    net_power_.add(seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power,
-                   step);
+  const double net_power =
+      seen.drive_power + seen.load_power - seen.friction_power - seen.damping_power;
+  if (rate_known_)
+    net_work_.add(t, net_power, seen.net_power_rate);
+  else
+    net_power_.add(net_power, step);
   drive_.add(seen.drive_power, step);
   const double lost = seen.friction_power + seen.damping_power;
   dissipation_.add(lost, step);
@@ -263,7 +267,7 @@ void Observer::record(double t, const double* y, const System& system) {
 
 void Observer::record_stress(double t, const double* y, const Observation& seen) {
   const bool keep = t >= next_stress_;
-  if (keep) next_stress_ = std::max(next_stress_ + kStressInterval, t);
+  if (keep) next_stress_ = std::max(next_stress_ + stress_interval_, t);
   const double* q = y + model_.layout.border_position(kModes);
   const double spin = seen.centrifugal_spin;
   if (bar_peaks_->pass(q, seen.bar_force, spin)) {
@@ -385,7 +389,7 @@ double Observer::energy_scale() const {
 }
 
 double Observer::energy_residual() const {
-  const double net_work = over_time_ ? net_power_.sums().integral() : net_work_.integral();
+  const double net_work = rate_known_ ? net_work_.integral() : net_power_.sums().integral();
   return std::abs(net_work - (last_energy_ - first_energy_)) / energy_scale();
 }
 
@@ -397,8 +401,8 @@ double Observer::energy_resolution(double tolerance) const {
   const double force = std::max(largest_load(model_.duty), carried);
   // Momentum is at most the root of twice mass times energy.
   const double energy = std::max(std::abs(first_energy_), std::abs(last_energy_));
-  const double by_scale =
-      force * kStepControl.length_unit + std::sqrt(2 * mass * energy) * speed_scale(model_);
+  const ErrorUnits unit = error_units(model_);
+  const double by_scale = force * unit.length + std::sqrt(2 * mass * energy) * unit.speed;
   const double components =
       (int{kRollerPositions} + int{kRollerVelocities}) * l.rollers + 2 * l.border();
   // A tolerance looser than the default's is what the watch is there to find.
@@ -458,7 +462,7 @@ double Observer::static_consistency_error() const {
   if (dynamic_displacement_.empty() || weight < light_force()) return force;
   const double expected = static_displacement_.mean();
   return std::max(force, std::abs(dynamic_displacement_.mean() - expected) /
-                             std::max(std::abs(expected), kDisplacementFloor));
+                             std::max(std::abs(expected), error_units(model_).length));
 }
 
 std::vector<double> Observer::quantities() const {

@@ -98,6 +98,10 @@ class Observer {
 
   const BearingModel& model_;
   bool over_time_;  ///< a duty over time: speeds and angles count along rolling without slip
+  /// Whether net_power_rate tells how the power changes over a step: not under a duty over time,
+  /// whose share of it is left out, nor under oil. There the traction of loaded contacts follows
+  /// sliding within 1e-8 m/s, and its rate at one state is that state's own error, much enlarged.
+  bool rate_known_;
   double begin_, end_;
   double revolution_ = std::numeric_limits<double>::infinity();  ///< of the cage [s]
   double peaks_end_ = std::numeric_limits<double>::infinity();   ///< where peaks end [s]
@@ -110,6 +114,7 @@ class Observer {
       static_carried_;  ///< mean force of a roller on the inner race at rest [N]
 
   StepClock clock_;
+  double stress_interval_;  ///< of the record of the cage's stress [s]
   double last_time_ = -1;
 
   StepSeries cage_speed_, rolling_, apart_, whirl_speed_, cage_axial_, cage_lean_y_, cage_lean_z_,
@@ -160,8 +165,8 @@ class Observer {
   double revolutions_ = 0, start_phase_ = 0;
   double end_displacement_ = 0;
   Impacts pocket_impacts_, wall_impacts_, guide_impacts_, neighbour_impacts_;
-  HermiteQuadrature net_work_;
-  StepSeries net_power_;  ///< of a duty over time, whose share of the power's rate is not known [W]
+  HermiteQuadrature net_work_;      ///< where the power's rate is known [J]
+  StepSeries net_power_;            ///< where it is not [W]
   StepSeries dissipation_, drive_;  ///< powers [W]
   std::array<StepSeries, kMechanisms> lost_;
   double first_energy_ = 0, last_energy_ = 0;

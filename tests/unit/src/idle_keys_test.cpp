@@ -30,7 +30,7 @@ std::vector<double> fingerprint(const Scene& scene) {
   brief.window = {};
   brief.window.settle_time = 0;
   brief.window.measure_time = 60e-6;
-  brief.integration.max_step = std::min(brief.integration.max_step, 20e-6);
+  brief.integration.max_step = std::fmin(brief.integration.max_step, 20e-6);  // also of "auto"
   const Outcome outcome = simulate(brief);
   print = outcome.quantities;
   print.push_back(outcome.run.steps);

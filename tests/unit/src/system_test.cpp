@@ -2,10 +2,13 @@
 #include "src/integration/system.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "src/integration/integrator.hpp"
+#include "src/scene/operating_clearance.hpp"
 #include "src/statics/start_state.hpp"
 #include "tests/support/random_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"
@@ -55,6 +58,62 @@ TEST(System, TellsOfARateThatIsNotFiniteWhereverItStands) {
       without_mass(*mass);
     if (l.ring_tilt > 0) without_mass(b.model.ring_transverse);
   }
+}
+
+BearingModel rigid_model(Scene scene) {
+  if (has_cage(scene)) scene.cage.model = CageKind::rigid;
+  return make_bearing_model(operating_scene(scene));
+}
+
+// What the figures of the reference bearing are measured with, and what makes of other bearings the
+// same measure: the roller's size, and the raceway's speed where that is high.
+TEST(ErrorUnits, AreOfTheBearing) {
+  const BearingModel nu205 = rigid_model(shipped_scene("nu205"));
+  EXPECT_EQ(error_units(nu205).length, 1e-6);
+  EXPECT_EQ(error_units(nu205).speed, 1e-2);
+  for (const char* name : {"bore10-small", "nu2322-gearbox", "aero118-outer", "n1014-spindle"}) {
+    const Scene scene = shipped_scene(name);
+    const BearingModel m = rigid_model(scene);
+    const ErrorUnits units = error_units(m);
+    EXPECT_NEAR(units.length / m.nominal_diameter, error_units(nu205).length / 7.5e-3, 2e-7)
+        << name;
+    const double surface = scene.operation.inner_speed * m.inner_radius;
+    EXPECT_DOUBLE_EQ(units.speed, std::min({std::max(1e-2, 1e-3 * surface), least_static_speed(m)}))
+        << name;
+  }
+  EXPECT_GT(error_units(rigid_model(shipped_scene("aero118-outer"))).speed, 0.05);
+}
+
+TEST(ErrorUnits, StayWhileRollersScatterAndSpeedsChange) {
+  Scene scene = shipped_scene("n1014-spindle");
+  const BearingModel steady = rigid_model(scene);
+  scene.roller.diameter.assign(static_cast<std::size_t>(scene.bearing.roller_count),
+                               scene.roller.diameter[0]);
+  scene.roller.diameter[3] += 1e-6;
+  EXPECT_EQ(error_units(rigid_model(scene)).length, error_units(steady).length);
+  scene.operation.speed_ramp_from = scene.operation.inner_speed;
+  scene.operation.speed_ramp = 0.1;
+  scene.operation.inner_speed /= 10;
+  EXPECT_EQ(error_units(rigid_model(scene)).speed, error_units(steady).speed);
+}
+
+TEST(LargestStep, GrowsWithTheTimeBetweenRollers) {
+  Integration keys;
+  EXPECT_EQ(largest_step(rigid_model(shipped_scene("nu205")), keys), 50e-6);
+  Scene scene = shipped_scene("nu2322-gearbox");
+  const BearingModel slow = rigid_model(scene);
+  const double cage = kinematic_cage_speed(slow, {scene.operation.inner_speed, 0});
+  EXPECT_DOUBLE_EQ(largest_step(slow, keys),
+                   2 * std::numbers::pi / (cage * slow.layout.rollers) / 40);
+  EXPECT_GT(largest_step(slow, keys), 200e-6);
+  keys.max_step = 20e-6;
+  EXPECT_EQ(largest_step(slow, keys), 20e-6);
+  keys.max_step = kAuto;
+  scene.operation.load_ramp = 1e-3;
+  EXPECT_EQ(largest_step(rigid_model(scene), keys), 50e-6);
+  scene.operation.load_ramp = 0;
+  scene.operation.inner_speed = 0;
+  EXPECT_EQ(largest_step(rigid_model(scene), keys), 50e-6);
 }
 
 // Under pressure the traction of a thin film turns over within nanometres a second: only a far

@@ -74,7 +74,7 @@ def method_chapter(page, program, quick):
     page.heading("Error against cost: methods and tolerances")
     page.add("`cagetol chart inputs/scenes/nu205.toml`, one millisecond from 24 starts: long enough for every contact to take",
              "part, short enough that chaos has not parted the runs. Error: root mean square over the state, in error scales",
-             "(1 um, 1 cm/s and kin), against a run at tolerance 1e-5 by a method of another kind (explicit Runge-Kutta for the",
+             "(1 um, 1 cm/s, and these over lever arms), against a run at tolerance 1e-5 by a method of another kind (explicit Runge-Kutta for the",
              "linearly implicit ones, rodasp for the others). Medians over the starts; the search for the steady start is",
              "not in the time. The largest step, 50 us, holds for all.", "")
     for cage, model in CAGES.items():
