@@ -42,12 +42,12 @@ double net_power(System& system, double t, const std::vector<double>& y) {
   const Observation& o = system.seen;
   return o.drive_power + o.load_power - o.friction_power - o.damping_power;
 }
-double differenced_net_power(const RandomBearing& b) {
+double differenced_net_power(const RandomBearing& b, double step = 2e-9) {
   System system(b.model);
   system.linearise_at(b.t, b.y.data());
   const PackVector rates = system.rate;
   // The rate of the net power holds what lobes do in time, and nothing else that time does.
-  return rate_along_motion(b, rates, 2e-9, [&](const std::vector<double>& y, double t) {
+  return rate_along_motion(b, rates, step, [&](const std::vector<double>& y, double t) {
     return net_power(system, b.model.forms.round ? b.t : t, y);
   });
 }
@@ -119,6 +119,17 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredOnLobedRaceways) {
       RandomBearing b =
           random_bearing(seed, {.freedom = GetParam(), .lubricated = lubricated, .lobed = true});
       b.t += 1;  // after every ramp
+      EXPECT_LT(open_power(b, difference_steps(GetParam())), lubricated ? 4e-6 : 2e-9)
+          << (lubricated ? "oiled" : "dry") << ", seed " << seed;
+    }
+}
+
+TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredAtSphereEnds) {
+  if (GetParam() == Freedom::planar) GTEST_SKIP() << "planar rollers touch no flange";
+  for (const bool lubricated : {false, true})
+    for (unsigned seed = 0; seed < 48; ++seed) {
+      const RandomBearing b = random_bearing(
+          seed, {.freedom = GetParam(), .lubricated = lubricated, .sphere_ends = true});
       EXPECT_LT(open_power(b, difference_steps(GetParam())), lubricated ? 4e-6 : 2e-9)
           << (lubricated ? "oiled" : "dry") << ", seed " << seed;
     }
@@ -228,6 +239,30 @@ TEST_P(EnergyAccount, NetPowerRateHoldsWhatNeighboursDo) {
     }
     EXPECT_LT(apart, 1e-2 * size) << (lubricated ? "oiled" : "dry");
   }
+}
+
+// Rollers off the races and free of their cage, so that sphere ends have all the power.
+TEST(EnergyAccountOfFlanges, NetPowerRateHoldsWhatSphereEndsDo) {
+  for (const bool lubricated : {false, true})
+    for (unsigned seed = 0; seed < 24; ++seed) {
+      RandomBearing b = random_bearing(seed, {.lubricated = lubricated, .sphere_ends = true});
+      b.t = 1;  // after every ramp
+      b.model.inner_radius -= 1e-3;
+      b.model.outer_radius += 1e-3;
+      b.model.outer_line.starved = true;
+      b.model.outer_line.layer = 20e-6;
+      b.model.churning.on = false;
+      for (CageGuide& guide : b.model.guides) guide.touching_at = 1, guide.film = {};
+      for (RollerGroup& group : b.model.groups) {
+        group.half_width += 1e-2;
+        group.half_length += 1e-2;
+      }
+      System system(b.model);
+      system.linearise_at(b.t, b.y.data());
+      const double due = differenced_net_power(b, 5e-12);
+      EXPECT_NEAR(system.seen.net_power_rate, due, 1e-5 * std::abs(due))
+          << (lubricated ? "oiled" : "dry") << ", seed " << seed;
+    }
 }
 
 // Flanges of the inner ring leave out more, 0.113 at worst; which term is not known.
