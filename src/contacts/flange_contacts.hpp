@@ -11,6 +11,7 @@
 
 #include "src/contacts/contact_frame.hpp"
 #include "src/contacts/end_film.hpp"
+#include "src/contacts/sphere_flange.hpp"
 
 namespace cagetol {
 
@@ -275,6 +276,10 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
                      const BorderState& b, int group, RollerLoads& loads, BorderLoads& border,
                      Linearisation* jac, Observation* seen) {
   for (const Flange& flange : model.flanges) {
+    if (flange.sphere.on) {
+      sphere_flange(model, flange, roller, q, b, group, loads, border, jac, seen);
+      continue;
+    }
     if (!flange_in_reach(flange, roller, q, b, splat(flange.film.layer))) continue;
     if (flange.inner)
       flange_contact<linear, true>(model, flange, inner_flange_ring(q, b), roller, q, group, loads,

@@ -8,6 +8,7 @@
 
 #include "src/cage/cage_mass.hpp"
 #include "src/contact_laws/hertz_line.hpp"
+#include "src/contact_laws/hertz_point.hpp"
 #include "src/contact_laws/line_approach.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/scene/materials.hpp"
@@ -193,6 +194,31 @@ CageGuide ring_guide(const Scene& scene, bool inner) {
   return guide;
 }
 
+/// Contact of a sphere-ended roller with a flange, curved by 1/R_e along it and by that and the
+/// cone's curvature around it.
+HertzPoint sphere_contact(const Scene& scene, const BearingModel& m, bool inner) {
+  const double radius = scene.roller.end_radius, sine = std::sin(sphere_flange_angle(scene, inner)),
+               way = inner ? -1 : 1, place = m.pitch_radius + way * radius * sine;
+  return hertz_point(1 / (1 / radius - way * sine / place), radius,
+                     effective_modulus(roller_material(scene), ring_material(scene)));
+}
+
+SphereFlange sphere_flange(const Scene& scene, const BearingModel& m, const Flange& flange) {
+  const ContactParameters& law = scene.contact.flange;
+  const double angle = sphere_flange_angle(scene, flange.inner);
+  SphereFlange to;
+  to.on = true;
+  to.radius = scene.roller.end_radius;
+  to.centre = flange.side * (scene.roller.length / 2 - to.radius);
+  to.sine = std::sin(angle);
+  to.cosine = std::cos(angle);
+  to.rest = m.pitch_radius;
+  to.stiffness = sphere_contact(scene, m, flange.inner).stiffness;
+  to.damping = law.damping;
+  to.inverse_depth = 1 / law.damping_depth;
+  return to;
+}
+
 void set_flanges(const Scene& scene, BearingModel& m) {
   const BearingGeometry& b = scene.bearing;
   for (const bool inner : {false, true})
@@ -204,7 +230,9 @@ void set_flanges(const Scene& scene, BearingModel& m) {
                    half_pad = has_end_film(scene) ? flange_pad(scene, inner) / 2 : 0,
                    middle = rim + (inner ? -half_pad : half_pad) - m.pitch_radius;
       m.flanges.push_back({inner, right ? 1.0 : -1.0, clearance / 2,
-                           end_points(m.nominal_diameter / 2, middle), FlatFilm{}});
+                           end_points(m.nominal_diameter / 2, middle), FlatFilm{}, SphereFlange{}});
+      if (sphere_flange_angle(scene, inner) > 0)
+        m.flanges.back().sphere = sphere_flange(scene, m, m.flanges.back());
     }
 }
 
@@ -299,6 +327,21 @@ void lubricate(const Scene& scene, BearingModel& m) {
     const bool squeezed = l.squeeze && m.layout.ring_axial == 0;
     for (Flange& flange : m.flanges) {
       const double pad = flange_pad(scene, flange.inner), reach = flange.points[0].radial;
+      if (flange.sphere.on) {
+        // Oil ends where its layer does, or the roller's end.
+        const double end = roller - corner_radius(scene),
+                     height = flange.sphere.radius * flange.sphere.sine,
+                     gap = (end * end - height * height) / (2 * flange.sphere.radius),
+                     least = 0.1e-6;  // growth may take the point to the end of a face
+        const Traction traction =
+            make_traction(oil.viscosity, oil.pressure_viscosity, flange.sphere.radius,
+                          m.race_modulus, l.eyring_stress, l.limiting_shear,
+                          given_or(contact.flange.roughness, l.pocket_roughness));
+        flange.sphere.film =
+            make_point_film(sphere_contact(scene, m, flange.inner), traction, std::max(pad, least),
+                            std::min(l.pocket_layer, std::max(gap, least)), l.film_traction);
+        continue;
+      }
       flange.film =
           with_wedge(flat(contact.flange, segment_area(std::abs(reach) + pad / 2, pad), squeezed),
                      oil.viscosity, pad, 2);

@@ -12,6 +12,7 @@
 #include "src/lubrication/churning.hpp"
 #include "src/lubrication/flat_film.hpp"
 #include "src/lubrication/lubricated_line.hpp"
+#include "src/lubrication/point_film.hpp"
 #include "src/model/duty.hpp"
 #include "src/model/flexible_cage.hpp"
 #include "src/model/raceway_form.hpp"
@@ -59,6 +60,19 @@ struct EndPoint {
   double radial, tangential;
 };
 
+/// An inclined flange that meets sphere-ended rollers (src/contacts/sphere_flange.hpp).
+struct SphereFlange {
+  bool on = false;
+  double radius = 0;            ///< R_e [m]
+  double centre = 0;            ///< e (L/2 - R_e): place of the sphere's centre on the axis [m]
+  double sine = 0, cosine = 1;  ///< of the flange's angle
+  double rest = 0;              ///< distance of the axes for which `clearance` holds [m]
+  double stiffness = 0;         ///< K of K p^1.5 [N/m^1.5]
+  double damping = 0;           ///< c_max [N s/m]
+  double inverse_depth = 0;     ///< of the full damping [1/m]
+  PointFilm film;
+};
+
 /// A flange of a ring, which holds rollers on one side.
 struct Flange {
   bool inner = false;
@@ -66,6 +80,7 @@ struct Flange {
   double clearance = 0;            ///< from a roller's end that stands in the middle [m]
   std::array<EndPoint, 2> points;  ///< where a roller's end meets its rim
   FlatFilm film;                   ///< of one point
+  SphereFlange sphere;             ///< instead of points and their film
 };
 
 /// What rubs on what, each pair with its friction; kEndPair: roller end on pocket end wall.

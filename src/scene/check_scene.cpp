@@ -222,55 +222,6 @@ void check_pockets(const Scene& scene, const SceneCheck& check) {
   }
 }
 
-// Flanges hold the rollers on both sides, and carry an axial load.
-void check_flanges(const Scene& scene, const SceneCheck& check) {
-  const BearingGeometry& b = scene.bearing;
-  for (const bool right : {false, true})
-    check.require(has_flange(b.outer_flanges, right) || has_flange(b.inner_flanges, right),
-                  "bearing.outer_flanges",
-                  std::string("no flange holds the rollers on the ") +
-                      (right ? "right (+x)" : "left (-x)") + " side (" +
-                      check.with_value("bearing.inner_flanges") + ")",
-                  "give one ring a flange there");
-  check.require(b.inner_flanges == FlangeSides::none || !has_free_ring_tilt(scene),
-                "model.ring_tilt",
-                "flanges do not follow the free tilt of the inner ring (" +
-                    check.with_value("bearing.inner_flanges") + ")",
-                "set model.ring_tilt = \"prescribed\", or give the inner ring no flanges");
-  for (const bool inner : {false, true}) {
-    if ((inner ? b.inner_flanges : b.outer_flanges) == FlangeSides::none) continue;
-    if (!has_end_film(scene)) break;
-    check.require(flange_pad(scene, inner) > 0, "roller.corner_radius_mm",
-                  std::string("the flanges of the ") + (inner ? "inner" : "outer") +
-                      " ring do not reach past the rollers' corners (" +
-                      check.with_value(inner ? "bearing.inner_flange_diameter_mm"
-                                             : "bearing.shoulder_diameter_mm") +
-                      ")",
-                  "give a smaller corner radius, or higher flanges");
-  }
-  const AxialLoads loads = axial_loads(scene.operation);
-  if (loads.least == 0 && loads.greatest == 0) return;
-  const char* key = scene.operation.table.axial_load.empty() ? "load.axial_N" : "duty.axial_N";
-  check.require(!is_quasi_static(scene) && !has_planar_rollers(scene), key,
-                "rollers carry an axial load by their ends, which " +
-                    check.with_value(is_quasi_static(scene) ? "model.motion" : "model.rollers") +
-                    " leaves out",
-                "set model.motion = \"dynamic\" and model.rollers = \"spatial\", or leave the load "
-                "out");
-  for (const double load : {loads.least, loads.greatest})
-    check.require(
-        load == 0 ||
-            (has_flange(b.inner_flanges, load < 0) && has_flange(b.outer_flanges, load > 0)),
-        key,
-        std::string("it needs a flange of the inner ring on the ") +
-            (load > 0 ? "left and one of the outer ring on the right ("
-                      : "right and one of the outer ring on the left (") +
-            check.with_value("bearing.inner_flanges") + ", " +
-            check.with_value("bearing.outer_flanges") + ")",
-        "turn the load round or give the rings these flanges: an NJ has both outside and one "
-        "inside, an NUP both and both");
-}
-
 void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
   check.require(
       !has_free_ring_tilt(scene) || !has_cage(scene) || scene.cage.guidance != Guidance::inner,

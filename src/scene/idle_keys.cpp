@@ -20,6 +20,12 @@ bool hertz(const ContactParameters& contact) {
   return contact.law == ForceLaw::hertz;
 }
 
+/// Whether a ring's flanges meet sphere-ended rollers.
+bool meets_spheres(const Scene& s, bool inner) {
+  const FlangeSides sides = inner ? s.bearing.inner_flanges : s.bearing.outer_flanges;
+  return sides != FlangeSides::none && sphere_flange_angle(s, inner) > 0;
+}
+
 bool bars_use_moduli(const Scene& s) {
   return !is_quasi_static(s) &&
          (hertz(s.contact.bar) || (is_lubricated(s) && s.lubrication.pocket_film));
@@ -197,8 +203,10 @@ const std::vector<Rule>& rules() {
         "contact.race.roughness_um",
         "bearing.flange_clearance_mm",
         "roller.corner_radius_mm",
+        "roller.end_radius_mm",
         "bearing.shoulder_diameter_mm",
         "bearing.outer_flanges",
+        "bearing.outer_flange_angle_deg",
         "bearing.inner_flange*",
         "bearing.outer_land_diameter_mm",
         "load.axial_N"},
@@ -207,7 +215,8 @@ const std::vector<Rule>& rules() {
       {{"bearing.misalignment_y_mrad", "bearing.misalignment_z_mrad", "roller.taper_um",
         "cage.pocket_squareness_mrad", "contact.flange.*", "bearing.flange_clearance_mm",
         "bearing.inner_flange_clearance_mm", "roller.corner_radius_mm", "load.axial_N",
-        "model.ring_tilt"},
+        "model.ring_tilt", "roller.end_radius_mm", "bearing.outer_flange_angle_deg",
+        "bearing.inner_flange_angle_deg"},
        has_planar_rollers,
        "model.rollers = \"planar\""},
       {{"bearing.tilt_stiffness_N_m_rad", "bearing.inner_ring_polar_inertia_kg_mm2",
@@ -217,9 +226,26 @@ const std::vector<Rule>& rules() {
       {{"roller.corner_radius_mm"},
        [](const Scene& s) { return !has_end_film(s); },
        "no oil at roller ends (lubrication.model, lubrication.end_film)"},
-      {{"bearing.inner_flange_diameter_mm", "bearing.inner_flange_clearance_mm"},
+      {{"bearing.inner_flange_diameter_mm", "bearing.inner_flange_clearance_mm",
+        "bearing.inner_flange_angle_deg"},
        [](const Scene& s) { return s.bearing.inner_flanges == FlangeSides::none; },
        "bearing.inner_flanges = \"none\""},
+      {{"bearing.outer_flange_angle_deg"},
+       [](const Scene& s) { return s.bearing.outer_flanges == FlangeSides::none; },
+       "bearing.outer_flanges = \"none\""},
+      {{"bearing.outer_flange_angle_deg", "bearing.inner_flange_angle_deg"},
+       [](const Scene& s) { return s.roller.end_radius == 0; },
+       "roller.end_radius_mm = 0"},
+      {{"roller.end_radius_mm"},
+       [](const Scene& s) { return !meets_spheres(s, true) && !meets_spheres(s, false); },
+       "plane flanges (bearing.outer_flange_angle_deg, bearing.inner_flange_angle_deg)"},
+      {{"contact.flange.stiffness*", "contact.flange.exponent"},
+       [](const Scene& s) {
+         const bool outer = s.bearing.outer_flanges == FlangeSides::none || meets_spheres(s, false);
+         const bool inner = s.bearing.inner_flanges == FlangeSides::none || meets_spheres(s, true);
+         return outer && inner;
+       },
+       "sphere ends give way by Hertz (roller.end_radius_mm)"},
       {{"lobes.inner_1_count", "lobes.inner_1_phase_deg"},
        [](const Scene& s) { return s.bearing.inner_lobes[0].amplitude == 0; },
        "lobes.inner_1_um = 0"},

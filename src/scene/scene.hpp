@@ -66,6 +66,8 @@ struct BearingGeometry {
   double shoulder_diameter = 43.8e-3;     ///< of the outer ring's flanges; kAuto: it has none [m]
   double inner_flange_diameter = kAuto;   ///< of the inner ring's flanges [m]
   double inner_flange_clearance = kAuto;  ///< as flange_clearance, which it is if kAuto [m]
+  /// Of the flanges' faces to the radial plane, open towards their rim; for sphere ends [rad].
+  double outer_flange_angle = 0, inner_flange_angle = 0;
   /// Surfaces that meet the cage; kAuto: flanges on both sides, or else the raceway [m].
   double outer_land_diameter = kAuto, inner_land_diameter = kAuto;
   /// Diametral clearance added to that of the catalogue diameters, half on each raceway [m].
@@ -90,6 +92,7 @@ struct RollerGeometry {
   std::vector<double> diameter = {7.5e-3};  ///< D, one value for all rollers or one for each [m]
   double length = 9e-3;                     ///< L_w [m]
   double corner_radius = kAuto;             ///< from the end to the cylinder; kAuto: 0.06 D [m]
+  double end_radius = 0;                    ///< R_e of ends that are spheres; 0: flat [m]
   std::vector<double> taper = {0};  ///< diameter at the +x end minus diameter at the -x end [m]
   RollerProfile profile = RollerProfile::none;
   MaterialChoice material{"bearing-steel"};
@@ -430,14 +433,22 @@ inline double outer_land_diameter(const BearingGeometry& b) {
 inline bool has_end_film(const Scene& scene) {
   return is_lubricated(scene) && scene.lubrication.end_film;
 }
+/// From a roller's end to its cylinder [m].
+inline double corner_radius(const Scene& scene) {
+  return given_or(scene.roller.corner_radius, 0.06 * scene.roller.diameter[0]);
+}
+/// Angle of a ring's flanges where sphere-ended rollers meet them, else 0 [rad].
+inline double sphere_flange_angle(const Scene& scene, bool inner) {
+  const double angle = inner ? scene.bearing.inner_flange_angle : scene.bearing.outer_flange_angle;
+  return scene.roller.end_radius > 0 ? angle : 0;
+}
 /// Height of a ring's flange that meets the flat part of roller ends: from the rollers' corners to
 /// its rim [m]. Not positive where they do not reach each other.
 inline double flange_pad(const Scene& scene, bool inner) {
   const BearingGeometry& b = scene.bearing;
   const double height = inner ? b.inner_flange_diameter - b.inner_raceway_diameter
                               : b.outer_raceway_diameter - b.shoulder_diameter;
-  const double corner = scene.roller.corner_radius;
-  return height / 2 - (std::isnan(corner) ? 0.06 * scene.roller.diameter[0] : corner);
+  return height / 2 - corner_radius(scene);
 }
 inline bool is_quasi_static(const Scene& scene) {
   return scene.model.motion == MotionModel::quasi_static;

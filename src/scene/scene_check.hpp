@@ -51,6 +51,8 @@ void check_duty(const Scene& scene, const SceneCheck& check);
 
 /// Shafts, housings and temperatures, and whether the bearing turns in operation.
 void check_operation(const Scene& scene, const SceneCheck& check);
+/// Flanges hold the rollers on both sides, meet their ends and carry an axial load.
+void check_flanges(const Scene& scene, const SceneCheck& check);
 /// Bearings without a cage.
 void check_full_complement(const Scene& scene, const SceneCheck& check);
 

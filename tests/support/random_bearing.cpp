@@ -178,6 +178,19 @@ void flange_the_inner_ring(unsigned seed, Scene& scene) {
     b.outer_flanges = FlangeSides::none;
 }
 
+/// Sphere ends, which meet every flange in the middle of its face.
+void round_the_ends(unsigned seed, Scene& scene) {
+  Draw draw(seed + 6000011);
+  auto& b = scene.bearing;
+  scene.roller.end_radius = draw.between(0.2, 0.6);
+  const double pitch = pitch_radius(b), edge = 0.44 * scene.roller.diameter[0];
+  const auto angle = [&](double rim) {
+    return std::asin((std::abs(rim / 2 - pitch) + edge) / 2 / scene.roller.end_radius);
+  };
+  b.outer_flange_angle = angle(b.shoulder_diameter);
+  if (b.inner_flanges != FlangeSides::none) b.inner_flange_angle = angle(b.inner_flange_diameter);
+}
+
 /// Takes the cage away and adds rollers, or widens them, until they stand beside each other.
 void fill_with_rollers(Scene& scene) {
   auto& b = scene.bearing;
@@ -214,6 +227,7 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   if (options.freedom == Freedom::tilting) free_the_ring(seed, b.scene);
   if (options.inner_flanges && options.freedom == Freedom::spatial && seed % 4 == 3)
     flange_the_inner_ring(seed, b.scene);
+  if (options.sphere_ends) round_the_ends(seed, b.scene);
   if (options.full_complement) fill_with_rollers(b.scene);
   if (options.lobed) wave_the_raceways(seed, b.scene);
   b.scene.film.model = options.film;

@@ -446,6 +446,62 @@ class Bearing {
         });
   }
 
+  /// Hertz's contact of a sphere end and a cone of opposite or like curvature around the ring, as
+  /// an impact law of that exponent.
+  ContactParameters sphere_law(double angle, bool inner, double pitch) const {
+    const double way = inner ? -1 : 1, R_e = scene_.roller.end_radius;
+    const double around =
+        1 / (1 / R_e - way * std::sin(angle) / (pitch + way * R_e * std::sin(angle)));
+    const double larger = std::max(around, R_e), smaller = std::min(around, R_e);
+    const auto softness = [](const Material& m) { return (1 - m.poisson * m.poisson) / m.young; };
+    const double modulus =
+        2 / (softness(roller_material(scene_)) + softness(ring_material(scene_)));
+    const double second = 1 + (pi / 2 - 1) * smaller / larger,
+                 first = pi / 2 + (pi / 2 - 1) * std::log(larger / smaller),
+                 axes = std::pow(larger / smaller, 2 / pi),
+                 radius = larger * smaller / (larger + smaller);
+    ContactParameters law = scene_.contact.flange;
+    law.exponent = 1.5;
+    // delta = first (9/(2 second radius) (F/(pi axes modulus))^2)^(1/3), here for mm
+    law.stiffness =
+        pi * axes * modulus * std::sqrt(2 * second * radius / 9) * std::pow(1e-3 / first, 1.5);
+    return law;
+  }
+
+  /// A sphere end against an inclined flange, by src/contacts/sphere_flange.hpp.
+  void sphere_end(const Roller& roller, double e, bool inner, Forces& forces) {
+    const auto& b = scene_.bearing;
+    const double way = inner ? -1 : 1, R_e = scene_.roller.end_radius;
+    const double angle = inner ? b.inner_flange_angle : b.outer_flange_angle;
+    const double pitch = (b.inner_raceway_diameter + b.outer_raceway_diameter) / 4;
+    const double clearance =
+        inner ? auto_or(b.inner_flange_clearance, b.flange_clearance) : b.flange_clearance;
+    const double k = e * (scene_.roller.length / 2 - R_e);
+    const double along_n = e * std::cos(angle), across_n = way * std::sin(angle);
+    const Vector3d m = inner ? misalignment() : Vector3d::Zero().eval(),
+                   centre = inner ? ring_ : Vector3d::Zero().eval();
+    const Vector3d place = roller.centre - centre, a = radial(roller.axis), lean = a - m;
+    const double X = place.x() + m.dot(place) - k * lean.squaredNorm() / 2;
+    const Vector3d Y = radial(place) - place.x() * m + k * lean, out = Y.normalized();
+    const auto tilted = [&](const Vector3d& v) { return Vector3d(v - m.dot(v) * kX + v.x() * m); };
+    const Vector3d n = tilted(along_n * kX + across_n * out),
+                   face = tilted(-across_n * kX + along_n * out), around = tilted(kX.cross(out));
+    const Vector3d arm = place + k * (kX + a - a.squaredNorm() / 2 * kX) + R_e * n;
+    const double p = std::cos(angle) * (e * X - clearance / 2) + across_n * (Y.norm() - pitch);
+    const auto speeds = [=, &roller](const Motion& v) {
+      const Vector3d moved = v.roller - (inner ? v.ring : Vector3d::Zero().eval());
+      const double spin = inner ? v.inner_spin : v.outer_spin;
+      const double X_rate = moved.x() + m.dot(moved) - k * lean.dot(v.lean);
+      const Vector3d Y_rate = radial(moved) - moved.x() * m + k * v.lean;
+      const Vector3d w = v.spin * roller.axis + kX.cross(v.lean);
+      const Vector3d slide =
+          moved + k * (v.lean - a.dot(v.lean) * kX) + w.cross(R_e * n) - spin * (kX + m).cross(arm);
+      return Speeds{along_n * X_rate + across_n * out.dot(Y_rate), face.dot(slide),
+                    around.dot(slide)};
+    };
+    contact(kFlange, sphere_law(angle, inner, pitch), 1, p, roller.own, speeds, &forces);
+  }
+
   void ends(const Roller& roller, int j, Forces& forces) {
     const auto& b = scene_.bearing;
     double mean_radius = 0;
@@ -459,6 +515,10 @@ class Bearing {
         const bool flange = against != kPocket, inner = against == kInnerFlange;
         if (!flange && full_complement()) continue;
         if (flange && !has_flange(inner ? b.inner_flanges : b.outer_flanges, e > 0)) continue;
+        if (flange && scene_.roller.end_radius > 0) {
+          sphere_end(roller, e, inner, forces);
+          continue;
+        }
         const double rim = inner ? b.inner_flange_diameter : b.shoulder_diameter;
         const double h = flange ? rim / 2 - pitch : 0;
         const double tau = std::min(0.8 * mean_radius,

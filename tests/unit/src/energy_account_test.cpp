@@ -42,12 +42,12 @@ double net_power(System& system, double t, const std::vector<double>& y) {
   const Observation& o = system.seen;
   return o.drive_power + o.load_power - o.friction_power - o.damping_power;
 }
-double differenced_net_power(const RandomBearing& b) {
+double differenced_net_power(const RandomBearing& b, double step = 2e-9) {
   System system(b.model);
   system.linearise_at(b.t, b.y.data());
   const PackVector rates = system.rate;
   // The rate of the net power holds what lobes do in time, and nothing else that time does.
-  return rate_along_motion(b, rates, 2e-9, [&](const std::vector<double>& y, double t) {
+  return rate_along_motion(b, rates, step, [&](const std::vector<double>& y, double t) {
     return net_power(system, b.model.forms.round ? b.t : t, y);
   });
 }
@@ -119,6 +119,17 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredOnLobedRaceways) {
       RandomBearing b =
           random_bearing(seed, {.freedom = GetParam(), .lubricated = lubricated, .lobed = true});
       b.t += 1;  // after every ramp
+      EXPECT_LT(open_power(b, difference_steps(GetParam())), lubricated ? 4e-6 : 2e-9)
+          << (lubricated ? "oiled" : "dry") << ", seed " << seed;
+    }
+}
+
+TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredAtSphereEnds) {
+  if (GetParam() == Freedom::planar) GTEST_SKIP() << "planar rollers touch no flange";
+  for (const bool lubricated : {false, true})
+    for (unsigned seed = 0; seed < 48; ++seed) {
+      const RandomBearing b = random_bearing(
+          seed, {.freedom = GetParam(), .lubricated = lubricated, .sphere_ends = true});
       EXPECT_LT(open_power(b, difference_steps(GetParam())), lubricated ? 4e-6 : 2e-9)
           << (lubricated ? "oiled" : "dry") << ", seed " << seed;
     }
@@ -228,6 +239,46 @@ TEST_P(EnergyAccount, NetPowerRateHoldsWhatNeighboursDo) {
     }
     EXPECT_LT(apart, 1e-2 * size) << (lubricated ? "oiled" : "dry");
   }
+}
+
+// Rollers off the races and free of their cage, so that sphere ends have all the power.
+TEST(EnergyAccountOfFlanges, NetPowerRateHoldsWhatSphereEndsDo) {
+  for (const bool lubricated : {false, true})
+    for (unsigned seed = 0; seed < 24; ++seed) {
+      RandomBearing b =
+          random_bearing(seed, {.depth = 1e-6, .lubricated = lubricated, .sphere_ends = true});
+      b.t = 1;  // after every ramp
+      b.model.inner_radius -= 1e-3;
+      b.model.outer_radius += 1e-3;
+      b.model.outer_line.starved = true;
+      b.model.outer_line.layer = 20e-6;
+      b.model.churning.on = false;
+      for (CageGuide& guide : b.model.guides) guide.touching_at = 1, guide.film = {};
+      for (RollerGroup& group : b.model.groups) {
+        group.half_width += 1e-2;
+        group.half_length += 1e-2;
+      }
+      System system(b.model);
+      system.linearise_at(b.t, b.y.data());
+      const double due = differenced_net_power(b, 1e-11);
+      const std::string which = (lubricated ? "oiled, seed " : "dry, seed ") + std::to_string(seed);
+      EXPECT_NEAR(system.seen.net_power_rate, due, 1e-5 * std::abs(due)) << which;
+      // Of which accelerations make the most; its gradient by the places of rollers alone.
+      System moved(b.model);
+      double apart = 0, size = 0;
+      for (int j = 0; j < b.model.layout.rollers; ++j) {
+        const auto power = [&](double step) {
+          std::vector<double> y = b.y;
+          y[static_cast<std::size_t>(b.model.layout.position(kAxial, j))] += step;
+          return net_power(moved, b.t, y);
+        };
+        const double by_place = (power(1e-10) - power(-1e-10)) / 2e-10;
+        const GroupLinear& group = system.linear.groups[static_cast<std::size_t>(j / kLanes)];
+        apart = std::max(apart, std::abs(group.power_position[kLx][j % kLanes] - by_place));
+        size = std::max(size, std::abs(by_place));
+      }
+      EXPECT_LT(apart, 1e-4 * size) << which;
+    }
 }
 
 // Flanges of the inner ring leave out more, 0.113 at worst; which term is not known.

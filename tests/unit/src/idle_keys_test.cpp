@@ -248,6 +248,19 @@ INSTANTIATE_TEST_SUITE_P(
                s.cage.retention_outer =
                    retention_width(s.cage, pitch_radius(s.bearing), 3.75e-3, 1, 0.1e-3);
              }},
+        Case{"sphere_ends",
+             [](Scene& s) {
+               s.roller.end_radius = 0.4;
+               s.bearing.outer_flange_angle = 2.45e-3 / 0.4;
+             }},
+        Case{"dry_sphere_ends_of_both_rings",
+             [](Scene& s) {
+               s.lubrication.model = LubricationModel::none;
+               s.bearing.inner_flanges = FlangeSides::both;
+               s.roller.end_radius = 0.4;
+               s.bearing.outer_flange_angle = 2.45e-3 / 0.4;
+               s.bearing.inner_flange_angle = 2.7e-3 / 0.4;
+             }},
         Case{"lobed",
              [](Scene& s) {
                s.bearing.inner_lobes[0].amplitude = 3e-6;

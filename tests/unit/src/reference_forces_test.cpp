@@ -100,6 +100,26 @@ TEST_P(ReferenceForces, AgreeOnLobedRaceways) {
   EXPECT_GT(touching, 1000);
 }
 
+TEST_P(ReferenceForces, AgreeOnSphereEnds) {
+  long touching = 0;
+  for (unsigned seed = 0; seed < 96; ++seed) {
+    const RandomBearing b = random_bearing(seed, {.freedom = GetParam(), .sphere_ends = true});
+    const Reference reference = reference_rates(b.scene, b.t, b.y);
+    touching += reference.touching[kFlange];
+    expect_same(b, reference, seed);
+    System system(b.model);
+    system.linearise_at(b.t, b.y.data());
+    const auto same = [&](double ours, double theirs, const char* what) {
+      EXPECT_NEAR(ours, theirs, 1e-10 * std::abs(theirs)) << what << ", seed " << seed;
+    };
+    same(system.seen.elastic_energy, reference.elastic_energy, "elastic energy");
+    same(system.seen.friction_power, reference.friction_power, "friction power");
+    same(system.seen.drive_power, reference.drive_power, "drive power");
+    same(system.seen.damping_power, reference.damping_power, "damping power");
+  }
+  EXPECT_GT(touching, 300);
+}
+
 TEST_P(ReferenceForces, AgreeOnNeighboursOfAFullComplement) {
   int touching = 0;
   for (unsigned seed = 0; seed < 96; ++seed) {
