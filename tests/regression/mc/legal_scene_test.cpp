@@ -105,13 +105,21 @@ bool costs_time(const std::string& name) {
   return false;
 }
 
+/// Lists over time, which fit each other or are refused: a single key of them says nothing.
+bool is_over_time(const std::string& name) {
+  return name.starts_with("duty.") || name.starts_with("phase.");
+}
+
 Settings random_settings(unsigned seed) {
   Draw draw(seed);
   Settings settings = random_bearing_keys(draw);
   settings.emplace_back("lubrication.model", seed % 3 == 0 ? "film" : "none");
   for (std::size_t k = 3 + draw.pick(12); k > 0; --k) {
     const auto& key = scene_keys()[draw.pick(scene_keys().size())];
-    if (!key.range.required && !costs_time(key.name))
+    const bool fits = std::any_of(settings.begin(), settings.end(), [&](const auto& setting) {
+      return setting.first == key.name;  // to the other parts; another value would not
+    });
+    if (!fits && !costs_time(key.name) && !is_over_time(key.name))
       settings.emplace_back(key.name, random_value(key, draw));
   }
   const bool warm = std::any_of(settings.begin(), settings.end(), [](const auto& setting) {
