@@ -60,7 +60,7 @@ def varying(report):
     """Quantities without limits that vary and are no bookkeeping."""
     limited = {entry["quantity"] for entry in report["limits"]["each"]}
     return [entry for entry in report["quantities"]
-            if entry["quantity"] not in limited and len(entry["histogram"]["counts"]) > 1 and not entry["constant"] and not entry["bookkeeping"]]
+            if entry["quantity"] not in limited and "@" not in entry["quantity"] and len(entry["histogram"]["counts"]) > 1 and not entry["constant"] and not entry["bookkeeping"]]
 
 
 def other_quantities(page):
