@@ -130,6 +130,11 @@ def bracketed(unit):
     return "" if unit in ("", "-", None) else Markup(' <span class="u">[{}]</span>').format(unit)
 
 
+def kept(text, longest=20):
+    """On one line where it is short."""
+    return Markup('<span class="u">{}</span>').format(text) if len(text) <= longest else text
+
+
 def code(text):
     """A key or command; it may break after a full stop, an underscore or a slash, never within a word."""
     return Markup("<code>") + breakable(text) + Markup("</code>")
@@ -193,7 +198,7 @@ def filters():
     return {"rounded": rounded, "fixed": fixed, "whole": whole, "significant": significant, "plain": plain, "general": general, "signed": signed,
             "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
             "percent_down": percent_down, "stated_percent": stated_percent, "percent_interval": percent_interval,
-            "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "breakable": breakable,
+            "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "kept": kept, "breakable": breakable,
             "value_text": value_text, "law_text": law_text, "with_error": with_error,
             "readable": readable, "joined": joined}
 
