@@ -115,7 +115,7 @@ def bearing(report):
     if drawing is None:
         figure, axes = plt.subplot_mosaic([["front", "side"]], figsize=(WIDTH, 2.9), width_ratios=[1.5, 1])
     else:
-        figure, axes = plt.subplot_mosaic([["front", "side", "key"], ["section", "outside", "outside"]], figsize=(WIDTH, 4.05),
+        figure, axes = plt.subplot_mosaic([["front", "side", "key"], ["section", "outside", "outside"]], figsize=(WIDTH, 3.75),
                                           width_ratios=[1.25, 0.62, 1.3], height_ratios=[1, 0.95])
         pocket.draw_section(axes["section"], drawing["section"])
         pocket.draw_outside(axes["outside"], drawing["outside"], sizes=False)

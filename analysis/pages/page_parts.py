@@ -104,6 +104,9 @@ def subtitle(report):
     return ", ".join(parts + [f"{rounded(report['outcomes']['samples'])} runs"])
 
 
+MOST_POINTS = 3  # on the page of the operating point; more have the next page
+
+
 def operating_points(report):
     return (report["bearing"] or {}).get("points", [])
 
