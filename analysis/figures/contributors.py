@@ -47,7 +47,7 @@ def pareto(report):
     return figure
 
 
-MOST_ROWS = 36  # what a page has room for; report.json holds all
+MOST_ROWS = 26  # what a page has room for; report.json holds all
 
 
 def most_explained(report):

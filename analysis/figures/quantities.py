@@ -53,7 +53,7 @@ def limited_quantities(report):
     return figure
 
 
-PANELS = 40  # of a page
+PANELS = 20  # of a figure; two of them fill a page
 
 
 def varying(report):

@@ -89,8 +89,9 @@ def halves(groups):
 def subtitle(report):
     """The operating point in a line."""
     bearing = report["bearing"]
+    runs = f"{rounded(report['outcomes']['samples_with_attempts'])} runs"
     if not bearing or "section" not in bearing:
-        return f"{rounded(report['outcomes']['samples'])} runs"
+        return runs
     section = bearing["section"]
     parts = [bearing["name"]]
     if bearing["points"]:
@@ -101,7 +102,7 @@ def subtitle(report):
     for group in bearing["groups"]:
         if group["title"] == "Lubricant":
             parts.append(" ".join(entry.get("text") or f"at {rounded(entry['value'])} {entry['unit']}" for entry in group["entries"][:2]))
-    return ", ".join(parts + [f"{rounded(report['outcomes']['samples'])} runs"])
+    return ", ".join(parts + [runs])
 
 
 MOST_POINTS = 3  # on the page of the operating point; more have the next page
@@ -233,6 +234,8 @@ def same_yield(tolerance):
 def candidates_shown(tolerance):
     """All candidates where they are few, else the chosen one and those whose yields lie nearest to it."""
     candidates = tolerance["candidates"]
+    if not any(candidate["shown"] for candidate in candidates):
+        return []
     if len(candidates) <= MOST_CANDIDATES:
         return candidates
     candidates = [candidate for candidate in candidates if candidate["shown"]] or candidates

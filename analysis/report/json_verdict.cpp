@@ -248,6 +248,11 @@ void finish_verdict(const ReportBasis& basis, Json& report) {
   std::vector<std::string> sentences =
       sentences_of(verdict.value("judgement", verdict["statement"].get<std::string>()));
   verdict.erase("judgement");
+  std::int64_t runs = report["outcomes"]["samples"];
+  if (report["confirmation"].is_object())
+    for (const Json& attempt : report["confirmation"]["attempts"])
+      runs += attempt["runs"].get<std::int64_t>();
+  report["outcomes"]["samples_with_attempts"] = runs;
   verdict["headline"] = sentences.empty() ? "" : sentences.front();
   if (!sentences.empty()) sentences.erase(sentences.begin());
   verdict["grounds"] = sentences;
