@@ -40,11 +40,11 @@ def draw_front(axis, section):
     direction = np.radians(section["load_direction_deg"] - 90)
     tip = np.array([np.cos(direction), np.sin(direction)]) * 0.85 * bore
     axis.add_patch(FancyArrowPatch(-0.75 * tip, tip, arrowstyle="-|>", mutation_scale=11, color=RED, linewidth=1.8, zorder=5))
-    beside = np.array([abs(tip[1]), abs(tip[0])]) / np.hypot(*tip) * 0.12 * bore
-    axis.text(beside[0], -beside[1], f"{section['radial_load_N']:.6g} N", ha="left", va="center", fontsize=8, color=RED, zorder=6)
+    words = f"{section['radial_load_N']:.6g} N"
     if section["inner_speed_rpm"] or section["outer_speed_rpm"]:
         turns = "inner_speed_rpm" if section["inner_speed_rpm"] else "outer_speed_rpm"
         radius = 0.5 * (bore + section["inner_raceway_mm"] / 2) if turns == "inner_speed_rpm" else 1.06 * outside
+        words += f", {section[turns]:.6g} r/min"
         sense = 1 if section[turns] > 0 else -1
         ends = np.radians([20, 75]) if sense > 0 else np.radians([75, 20])
         points = [radius * np.array([np.cos(a), np.sin(a)]) for a in ends]
@@ -52,8 +52,7 @@ def draw_front(axis, section):
                                        color=BLACK, linewidth=1.1, zorder=6))
     axis.set_xlim(-1.12 * outside, 1.12 * outside)
     axis.set_ylim(-1.12 * outside, 1.12 * outside)
-    axis.set_title(f"{section[turns]:.6g} r/min" if section["inner_speed_rpm"] or section["outer_speed_rpm"] else "at rest",
-                   loc="center", fontsize=8.5)
+    axis.set_title(words, loc="center", fontsize=8.5)
 
 
 def box(axis, left, right, low, high, colour, **style):
@@ -116,7 +115,7 @@ def bearing(report):
     if drawing is None:
         figure, axes = plt.subplot_mosaic([["front", "side"]], figsize=(WIDTH, 2.9), width_ratios=[1.5, 1])
     else:
-        figure, axes = plt.subplot_mosaic([["front", "side", "key"], ["section", "outside", "outside"]], figsize=(WIDTH, 4.05),
+        figure, axes = plt.subplot_mosaic([["front", "side", "key"], ["section", "outside", "outside"]], figsize=(WIDTH, 3.75),
                                           width_ratios=[1.25, 0.62, 1.3], height_ratios=[1, 0.95])
         pocket.draw_section(axes["section"], drawing["section"])
         pocket.draw_outside(axes["outside"], drawing["outside"], sizes=False)

@@ -16,9 +16,14 @@ def outputs_to_explain(report):
     return chosen or report["contributors"]["outputs"][:2]
 
 
+def stands_out(share):
+    """Whether its interval lies above zero."""
+    return known(share["lower"]) > 0
+
+
 def pareto(report):
     """Largest contributors of each deciding output, with intervals."""
-    outputs = [output for output in outputs_to_explain(report) if output["shares"]]
+    outputs = [output for output in outputs_to_explain(report) if any(stands_out(share) for share in output["shares"])]
     if not outputs:
         return None
     most = 6
@@ -33,7 +38,7 @@ def pareto(report):
         axis.barh(places, [100 * max(known(share["value"]), 0) for share in shares], color=SKY, height=0.65,
                   xerr=100 * np.array(interval_bars(shares)), error_kw={"ecolor": "#333333", "elinewidth": 1, "capsize": 2})
         axis.set_yticks(places, [share["feature"] for share in shares], fontsize=7)
-        axis.invert_yaxis()
+        axis.set_ylim(max(len(shares), 4) - 0.5, -0.5)
         axis.set_title(readable(output["output"]), loc="center", fontsize=8.5)
         axis.set_xlim(0, 100)
         axis.grid(axis="y", visible=False)
@@ -42,7 +47,7 @@ def pareto(report):
     return figure
 
 
-MOST_ROWS = 36  # what a page has room for; report.json holds all
+MOST_ROWS = 26  # what a page has room for; report.json holds all
 
 
 def most_explained(report):

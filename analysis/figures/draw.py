@@ -36,7 +36,7 @@ def main(report_file, output_dir):
         "centre_curves": centres.centre_curves, "centre_map": centres.centre_map,
         "centre_responses": centres.centre_responses,
         "limited_quantities": quantities.limited_quantities,
-        **{f"other_quantities_{page + 1}": quantities.other_quantities(page) for page in range(4)},
+        **{f"other_quantities_{page + 1}": quantities.other_quantities(page) for page in range(5)},
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
         "cage_stress": cage.cage_stress, "error_budget": error_budget.error_budget,

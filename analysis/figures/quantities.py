@@ -53,14 +53,14 @@ def limited_quantities(report):
     return figure
 
 
-PANELS = 40  # of a page
+PANELS = 20  # of a figure; two of them fill a page
 
 
 def varying(report):
     """Quantities without limits that vary and are no bookkeeping."""
     limited = {entry["quantity"] for entry in report["limits"]["each"]}
     return [entry for entry in report["quantities"]
-            if entry["quantity"] not in limited and len(entry["histogram"]["counts"]) > 1 and not entry["constant"] and not entry["bookkeeping"]]
+            if entry["quantity"] not in limited and "@" not in entry["quantity"] and len(entry["histogram"]["counts"]) > 1 and not entry["constant"] and not entry["bookkeeping"]]
 
 
 def other_quantities(page):

@@ -16,7 +16,7 @@ def confirmed_bands(report):
 def yield_curves(report):
     """One panel for each dimension: yield with its bounds over the width of the tolerance."""
     dimensions = report["tolerance"].get("dimensions", []) if report["tolerance"] else []
-    dimensions = [dimension for dimension in dimensions if any(level["shown"] for level in dimension["levels"])]
+    dimensions = [dimension for dimension in dimensions if sum(level["shown"] for level in dimension["levels"]) > 1]
     if not dimensions:
         return None
     confirmed = confirmed_bands(report)
@@ -61,8 +61,10 @@ def yield_curves(report):
 def yield_map(report):
     """Lower yield bound for two dimensions together."""
     tolerance = report["tolerance"]
-    if not tolerance or len(tolerance["dimensions"]) != 2 or not any(c["shown"] for c in tolerance["candidates"]):
+    if not tolerance or len(tolerance["dimensions"]) != 2:
         return None
+    if len({round(c["yield"]["if_unknown_fail"], 4) for c in tolerance["candidates"] if c["shown"]}) < 2:
+        return None  # nothing to see
     first, second = tolerance["dimensions"]
     rows = [level["band_mm"] for level in first["levels"]]
     columns = [level["band_mm"] for level in second["levels"]]

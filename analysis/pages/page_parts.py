@@ -2,7 +2,8 @@
 
 import math
 
-from page_text import is_number, percent_interval, readable, rounded, signed_general, unit_suffix, value_text
+from page_text import (code, general, is_number, percent_interval, readable, rounded, scene_items, signed_general, unit_suffix,
+                       value_text)
 
 
 class Chapter:
@@ -15,7 +16,7 @@ def front(report):
     chapters = [Chapter("verdict", verdict_title(report))]
     if report["bearing"] and "groups" in report["bearing"]:
         chapters.append(Chapter("operating", "Operating point"))
-    if report["tolerance"] or report["limits"]["each"]:
+    if report["tolerance"] or operating_points(report):
         chapters.append(Chapter("curves", "Yield, optimum and limits"))
     return chapters
 
@@ -24,8 +25,26 @@ def may_be_printed(report):
     return report["verdict"]["status"] in ("confirmed", "recommended")
 
 
+def is_response(report):
+    """A grid that asks how the bearing answers, or whether claims hold, and looks for no tolerance."""
+    return bool(report["response"] or report["trends"]) and not report["tolerance"]
+
+
 def verdict_title(report):
+    if is_response(report):
+        return "What the runs say"
     return "What may be printed on the drawing" if may_be_printed(report) else "No tolerance to print on the drawing yet"
+
+
+MOST_CONVERGENCE = 24
+
+
+def convergence_rows(report):
+    """Those that need the most runs, in the order of the study."""
+    rows = report["convergence"]["rows"]
+    need = lambda row: -row["runs_needed"] if is_number(row["runs_needed"]) else 0
+    kept = sorted(rows, key=need)[:MOST_CONVERGENCE]
+    return [row for row in rows if row in kept], len(rows) - len(kept)
 
 
 def title(report):
@@ -45,11 +64,34 @@ def assumed_ranges(report):
     return [{**entry, "unit": unit_of_key(entry["key"])} for entry in ranges]
 
 
+def range_entries(ranges):
+    """"20 (5 to 50) µm" of each assumption."""
+    value = lambda entry: general(entry["value"]) if is_number(entry["value"]) else "auto"
+    return [(entry["name"], f"{value(entry)} ({general(entry['low'])} to {general(entry['high'])}){unit_suffix(entry['unit'])}")
+            for entry in ranges]
+
+
+def scene_entries(scene):
+    return [(code(key), value) for key, value in scene_items(scene)]
+
+
+def constant_entries(quantities):
+    return [(readable(entry["quantity"]), rounded(entry["statistics"]["mean"]["value"]) + unit_suffix(entry["unit"])) for entry in quantities]
+
+
+def halves(groups):
+    """Two columns of groups, as equal in height as their order allows."""
+    heights = [len(group["entries"]) + 1.3 for group in groups]
+    cut = min(range(1, len(groups) + 1), key=lambda k: abs(sum(heights[:k]) - sum(heights[k:])))
+    return groups[:cut], groups[cut:]
+
+
 def subtitle(report):
     """The operating point in a line."""
     bearing = report["bearing"]
+    runs = f"{rounded(report['outcomes']['samples_with_attempts'])} runs"
     if not bearing or "section" not in bearing:
-        return f"{rounded(report['outcomes']['samples'])} runs"
+        return runs
     section = bearing["section"]
     parts = [bearing["name"]]
     if bearing["points"]:
@@ -60,7 +102,19 @@ def subtitle(report):
     for group in bearing["groups"]:
         if group["title"] == "Lubricant":
             parts.append(" ".join(entry.get("text") or f"at {rounded(entry['value'])} {entry['unit']}" for entry in group["entries"][:2]))
-    return ", ".join(parts + [f"{rounded(report['outcomes']['samples'])} runs"])
+    return ", ".join(parts + [runs])
+
+
+MOST_POINTS = 3  # on the page of the operating point; more have the next page
+
+
+def operating_points(report):
+    return (report["bearing"] or {}).get("points", [])
+
+
+def strength(report):
+    """Of a flexible cage; none where it is not known."""
+    return (report["bearing"] or {}).get("strength")
 
 
 def bands(report):
@@ -154,7 +208,7 @@ def appendix(report):
         ("convergence", "Are there enough runs?", report["convergence"]["rows"]),
         ("health", "Run health", report["health"]),
         ("model", "Model, assumptions and scatter", True),
-        ("definitions", "Definitions", report["quantities"]),
+        ("definitions", "Definitions", defined_quantities(report)),
         ("scene", "The scene, nominal values", report["provenance"]["scene"]),
         ("provenance", "Where this comes from", True),
     ]
@@ -167,13 +221,24 @@ def hundred(share):
 
 
 MOST_CANDIDATES = 12
+MOST_FAILURES = 25
+
+
+def same_yield(tolerance):
+    """The yield that all candidates have, where it is the same for all; else none."""
+    values = {round(c["yield"]["if_unknown_fail"], 4) for c in tolerance["candidates"] if c["shown"]}
+    alike = len(values) == 1 and len(tolerance["candidates"]) > 1
+    return next(c["yield"]["if_unknown_fail"] for c in tolerance["candidates"] if c["shown"]) if alike else None
 
 
 def candidates_shown(tolerance):
     """All candidates where they are few, else the chosen one and those whose yields lie nearest to it."""
     candidates = tolerance["candidates"]
+    if not any(candidate["shown"] for candidate in candidates):
+        return []
     if len(candidates) <= MOST_CANDIDATES:
         return candidates
+    candidates = [candidate for candidate in candidates if candidate["shown"]] or candidates
     chosen = next((c for c in candidates if c["candidate"] == tolerance["chosen_candidate"]), None)
     if chosen is None:
         return candidates[:MOST_CANDIDATES]
@@ -183,7 +248,7 @@ def candidates_shown(tolerance):
 
 
 def centre_points(centres):
-    return [{**point, "name": dimension["name"], "shift_um": 1e3 * point["shifts_mm"][number]}
+    return [{**point, "name": dimension["name"], "shift_mm": point["shifts_mm"][number]}
             for number, dimension in enumerate(centres["dimensions"]) for point in dimension["points"] if point["shown"]]
 
 
@@ -192,8 +257,16 @@ def names_with_units(quantities):
             for entry in quantities]
 
 
+def labelled(name):
+    """Of an operating point or a phase."""
+    return "@" in name
+
+
 def limited_names(report):
     return [entry["quantity"] for entry in report["limits"]["each"]]
+
+
+LEAST_SHARE = 0.05  # of a contributor without an interval
 
 
 def strongest(output):
@@ -201,7 +274,7 @@ def strongest(output):
     shares = sorted((share for share in output["shares"] if is_number(share["value"])), key=lambda share: -share["value"])
     texts = []
     for share in shares[:3]:
-        if is_number(share["lower"]) and share["lower"] <= 0:
+        if (share["lower"] if is_number(share["lower"]) else share["value"] - LEAST_SHARE) <= 0:
             break
         texts.append(f"{share['feature']} {percent_interval(share)}")
     return texts
@@ -224,9 +297,23 @@ def contributor_groups(report):
     rows = [{"output": output["output"], "strongest": strongest(output), "noise": noise_text(report, output["output"])}
             for output in report["contributors"]["outputs"] if not bookkeeping(report, output["output"])]
     deciding = sorted((row for row in rows if row["output"] in first), key=lambda row: first.index(row["output"]))
-    others = [row for row in rows if row["output"] not in first]
-    groups = [("", deciding), ("Quantities without limits" if deciding else "", others)]
+    others = [row for row in rows if row["output"] not in first and row["strongest"] and not labelled(row["output"])]
+    groups = [("", deciding), ("Quantities without limits", others)]
     return [(title, outputs) for title, outputs in groups if outputs]
+
+
+def deciding_contributors(report):
+    """Of passing the limits, of jams and of the limited quantities."""
+    groups = contributor_groups(report) if report["contributors"]["features"] and report["limits"]["each"] else []
+    return groups[0][1] if groups and groups[0][0] == "" else []
+
+
+def without_contributor(report):
+    """Quantities without limits for which no feature stands out."""
+    first = ["meets all limits", "jams"] + limited_names(report)
+    return [readable(output["output"]) for output in report["contributors"]["outputs"]
+            if output["output"] not in first and not bookkeeping(report, output["output"]) and not labelled(output["output"])
+            and not strongest(output)]
 
 
 def bookkeeping(report, name):
@@ -237,19 +324,22 @@ def bookkeeping(report, name):
 class QuantityGroups:
     def __init__(self, report):
         self.limited, self.others, self.constant, self.missing, self.bound_refused = [], [], [], [], ""
+        self.left_out = False
         names = limited_names(report)
         for entry in report["quantities"]:
             statistics = entry["statistics"]
             if statistics["runs_with_value"] == 0:
-                if "@" not in entry["quantity"]:  # what a point or a phase leaves out says nothing new
+                if not labelled(entry["quantity"]):  # what a point or a phase leaves out says nothing new
                     self.missing.append(readable(entry["quantity"]))
                 continue
             self.bound_refused = statistics["bound_refused"] or self.bound_refused
             if entry["quantity"] in names:
                 self.limited.append(entry)
-            elif entry.get("constant"):
+            elif labelled(entry["quantity"]) or entry["bookkeeping"]:
+                self.left_out = True
+            elif entry["constant"]:
                 self.constant.append(entry)
-            elif not entry.get("bookkeeping"):
+            else:
                 self.others.append(entry)
 
 
@@ -336,8 +426,19 @@ def relative_text(difference):
     return f"{100 * difference['value']:+.3g} %" if is_number(difference["value"]) else "-"
 
 
+def assumption_rows(report):
+    """Key, reason and range of each stated assumption."""
+    ranges = {entry["key"]: entry for entry in assumed_ranges(report)}
+    rows = stated_assumptions(report["assumptions"]["stated"])
+    for row in rows:
+        known = ranges.get(row["key"])
+        if known and not row["range"]:
+            row["range"] = f"{value_text(known['low'])} to {value_text(known['high'])}"
+    return rows
+
+
 def stated_assumptions(stated):
-    """Key, reason and range of each, in whatever form the study has them."""
+    """The same in whatever form the study has them."""
     if isinstance(stated, dict):
         return [{"key": key, "note": value_text(text), "range": ""} for key, text in stated.items()]
     rows = []
@@ -352,7 +453,10 @@ def stated_assumptions(stated):
 
 
 def defined_quantities(report):
-    return [entry for entry in report["quantities"] if entry["statistics"]["runs_with_value"] > 0]
+    """Those with a value; of points and phases a quantity is defined alike."""
+    names = [entry["quantity"] for entry in report["quantities"]]
+    return [entry for entry in report["quantities"] if entry["statistics"]["runs_with_value"] > 0
+            and not (labelled(entry["quantity"]) and entry["quantity"].split("@")[0] in names)]
 
 
 def libraries_text(libraries):

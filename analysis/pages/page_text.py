@@ -34,6 +34,7 @@ def rounded(value):
     """Three significant digits, without exponent where it can be avoided; "-" for none."""
     if not is_number(value):
         return "-"
+    value = float(f"{value:.9g}")  # 30.000000000002 is 30
     if value == math.floor(value) and abs(value) < 1e7:
         return f"{value:.0f}"
     if abs(value) < 1e-3 or abs(value) >= 1e7:
@@ -42,10 +43,10 @@ def rounded(value):
 
 
 def significant(value, digits=4):
-    """Rounded to significant digits before its point, too."""
-    if not is_number(value) or value == 0:
+    """Large numbers are rounded before their point, too."""
+    if not is_number(value) or abs(value) < 10**digits:
         return rounded(value)
-    return rounded(round(value, digits - 1 - math.floor(math.log10(abs(value)))))
+    return f"{round(value, digits - 1 - math.floor(math.log10(abs(value)))):.0f}"
 
 
 def whole(value):
@@ -125,7 +126,13 @@ def unit_suffix(unit):
 
 
 def bracketed(unit):
-    return "" if unit in ("", "-", None) else f" [{unit}]"
+    """" [1/rev]", which stays on one line."""
+    return "" if unit in ("", "-", None) else Markup(' <span class="u">[{}]</span>').format(unit)
+
+
+def kept(text, longest=20):
+    """On one line where it is short."""
+    return Markup('<span class="u">{}</span>').format(text) if len(text) <= longest else text
 
 
 def code(text):
@@ -163,12 +170,12 @@ def law_text(law):
 
 
 def scene_items(section, prefix=""):
-    """Every key of the scene with its value, flat; assumptions have a chapter of their own."""
+    """The keys of a scene with a value of their own, flat; assumptions have a chapter of their own."""
     items = []
     for key, value in section.items():
         if isinstance(value, dict):
             items += scene_items(value, prefix + key + ".")
-        elif prefix + key != "assumption":
+        elif prefix + key != "assumption" and value not in ("auto", []):
             items.append((prefix + key, value_text(value)))
     return items
 
@@ -191,8 +198,8 @@ def filters():
     return {"rounded": rounded, "fixed": fixed, "whole": whole, "significant": significant, "plain": plain, "general": general, "signed": signed,
             "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
             "percent_down": percent_down, "stated_percent": stated_percent, "percent_interval": percent_interval,
-            "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "breakable": breakable,
-            "value_text": value_text, "law_text": law_text, "scene_items": scene_items, "with_error": with_error,
+            "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "kept": kept, "breakable": breakable,
+            "value_text": value_text, "law_text": law_text, "with_error": with_error,
             "readable": readable, "joined": joined}
 
 

@@ -27,6 +27,23 @@ bool shown(const Yield& yield) {
   return yield.ess >= kLeastEffectiveRuns;
 }
 
+/// Where the centre of a dimension is in question.
+Json nominal_json(const ReportBasis& basis, std::size_t dimension) {
+  const ToleranceDimension& plan = basis.study.plan.dimensions[dimension];
+  const InputColumns* input = find_input(basis.study, plan.key);
+  return plan.centres.empty() || input == nullptr ? Json() : Json(input->nominal.front());
+}
+
+/// Nominal values of a candidate; null where a dimension's is not in question.
+Json candidate_centres(const ReportBasis& basis, const Candidate& candidate) {
+  Json list = Json::array();
+  for (std::size_t d = 0; d < basis.study.plan.dimensions.size(); ++d) {
+    const Json nominal = nominal_json(basis, d);
+    list.push_back(nominal.is_null() ? Json() : Json(nominal.get<double>() + candidate.shift(d)));
+  }
+  return list;
+}
+
 Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
   Json list = Json::array();
   for (std::size_t k = 0; k < curves.candidates.size(); ++k) {
@@ -36,19 +53,13 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
                     {"bands_mm", plan.bands_mm},
                     {"shifts", plan.shifts},
                     {"grades", plan.grades},
+                    {"centres", candidate_centres(basis, plan)},
                     {"shown", shown(curves.candidates[k])},
                     {"pooled", curves.candidates[k].pooled},
                     {"jam_share", k < jam.size() ? Json(jam[k]) : Json()},
                     {"yield", to_json(curves.candidates[k])}});
   }
   return list;
-}
-
-/// Where the centre of a dimension is in question.
-Json nominal_json(const ReportBasis& basis, std::size_t dimension) {
-  const ToleranceDimension& plan = basis.study.plan.dimensions[dimension];
-  const InputColumns* input = find_input(basis.study, plan.key);
-  return plan.centres.empty() || input == nullptr ? Json() : Json(input->nominal.front());
 }
 
 Json dimensions_json(const ReportBasis& basis, const YieldCurves& curves,
@@ -126,6 +137,12 @@ std::string list_of(const std::vector<std::string>& items) {
   return text;
 }
 
+/// Whether more runs give no judgement than the target lets fail.
+bool unknown_runs_decide(const StudyPlan& plan, const Yield& yield) {
+  return yield.upper_bound >= plan.target_yield &&
+         yield.unknown_runs > (1 - plan.target_yield) * yield.runs;
+}
+
 std::string statement_of(const ReportBasis& basis, const Recommendation& result,
                          bool some_binding) {
   const StudyPlan& plan = basis.study.plan;
@@ -144,12 +161,17 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
     text = "No tolerance studied limits the yield: the study gives no band to print.";
   else if (result.meets_target)
     text = fmt::format("Recommended: {}, full width of the tolerance.", list_of(bands));
-  else if (result.yield.unknown_runs > 0 && result.yield.upper_bound >= plan.target_yield)
+  else if (unknown_runs_decide(plan, result.yield))
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
         "judgement, and the yield lies between {} and {}, as they fail or pass. The best is {}.",
         result.yield.unknown_runs, result.yield.runs, percent(result.yield.if_unknown_fail),
         percent(result.yield.if_unknown_pass), list_of(bands));
+  else if (result.yield.upper_bound >= plan.target_yield)
+    text = fmt::format(
+        "Not known whether a candidate tolerance meets the target: the runs are too few. The best "
+        "is {}.",
+        list_of(bands));
   else
     text = fmt::format("No candidate tolerance meets the target. The best is {}.{}", list_of(bands),
                        some_binding ? ""
@@ -196,9 +218,8 @@ const char* status_of(const StudyPlan& plan, const Recommendation& result) {
                   [](const RecommendedBand& band) { return band.not_binding; }))
     return "no_band";
   if (result.meets_target) return "recommended";
-  return result.yield.unknown_runs > 0 && result.yield.upper_bound >= plan.target_yield
-             ? "not_known"
-             : "none_meets";
+  if (result.yield.upper_bound < plan.target_yield) return "none_meets";
+  return unknown_runs_decide(plan, result.yield) ? "not_known" : "open";
 }
 
 const char* status_without_candidates(const ReportBasis& basis, bool too_few) {

@@ -34,6 +34,11 @@ Json step(const std::string& missing, const std::string& command) {
   return {{"missing", missing}, {"command", command.empty() ? Json() : Json(command)}};
 }
 
+bool has_cage(const Json& scene) {
+  return !scene.is_object() || !scene.contains("cage") ||
+         scene["cage"].value("model", "") != "none";
+}
+
 bool is_staged(const ReportBasis& basis) {
   return basis.directory.find('/') != std::string::npos;
 }
@@ -105,6 +110,10 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
   Json steps = Json::array();
   if (status == "recommended") steps.push_back(unconfirmed_step(basis));
   if (status == "not_known") steps.push_back(unknown_step(basis));
+  if (status == "open")
+    steps.push_back(
+        step("Runs enough to tell, of which `recommend` makes as many as it needs.",
+             is_staged(basis) ? more_runs(basis, 3) : "cagetol recommend STUDY -o OTHER_DIR"));
   if (status == "too_few_runs")
     steps.push_back(
         step("More runs, so that every candidate has enough effective ones.", more_runs(basis, 3)));
@@ -125,9 +134,11 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
     steps.push_back(
         step("Candidate tolerances: dimensions with WIDTH, the full width in mm that the scatter "
              "of the study belongs to.",
-             "cagetol recommend STUDY -o OTHER_DIR --set "
-             "'tolerance.dimension=[{key=\"cage.pocket_width_mm\", band_mm=WIDTH, "
-             "candidates=[\"IT9\", \"IT10\", \"IT11\", \"IT12\"]}]'"));
+             fmt::format("cagetol recommend STUDY -o OTHER_DIR --set "
+                         "'tolerance.dimension=[{{key=\"{}\", band_mm=WIDTH, "
+                         "candidates=[\"IT9\", \"IT10\", \"IT11\", \"IT12\"]}}]'",
+                         has_cage(basis.study.plan.scene) ? "cage.pocket_width_mm"
+                                                          : "roller.diameter_mm")));
   if (status == "no_yield" && report["trends"].is_null())
     steps.push_back(step("Rows that follow the laws of the inputs.",
                          "cagetol sweep STUDY -o OTHER_DIR --set design='\"random\"'"));
@@ -140,12 +151,17 @@ std::string convergence_statement(const Json& report) {
   const Json& limiting = report["convergence"]["limiting"];
   if (!limiting.is_object()) return "Too few runs for a statement on their number.";
   const double needed = limiting["runs_still_needed"];
-  if (needed > 0)
+  if (needed > 0) {
+    const std::string statistic = limiting["statistic"], quantity = limiting["quantity"];
     return fmt::format(
-        "About {:.0f} more runs until the {} of {} is known as well as wanted; "
-        "everything else needs fewer.",
-        needed, limiting["statistic"].get<std::string>(), limiting["quantity"].get<std::string>());
-  for (const char* open : {"not_known", "too_few_runs", "not_confirmed"})
+        "About {:.0f} more runs until the {} of the scatter as sampled is known as well as wanted; "
+        "everything else needs fewer.{}",
+        needed, statistic == "yield" ? quantity : statistic + " of " + quantity,
+        report["verdict"]["status"] == "confirmed"
+            ? " The verdict does not wait for them: it rests on its own fresh runs."
+            : "");
+  }
+  for (const char* open : {"not_known", "open", "too_few_runs", "not_confirmed"})
     if (report["verdict"]["status"] == open)
       return "The quantities below are known as well as wanted, the verdict is not: what it needs "
              "stands on the first page.";
@@ -173,11 +189,12 @@ Json stress_json(const StudyData& runs) {
 std::string no_index(const Json& report, const Json& entry) {
   constexpr double kFar = 3.3;  // ten standard deviations
   const Json& cpk = entry["cpk"]["value"];
-  if (entry["outside_ppm"] == 0 && cpk.is_number() && cpk.get<double>() > kFar)
+  if (cpk.is_number() && cpk.get<double>() > kFar)
     return fmt::format(
-        "no run misses the limit, which lies {:.0f} standard deviations of the scatter beyond the "
-        "mean: no index is given where nothing is at stake",
-        3 * cpk.get<double>());
+        "the limit lies {:.0f} standard deviations of the scatter beyond the mean: no index is "
+        "given where nothing is at stake{}",
+        3 * cpk.get<double>(),
+        entry["outside_ppm"] == 0 ? "" : "; what counts as outside are cages that jam");
   for (const Json& quantity : report["quantities"]) {
     if (quantity["quantity"] != entry["quantity"]) continue;
     const Json& share = quantity["noise"]["share"]["value"];
@@ -231,6 +248,11 @@ void finish_verdict(const ReportBasis& basis, Json& report) {
   std::vector<std::string> sentences =
       sentences_of(verdict.value("judgement", verdict["statement"].get<std::string>()));
   verdict.erase("judgement");
+  std::int64_t runs = report["outcomes"]["samples"];
+  if (report["confirmation"].is_object())
+    for (const Json& attempt : report["confirmation"]["attempts"])
+      runs += attempt["runs"].get<std::int64_t>();
+  report["outcomes"]["samples_with_attempts"] = runs;
   verdict["headline"] = sentences.empty() ? "" : sentences.front();
   if (!sentences.empty()) sentences.erase(sentences.begin());
   verdict["grounds"] = sentences;

@@ -58,7 +58,7 @@ Json bearing_group(const Scene& scene, const OperatingPoint& at) {
       .text("bore × outside × width",
             fmt::format("{:.6g} × {:.6g} × {:.6g} mm", 1e3 * b.bore_diameter,
                         1e3 * b.outside_diameter, 1e3 * b.width))
-      .text("rollers", fmt::format("{}, diameter {:.6g} mm, length {:.6g} mm", b.roller_count,
+      .text("rollers", fmt::format("{}, each {:.6g} × {:.6g} mm", b.roller_count,
                                    1e3 * scene.roller.diameter.front(), 1e3 * scene.roller.length))
       .value("dynamic load rating C", 1e-3 * at.dynamic_rating, "kN")
       .value("static load rating C0", 1e-3 * at.static_rating, "kN")
@@ -71,7 +71,7 @@ Json load_group(const Scene& scene, const OperatingPoint& at) {
   entries.value("radial load", operation.radial_load, "N");
   if (operation.axial_load != 0) entries.value("axial load", operation.axial_load, "N");
   if (operation.rotating_load != 0) entries.value("rotating load", operation.rotating_load, "N");
-  if (!operation.table.empty()) entries.text("duty", "load or speed follow a table over time");
+  if (!operation.table.empty()) entries.text("duty", "load or speed change over time");
   entries.value("speed of the inner ring", operation.inner_speed / kRpm, "r/min");
   if (operation.outer_speed != 0)
     entries.value("speed of the outer ring", operation.outer_speed / kRpm, "r/min");
@@ -138,7 +138,7 @@ Json oil_group(const Scene& scene, const OperatingPoint& at) {
   else
     entries.value("dynamic viscosity", 1e3 * oil.viscosity, "mPa s");
   return entries.value("film at the inner race", 1e6 * at.film, "µm")
-      .value("film over roughness, lambda", at.lambda, "-")
+      .value("film over roughness", at.lambda, "-")
       .titled("Lubricant");
 }
 

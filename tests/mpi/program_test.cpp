@@ -147,7 +147,14 @@ TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
   const Ended drawn = run(report);
   EXPECT_EQ(drawn.code, 0) << drawn.output;
   EXPECT_THAT(file_bytes(scratch / "1/report.html"),
-              HasSubstr("The largest stress of all samples"));
+              AllOf(HasSubstr("The largest stress of all samples"),
+                    HasSubstr("NU, flanges on the outer ring"), HasSubstr("steel-q235")));
+  EXPECT_THAT(file_bytes(scratch / "1/report.json"), HasSubstr("\"name\": \"load ratio C/P\""));
+  EXPECT_EQ(
+      run({"/usr/bin/python3", "-B", CAGETOL_SOURCE_DIR "/tests/unit/analysis/numbers_of_pages.py",
+           scratch / "1/report.json", scratch / "1/report.html"})
+          .code,
+      0);
   std::filesystem::remove(peak);
   EXPECT_EQ(run(report).code, 0);
   EXPECT_FALSE(std::filesystem::exists(peak)) << "a report runs no sample";

@@ -1,0 +1,239 @@
+// The pages of a report: what they say agrees with itself and with report.json, on screen and in
+// print.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "analysis/report/json_parts.hpp"
+#include "analysis/report/report.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/report_page.hpp"
+#include "tests/support/synthetic_grid.hpp"
+#include "tests/support/synthetic_study.hpp"
+
+namespace cagetol {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+/// What a reader sees of a piece of HTML.
+std::string text_of(const std::string& html) {
+  return std::regex_replace(html, std::regex("<[^>]*>"), " ");
+}
+
+/// The bearing of the synthetic study, as `cagetol report` states it.
+Json bearing() {
+  return {{"name", "NU 205"},
+          {"groups",
+           {{{"title", "Load and speed"},
+             {"entries",
+              {{{"name", "radial load"}, {"value", 1000}, {"unit", "N"}},
+               {{"name", "speed factor n dm"}, {"value", 234000.4}, {"unit", "mm/min"}},
+               {{"name", "load ratio C/P"}, {"value", 28.6}, {"unit", "-"}}}}}}},
+          {"model", {"Every roller moves in space."}},
+          {"points", Json::array()},
+          {"warnings", {"load.radial_N = 100 N is too light"}},
+          {"strength", {{"fatigue_MPa", 165}, {"yield_MPa", 235}}},
+          {"section", {{"radial_load_N", 1000}, {"inner_speed_rpm", 6000}, {"outer_speed_rpm", 0}}},
+          {"drawing", nullptr}};
+}
+
+/// Fresh runs at IT11 for both dimensions, of which the first ones jam.
+StudyData fresh_runs(std::size_t jammed) {
+  StudyData study = make_synthetic_study({.rows = 200,
+                                          .seed = 71,
+                                          .replicate_share = 0,
+                                          .failed_share = 0,
+                                          .stress_limit = 1000,
+                                          .whirl_limit = 100});
+  study.plan.whole["candidates"] = {
+      {{"bands_mm", {0.09, 0.09}}, {"grades", {"IT11", "IT11"}}, {"scales", {0.9, 0.9}}}};
+  study.plan.candidates.resize(1);
+  study.plan.candidates[0] = {
+      .bands_mm = {0.09, 0.09}, .grades = {"IT11", "IT11"}, .scales = {0.9, 0.9}};
+  std::fill(study.candidate.begin(), study.candidate.end(), 0);
+  std::fill(study.status.begin(), study.status.end(), RunStatus::ok);
+  for (Column& quantity : study.quantities)
+    std::fill(quantity.values.begin(), quantity.values.end(), 50.0);
+  for (std::size_t i = 0; i < jammed; ++i) study.status[i] = RunStatus::jammed;
+  return study;
+}
+
+struct PageCase {
+  const char* status;
+  Json report;
+};
+
+std::vector<PageCase> cases() {
+  const auto of = [](const SyntheticOptions& options) {
+    return make_report(make_synthetic_study(options));
+  };
+  const StudyData study = make_synthetic_study();
+  StudyData unlimited = make_synthetic_study({.rows = 60});
+  unlimited.plan.limits.clear();
+  return {{"recommended", of({})},
+          {"confirmed", make_report(study, {fresh_runs(0)}, "DIR/mixture")},
+          {"not_confirmed", make_report(study, {fresh_runs(30)}, "DIR/mixture")},
+          {"none_meets", of({.rows = 1500, .stress_limit = 40})},
+          {"open", of({.rows = 200, .failed_share = 0})},
+          {"not_known", of({.rows = 1500, .failed_share = 1.0})},
+          {"too_few_runs", of({.rows = 40})},
+          {"no_limits", make_report(unlimited)},
+          {"no_candidates", of({.rows = 60, .candidates = false})},
+          {"no_yield", of({.rows = 200, .design = "grid"})},
+          {"no_runs", make_report(select_samples(study, {}))}};
+}
+
+TEST(ReportPages, NoStatementOfTheFirstPageContradictsAnother) {
+  for (const auto& [status, report] : cases()) {
+    SCOPED_TRACE(status);
+    ASSERT_EQ(report["verdict"]["status"], status);
+    const std::string page = page_of(report), first = text_of(section_of(page, "verdict"));
+    const bool printed = status == std::string("confirmed") || status == std::string("recommended");
+    EXPECT_EQ(report["verdict"]["meets_target"].get<bool>() && !report["tolerance"].is_null(),
+              printed);
+    if (printed) {
+      EXPECT_THAT(first, HasSubstr("What may be printed on the drawing"));
+      EXPECT_THAT(first, HasSubstr("\u2265"));
+      EXPECT_THAT(first, HasSubstr("full width"));
+      EXPECT_THAT(first, Not(ContainsRegex("No tolerance|[Nn]o candidate|Not known")));
+      EXPECT_EQ(first.find("unconfirmed") != std::string::npos,
+                status == std::string("recommended"));
+    } else {
+      EXPECT_THAT(first, HasSubstr("No tolerance to print on the drawing yet"));
+      EXPECT_THAT(first, Not(HasSubstr("\u2265")));
+      EXPECT_THAT(first,
+                  Not(ContainsRegex("Recommended|Confirmed|at this tolerance|, full width")));
+      // What is missing, and the command that gets it.
+      EXPECT_THAT(first, HasSubstr("What is missing"));
+      EXPECT_FALSE(report["verdict"]["next"].empty());
+      EXPECT_THAT(section_of(page, "verdict"), HasSubstr("<code class=\"command\">cagetol "));
+    }
+    if (status == std::string("open") || status == std::string("too_few_runs")) {
+      EXPECT_THAT(text_of(page), Not(HasSubstr("Every quantity is known as well as wanted")));
+    }
+    EXPECT_THAT(page, Not(ContainsRegex(">-?nan|None<|Undefined")));
+  }
+}
+
+TEST(ReportPages, ALateStatementDoesNotSayEnoughWhereTheFirstAsksForMore) {
+  StudyData study = make_synthetic_study({.failed_share = 0});
+  for (Column& quantity : study.quantities)
+    for (double& value : quantity.values) value = std::isnan(value) ? value : 50;
+  const auto statement = [&](const std::vector<StudyData>& attempts) {
+    return text_of(section_of(page_of(make_report(study, attempts)), "convergence"));
+  };
+  EXPECT_THAT(statement({fresh_runs(0)}), HasSubstr("Every quantity is known as well as wanted"));
+  EXPECT_THAT(statement({fresh_runs(30)}), HasSubstr("the verdict is not"));
+}
+
+TEST(ReportPages, EveryNumberIsOneOfReportJson) {
+  const ScratchDirectory scratch;
+  const auto problems = [&](const Json& report, const std::string& page) {
+    std::ofstream(scratch / "report.json") << report;
+    std::ofstream(scratch / "report.html") << page;
+    Process check({"/usr/bin/python3", "-B",
+                   CAGETOL_SOURCE_DIR "/tests/unit/analysis/numbers_of_pages.py",
+                   scratch / "report.json", scratch / "report.html"});
+    return check.wait() == 0 ? std::string() : check.output();
+  };
+  const StudyData study = make_synthetic_study();
+  for (const Json& report : {make_report(study, {fresh_runs(30), fresh_runs(1)}, "DIR/mixture", {},
+                                         {}, {}, {}, bearing()),
+                             make_report(make_synthetic_grid(4)),
+                             make_report(make_synthetic_study({.rows = 300, .failed_share = 0.1}))})
+    EXPECT_EQ(problems(report, page_of(report)), "");
+  // A number from elsewhere is found.
+  const Json report = make_report(study, {}, "DIR", {}, {}, {}, {}, bearing());
+  std::string page = page_of(report);
+  const std::string known = "234000 mm/min";
+  ASSERT_NE(page.find(known), std::string::npos);
+  page.replace(page.find(known), 3, "279");
+  EXPECT_THAT(problems(report, page), HasSubstr("279000"));
+}
+
+TEST(ReportPages, LimitedQuantitiesComeFirstAndLabelsAreNoContributors) {
+  StudyData study = make_synthetic_study({.rows = 400});
+  study.quantities.push_back({"cage_stress_peak_station", "-", "a label", {}});
+  study.quantities.push_back({"ring_tilt_mean_mrad", "mrad", "the same in every run", {}});
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    const double width = study.inputs[0].lot.empty() ? 0 : study.inputs[0].lot[i];
+    study.quantities[study.quantities.size() - 2].values.push_back(width > 0 ? 38 : 97);
+    study.quantities.back().values.push_back(0.3 * (1 + 1e-16 * static_cast<double>(i % 3)));
+  }
+  const Json report = make_report(study);
+  const std::string page = page_of(report);
+  const std::string drives = text_of(section_of(page, "contributors")),
+                    statistics = text_of(section_of(page, "quantities"));
+  EXPECT_THAT(drives, Not(HasSubstr("stress peak station")));
+  EXPECT_LT(drives.find("cage stress peak"), drives.find("cage slip ratio"));
+  EXPECT_LT(statistics.find("whirl radius ratio p95"), statistics.find("cage slip ratio"));
+  const std::size_t same = statistics.find("The same in every run");
+  ASSERT_NE(same, std::string::npos);
+  EXPECT_NE(statistics.find("ring tilt mean", same), std::string::npos);
+  EXPECT_EQ(statistics.find("ring tilt mean"), statistics.find("ring tilt mean", same));
+}
+
+TEST(ReportPages, NoNoiseAboveTheWholeVariance) {
+  Json report = make_report(make_synthetic_study({.rows = 200}));
+  for (Json& quantity : report["quantities"])
+    quantity["noise"]["share"] = {{"value", 1.42}, {"lower", 0.14}, {"upper", 5.43}};
+  const std::string drives = text_of(section_of(page_of(report), "contributors"));
+  EXPECT_THAT(drives, HasSubstr("all of it (above 14 %)"));
+  EXPECT_THAT(drives, Not(HasSubstr("142 %")));
+}
+
+TEST(ReportPages, NoIndexWhereNothingIsAtStakeAndNoWorstSamplesThatMeet) {
+  const Json report =
+      make_report(make_synthetic_study({.rows = 400, .stress_limit = 1e5, .whirl_limit = 50}));
+  const std::string page = page_of(report);
+  const std::string capability = text_of(section_of(page, "capability")),
+                    failures = text_of(section_of(page, "failures"));
+  EXPECT_THAT(capability, HasSubstr("no index is given where nothing is at stake"));
+  EXPECT_THAT(failures, HasSubstr("The run nearest to each limit that none misses"));
+  EXPECT_THAT(failures, Not(HasSubstr("miss a limit most")));
+  EXPECT_THAT(failures, HasSubstr("cagetol replay DIR --sample"));
+}
+
+TEST(ReportPages, ArePrintedWithHeaderContentsAndPageNumbers) {
+  if (Process({"/usr/bin/python3", "-c", "import weasyprint"}).wait() != 0)
+    GTEST_SKIP() << "Debian's weasyprint is not installed";
+  const ScratchDirectory scratch;
+  write_synthetic_study(make_synthetic_study({.rows = 400}), scratch / "study.h5");
+  testing::internal::CaptureStdout();
+  run_report(scratch.path(),
+             {.bearing = [](const auto&) { return bearing(); }, .figures = false, .pdf = true});
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("report.pdf"));
+  std::ifstream pdf(scratch / "report.pdf", std::ios::binary);
+  std::string start(5, ' ');
+  pdf.read(start.data(), 5);
+  EXPECT_EQ(start, "%PDF-");
+  Process reading({"/usr/bin/pdftotext", "-layout", scratch / "report.pdf", scratch / "text"});
+  if (reading.wait() != 0) GTEST_SKIP() << "pdftotext (Debian's poppler-utils) is not installed";
+  const std::string text = page_text(scratch / "text");
+  std::vector<std::string> pages;
+  for (std::size_t at = 0, end; (end = text.find('\f', at)) != std::string::npos; at = end + 1)
+    pages.push_back(text.substr(at, end - at));
+  ASSERT_GT(pages.size(), 5u);
+  EXPECT_THAT(pages[0], HasSubstr("What may be printed on the drawing"));
+  EXPECT_THAT(pages[1], HasSubstr("Operating point"));
+  EXPECT_THAT(pages[2], HasSubstr("Limits and their sources"));
+  EXPECT_THAT(pages[3], HasSubstr("Appendix, for the engineer"));
+  EXPECT_THAT(pages[3], ContainsRegex("Error budget *\\.+ *[0-9]+"));
+  for (std::size_t k = 0; k < pages.size(); ++k) {
+    EXPECT_THAT(pages[k], HasSubstr("Tolerance report: synthetic")) << "page " << k + 1;
+    EXPECT_THAT(pages[k],
+                HasSubstr("page " + std::to_string(k + 1) + " of " + std::to_string(pages.size())));
+  }
+  // Long words stand whole in their columns.
+  for (const char* word : {"cage_stress_peak_MPa", "revolutions", "confirm"})
+    EXPECT_THAT(text, HasSubstr(word));
+}
+
+}  // namespace
+}  // namespace cagetol
