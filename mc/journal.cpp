@@ -223,7 +223,7 @@ JournalContent read_journal(const std::string& path) {
         skipped == rest.size()
             ? fmt::format("{}: the last record is torn ({} bytes from byte {}) and left out", path,
                           skipped, place)
-            : fmt::format("{}: damaged at byte {}: {} bytes left out, the records behind them used",
+            : fmt::format("{}: damaged at byte {}: {} bytes left out, the records after them used",
                           path, place, skipped));
     rest.remove_prefix(skipped);
   }

@@ -201,8 +201,8 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
   if (too_few)
     return fmt::format(
         "No tolerance can be recommended: every candidate has fewer than {:.0f} effective runs. "
-        "Run more samples, or fewer candidates, in another directory (of `recommend`: raise "
-        "recommend.budget_samples; what a directory was begun with stays).",
+        "Run more samples, or fewer candidates, in another directory: a directory keeps the "
+        "numbers of runs it was begun with (of `recommend`: raise recommend.budget_samples).",
         kLeastEffectiveRuns);
   if (basis.study.plan.limits.empty())
     return "The study states no limits: there is nothing to judge a tolerance by.";

@@ -119,11 +119,12 @@ PassedOver reason_of(const StudyData& runs, const Yield& yield, std::size_t k) {
             0};
   const double expected = std::min(expected_yield(yield), share_without_jam(runs, k));
   if (expected <= plan.target_yield)
-    return {k,
-            fmt::format("its yield, estimated at {} and at least {}, cannot be told from the "
-                        "target",
-                        percent(yield.if_unknown_fail), percent(yield.lower_bound)),
-            0};
+    return {
+        k,
+        fmt::format("its yield, estimated at {} and at least {}, cannot be distinguished from the "
+                    "target",
+                    percent(yield.if_unknown_fail), percent(yield.lower_bound)),
+        0};
   const std::size_t needed = confirmation_size(expected, alone);
   return {k,
           fmt::format("the runs left would hardly have confirmed its yield, estimated at {}",

@@ -139,8 +139,8 @@ void add_check_command(CLI::App& app, Chosen& chosen) {
     std::vector<std::string> settings;
     bool json = false;
   };
-  auto* command =
-      app.add_subcommand("check", "Read a scene or study file and say what it amounts to");
+  auto* command = app.add_subcommand(
+      "check", "Check a scene or study without simulating; print its operating point");
   command->footer("Example:\n  cagetol check inputs/studies/nu205.toml");
   auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "Scene or study file")->required();

@@ -24,7 +24,7 @@ void log_notes(const Study& study) {
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings) {
   command
       .add_option("--set", settings,
-                  "Give a key another value, as in the file: --set load.radial_N=300 (repeatable)")
+                  "Set a key, written as in the file: --set load.radial_N=300 (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -36,7 +36,7 @@ void add_progress_option(CLI::App& command, ProgressStyle& style) {
                                                        {"off", ProgressStyle::off}};
   command
       .add_option("--progress", style,
-                  "line: one that rewrites itself; plain: for logs; auto: as stderr is")
+                  "line: one line that rewrites itself; plain: for logs; auto: line on a terminal")
       ->transform(CLI::CheckedTransformer(styles))
       ->type_name("auto|line|plain|off")
       ->option_text("auto|line|plain|off");

@@ -53,11 +53,12 @@ int run_ladder(const LadderArguments& options) {
 
 void add_ladder_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
-      "ladder", "Find the least model that each quantity of interest needs, on common samples");
+      "ladder",
+      "Find the cheapest model that is good enough for each quantity, on the same samples");
   command->footer(
       "Rungs go from equilibria without motion over planar rollers and a rigid cage to a flexible\n"
-      "one with all its modes, each in a sweep of its own, DIR/rungs/RUNG; started again, the\n"
-      "command goes on. A rung is adequate where its shift against the highest rung is within the\n"
+      "one with all its modes, each in a sweep of its own, DIR/rungs/RUNG; the same command\n"
+      "resumes it. A rung is adequate where its shift against the highest rung is within the\n"
       "budget with its whole 95 % interval, settled where no shift can matter to the study's "
       "limit\n"
       "because all runs are far on one side of it; where the samples do not tell, the answer is\n"

@@ -18,7 +18,7 @@ namespace {
 
 std::string reason_of(const ModelLadder& ladder, std::size_t chosen, long pilot_samples) {
   if (chosen + 1 < ladder.rungs.size())
-    return "the cheapest rung that will do for every limited quantity";
+    return "the cheapest rung that is good enough for every limited quantity";
   if (ladder.samples < static_cast<std::size_t>(pilot_samples))
     return fmt::format("the highest rung: a first look at {} samples finds no other within reach",
                        ladder.samples);
@@ -26,8 +26,9 @@ std::string reason_of(const ModelLadder& ladder, std::size_t chosen, long pilot_
   for (const LadderQuantity& quantity : ladder.quantities)
     if (quantity.limited() && !quantity.ladder.least)
       open += (open.empty() ? "" : ", ") + quantity.name;
-  if (open.empty()) return "the highest rung: no cheaper one will do for every limited quantity";
-  return fmt::format("the highest rung: {} samples do not tell for {}", ladder.samples, open);
+  if (open.empty())
+    return "the highest rung: no cheaper one is good enough for every limited quantity";
+  return fmt::format("the highest rung: {} samples do not decide it for {}", ladder.samples, open);
 }
 
 FidelityDecision decision_of(const ModelLadder& ladder, long pilot_samples) {

@@ -185,7 +185,7 @@ int run_limits(const LimitsArguments& options) {
 
 void add_limits_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
-      "limits", "How quantities scatter at nominal scatter, how far limits are, which decide");
+      "limits", "Show how quantities scatter, how far their limits are, and which limits decide");
   command->footer(
       "Examples:\n  cagetol limits inputs/studies/nu205.toml -o out/nu205-limits\n"
       "  mpirun -n 2 cagetol limits inputs/studies/nu205.toml --samples 300 -o out/nu205-limits\n"

@@ -46,11 +46,11 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
       "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs");
   command->footer(
-      "Stages: DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a sweep;\n"
-      "started again, the command goes on where it was interrupted, with a larger\n"
-      "recommend.budget_samples or recommend.budget_h too. Exit code 0: decided; with\n"
-      "--exit-code 1 where no tolerance is confirmed. recommend.assumption_samples, set\n"
-      "at once or later, judges the verdict at both ends of every range of an [[assumption]].\n\n"
+      "Stages: DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a sweep. The\n"
+      "same command resumes an interrupted run, also with a larger recommend.budget_samples or\n"
+      "recommend.budget_h. Exit code 0: decided; with --exit-code 1 where no tolerance is\n"
+      "confirmed. recommend.assumption_samples, set at once or later, judges the verdict at both\n"
+      "ends of every range of an [[assumption]].\n\n"
       "Examples:\n  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  mpirun cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8\n"
@@ -58,7 +58,8 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
       "recommend.assumption_samples=auto");
   auto options = std::make_shared<RecommendArguments>();
   command->add_option("STUDY", options->file, "Study file")->required();
-  add_output_directory(*command, options->stages.directory, "Directory of the stages");
+  add_output_directory(*command, options->stages.directory,
+                       "Directory of the results, one folder a stage");
   add_settings_option(*command, options->settings);
   command->add_flag("--exit-code", options->stages.exit_code,
                     "End with 1 where no tolerance is confirmed");

@@ -14,17 +14,18 @@ namespace cagetol {
 void add_report_command(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand(
       "report", "Write report.html, report.json and CSV tables from DIR/study.h5");
-  command->footer("Example:\n  cagetol report out/nu205");
+  command->footer("Examples:\n  cagetol report out/nu205\n  cagetol report out/nu205 --pdf");
   struct Arguments {
     std::string directory;
     ReportOptions options;
   };
   const auto arguments = std::make_shared<Arguments>();
   arguments->options.bearing = bearing_facts;
-  add_result_directory(*command, "DIR", arguments->directory, "directory of the sweep");
+  add_result_directory(*command, "DIR", arguments->directory,
+                       "Directory of a sweep or a recommendation");
   command->add_flag("--json", arguments->options.json_to_stdout,
-                    "print report.json on standard output");
-  command->add_flag("--pdf", arguments->options.pdf, "write report.pdf, too (needs weasyprint)");
+                    "Print report.json on standard output");
+  command->add_flag("--pdf", arguments->options.pdf, "Write report.pdf, too (needs weasyprint)");
   command->callback([arguments, &chosen] {
     chosen = [arguments] {
       try {

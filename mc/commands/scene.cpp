@@ -107,7 +107,7 @@ void add_scene_command(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<Options>();
   command->add_option(
       "DESIGNATION", options->designation,
-      "A bearing; case and blanks do not count, the suffix may be left out (of --list: a part)");
+      "Designation, in any case, with or without blanks and suffix; with --list a part of it");
   command->add_option("--cage", options->make, "Make of the cage; left out: by the suffix")
       ->check(CLI::IsMember(choice_texts<CageMake>()));
   command->add_option("--guidance", options->guidance, "What guides the cage; left out: outer")

@@ -51,7 +51,7 @@ int run_stability(const StabilityArguments& options) {
 void add_stability_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
       "stability",
-      "Map where integration methods are right, degraded, wrong or say that they fail");
+      "Map where each integration method is right, degraded, silently wrong, or fails");
   command->footer(
       "Ends with 1 where a method is silently wrong or the default method is not right.\n"
       "Example:\n  cagetol stability -o out/stability --fast --methods rodas3,semi-implicit-euler");

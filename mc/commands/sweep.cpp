@@ -92,12 +92,13 @@ int run_sweep(const SweepArguments& options) {
 
 void add_sweep_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
-      "sweep", "Run every sample of a study; started again, it goes on where it was interrupted");
+      "sweep", "Run every sample of a study; the same command resumes an interrupted sweep");
   command->footer(
       "With fidelity = \"auto\" in the study a pilot in DIR/fidelity chooses the model first; "
       "with\n"
-      "multifidelity = \"auto\" cheap runs in DIR/companion help where they pay.\n"
-      "SIGUSR1 drains: samples in flight finish, everything is written, exit code 75.\n\n"
+      "multifidelity = \"auto\" cheap runs in DIR/companion sharpen the estimates\n"
+      "where they pay.\n"
+      "SIGUSR1 ends the sweep gently: running samples finish and are stored, exit code 75.\n\n"
       "Examples:\n  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  mpirun cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  cagetol sweep inputs/studies/nu205.toml -o out/small --set samples=16");

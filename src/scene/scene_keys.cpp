@@ -290,8 +290,8 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"window.measure_revolutions", above(0), AT(window.measure_revolutions), "cage revolutions measured; of window.measure = \"auto\": at most, a whole number"},
       {"window.measure_share", above(0, 1), AT(window.measure_share), "of window.measure = \"auto\": half the width of a mean's 95 % interval over its magnitude, for each watched mean; from its scatter between cage revolutions"},
       {"window.peak_revolutions", or_auto(above(0)), AT(window.peak_revolutions), "cage revolutions from the beginning of the window over which peaks, minima and quantiles are taken; auto: the whole window, not with window.measure = \"auto\", where it must be the same for all samples"},
-      {"window.extrapolate_revolutions", or_auto(above(0)), AT(window.extrapolate_revolutions), "cage revolutions to which peaks are extrapolated from the largest values of single revolutions (*_peak_extrapolated_*), which takes at least 5 revolutions; auto: not"},
-      {"window.longest_settle_revolutions", at_least(0), AT(window.longest_settle_revolutions), "cage revolutions to which settling is extended, by the length of the window at a time, while a lubricated bearing drifts; after that the run has failed"},
+      {"window.extrapolate_revolutions", or_auto(above(0)), AT(window.extrapolate_revolutions), "cage revolutions to which peaks are extrapolated from the largest values of single revolutions (*_peak_extrapolated_*), which takes at least 5 revolutions; auto: no extrapolation"},
+      {"window.longest_settle_revolutions", at_least(0), AT(window.longest_settle_revolutions), "cage revolutions to which settling is extended, by the length of the window at a time, while a lubricated bearing drifts; one that still drifts then has failed"},
       {"window.settle_time_s", or_auto(at_least(0)), AT(window.settle_time), "time before measuring; auto: settle_revolutions; under a duty over time, until its first phase begins, else for one period of one that repeats, else 0"},
       {"window.measure_time_s", or_auto(above(0)), AT(window.measure_time), "time measured; auto: measure_revolutions; under a duty over time, until its last phase ends, else one period of one that repeats, else until its last instant"},
       {"window.history_interval_us", above(0), AT(history_interval), "interval of time histories, where they are asked for"},
@@ -303,11 +303,11 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"integration.fixed_step_us", above(0), AT(integration.fixed_step), "step of fixed-step methods"},
       {"integration.max_order", within(1, 5), AT(integration.max_order), "highest order of cvode-bdf"},
       {"integration.step_budget", within(1, 1e12), AT(integration.step_budget), "attempted steps after which a run is censored"},
-      {"integration.wall_budget_s", at_least(0), AT(integration.wall_budget), "wall-clock limit of a run, ends it as not run; 0: none"},
-      {"watch.static_consistency_max", above(0), AT(watch.static_consistency_max), "a run whose static consistency error is larger, by more than its window tells, has failed"},
-      {"watch.energy_residual_max", above(0), AT(watch.energy_residual_max), "a run whose relative energy residual is larger, by more than its steps resolve, has failed"},
-      {"watch.cage_drift_max", above(0), AT(watch.cage_drift_max), "a lubricated bearing is not stationary while the mean speed of its cage changes by more than this share of the kinematic speed over the window, and by more than chance"},
-      {"watch.power_surplus_max", above(0), AT(watch.power_surplus_max), "likewise while it stores or gives back energy of motion by more than this share of the power dissipated"},
+      {"integration.wall_budget_s", at_least(0), AT(integration.wall_budget), "wall-clock limit of a run, which then counts as not run; 0: none"},
+      {"watch.static_consistency_max", above(0), AT(watch.static_consistency_max), "largest static consistency error; a run that exceeds it by more than its window leaves open has failed"},
+      {"watch.energy_residual_max", above(0), AT(watch.energy_residual_max), "largest relative energy residual; a run that exceeds it by more than its steps leave open has failed"},
+      {"watch.cage_drift_max", above(0), AT(watch.cage_drift_max), "largest change of the cage's mean speed over the window, as a share of the kinematic speed; while a lubricated bearing exceeds it, by more than chance, it is not stationary"},
+      {"watch.power_surplus_max", above(0), AT(watch.power_surplus_max), "likewise the largest energy of motion stored or given back, as a share of the power dissipated"},
   };
   keys.insert(keys.end(), table.begin(), table.end());
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The checks of rooms and of format find what they are there for: checks_fail.sh SOURCE_DIR. Each is provoked in a
-# small tree of its own.
+# The checks of rooms, format and documents find what they are there for: checks_fail.sh SOURCE_DIR. Each is provoked in
+# a small tree of its own.
 set -u
 source=$1
 tree=$(mktemp -d); trap 'rm -rf "$tree" "$tree.out"' EXIT
@@ -16,6 +16,9 @@ fresh() {
   printf '#include "analysis/statistics/own.hpp"\n' >> "$tree/mc/benchmark/own.cpp"
   printf '#include "analysis/own.hpp"\n' > "$tree/mc/commands/report.cpp"
   cp "$source/.clang-format" "$tree"
+  mkdir "$tree/docs"
+  printf '[docs](docs/own.md)\n' > "$tree/README.md"
+  printf '[up](../README.md)\n' > "$tree/docs/own.md"
 }
 passes() { # CHECK: it finds nothing, or nothing in what it can check
   local code=0
@@ -58,6 +61,11 @@ rooms '^mc/benchmark includes' mc/benchmark/own.cpp '#include "mc/commands/own.h
 rooms '^mc/commands/report.cpp includes' mc/commands/report.cpp '#include "src/own.hpp"'
 rooms '^MPI belongs' src/own.cpp '#include <mpi.h>'
 rooms '^MPI belongs' analysis/statistics/own.cpp '#include <hdf5.h>'
+documents() { expect_failure check_documents.sh "$@"; }
+documents 'links to missing.md' docs/own.md '[page](missing.md)'
+documents 'links to own.md' README.md '[page](own.md#chapter)'
+documents 'README.md has 1001 words' README.md "$(printf 'word %.0s' {1..1000})"
+documents 'over 120 columns' docs/own.md "$(printf 'word %.0s' {1..25})"
 format() { expect_failure check_format.sh "$@"; }
 format 'over 100 columns' src/own.hpp "// $(printf 'word %.0s' {1..20})"
 if command -v clang-format-14 >/dev/null; then

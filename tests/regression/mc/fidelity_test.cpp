@@ -56,7 +56,8 @@ class Fidelity : public testing::Test {
 TEST_F(Fidelity, ASettledLimitTakesTheCheapestRungAndThePilotsRuns) {
   const Ended automatic = sweep("auto", far_limit_);
   ASSERT_EQ(automatic.code, 0) << automatic.output;
-  EXPECT_THAT(automatic.output, HasSubstr("fidelity: planar, the cheapest rung that will do"));
+  EXPECT_THAT(automatic.output,
+              HasSubstr("fidelity: planar, the cheapest rung that is good enough"));
   EXPECT_THAT(automatic.output, HasSubstr("8 runs of the pilot are the study's own"));
   EXPECT_THAT(automatic.output, HasSubstr("8 of 13 samples are already done"));
   EXPECT_TRUE(climbed("auto", "full"));

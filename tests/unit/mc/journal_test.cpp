@@ -183,7 +183,7 @@ TEST_F(JournalTest, DamageInTheMiddleIsNamedWithItsPlace) {
   write_bytes(path, bytes);
   EXPECT_THAT(read_journal(path).notes,
               ElementsAre(testing::AllOf(HasSubstr(path + ": damaged at byte"),
-                                         HasSubstr("the records behind them used"))));
+                                         HasSubstr("the records after them used"))));
 }
 
 TEST_F(JournalTest, ForeignFilesAreNamedAndLeftOut) {
