@@ -1,4 +1,4 @@
-// Page faults cost a short run a tenth of its time (tests/ACCURACY.md, Speed): a process takes the
+// Page faults cost a short run a tenth of its time (src/DECISIONS.md, Speed): a process takes the
 // memory that every run needs at its start, and keeps it.
 #pragma once
 

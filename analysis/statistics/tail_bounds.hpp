@@ -11,8 +11,8 @@
 // the law is taken as exponential:
 //   share <= k / n exp(-(limit - u) / theta_U)
 //   theta_U = theta 2 k / chi2_{1 - confidence}(2 k),   theta mean of the k excesses over u
-// Valid for tails that decrease at least exponentially in the outer quarter. tests/ACCURACY.md
-// tests both bounds on other laws.
+// Valid for tails that decrease at least exponentially in the outer quarter;
+// SettledLimit.IsSeldomWrong (tests/unit/analysis) tries both bounds on other laws.
 #pragma once
 
 #include <span>

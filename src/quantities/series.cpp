@@ -40,7 +40,7 @@ class Cubic {
   double at(double u) const {
     return first_ + (last_ - first_) * u + u * (1 - u) * (quadratic_ + cubic_ * (1 - 2 * u));
   }
-  /// Without the cubic term, to which a step's error adds (tests/ACCURACY.md).
+  /// Without the cubic term, to which a step's error adds (`convergence.src`, PocketForceRms).
   double mean_square() const {
     return (first_ * first_ + first_ * last_ + last_ * last_) / 3 +
            quadratic_ * (first_ + last_) / 6 + quadratic_ * quadratic_ / 30;

@@ -68,7 +68,7 @@ struct SeenStep {
 
 /// Divides time into steps and into the instants of a record, one every `interval` seconds. Values
 /// at an instant are interpolated. Values of the nearest state would be biased: forces that grow
-/// while steps grow would be too low (tests/ACCURACY.md).
+/// while steps grow would be too low.
 class StepClock {
  public:
   StepClock(double begin, double interval) : next_(begin), interval_(interval) {}
@@ -137,7 +137,7 @@ class TrapeziumCorrection {
   }
 
  private:
-  // By measurement: tests/ACCURACY.md.
+  // By measurement of energy residuals (src/DECISIONS.md, Watches).
   static constexpr double kShorter = 4, kCorner = 10, kNever = 1e300;
   Pair before_{};  ///< curvatures
   long parabolas_ = 0;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kBlocks = kDriftBlocks;
 
 /// From which multiple of its scatter a drift is more than chance: by measurement
-/// (tests/ACCURACY.md).
+/// (src/DECISIONS.md, Watches).
 constexpr double kChance = 5;
 
 std::string number(double x) {

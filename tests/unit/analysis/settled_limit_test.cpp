@@ -157,7 +157,7 @@ TEST(SettledLimit, IsSeldomWrong) {
     double most_at_once, most_at_four;  ///< with the share as large as allowed, and four times that
   };
   // The error of a model is 2.5 %, and 1000 repeats scatter. The last two have heavier tails than
-  // is assumed (tests/ACCURACY.md).
+  // is assumed (src/DECISIONS.md).
   for (const Case& c : {Case{"normal", normal_score, 0.005, 0},
                         {"exponential", exponential, 0.035, 0.015},
                         {"lognormal_0.25", lognormal(0.25), 0.02, 0.01},

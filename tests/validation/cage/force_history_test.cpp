@@ -190,7 +190,7 @@ TEST(NightlyForceHistory, GivesTheSameStressAtAllDensities) {
       const StressFigures figures = under_forces(history, *other, body, cage, answer);
       print("density " + std::to_string(density) + ", " + names[answer], figures, wanted[answer]);
       // Coarser cages ring at frequencies up to 3.5 % above the default's: their peaks are those of
-      // other instants, up to 5 % off, and tests/ACCURACY.md says so.
+      // other instants, up to 5 % off, and src/DECISIONS.md says so.
       if (answer == kOwnFrequencies && density < usual.cage.mesh_density) continue;
       const double bound = answer == kOwnFrequencies ? 0.03 : 0.01;
       EXPECT_NEAR(figures.peak / wanted[answer].peak, 1, bound) << density << names[answer];

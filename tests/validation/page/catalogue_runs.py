@@ -5,7 +5,7 @@ with 1 otherwise:
 
     python3 tests/validation/page/catalogue_runs.py --program build/cagetol
 
-Runs are kept in build/catalogue-runs by scene, settings and program.
+Runs are kept in build/catalogue-runs by scene, settings and program. --json FILE writes what accuracy_page.py reads.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import tomllib
 from pathlib import Path
 
 from program import Program
+from results import stamp, write_results
 from torque_models import SERIES, palmgren_torque, ratio_to_nearer, skf_torque
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -71,19 +72,19 @@ def row_of(program, name, settings):
     return name, run, models, ratio_to_nearer(run["friction_torque_Nmm"], *models)
 
 
-def failed_makes(program, settings):
-    """Prints a line for each make and guidance that fits; how many runs failed."""
-    failures = 0
+def makes_of(program, settings):
+    """A row for each make and guidance that fits: bearing, make, guidance, status, peak stress [MPa]."""
+    rows = []
     for name in SIZES:
         for make in MAKES:
             for guidance in ("outer", "inner", "roller"):
                 if (make, guidance) == ("steel-sheet", "roller"):
                     continue  # refused
                 run, _ = run_of(program, settings, name, "--cage", make, "--guidance", guidance)
-                failures += not run.ok
+                rows.append((name, make, guidance, run.status, run["cage_stress_peak_MPa"]))
                 print(f"{name:<14} {run.status:<7} {run['friction_torque_Nmm']:8.0f} "
                       f"{run['cage_stress_peak_MPa']:8.1f} MPa  {make}, {guidance}  {run.reason}", flush=True)
-    return failures
+    return rows
 
 
 def main():
@@ -91,22 +92,26 @@ def main():
     parser.add_argument("--program", default=str(ROOT / "build/cagetol"), help="executable (build/cagetol)")
     parser.add_argument("--cache", help="directory of kept runs (catalogue-runs beside the program)")
     parser.add_argument("--quick", action="store_true", help="two bearings, rigid cages, one revolution")
+    parser.add_argument("--json", help="file for the results (tests/validation/results/catalogue.json)")
     options = parser.parse_args()
     beside = Path(options.program).resolve().parent / "catalogue-runs"
     program = Program(options.program, options.cache or beside)
     names = random.Random(SEED).sample(with_raceways(program.path), 2 if options.quick else 20)
     settings = SETTINGS | (QUICK if options.quick else {})
-    failures = 0
+    failures, rows = 0, []
     print(f"{'bearing':<14} {'run':<7} {'torque':>8} {'SKF':>8} {'Palmgren':>8} {'ratio':>6} {'slip':>7}  [N mm]")
     for name in names:
         _, run, models, ratio = row_of(program, name, settings)
         kept = run.ok and 1 / BAR <= ratio <= BAR
         failures += not kept
+        rows.append((name, run.status, run["friction_torque_Nmm"], *models, ratio, run["cage_slip_ratio"]))
         print(f"{name:<14} {run.status:<7} {run['friction_torque_Nmm']:8.0f} {models[0]:8.0f} {models[1]:8.0f} "
               f"{ratio:6.2f} {run['cage_slip_ratio']:7.4f}  {'' if kept else 'MISSED ' + run.reason}", flush=True)
     print(f"{len(names) - failures} of {len(names)} within a factor of {BAR}")
-    if not options.quick:
-        failures += failed_makes(program, settings)
+    makes = [] if options.quick else makes_of(program, settings)
+    failures += sum(status != "ok" for _, _, _, status, _ in makes)
+    if options.json:
+        write_results(options.json, stamp(program), bar=BAR, bearings=rows, makes=makes)
     return 1 if failures else 0
 
 

@@ -1,6 +1,7 @@
 """Markdown and figures of the page."""
 
 import math
+import os
 from pathlib import Path
 
 import matplotlib
@@ -68,16 +69,29 @@ class Page:
     def __init__(self, text, figures):
         self.text, self.figures = Path(text), Path(figures)
         self.lines, self.failures, self.bars = [], [], []
+        self.headings, self.tables = [""], {}  # tables by their heading, as results
         self.figures.mkdir(parents=True, exist_ok=True)
 
     def add(self, *lines):
+        for line in lines:
+            if line.startswith("#"):
+                self.headings.append(line.lstrip("# "))
         self.lines += lines
 
     def heading(self, title):
         self.add(f"## {title}", "")
 
     def table(self, head, rows):
+        title = self.headings[-1]
+        while title in self.tables:
+            title += ", continued"
+        self.tables[title] = {"head": list(head), "rows": [[str(cell) for cell in row] for row in rows]}
         self.add(*table(head, rows))
+
+    def results(self):
+        """All that accuracy_page.py may want of the page."""
+        return {"bars": [list(row) for row in self.bars], "failures": [list(row) for row in self.failures],
+                "tables": self.tables}
 
     def bar(self, what, asked, found, met):
         """Notes a bar that a result was held to, for the table at the top."""
@@ -92,4 +106,4 @@ class Page:
     def figure(self, name, figure, caption):
         figure.savefig(self.figures / f"{name}.svg", metadata={"Date": None})
         pyplot.close(figure)
-        self.add(f"![{caption}]({self.figures.name}/{name}.svg)", "")
+        self.add(f"![{caption}]({os.path.relpath(self.figures, self.text.parent)}/{name}.svg)", "")

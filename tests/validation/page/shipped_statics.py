@@ -20,6 +20,7 @@ from film_formulas import effective_modulus
 from load_distribution import RollerSet, distribution, hertz_pressure
 from load_section import POISSON, STATICS, YOUNG
 from program import Program
+from results import stamp, write_results
 
 ROOT = Path(__file__).resolve().parents[3]
 BAR = 5e-3
@@ -81,16 +82,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True)
     parser.add_argument("--cache", default=ROOT / "build/shipped-statics")
+    parser.add_argument("--json", help="file for the results (tests/validation/results/statics.json)")
     arguments = parser.parse_args()
     program = Program(arguments.program, arguments.cache)
-    failures = 0
+    failures, rows = 0, []
     print(f"{'scene':<28}{'rollers, %':>12}{'displacement, %':>18}{'pressure, %':>14}")
     for path in sorted((ROOT / "inputs/scenes").glob("*.toml")):
         worst, why = errors_of(program, as_made(path, program.cache))
         wrong = worst is None or max(worst) > BAR
         failures += wrong
+        rows.append((path.stem, worst))
         cells = why if worst is None else f"{1e2 * worst[0]:>12.3f}{1e2 * worst[1]:>18.3f}{1e2 * worst[2]:>14.3f}"
         print(f"{path.stem:<28}{cells}{'  failed' if wrong else ''}")
+    if arguments.json:
+        write_results(arguments.json, stamp(program), bar=BAR, scenes=rows)
     sys.exit(1 if failures else 0)
 
 
