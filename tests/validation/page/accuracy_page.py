@@ -10,6 +10,7 @@ The words are in accuracy_text.md, where {{name}} stands for a table or a number
 """
 
 import argparse
+import math
 import re
 import subprocess
 import sys
@@ -109,6 +110,25 @@ def methods(results):
     return table(["cage", "setting", "wall time / simulated time", "error"], rows)
 
 
+def exponent(points):
+    """Slope of log time over log size by least squares; a size of 0 is left out."""
+    logs = [(math.log(x), math.log(y)) for x, y in points if x > 0]
+    mean_x, mean_y = (sum(column) / len(logs) for column in zip(*logs))
+    return sum((x - mean_x) * (y - mean_y) for x, y in logs) / sum((x - mean_x) ** 2 for x, _ in logs)
+
+
+def growing(results):
+    """Time over each axis of the cost page: its ends, and the exponents of all points and of the last two."""
+    rows = []
+    for title, content in results["cost"]["tables"].items():
+        if content["head"][0] == title:  # a table of one number that grows
+            points = [(float(row[0]), float(row[1])) for row in content["rows"]]
+            (first, least), (last, most) = points[0], points[-1]
+            rows.append((title, f"{first:g} to {last:g}", f"{least:g} to {most:g}", f"{exponent(points):.2f}",
+                         f"{exponent(points[-2:]):.2f}"))
+    return table(["one number changed", "from, to", "wall time / simulated time", "exponent", "of the last two"], rows)
+
+
 def written():
     results = {name: stored(name) for name in MADE_BY}
     cases = tomllib.loads((HERE / "cases.toml").read_text(encoding="utf-8"))
@@ -118,7 +138,7 @@ def written():
               "pairs": str(results["bias"]["biases"][0][1]),
               "budget": part(results, "budget", "budget"), "rungs": part(results, "rungs", "rungs"),
               "limited": part(results, "cost", "Error against cost: the quantities that the default study limits"),
-              "growth": part(results, "cost", "As the study grows")}
+              "growing": growing(results), "growth": part(results, "cost", "As the study grows")}
     text = (HERE / "accuracy_text.md").read_text(encoding="utf-8")
     return re.sub(r"\{\{(\w+)\}\}", lambda found: values[found.group(1)], text)
 
