@@ -1,4 +1,4 @@
-"""The lubricated bearing beside what others publish: results for accuracy_page.py (tests/validation/results/validation.json),
+"""The lubricated bearing beside what others publish: results for accuracy_page.py (validation/results/validation.json),
 figures (tests/figures) and a page with every table, build/validation-page/VALIDATION.md.
 
     python3 tests/validation/page/validation_page.py --program build/cagetol
