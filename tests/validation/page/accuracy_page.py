@@ -6,7 +6,7 @@ Without --program from the stored results, on any machine within a second. With 
 or two; kept runs are not run again) and store theirs. --check compares with the page that is there, counts its words and
 looks for the tests that it names; it ends with 1 where one of them is wrong.
 
-The words are in accuracy_text.md, where {{name}} stands for a table or a number; the cases are in cases.toml.
+The words are in accuracy_text.md.in, where {{name}} stands for a table or a number; the cases are in cases.toml.
 """
 
 import argparse
@@ -140,7 +140,7 @@ def written():
               "budget": part(results, "budget", "budget"), "rungs": part(results, "rungs", "rungs"),
               "limited": part(results, "cost", "Error against cost: the quantities that the default study limits"),
               "growing": growing(results), "growth": part(results, "cost", "As the study grows")}
-    text = (HERE / "accuracy_text.md").read_text(encoding="utf-8")
+    text = (HERE / "accuracy_text.md.in").read_text(encoding="utf-8")
     return re.sub(r"\{\{(\w+)\}\}", lambda found: values[found.group(1)], text)
 
 
@@ -166,11 +166,11 @@ def faults(text, page):
     """What is wrong with the page, a line each."""
     lines = [line for line in text.splitlines() if not line.startswith("|")]
     words = sum(len(line.split()) for line in lines)
-    found = [] if words <= WORDS else [f"{words} words beside tables, more than {WORDS}: shorten accuracy_text.md"]
+    found = [] if words <= WORDS else [f"{words} words beside tables, more than {WORDS}: shorten accuracy_text.md.in"]
     found += [f"line of {len(line)} columns: {line[:60]}..." for line in lines if len(line) > COLUMNS]
     found += [f"cases.toml names a test that is not there: {name}" for name in missing_tests()]
     if not page.exists() or page.read_text(encoding="utf-8") != text:
-        found.append(f"{page} is not what accuracy_page.py writes: run it, and edit accuracy_text.md or cases.toml instead")
+        found.append(f"{page} is not what accuracy_page.py writes: run it, and edit accuracy_text.md.in or cases.toml instead")
     return found
 
 
