@@ -10,4 +10,5 @@ build all
 [ -n "$nightly" ] && export CAGETOL_NIGHTLY=1
 which=(--label-exclude nightly --timeout 600)
 [ -n "$nightly" ] && which=(--timeout 14400)
-exec ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)" "${which[@]}"
+# One more than cores: tests of ranks, of which one runs at a time, mostly wait.
+exec ctest --test-dir build --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" "${which[@]}"
