@@ -27,7 +27,7 @@ for cell in json.load(open("example.ipynb", encoding="utf-8"))["cells"]:
 study, run, figures = of_notebook["study"], of_notebook["run"], of_notebook["figures"]
 report = json.load(open(os.environ["OUT"] + "/report.json", encoding="utf-8"))
 
-assert figures["pareto"].svg.count("<path") > 10
+assert figures["limited_quantities"].svg.count("<path") > 10
 assert set(figures) == {file[:-4] for file in os.listdir(os.environ["OUT"] + "/figures") if file.endswith(".svg")}
 with h5py.File(os.environ["OUT"] + "/study.h5", "r") as file:
     width = file["inputs/cage.pocket_width_mm/value"]
