@@ -1,5 +1,6 @@
 """The figures of a report, drawn again from its report.json by the scripts that drew the report."""
 
+import base64
 import pathlib
 import subprocess
 import sys
@@ -12,8 +13,9 @@ class Drawing:
     def __init__(self, name, svg):
         self.name, self.svg = name, svg
 
-    def _repr_svg_(self):
-        return self.svg[self.svg.index("<svg"):]  # notebooks want no XML declaration
+    def _repr_html_(self):
+        # As an image: converters of notebooks strip SVG that stands in the page.
+        return f'<img alt="{self.name}" src="data:image/svg+xml;base64,{base64.b64encode(self.svg.encode()).decode()}">'
 
     def save(self, path):
         pathlib.Path(path).write_text(self.svg, encoding="utf-8")
