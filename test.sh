@@ -6,6 +6,7 @@ cd "$(dirname "$0")"
 nightly=
 [ "${1:-}" = --nightly ] && nightly=1
 need_packages "${program_packages[@]}" "${figure_packages[@]}" "${test_packages[@]}"
+[ -n "$nightly" ] && need_packages chromium # plays the animations
 build all
 [ -n "$nightly" ] && export CAGETOL_NIGHTLY=1
 which=(--label-exclude nightly --timeout 600)

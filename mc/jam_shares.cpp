@@ -68,12 +68,22 @@ void apply_tolerance(const Study& study, const std::vector<Deviation>& deviation
   }
 }
 
+bool has_jams(const Study& study) {
+  return !study.candidates.empty() && !study.scene.allow_interference;
+}
+
+std::vector<BandsAndCentres> tolerances_of_candidates(const Study& study) {
+  std::vector<BandsAndCentres> all;
+  for (const Candidate& candidate : study.candidates)
+    all.push_back({candidate.scales, candidate.shifts});
+  return all;
+}
+
 /// Each candidate, then each point of each curve.
 std::vector<BandsAndCentres> all_tolerances(const Study& study, std::vector<JamCurve>& curves) {
-  std::vector<BandsAndCentres> all;
+  std::vector<BandsAndCentres> all = tolerances_of_candidates(study);
   std::vector<double> narrowest = study.candidates.front().scales, widest = narrowest;
   for (const Candidate& candidate : study.candidates) {
-    all.push_back({candidate.scales, candidate.shifts});
     for (std::size_t d = 0; d < narrowest.size(); ++d) {
       narrowest[d] = std::min(narrowest[d], candidate.scales[d]);
       widest[d] = std::max(widest[d], candidate.scales[d]);
@@ -93,12 +103,8 @@ std::vector<BandsAndCentres> all_tolerances(const Study& study, std::vector<JamC
   return all;
 }
 
-}  // namespace
-
-JamShares jam_shares(const Study& study) {
-  JamShares jams;
-  if (study.candidates.empty() || study.scene.allow_interference) return jams;
-  const auto tolerances = all_tolerances(study, jams.curves);
+/// Share of the drawn cages that jam at each tolerance.
+std::vector<double> shares_at(const Study& study, const std::vector<BandsAndCentres>& tolerances) {
   const Study plain = with_bands_of_the_laws(study);
   const auto deviations = deviations_of(plain);
   const Sampler sampler(plain);
@@ -111,14 +117,28 @@ JamShares jam_shares(const Study& study) {
       jammed[k] += find_jam(scene).pocket >= 0;
     }
   }
-  const auto share = [&](std::size_t k) {
-    return static_cast<double>(jammed[k]) / static_cast<double>(kJamCages);
-  };
-  for (std::size_t k = 0; k < study.candidates.size(); ++k) jams.candidate.push_back(share(k));
-  std::size_t next = study.candidates.size();
+  std::vector<double> shares;
+  for (const long count : jammed)
+    shares.push_back(static_cast<double>(count) / static_cast<double>(kJamCages));
+  return shares;
+}
+
+}  // namespace
+
+JamShares jam_shares(const Study& study) {
+  JamShares jams;
+  if (!has_jams(study)) return jams;
+  const auto shares = shares_at(study, all_tolerances(study, jams.curves));
+  auto next = shares.begin() + static_cast<std::ptrdiff_t>(study.candidates.size());
+  jams.candidate.assign(shares.begin(), next);
   for (JamCurve& curve : jams.curves)
-    for (std::size_t p = 0; p < curve.band_mm.size(); ++p) curve.share.push_back(share(next++));
+    for (std::size_t p = 0; p < curve.band_mm.size(); ++p) curve.share.push_back(*next++);
   return jams;
+}
+
+std::vector<double> candidate_jam_shares(const Study& study) {
+  if (!has_jams(study)) return {};
+  return shares_at(study, tolerances_of_candidates(study));
 }
 
 }  // namespace cagetol

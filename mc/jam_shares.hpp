@@ -16,4 +16,7 @@ inline constexpr double kWidestJamBand = 2.5;
 /// `cage.allow_interference` simulates jams.
 JamShares jam_shares(const Study& study);
 
+/// Those of the candidates alone, in a fraction of the time.
+std::vector<double> candidate_jam_shares(const Study& study);
+
 }  // namespace cagetol

@@ -20,10 +20,6 @@ nlohmann::ordered_json drawn(double value, int digits = 4) {
   return std::stod(fmt::format("{:.{}g}", value, digits));
 }
 
-double of_roller(const PackVector& values, std::size_t roller) {
-  return values[roller];
-}
-
 double interval_of(const Scene& scene, const BearingModel& model) {
   const WindowTimes times = window_times(scene, model);
   const double run = times.settle + times.longest;
@@ -93,10 +89,9 @@ void MotionFrames::record(const Instant& at) {
   for (std::size_t j = 0; j < pocket_angle_.size(); ++j) {
     const double angle = at.y[model.layout.position(kAngle, static_cast<int>(j))];
     frame.place.push_back(pitch_radius_ * std::remainder(angle - phi - pocket_angle_[j], kTurn));
-    frame.race_force.push_back(
-        std::max(of_roller(seen.inner_force, j), of_roller(seen.outer_force, j)));
-    frame.leading_force.push_back(of_roller(seen.leading_force, j));
-    frame.trailing_force.push_back(of_roller(seen.trailing_force, j));
+    frame.race_force.push_back(std::max(seen.inner_force[j], seen.outer_force[j]));
+    frame.leading_force.push_back(seen.leading_force[j]);
+    frame.trailing_force.push_back(seen.trailing_force[j]);
   }
   frames_.push_back(std::move(frame));
   if (frames_.size() > kMost) frames_.pop_front();

@@ -1,4 +1,6 @@
-"""What is shown, and in which order: the selections that templates make from report.json. Nothing is computed here."""
+"""What is shown, and in which order: the selections that templates make from report.json. Nothing is computed here.
+
+Above 400 lines: one short function for each table or list of a page."""
 
 import math
 

@@ -3,13 +3,10 @@
 
 #include <memory>
 
-#include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/motion_page.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/replay.hpp"
-#include "mc/sample_run.hpp"
-#include "src/scene/operating_clearance.hpp"
+#include "mc/sample_motion.hpp"
 
 namespace cagetol {
 namespace {
@@ -23,13 +20,7 @@ int run_animate(const AnimateArguments& options) {
   const StoredSample stored = read_stored_sample(options.directory, options.sample);
   for (const std::string& note : stored.notes) fmt::print(stderr, "cagetol: {}\n", note);
   require_dynamic(stored.sample.scene, "animate", options.directory, "motion");
-  SimulateOptions extras;
-  if (is_flexible(stored.study.scene))
-    extras = CageTables(stored.study.scene).options_of(stored.sample.scene);
-  MotionFrames frames(operating_scene(stored.sample.scene));
-  const Outcome outcome = run_sample(stored.study, stored.sample, extras, [&](const Instant& at) {
-                            frames.record(at);
-                          }).outcome;
+  const auto [outcome, frames] = record_motion(stored);
   const std::string file = options.file.empty()
                                ? fmt::format("{}/motion-{}.html", options.directory, options.sample)
                                : options.file;

@@ -67,11 +67,11 @@ std::string dimensions_text(const Study& study) {
 
 /// How many cages of the candidates cannot be assembled or turn: geometry alone decides.
 std::string jams_text(const Study& study) {
-  const JamShares jams = jam_shares(study);
+  const std::vector<double> shares = candidate_jam_shares(study);
   std::string text;
   std::size_t over = 0;
   double most = 0;
-  for (const double share : jams.candidate) {
+  for (const double share : shares) {
     over += share > 1 - study.tolerance.target_yield;
     most = std::max(most, share);
   }
@@ -82,7 +82,7 @@ std::string jams_text(const Study& study) {
     text += fmt::format(
         "warning: {} of {} candidates miss the target yield of {:.6g} % by jams alone, whatever "
         "the limits\n",
-        over, jams.candidate.size(), 100 * study.tolerance.target_yield);
+        over, shares.size(), 100 * study.tolerance.target_yield);
   return text;
 }
 

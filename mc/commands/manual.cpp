@@ -1,5 +1,5 @@
-// cagetol --man-page and --completion: the manual and bash's completion, made from the command line
-// itself, so that neither can be behind it.
+// cagetol --man-page and --completion: the manual and bash's completion. Both are made from the
+// command line itself, so they always agree with it.
 #include <fmt/format.h>
 
 #include <algorithm>

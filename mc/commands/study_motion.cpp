@@ -8,14 +8,10 @@
 #include <optional>
 
 #include "analysis/study/study_data.hpp"
-#include "mc/cage_cache.hpp"
 #include "mc/file_write.hpp"
-#include "mc/motion_frames.hpp"
-#include "mc/replay.hpp"
-#include "mc/sample_run.hpp"
+#include "mc/sample_motion.hpp"
 #include "mc/signals.hpp"
 #include "mc/study_file/study_file_error.hpp"
-#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {
@@ -66,19 +62,12 @@ bool is_current(const std::filesystem::path& file, const Json& key) {
 }
 
 Json motion_of(const std::filesystem::path& sweep_directory, std::int64_t id) {
-  const StoredSample stored =
-      read_stored_sample(sweep_directory.string(), static_cast<std::uint64_t>(id));
-  SimulateOptions options;
-  if (is_flexible(stored.study.scene))
-    options = CageTables(stored.study.scene).options_of(stored.sample.scene);
-  options.stop_requested = SignalWatch::stopping;
-  MotionFrames frames(operating_scene(stored.sample.scene));
-  const Outcome outcome = run_sample(stored.study, stored.sample, options, [&](const Instant& at) {
-                            frames.record(at);
-                          }).outcome;
-  if (outcome.status == Status::not_run)
+  const SampleMotion motion =
+      record_motion(read_stored_sample(sweep_directory.string(), static_cast<std::uint64_t>(id)),
+                    SignalWatch::stopping);
+  if (motion.outcome.status == Status::not_run)
     throw std::runtime_error("interrupted; start the same command again to make it");
-  return frames.json();
+  return motion.frames.json();
 }
 
 }  // namespace

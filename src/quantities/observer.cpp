@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kStaticsInstants = 64;
 constexpr int kDutyInstants = 256;          // likewise under a duty over time
-constexpr double kStaticsAccuracy = 1e-6;   // of the balance, in shares of the load
+constexpr double kStaticsAccuracy = 1e-6;   // of the balance, over the load
 constexpr double kRecordInterval = 20e-6;   // of the thinner record that quantiles use, at most [s]
 constexpr double kStressInterval = 100e-6;  // likewise of the cage's stress, which costs more
 // Of them between two rollers that pass, at least.

@@ -151,9 +151,9 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "step; modes and the static rest of bar forces and turning. Bars and the fillets of pocket "
      "corners (cage.corner_radius_mm) have a fine mesh of their own"},
     {"cage_stress_p99_MPa", "MPa",
-     "99 % quantile over time (every 100 us) of the largest stress over the cage"},
+     "99 % quantile over time (at most 100 us apart) of the largest stress over the cage"},
     {"cage_stress_rms_MPa", "MPa",
-     "rms over time (every 100 us) of the largest stress over the cage"},
+     "rms over time (at most 100 us apart) of the largest stress over the cage"},
     {"cage_stress_peak_pocket", "-",
      "pocket beside which the peak stress sits, counted from 0 (sector from bar middle to bar "
      "middle)"},
