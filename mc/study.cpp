@@ -254,10 +254,17 @@ std::vector<std::string> study_notes(const Study& study) {
     notes.push_back("nothing varies: no key of the scene is a distribution");
   else if (varied.names.empty())
     notes.push_back("only noise varies: no input by lot or pocket");
+  return notes;
+}
+
+std::vector<std::string> sweep_notes(const Study& study) {
+  std::vector<std::string> notes = study_notes(study);
   const auto candidates = static_cast<long>(study.candidates.size());
   if (candidates > 0 && study.samples < 100 * candidates)
-    notes.push_back(std::to_string(study.samples) + " rows for " + std::to_string(candidates) +
-                    " candidate tolerances: fewer than 100 each");
+    notes.push_back(
+        std::to_string(study.samples) + " rows for " + std::to_string(candidates) +
+        " candidate tolerances: fewer than 100 each, which decides few of them; `cagetol "
+        "recommend` spends its runs where they decide");
   return notes;
 }
 

@@ -140,6 +140,9 @@ void require_word_of_oil(const Study& study, const std::string& file);
 /// revolutions, the window has 2".
 std::vector<std::string> study_notes(const Study& study);
 
+/// These, and what concerns a sweep of the study's own rows alone, which is no recommendation.
+std::vector<std::string> sweep_notes(const Study& study);
+
 /// Of these, what a simplified model (the scene's section [model]) leaves out of this study.
 std::vector<std::string> model_notes(const Study& study);
 

@@ -159,8 +159,15 @@ def margins_shown(margins):
     return [margin for margin in each if margin in order], [margin for margin in each if margin not in order]
 
 
+MOST_WARNINGS = 4  # that page is to stay one page
+
+
 def bearing_warnings(bearing):
-    return bearing["warnings"] + [f"at {point['name']}: {warning}" for point in bearing["points"] for warning in point["warnings"]]
+    """Those for the page of the operating point, and those that the appendix takes."""
+    if not bearing or "warnings" not in bearing:
+        return [], []
+    warnings = bearing["warnings"] + [f"at {point['name']}: {warning}" for point in bearing["points"] for warning in point["warnings"]]
+    return warnings[:MOST_WARNINGS], warnings[MOST_WARNINGS:]
 
 
 UNITS = {"um": "µm", "C": "°C", "mrad": "mrad", "mm": "mm", "N": "N", "rpm": "r/min", "deg": "deg", "MPa": "MPa", "GPa": "GPa"}

@@ -1,7 +1,8 @@
 """Lays report.json out: write_pages.py REPORT_JSON REPORT_HTML [--figures SCRIPTS OUTPUT_DIR] [--pdf REPORT_PDF].
 
 Every number on the pages comes from report.json. The page is one self-contained file. What is missing is named in the last line on
-standard error, and the exit code is 1, or 3 where Jinja2 is; the page is written without figures where they cannot be drawn.
+standard error, and the exit code is 1; the page is written without figures where they cannot be drawn. Without Jinja2 it is 3,
+for a report.json of another version 4, and there is no page.
 """
 
 import argparse
@@ -12,6 +13,7 @@ import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+REPORT_VERSION = 3  # of report.json: what these pages read
 
 
 def draw(scripts, report, report_file, output_dir):
@@ -103,6 +105,10 @@ def main():
         return 3
     with open(options.report, encoding="utf-8") as source:
         report = json.load(source)
+    if report.get("report_version") != REPORT_VERSION:
+        print(f"{options.report} has report_version {report.get('report_version')}, the pages in {HERE} lay out {REPORT_VERSION}: "
+              "program and pages are of different builds; build both anew and run cagetol report DIR", file=sys.stderr)
+        return 4
     problems = []
     if options.figures:
         problems.append(draw(options.figures[0], report, options.report, options.figures[1]))

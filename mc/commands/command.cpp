@@ -16,9 +16,9 @@
 
 namespace cagetol {
 
-void log_notes(const Study& study) {
+void log_notes(const Study& study, const std::vector<std::string>& notes) {
   for (const std::string& warning : operating_warnings(study.scene)) spdlog::warn("{}", warning);
-  for (const std::string& note : study_notes(study)) spdlog::warn("{}", note);
+  for (const std::string& note : notes) spdlog::warn("{}", note);
 }
 
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings) {

@@ -47,7 +47,7 @@ void add_manual_options(CLI::App& app, Chosen& chosen);
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
 
 /// What is worth knowing of a study before it is swept: notes and warnings, as log lines.
-void log_notes(const Study& study);
+void log_notes(const Study& study, const std::vector<std::string>& notes);
 
 /// The option --progress of every command that sweeps.
 void add_progress_option(CLI::App& command, ProgressStyle& style);

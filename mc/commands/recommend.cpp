@@ -26,7 +26,7 @@ int run_recommend(const RecommendArguments& options) {
   const SignalWatch signals;
   const auto read = [&] {
     const Study study = read_study(options.file, options.settings);
-    log_notes(study);
+    log_notes(study, study_notes(study));
     return study;
   };
   const int code = run_recommend(read, make_sweep_plan, options.stages);

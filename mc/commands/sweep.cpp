@@ -29,7 +29,7 @@ struct SweepArguments {
 
 Study read_with_notes(const SweepArguments& options) {
   Study study = read_study(options.file, options.settings);
-  if (launch_from_environment().rank == 0) log_notes(study);
+  if (launch_from_environment().rank == 0) log_notes(study, sweep_notes(study));
   return study;
 }
 

@@ -165,8 +165,8 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "+-(max - min)/2 of the stress components over a cage revolution (minus: they swing against "
      "the "
      "widest one), its 99 % quantile over revolutions, of fewer than 100 the largest; sigma_m: "
-     "largest principal stress of the mean (max + min)/2 of the components, not below zero; every "
-     "100 us and where a bar's force peaks"},
+     "largest principal stress of the mean (max + min)/2 of the components, not below zero; taken "
+     "at most 100 us apart and where a bar's force peaks"},
     {"cage_fatigue_pocket", "-",
      "pocket beside which that largest value sits, counted from 0 (as cage_stress_peak_pocket)"},
     {"cage_fatigue_station", "-", "stress station of that largest value in its sector"},

@@ -20,6 +20,7 @@ grep -q '<svg\|image/svg' "$place/out/report.html" || fail "the report has no fi
 echo 'raise SystemExit("drawn by the moved one")' >"$home/share/cagetol/analysis/figures/draw.py"
 "$program" report "$place/out" >"$place/log" 2>&1 || true
 grep -rq 'drawn by the moved one' "$place/log" "$place/out/figures/draw.log" 2>/dev/null || fail "draws with other scripts than its own"
+"$(dirname "$0")/check_documents.sh" "$home/share/doc/cagetol" || fail "its documents are not whole"
 
 man -l "$home/share/man/man1/cagetol.1" >"$place/manual" 2>/dev/null || cp "$home/share/man/man1/cagetol.1" "$place/manual"
 for command in check simulate sweep recommend scene; do

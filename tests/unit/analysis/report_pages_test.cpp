@@ -17,6 +17,7 @@
 namespace cagetol {
 namespace {
 
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
@@ -198,6 +199,27 @@ TEST(ReportPages, NoIndexWhereNothingIsAtStakeAndNoWorstSamplesThatMeet) {
   EXPECT_THAT(failures, HasSubstr("The run nearest to each limit that none misses"));
   EXPECT_THAT(failures, Not(HasSubstr("miss a limit most")));
   EXPECT_THAT(failures, HasSubstr("cagetol replay DIR --sample"));
+}
+
+TEST(ReportPages, TheOperatingPointKeepsToItsPageAndTheAppendixTakesWarnings) {
+  Json report = make_report(make_synthetic_study());
+  report["bearing"] = bearing();
+  report["bearing"]["warnings"] = Json::array();
+  for (int k = 0; k < 6; ++k)
+    report["bearing"]["warnings"].push_back("warning " + std::to_string(k));
+  const std::string page = page_of(report);
+  const std::string front = text_of(section_of(page, "operating"));
+  EXPECT_THAT(front, AllOf(HasSubstr("warning 3."), Not(HasSubstr("warning 4."))));
+  EXPECT_THAT(front, HasSubstr("Further warnings, 2 in all"));
+  EXPECT_THAT(
+      text_of(section_of(page, "model")),
+      AllOf(HasSubstr("warning 4."), HasSubstr("warning 5."), Not(HasSubstr("warning 3."))));
+}
+
+TEST(ReportPages, OfAnotherVersionOfTheNumbersAreRefused) {
+  Json report = {{"report_version", 2}};
+  EXPECT_THAT(page_of(report), AllOf(HasSubstr("report.html is not written"),
+                                     HasSubstr("has report_version 2"), HasSubstr("build both")));
 }
 
 TEST(ReportPages, ArePrintedWithHeaderContentsAndPageNumbers) {

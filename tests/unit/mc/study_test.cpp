@@ -206,6 +206,10 @@ TEST_F(StudyFile, CandidatesAreTheProductOfTheDimensions) {
   EXPECT_THAT(study.candidates[1].bands_mm, ElementsAre(0.036, 0.2));
   EXPECT_THAT(study.candidates[5].bands_mm, ElementsAre(0.058, 0.110));
   EXPECT_THAT(study.candidates[1].grades, ElementsAre("IT9", ""));
+  // Rows that a recommendation does not draw are no matter of the study alone.
+  EXPECT_THAT(sweep_notes(study), testing::Contains(HasSubstr("rows for 6 candidate tolerances")));
+  EXPECT_THAT(study_notes(study),
+              testing::Not(testing::Contains(HasSubstr("candidate tolerances"))));
   EXPECT_DOUBLE_EQ(study.candidates[1].scales[1], 2);
   EXPECT_EQ(draw_sample(study, 4).candidate, 4);
   EXPECT_EQ(draw_sample(study, 7).candidate, 1);

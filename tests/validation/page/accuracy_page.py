@@ -25,10 +25,9 @@ PAGE = ROOT / "tests/ACCURACY.md"
 WORDS = 1500     # beside tables
 COLUMNS = 120    # beside tables
 MEASURED = {"statics": "shipped_statics", "catalogue": "catalogue_runs", "validation": "validation_page",
-            "cost": "cost_page"}
+            "budget": "budget_results", "rungs": "rung_results", "cost": "cost_page"}
 MADE_BY = {name: f"`page/{script}.py`" for name, script in MEASURED.items()} | {
-    "bias": "`regression/nightly_bias.sh`, `page/bias_results.py`",
-    "budget": "`cagetol ladder DIR/study.toml --refine`, report", "rungs": "`cagetol ladder SCENE --samples 8`"}
+    "bias": "`regression/nightly_bias.sh`, `page/bias_results.py`"}
 
 
 def table(head, rows):

@@ -1,4 +1,4 @@
-"""accuracy_page.py --check sees what is wrong with a page, and results survive being stored."""
+"""accuracy_page.py --check sees what is wrong with a page, and results survive being stored; rows from ladders and budgets."""
 
 import tempfile
 import unittest
@@ -6,7 +6,9 @@ from pathlib import Path
 from unittest import mock
 
 import accuracy_page
+import budget_results
 import results
+import rung_results
 
 
 class Check(unittest.TestCase):
@@ -44,6 +46,30 @@ class Results(unittest.TestCase):
                 "t": {"head": ["x"], "rows": [["1 \u00b1 2"]]}}, none=[])
             self.assertEqual(results.stored("a"), {"stamp": {"commit": "c"}, "rows": [["a", 0.333333, None]], "tables": {
                 "t": {"head": ["x"], "rows": [["1 \u00b1 2"]]}}, "none": []})
+
+
+class Ladders(unittest.TestCase):
+    LADDER = {"reference": "full", "rungs": [{"name": name, "cost_ratio": cost} for name, cost in
+                                             (("a", 0.1), ("b", 0.2), ("c", 0.5), ("full", 1))],
+              "quantities": [{"quantity": "q", "mean": -2.0, "rungs": [
+                  {"rung": "a", "shift": 0.01, "lower": 0, "upper": 0.02}, {"rung": "b", "shift": -0.3, "lower": -0.4, "upper": -0.2},
+                  {"rung": "c", "shift": 0.09, "lower": 0.05, "upper": 0.13}]}]}
+
+    def test_a_rung_below_a_bad_one_is_good_by_chance(self):
+        self.assertEqual(rung_results.least_rung(self.LADDER, "q"), "c (0.50)")
+        self.assertEqual(rung_results.least_rung(self.LADDER, "none"), "-")
+
+    def test_shifts_are_in_per_cent(self):
+        self.assertEqual(rung_results.shifts_of(self.LADDER, "q", ("c", "b")), "+4 ± 2, -15 ± 5")
+        self.assertEqual(rung_results.shifts_of(self.LADDER, "none", ("c",)), "-")
+
+    def test_a_budget_tells_what_is_resolved(self):
+        error = {"value": 0.02, "lower": 0.01, "upper": 0.03}
+        source = {"source": "slices", "state": "resolved", "error": error, "bound": 0.03, "standard_errors": 3}
+        self.assertEqual(budget_results.cell(source, -2), "+1 ± 0.5")
+        self.assertEqual(budget_results.cell(source | {"state": "unresolved"}, -2), "below 1.5")
+        self.assertEqual(budget_results.cell(source | {"source": "statistical"}, -2), "±1.5")
+        self.assertEqual(budget_results.cell(source | {"source": "noise", "standard_errors": 0.5}, -2), "25")
 
 
 if __name__ == "__main__":

@@ -1,13 +1,9 @@
 """Error against cost of every method and tolerance, and of the rungs of the model ladder."""
 
-import hashlib
 import json
 import math
-import os
-import subprocess
 import sys
 
-from program import MPI, toml_value
 from report import ROOT, WIDTH, logarithmic, number, pyplot, ticks_within
 
 sys.path.insert(0, str(ROOT / "analysis/figures"))
@@ -33,15 +29,7 @@ def loads(quick):
 
 def measured(program, settings, options):
     """chart.json of `cagetol chart` on the NU 205; kept by program, settings and options."""
-    key = json.dumps([program.build, NU205.read_text(encoding="utf-8"), sorted(settings.items()), options])
-    place = program.cache / ("chart-" + hashlib.sha256(key.encode()).hexdigest()[:24])
-    if not (place / "chart.json").exists():
-        command = [str(program.path), "chart", str(NU205), "-o", str(place), *options]
-        for name, value in settings.items():
-            command += ["--set", f"{name}={toml_value(value)}"]
-        done = subprocess.run(command, env=os.environ | MPI, capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{' '.join(command)}\nended with code {done.returncode}:\n{done.stderr}")
+    place = program.directory("chart", NU205, "chart.json", options, settings)
     return json.loads((place / "chart.json").read_text(encoding="utf-8"))
 
 
@@ -125,13 +113,7 @@ def rung_chapter(page, program, quick):
 
 def laddered(program):
     """ladder.json of the default study; kept by program and study."""
-    key = json.dumps([program.build, STUDY.read_text(encoding="utf-8"), NU205.read_text(encoding="utf-8")])
-    place = program.cache / ("ladder-" + hashlib.sha256(key.encode()).hexdigest()[:24])
-    if not (place / "ladder.json").exists():
-        command = [str(program.path), "ladder", str(STUDY), "-o", str(place)]
-        done = subprocess.run(command, env=os.environ | MPI, capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(f"{' '.join(command)}\nended with code {done.returncode}:\n{done.stderr}")
+    place = program.directory("ladder", STUDY, "ladder.json", reads=[NU205])
     return json.loads((place / "ladder.json").read_text(encoding="utf-8"))
 
 

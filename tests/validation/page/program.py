@@ -75,6 +75,26 @@ class Program:
         self.fresh += 1
         return Run(**answer)
 
+    def directory(self, command, file, result, options=(), settings=None, reads=()):
+        """Directory of `cagetol COMMAND FILE -o DIR OPTIONS` with the file `result` in it; kept by program, options and the
+        content of the file and of what it `reads`."""
+        settings = sorted(dict(settings or {}).items())
+        contents = [Path(each).read_text(encoding="utf-8") for each in (file, *reads)]
+        key = json.dumps([self.build, contents, settings, list(options)])
+        place = self.cache / f"{command}-{hashlib.sha256(key.encode()).hexdigest()[:24]}"
+        if not (place / result).exists():
+            self.execute([command, file, "-o", place, *options], settings)
+        return place
+
+    def execute(self, arguments, settings=()):
+        """Runs a command of the program; ends the page where it fails."""
+        command = [str(each) for each in (self.path, *arguments)]
+        for name, value in settings:
+            command += ["--set", f"{name}={toml_value(value)}"]
+        done = subprocess.run(command, env=os.environ | MPI, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(command)}\nended with code {done.returncode}:\n{done.stderr}")
+
     def _simulate(self, scene, settings, series):
         command = [str(self.path), "simulate", str(scene), "--json"]
         for key, value in settings.items():
