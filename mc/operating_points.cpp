@@ -233,7 +233,7 @@ toml::table operating_point_table(const OperatingPointPlan& point) {
   toml::table entry{{"name", point.name}, {"weight", point.weight}};
   for (const auto& [key, text] : point.settings) {
     toml::table value = value_table(text);
-    std::move(*value.get("value")).visit([&](auto&& node) {
+    std::move(*value.get("value")).visit([&, &key = key](auto&& node) {
       entry.insert_or_assign(key, std::forward<decltype(node)>(node));
     });
   }

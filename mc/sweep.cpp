@@ -82,7 +82,7 @@ void run_suspects(const SweepPlan& plan, const JournalSet& stored, Journal& jour
     spdlog::warn("sample {} was being run {} times when its process died: running it alone", id,
                  losses);
     journal.started(id);
-    const AloneResult result = run_alone(id, [&]() -> std::optional<StoredOutcome> {
+    const AloneResult result = run_alone(id, [&, id = id]() -> std::optional<StoredOutcome> {
       const StoredOutcome outcome = stored_run(plan, id, 0);
       if (outcome.status == Status::not_run) return std::nullopt;
       return outcome;

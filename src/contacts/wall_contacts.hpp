@@ -71,7 +71,7 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
       const Mask wet = (touch.p > -layer) & here;
       if (!any(wet)) continue;
       touched = true;
-      const auto speed = [&](int c) {
+      const auto speed = [&, &levers = levers](int c) {
         return channel_speed(levers, c, f, q, b, modal, group, point);
       };
       touch.rate = -speed(0), touch.v1 = speed(1), touch.v2 = speed(2);

@@ -25,6 +25,8 @@ struct Spelling {
   E value;
   const char* text;
 };
+template <class E>  // clang deduces nothing of an aggregate before version 17
+Spelling(E, const char*)->Spelling<E>;
 
 /// An enum with spellings(); their order is the one in which choices are listed.
 template <class E>

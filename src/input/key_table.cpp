@@ -288,7 +288,7 @@ bool boolean_value(const KeyInfo& key, const toml::node& node, const std::string
 
 std::string text_value(const KeyInfo& key, const toml::node& node, const std::string& file) {
   if (!node.is_string()) throw wrong_type(key, node, file);
-  const auto text = node.value<std::string>().value();
+  auto text = node.value<std::string>().value();
   if (printable(text, LineBreaks::kept) != text)
     throw InputError(place_of(node, file), key.name, "'" + printable(text) + "'",
                      "the text holds characters that control a terminal",

@@ -238,7 +238,7 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
 
 std::string setting_key(const std::string& setting) {
   const auto equals = setting.find('=');
-  const std::string key(trimmed(std::string_view(setting).substr(0, equals)));
+  std::string key(trimmed(std::string_view(setting).substr(0, equals)));
   const auto parts = parts_of(key);
   if (equals == std::string::npos ||
       std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); }))

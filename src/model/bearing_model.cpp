@@ -389,7 +389,7 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   m.layout.ring_tilt = has_free_ring_tilt(scene) ? 2 : 0;
   m.layout.ring_axial = has_free_axial_place(scene) ? 1 : 0;
   for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
-  if (flexible) m.flexible = make_flexible_cage(std::move(flexible), scene.cage, m.layout.groups);
+  if (flexible) m.flexible = make_flexible_cage(flexible, scene.cage, m.layout.groups);
   m.layout.modes = m.flexible.modes;
 
   for (long j = 0; j < b.roller_count; ++j) m.nominal_diameter += each(scene.roller.diameter, j);

@@ -14,7 +14,7 @@ using Coordinates = Eigen::Map<const Eigen::VectorXd>;
 
 }  // namespace
 
-FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> model,
+FlexibleCage make_flexible_cage(const std::shared_ptr<const CageModel>& model,
                                 const CageGeometry& geometry, int groups) {
   FlexibleCage f;
   f.model = model;

@@ -40,9 +40,9 @@ struct FlexibleCage {
   }
 };
 
-/// Prepares `cage` for `groups` packs of pockets.
-FlexibleCage make_flexible_cage(std::shared_ptr<const CageModel> cage, const CageGeometry& geometry,
-                                int groups);
+/// Prepares `model` for `groups` packs of pockets.
+FlexibleCage make_flexible_cage(const std::shared_ptr<const CageModel>& model,
+                                const CageGeometry& geometry, int groups);
 
 /// Modal coordinates and rates at a state, and the forces on them that contacts collect.
 struct ModalState {

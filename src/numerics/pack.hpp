@@ -187,21 +187,27 @@ inline double smallest(Pack x) {
   return -largest(-x);
 }
 
+#ifdef __AVX512F__
+/// Exchanges blocks of `distance` between columns that far apart; Low: what the first of them keeps
+/// of both.
+template <int distance, int... Low>
+void exchange(Pack (&columns)[kEight]) {
+  for (int i = 0; i < kLanes; ++i) {
+    if (i & distance) continue;
+    const Pack x = columns[i], y = columns[i + distance];
+    columns[i] = __builtin_shufflevector(x, y, Low...);
+    columns[i + distance] = __builtin_shufflevector(x, y, (Low + distance)...);
+  }
+}
+#endif
+
 /// Rows to columns.
 inline void transpose(const Eight (&rows)[kLanes], Pack (&columns)[kEight]) {
 #ifdef __AVX512F__
   for (int i = 0; i < kLanes; ++i) columns[i] = rows[i];
-  const auto swap = [&](int distance, const Mask& low, const Mask& high) {
-    for (int i = 0; i < kLanes; ++i) {
-      if (i & distance) continue;
-      const Pack x = columns[i], y = columns[i + distance];
-      columns[i] = __builtin_shuffle(x, y, low);
-      columns[i + distance] = __builtin_shuffle(x, y, high);
-    }
-  };
-  swap(1, Mask{0, 8, 2, 10, 4, 12, 6, 14}, Mask{1, 9, 3, 11, 5, 13, 7, 15});
-  swap(2, Mask{0, 1, 8, 9, 4, 5, 12, 13}, Mask{2, 3, 10, 11, 6, 7, 14, 15});
-  swap(4, Mask{0, 1, 2, 3, 8, 9, 10, 11}, Mask{4, 5, 6, 7, 12, 13, 14, 15});
+  exchange<1, 0, 8, 2, 10, 4, 12, 6, 14>(columns);
+  exchange<2, 0, 1, 8, 9, 4, 5, 12, 13>(columns);
+  exchange<4, 0, 1, 2, 3, 8, 9, 10, 11>(columns);
 #else
   for (int i = 0; i < kEight; ++i)
     for (int lane = 0; lane < kLanes; ++lane) columns[i][lane] = rows[lane][i];
@@ -251,7 +257,7 @@ inline Pack log2(Pack x) {
   // rest back.
   const std::int64_t half_root = 0x3FE6A09E667F3BCDLL;
   const Mask shifted = bits - half_root;
-  constexpr std::int64_t bias = 1024;  // makes every exponent positive
+  constexpr std::int64_t bias = 1023;  // makes every exponent positive, and no sum overflow
   const Pack exponent = real(shifted_down(shifted + (bias << 52), 52)) - double{bias};
   const Pack m = reinterpret_cast<Pack>((shifted & 0x000FFFFFFFFFFFFFLL) + half_root);
   const Pack s = (m - 1.0) / (m + 1.0), z = s * s;
@@ -266,7 +272,7 @@ inline Pack exp2(Pack y) {
   const double magic =
       6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer kept in the low bits
   const Pack rounded = y + magic;
-  const Mask n = reinterpret_cast<Mask>(rounded) << 52;
+  const Unsigned n = reinterpret_cast<Unsigned>(rounded) << 52;
   const Pack f = (y - (rounded - magic)) * 0.69314718055994530942;
   constexpr double c[] = {1,
                           0.5,
@@ -282,7 +288,7 @@ inline Pack exp2(Pack y) {
                           1.0 / 479001600,
                           1.0 / 6227020800.0};
   const Pack value = 1.0 + f * polynomial(c, f);
-  return reinterpret_cast<Pack>(reinterpret_cast<Mask>(value) + n);
+  return reinterpret_cast<Pack>(reinterpret_cast<Unsigned>(value) + n);
 }
 
 /// x^e for x > 0; anything for other x (mask it). Relative error below 1e-15 for |e log2 x| < 8,

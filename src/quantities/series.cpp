@@ -178,7 +178,7 @@ void RollerSeries::add(std::size_t group, Pack value, Mask counts, const SeenSte
   }
   if (asked_ & kQuantiles) {
     const Mask known = step.length > 0 ? last.counts & counts : counts;
-    each_instant(step, [&](double time) {
+    each_instant(step, [&, &before = before, &last = last](double time) {
       const Pack at = value_before(step, before.value, last.value, value, time);
       for (int i = 0; i < kLanes; ++i)
         if (known[i]) record_.push_back(at[i]);

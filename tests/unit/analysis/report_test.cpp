@@ -184,7 +184,8 @@ TEST_F(Report, TextsOfAStudyAreNoMarkup) {
 
 TEST_F(Report, ContributorsAreFound) {
   const StudyData study = make_synthetic_study();
-  for (const auto& output : make_report(study).at("contributors").at("outputs")) {
+  const auto report = make_report(study);
+  for (const auto& output : report.at("contributors").at("outputs")) {
     std::string best;
     double largest = 0;
     for (const auto& share : output.at("shares"))

@@ -12,6 +12,7 @@
 #include "mc/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/support/shipped_input.hpp"
 #include "tests/support/standin_study.hpp"
 
@@ -44,6 +45,7 @@ std::string problem_of(const Action& action) {
 }
 
 TEST(Forecast, IsMetByAStandInSweepWithinAFactorOfTwo) {
+  if (kSanitized) GTEST_SKIP() << kNotItsOwnCost;
   constexpr long samples = 20000;
   const SweepPlan plan = make_standin_plan({.samples = samples, .mean_ms = 0});
   const SweepForecast forecast = forecast_sweep(plan.study);

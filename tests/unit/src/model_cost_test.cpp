@@ -10,6 +10,7 @@
 #include "src/statics/start_state.hpp"
 #include "tests/support/instruction_count.hpp"
 #include "tests/support/random_bearing.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
@@ -68,6 +69,7 @@ std::optional<double> cost_ratio(const Bearing& simpler, const Bearing& fuller, 
 }
 
 void expect_not_dearer(const Bearing& simpler, const Bearing& fuller) {
+  if (kSanitized) GTEST_SKIP() << kNotItsOwnCost;
   const auto rates = cost_ratio(simpler, fuller, [](Kernels& k) { k.right_hand_side(); });
   const auto newton = cost_ratio(simpler, fuller, [](Kernels& k) { k.newton(); });
   if (!rates || !newton) GTEST_SKIP() << "no process may be traced here";
