@@ -165,9 +165,10 @@ void Pulse::count_silence() {
     }
   if (lost == 0) return;
   spdlog::error(
-      "{}{} for {:.0f} s: the link is cut, the machine is down or the process hangs; the run "
-      "ends. Finished samples are kept\n"
-      "  remedy: start the same command again, on machines that reach each other",
+      "{}{} for {:.0f} s: the link is cut, the machine is down or stood still, or the process "
+      "hangs; the run ends. Finished samples are kept\n"
+      "  remedy: start the same command again, on machines that reach each other; where a machine "
+      "may stand still for longer, with a larger CAGETOL_SILENCE_S (seconds)",
       name_of_(peers_[first]),
       lost == 1 ? " has been silent" : fmt::format(" and {} more have been silent", lost - 1),
       limit_s_);

@@ -190,9 +190,9 @@ InputError no_such_quantity(const toml::node& node, const std::string& key,
   }
   std::vector<std::string> names;
   for (const auto& known : quantity_table()) names.emplace_back(known.key);
-  return InputError(place_of(node, file), key, shown(node), "there is no such quantity of interest",
-                    "did you mean " + nearest_name(quantity, names) +
-                        "? `cagetol simulate SCENE` lists every quantity");
+  return InputError(
+      place_of(node, file), key, shown(node), "there is no such quantity of interest",
+      "did you mean " + nearest_name(quantity, names) + "? `cagetol quantities` lists them all");
 }
 
 std::vector<Limit> read_limits(const toml::table& root, const std::string& file,

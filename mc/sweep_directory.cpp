@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <thread>
 
 #include "mc/study_file/study_file_error.hpp"
+#include "src/input/printable.hpp"
 #include "src/input/toml_file.hpp"
 
 namespace cagetol {
@@ -49,6 +51,29 @@ std::map<std::string, Leaf> leaves_of(const std::string& text) {
     leaves[leaf.name] = {whole.str(), shown(*leaf.node)};
   }
   return leaves;
+}
+
+/// Blanks and line breaks as one blank each: a long list is written in lines.
+std::string on_one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\n';
+    if (!blank || line.empty() || line.back() != ' ') line += blank ? ' ' : c;
+  }
+  return line;
+}
+
+/// Where both look the same because they are shortened: from shortly before they part.
+void show_where_they_part(Leaf& a, Leaf& b) {
+  if (a.shown != b.shown) return;
+  constexpr std::size_t kBefore = 24, kShown = 64;
+  const std::string texts[] = {on_one_line(a.whole), on_one_line(b.whole)};
+  const auto ends =
+      std::mismatch(texts[0].begin(), texts[0].end(), texts[1].begin(), texts[1].end());
+  const auto parts = static_cast<std::size_t>(ends.first - texts[0].begin());
+  const std::size_t from = parts > kBefore ? parts - kBefore : 0;
+  a.shown = "..." + printable(texts[0].substr(from, kShown));
+  b.shown = "..." + printable(texts[1].substr(from, kShown));
 }
 
 std::string joined(const std::vector<std::string>& lines) {
@@ -121,9 +146,10 @@ std::vector<std::string> study_differences(const std::string& stored_toml,
   auto names = stored;
   names.insert(fresh.begin(), fresh.end());
   for (const auto& [name, value] : names) {
-    const Leaf before = value_in(stored, name), now = value_in(fresh, name);
-    if (before.whole != now.whole)
-      differences.push_back(fmt::format(fmt::runtime(pattern), name, before.shown, now.shown));
+    Leaf before = value_in(stored, name), now = value_in(fresh, name);
+    if (before.whole == now.whole) continue;
+    show_where_they_part(before, now);
+    differences.push_back(fmt::format(fmt::runtime(pattern), name, before.shown, now.shown));
   }
   return differences;
 }

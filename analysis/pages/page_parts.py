@@ -126,6 +126,17 @@ def bands(report):
     return report["tolerance"]["bands"]
 
 
+def judged_revolutions(report):
+    """Cage revolutions that all limits are for; None where they differ."""
+    over = {limit["cage_revolutions"] for limit in report["limits"]["each"]}
+    return over.pop() if len(over) == 1 else None
+
+
+def sized_bands(report):
+    """Of these, the ones to print whose limits of size and scatter are known."""
+    return [band for band in bands(report) if not band["not_binding"] and is_number(band.get("size", {}).get("capability"))]
+
+
 def widest(report):
     """Dimensions recommended at the widest candidate."""
     return [band["name"] for band in bands(report) if band["widest_studied"] and not band["not_binding"]]

@@ -198,6 +198,10 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
 }
 
 std::string statement_without_candidates(const ReportBasis& basis, bool too_few) {
+  if (too_few && static_cast<std::int64_t>(basis.study.size()) < basis.study.design.samples_planned)
+    return fmt::format(
+        "The runs are not finished: {} of {} are there, too few of every candidate to say more.",
+        basis.study.size(), basis.study.design.samples_planned);
   if (too_few)
     return fmt::format(
         "No tolerance can be recommended: every candidate has fewer than {:.0f} effective runs. "
@@ -240,6 +244,27 @@ Json band_verdict(const RecommendedBand& band) {
 }
 
 }  // namespace
+
+void add_limits_of_size(const Json& bearing, Json& tolerance) {
+  if (!bearing.is_object() || !bearing.contains("dimensions") || !tolerance.is_object()) return;
+  for (Json& band : tolerance.at("bands"))
+    for (const Json& dimension : bearing.at("dimensions")) {
+      if (dimension.at("key") != band.at("key")) continue;
+      const Json& middle =
+          band.at("centre").is_null() ? dimension.at("nominal_mm") : band.at("centre");
+      if (!middle.is_number()) continue;
+      const double nominal = middle, half = band.at("band_mm").get<double>() / 2;
+      const Json& fit = dimension.at("counterpart_mm");
+      band["size"] = {{"nominal_mm", nominal},
+                      {"half_band_mm", half},
+                      {"least_mm", nominal - half},
+                      {"most_mm", nominal + half},
+                      {"capability", dimension.at("capability")},
+                      {"counterpart", dimension.at("counterpart")},
+                      {"counterpart_mm", fit},
+                      {"takes_counterpart", !fit.is_number() || nominal - half >= fit}};
+    }
+}
 
 TolerancePart tolerance_json(const ReportBasis& basis,
                              const std::vector<StudyData>& confirmations) {

@@ -105,9 +105,19 @@ Json unknown_step(const ReportBasis& basis) {
   return step("A judgement of the runs that gave none.", "");
 }
 
+/// The rest of a sweep that was stopped: what its runs say so far asks for no other step.
+Json unfinished_step(const ReportBasis& basis) {
+  return step(
+      fmt::format("The rest of the sweep: {} of {} runs are there. The same command goes on.",
+                  basis.study.size(), basis.study.design.samples_planned),
+      fmt::format("cagetol {} STUDY -o DIR", is_staged(basis) ? "recommend" : "sweep"));
+}
+
 Json next_steps(const ReportBasis& basis, const Json& report) {
   const std::string status = report["verdict"]["status"];
   Json steps = Json::array();
+  if (static_cast<std::int64_t>(basis.study.size()) < basis.study.design.samples_planned)
+    return Json::array({unfinished_step(basis)});
   if (status == "recommended") steps.push_back(unconfirmed_step(basis));
   if (status == "not_known") steps.push_back(unknown_step(basis));
   if (status == "open")

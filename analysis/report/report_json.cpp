@@ -24,6 +24,7 @@ nlohmann::ordered_json make_report(
   const ReportBasis basis{study, runs, joint, resampling, study.plan.confidence, directory};
   TolerancePart tolerance = tolerance_json(basis, confirmations);
   Json confirmation = confirmation_json(basis, confirmations, tolerance);
+  add_limits_of_size(bearing, tolerance.tolerance);
   Json assumed = assumption_verdicts_json(basis, confirmations, assumptions, tolerance.verdict);
   Json wider = passed_over_json(basis, tolerance.passed_over);
   Json report;

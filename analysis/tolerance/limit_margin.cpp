@@ -37,12 +37,6 @@ double missed_share(const StudyData& runs, const Limit& limit, std::size_t judge
   return missed / static_cast<double>(judged);
 }
 
-/// Runs without a miss that bound the share missed by 1 - target: target^n <= 1 - confidence.
-std::size_t runs_without_miss(const StudyPlan& plan) {
-  return static_cast<std::size_t>(
-      std::ceil(std::log(1 - plan.confidence) / std::log(plan.target_yield) - 1e-9));
-}
-
 LimitRole role_of(const StudyData& runs, const LimitMargin& m) {
   const bool biased = m.judged > 0 && m.model_error > 0;
   for (const double by : {-m.model_error, m.model_error}) {
@@ -71,6 +65,11 @@ void measure(const StudyData& runs, LimitMargin& m) {
 }
 
 }  // namespace
+
+std::size_t runs_without_miss(double confidence, double target_yield) {
+  return static_cast<std::size_t>(
+      std::ceil(std::log(1 - confidence) / std::log(target_yield) - 1e-9));
+}
 
 const char* limit_role_name(LimitRole role) {
   switch (role) {
@@ -115,7 +114,7 @@ std::vector<LimitMargin> limit_margins(const StudyData& runs,
     m.missed_lower = clopper_pearson_lower(missed, judged, 1 - tail);
     m.missed_upper = clopper_pearson_upper(missed, judged, 1 - tail);
     m.model_error = k < model_errors.size() ? model_errors[k] : kUndefined;
-    m.runs_needed = runs_without_miss(plan);
+    m.runs_needed = runs_without_miss(plan.confidence, plan.target_yield);
     m.role = role_of(runs, m);
     margins.push_back(m);
   }

@@ -38,6 +38,9 @@ struct LimitMargin {
   std::size_t runs_needed = 0;  ///< without a miss, to decide nothing
 };
 
+/// Runs without a miss that bound the share missed by 1 - target: target^n <= 1 - confidence.
+std::size_t runs_without_miss(double confidence, double target_yield);
+
 /// Of every limit of the study. `model_errors`: one for each limit, NaN where not measured; empty:
 /// none is. A jammed run has no values and counts as a miss of the cage, not of a limit.
 std::vector<LimitMargin> limit_margins(const StudyData& runs,

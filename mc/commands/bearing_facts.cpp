@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mc/band_filling.hpp"
 #include "mc/commands/cage_drawing.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/operating_points.hpp"
@@ -224,6 +225,19 @@ Json points_json(const Study& study) {
   return list;
 }
 
+/// Of the dimensions that get a tolerance: nominal value, Cp of their laws, what is to fit.
+Json dimensions_json(const Study& study) {
+  const auto known = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  Json list = Json::array();
+  for (const BandFilling& filling : band_fillings(study))
+    list.push_back({{"key", filling.key},
+                    {"nominal_mm", known(filling.nominal_mm)},
+                    {"capability", known(filling.capability)},
+                    {"counterpart", filling.counterpart},
+                    {"counterpart_mm", known(filling.counterpart_mm)}});
+  return list;
+}
+
 Json facts_of(const Study& study) {
   const Scene& scene = study.scene;
   const OperatingPoint at = operating_point(scene);
@@ -238,6 +252,7 @@ Json facts_of(const Study& study) {
             cage_group(scene, at), oil_group(scene, at)}},
           {"model", model_sentences(scene)},
           {"points", points_json(study)},
+          {"dimensions", dimensions_json(study)},
           {"warnings", operating_warnings(scene)},
           {"strength", strength},
           {"section", section_json(scene)},

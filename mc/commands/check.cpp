@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mc/assumption_ranges.hpp"
+#include "mc/band_filling.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/forecast.hpp"
@@ -19,9 +20,6 @@
 
 namespace cagetol {
 namespace {
-
-/// Below it 4.5 % of a centred normal law's parts and more lie outside their band.
-constexpr double kLeastCapability = 2.0 / 3;
 
 std::string law_text(const std::optional<Law>& law, const char* scope, const std::string& unit) {
   if (!law) return "";
@@ -44,24 +42,12 @@ std::string limit_text(const Limit& limit) {
 /// Of each dimension that gets a tolerance, how its laws fill their band.
 std::string dimensions_text(const Study& study) {
   std::string text;
-  for (const ToleranceDimension& dimension : study.tolerance.dimensions)
-    for (const UncertainInput& input : study.inputs) {
-      if (input.key != dimension.key) continue;
-      const double of_lot = input.lot ? standard_deviation(*input.lot) : 0,
-                   of_pocket = input.pocket ? standard_deviation(*input.pocket) : 0;
-      const double deviation = std::hypot(of_lot, of_pocket);
-      const double capability = dimension.band_mm / (6 * deviation);
-      text += fmt::format(
-          "  {}: the laws belong to a band of {:.6g} mm and have a standard deviation of {:.4g} "
-          "mm: Cp = {:.2f}; both scale with the candidate\n",
-          dimension.key, dimension.band_mm, deviation, capability);
-      if (capability < kLeastCapability)
-        text += fmt::format(
-            "warning: {}: so many parts lie outside their band that no inspection would pass "
-            "them; give band_mm of the drawing that the laws were measured under, or narrower "
-            "laws\n",
-            dimension.key);
-    }
+  for (const BandFilling& filling : band_fillings(study))
+    text += fmt::format(
+        "  {}: the laws belong to a band of {:.6g} mm and have a standard deviation of {:.4g} "
+        "mm: Cp = {:.2f}; both scale with the candidate\n",
+        filling.key, filling.band_mm, filling.deviation_mm, filling.capability);
+  for (const std::string& warning : band_warnings(study)) text += "warning: " + warning + "\n";
   return text;
 }
 

@@ -1,9 +1,12 @@
 // cagetol limits STUDY -o DIR: what scatters under nominal scatter, how far each limit is, and which
 // limits decide. `limits DIR` reads a sweep that is there.
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "analysis/report/refining_ladder.hpp"
 #include "analysis/statistics/order_statistics.hpp"
@@ -29,9 +32,16 @@ struct LimitsArguments {
   std::string file;
   std::vector<std::string> settings;
   SweepOptions sweep;
-  long samples = 100;
+  std::optional<long> samples;
   bool json = false;
 };
+
+/// So many that a limit which none of them misses decides nothing; of a target of less than 95 % as
+/// many as for that.
+long enough_samples(const Study& study) {
+  const double target = std::max(0.95, study.tolerance.target_yield);
+  return static_cast<long>(runs_without_miss(study.tolerance.confidence, target));
+}
 
 /// The study at nominal scatter: every dimension at the band to which its laws belong.
 Study nominal_study(const Study& given, long samples) {
@@ -167,8 +177,9 @@ int run_limits(const LimitsArguments& options) {
     const SignalWatch signals;
     const int code = run_sweep(
         [&] {
+          const Study study = read_study(options.file, options.settings);
           return make_sweep_plan(
-              nominal_study(read_study(options.file, options.settings), options.samples));
+              nominal_study(study, options.samples.value_or(enough_samples(study))));
         },
         options.sweep);
     if (code != kDone || launch_from_environment().rank != 0) return code;
@@ -196,9 +207,12 @@ void add_limits_command(CLI::App& app, Chosen& chosen) {
   add_output_directory(*command, options->sweep.directory,
                        "Directory of the sweep at nominal scatter; an earlier one goes on")
       ->required(false);
-  command->add_option("--samples", options->samples, "Runs of that sweep")
-      ->check(CLI::Range(2L, 1000000L))
-      ->capture_default_str();
+  command
+      ->add_option(
+          "--samples", options->samples,
+          "Runs of that sweep; left out: as many as say of a limit that none of them misses "
+          "that it decides nothing (target 99 %, confidence 95 %: 299)")
+      ->check(CLI::Range(2L, 1000000L));
   command->add_flag("--json", options->json, "Print distributions and margins as JSON");
   add_settings_option(*command, options->settings);
   add_progress_option(*command, options->sweep.progress);

@@ -252,14 +252,14 @@ inline Pack real(Mask whole) {
 
 /// log2(x) for finite x > 0, within 2 units in the last place of max(1, |log2 x|).
 inline Pack log2(Pack x) {
-  const Mask bits = reinterpret_cast<Mask>(x);
   // Mantissa in [sqrt(1/2), sqrt(2)): subtract the bits of sqrt(1/2), take the exponent, put the
   // rest back.
-  const std::int64_t half_root = 0x3FE6A09E667F3BCDLL;
-  const Mask shifted = bits - half_root;
-  constexpr std::int64_t bias = 1023;  // makes every exponent positive, and no sum overflow
-  const Pack exponent = real(shifted_down(shifted + (bias << 52), 52)) - double{bias};
-  const Pack m = reinterpret_cast<Pack>((shifted & 0x000FFFFFFFFFFFFFLL) + half_root);
+  const std::uint64_t half_root = 0x3FE6A09E667F3BCDLL;
+  const Unsigned shifted = reinterpret_cast<Unsigned>(x) - half_root;
+  constexpr std::int64_t bias = 1023;  // makes every exponent positive
+  const Mask exponents = reinterpret_cast<Mask>((shifted + (std::uint64_t{bias} << 52)) >> 52);
+  const Pack exponent = real(exponents) - double{bias};
+  const Pack m = reinterpret_cast<Pack>((shifted & 0x000FFFFFFFFFFFFFULL) + half_root);
   const Pack s = (m - 1.0) / (m + 1.0), z = s * s;
   constexpr double c[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
                           1.0 / 13, 1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21};

@@ -61,6 +61,8 @@ TEST(LimitMargins, SayWhichLimitDecides) {
 
 // 0.95^59 = 0.0485 and 0.95^58 = 0.0510: of 95 % yield at 95 % 59 runs without a miss say enough.
 TEST(LimitMargins, WithoutAMissNeedRunsToSaySo) {
+  EXPECT_EQ(runs_without_miss(0.95, 0.95), 59u);
+  EXPECT_EQ(runs_without_miss(0.95, 0.99), 299u);
   EXPECT_EQ(limit_margins(counted_runs(59, {at_most("a", 60)}))[0].role,
             LimitRole::decides_nothing);
   const LimitMargin few = limit_margins(counted_runs(58, {at_most("a", 60)}))[0];

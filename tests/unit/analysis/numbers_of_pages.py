@@ -26,7 +26,7 @@ CHAPTERS = {"verdict": FRONT + ["trends", "contributors"], "operating": ["bearin
             "assumed": ["assumption_verdicts", "verdict"], "contributors": ["contributors", "outcomes", "quantities"],
             "quantities": ["quantities", "intervals"], "errors": ["error_budget"], "cage": ["cage", "bearing"],
             "capability": ["capability", "confirmation"], "failures": ["failures", "limits", "worst_samples"],
-            "model": ["fidelity", "assumptions", "assumption_verdicts", "provenance"], "definitions": ["quantities"], "scene": ["provenance"],
+            "model": ["fidelity", "assumptions", "assumption_verdicts", "provenance", "bearing"], "definitions": ["quantities"], "scene": ["provenance"],
             "provenance": ["provenance", "outcomes", "intervals"]}
 
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <regex>
 
 #include "analysis/report/json_parts.hpp"
@@ -38,6 +39,12 @@ Json bearing() {
                {{"name", "load ratio C/P"}, {"value", 28.6}, {"unit", "-"}}}}}}},
           {"model", {"Every roller moves in space."}},
           {"points", Json::array()},
+          {"dimensions",
+           {{{"key", "cage.pocket_width_mm"},
+             {"nominal_mm", 7.65},
+             {"capability", 1.31},
+             {"counterpart", "the roller's diameter"},
+             {"counterpart_mm", 7.62}}}},
           {"warnings", {"load.radial_N = 100 N is too light"}},
           {"strength", {{"fatigue_MPa", 165}, {"yield_MPa", 235}}},
           {"section", {{"radial_load_N", 1000}, {"inner_speed_rpm", 6000}, {"outer_speed_rpm", 0}}},
@@ -199,6 +206,35 @@ TEST(ReportPages, NoIndexWhereNothingIsAtStakeAndNoWorstSamplesThatMeet) {
   EXPECT_THAT(failures, HasSubstr("The run nearest to each limit that none misses"));
   EXPECT_THAT(failures, Not(HasSubstr("miss a limit most")));
   EXPECT_THAT(failures, HasSubstr("cagetol replay DIR --sample"));
+}
+
+TEST(ReportPages, ABandHasItsLimitsOfSizeAndTheScatterItHoldsFor) {
+  Json report = make_report(make_synthetic_study());
+  ASSERT_EQ(report["verdict"]["status"], "recommended");
+  const Json& bands = report["tolerance"]["bands"];
+  ASSERT_EQ(bands[0]["band_mm"], 0.09);
+  add_limits_of_size(bearing(), report["tolerance"]);
+  const Json& size = bands[0]["size"];
+  EXPECT_DOUBLE_EQ(size["least_mm"], 7.605);
+  EXPECT_DOUBLE_EQ(size["most_mm"], 7.695);
+  EXPECT_FALSE(size["takes_counterpart"]);
+  EXPECT_FALSE(bands[1].contains("size"));  // of another key
+  const std::string first = text_of(section_of(page_of(report), "verdict"));
+  EXPECT_THAT(first, HasSubstr("7.65 \u00b1 0.045 mm"));
+  EXPECT_THAT(first, HasSubstr("7.605 to 7.695 mm: full width 0.090 mm (IT11)"));
+  EXPECT_THAT(first, HasSubstr("Cp 1.31. Print that requirement with the band"));
+  EXPECT_THAT(first, HasSubstr("7.605 mm, is less than the roller&#39;s diameter of 7.62 mm"));
+}
+
+TEST(ReportPages, ASweepThatWasStoppedAsksForTheSameCommand) {
+  const StudyData study = make_synthetic_study({.rows = 1500});
+  std::vector<std::size_t> there(40);
+  std::iota(there.begin(), there.end(), 0u);
+  const Json report = make_report(select_samples(study, there), {}, "DIR/mixture");
+  const std::string first = text_of(section_of(page_of(report), "verdict"));
+  EXPECT_THAT(first, HasSubstr("The runs are not finished: 40 of "));
+  EXPECT_THAT(first, HasSubstr("cagetol recommend STUDY -o DIR"));
+  EXPECT_THAT(first, Not(HasSubstr("OTHER_DIR --set")));
 }
 
 TEST(ReportPages, TheOperatingPointKeepsToItsPageAndTheAppendixTakesWarnings) {

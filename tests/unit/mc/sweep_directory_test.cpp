@@ -35,7 +35,10 @@ TEST(StudyDifferencesTest, NamesKeysWithOldAndNewValue) {
 TEST(StudyDifferencesTest, SeesTheLastNumberOfALongList) {
   std::string list = "values = [0.0";
   for (int i = 0; i < 500; ++i) list += ", 1.25";
-  EXPECT_THAT(study_differences(list + ", 1.0]", list + ", 2.0]"), testing::SizeIs(1));
+  const auto differences = study_differences(list + ", 1.0]", list + ", 2.0]");
+  ASSERT_THAT(differences, testing::SizeIs(1));
+  // Long values are shown from where they part.
+  EXPECT_THAT(differences[0], testing::ContainsRegex("1\\.0 \\].*2\\.0 \\]"));
 }
 
 /// A finished sweep of a stand-in study, its samples in two journals.
