@@ -47,6 +47,20 @@ def quantity_of(report, name):
     return None
 
 
+def pockets_alike(report):
+    """Whether runs start at any angle of the cage, and no pocket or roller has a nominal value of its own.
+
+    That one pocket explains more than its neighbours is chance then.
+    """
+    inputs, scene = report["provenance"]["inputs"], report["provenance"]["scene"] or {}
+    starts = [entry["noise"] for entry in inputs if entry["key"] == "start.cage_phase_deg" and entry["noise"]]
+    if not any(law["law"] == "uniform" and law["upper"] - law["lower"] >= 360 for law in starts):
+        return False
+    nominal = [entry["nominal"] for entry in inputs]
+    nominal += [value for part in ("cage", "roller") for value in scene.get(part, {}).values()]
+    return not any(isinstance(values, list) and any(value != values[0] for value in values) for values in nominal)
+
+
 def draw_limits(axis, limit, label=True):
     """Vertical lines at the limits of a quantity."""
     first = True

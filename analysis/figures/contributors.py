@@ -5,7 +5,7 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 
-from common import BLUE, GREY, RED, SKY, WIDTH, interval_bars, known, readable, with_unit
+from common import BLUE, GREY, RED, SKY, WIDTH, interval_bars, known, pockets_alike, readable, with_unit
 
 
 def outputs_to_explain(report):
@@ -48,6 +48,7 @@ def pareto(report):
 
 
 MOST_ROWS = 26  # what a page has room for; report.json holds all
+LEAST_PRINTED = 5  # a smaller share [%] is a colour without a number
 
 
 def most_explained(report):
@@ -60,22 +61,26 @@ def most_explained(report):
 
 
 def matrix(report):
-    """Contributor by quantity heat map."""
+    """Contributor by quantity heat map, of the features that explain something."""
     outputs = most_explained(report)
-    features = [feature["name"] for feature in report["contributors"]["features"]]
-    if not outputs or not features:
+    features = np.array([feature["name"] for feature in report["contributors"]["features"]])
+    if not outputs or not features.size:
         return None
     shares = np.array([[100 * known(share["value"]) for share in output["shares"]] for output in outputs])
-    figure, axis = plt.subplots(figsize=(WIDTH, 1.9 + 0.2 * len(outputs)))
+    felt = (np.nan_to_num(shares) >= LEAST_PRINTED).any(axis=0)
+    if not felt.any():
+        return None
+    shares, features = shares[:, felt], features[felt]
+    figure, axis = plt.subplots(figsize=(WIDTH, 2.1 + 0.225 * len(outputs)))
     image = axis.imshow(np.clip(shares, 0, None), cmap="Blues", vmin=0, vmax=100, aspect="auto")
     for row in range(shares.shape[0]):
         for column in range(shares.shape[1]):
             value = shares[row, column]
-            if not math.isnan(value) and value >= 5:
-                axis.text(column, row, f"{value:.0f}", ha="center", va="center", fontsize=7,
+            if not math.isnan(value) and value >= LEAST_PRINTED:
+                axis.text(column, row, f"{value:.0f}", ha="center", va="center", fontsize=8,
                           color="white" if value > 50 else "black")
-    axis.set_xticks(range(len(features)), features, rotation=40, ha="right", rotation_mode="anchor", fontsize=7)
-    axis.set_yticks(range(len(outputs)), [readable(output["output"]) for output in outputs], fontsize=7)
+    axis.set_xticks(range(len(features)), features, rotation=55, ha="right", rotation_mode="anchor", fontsize=8)
+    axis.set_yticks(range(len(outputs)), [readable(output["output"]) for output in outputs], fontsize=8)
     axis.grid(False)
     figure.colorbar(image, ax=axis, pad=0.01).set_label("share of variance [%]")
     return figure
@@ -87,8 +92,8 @@ def standing_out(report):
 
 
 def pocket_map(report):
-    """Share of each single pocket around the bearing."""
-    maps = standing_out(report)
+    """Share of each single pocket around the bearing; none where one pocket is as good as another."""
+    maps = [] if pockets_alike(report) else standing_out(report)
     if not maps:
         return None
     figure, axes = plt.subplots(1, len(maps), figsize=(WIDTH, 3.2), subplot_kw={"projection": "polar"}, squeeze=False)

@@ -96,10 +96,13 @@ def two_lines(name, width=20):
     return f"{name[:middle]}\n{name[middle + 1:]}"
 
 
+FEWEST_LOOKS = 4  # fewer show no trend
+
+
 def convergence(report):
     """Joint yield and the 95 % quantiles of the limited quantities after 1/2^k of the runs."""
     looks = report["convergence"]["looks"]
-    if len(looks) < 2:
+    if len(looks) < FEWEST_LOOKS:
         return None
     names = list(looks[-1]["quantile_95"])
     yields = report["limits"]["each"] and report["limits"]["joint"]["if_unknown_fail"] is not None

@@ -119,6 +119,7 @@ def jam_curves(report):
             axis.axvline(1e3 * bands[jam["key"]], color=GREY, linestyle=":", linewidth=1.5)
         axis.set_xlim(0, 1.02e3 * jam["band_mm"][-1])
         axis.set_yscale("log")
+        axis.tick_params(axis="y", labelsize=9)  # exponents are smaller
         axis.set_xlabel(f"tolerance of {jam['name']}, full width [µm]")
     axes[0][0].set_ylabel("cages that jam [%]")
     return figure

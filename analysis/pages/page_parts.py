@@ -4,8 +4,8 @@ Above 400 lines: one short function for each table or list of a page."""
 
 import math
 
-from page_text import (code, general, is_number, percent_interval, readable, rounded, scene_items, signed_general, unit_suffix,
-                       value_text)
+from page_text import (code, general, is_number, joined, percent_interval, pockets_alike, readable, rounded, scene_items,
+                       signed_general, unit_suffix, value_text)
 
 
 class Chapter:
@@ -64,6 +64,22 @@ def assumed_ranges(report):
     verdicts = report["assumption_verdicts"]
     ranges = verdicts["ranges"] if verdicts else report["assumptions"]["ranged"]
     return [{**entry, "unit": unit_of_key(entry["key"])} for entry in ranges]
+
+
+def assumptions_title(report):
+    verdicts = report["assumption_verdicts"]
+    return "Assumptions that decide" if verdicts and verdicts["judged"] > 0 else "Assumptions that nobody has judged"
+
+
+GRAVITY = "environment.gravity_m_s2"
+
+
+def front_ranges(report):
+    """Without that of gravity, which only says how the shaft lies, unless the target fails at its end."""
+    verdicts = report["assumption_verdicts"]
+    alternatives = verdicts["alternatives"] if verdicts else []
+    decides = any(each["key"] == GRAVITY and each["verdict"] != "holds" for each in alternatives)
+    return [entry for entry in assumed_ranges(report) if entry["key"] != GRAVITY or entry["value"] != 9.81 or decides]
 
 
 def range_entries(ranges):
@@ -267,6 +283,11 @@ def candidates_shown(tolerance):
     return [candidate for candidate in candidates if candidate in near]
 
 
+def centres_studied(tolerance):
+    """Whether candidates have nominal values of their own."""
+    return any(is_number(centre) for candidate in tolerance["candidates"] for centre in candidate["centres"])
+
+
 def centre_points(centres):
     return [{**point, "name": dimension["name"], "shift_mm": point["shifts_mm"][number]}
             for number, dimension in enumerate(centres["dimensions"]) for point in dimension["points"] if point["shown"]]
@@ -402,6 +423,17 @@ def capability(report):
 def without_capability(report):
     entries = report["confirmation"]["capability"] if report["confirmation"] else report["capability"]
     return [entry for entry in entries if entry.get("no_index")]
+
+
+def fresh_losses(report):
+    """Fresh runs that jammed or have no result, a sentence for each attempt that has such."""
+    sentences = []
+    for attempt in (report["confirmation"] or {"attempts": []})["attempts"]:
+        counts = [(attempt["jammed_runs"], "jammed"), (attempt["unknown_runs"], "gave no result")]
+        losses = [f"{rounded(count)} {what}" for count, what in counts if count]
+        if losses:
+            sentences.append(f"Of {rounded(attempt['runs'])} fresh runs in {attempt['stage']}, {joined(losses)}.")
+    return sentences
 
 
 def worst_samples(report):

@@ -8,7 +8,7 @@ import sys
 from markupsafe import Markup, escape
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "figures"))
-from common import readable  # noqa: E402  one name for each quantity, in figures and on pages
+from common import pockets_alike, readable  # noqa: E402, F401  the same in figures and on pages
 
 
 def is_number(value):
@@ -194,13 +194,35 @@ def joined(items, last=" and "):
     return last.join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else "".join(items)
 
 
+WORDS = [  # word, pattern, meaning
+    ("mixture", r"mixture|candidates mixed",
+     "runs of cages from all candidate tolerances: they judge all of them at once"),
+    ("effective runs", r"effective (?:number of )?runs",
+     "how many equally weighted runs would say as much about one candidate"),
+    ("fresh runs", r"fresh runs",
+     "runs of new cages at one tolerance, drawn after it was chosen: only they confirm it"),
+    ("lot", r"lots?", "of a deviation: the part that all pockets of a cage share, as from one setting of the tool"),
+    ("noise of the start", r"noise",
+     "what differs between runs of the same cage from other starts; no tolerance removes it"),
+    ("SE", r"SE", "standard error: how far a mean would scatter if the study were repeated with other samples"),
+    ("DIR", r"DIR", "in commands: the directory of this report"),
+]
+
+
+def words_used(pages):
+    """The words that these pages use in a sense of their own, with their meanings."""
+    text = re.sub(r"<script\b.*?</script>", " ", str(pages), flags=re.S)
+    text = re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", text))
+    return [(word, meaning) for word, pattern, meaning in WORDS if re.search(rf"\b(?:{pattern})\b", text)]
+
+
 def filters():
     return {"rounded": rounded, "fixed": fixed, "whole": whole, "significant": significant, "plain": plain, "general": general, "signed": signed,
             "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
             "percent_down": percent_down, "stated_percent": stated_percent, "percent_interval": percent_interval,
             "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "kept": kept, "breakable": breakable,
             "value_text": value_text, "law_text": law_text, "with_error": with_error,
-            "readable": readable, "joined": joined}
+            "readable": readable, "joined": joined, "words_used": words_used}
 
 
 def tests():

@@ -201,16 +201,15 @@ std::string no_index(const Json& report, const Json& entry) {
   const Json& cpk = entry["cpk"]["value"];
   if (cpk.is_number() && cpk.get<double>() > kFar)
     return fmt::format(
-        "the limit lies {:.0f} standard deviations of the scatter beyond the mean: no index is "
-        "given where nothing is at stake{}",
+        "the limit lies {:.0f} standard deviations of the scatter beyond the mean{}",
         3 * cpk.get<double>(),
         entry["outside_ppm"] == 0 ? "" : "; what counts as outside are cages that jam");
   for (const Json& quantity : report["quantities"]) {
     if (quantity["quantity"] != entry["quantity"]) continue;
     const Json& share = quantity["noise"]["share"]["value"];
     if (share.is_number() && share.get<double>() > 0.5)
-      return "more than half of its variance is noise of the start, which no process owns: the "
-             "share of runs beyond the limit says it all";
+      return "more than half of its variance is noise of the start: the share of runs beyond the "
+             "limit says it all";
   }
   return {};
 }

@@ -25,8 +25,10 @@ CHAPTERS = {"verdict": FRONT + ["trends", "contributors"], "operating": ["bearin
             "outcomes": ["outcomes", "limits", "verdict"], "confirmation": ["confirmation", "verdict"], "tolerance": ["tolerance", "verdict"],
             "assumed": ["assumption_verdicts", "verdict"], "contributors": ["contributors", "outcomes", "quantities"],
             "quantities": ["quantities", "intervals"], "errors": ["error_budget"], "cage": ["cage", "bearing"],
-            "capability": ["capability", "confirmation"], "failures": ["failures", "limits", "worst_samples"],
-            "model": ["fidelity", "assumptions", "assumption_verdicts", "provenance", "bearing"], "definitions": ["quantities"], "scene": ["provenance"],
+            "capability": ["capability", "confirmation"],
+            "failures": ["failures", "limits", "worst_samples", "confirmation"],
+            "model": ["fidelity", "assumptions", "assumption_verdicts", "provenance", "bearing"],
+            "definitions": ["quantities"], "scene": ["provenance"],
             "provenance": ["provenance", "outcomes", "intervals"]}
 
 

@@ -6,6 +6,8 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "analysis" / "pages"))
 import page_text  # noqa: E402
+import common  # noqa: E402  beside the figures, which page_text has found
+import page_parts  # noqa: E402
 
 
 class PageText(unittest.TestCase):
@@ -34,6 +36,63 @@ class PageText(unittest.TestCase):
     def test_one_name_for_a_quantity(self):
         self.assertEqual(page_text.readable("pocket_force_peak_N"), "pocket force peak")
         self.assertEqual(page_text.readable("power_loss_W@start"), "power loss @ start")
+
+    def test_words_are_explained_where_they_are_used(self):
+        words = lambda page: [word for word, _ in page_text.words_used(page)]
+        self.assertEqual(words("<p>effective number of\n runs, in <b>DIR</b>/mixture</p>"),
+                         ["mixture", "effective runs", "DIR"])
+        self.assertEqual(words('<img alt="lot" src="data:SE"><script>"noise"</script>slots, DIRECTORY'), [])
+
+
+def provenance(law, nominal=(7.65,), pitch=0.0):
+    """Of a study whose cage starts by this law."""
+    inputs = [{"key": "cage.pocket_width_mm", "nominal": list(nominal), "noise": None},
+              {"key": "start.cage_phase_deg", "nominal": [0.0], "noise": law}]
+    return {"provenance": {"inputs": inputs, "scene": {"cage": {"pocket_pitch_mrad": pitch}}}}
+
+
+def judged(verdict=None, value=9.81):
+    """A report with two assumptions, gravity judged so."""
+    ranges = [{"key": "environment.gravity_m_s2", "value": value, "low": 0.0, "high": 9.81},
+              {"key": "lubrication.oil_share", "value": 0.02, "low": 0.005, "high": 0.1}]
+    alternatives = [{"key": "environment.gravity_m_s2", "verdict": verdict}] if verdict else []
+    return {"assumption_verdicts": {"judged": len(alternatives), "alternatives": alternatives, "ranges": ranges}}
+
+
+class PageParts(unittest.TestCase):
+    def test_pockets_are_alike_where_a_cage_starts_at_any_angle(self):
+        anywhere = {"law": "uniform", "lower": 0, "upper": 360}
+        self.assertTrue(common.pockets_alike(provenance(anywhere)))
+        self.assertTrue(common.pockets_alike(provenance(anywhere, nominal=(7.65, 7.65))))
+        self.assertFalse(common.pockets_alike(provenance(None)))
+        self.assertFalse(common.pockets_alike(provenance({"law": "normal", "mean": 0, "sigma": 2})))
+        self.assertFalse(common.pockets_alike(provenance({"law": "uniform", "lower": 0, "upper": 10})))
+        self.assertFalse(common.pockets_alike(provenance(anywhere, nominal=(7.65, 7.7))))
+        self.assertFalse(common.pockets_alike(provenance(anywhere, pitch=[0.0, 1.0])))
+
+    def test_assumptions_decide_only_when_they_were_judged(self):
+        self.assertEqual(page_parts.assumptions_title(judged("holds")), "Assumptions that decide")
+        for nobody in (judged(), {"assumption_verdicts": None}):
+            self.assertEqual(page_parts.assumptions_title(nobody), "Assumptions that nobody has judged")
+
+    def test_the_front_page_has_gravity_only_where_it_matters(self):
+        keys = lambda report: [entry["key"] for entry in page_parts.front_ranges(report)]
+        self.assertEqual(keys(judged()), ["lubrication.oil_share"])
+        self.assertEqual(keys(judged("holds")), ["lubrication.oil_share"])
+        self.assertEqual(len(keys(judged("fails"))), 2)
+        self.assertEqual(len(keys(judged(value=1.62))), 2)
+
+    def test_fresh_runs_without_a_result_are_named(self):
+        attempts = [{"stage": "confirm-1", "runs": 368, "jammed_runs": 7, "unknown_runs": 2},
+                    {"stage": "confirm-2", "runs": 368, "jammed_runs": 0, "unknown_runs": 0}]
+        self.assertEqual(page_parts.fresh_losses({"confirmation": {"attempts": attempts}}),
+                         ["Of 368 fresh runs in confirm-1, 7 jammed and 2 gave no result."])
+        self.assertEqual(page_parts.fresh_losses({"confirmation": None}), [])
+
+    def test_centres_are_studied_where_candidates_have_them(self):
+        of = lambda *centres: {"candidates": [{"centres": [centre]} for centre in centres]}
+        self.assertTrue(page_parts.centres_studied(of(7.65, 7.7)))
+        self.assertFalse(page_parts.centres_studied(of(None, None)))
 
 
 if __name__ == "__main__":

@@ -202,7 +202,7 @@ TEST(ReportPages, NoIndexWhereNothingIsAtStakeAndNoWorstSamplesThatMeet) {
   const std::string page = page_of(report);
   const std::string capability = text_of(section_of(page, "capability")),
                     failures = text_of(section_of(page, "failures"));
-  EXPECT_THAT(capability, HasSubstr("no index is given where nothing is at stake"));
+  EXPECT_THAT(capability, HasSubstr("Cpk is not given because the limit lies"));
   EXPECT_THAT(failures, HasSubstr("The run nearest to each limit that none misses"));
   EXPECT_THAT(failures, Not(HasSubstr("miss a limit most")));
   EXPECT_THAT(failures, HasSubstr("cagetol replay DIR --sample"));
