@@ -59,14 +59,20 @@ std::vector<BandFilling> band_fillings(const Study& study) {
 
 std::vector<std::string> band_warnings(const Study& study) {
   std::vector<std::string> warnings;
-  const auto fillings = band_fillings(study);
-  for (std::size_t d = 0; d < fillings.size(); ++d) {
-    const BandFilling& filling = fillings[d];
+  for (const BandFilling& filling : band_fillings(study))
     if (filling.capability < kLeastCapability && !filling.within)
       warnings.push_back(fmt::format(
           "{}: so many parts lie outside their band that no inspection would pass them; give "
           "band_mm of the drawing that the laws were measured under, or narrower laws",
           filling.key));
+  return warnings;
+}
+
+std::vector<std::string> band_notes(const Study& study) {
+  std::vector<std::string> notes;
+  const auto fillings = band_fillings(study);
+  for (std::size_t d = 0; d < fillings.size(); ++d) {
+    const BandFilling& filling = fillings[d];
     double narrowest = std::numeric_limits<double>::infinity(), reached = 0;
     for (const Candidate& candidate : study.candidates) {
       const double shift = candidate.shifts.empty() ? 0 : candidate.shifts[d];
@@ -76,14 +82,14 @@ std::vector<std::string> band_warnings(const Study& study) {
       reached = smallest;
     }
     if (std::isfinite(narrowest))
-      warnings.push_back(fmt::format(
+      notes.push_back(fmt::format(
           "{}: from a band of {:.6g} mm on, a part inside its band may be as small as {:.6g} mm, "
           "less than {} of {:.6g} mm; that such parts are rare is what the laws say (Cp = {:.2f}), "
           "not the drawing",
           filling.key, narrowest, reached, filling.counterpart, filling.counterpart_mm,
           filling.capability));
   }
-  return warnings;
+  return notes;
 }
 
 }  // namespace cagetol

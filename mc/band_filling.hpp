@@ -26,8 +26,9 @@ struct BandFilling {
 /// Of each dimension that gets a tolerance.
 std::vector<BandFilling> band_fillings(const Study& study);
 
-/// Warnings of parts that lie outside their band, and of candidates whose smallest part takes no
-/// roller.
+/// Warnings of laws of which so many parts lie outside their band that the band cannot be theirs.
 std::vector<std::string> band_warnings(const Study& study);
+/// Of candidates whose smallest part takes no roller: from which band on.
+std::vector<std::string> band_notes(const Study& study);
 
 }  // namespace cagetol

@@ -48,6 +48,7 @@ std::string dimensions_text(const Study& study) {
         "mm: Cp = {:.2f}; both scale with the candidate\n",
         filling.key, filling.band_mm, filling.deviation_mm, filling.capability);
   for (const std::string& warning : band_warnings(study)) text += "warning: " + warning + "\n";
+  for (const std::string& note : band_notes(study)) text += "note: " + note + "\n";
   return text;
 }
 

@@ -57,9 +57,9 @@ TEST(BandFilling, AUniformLawThatFillsItsBandHasNoPartsOutside) {
 
 TEST(BandFilling, NamesTheBandFromWhichAPartMayBeSmallerThanItsRoller) {
   const std::string laws = "pocket = " + normal("0.0125");
-  EXPECT_THAT(band_warnings(study_with(laws, "0.2, 0.3")), testing::IsEmpty());
+  EXPECT_THAT(band_notes(study_with(laws, "0.2, 0.3")), testing::IsEmpty());
   EXPECT_THAT(
-      band_warnings(study_with(laws, "0.2, 0.32, 0.4")),
+      band_notes(study_with(laws, "0.2, 0.32, 0.4")),
       Contains(HasSubstr("from a band of 0.32 mm on, a part inside its band may be as small "
                          "as 7.49 mm, less than the roller's diameter of 7.5 mm")));
 }
