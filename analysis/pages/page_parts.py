@@ -149,7 +149,7 @@ def judged_revolutions(report):
 
 
 def sized_bands(report):
-    """Of these, the ones to print whose limits of size and scatter are known."""
+    """Bands to print whose limits of size and scatter are known."""
     return [band for band in bands(report) if not band["not_binding"] and is_number(band.get("size", {}).get("capability"))]
 
 

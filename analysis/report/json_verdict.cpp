@@ -78,9 +78,7 @@ bool some_dimension_binds(const Json& tolerance) {
 
 /// Without a run that misses, this many confirm the target in one attempt.
 std::size_t confirming_runs(const StudyPlan& plan) {
-  const double confidence = attempt_confidence(confirmation_rules(plan, 0));
-  return static_cast<std::size_t>(
-      std::ceil(std::log(1 - confidence) / std::log(plan.target_yield) - 1e-9));
+  return runs_without_miss(attempt_confidence(confirmation_rules(plan, 0)), plan.target_yield);
 }
 
 Json unconfirmed_step(const ReportBasis& basis) {
