@@ -7,6 +7,7 @@
 #include "distributions/iso286.hpp"
 #include "mc/study_inputs.hpp"
 #include "mc/study_keys.hpp"
+#include "src/input/former_names.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 
@@ -188,6 +189,9 @@ InputError no_such_quantity(const toml::node& node, const std::string& key,
                                           ", or name phases ([[scene.phase]]) or operating points"
                                     : "choose from " + known);
   }
+  if (const FormerName* former = former_name(labelled_key(quantity).key))
+    return InputError(place_of(node, file), key, shown(node), former_problem(*former),
+                      former_remedy(*former));
   std::vector<std::string> names;
   for (const auto& known : quantity_table()) names.emplace_back(known.key);
   return InputError(

@@ -1,5 +1,6 @@
 #include "src/input/key_table.hpp"
 
+#include "src/input/former_names.hpp"
 #include "src/input/printable.hpp"
 
 #include <algorithm>
@@ -171,6 +172,8 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
                        const std::vector<KeyInfo>& known) {
   const auto place = place_of(*leaf.node, file);
   const std::string value = leaf.node->is_table() ? "" : shown(*leaf.node);
+  if (const FormerName* former = former_name(leaf.name))
+    return {place, leaf.name, value, former_problem(*former), former_remedy(*former)};
   std::vector<std::string> names, section;
   for (const auto& key : known) {
     names.push_back(key.name);
@@ -294,11 +297,15 @@ std::string text_value(const KeyInfo& key, const toml::node& node, const std::st
                      "the text holds characters that control a terminal",
                      "leave them out; letters, signs and line breaks of any language may stay");
   const auto& choices = key.range.choices;
-  if (!choices.empty() && std::find(choices.begin(), choices.end(), text) == choices.end())
+  if (!choices.empty() && std::find(choices.begin(), choices.end(), text) == choices.end()) {
+    if (const FormerName* former = former_name(key.name, text))
+      throw InputError(place_of(node, file), key.name, shown(node), former_problem(*former),
+                       former_remedy(*former));
     throw InputError(
         place_of(node, file), key.name, shown(node),
         "not one of the choices of this key (" + key.meaning + ")",
         "choose from " + joined(choices) + "; nearest: " + nearest_name(text, choices));
+  }
   return text;
 }
 

@@ -504,10 +504,6 @@ std::vector<double> Observer::quantities_so_far() const {
   const double frequency = over_time_ ? along_.centre() / (2 * std::numbers::pi * revolutions)
                                       : orbit_turned_ / duration / cage_speed;
   q[quantity_row("whirl_frequency_ratio")] = stands ? none : frequency;
-  const bool centred = whirl_radius_.mean() < 0.1 * clearance;
-  const bool circling =
-      whirl_radius_.standard_deviation() < 0.25 * whirl_radius_.mean() && std::abs(frequency) > 0.1;
-  q[quantity_row("orbit_class")] = centred ? 0 : circling ? 1 : 2;
   q[quantity_row("whirl_scatter_ratio")] = whirl_.scatter();
   q[quantity_row("whirl_energy_ratio")] =
       turns ? model_.cage_mass / model_.cage_polar * whirl_.speed_ratio_squared() : none;

@@ -166,7 +166,6 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"whirl_resting_share", never, [](Reach) { return within(0, 1); }, "a share lies between 0 and 1", kTighten},
       {"whirl_circling_share", never, [](Reach) { return within(0, 1); }, "a share lies between 0 and 1", kTighten},
       {"whirl_irregular_share", never, [](Reach) { return within(0, 1); }, "a share lies between 0 and 1", kTighten},
-      {"orbit_class", moving, [](Reach) { return within(0, 2); }, "there are three classes, 0 to 2", kTighten},
       {"pocket_force_rms_N", moving, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
       {"pocket_force_p99_N", moving, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
       {"pocket_force_peak_N", moving, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},

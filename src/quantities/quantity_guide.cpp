@@ -82,7 +82,7 @@ const std::vector<Row>& rows() {
       {{"whirl_scatter_ratio"}, kCaged, "limit on cage stability"},
       {{"whirl_speed_deviation_ratio", "whirl_energy_ratio"}, kTurningCage, "cage stability as the literature measures it"},
       {{"whirl_frequency_ratio"}, kTurningCage, "sense and rate of whirl"},
-      {{"whirl_*", "orbit_class"}, kCaged, "how far the cage uses up its guide clearance; cage stability"},
+      {{"whirl_*"}, kCaged, "how far the cage uses up its guide clearance; cage stability"},
       {{"*_peak_extrapolated_*"}, kExtrapolated, "limit on a peak over more revolutions than a run measures"},
       {{"pocket_force_*"}, kCaged, "load of the bars: limit on forces, ranking of cages"},
       {{"pocket_impulse_N_s", "pocket_friction_work_J"}, kTurningCage, "wear of pockets, relative between cages"},

@@ -56,10 +56,6 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "share in which it circles (not at rest, round the middle by more than a tenth of a turn, "
      "standard deviation of its radius below a quarter of the mean)"},
     {"whirl_irregular_share", "-", "share of the other whole cage revolutions"},
-    {"orbit_class", "-",
-     "0 centred (mean whirl radius below 0.1 of the clearance), 1 circling (radius scatter below "
-     "a quarter of its mean and "
-     "the centre turns at more than 0.1 of the cage speed), 2 irregular (all else)"},
     {"pocket_force_rms_N", "N",
      "rms over time and rollers of the normal force of a roller on its pocket's bars"},
     {"pocket_force_p99_N", "N",
@@ -212,8 +208,8 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
 
 /// Whether a quantity speaks of the cage and its contacts: a full complement has none.
 constexpr bool is_of_cage(std::string_view key) {
-  for (const std::string_view of : {"cage_", "whirl_", "orbit_class", "pocket_", "guide_", "end_",
-                                    "power_pocket_", "power_end_", "power_land_"})
+  for (const std::string_view of : {"cage_", "whirl_", "pocket_", "guide_", "end_", "power_pocket_",
+                                    "power_end_", "power_land_"})
     if (key.starts_with(of)) return true;
   return false;
 }

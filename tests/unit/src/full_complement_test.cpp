@@ -255,7 +255,7 @@ TEST(FullComplementRun, HasQuantitiesOfNeighboursAndNoneOfACage) {
     EXPECT_LT(outcome.run.energy_residual, 5e-3);
     EXPECT_LT(outcome.run.static_consistency_error, 0.02);
     for (const char* key : {"cage_slip_ratio", "whirl_radius_ratio_mean", "pocket_force_rms_N",
-                            "guide_force_peak_N", "end_force_p99_N", "power_land_W", "orbit_class"})
+                            "guide_force_peak_N", "end_force_p99_N", "power_land_W"})
       EXPECT_TRUE(std::isnan(quantity(outcome, key))) << key;
     EXPECT_GT(quantity(outcome, "neighbour_force_peak_N"), 0);
     EXPECT_GT(quantity(outcome, "power_neighbour_W"), 0);

@@ -1,0 +1,42 @@
+#include "src/input/former_names.hpp"
+
+#include <array>
+#include <string>
+
+namespace cagetol {
+namespace {
+
+// clang-format off
+constexpr auto kFormerNames = std::to_array<FormerName>({
+    // name, value, now, why, remedy
+    {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
+});
+// clang-format on
+
+}  // namespace
+
+std::span<const FormerName> former_names() {
+  return kFormerNames;
+}
+
+const FormerName* former_name(std::string_view name, std::string_view value) {
+  if (name.starts_with("scene.")) name.remove_prefix(6);
+  for (const FormerName& row : kFormerNames) {
+    const bool below = value.empty() && name.size() > row.name.size() &&
+                       name.starts_with(row.name) && name[row.name.size()] == '.';
+    if (row.value == value && (name == row.name || below)) return &row;
+  }
+  return nullptr;
+}
+
+std::string former_problem(const FormerName& row) {
+  if (!row.now.empty()) return "this was renamed";
+  return "this is gone: " + std::string(row.why);
+}
+
+std::string former_remedy(const FormerName& row) {
+  if (!row.now.empty()) return "write " + std::string(row.now);
+  return std::string(row.remedy);
+}
+
+}  // namespace cagetol
