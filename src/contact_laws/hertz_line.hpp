@@ -12,7 +12,7 @@
 // E* = E'/2 and P = Q/l (doi 10.1017/CBO9781139171731).
 #pragma once
 
-#include "src/scene/scene.hpp"
+#include "src/contact_laws/material.hpp"
 
 namespace cagetol {
 

@@ -17,9 +17,9 @@
 // Penetrations are scaled by 1 um inside, so that the power is taken of numbers near one.
 #pragma once
 
+#include "src/contact_laws/contact_parameters.hpp"
 #include "src/contact_laws/step.hpp"
 #include "src/numerics/fixed_power.hpp"
-#include "src/scene/scene.hpp"
 
 namespace cagetol {
 

@@ -2,6 +2,7 @@
 // has the defaults.
 #pragma once
 
+#include "src/contact_laws/contact_parameters.hpp"
 #include "src/input/choice.hpp"
 
 namespace cagetol {
@@ -67,8 +68,6 @@ constexpr auto spellings(Guidance) {
   return std::array{Spelling{outer, "outer"}, Spelling{inner, "inner"}, Spelling{roller, "roller"}};
 }
 
-/// Normal force law; impact: Adams IMPACT, hertz: line contact with Hunt-Crossley damping.
-enum class ForceLaw { impact, hertz };
 constexpr auto spellings(ForceLaw) {
   using enum ForceLaw;
   return std::array{Spelling{impact, "impact"}, Spelling{hertz, "hertz"}};
@@ -82,8 +81,6 @@ constexpr auto spellings(RaceApproach) {
   return std::array{Spelling{palmgren, "palmgren"}, Spelling{line, "line"}};
 }
 
-/// Oil film at the races without LubricationModel::film (src/contact_laws/oil_film.hpp).
-enum class FilmModel { none, series, series_bounded };
 constexpr auto spellings(FilmModel) {
   using enum FilmModel;
   return std::array{Spelling{none, "none"}, Spelling{series, "series"},

@@ -9,22 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "src/contact_laws/contact_parameters.hpp"
+#include "src/contact_laws/material.hpp"
 #include "src/input/number_list.hpp"
 #include "src/scene/choices.hpp"
 
 namespace cagetol {
-
-/// "auto" in input files: computed from the rest of the scene.
-inline constexpr double kAuto = std::numeric_limits<double>::quiet_NaN();
-inline double given_or(double value, double otherwise) {
-  return std::isnan(value) ? otherwise : value;
-}
-
-struct Material {
-  double young = 208e9;   ///< E [Pa]
-  double poisson = 0.30;  ///< nu
-  double density = 7810;  ///< rho [kg/m^3]
-};
 
 /// Strengths of a material [Pa].
 struct Strength {
@@ -170,22 +160,6 @@ struct CageGeometry {
   bool coriolis = true;           ///< Coriolis coupling of the elastic modes
 };
 
-/// Parameters of one contact kind.
-struct ContactParameters {
-  ForceLaw law = ForceLaw::impact;
-  /// K of `impact` in N/mm^e, as in [P] Table 1; make_normal_law() converts it.
-  double stiffness = 1.5e5;
-  double exponent = 10.0 / 9.0;    ///< e
-  double damping = 750e3;          ///< c_max [N s/m]
-  double damping_depth = 0.1e-3;   ///< d, penetration at which damping reaches c_max [m]
-  double restitution = 0.9;        ///< coefficient of `hertz` at restitution_speed
-  double restitution_speed = 0.1;  ///< [m/s]
-  /// Friction (src/contact_laws/friction.hpp); kAuto: the values of Contacts.
-  double friction_static = kAuto, friction_dynamic = kAuto, static_speed = kAuto,
-         dynamic_speed = kAuto;
-  double roughness = kAuto;  ///< composite, rms; kAuto: the value of Lubrication [m]
-};
-
 struct Contacts {
   ContactParameters race{.law = ForceLaw::hertz};  ///< roller-inner race and roller-outer race
   ContactParameters bar{.law = ForceLaw::hertz};   ///< roller-pocket bar
@@ -197,15 +171,6 @@ struct Contacts {
   double static_speed = 0.1;                       ///< v_s [m/s]
   double dynamic_speed = 1.0;                      ///< v_d [m/s]
   RaceApproach race_approach = RaceApproach::palmgren;
-};
-
-/// Oil film of the roller-race contacts (src/contact_laws/oil_film.hpp).
-struct OilFilm {
-  FilmModel model = FilmModel::none;
-  double viscosity = 0.02;            ///< eta0 [Pa s]
-  double pressure_viscosity = 18e-9;  ///< alpha [1/Pa]
-  /// Force of a whole contact below which the film thickness follows its tangent [N].
-  double least_force = 1;
 };
 
 /// Oil in the bearing: films, rolling resistance, traction and drag (src/lubrication). kAuto: the
