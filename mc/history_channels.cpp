@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "src/input/unit.hpp"
 
 namespace cagetol {
 namespace {
 
-constexpr double kRpm = 30 / std::numbers::pi;
 constexpr double kUm = 1e6, kMrad = 1e3, kMPa = 1e-6;
 
 const double* border(const Instant& at) {
@@ -101,7 +101,7 @@ const std::vector<BearingChannel>& bearing_channels() {
       {"cage_y", "um", "geometric centre of the cage, y", [](I at) { return kUm * cage_centre(at).y; }},
       {"cage_z", "um", "geometric centre of the cage, z", [](I at) { return kUm * cage_centre(at).z; }},
       {"cage_velocity", "m/s", "speed of the cage's geometric centre in the radial plane", cage_centre_speed},
-      {"cage_speed", "rpm", "rotational speed of the cage", [](I at) { return kRpm * border_speed(at)[kCagePhi]; }},
+      {"cage_speed", "rpm", "rotational speed of the cage", [](I at) { return border_speed(at)[kCagePhi] / kRpm; }},
       {"cage_stress", "MPa", "largest von Mises stress in the cage; NaN for a rigid cage", cage_stress},
       {"guide_force", "N", "normal force between the cage's lands and the guiding ring", [](I at) { return at.system.seen.land_force[0] + at.system.seen.land_force[1]; }},
   };
@@ -111,8 +111,8 @@ const std::vector<BearingChannel>& bearing_channels() {
 const std::vector<RollerChannel>& roller_channels() {
   using I = const Instant&;
   static const std::vector<RollerChannel> channels = {
-      {"roller_spin", "rpm", "absolute spin of a roller about its own axis", [](I at, int j) { return kRpm * roller_velocity(at, kSpin, j); }},
-      {"roller_orbit_speed", "rpm", "speed of a roller about the bearing axis", [](I at, int j) { return kRpm * roller_velocity(at, kOrbitRate, j); }},
+      {"roller_spin", "rpm", "absolute spin of a roller about its own axis", [](I at, int j) { return roller_velocity(at, kSpin, j) / kRpm; }},
+      {"roller_orbit_speed", "rpm", "speed of a roller about the bearing axis", [](I at, int j) { return roller_velocity(at, kOrbitRate, j) / kRpm; }},
       {"roller_skew", "mrad", "skew of a roller, a . e_t", [](I at, int j) { return kMrad * skew(at, j); }},
       {"roller_tilt", "mrad", "tilt of a roller, a . e_r", [](I at, int j) { return kMrad * tilt(at, j); }},
       {"inner_force", "N", "normal force on the inner raceway", [](I at, int j) { return of_roller(at.system.seen.inner_force, j); }},

@@ -11,6 +11,7 @@
 #include "mc/operating_points.hpp"
 #include "mc/stored_study.hpp"
 #include "mc/study.hpp"
+#include "src/input/unit.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/quantities/operating_point.hpp"
 #include "src/scene/materials.hpp"
@@ -18,8 +19,6 @@
 
 namespace cagetol {
 namespace {
-
-constexpr double kRpm = std::numbers::pi / 30;
 
 /// Rows of names and values; what is not known is left out.
 class Entries {

@@ -115,7 +115,9 @@ std::string summary(const Study& study) {
   if (const double cage = forecast_cage_table(study.scene); cage > 0)
     text += fmt::format("making a table of the flexible cage takes about {:.2g} GB of memory\n",
                         1e-9 * cage);
-  return text + "no mistakes found\n";
+  return text + (text.find("warning: ") == std::string::npos
+                     ? "no mistakes found\n"
+                     : "no mistakes found, but see the warnings above\n");
 }
 
 }  // namespace

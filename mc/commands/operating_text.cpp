@@ -9,6 +9,7 @@
 
 #include "mc/commands/outcome_text.hpp"
 #include "mc/json_number.hpp"
+#include "src/input/unit.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/operating_point.hpp"
 #include "src/window_times.hpp"
@@ -16,7 +17,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180, kRpm = std::numbers::pi / 30;
+constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::size_t kMostRows = 20;  // of a duty; more are for its file
 
 std::string row_text(const DutyCourse::Row& row) {

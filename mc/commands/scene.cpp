@@ -8,12 +8,11 @@
 #include "mc/commands/command.hpp"
 #include "src/catalogue/bearing_scene.hpp"
 #include "src/input/input_error.hpp"
+#include "src/input/unit.hpp"
 #include "src/lubrication/lubricant.hpp"
 
 namespace cagetol {
 namespace {
-
-constexpr double kRpm = std::numbers::pi / 30;  // [rad/s]
 
 /// Texts of the command line, parsed by request_of().
 struct Options {

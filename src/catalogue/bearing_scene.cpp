@@ -13,7 +13,6 @@
 namespace cagetol {
 namespace {
 
-constexpr double kRpm = std::numbers::pi / 30;    // [rad/s]
 constexpr double kLoadShare = 0.1;                // of C
 constexpr double kSpeedShare = 0.5;               // of the limiting speed
 constexpr double kFlangeClearance = 0.01;         // over L_we

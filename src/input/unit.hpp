@@ -2,10 +2,13 @@
 // happens here and nowhere else.
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <string_view>
 
 namespace cagetol {
+
+inline constexpr double kRpm = std::numbers::pi / 30;  ///< a revolution a minute [rad/s]
 
 struct Unit {
   std::string
