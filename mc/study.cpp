@@ -114,23 +114,6 @@ void check_history(const Study& study, const toml::table& root, const std::strin
                    "choose one of them");
 }
 
-void check_multifidelity(const Study& study, const toml::table& root, const std::string& file) {
-  if (study.multifidelity != "auto") return;
-  const auto* node = find_node(root, "multifidelity");
-  const auto refuse = [&](const char* why, const char* remedy) {
-    throw InputError(place_of(*node, file), "multifidelity", shown(*node), why, remedy);
-  };
-  if (study.design != DesignKind::random || study.cages_per_lot != 1)
-    refuse("more samples of the same kind are drawn only by the design random, one cage of a lot",
-           "set design = \"random\" and cages_per_lot = 1, or leave multifidelity out");
-  if (study.limits.empty())
-    refuse("the study has no limits: nothing says which quantity is to gain",
-           "add [[limit]], or leave multifidelity out");
-  if (study.inputs.empty())
-    refuse("nothing varies, so that more samples say nothing",
-           "make some key of the scene a distribution, or leave multifidelity out");
-}
-
 void resolve(Study& study) {
   const toml::table table = resolved_table(study);
   std::ostringstream toml_text, json_text;
@@ -164,7 +147,6 @@ Study study_of(toml::table root, const std::string& file) {
   check_flexible_cage(study, scene, file);
   check_assumption_ranges(study, scene, file);
   check_history(study, root, file);
-  check_multifidelity(study, root, file);
   study.trends = read_trends(root, file, study);
   complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design

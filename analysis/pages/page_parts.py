@@ -236,7 +236,6 @@ def appendix(report):
         ("contributors", "What drives the quantities", contributors["features"] and contributors["outputs"]),
         ("quantities", "Statistics of every quantity", True),
         ("errors", "Error budget", report["error_budget"]["quantities"]),
-        ("multifidelity", "Help from a cheaper model", report["multifidelity"]),
         ("cage", "Flexible cage", report["cage"]),
         ("motion", "Motion of the worst and the median sample", report.get("motion")),
         ("capability", "Capability at this tolerance" if report["confirmation"] else "Capability against the limits", report["capability"] or (report["confirmation"] or {}).get("capability")),

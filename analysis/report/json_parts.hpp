@@ -48,8 +48,6 @@ Json margins_json(const ReportBasis& basis, const std::vector<StudyData>& confir
 void finish_verdict(const ReportBasis& basis, Json& report);
 /// "at least 1 N and at most 2 N".
 std::string limit_text(const Limit& limit, const std::string& unit);
-/// From the runs of the companion (companion.hpp); null without one.
-Json multifidelity_json(const ReportBasis& basis, const StudyData* companion);
 Json capability_json(const ReportBasis& basis);
 Json convergence_json(const ReportBasis& basis);
 Json health_json(const ReportBasis& basis);

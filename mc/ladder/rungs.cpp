@@ -248,7 +248,6 @@ Study rung_study(const Study& study, const Rung& rung, long samples) {
     changed.name += ", rung " + rung.name;
     changed.fidelity = "pinned";
     changed.fidelity_decision = {};
-    changed.multifidelity = "off";
     changed.samples = samples;
     changed.design = DesignKind::random;
     changed.cages_per_lot = 1;

@@ -10,6 +10,7 @@ namespace {
 constexpr auto kFormerNames = std::to_array<FormerName>({
     // name, value, now, why, remedy
     {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
+    {"multifidelity", "", "", "no quantity of the cage's motion gained from runs of a cheaper model", "leave it out; for fewer standard errors raise samples"},
 });
 // clang-format on
 

@@ -498,21 +498,6 @@ TEST_F(StudyFile, EquilibriaHaveNoHistory) {
   EXPECT_EQ(problem_of("fidelity = 'auto'\n" + text), "no error");
 }
 
-TEST_F(StudyFile, MultifidelityNeedsIndependentSamplesAndALimit) {
-  const std::string limit =
-      "[[limit]]\nquantity = 'ring_displacement_mean_um'\nmax = 24\nsource = 'test'\n";
-  const std::string load = "[scene.load]\nradial_N = { lot = { law = 'normal', sigma = 9 } }\n";
-  const std::string text = "samples = 40\nmultifidelity = 'auto'\n";
-  EXPECT_EQ(study_of(text + limit + load).multifidelity, "auto");
-  EXPECT_THAT(problem_of(text + "design = 'lhs'\n" + limit + load),
-              AllOf(HasSubstr("study.toml:2: multifidelity = 'auto'"),
-                    HasSubstr("only by the design random"), HasSubstr("remedy")));
-  EXPECT_THAT(problem_of(text + "cages_per_lot = 2\n" + limit + load),
-              HasSubstr("one cage of a lot"));
-  EXPECT_THAT(problem_of(text + load), HasSubstr("the study has no limits"));
-  EXPECT_THAT(problem_of(text + limit), HasSubstr("nothing varies"));
-}
-
 TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
   const std::string squareness = "cage.pocket_squareness_mrad = { law = 'normal', sigma = 1 }\n";
   const auto notes = model_notes(
