@@ -14,7 +14,6 @@
 #include "mc/study_keys.hpp"
 #include "mc/study_layers.hpp"
 #include "mc/study_limits.hpp"
-#include "mc/study_trends.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
@@ -54,12 +53,12 @@ std::vector<long> read_grid_levels(const toml::node& node, const std::string& fi
 void read_plain_keys(const toml::table& root, const std::string& file, Study& study) {
   for (const auto& leaf : toml_leaves(root, {})) {
     if (leaf.name == "scene" || leaf.name.starts_with("scene.") || leaf.name == "limit" ||
-        leaf.name == "correlation" || leaf.name == "tolerance.dimension" || leaf.name == "trend" ||
+        leaf.name == "correlation" || leaf.name == "tolerance.dimension" ||
         leaf.name == "operating_point")
       continue;
     if (leaf.name == "tolerance" && leaf.node->is_table()) continue;
     for (const std::string list :
-         {"limit", "correlation", "tolerance.dimension", "trend", "assumption", "operating_point"})
+         {"limit", "correlation", "tolerance.dimension", "assumption", "operating_point"})
       if (leaf.name.starts_with(list + "."))
         throw InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node),
                          "there may be several of these: they are a list of tables",
@@ -71,7 +70,7 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
     } else {
       auto known = key_infos(study_keys());
       for (const char* list : {"grid_levels", "scene", "limit", "correlation",
-                               "tolerance.dimension", "trend", "assumption", "operating_point"})
+                               "tolerance.dimension", "assumption", "operating_point"})
         known.emplace_back(list, any_value(), "", KeyKind::text);
       throw unknown_key(leaf, file, known);
     }
@@ -147,10 +146,8 @@ Study study_of(toml::table root, const std::string& file) {
   check_flexible_cage(study, scene, file);
   check_assumption_ranges(study, scene, file);
   check_history(study, root, file);
-  study.trends = read_trends(root, file, study);
   complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
-  check_trend_levels(study, sampler, root, file);
   resolve(study);
   return study;
 }

@@ -14,7 +14,6 @@
 #include "mc/study_file/correlation.hpp"
 #include "mc/study_file/limit.hpp"
 #include "mc/study_file/tolerance.hpp"
-#include "mc/study_file/trend.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -106,7 +105,6 @@ struct Study {
   TolerancePlan tolerance;
   HistoryPlan history;
   double cage_check_share = 0.01;  ///< of samples whose flexible cage is also solved in full
-  std::vector<Trend> trends;
   FidelityDecision fidelity_decision;
   RecommendPlan recommend;
   std::vector<Candidate> candidates;

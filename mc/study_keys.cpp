@@ -87,25 +87,12 @@ const std::vector<KeyInfo>& operating_point_keys() {
   return keys;
 }
 
-const std::vector<KeyInfo>& trend_keys() {
-  static const std::vector<KeyInfo> keys = {
-      {"trend.claim", any_value(), "what is claimed, in words; entries with the same words and source are readings of one claim", KeyKind::text},
-      {"trend.quantity", any_value(), "quantity of interest the claim is about", KeyKind::text},
-      {"trend.key", any_value(), "scene key, varied by lot, over which it changes", KeyKind::text},
-      {"trend.between", any_value(), "array of two levels: lot deviations in the key's unit, from the first to the second", KeyKind::numbers},
-      {"trend.expected", one_of({"rises", "falls", "level", "unclear"}), "what the quantity does on the way; unclear: the source contradicts itself, ours is reported", KeyKind::choice},
-      {"trend.by_share", at_least(0), "rises, falls: by at least this share of the mean at the first level; level: changes by less", KeyKind::number},
-      {"trend.by_value", at_least(0), "the same in the quantity's unit", KeyKind::number},
-      {"trend.source", any_value(), "where the claim is made", KeyKind::text},
-  };
-  return keys;
-}
 // clang-format on
 
 bool is_study_section(const std::string& name) {
   static const std::vector<std::string> lists = {"scene",       "limit",          "correlation",
                                                  "grid_levels", "inputs",         "candidates",
-                                                 "trend",       "operating_point"};
+                                                 "operating_point"};
   if (std::find(lists.begin(), lists.end(), name) != lists.end()) return true;
   return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
     return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;

@@ -56,8 +56,7 @@ Json worst_samples_json(const ReportBasis& basis);
 Json contributors_json(const ReportBasis& basis);
 /// null where the cage is rigid. `peak` is what read_cage_peak found.
 Json cage_json(const ReportBasis& basis, const Json& peak);
-/// null where the study makes no claims, or is no grid.
-Json trends_json(const ReportBasis& basis);
+/// null where the study is no grid.
 Json response_json(const ReportBasis& basis);
 
 /// Yield curves, binding tests and recommendation, and the verdict drawn from them.
