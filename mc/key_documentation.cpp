@@ -38,14 +38,6 @@ constexpr const char* kExamples = R"(
 #   note = "nobody measured it"
 #   low = 5
 #   high = 50
-# What a source claims about the levels of a grid; the report puts this study beside it:
-#   [[trend]]
-#   claim = "slip grows where the pocket gets narrow"
-#   quantity = "roller_slip_ratio_loaded"
-#   key = "cage.pocket_width_mm"
-#   between = [0, -0.2]
-#   expected = "rises"
-#   source = "test rig"
 # Levels of design "grid", one number for each group of inputs or one for all (above the first section):
 #   grid_levels = [5]
 )";
@@ -158,8 +150,6 @@ std::string key_documentation() {
           list_rows(assumption_keys(),
                     "`key` and `note` must be given, `low` and `high` both or none. In scenes and "
                     "in studies; an entry of a study replaces its scene's for the same key.");
-  text += "\n### `[[trend]]`: what a source claims about the levels of a grid\n\n" +
-          list_rows(trend_keys(), "All but `by_share` and `by_value` must be given.");
   return text;
 }
 

@@ -6,7 +6,6 @@
 #include "mc/law_reader.hpp"
 #include "mc/operating_points.hpp"
 #include "mc/study_keys.hpp"
-#include "mc/study_trends.hpp"
 #include "src/scene/oil_keys.hpp"
 #include "src/scene/scene_keys.hpp"
 
@@ -129,7 +128,7 @@ toml::table resolved_table(const Study& study) {
   }
   if (!assumptions.empty()) scene.insert("assumption", std::move(assumptions));
   root.insert("scene", std::move(scene));
-  toml::array inputs, correlations, limits, dimensions, candidates, trends;
+  toml::array inputs, correlations, limits, dimensions, candidates;
   for (const auto& input : study.inputs) inputs.push_back(input_table(input));
   for (const auto& correlation : study.correlations)
     correlations.push_back(toml::table{
@@ -138,14 +137,12 @@ toml::table resolved_table(const Study& study) {
   for (const auto& dimension : study.tolerance.dimensions)
     dimensions.push_back(dimension_table(dimension));
   for (const auto& candidate : study.candidates) candidates.push_back(candidate_table(candidate));
-  for (const auto& trend : study.trends) trends.push_back(trend_table(trend));
   root.insert("inputs", std::move(inputs));
   root.insert("correlation", std::move(correlations));
   root.insert("limit", std::move(limits));
   toml::array points;
   for (const auto& point : study.points) points.push_back(operating_point_table(point));
   if (!points.empty()) root.insert("operating_point", std::move(points));
-  root.insert("trend", std::move(trends));
   root.get("tolerance")->as_table()->insert("dimension", std::move(dimensions));
   root.insert("candidates", std::move(candidates));
   if (!study.fidelity_decision.rung.empty())

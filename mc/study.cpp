@@ -14,7 +14,6 @@
 #include "mc/study_keys.hpp"
 #include "mc/study_layers.hpp"
 #include "mc/study_limits.hpp"
-#include "mc/study_trends.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
@@ -54,12 +53,12 @@ std::vector<long> read_grid_levels(const toml::node& node, const std::string& fi
 void read_plain_keys(const toml::table& root, const std::string& file, Study& study) {
   for (const auto& leaf : toml_leaves(root, {})) {
     if (leaf.name == "scene" || leaf.name.starts_with("scene.") || leaf.name == "limit" ||
-        leaf.name == "correlation" || leaf.name == "tolerance.dimension" || leaf.name == "trend" ||
+        leaf.name == "correlation" || leaf.name == "tolerance.dimension" ||
         leaf.name == "operating_point")
       continue;
     if (leaf.name == "tolerance" && leaf.node->is_table()) continue;
     for (const std::string list :
-         {"limit", "correlation", "tolerance.dimension", "trend", "assumption", "operating_point"})
+         {"limit", "correlation", "tolerance.dimension", "assumption", "operating_point"})
       if (leaf.name.starts_with(list + "."))
         throw InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node),
                          "there may be several of these: they are a list of tables",
@@ -71,7 +70,7 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
     } else {
       auto known = key_infos(study_keys());
       for (const char* list : {"grid_levels", "scene", "limit", "correlation",
-                               "tolerance.dimension", "trend", "assumption", "operating_point"})
+                               "tolerance.dimension", "assumption", "operating_point"})
         known.emplace_back(list, any_value(), "", KeyKind::text);
       throw unknown_key(leaf, file, known);
     }
@@ -114,23 +113,6 @@ void check_history(const Study& study, const toml::table& root, const std::strin
                    "choose one of them");
 }
 
-void check_multifidelity(const Study& study, const toml::table& root, const std::string& file) {
-  if (study.multifidelity != "auto") return;
-  const auto* node = find_node(root, "multifidelity");
-  const auto refuse = [&](const char* why, const char* remedy) {
-    throw InputError(place_of(*node, file), "multifidelity", shown(*node), why, remedy);
-  };
-  if (study.design != DesignKind::random || study.cages_per_lot != 1)
-    refuse("more samples of the same kind are drawn only by the design random, one cage of a lot",
-           "set design = \"random\" and cages_per_lot = 1, or leave multifidelity out");
-  if (study.limits.empty())
-    refuse("the study has no limits: nothing says which quantity is to gain",
-           "add [[limit]], or leave multifidelity out");
-  if (study.inputs.empty())
-    refuse("nothing varies, so that more samples say nothing",
-           "make some key of the scene a distribution, or leave multifidelity out");
-}
-
 void resolve(Study& study) {
   const toml::table table = resolved_table(study);
   std::ostringstream toml_text, json_text;
@@ -164,11 +146,8 @@ Study study_of(toml::table root, const std::string& file) {
   check_flexible_cage(study, scene, file);
   check_assumption_ranges(study, scene, file);
   check_history(study, root, file);
-  check_multifidelity(study, root, file);
-  study.trends = read_trends(root, file, study);
   complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
-  check_trend_levels(study, sampler, root, file);
   resolve(study);
   return study;
 }

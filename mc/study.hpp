@@ -14,7 +14,6 @@
 #include "mc/study_file/correlation.hpp"
 #include "mc/study_file/limit.hpp"
 #include "mc/study_file/tolerance.hpp"
-#include "mc/study_file/trend.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -93,13 +92,12 @@ struct Study {
   long scrambles = 8;
   long cages_per_lot = 1;
   double allowed_failure_share = 0.02;
-  std::string fidelity = "pinned";    ///< of the model: "pinned" as the scene says, or "auto"
-  long fidelity_samples = 24;         ///< runs on each rung of the model ladder
-  std::string multifidelity = "off";  ///< "auto": cheap runs beside the study where they pay
-  double fidelity_budget = 0.1;       ///< largest shift allowed, in standard errors of the study
-  std::vector<long> grid_levels;      ///< of design "grid": levels per varied input
-  Scene scene;                        ///< nominal
-  bool names_lubrication = true;      ///< the scene gives lubrication.model
+  std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
+  long fidelity_samples = 24;       ///< runs on each rung of the model ladder
+  double fidelity_budget = 0.1;     ///< largest shift allowed, in standard errors of the study
+  std::vector<long> grid_levels;    ///< of design "grid": levels per varied input
+  Scene scene;                      ///< nominal
+  bool names_lubrication = true;    ///< the scene gives lubrication.model
   std::vector<UncertainInput> inputs;
   std::vector<OperatingPointPlan> points;  ///< none: the scene's own load and speed
   std::vector<Correlation> correlations;
@@ -107,7 +105,6 @@ struct Study {
   TolerancePlan tolerance;
   HistoryPlan history;
   double cage_check_share = 0.01;  ///< of samples whose flexible cage is also solved in full
-  std::vector<Trend> trends;
   FidelityDecision fidelity_decision;
   RecommendPlan recommend;
   std::vector<Candidate> candidates;

@@ -19,7 +19,6 @@ const KeyTable<Study>& study_keys() {
       {"fidelity", one_of({"pinned", "auto"}), AT(fidelity), "pinned: the model that the scene says; auto: the cheapest rung of the model ladder that is good enough for every limited quantity: its mean is unmoved or its limits are settled (`cagetol ladder --help`), the highest where the samples do not tell"},
       {"fidelity_samples", within(2, 1e9), AT(fidelity_samples), "fidelity auto: runs on each rung that is tried; more of them settle limits that are closer"},
       {"fidelity_budget", above(0), AT(fidelity_budget), "fidelity auto: largest shift of a mean, or share beyond a limit, that a rung may cause, in standard errors of the study: of that mean, of its yield"},
-      {"multifidelity", one_of({"off", "auto"}), AT(multifidelity), "auto: after the sweep, `fidelity_samples` runs of each of the two cheapest rungs of the model ladder predict what such runs would add to the limited quantities; where it is a gain above 1.2, a companion of the study's samples and many more is run on that rung, for the report (DIR/companion). Needs design random and one cage of a lot"},
       {"cage_check_share", within(0, 1), AT(cage_check_share), "share of samples whose flexible cage is also solved in full, to know the error of the per-sample cage model"},
       {"tolerance.target_yield", above(0, 1), AT(tolerance.target_yield), "share of cages that must meet all limits"},
       {"tolerance.confidence", above(0, 0.999999), AT(tolerance.confidence), "confidence of the bounds"},
@@ -88,25 +87,12 @@ const std::vector<KeyInfo>& operating_point_keys() {
   return keys;
 }
 
-const std::vector<KeyInfo>& trend_keys() {
-  static const std::vector<KeyInfo> keys = {
-      {"trend.claim", any_value(), "what is claimed, in words; entries with the same words and source are readings of one claim", KeyKind::text},
-      {"trend.quantity", any_value(), "quantity of interest the claim is about", KeyKind::text},
-      {"trend.key", any_value(), "scene key, varied by lot, over which it changes", KeyKind::text},
-      {"trend.between", any_value(), "array of two levels: lot deviations in the key's unit, from the first to the second", KeyKind::numbers},
-      {"trend.expected", one_of({"rises", "falls", "level", "unclear"}), "what the quantity does on the way; unclear: the source contradicts itself, ours is reported", KeyKind::choice},
-      {"trend.by_share", at_least(0), "rises, falls: by at least this share of the mean at the first level; level: changes by less", KeyKind::number},
-      {"trend.by_value", at_least(0), "the same in the quantity's unit", KeyKind::number},
-      {"trend.source", any_value(), "where the claim is made", KeyKind::text},
-  };
-  return keys;
-}
 // clang-format on
 
 bool is_study_section(const std::string& name) {
   static const std::vector<std::string> lists = {"scene",       "limit",          "correlation",
                                                  "grid_levels", "inputs",         "candidates",
-                                                 "trend",       "operating_point"};
+                                                 "operating_point"};
   if (std::find(lists.begin(), lists.end(), name) != lists.end()) return true;
   return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
     return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;

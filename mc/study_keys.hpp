@@ -18,7 +18,6 @@ const std::vector<KeyInfo>& dimension_keys();
 const std::vector<KeyInfo>& correlation_keys();
 const std::vector<KeyInfo>& assumption_keys();
 const std::vector<KeyInfo>& operating_point_keys();
-const std::vector<KeyInfo>& trend_keys();
 
 /// Whether `name` is the first part of a key of a study file ("tolerance", "limit", "scene", ...),
 /// `name` itself apart: scenes have that too.

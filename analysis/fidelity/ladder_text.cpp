@@ -130,10 +130,7 @@ Json ladder_json(const ModelLadder& ladder) {
                   {"standard_deviation", number(quantity.ladder.deviation)},
                   {"budget", number(quantity.ladder.budget)},
                   {"allowed_wrong_share", number(quantity.ladder.allowed_wrong_share)}};
-    if (!ladder.refining) {
-      entry["least_rung"] = least_name(ladder, quantity.ladder);
-      entry["multifidelity_gain"] = quantity.multifidelity_gain;
-    }
+    if (!ladder.refining) entry["least_rung"] = least_name(ladder, quantity.ladder);
     entry["rungs"] = Json::array();
     for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
       entry["rungs"].push_back(shift_json(ladder.rungs[r], quantity.ladder.rungs[r]));
@@ -181,12 +178,10 @@ std::string ladder_text(const ModelLadder& ladder) {
       std::any_of(ladder.quantities.begin(), ladder.quantities.end(),
                   [](const LadderQuantity& quantity) { return quantity.limited(); });
   if (limited) text += fmt::format("\n\"settled\" assumes {}.\n", kSettledAssumption);
-  text +=
-      "\nleast rung of each quantity, predicted gain of a mean with the help of cheaper rungs\n";
+  text += "\nleast rung of each quantity\n";
   for (const LadderQuantity& quantity : ladder.quantities)
     if (is_defined(quantity))
-      text += fmt::format("  {:<31} {:<16}{:.2f}\n", quantity.name,
-                          least_name(ladder, quantity.ladder), quantity.multifidelity_gain);
+      text += fmt::format("  {:<31} {}\n", quantity.name, least_name(ladder, quantity.ladder));
   return text;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/fidelity/multifidelity.hpp"
 #include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
@@ -22,19 +21,6 @@ double median_ratio(const std::vector<double>& times, const std::vector<double>&
   for (std::size_t k = 0; k < times.size(); ++k)
     if (std::isfinite(times[k] / reference[k])) ratios.push_back(times[k] / reference[k]);
   return ratios.empty() ? kUndefined : gsl_stats_median(ratios.data(), 1, ratios.size());
-}
-
-/// The rungs without lost runs, the reference first.
-double predicted_gain(const std::vector<std::vector<double>>& values,
-                      const std::vector<LadderRung>& rungs, const QuantityLadder& ladder) {
-  std::vector<std::vector<double>> pilot;
-  std::vector<double> costs;
-  for (std::size_t r = rungs.size(); r-- > 0;) {
-    if (ladder.rungs[r].lost > 0 || !(rungs[r].cost_ratio > 0)) continue;
-    pilot.push_back(values[r]);
-    costs.push_back(rungs[r].cost_ratio);
-  }
-  return pilot.size() > 1 ? plan_multifidelity(pilot, costs).gain : 1;
 }
 
 std::vector<Limit> limits_on(const std::string& quantity, const StudyPlan& plan) {
@@ -72,8 +58,7 @@ ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<S
       values.push_back(ok_values(rung, find_quantity(rung, column.name)->values));
     auto limits = limits_on(column.name, reference.plan);
     const QuantityLadder judged = least_rung(values, ladder.rule, limits);
-    ladder.quantities.push_back({column.name, column.unit, std::move(limits), judged,
-                                 predicted_gain(values, ladder.rungs, judged)});
+    ladder.quantities.push_back({column.name, column.unit, std::move(limits), judged});
   }
   return ladder;
 }

@@ -22,9 +22,6 @@ struct LadderQuantity {
   std::string name, unit;
   std::vector<Limit> limits = {};  ///< limits of the study on this quantity
   QuantityLadder ladder;
-  /// Predicted gain of a mean with the help of cheaper rungs (multifidelity.hpp), from measured
-  /// costs; 1: the reference alone.
-  double multifidelity_gain = 1;
   bool limited() const { return !limits.empty(); }
 };
 

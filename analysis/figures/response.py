@@ -184,7 +184,8 @@ def slip_bars(report):
 
 def response_quantities(report):
     response = report["response"]
-    entries = [entry for entry in response["quantities"] if entry["claimed"]] if response else []
+    certain = {"rises", "falls", "not monotone"}
+    entries = [entry for entry in response["quantities"] if certain & set(entry["course"])] if response else []
     if response and not entries:
         entries = response["quantities"]
     if not entries:

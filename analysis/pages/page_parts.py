@@ -5,7 +5,7 @@ Above 400 lines: one short function for each table or list of a page."""
 import math
 
 from page_text import (code, general, is_number, joined, percent_interval, pockets_alike, readable, rounded, scene_items,
-                       signed_general, unit_suffix, value_text)
+                       value_text)
 
 
 class Chapter:
@@ -28,8 +28,8 @@ def may_be_printed(report):
 
 
 def is_response(report):
-    """A grid that asks how the bearing answers, or whether claims hold, and looks for no tolerance."""
-    return bool(report["response"] or report["trends"]) and not report["tolerance"]
+    """A grid that asks how the bearing answers, and looks for no tolerance."""
+    return bool(report["response"]) and not report["tolerance"]
 
 
 def verdict_title(report):
@@ -227,7 +227,6 @@ def appendix(report):
     tolerance = report["tolerance"]
     contributors = report["contributors"]
     chapters = [
-        ("trends", "What the source claims, and what these runs show", report["trends"]),
         ("response", f"Response to the {report['response']['name']}" if report["response"] else "", report["response"]),
         ("outcomes", "Outcomes and limits", True),
         ("confirmation", "Fresh runs at the recommended tolerance", report["confirmation"]),
@@ -236,7 +235,6 @@ def appendix(report):
         ("contributors", "What drives the quantities", contributors["features"] and contributors["outputs"]),
         ("quantities", "Statistics of every quantity", True),
         ("errors", "Error budget", report["error_budget"]["quantities"]),
-        ("multifidelity", "Help from a cheaper model", report["multifidelity"]),
         ("cage", "Flexible cage", report["cage"]),
         ("motion", "Motion of the worst and the median sample", report.get("motion")),
         ("capability", "Capability at this tolerance" if report["confirmation"] else "Capability against the limits", report["capability"] or (report["confirmation"] or {}).get("capability")),
@@ -446,38 +444,6 @@ def worst_samples(report):
     return misses, list(nearest.values())
 
 
-def counts_text(verdicts):
-    return ", ".join(f"{verdict} {rounded(count)}" for verdict, count in verdicts.items())
-
-
-def verdict_class(verdict):
-    return {"agrees": "good", "disagrees": "bad"}.get(verdict, "")
-
-
-def place_text(place, unit):
-    """"0.1 mm" of clearance, or the deviation where the dimension leaves no clearance."""
-    if place["clearance"] is None:
-        return signed_general(place["level"]) + unit_suffix(unit)
-    return f"{place['clearance']:g}{unit_suffix(unit)}"
-
-
-def has_clearances(claims):
-    return any(span["first"]["clearance"] is not None for claim in claims for held in claim["held"] for span in held["ranges"])
-
-
-def trend_settings(trends):
-    """Rows by setting, in order of first appearance: trends over different keys have different settings."""
-    settings = {}
-    for row in trends["rows"]:
-        for seen in row["settings"]:
-            settings.setdefault(seen["setting"], []).append((row, seen))
-    return list(settings.items())
-
-
-def relative_text(difference):
-    return f"{100 * difference['value']:+.3g} %" if is_number(difference["value"]) else "-"
-
-
 def assumption_rows(report):
     """Key, reason and range of each stated assumption."""
     ranges = {entry["key"]: entry for entry in assumed_ranges(report)}
@@ -519,37 +485,42 @@ def libraries_text(libraries):
 
 RESPONSE_FIGURES = [
     ("response_cage_stress",
-     "Largest equivalent (von Mises) stress in the cage (Figs. 8 and 16). Peaks are contacts of rollers with bars; "
+     "Largest equivalent (von Mises) stress in the cage. Peaks are contacts of rollers with bars; "
      "the right-hand side says whether the level moves their mean or their fluctuation."),
     ("orbit_cage",
      "Paths of the cage's centre, one column for each level (six of them where there are more), the first runs of "
-     "each in different colours (Figs. 9 and 17). Look for the size of the path and whether it circles; runs that "
+     "each in different colours. Look for the size of the path and whether it circles; runs that "
      "differ as much as levels do mean that the level says little."),
     ("response_cage_velocity",
-     "Speed of the cage's centre in the radial plane (Fig. 10). A wide fluctuation is a cage that is thrown about "
+     "Speed of the cage's centre in the radial plane. A wide fluctuation is a cage that is thrown about "
      "rather than one that circles."),
     ("response_cage_speed",
-     "Rotational speed of the cage (Figs. 11 and 18). A mean below pure rolling is cage slip."),
+     "Rotational speed of the cage. A mean below pure rolling is cage slip."),
     ("orbit_ring",
-     "Paths of the inner ring's centre (Figs. 12 and 20). The arc comes from the rollers passing below the load; it "
+     "Paths of the inner ring's centre. The arc comes from the rollers passing below the load; it "
      "hardly depends on the cage where the columns look alike."),
     ("response_ring_velocity",
-     "Speed of the inner ring's centre (Fig. 13)."),
+     "Speed of the inner ring's centre."),
     ("response_ring_displacement",
-     "Displacement of the inner ring along the load (Fig. 19): its mean is set by load and clearance, its ripple by "
+     "Displacement of the inner ring along the load: its mean is set by load and clearance, its ripple by "
      "the rollers passing."),
     ("response_ring_acceleration",
-     "Acceleration of the inner ring (Fig. 21), at the stored instants; peaks between them are in the quantities."),
+     "Acceleration of the inner ring, at the stored instants; peaks between them are in the quantities."),
     ("response_roller_spin",
-     "Spin of one roller about its own axis (Figs. 14 and 22). It drops where the roller leaves the load zone and is "
+     "Spin of one roller about its own axis. It drops where the roller leaves the load zone and is "
      "spun up again when it enters."),
     ("slip_bars",
-     "Roller slip by level (Figs. 15 and 23): medians of the runs, with their 5 to 95 % range. Slip depends on the "
+     "Roller slip by level: medians of the runs, with their 5 to 95 % range. Slip depends on the "
      "friction law's transition speeds."),
     ("response_quantities",
-     "Every quantity the source speaks about, over the level: median of the runs, band from 5 to 95 % of them. Bands "
+     "The quantities that certainly change over the levels, or all where none does: median of the runs, band from 5 to 95 % of them. Bands "
      "that overlap all the way mean that the level is not felt in one run."),
 ]
+
+
+def felt(response):
+    """The quantities of which some setting says how they go over the levels."""
+    return [entry for entry in response["quantities"] if {"rises", "falls", "not monotone"} & set(entry["course"])]
 
 
 def response_figures():

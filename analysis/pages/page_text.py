@@ -180,15 +180,6 @@ def scene_items(section, prefix=""):
     return items
 
 
-def with_error(estimate):
-    """As many digits as the error deserves, two of it."""
-    value, error = estimate["value"], estimate["standard_error"]
-    if not (is_number(value) and is_number(error) and error > 0):
-        return rounded(value)
-    decimals = min(max(1 - math.floor(math.log10(error)), 0), 15)
-    return f"{value:.{decimals}f} ± {error:.{decimals}f}"
-
-
 def joined(items, last=" and "):
     items = [str(item) for item in items]
     return last.join([", ".join(items[:-1]), items[-1]]) if len(items) > 1 else "".join(items)
@@ -221,7 +212,7 @@ def filters():
             "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
             "percent_down": percent_down, "stated_percent": stated_percent, "percent_interval": percent_interval,
             "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "kept": kept, "breakable": breakable,
-            "value_text": value_text, "law_text": law_text, "with_error": with_error,
+            "value_text": value_text, "law_text": law_text,
             "readable": readable, "joined": joined, "words_used": words_used}
 
 

@@ -48,8 +48,6 @@ Json margins_json(const ReportBasis& basis, const std::vector<StudyData>& confir
 void finish_verdict(const ReportBasis& basis, Json& report);
 /// "at least 1 N and at most 2 N".
 std::string limit_text(const Limit& limit, const std::string& unit);
-/// From the runs of the companion (companion.hpp); null without one.
-Json multifidelity_json(const ReportBasis& basis, const StudyData* companion);
 Json capability_json(const ReportBasis& basis);
 Json convergence_json(const ReportBasis& basis);
 Json health_json(const ReportBasis& basis);
@@ -58,8 +56,7 @@ Json worst_samples_json(const ReportBasis& basis);
 Json contributors_json(const ReportBasis& basis);
 /// null where the cage is rigid. `peak` is what read_cage_peak found.
 Json cage_json(const ReportBasis& basis, const Json& peak);
-/// null where the study makes no claims, or is no grid.
-Json trends_json(const ReportBasis& basis);
+/// null where the study is no grid.
 Json response_json(const ReportBasis& basis);
 
 /// Yield curves, binding tests and recommendation, and the verdict drawn from them.

@@ -10,6 +10,7 @@
 #include "analysis/response/grid_cells.hpp"
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/statistics/order_statistics.hpp"
+#include "analysis/statistics/paired_difference.hpp"
 
 namespace cagetol {
 namespace {
@@ -60,21 +61,58 @@ Json for_cells(const GridCells& cells, Make make) {
   return settings;
 }
 
-Json quantities_of(const StudyData& study, const GridCells& cells) {
+/// Values of a cell's runs by their replicate; NaN where there is none.
+std::vector<double> by_replicate(const StudyData& study, const Column& column,
+                                 const std::vector<std::size_t>& samples) {
+  const auto most = *std::max_element(study.replicate.begin(), study.replicate.end());
+  std::vector<double> values(static_cast<std::size_t>(most) + 1, kUndefined);
+  for (const std::size_t i : samples)
+    values[static_cast<std::size_t>(study.replicate[i])] = column.values[i];
+  return values;
+}
+
+/// How a quantity goes over the levels, from paired differences: the k-th runs of all cells start
+/// alike. It rises where it does from the first level to the last and no step certainly falls.
+const char* course_of(const std::vector<std::vector<double>>& levels, double confidence) {
+  const PairedDifference whole = paired_difference(levels.front(), levels.back(), confidence);
+  bool rises = false, falls = false, identical = whole.identical;
+  for (std::size_t l = 1; l < levels.size(); ++l) {
+    const PairedDifference step = paired_difference(levels[l - 1], levels[l], confidence);
+    rises = rises || step.difference.lower > 0;
+    falls = falls || step.difference.upper < 0;
+    identical = identical && step.identical;
+  }
+  if (identical) return "unchanged";
+  if (rises && falls) return "not monotone";
+  if (whole.difference.lower > 0 && !falls) return "rises";
+  if (whole.difference.upper < 0 && !rises) return "falls";
+  return "undecided";
+}
+
+Json quantities_of(const ReportBasis& basis, const GridCells& cells) {
   Json list = Json::array();
-  for (const Column& column : study.quantities) {
+  for (const Column& column : basis.study.quantities) {
     if (!has_values(column.values)) continue;
-    const bool claimed =
-        std::any_of(study.plan.trends.begin(), study.plan.trends.end(),
-                    [&](const Trend& trend) { return trend.quantity == column.name; });
+    Json settings = Json::array(), courses = Json::array();
+    for (std::size_t setting = 0; setting < cells.settings.size(); ++setting) {
+      std::vector<std::vector<double>> levels;
+      Json bands = Json::array();
+      for (std::size_t level = 0; level < cells.levels.size(); ++level) {
+        const std::vector<double> values =
+            by_replicate(basis.study, column, cells.samples(setting, level));
+        bands.push_back(band_json(values));
+        const std::vector<double> nothing(values.size(), 0.0);
+        bands.back()["mean"] =
+            to_json(paired_difference(nothing, values, basis.confidence).difference);
+        levels.push_back(values);
+      }
+      settings.push_back(std::move(bands));
+      courses.push_back(course_of(levels, basis.confidence));
+    }
     list.push_back({{"quantity", column.name},
                     {"unit", column.unit},
-                    {"claimed", claimed},
-                    {"cells", for_cells(cells, [&](const std::vector<std::size_t>& samples) {
-                       std::vector<double> values;
-                       for (const std::size_t i : samples) values.push_back(column.values[i]);
-                       return band_json(values);
-                     })}});
+                    {"course", std::move(courses)},
+                    {"cells", std::move(settings)}});
   }
   return list;
 }
@@ -205,7 +243,8 @@ Json response_json(const ReportBasis& basis) {
           {"nominal", input->nominal.empty() ? Json() : number(input->nominal.front())},
           {"levels", cells->levels},
           {"settings", cells->settings},
-          {"quantities", quantities_of(basis.study, *cells)},
+          {"confidence", basis.confidence},
+          {"quantities", quantities_of(basis, *cells)},
           {"history", history_of(basis.study, *cells)}};
 }
 

@@ -147,7 +147,7 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
                          "candidates=[\"IT9\", \"IT10\", \"IT11\", \"IT12\"]}}]'",
                          has_cage(basis.study.plan.scene) ? "cage.pocket_width_mm"
                                                           : "roller.diameter_mm")));
-  if (status == "no_yield" && report["trends"].is_null())
+  if (status == "no_yield" && report["response"].is_null())
     steps.push_back(step("Rows that follow the laws of the inputs.",
                          "cagetol sweep STUDY -o OTHER_DIR --set design='\"random\"'"));
   if (status == "no_runs")

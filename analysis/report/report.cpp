@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "analysis/report/cage_peak.hpp"
-#include "analysis/report/companion.hpp"
 #include "analysis/report/csv_tables.hpp"
 #include "analysis/report/page_writer.hpp"
 #include "analysis/report/refining_ladder.hpp"
@@ -39,11 +38,11 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
   const bool staged = file.parent_path() != study_dir;
   const StudyData study = read_study_data(file);
   const auto confirmations = read_confirmations(study_dir);
-  const Json report = make_report(
-      study, confirmations, staged ? "DIR/mixture" : "DIR",
-      read_cage_peak(file.parent_path(), study), read_refining_ladder(file.parent_path()),
-      read_companion(file.parent_path()), read_assumption_runs(study_dir, confirmations),
-      options.bearing ? options.bearing(file) : Json());
+  const Json report = make_report(study, confirmations, staged ? "DIR/mixture" : "DIR",
+                                  read_cage_peak(file.parent_path(), study),
+                                  read_refining_ladder(file.parent_path()),
+                                  read_assumption_runs(study_dir, confirmations),
+                                  options.bearing ? options.bearing(file) : Json());
   const std::string text = report.dump(1) + "\n";
   write_text(study_dir / "report.json", text);
   write_csv_tables(study_dir, study, report);

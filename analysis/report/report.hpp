@@ -33,15 +33,13 @@ struct ReportOptions {
 /// Every number of the report, from the study alone: the same study gives the same bytes.
 /// `confirmations` are the attempts to confirm its recommendation, `directory` is how replay
 /// commands name the place of its runs, `cage_peak` what read_cage_peak (cage_peak.hpp) found,
-/// `refining_ladder` what read_refining_ladder (refining_ladder.hpp) did, `companion` what
-/// read_companion (companion.hpp) did, `assumptions` what read_assumption_runs
-/// (assumption_runs.hpp) did, `bearing` what ReportOptions::bearing said.
+/// `refining_ladder` what read_refining_ladder (refining_ladder.hpp) did, `assumptions` what
+/// read_assumption_runs (assumption_runs.hpp) did, `bearing` what ReportOptions::bearing said.
 nlohmann::ordered_json make_report(const StudyData& study,
                                    const std::vector<StudyData>& confirmations = {},
                                    const std::string& directory = "DIR",
                                    const nlohmann::ordered_json& cage_peak = {},
                                    const nlohmann::ordered_json& refining_ladder = {},
-                                   const std::optional<StudyData>& companion = {},
                                    const std::optional<AssumptionRuns>& assumptions = {},
                                    const nlohmann::ordered_json& bearing = {});
 

@@ -13,11 +13,13 @@ std::size_t resample_count(std::size_t runs) {
 
 }  // namespace
 
-nlohmann::ordered_json make_report(
-    const StudyData& study, const std::vector<StudyData>& confirmations,
-    const std::string& directory, const nlohmann::ordered_json& cage_peak,
-    const nlohmann::ordered_json& refining_ladder, const std::optional<StudyData>& companion,
-    const std::optional<AssumptionRuns>& assumptions, const nlohmann::ordered_json& bearing) {
+nlohmann::ordered_json make_report(const StudyData& study,
+                                   const std::vector<StudyData>& confirmations,
+                                   const std::string& directory,
+                                   const nlohmann::ordered_json& cage_peak,
+                                   const nlohmann::ordered_json& refining_ladder,
+                                   const std::optional<AssumptionRuns>& assumptions,
+                                   const nlohmann::ordered_json& bearing) {
   const StudyData runs = select_samples(study, first_runs(study));
   const auto joint = judge_all(runs);
   const Resampling resampling(runs, resample_count(runs.size()));
@@ -34,7 +36,6 @@ nlohmann::ordered_json make_report(
   report["passed_over"] = std::move(wider);
   report["bearing"] = bearing;
   report["tolerance"] = std::move(tolerance.tolerance);
-  report["trends"] = trends_json(basis);
   report["response"] = response_json(basis);
   report["confirmation"] = std::move(confirmation);
   report["assumption_verdicts"] = std::move(assumed);
@@ -43,7 +44,6 @@ nlohmann::ordered_json make_report(
   report["contributors"] = contributors_json(basis);
   report["quantities"] = quantities_json(basis);
   report["error_budget"] = error_budget_json(basis, report["quantities"], refining_ladder);
-  report["multifidelity"] = multifidelity_json(basis, companion ? &*companion : nullptr);
   report["cage"] = cage_json(basis, cage_peak);
   report["capability"] = capability_json(basis);
   report["convergence"] = convergence_json(basis);

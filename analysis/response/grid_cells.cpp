@@ -101,7 +101,6 @@ std::optional<GridCells> grid_cells(const StudyData& study, const std::string& k
 
 std::string response_key(const StudyData& study) {
   if (study.design.kind != "grid") return {};
-  if (!study.plan.trends.empty()) return study.plan.trends.front().key;
   std::string best;
   std::size_t most = 1;
   for (const InputColumns& input : study.inputs)

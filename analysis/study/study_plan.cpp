@@ -61,19 +61,6 @@ Correlation read_correlation(const Json& object) {
   return {between.at(0), between.at(1), object.at("rho").get<double>()};
 }
 
-Trend read_trend(const Json& object) {
-  const auto between = object.at("between").get<std::vector<double>>();
-  return {object.at("claim").get<std::string>(),
-          object.at("quantity").get<std::string>(),
-          object.at("key").get<std::string>(),
-          between.at(0),
-          between.at(1),
-          object.at("expected").get<std::string>(),
-          object.value("by_share", 0.0),
-          object.value("by_value", 0.0),
-          object.value("source", "")};
-}
-
 std::optional<CostCurve> read_cost(const Json& dimension) {
   CostCurve cost;
   if (dimension.contains("cost_table")) {
@@ -135,7 +122,6 @@ StudyPlan read_study_plan(const std::string& text, const std::string& file) {
     plan.limits = read_list(root, "limit", read_limit);
     plan.candidates = read_list(root, "candidates", read_candidate);
     plan.correlations = read_list(root, "correlation", read_correlation);
-    plan.trends = read_list(root, "trend", read_trend);
     const Json tolerance = part(root, "tolerance");
     if (!tolerance.is_null()) {
       plan.target_yield = tolerance.value("target_yield", 0.95);

@@ -8,7 +8,6 @@
 #include "mc/study_file/correlation.hpp"
 #include "mc/study_file/limit.hpp"
 #include "mc/study_file/tolerance.hpp"
-#include "mc/study_file/trend.hpp"
 
 namespace cagetol {
 
@@ -41,7 +40,6 @@ struct StudyPlan {
   std::vector<ToleranceDimension> dimensions;
   std::vector<Candidate> candidates;
   std::vector<Correlation> correlations;
-  std::vector<Trend> trends;
   nlohmann::ordered_json scene;  ///< every key of the scene with its nominal value
   nlohmann::ordered_json whole;  ///< the study as stored
 };

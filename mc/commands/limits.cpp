@@ -53,7 +53,6 @@ Study nominal_study(const Study& given, long samples) {
     study.extra_replicates = 0;
     study.allowed_failure_share = 1;
     study.fidelity = "pinned";
-    study.multifidelity = "off";
     for (auto& dimension : study.tolerance.dimensions) {
       dimension.cost.reset();
       dimension.candidates = {number_text(dimension.band_mm)};

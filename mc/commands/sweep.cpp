@@ -9,7 +9,6 @@
 #include "mc/adopted_runs.hpp"
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
-#include "mc/commands/companion_stages.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/study_motion.hpp"
@@ -33,11 +32,9 @@ Study read_with_notes(const SweepArguments& options) {
   return study;
 }
 
-/// Whether there is more to run than one sweep: a pilot that chooses the model, cheap runs that
-/// help.
+/// Whether a pilot chooses the model before the sweep.
 bool is_staged(const Study& study) {
-  const bool open = study.fidelity == "auto" && study.fidelity_decision.rung.empty();
-  return open || study.multifidelity == "auto";
+  return study.fidelity == "auto" && study.fidelity_decision.rung.empty();
 }
 
 int run_stages(const Study& given, const std::string& directory, StagedSweeps& stages) {
@@ -46,14 +43,12 @@ int run_stages(const Study& given, const std::string& directory, StagedSweeps& s
   const auto climbed = with_fidelity(given, directory, stages);
   if (const int* code = std::get_if<int>(&climbed)) return *code;
   const Study& study = std::get<Study>(climbed);
-  check_companion(study);
   if (study.hash != given.hash) {
     const std::size_t adopted = adopt_runs(
         study, directory, fidelity_folder(directory) + "/" + study.fidelity_decision.rung);
     if (adopted > 0) spdlog::info("{} runs of the pilot are the study's own", adopted);
   }
-  if (const int code = stages.sweep(study, directory); code != kDone) return code;
-  return run_companion(study, directory, stages);
+  return stages.sweep(study, directory);
 }
 
 /// All sweeps of the study. A study that cannot be read becomes the problem of a sweep, which makes
@@ -94,10 +89,7 @@ void add_sweep_command(CLI::App& app, Chosen& chosen) {
   auto* command = app.add_subcommand(
       "sweep", "Run every sample of a study; the same command resumes an interrupted sweep");
   command->footer(
-      "With fidelity = \"auto\" in the study a pilot in DIR/fidelity chooses the model first; "
-      "with\n"
-      "multifidelity = \"auto\" cheap runs in DIR/companion sharpen the estimates\n"
-      "where they pay.\n"
+      "With fidelity = \"auto\" in the study a pilot in DIR/fidelity chooses the model first.\n"
       "SIGUSR1 ends the sweep gently: running samples finish and are stored, exit code 75.\n\n"
       "Examples:\n  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  mpirun cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"

@@ -42,9 +42,9 @@ Scene on_rung(Scene scene, const Rung& rung);
 /// (planar rollers carry no axial load). The last one, the reference, stays.
 std::vector<Rung> rungs_for(const Scene& scene, const std::vector<Rung>& rungs);
 
-/// The study's first `samples` random samples on that rung, without its replicates, histories and
-/// claims. All rungs of a study draw the same samples. A study in which nothing varies gets scatter
-/// of the start: any phase, and of a cage a tenth of the pocket clearance in y and z. Throws
+/// The study's first `samples` random samples on that rung, without its replicates and
+/// histories. All rungs of a study draw the same samples. A study in which nothing varies gets
+/// scatter of the start: any phase, and of a cage a tenth of the pocket clearance in y and z. Throws
 /// InputError where a key of the rung is a distribution.
 Study rung_study(const Study& study, const Rung& rung, long samples);
 

@@ -76,7 +76,7 @@ const std::vector<Row>& rows() {
       {{"cage_slip_ratio"}, kTurningCage, "speed of the cage; moves with a cage that hangs off centre"},
       {{"orbit_slip_ratio"}, kTurning, "limit against skidding"},
       {{"orbit_slip_ratio_loaded"}, kTurning, "skidding of the rollers that drive the cage"},
-      {{"roller_slip_ratio_*"}, kTurning, "comparison with published slip; trends"},
+      {{"roller_slip_ratio_*"}, kTurning, "comparison with published slip"},
       {{"race_sliding_speed_*"}, kMotion, "smearing and wear of races"},
       {{"whirl_resting_share", "whirl_circling_share", "whirl_irregular_share"}, kWholeTurns, "kind of the cage's motion, for comparison with tests"},
       {{"whirl_scatter_ratio"}, kCaged, "limit on cage stability"},

@@ -11,7 +11,7 @@ declare -A share=([scene]=10 [study]=3 [resolved]=3 [settings]=2 [csv]=40 [journ
 # The sources whose coverage is printed.
 declare -A sources=(
   [scene]="src/input/toml_file.cpp src/input/key_table.cpp src/scene/scene_keys.cpp src/scene/check_scene.cpp src/scene/oil_keys.cpp"
-  [study]="mc/study.cpp mc/study_inputs.cpp mc/study_layers.cpp mc/study_limits.cpp mc/study_trends.cpp mc/law_reader.cpp"
+  [study]="mc/study.cpp mc/study_inputs.cpp mc/study_layers.cpp mc/study_limits.cpp mc/law_reader.cpp"
   [resolved]="mc/study.cpp mc/resolved_study.cpp" [settings]="src/input/toml_file.cpp mc/study_layers.cpp"
   [csv]="src/input/csv_records.cpp src/input/csv_heading.cpp mc/measurement_csv.cpp" [journal]="mc/journal.cpp mc/byte_stream.hpp"
   [study_file]="mc/stored_study.cpp mc/study_file/file_seal.cpp mc/study_file/hdf5_reader.cpp"

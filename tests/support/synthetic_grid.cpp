@@ -15,18 +15,6 @@ constexpr std::int64_t kLengths = 5, kRows = 2 * kLengths;
 constexpr const char* kLength = "cage.pocket_length_mm";
 constexpr const char* kTilt = "bearing.misalignment_z_mrad";
 
-nlohmann::ordered_json claim(const char* quantity, double from, double to, const char* expected,
-                             double by_share) {
-  return {{"claim", std::string(quantity) + " " + expected},
-          {"quantity", quantity},
-          {"key", kLength},
-          {"between", {from, to}},
-          {"expected", expected},
-          {"by_share", by_share},
-          {"by_value", 0.0},
-          {"source", "Fig. 1"}};
-}
-
 std::string study_json() {
   nlohmann::ordered_json study{{"name", "grid"}, {"scene", {{"cage", {{"model", "rigid"}}}}}};
   study["inputs"] = {{{"key", kTilt},
@@ -37,8 +25,6 @@ std::string study_json() {
                       {"unit", "mm"},
                       {"nominal", 9.4},
                       {"lot", {{"law", "uniform"}, {"lower", -0.25}, {"upper", 0.25}}}}};
-  study["trend"] = {claim("slip", -0.25, 0, "falls", 0), claim("orbit", 0, 0.25, "level", 0.5),
-                    claim("stress", 0, -0.25, "rises", 1), claim("slip", 0, 0.25, "unclear", 0)};
   return study.dump();
 }
 

@@ -1,4 +1,4 @@
-// A grid study with formulas in place of a bearing: what responses and trends must find is known.
+// A grid study with formulas in place of a bearing: what responses must find is known.
 #pragma once
 
 #include "analysis/study/study_data.hpp"

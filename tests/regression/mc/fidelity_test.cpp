@@ -30,10 +30,9 @@ class Fidelity : public testing::Test {
     return {code, process.output()};
   }
   /// A study, made short.
-  Ended sweep(const std::string& directory, std::vector<std::string> more = {},
-              const std::string& study = "nu205-slip") const {
-    std::vector<std::string> arguments = {
-        "sweep", shipped(std::string("studies/") + study + ".toml"), "-o", scratch_ / directory};
+  Ended sweep(const std::string& directory, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments = {"sweep", shipped("studies/nu205-slip.toml"), "-o",
+                                          scratch_ / directory};
     for (const char* setting :
          {"samples=12", "fidelity_samples=8", "scene.window.settle_revolutions=0.3",
           "scene.window.measure_revolutions=0.3", "scene.cage.mesh_density=2",
@@ -106,44 +105,6 @@ TEST_F(Fidelity, RunsOfAnotherDesignAreNotAdopted) {
   ASSERT_EQ(ended.code, 0) << ended.output;
   EXPECT_THAT(ended.output, HasSubstr("fidelity: planar"));
   EXPECT_THAT(ended.output, Not(HasSubstr("runs of the pilot")));
-}
-
-TEST_F(Fidelity, ACompanionHelpsWhereItPays) {
-  const std::vector<std::string> few = {"samples=20", "fidelity_samples=20"};
-  const Ended ended = sweep("out", few, "nu205-displacement");
-  ASSERT_EQ(ended.code, 0) << ended.output;
-  EXPECT_THAT(ended.output, HasSubstr("multifidelity: quasi-static helps, a gain of 3"));
-  EXPECT_THAT(ended.output, HasSubstr("20 of 1000 samples are already done"));
-  const auto written = std::filesystem::last_write_time(scratch_ / "out/companion/study.h5");
-  const Ended again = sweep("out", few, "nu205-displacement");
-  EXPECT_EQ(again.code, 0) << again.output;
-  EXPECT_EQ(std::filesystem::last_write_time(scratch_ / "out/companion/study.h5"), written);
-  ASSERT_EQ(run({"report", scratch_ / "out"}).code, 0);
-  std::ifstream file(scratch_ / "out/report.json");
-  const auto part = nlohmann::json::parse(file)["multifidelity"];
-  EXPECT_TRUE(part["problem"].is_null()) << part["problem"];
-  EXPECT_EQ(part["companion_runs"], 1000);
-  EXPECT_EQ(part["quantities"][0]["quantity"], "ring_displacement_mean_um");
-  EXPECT_GT(part["quantities"][0]["statistics"][0]["achieved_gain"].get<double>(), 3);
-}
-
-TEST_F(Fidelity, NoCompanionWhereNothingIsGained) {
-  const Ended ended = sweep("out",
-                            {"samples=20", "fidelity_samples=20",
-                             "limit=[{quantity='roller_skew_rms_mrad', max=9, source='test'}]"},
-                            "nu205-displacement");
-  ASSERT_EQ(ended.code, 0) << ended.output;
-  EXPECT_THAT(ended.output, HasSubstr("multifidelity: no cheap model helps"));
-  EXPECT_FALSE(std::filesystem::exists(scratch_ / "out/companion/study.h5"));
-  // What no rung can switch is told before the sweep, not after it.
-  const Ended scattered =
-      sweep("other",
-            {"scene.integration.tolerance={ law = 'uniform', lower = 0, upper = 0.0001, nominal = "
-             "0.001 }"},
-            "nu205-displacement");
-  EXPECT_EQ(scattered.code, 2) << scattered.output;
-  EXPECT_THAT(scattered.output, HasSubstr("switches this key from rung to rung"));
-  EXPECT_FALSE(std::filesystem::exists(scratch_ / "other/study.h5"));
 }
 
 }  // namespace

@@ -375,7 +375,7 @@ TEST(Program, LimitsSayHowFarTheyAreAndReadASweepAgain) {
   const auto first =
       run({"limits", shipped("studies/nu205-displacement.toml"), "-o", directory, "--samples", "60",
            "--json", "--progress", "off", "--set", "scene.model.motion=quasi-static", "--set",
-           "multifidelity=off", "--set", "scene.window.measure_revolutions=1"},
+           "scene.window.measure_revolutions=1"},
           [] { ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO); });
   ASSERT_EQ(first.code, 0) << first.output;
   const auto found = nlohmann::json::parse(first.output);

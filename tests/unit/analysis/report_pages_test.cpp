@@ -151,13 +151,13 @@ TEST(ReportPages, EveryNumberIsOneOfReportJson) {
     return check.wait() == 0 ? std::string() : check.output();
   };
   const StudyData study = make_synthetic_study();
-  for (const Json& report : {make_report(study, {fresh_runs(30), fresh_runs(1)}, "DIR/mixture", {},
-                                         {}, {}, {}, bearing()),
-                             make_report(make_synthetic_grid(4)),
-                             make_report(make_synthetic_study({.rows = 300, .failed_share = 0.1}))})
+  for (const Json& report :
+       {make_report(study, {fresh_runs(30), fresh_runs(1)}, "DIR/mixture", {}, {}, {}, bearing()),
+        make_report(make_synthetic_grid(4)),
+        make_report(make_synthetic_study({.rows = 300, .failed_share = 0.1}))})
     EXPECT_EQ(problems(report, page_of(report)), "");
   // A number from elsewhere is found.
-  const Json report = make_report(study, {}, "DIR", {}, {}, {}, {}, bearing());
+  const Json report = make_report(study, {}, "DIR", {}, {}, {}, bearing());
   std::string page = page_of(report);
   const std::string known = "234000 mm/min";
   ASSERT_NE(page.find(known), std::string::npos);

@@ -1,4 +1,4 @@
-// Trends and responses of a grid in report.json and on the page.
+// Responses of a grid in report.json and on the page.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -37,31 +37,27 @@ TEST(GridCells, AreNothingWithoutAGridOrALevel) {
   EXPECT_FALSE(grid_cells(study, "cage.pocket_length_mm"));
 }
 
-TEST(Trends, KnownDifferencesAreFoundAndNoiseIsNot) {
-  const auto rows = make_report(make_synthetic_grid()).at("trends").at("rows");
-  ASSERT_EQ(rows.size(), 4u);
-  const auto aligned = [&](std::size_t row) { return rows[row].at("settings").at(0); };
-  const auto misaligned = [&](std::size_t row) { return rows[row].at("settings").at(1); };
-  // Slip falls by 4 per mm where misaligned; aligned runs that start alike are identical.
-  EXPECT_EQ(misaligned(0).at("verdict"), "agrees");
-  EXPECT_NEAR(misaligned(0).at("difference").at("value").get<double>(), -1, 0.1);
-  EXPECT_LT(misaligned(0).at("difference").at("upper").get<double>(), -0.9);
-  EXPECT_EQ(aligned(0).at("verdict"), "disagrees");
-  EXPECT_EQ(aligned(0).at("identical"), true);
-  // The orbit is noise of +-1 about 5: within +-2.5 it is level.
-  EXPECT_EQ(misaligned(1).at("verdict"), "agrees");
-  EXPECT_EQ(misaligned(1).at("pairs"), 15);
-  EXPECT_EQ(misaligned(1).at("pairs_without_value"), 1);
-  EXPECT_EQ(misaligned(2).at("verdict"), "no values");
-  EXPECT_EQ(misaligned(3).at("verdict"), "no claim");
-  EXPECT_EQ(misaligned(3).at("reason"), "it falls");
+TEST(Response, SaysHowAQuantityGoesOverTheLevels) {
+  const auto response = make_report(make_synthetic_grid()).at("response");
+  EXPECT_EQ(response.at("confidence"), 0.95);
+  ASSERT_EQ(response.at("quantities").size(), 2u);  // stress has no values
+  const auto& slip = response.at("quantities").at(0);
+  // Falls by 4 per mm where misaligned; aligned runs that start alike are identical.
+  EXPECT_THAT(slip.at("course"), ElementsAre("unchanged", "falls"));
+  const auto& mean = slip.at("cells").at(1).at(0).at("mean");
+  EXPECT_NEAR(mean.at("value").get<double>(), 3, 0.1);
+  EXPECT_LT(mean.at("lower").get<double>(), mean.at("value").get<double>());
+  EXPECT_NEAR(mean.at("upper").get<double>() - mean.at("lower").get<double>(), 0.11, 0.05);
+  EXPECT_EQ(response.at("quantities").at(1).at("quantity"), "orbit");  // noise
+  EXPECT_THAT(response.at("quantities").at(1).at("course"), ElementsAre("undecided", "undecided"));
 }
 
-TEST(Trends, AreUndecidedWhenNoiseDominates) {
-  StudyData study = make_synthetic_grid(4);
-  study.plan.trends[1].by_share = 0.05;
-  const auto rows = make_report(study).at("trends").at("rows");
-  EXPECT_EQ(rows[1].at("settings").at(0).at("verdict"), "undecided");
+TEST(Response, IsNotMonotoneWhereStepsGoBothWays) {
+  StudyData study = make_synthetic_grid();
+  for (std::size_t i = 0; i < study.size(); ++i)
+    study.quantities[0].values[i] += 40 * std::abs(study.inputs[1].lot[i]);
+  const auto slip = make_report(study).at("response").at("quantities").at(0);
+  EXPECT_THAT(slip.at("course"), ElementsAre("not monotone", "not monotone"));
 }
 
 TEST(Response, HoldsBandsOverTheRunsOfEachCell) {
@@ -103,11 +99,11 @@ class ResponsePage : public testing::Test {
                                      ("cagetol-response-page-" + std::to_string(::getpid()));
 };
 
-TEST_F(ResponsePage, ShowsTrendsCurvesAndWhatIsAbsent) {
+TEST_F(ResponsePage, ShowsMeansCurvesAndWhatIsAbsent) {
   const std::string html = page_of(make_synthetic_grid());
-  EXPECT_THAT(html, HasSubstr("What the source claims, and what these runs show"));
+  EXPECT_THAT(html, HasSubstr("Response to the pocket length, 5 levels"));
   EXPECT_THAT(html, HasSubstr("With bearing misalignment z 2 mrad"));
-  EXPECT_THAT(html, HasSubstr("rises, by at least 100 %"));
+  EXPECT_THAT(html, HasSubstr("<td>falls</td>"));
   EXPECT_THAT(html, HasSubstr("The cage of these runs is rigid, so there are no stresses"));
   EXPECT_THAT(html, HasSubstr("alt=\"orbit_cage\""));
   EXPECT_THAT(html, HasSubstr("alt=\"response_quantities\""));

@@ -238,23 +238,6 @@ TEST_F(StudyFile, RowsBeyondTheRangeAreRefusedWithTheirCount) {
   }
 }
 
-TEST_F(StudyFile, TrendsOfALargeGridAreCheckedByItsLevels) {
-  // 40 million rows: drawing each of them would take minutes.
-  const std::string grid =
-      "design = 'grid'\ngrid_levels = [4000, 10000]\n[scene.cage]\n"
-      "pocket_width_mm = { nominal = 7.65, lot = { law = 'uniform', lower = -0.1, upper = 0.1 } }\n"
-      "pocket_length_mm = { nominal = 10.5, lot = { law = 'uniform', lower = 0, upper = 0.9999 } "
-      "}\n"
-      "[[trend]]\nclaim = 'c'\nkey = 'cage.pocket_length_mm'\nquantity = 'cage_slip_ratio'\n"
-      "expected = 'falls'\nsource = 's'\nbetween = [0.0007, ";
-  EXPECT_EQ(problem_of(grid + "0.9998]\n"), "no error");
-  EXPECT_THAT(problem_of(grid + "0.00075]\n"),
-              AllOf(HasSubstr("the grid has no such level of cage.pocket_length_mm"),
-                    HasSubstr("its levels are 0, "), HasSubstr("... (10000 in all)")));
-  EXPECT_THAT(problem_of(grid + "0.9998]\n", {"grid_levels=[4000, 10001]"}),
-              HasSubstr("grid_levels = 10001: trends compare levels"));
-}
-
 TEST_F(StudyFile, ReplicatesGoThroughTheRowsAgain) {
   const Study study = study_of(
       "samples = 10\nextra_replicates = 1.5\n[scene.start]\n"
@@ -429,57 +412,11 @@ TEST_F(StudyFile, CorrelationsThatContradictEachOther) {
   EXPECT_THAT(problem_of(text + pair(width, width, "0.9")), HasSubstr("two different inputs"));
 }
 
-/// A grid over pocket length with one trend: `changes` stands below it.
-std::string trend_study(const std::string& changes, const std::string& design = "grid") {
-  return "samples = 5\ndesign = '" + design +
-         "'\ngrid_levels = [5]\n[scene.cage]\npocket_length_mm = { nominal = 9.4, lot = { law = "
-         "'uniform', lower = -0.25, upper = 0.25 } }\n[[trend]]\nclaim = 'slip falls'\nkey = "
-         "'cage.pocket_length_mm'\nsource = 'Fig. 15'\n" +
-         changes;
-}
-
 TEST_F(StudyFile, AResolvedFileIsTheSameStudy) {
   for (const char* path : {"studies/nu205.toml", "studies/nu205-measured.toml"}) {
     const Study study = read_study(shipped(path), {"samples=20"});
     EXPECT_EQ(study_of(study.resolved_toml).resolved_json, study.resolved_json) << path;
   }
-}
-
-TEST_F(StudyFile, TrendsAreReadAndComeBackFromTheResolvedStudy) {
-  const Study study = study_of(trend_study(
-      "quantity = 'cage_slip_ratio'\nbetween = [-0.25, 0.125]\nexpected = 'falls'\nby_share = "
-      "0.5\n"));
-  ASSERT_EQ(study.trends.size(), 1u);
-  EXPECT_EQ(study.trends[0].from, -0.25);
-  EXPECT_EQ(study.trends[0].to, 0.125);
-  EXPECT_EQ(study.trends[0].expected, "falls");
-  EXPECT_EQ(study.trends[0].by_share, 0.5);
-  const Study again = read_resolved_study(study.resolved_toml, "study.h5");
-  EXPECT_EQ(again.hash, study.hash);
-  EXPECT_EQ(again.trends[0].source, "Fig. 15");
-}
-
-TEST_F(StudyFile, TrendsThatCannotBeJudgedAreRefused) {
-  const std::string slip = "quantity = 'cage_slip_ratio'\n";
-  const auto problem = [&](const std::string& changes) {
-    return problem_of(trend_study(slip + changes));
-  };
-  EXPECT_THAT(problem("between = [0, 0.2]\nexpected = 'falls'\n"),
-              AllOf(HasSubstr("the grid has no such level of cage.pocket_length_mm"),
-                    HasSubstr("its levels are -0.25, -0.125, 0, 0.125, 0.25")));
-  EXPECT_THAT(problem("between = [0]\nexpected = 'falls'\n"), HasSubstr("expected two deviations"));
-  EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'sinks'\n"),
-              AllOf(HasSubstr("study.toml:12: trend.expected"), HasSubstr("nearest: rises")));
-  EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'level'\n"),
-              HasSubstr("how small a change counts as none"));
-  EXPECT_THAT(problem("between = [0, 0.25]\n"), HasSubstr("trend.expected"));
-  EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'falls'\nby_shares = 1\n"),
-              HasSubstr("did you mean trend.by_share?"));
-  EXPECT_THAT(problem("between = [0, 0.25]\nexpected = 'falls'\nby_share = 1\nby_value = 1\n"),
-              HasSubstr("both given"));
-  EXPECT_THAT(problem_of(trend_study("quantity = 'cage_stress'\n")),
-              AllOf(HasSubstr("study.toml:10: trend.quantity"), HasSubstr("did you mean cage_s")));
-  EXPECT_THAT(problem_of(trend_study(slip, "random")), HasSubstr("this design has none"));
 }
 
 TEST_F(StudyFile, HistoriesNeedARollerOfTheBearing) {
@@ -496,21 +433,6 @@ TEST_F(StudyFile, EquilibriaHaveNoHistory) {
   EXPECT_THAT(problem_of(text), AllOf(HasSubstr("study.toml:2: history.points = 7"),
                                       HasSubstr("a quasi-static run has no time history")));
   EXPECT_EQ(problem_of("fidelity = 'auto'\n" + text), "no error");
-}
-
-TEST_F(StudyFile, MultifidelityNeedsIndependentSamplesAndALimit) {
-  const std::string limit =
-      "[[limit]]\nquantity = 'ring_displacement_mean_um'\nmax = 24\nsource = 'test'\n";
-  const std::string load = "[scene.load]\nradial_N = { lot = { law = 'normal', sigma = 9 } }\n";
-  const std::string text = "samples = 40\nmultifidelity = 'auto'\n";
-  EXPECT_EQ(study_of(text + limit + load).multifidelity, "auto");
-  EXPECT_THAT(problem_of(text + "design = 'lhs'\n" + limit + load),
-              AllOf(HasSubstr("study.toml:2: multifidelity = 'auto'"),
-                    HasSubstr("only by the design random"), HasSubstr("remedy")));
-  EXPECT_THAT(problem_of(text + "cages_per_lot = 2\n" + limit + load),
-              HasSubstr("one cage of a lot"));
-  EXPECT_THAT(problem_of(text + load), HasSubstr("the study has no limits"));
-  EXPECT_THAT(problem_of(text + limit), HasSubstr("nothing varies"));
 }
 
 TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
@@ -617,7 +539,6 @@ TEST(ShippedStudies, OfThePaperHaveItsLevelsAndOneSwitch) {
     const Study study = read_study(shipped("studies/" + name + ".toml"));
     EXPECT_EQ(study.samples, 2 * count);
     EXPECT_EQ(static_cast<long>(sample_count(study)), 16 * 2 * count);
-    EXPECT_GT(study.trends.size(), 8u);
     const Sampler sampler(study);
     const Sample square = sampler.draw(0),
                  skewed = sampler.draw(static_cast<std::uint64_t>(2 * count - 1));

@@ -162,7 +162,7 @@ def study_chapter(page, studies, quick):
     sizes = (20, 40) if quick else (100, 1000, 10000, 100000)
     measured = (4, 8) if quick else (30, 100, 300)
     moving = {f"scene.{key}": value for key, value in SHORT.items()} if quick else {}
-    still = {"scene.model.motion": "'quasi-static'", "extra_replicates": 0, "multifidelity": "'off'"}
+    still = {"scene.model.motion": "'quasi-static'", "extra_replicates": 0}
     page.heading("As the study grows")
     page.add("One process. Quasi-static: `inputs/studies/nu205-displacement.toml` with",
              "`scene.model.motion = \"quasi-static\"`, every size run. Dynamic: `inputs/studies/nu205.toml`,",
