@@ -15,7 +15,6 @@
 #include "src/quasi_static.hpp"
 #include "src/scene/operating_clearance.hpp"
 #include "src/scene/pocket_clearances.hpp"
-#include "src/scene/roller_gap.hpp"
 #include "src/statics/start_state.hpp"
 #include "src/window_times.hpp"
 
@@ -42,22 +41,8 @@ Outcome jammed(const Jam& jam) {
   return outcome;
 }
 
-/// Rollers of a full complement that do not fit beside each other: drawn too large, or grown.
-std::optional<Outcome> crowded(const Scene& scene) {
-  const double gap = total_roller_gap(scene);
-  if (gap > 0) return {};
-  Outcome outcome;
-  outcome.status = Status::jammed;
-  outcome.interference_um = -1e6 * gap;
-  outcome.reason = "the rollers are " + number(outcome.interference_um) +
-                   " um too large in all to stand beside each other around the bearing";
-  outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
-  return outcome;
-}
-
 /// A cage that a ring holds fast: drawn too large, or grown too large in operation.
 std::optional<Outcome> seized(const Scene& scene) {
-  if (!has_cage(scene)) return crowded(scene);
   const PocketClearances left = pocket_clearances(scene, 0);
   const int ring = left.ring[0] < left.ring[1] ? 0 : 1;
   if (left.ring[ring] > 0) return {};

@@ -10,6 +10,12 @@ namespace {
 constexpr auto kFormerNames = std::to_array<FormerName>({
     // name, value, now, why, remedy
     {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
+    {"cage.model", "none", "", "only bearings with a cage are modelled: the torque of full complements was off by 1.8", "choose a bearing with a cage"},
+    {"neighbour_force_rms_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_rms_N"},
+    {"neighbour_force_p99_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_p99_N"},
+    {"neighbour_force_peak_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_peak_N"},
+    {"neighbour_impacts_per_revolution", "", "", "only bearings with a cage are modelled", "use pocket_impacts_per_revolution"},
+    {"power_neighbour_W", "", "", "only bearings with a cage are modelled", "use power_pocket_W"},
 });
 // clang-format on
 

@@ -52,12 +52,11 @@ constexpr auto spellings(GuideFilmModel) {
   return std::array{Spelling{none, "none"}, Spelling{short_bearing, "short-bearing"}};
 }
 
-/// Cage without or with elastic modes; none: a full complement, whose rollers touch each other.
-enum class CageKind { rigid, flexible, none };
+/// Cage without or with elastic modes.
+enum class CageKind { rigid, flexible };
 constexpr auto spellings(CageKind) {
   using enum CageKind;
-  return std::array{Spelling{rigid, "rigid"}, Spelling{flexible, "flexible"},
-                    Spelling{none, "none"}};
+  return std::array{Spelling{rigid, "rigid"}, Spelling{flexible, "flexible"}};
 }
 
 /// What guides the cage: shoulders of the outer ring, inner ring, or rollers.

@@ -397,10 +397,6 @@ inline bool has_free_axial_place(const Scene& scene) {
 inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == CageKind::flexible;
 }
-/// False for a full complement of rollers.
-inline bool has_cage(const Scene& scene) {
-  return scene.cage.model != CageKind::none;
-}
 inline bool is_lubricated(const Scene& scene) {
   return scene.lubrication.model == LubricationModel::film;
 }

@@ -41,14 +41,6 @@ TEST(Replicas, AreAddressedAndDoNotDependOnThreads) {
               0);
 }
 
-TEST(Replicas, OfAFullComplementStartElsewhere) {
-  const Study study = read_study(shipped("scenes/ncf3008-full-complement.toml"));
-  const auto scenes = replica_scenes(study, 3);
-  EXPECT_NE(scenes[0].start.cage_phase, scenes[1].start.cage_phase);
-  EXPECT_NE(scenes[1].start.cage_phase, scenes[2].start.cage_phase);
-  EXPECT_EQ(scenes[1].start.cage_phase, replica_scenes(study, 2)[1].start.cage_phase);
-}
-
 TEST(Trajectory, MethodsOfDifferentKindsAgreeAndTighterIsNearer) {
   const Scene scene = shipped_scene("speed-z16");
   const Trajectory reference =
