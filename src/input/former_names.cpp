@@ -11,6 +11,8 @@ constexpr auto kFormerNames = std::to_array<FormerName>({
     // name, value, now, why, remedy
     {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
     {"cage.model", "none", "", "only bearings with a cage are modelled: the torque of full complements was off by 1.8", "choose a bearing with a cage"},
+    {"integration.method", "semi-implicit-euler", "", "arkode-erk shows what explicit steps do", "use arkode-erk"},
+    {"integration.fixed_step_us", "", "", "no method has fixed steps any more", "use integration.max_step_us"},
     {"neighbour_force_rms_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_rms_N"},
     {"neighbour_force_p99_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_p99_N"},
     {"neighbour_force_peak_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_peak_N"},

@@ -463,16 +463,6 @@ const std::vector<Rule>& rules() {
       {{"speed.ramp_from_rpm", "speed.outer_ramp_from_rpm"},
        [](const Scene& s) { return s.operation.speed_ramp == 0; },
        "speed.ramp_ms = 0"},
-      {{"integration.fixed_step_us"},
-       [](const Scene& s) {
-         return s.integration.method != IntegrationMethod::semi_implicit_euler;
-       },
-       "integration.method controls its steps"},
-      {{"integration.tolerance", "integration.max_step_us"},
-       [](const Scene& s) {
-         return s.integration.method == IntegrationMethod::semi_implicit_euler;
-       },
-       "integration.method = \"semi-implicit-euler\""},
       {{"integration.max_order"},
        [](const Scene& s) { return s.integration.method != IntegrationMethod::cvode_bdf; },
        "only cvode-bdf has an order to choose"},

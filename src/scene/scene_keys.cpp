@@ -298,7 +298,6 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"integration.method", any_value(), AT(integration.method), "time integration method"},
       {"integration.tolerance", above(0, 10), AT(integration.tolerance), "error tolerance, multiple of the error scales: D_we/7500, 0.001 of the fastest raceway surface's speed but at least 1 cm/s, and these over lever arms (1 um and 1 cm/s for the NU 205)"},
       {"integration.max_step_us", or_auto(above(0)), AT(integration.max_step), "largest step; auto: 50 us, and at steady speeds a fortieth of the time between two rollers that pass, if that is more"},
-      {"integration.fixed_step_us", above(0), AT(integration.fixed_step), "step of fixed-step methods"},
       {"integration.max_order", within(1, 5), AT(integration.max_order), "highest order of cvode-bdf"},
       {"integration.step_budget", within(1, 1e12), AT(integration.step_budget), "attempted steps after which a run is censored"},
       {"integration.wall_budget_s", at_least(0), AT(integration.wall_budget), "wall-clock limit of a run, which then counts as not run; 0: none"},

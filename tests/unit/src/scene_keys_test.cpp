@@ -56,7 +56,6 @@ TEST(SceneKeys, DumpedDefaultsReadBackToTheSameBits) {
   EXPECT_EQ(read.operation.inner_speed, defaults.operation.inner_speed);
   EXPECT_EQ(read.contact.race.exponent, defaults.contact.race.exponent);
   EXPECT_EQ(read.contact.race.damping, defaults.contact.race.damping);
-  EXPECT_EQ(read.integration.fixed_step, defaults.integration.fixed_step);
   EXPECT_EQ(read.history_interval, defaults.history_interval);
   EXPECT_TRUE(std::isnan(read.cage.mass));
 }
