@@ -41,13 +41,9 @@ void MotionFrames::begin(const Instant& at) {
   for (std::size_t j = 0; j < count; ++j) {
     const RollerGroup& group = model.groups[j / kLanes];
     const auto lane = static_cast<int>(j % kLanes);
-    pocket_angle_.push_back(model.full_complement
-                                ? kTurn * static_cast<double>(j) / static_cast<double>(count)
-                                : std::atan2(group.pocket_sin[lane], group.pocket_cos[lane]));
+    pocket_angle_.push_back(std::atan2(group.pocket_sin[lane], group.pocket_cos[lane]));
     radius.push_back(drawn(1e3 * group.radius[lane], 6));
-    clearance.push_back(model.full_complement
-                            ? drawn(0)
-                            : drawn(2e6 * (group.half_width[lane] - group.radius[lane])));
+    clearance.push_back(drawn(2e6 * (group.half_width[lane] - group.radius[lane])));
     angle.push_back(drawn(pocket_angle_.back() * 360 / kTurn, 6));
   }
   geometry_ = {{"rollers", count},
@@ -57,11 +53,9 @@ void MotionFrames::begin(const Instant& at) {
                {"roller_radius_mm", radius},
                {"pocket_clearance_um", clearance},
                {"pocket_angle_deg", angle},
-               {"guidance", has_cage(scene_) ? spelled(model.guidance) : "none"}};
-  if (!has_cage(scene_)) return;
-  geometry_["cage_inner_radius_mm"] = drawn(500 * scene_.cage.inner_diameter, 6);
-  geometry_["cage_outer_radius_mm"] = drawn(500 * scene_.cage.outer_diameter, 6);
-  geometry_["guide_clearance_um"] = drawn(1e6 * model.guide_clearance);
+               {"cage_inner_radius_mm", drawn(500 * scene_.cage.inner_diameter, 6)},
+               {"cage_outer_radius_mm", drawn(500 * scene_.cage.outer_diameter, 6)},
+               {"guide_clearance_um", drawn(1e6 * model.guide_clearance)}};
 }
 
 void MotionFrames::record(const Instant& at) {

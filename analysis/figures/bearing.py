@@ -30,8 +30,7 @@ def draw_front(axis, section):
     outside = section["outside_mm"] / 2
     ring(axis, section["outer_raceway_mm"] / 2, outside, STEEL)
     ring(axis, section["bore_mm"] / 2, section["inner_raceway_mm"] / 2, STEEL)
-    if section["cage"]:
-        draw_cage(axis, section)
+    draw_cage(axis, section)
     for number in range(section["rollers"]):
         angle = np.radians(90 + 360 * number / section["rollers"])
         axis.add_patch(Circle((section["pitch_radius_mm"] * np.cos(angle), section["pitch_radius_mm"] * np.sin(angle)),
@@ -72,11 +71,10 @@ def draw_side(axis, section):
             box(axis, -half, -1.01 * length, low, high, STEEL)
         if sides in ("both", "right"):
             box(axis, 1.01 * length, half, low, high, STEEL)
-    if section["cage"]:
-        cage = section["cage"]
-        for side in (-1, 1):
-            ends = sorted((side * cage["width_mm"] / 2, side * cage["pocket_length_mm"] / 2))
-            box(axis, *ends, cage["inner_mm"] / 2, cage["outer_mm"] / 2, CAGE)
+    cage = section["cage"]
+    for side in (-1, 1):
+        ends = sorted((side * cage["width_mm"] / 2, side * cage["pocket_length_mm"] / 2))
+        box(axis, *ends, cage["inner_mm"] / 2, cage["outer_mm"] / 2, CAGE)
     box(axis, -length, length, pitch - roller, pitch + roller, ROLLER, edgecolor=BLUE)
     axis.axhline(0, color=GREY, linestyle="-.", linewidth=0.8)
     axis.set_xlim(-1.15 * half, 1.15 * half)
@@ -112,20 +110,17 @@ def bearing(report):
     if not facts or "section" not in facts:
         return None
     section, drawing = facts["section"], facts["drawing"]
-    if drawing is None:
-        figure, axes = plt.subplot_mosaic([["front", "side"]], figsize=(WIDTH, 2.9), width_ratios=[1.5, 1])
-    else:
-        figure, axes = plt.subplot_mosaic([["front", "side", "key"], ["section", "outside", "outside"]], figsize=(WIDTH, 3.75),
-                                          width_ratios=[1.25, 0.62, 1.3], height_ratios=[1, 0.95])
-        pocket.draw_section(axes["section"], drawing["section"])
-        pocket.draw_outside(axes["outside"], drawing["outside"], sizes=False)
-        draw_key(axes["key"], drawing, axes)
-        axes["section"].set_title("pocket along the axis", fontsize=8.5, loc="center")
-        view = drawing["outside"]
-        for name in ("section", "outside"):
-            axes[name].set_title("", loc="left")
-        axes["outside"].set_title(f"pocket {view['pocket_width_mm']:.6g} × {view['pocket_length_mm']:.6g} mm, from outside, unrolled",
-                                  fontsize=8.5, loc="center")
+    figure, axes = plt.subplot_mosaic([["front", "side", "key"], ["section", "outside", "outside"]], figsize=(WIDTH, 3.75),
+                                      width_ratios=[1.25, 0.62, 1.3], height_ratios=[1, 0.95])
+    pocket.draw_section(axes["section"], drawing["section"])
+    pocket.draw_outside(axes["outside"], drawing["outside"], sizes=False)
+    draw_key(axes["key"], drawing, axes)
+    axes["section"].set_title("pocket along the axis", fontsize=8.5, loc="center")
+    view = drawing["outside"]
+    for name in ("section", "outside"):
+        axes[name].set_title("", loc="left")
+    axes["outside"].set_title(f"pocket {view['pocket_width_mm']:.6g} × {view['pocket_length_mm']:.6g} mm, from outside, unrolled",
+                              fontsize=8.5, loc="center")
     draw_front(axes["front"], section)
     draw_side(axes["side"], section)
     for axis in axes.values():

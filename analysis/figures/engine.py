@@ -21,7 +21,7 @@ def error_against_cost(chart, horizon, error, cost, noise=None):
     def panel(axis):
         methods = list(dict.fromkeys(point["method"] for point in chart["points"]))
         for method, colour, marker in zip(methods, COLOURS, MARKERS):
-            points = sorted((point for point in chart["points"] if point["method"] == method), key=lambda p: p["accuracy"])
+            points = sorted((point for point in chart["points"] if point["method"] == method), key=lambda p: p["tolerance"])
             shown = [(known(p[horizon][cost]), known(p[horizon][error])) for p in points]
             shown = [(x, y) for x, y in shown if math.isfinite(x) and math.isfinite(y)]
             if shown:

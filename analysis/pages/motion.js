@@ -3,7 +3,7 @@
 "use strict";
 
 function play_motion(element, motion) {
-  const g = motion.geometry, frames = motion.time_ms.length, rollers = g.rollers, caged = g.guidance !== "none";
+  const g = motion.geometry, frames = motion.time_ms.length, rollers = g.rollers;
   const blue = "#0072B2", orange = "#D55E00", green = "#009E73", grey = "#8a8a8a", light = "#dcdcdc", ink = "#222222";
   const radian = Math.PI / 180;
   const most = values => values.reduce((a, b) => Math.max(a, b || 0), 0);
@@ -11,7 +11,7 @@ function play_motion(element, motion) {
   const bar_most = Math.max(most(motion.leading_force_N), most(motion.trailing_force_N)) || 1;
   // Clearances are drawn so many times as large: a pocket's becomes a tenth of a roller's diameter.
   const diameter = 2 * g.roller_radius_mm[0];
-  const clearance = caged ? Math.max(most(g.pocket_clearance_um), 1) : Math.max(most(motion.place_um.map(Math.abs)), 1);
+  const clearance = Math.max(most(g.pocket_clearance_um), 1);
   const factor = Math.max(1, Math.round(0.15 * diameter * 1000 / clearance));
 
   element.classList.add("motion");
@@ -49,14 +49,14 @@ function play_motion(element, motion) {
     const mark = motion.inner_angle_deg[k] * radian;
     c.beginPath(); c.moveTo(...at(0.8 * g.inner_race_radius_mm, mark, 0, 0)); c.lineTo(...at(g.inner_race_radius_mm, mark, 0, 0));
     c.lineWidth = 4; c.strokeStyle = ink; c.stroke();
-    const turn = motion.cage_angle_deg[k] * radian, y = caged ? factor * motion.cage_y_um[k] / 1000 : 0;
-    const z = caged ? factor * motion.cage_z_um[k] / 1000 : 0;
+    const turn = motion.cage_angle_deg[k] * radian, y = factor * motion.cage_y_um[k] / 1000;
+    const z = factor * motion.cage_z_um[k] / 1000;
     const face = (j, ahead, radius) => { // of a bar, ahead of or behind the roller
       const pocket = turn + g.pocket_angle_deg[j] * radian, way = ahead ? 1 : -1;
       const offset = way * (g.roller_radius_mm[j] + factor * g.pocket_clearance_um[j] / 2000);
       return at(radius, pocket, y - offset * Math.sin(pocket), z + offset * Math.cos(pocket));
     };
-    for (let j = 0; caged && j < rollers; ++j) { // bars, from one pocket to the next
+    for (let j = 0; j < rollers; ++j) { // bars, from one pocket to the next
       const next = (j + 1) % rollers, inner = g.cage_inner_radius_mm, outer = g.cage_outer_radius_mm;
       c.beginPath();
       for (const corner of [face(j, true, inner), face(j, true, outer), face(next, false, outer), face(next, false, inner)])
@@ -68,28 +68,24 @@ function play_motion(element, motion) {
       const place = factor * motion.place_um[i] / 1000;
       const [rx, ry] = at(g.pitch_radius_mm, pocket + place / g.pitch_radius_mm, 0, 0);
       circle(c, rx, ry, scale * radius, grey, shade(motion.race_force_N[i] / race_most), 2);
-      if (!caged) continue;
       for (const [ahead, force] of [[true, motion.leading_force_N[i]], [false, motion.trailing_force_N[i]]]) {
         c.beginPath(); c.moveTo(...face(j, ahead, g.cage_inner_radius_mm)); c.lineTo(...face(j, ahead, g.cage_outer_radius_mm));
         c.strokeStyle = force > 0 ? orange : green; c.lineWidth = 3 + 9 * Math.sqrt(force / bar_most); c.stroke();
       }
     }
-    if (caged) {
-      const [cx, cy] = at(0, 0, y, z);
-      circle(c, cx, cy, scale * g.cage_inner_radius_mm, green, null, 1);
-      circle(c, cx, cy, scale * g.cage_outer_radius_mm, green, null, 1);
-      circle(c, cx, cy, 5, null, green);
-    }
+    const [cx, cy] = at(0, 0, y, z);
+    circle(c, cx, cy, scale * g.cage_inner_radius_mm, green, null, 1);
+    circle(c, cx, cy, scale * g.cage_outer_radius_mm, green, null, 1);
+    circle(c, cx, cy, 5, null, green);
     circle(c, x0, y0, 3, null, ink);
     text(c, "Clearances " + factor + " times as large", 8, 26);
     text(c, "roller on race, up to " + race_most.toPrecision(3) + " N", 8, size - 38, "left", blue);
-    if (caged) text(c, "bars: orange where pressed, up to " + bar_most.toPrecision(3) + " N", 8, size - 10, "left", orange);
+    text(c, "bars: orange where pressed, up to " + bar_most.toPrecision(3) + " N", 8, size - 10, "left", orange);
   }
 
   function draw_orbit(k) {
     const c = orbit.getContext("2d"), width = orbit.width, height = orbit.height;
     c.clearRect(0, 0, width, height);
-    if (!caged) { text(c, "No cage: full complement", width / 2, height / 2, "center", grey); return; }
     const reach = Math.max(g.guide_clearance_um, most(motion.cage_y_um.map(Math.abs)), most(motion.cage_z_um.map(Math.abs)));
     const x0 = width / 2, y0 = height / 2 + 14, scale = 0.43 * (height - 30) / reach;
     const point = i => [x0 + scale * motion.cage_y_um[i], y0 - scale * motion.cage_z_um[i]];

@@ -34,11 +34,6 @@ Json step(const std::string& missing, const std::string& command) {
   return {{"missing", missing}, {"command", command.empty() ? Json() : Json(command)}};
 }
 
-bool has_cage(const Json& scene) {
-  return !scene.is_object() || !scene.contains("cage") ||
-         scene["cage"].value("model", "") != "none";
-}
-
 bool is_staged(const ReportBasis& basis) {
   return basis.directory.find('/') != std::string::npos;
 }
@@ -145,8 +140,7 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
              fmt::format("cagetol recommend STUDY -o OTHER_DIR --set "
                          "'tolerance.dimension=[{{key=\"{}\", band_mm=WIDTH, "
                          "candidates=[\"IT9\", \"IT10\", \"IT11\", \"IT12\"]}}]'",
-                         has_cage(basis.study.plan.scene) ? "cage.pocket_width_mm"
-                                                          : "roller.diameter_mm")));
+                         "cage.pocket_width_mm")));
   if (status == "no_yield" && report["response"].is_null())
     steps.push_back(step("Rows that follow the laws of the inputs.",
                          "cagetol sweep STUDY -o OTHER_DIR --set design='\"random\"'"));

@@ -12,12 +12,8 @@
 
 namespace cagetol {
 
-/// The honest explicit baseline every method is paired with.
-inline constexpr IntegrationMethod kBaselineMethod = IntegrationMethod::semi_implicit_euler;
-
 struct BenchOptions {
-  std::vector<IntegrationMethod>
-      methods;  ///< empty: all; the scene's own and the baseline always run
+  std::vector<IntegrationMethod> methods;  ///< empty: all; the scene's own always runs
   int repeats = 3;
 };
 
@@ -33,9 +29,9 @@ struct KernelTimes {
 struct MethodCost {
   IntegrationMethod method = IntegrationMethod::rodasp;
   Status status = Status::not_run;
-  std::string reason;           ///< why it is not ok
-  double rtf = 0;               ///< median of the repeats; NaN where the method is not ok
-  double against_baseline = 0;  ///< median of RTF over the baseline's in the same repeat; likewise
+  std::string reason;          ///< why it is not ok
+  double rtf = 0;              ///< median of the repeats; NaN where the method is not ok
+  double against_default = 0;  ///< median of RTF over the default's in the same repeat; likewise
   std::vector<double> rtf_runs;
   RunRecord run;  ///< of the last repeat
 };

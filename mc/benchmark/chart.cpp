@@ -182,7 +182,7 @@ std::vector<Outcome> run_rung(const std::vector<Scene>& scenes, const Rung& rung
 Rung tight(Rung rung) {
   const Setting setting = reference_setting(setting_of(on_rung({}, rung)).method);
   rung.settings.push_back(fmt::format("integration.method='{}'", spelled(setting.method)));
-  rung.settings.push_back("integration.tolerance=" + fmt::format("{}", setting.accuracy));
+  rung.settings.push_back("integration.tolerance=" + fmt::format("{}", setting.tolerance));
   return rung;
 }
 

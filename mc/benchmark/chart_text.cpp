@@ -92,7 +92,7 @@ Json chart_json(const Chart& chart) {
   for (const ChartPoint& p : chart.points) {
     Json point = {{"label", setting_label(p.setting)},
                   {"method", spelled(p.setting.method)},
-                  {"accuracy", p.setting.accuracy},
+                  {"tolerance", p.setting.tolerance},
                   {"default", &p == &chart.points.front()},
                   {"reference", setting_label(reference_setting(p.setting.method))}};
     point["trajectory"] = cost_json(p.brief);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <numbers>
 #include <thread>
 
 #include "distributions/random_stream.hpp"
@@ -38,12 +37,6 @@ std::vector<Scene> replica_scenes(const Study& study, int count) {
   for (int k = 0; k < count; ++k) {
     const auto id = static_cast<std::uint64_t>(k) * rows;  // replicate k of row 0
     Scene scene = sampler.draw(id).scene;
-    if (!has_cage(scene)) {
-      const double pitch = 2 * std::numbers::pi / static_cast<double>(scene.bearing.roller_count);
-      scene.start.cage_phase += pitch * start_draw(study, id, "replica.cage_phase");
-      scenes.push_back(std::move(scene));
-      continue;
-    }
     const double offset = kOffsetShare * pocket_clearance(scene);
     scene.start.cage_offset_y += offset * start_draw(study, id, "replica.cage_offset_y");
     scene.start.cage_offset_z += offset * start_draw(study, id, "replica.cage_offset_z");

@@ -10,8 +10,7 @@
 namespace cagetol {
 
 /// Replica k: the study's first row with fresh noise, its cage started off by normal draws of a
-/// tenth of the pocket clearance in y and z; rollers without a cage are turned by normal draws of
-/// their pitch. A pure function of (study, k).
+/// tenth of the pocket clearance in y and z. A pure function of (study, k).
 std::vector<Scene> replica_scenes(const Study& study, int count);
 
 /// Simulates all scenes on all cores (`threads` at a time); outcomes in the scenes' order, whatever

@@ -8,31 +8,22 @@ namespace cagetol {
 namespace {
 
 constexpr double kTolerances[] = {1e-1, 1e-2, 3e-3, 1e-3, 1e-4};
-constexpr double kSteps[] = {2e-6, 1e-6, 0.5e-6, 0.25e-6};  // [s]
 constexpr double kTight = 1e-5;
 
 }  // namespace
 
-bool has_fixed_step(IntegrationMethod method) {
-  return method == IntegrationMethod::semi_implicit_euler;
-}
-
 std::string setting_label(const Setting& s) {
-  return has_fixed_step(s.method)
-             ? fmt::format("{} at {:.3g} us", spelled(s.method), 1e6 * s.accuracy)
-             : fmt::format("{} at {:.3g}", spelled(s.method), s.accuracy);
+  return fmt::format("{} at {:.3g}", spelled(s.method), s.tolerance);
 }
 
 Setting setting_of(const Scene& scene) {
-  const Integration& i = scene.integration;
-  return {i.method, has_fixed_step(i.method) ? i.fixed_step : i.tolerance};
+  return {scene.integration.method, scene.integration.tolerance};
 }
 
 Scene with_setting(const Scene& scene, const Setting& setting) {
   Scene set = scene;
   set.integration.method = setting.method;
-  (has_fixed_step(setting.method) ? set.integration.fixed_step : set.integration.tolerance) =
-      setting.accuracy;
+  set.integration.tolerance = setting.tolerance;
   return set;
 }
 
@@ -46,15 +37,9 @@ std::vector<Setting> setting_ladder(const Scene& scene,
                                     const std::vector<IntegrationMethod>& methods) {
   const Setting own = setting_of(scene);
   std::vector<Setting> ladder = {own};
-  const auto add = [&](IntegrationMethod method, double accuracy) {
-    if (method != own.method || accuracy != own.accuracy) ladder.push_back({method, accuracy});
-  };
-  for (const IntegrationMethod method : methods.empty() ? all_methods() : methods) {
-    if (has_fixed_step(method))
-      for (double step : kSteps) add(method, step);
-    else
-      for (double tolerance : kTolerances) add(method, tolerance);
-  }
+  for (const IntegrationMethod method : methods.empty() ? all_methods() : methods)
+    for (const double tolerance : kTolerances)
+      if (method != own.method || tolerance != own.tolerance) ladder.push_back({method, tolerance});
   return ladder;
 }
 

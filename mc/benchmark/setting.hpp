@@ -1,4 +1,4 @@
-// A way to integrate: a method with the tolerance or step it is run at.
+// A way to integrate: a method with the tolerance it is run at.
 #pragma once
 
 #include <string>
@@ -11,13 +11,10 @@ namespace cagetol {
 
 struct Setting {
   IntegrationMethod method = IntegrationMethod::rodasp;
-  double accuracy =
-      0;  ///< tolerance as a multiple of the error scales; a fixed-step method's step [s]
+  double tolerance = 0;  ///< as a multiple of the error scales
 };
 
-bool has_fixed_step(IntegrationMethod method);
-
-/// "rodas3 at 0.001", "semi-implicit-euler at 1 us".
+/// "rodas3 at 0.001".
 std::string setting_label(const Setting& setting);
 
 /// The scene's own setting.
@@ -29,7 +26,7 @@ Scene with_setting(const Scene& scene, const Setting& setting);
 /// Every method there is, in the order of their spellings.
 std::vector<IntegrationMethod> all_methods();
 
-/// Each method (all if none is named) at a ladder of accuracies, the scene's own setting first.
+/// Each method (all if none is named) at a ladder of tolerances, the scene's own setting first.
 std::vector<Setting> setting_ladder(const Scene& scene,
                                     const std::vector<IntegrationMethod>& methods);
 

@@ -89,13 +89,11 @@ Json load_group(const Scene& scene, const OperatingPoint& at) {
 
 Json clearance_group(const Scene& scene, const OperatingPoint& at) {
   Entries entries;
-  entries.value("internal, diametral", 1e6 * at.clearance.internal, "µm");
-  if (has_cage(scene))
-    entries.value("total, roller to both bars", 1e6 * at.clearance.pocket_width, "µm")
-        .value("roller to both pocket ends", 1e6 * at.clearance.pocket_length, "µm")
-        .value("guide, radial", 1e6 * at.clearance.guide, "µm");
-  return entries.value("roller to flanges, axial", 1e6 * at.clearance.flange, "µm")
-      .value("between neighbours, sum", 1e6 * at.clearance.neighbours, "µm")
+  return entries.value("internal, diametral", 1e6 * at.clearance.internal, "µm")
+      .value("total, roller to both bars", 1e6 * at.clearance.pocket_width, "µm")
+      .value("roller to both pocket ends", 1e6 * at.clearance.pocket_length, "µm")
+      .value("guide, radial", 1e6 * at.clearance.guide, "µm")
+      .value("roller to flanges, axial", 1e6 * at.clearance.flange, "µm")
       .titled(changes_in_operation(scene) ? "Clearances in operation" : "Clearances");
 }
 
@@ -106,7 +104,6 @@ std::string guided_by(Guidance guidance) {
 }
 
 Json cage_group(const Scene& scene, const OperatingPoint& at) {
-  if (!has_cage(scene)) return Entries().text("cage", "none: a full complement").titled("Cage");
   const Strength strength = cage_strength(scene);
   Entries entries;
   entries.text("material", scene.cage.material.name)
@@ -157,9 +154,7 @@ std::vector<std::string> model_sentences(const Scene& scene) {
                      ? fmt::format("The cage is flexible: {} elastic modes{}, stress at its "
                                    "fillets.",
                                    scene.cage.modes, scene.cage.bar_modes ? " and its bars" : "")
-                 : has_cage(scene)
-                     ? "The cage is a rigid body with six degrees of freedom: no stress."
-                     : "No cage: rollers touch each other.");
+                     : "The cage is a rigid body with six degrees of freedom: no stress.");
   list.push_back(model.ring_tilt == TiltModel::free
                      ? "The inner ring moves and tilts under load and moment."
                      : "The inner ring moves under load; its misalignment is prescribed.");
@@ -179,32 +174,30 @@ std::vector<std::string> model_sentences(const Scene& scene) {
 Json section_json(const Scene& scene) {
   const BearingGeometry& b = scene.bearing;
   const auto mm = [](double length) { return std::isfinite(length) ? Json(1e3 * length) : Json(); };
-  Json section{{"rollers", b.roller_count},
-               {"roller_diameter_mm", mm(scene.roller.diameter.front())},
-               {"roller_length_mm", mm(scene.roller.length)},
-               {"pitch_radius_mm", mm(pitch_radius(b))},
-               {"bore_mm", mm(b.bore_diameter)},
-               {"outside_mm", mm(b.outside_diameter)},
-               {"width_mm", mm(b.width)},
-               {"inner_raceway_mm", mm(b.inner_raceway_diameter)},
-               {"outer_raceway_mm", mm(b.outer_raceway_diameter)},
-               {"inner_land_mm", mm(inner_land_diameter(b))},
-               {"outer_land_mm", mm(outer_land_diameter(b))},
-               {"outer_flanges", spelled(b.outer_flanges)},
-               {"inner_flanges", spelled(b.inner_flanges)},
-               {"load_direction_deg", scene.operation.load_direction * 180 / std::numbers::pi},
-               {"radial_load_N", scene.operation.radial_load},
-               {"axial_load_N", scene.operation.axial_load},
-               {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
-               {"outer_speed_rpm", scene.operation.outer_speed / kRpm},
-               {"cage", Json()}};
-  if (has_cage(scene))
-    section["cage"] = {{"inner_mm", mm(scene.cage.inner_diameter)},
-                       {"outer_mm", mm(scene.cage.outer_diameter)},
-                       {"width_mm", mm(scene.cage.width)},
-                       {"pocket_width_mm", mm(scene.cage.pocket_width.front())},
-                       {"pocket_length_mm", mm(scene.cage.pocket_length.front())}};
-  return section;
+  return {{"rollers", b.roller_count},
+          {"roller_diameter_mm", mm(scene.roller.diameter.front())},
+          {"roller_length_mm", mm(scene.roller.length)},
+          {"pitch_radius_mm", mm(pitch_radius(b))},
+          {"bore_mm", mm(b.bore_diameter)},
+          {"outside_mm", mm(b.outside_diameter)},
+          {"width_mm", mm(b.width)},
+          {"inner_raceway_mm", mm(b.inner_raceway_diameter)},
+          {"outer_raceway_mm", mm(b.outer_raceway_diameter)},
+          {"inner_land_mm", mm(inner_land_diameter(b))},
+          {"outer_land_mm", mm(outer_land_diameter(b))},
+          {"outer_flanges", spelled(b.outer_flanges)},
+          {"inner_flanges", spelled(b.inner_flanges)},
+          {"load_direction_deg", scene.operation.load_direction * 180 / std::numbers::pi},
+          {"radial_load_N", scene.operation.radial_load},
+          {"axial_load_N", scene.operation.axial_load},
+          {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
+          {"outer_speed_rpm", scene.operation.outer_speed / kRpm},
+          {"cage",
+           {{"inner_mm", mm(scene.cage.inner_diameter)},
+            {"outer_mm", mm(scene.cage.outer_diameter)},
+            {"width_mm", mm(scene.cage.width)},
+            {"pocket_width_mm", mm(scene.cage.pocket_width.front())},
+            {"pocket_length_mm", mm(scene.cage.pocket_length.front())}}}};
 }
 
 Json points_json(const Study& study) {
@@ -255,7 +248,7 @@ Json facts_of(const Study& study) {
           {"warnings", operating_warnings(scene)},
           {"strength", strength},
           {"section", section_json(scene)},
-          {"drawing", has_cage(scene) ? pocket_drawing_json(operating_scene(scene), 0) : Json()}};
+          {"drawing", pocket_drawing_json(operating_scene(scene), 0)}};
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace cagetol {
 
 /// {groups: [{title, entries: [{name, text} or {name, value, unit}]}], model: [sentence], points,
 /// warnings, strength, section, drawing} of the nominal scene; `section` has what a drawing of the
-/// bearing needs, in mm, `drawing` is pocket_drawing_json() of pocket 0 and null without a cage.
+/// bearing needs, in mm, `drawing` is pocket_drawing_json() of pocket 0.
 /// {problem: why} where this program cannot read the study that the file stores.
 Json bearing_facts(const std::filesystem::path& study_file);
 

@@ -129,9 +129,6 @@ CageReport flexible_report(const Scene& scene, const Scene& sample, const CageAr
 
 int run_cage(const CageArguments& options) {
   const Scene scene = read_study(options.file, options.settings).scene;
-  if (!has_cage(scene))
-    throw InputError({options.file, 0}, "cage.model", "none", "this bearing has no cage",
-                     "give the scene a cage, or look at it with `cagetol check`");
   if (options.pocket < 0 || options.pocket >= scene.bearing.roller_count)
     throw InputError({}, "--pocket", std::to_string(options.pocket), "the cage has no such pocket",
                      fmt::format("give 0 to {}", scene.bearing.roller_count - 1));

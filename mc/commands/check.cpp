@@ -79,11 +79,10 @@ std::string summary(const Study& study) {
   std::string text =
       fmt::format("study {}: {} rows ({}), {} samples in all, hash {}\n", study.name, study.samples,
                   design_name(study.design), sample_count(study), study.hash);
-  text += fmt::format(
-      "scene {}: {} rollers, {}, {:.6g} N, {:.6g} rpm\n", study.scene.name,
-      study.scene.bearing.roller_count,
-      has_cage(study.scene) ? std::string(spelled(study.scene.cage.model)) + " cage" : "no cage",
-      study.scene.operation.radial_load, study.scene.operation.inner_speed / 0.10471975511965977);
+  text += fmt::format("scene {}: {} rollers, {} cage, {:.6g} N, {:.6g} rpm\n", study.scene.name,
+                      study.scene.bearing.roller_count, spelled(study.scene.cage.model),
+                      study.scene.operation.radial_load,
+                      study.scene.operation.inner_speed / 0.10471975511965977);
   if (!study.inputs.empty())
     text += fmt::format("uncertain inputs: {} with {} columns in {} groups\n", study.inputs.size(),
                         columns.names.size(), groups.size());

@@ -69,8 +69,7 @@ std::string operating_table(const Scene& scene) {
   const OperatingPoint at = operating_point(scene);
   const bool changes = changes_in_operation(scene);
   for (const OperatingRow& row : operating_rows())
-    if ((changes || !row.of_change) && !(row.of_some && std::isnan(row.value(at))))
-      text += value_line(row.key, row.value(at), row.unit);
+    if (changes || !row.of_change) text += value_line(row.key, row.value(at), row.unit);
   return text;
 }
 

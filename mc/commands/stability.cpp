@@ -54,7 +54,7 @@ void add_stability_command(CLI::App& app, Chosen& chosen) {
       "Map where each integration method is right, degraded, silently wrong, or fails");
   command->footer(
       "Ends with 1 where a method is silently wrong or the default method is not right.\n"
-      "Example:\n  cagetol stability -o out/stability --fast --methods rodas3,semi-implicit-euler");
+      "Example:\n  cagetol stability -o out/stability --fast --methods rodas3,cvode-bdf");
   auto options = std::make_shared<StabilityArguments>();
   add_output_directory(*command, options->directory, "Directory of stability.json and figures/");
   add_methods_option(*command, options->methods);

@@ -24,8 +24,7 @@ struct ShownSample {
 };
 
 /// What a sample is called worst by, in this order.
-constexpr const char* kDeciding[] = {"cage_stress_peak_MPa", "pocket_force_peak_N",
-                                     "neighbour_force_peak_N"};
+constexpr const char* kDeciding[] = {"cage_stress_peak_MPa", "pocket_force_peak_N"};
 
 /// Worst and median sample of those that are ok, by the first quantity that any of them has.
 std::vector<ShownSample> shown_samples(const StudyData& study, std::string& quantity) {

@@ -59,7 +59,6 @@ UncertainInput noise_of(const std::string& key, const std::string& unit, const S
 
 std::vector<UncertainInput> start_scatter(const Scene& scene) {
   const UncertainInput phase = noise_of("start.cage_phase_deg", "deg", scene, Uniform{0, 360});
-  if (!has_cage(scene)) return {phase};
   const Law offset = Normal{0, kOffsetShare * pocket_clearance_um(scene)};
   return {noise_of("start.cage_offset_y_um", "um", scene, offset),
           noise_of("start.cage_offset_z_um", "um", scene, offset), phase};
@@ -170,12 +169,12 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
     integrator.settings.push_back(fmt::format("integration.method='{}'", spelled(finest)));
   }
   const long most = std::min<long>(kMostElasticModes, kMostModes - scene.bearing.roller_count);
-  if (has_cage(scene) && !flexible)
+  if (!flexible)
     rungs.push_back(
         {"modes",
          fmt::format("flexible cage with {} modes", CageGeometry{}.modes),
          {"cage.model='flexible'", fmt::format("cage.modes={}", CageGeometry{}.modes)}});
-  else if (flexible && scene.cage.modes < most)
+  else if (scene.cage.modes < most)
     rungs.push_back({"modes",
                      fmt::format("{} modes of the flexible cage, and its bars'", most),
                      {fmt::format("cage.modes={}", most), "cage.bar_modes=true"}});
@@ -207,8 +206,7 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
 
 Scene on_rung(Scene scene, const Rung& rung) {
   toml::table table;
-  for (const std::string& setting : rung.settings)
-    if (has_cage(scene) || !setting.starts_with("cage.")) apply_setting(table, setting);
+  for (const std::string& setting : rung.settings) apply_setting(table, setting);
   const auto pockets = static_cast<std::size_t>(scene.bearing.roller_count);
   for (const TomlLeaf& leaf : toml_leaves(table))
     read_key(*find_key(scene_keys(), leaf.name), *leaf.node, "rung " + rung.name, pockets, scene);

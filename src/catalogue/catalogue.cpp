@@ -114,11 +114,11 @@ void refuse_unmodelled(std::string_view designation) {
                      "write the scene of one row (inputs/README.md), under its share of the load");
   if (begins("NCF", "NJG", "RNU", "RN", "SL18", "SL19"))
     throw InputError({}, "DESIGNATION", std::string(designation),
-                     begins("RN") ? "a bearing without one of its rings is not in the table"
-                                  : "a full complement bearing: the table has bearings with cages",
+                     begins("RN")
+                         ? "a bearing without one of its rings is not in the table"
+                         : "a full complement bearing: only bearings with a cage are modelled",
                      begins("RN") ? "write its scene with the raceway of shaft or housing"
-                                  : "write its scene with cage.model = \"none\", as "
-                                    "inputs/scenes/ncf3008-full-complement.toml does");
+                                  : "choose a bearing with a cage, as NU and NJ have one");
 }
 
 }  // namespace

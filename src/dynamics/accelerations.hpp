@@ -61,15 +61,6 @@ void store_border_rates(const BearingModel& m, double t, const BorderState& b,
     dv[tilt] = moment_y / m.ring_transverse;
     dv[tilt + 1] = moment_z / m.ring_transverse;
   }
-  if (m.full_complement) {
-    // The angle that stands for a cage's goes round at the kinematic speed, the rest at none.
-    for (int i = kCageY; i < kModes; ++i) dv[i] = 0;
-    constexpr double later = 1e-7;
-    const double speed = kinematic_cage_speed(m, b.speed),
-                 then = kinematic_cage_speed(m, ring_speeds_at(m.duty, t + later));
-    dv[kCagePhi] = (then - speed) / later;
-    return;
-  }
   dv[kCageY] = loads.cage[0] / m.cage_mass;
   dv[kCageZ] = loads.cage[1] / m.cage_mass - m.gravity;
   dv[kCageX] = loads.cage[2] / m.cage_mass - m.gravity_axial;

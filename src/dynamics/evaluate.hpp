@@ -12,7 +12,6 @@
 #include "src/contacts/land_contacts.hpp"
 #include "src/contacts/lubricated_pocket.hpp"
 #include "src/contacts/lubricated_race.hpp"
-#include "src/contacts/neighbour_contacts.hpp"
 #include "src/contacts/pocket_contacts.hpp"
 #include "src/contacts/race_contacts.hpp"
 #include "src/contacts/wall_contacts.hpp"
@@ -27,9 +26,9 @@ using Evaluation = void (*)(const BearingModel&, double t, const double* y, doub
 /// Of a lubricated model: its rates alone, or with derivatives and what is seen.
 Evaluation lubricated_rates(const BearingModel& model);
 Evaluation lubricated_linearisation(const BearingModel& model);
-/// The same of a model whose raceways have lobes or which has no cage, dry or lubricated.
-Evaluation uncommon_rates(const BearingModel& model);
-Evaluation uncommon_linearisation(const BearingModel& model);
+/// The same of a model whose raceways have lobes, dry or lubricated.
+Evaluation lobed_rates(const BearingModel& model);
+Evaluation lobed_linearisation(const BearingModel& model);
 
 namespace {  // each source compiles its own
 
@@ -210,38 +209,6 @@ void pocket(Pass& pass, Shared& all) {
                           rows, all.jac, all.seen);
 }
 
-/// Contacts between the rollers of a full complement, with what their turning directions do.
-template <bool linear, bool planar>
-void touch_neighbours(const BearingModel& m, const double* y, NeighbourLoads& all,
-                      Linearisation* jac, Observation* seen) {
-  for (int group = 0; group < m.layout.groups; ++group)
-    all.rollers[group] = unpack_rollers<planar>(m.layout, y, group);
-  neighbour_contacts<linear>(m, all, jac, seen);
-  if constexpr (linear) {
-    if (!jac->neighbours_touch) return;
-    for (int group = 0; group < m.layout.groups; ++group) {
-      const RollerPack &q = all.rollers[group],
-                       next = next_lanes<RollerPack>(
-                           m, group, [&](int g) -> auto& { return all.rollers[g]; });
-      finish_neighbours<planar>(q, next, jac->neighbours[static_cast<std::size_t>(group)]);
-    }
-  }
-}
-template <bool linear>
-void add_neighbours(const NeighbourLoads& all, Pass& pass, [[maybe_unused]] Linearisation* jac) {
-  for (int i = 0; i < kLocalVelocities; ++i) pass.loads.f[i] += all.loads[pass.group].f[i];
-  if constexpr (linear) {
-    const NeighbourLinear::Own& own = jac->neighbours[static_cast<std::size_t>(pass.group)].own;
-    GroupLinear& to = *pass.linear;
-    for (int i = 0; i < kLocalVelocities; ++i) {
-      for (int j = 0; j < kLocalVelocities; ++j) to.velocity[i][j] += own.forces.velocity[i][j];
-      for (int j = 0; j < kLocalPositions; ++j) to.position[i][j] += own.forces.position[i][j];
-      to.power_velocity[i] += own.power_velocity[i];
-      if (i < kLocalPositions) to.power_position[i] += own.power_position[i];
-    }
-  }
-}
-
 /// Derivatives of what is not a contact, once all contacts are there.
 template <bool planar, bool lubricated>
 void finish_rollers(Pass& pass, Shared& all) {
@@ -293,8 +260,8 @@ void finish_border(double t, const double* y, const double* rate, const Shared& 
 }
 
 /// `tilting`: the inner ring's tilt is free. `lubricated`: there is oil by src/lubrication.
-/// `uncommon`: raceways may be no circles, and there may be no cage.
-template <bool linear, bool planar, bool tilting, bool lubricated, bool uncommon>
+/// `lobed`: raceways may be no circles.
+template <bool linear, bool planar, bool tilting, bool lubricated, bool lobed>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
@@ -309,47 +276,34 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
     set_cage_block(m, b, y, *jac, *seen);
   }
   Shared all{m, b, modal, border, jac, seen};
-  [[maybe_unused]] std::conditional_t<uncommon, NeighbourLoads, bool> neighbours;
-  if constexpr (uncommon)
-    if (m.full_complement) touch_neighbours<linear, planar>(m, y, neighbours, jac, seen);
   for (int group = 0; group < m.layout.groups; ++group) {
     Pass pass{group, m.groups[static_cast<std::size_t>(group)],
               unpack_rollers<planar>(m.layout, y, group)};
     if constexpr (linear) pass.linear = start_group(pass.q, group, *jac);
-    inner_race<linear, tilting, lubricated, uncommon>(pass, all);
-    outer_race<linear, lubricated, uncommon>(pass, all);
+    inner_race<linear, tilting, lubricated, lobed>(pass, all);
+    outer_race<linear, lubricated, lobed>(pass, all);
     if constexpr (!planar)  // who stands still in the middle touches no flange
       flange_contacts<linear>(m, pass.roller, pass.q, b, group, pass.loads, border, jac, seen);
     if (lubricated && m.churning.on)
       roller_churning<linear>(m.churning, pass.roller, pass.q, b, pass.loads, pass.linear, seen);
-    if constexpr (uncommon) {
-      if (m.full_complement)
-        add_neighbours<linear>(neighbours, pass, jac);
-      else
-        pocket<linear, lubricated>(pass, all);
-    } else {
-      pocket<linear, lubricated>(pass, all);
-    }
+    pocket<linear, lubricated>(pass, all);
     if constexpr (linear) finish_rollers<planar, lubricated>(pass, all);
     store_rates<planar>(m, pass.roller, pass.q, pass.loads, y, rate, group);
   }
   double on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = modal.pushed ? sum(modal_force[k]) : 0;
-  const bool caged = !uncommon || !m.full_complement;
-  if (caged)
-    land_contacts<linear>(m, b, modal, border, on_modes, linear ? &jac->scratch : nullptr, jac,
-                          seen);
-  if (caged && lubricated && m.churning.on) churn_cage<linear>(m.churning, b, border, jac, seen);
+  land_contacts<linear>(m, b, modal, border, on_modes, linear ? &jac->scratch : nullptr, jac, seen);
+  if (lubricated && m.churning.on) churn_cage<linear>(m.churning, b, border, jac, seen);
   store_border_rates(m, t, b, border, on_modes, y, rate);
   if constexpr (linear) finish_border<tilting, lubricated>(t, y, rate, all);
 }
 
 /// The one that suits a model; a dry bearing pays nothing for what oil would do.
-template <bool linear, bool lubricated, bool uncommon = false>
+template <bool linear, bool lubricated, bool lobed = false>
 Evaluation evaluation_as(const BearingModel& m) {
-  return m.planar                 ? evaluate<linear, true, false, lubricated, uncommon>
-         : m.layout.ring_tilt > 0 ? evaluate<linear, false, true, lubricated, uncommon>
-                                  : evaluate<linear, false, false, lubricated, uncommon>;
+  return m.planar                 ? evaluate<linear, true, false, lubricated, lobed>
+         : m.layout.ring_tilt > 0 ? evaluate<linear, false, true, lubricated, lobed>
+                                  : evaluate<linear, false, false, lubricated, lobed>;
 }
 }  // namespace
 }  // namespace cagetol

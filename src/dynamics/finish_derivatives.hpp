@@ -17,25 +17,6 @@ GroupLinear* start_group(const RollerPack& q, int group, Linearisation& jac) {
   return &g;
 }
 
-/// Likewise of the contacts between neighbours; planar rollers neither answer nor move in the
-/// directions in which they are held.
-template <bool planar>
-void finish_neighbours(const RollerPack& q, const RollerPack& next, NeighbourLinear& of) {
-  const auto finish = [](const RollerPack& moved, RollerOnRoller& forces) {
-    for (int i = 0; i < kLocalVelocities; ++i) {
-      turn_frame(moved, forces.position[i], forces.velocity[i]);
-      for (int j = 0; j < kLocalVelocities; ++j) {
-        if (!held<planar>(i) && !held<planar>(j)) continue;
-        forces.velocity[i][j] = Pack{};
-        if (j < kLocalPositions) forces.position[i][j] = Pack{};
-      }
-    }
-  };
-  finish(q, of.own.forces);
-  finish(next, of.ahead);
-  finish(q, of.behind);
-}
-
 /// Rate of the net power along the motion, in frozen directions: gradient times velocities and
 /// accelerations.
 double roller_power_rate(const RollerGroup& roller, const RollerPack& q, const RollerLoads& loads,

@@ -4,16 +4,8 @@
 
 namespace cagetol {
 
-namespace {
-
-bool is_uncommon(const BearingModel& model) {
-  return !model.forms.round || model.full_complement;
-}
-
-}  // namespace
-
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
-  const Evaluation with = is_uncommon(model) ? uncommon_rates(model)
+  const Evaluation with = !model.forms.round ? lobed_rates(model)
                           : model.lubricated ? lubricated_rates(model)
                                              : evaluation_as<false, false>(model);
   with(model, t, y, rate, nullptr, nullptr);
@@ -21,7 +13,7 @@ void evaluate_rates(const BearingModel& model, double t, const double* y, double
 
 void linearise(const BearingModel& model, double t, const double* y, double* rate,
                Linearisation& linear, Observation& seen) {
-  const Evaluation with = is_uncommon(model) ? uncommon_linearisation(model)
+  const Evaluation with = !model.forms.round ? lobed_linearisation(model)
                           : model.lubricated ? lubricated_linearisation(model)
                                              : evaluation_as<true, false>(model);
   with(model, t, y, rate, &linear, &seen);
@@ -53,7 +45,6 @@ double body_energy(const BearingModel& m, const double* y) {
     energy += 0.5 * m.ring_transverse * (square(tilt) + square(tilt + 1)) +
               0.5 * m.tilt_stiffness * (bent_y * bent_y + bent_z * bent_z);
   }
-  if (m.full_complement) return energy;
   energy += 0.5 * m.cage_mass * (square(kCageY) + square(kCageZ) + square(kCageX)) +
             m.cage_mass * (m.gravity * q[kCageZ] + m.gravity_axial * q[kCageX]);
   energy += 0.5 * m.cage_polar * square(kCagePhi) +

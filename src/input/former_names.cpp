@@ -12,6 +12,14 @@ constexpr auto kFormerNames = std::to_array<FormerName>({
     {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
     {"trend", "", "", "claims of a source are no part of a study", "leave it out; the report shows how each quantity goes over the levels of a grid"},
     {"multifidelity", "", "", "no quantity of the cage's motion gained from runs of a cheaper model", "leave it out; for fewer standard errors raise samples"},
+    {"cage.model", "none", "", "only bearings with a cage are modelled: the torque of full complements was off by 1.8", "choose a bearing with a cage"},
+    {"integration.method", "semi-implicit-euler", "", "arkode-erk shows what explicit steps do", "use arkode-erk"},
+    {"integration.fixed_step_us", "", "", "no method has fixed steps any more", "use integration.max_step_us"},
+    {"neighbour_force_rms_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_rms_N"},
+    {"neighbour_force_p99_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_p99_N"},
+    {"neighbour_force_peak_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_peak_N"},
+    {"neighbour_impacts_per_revolution", "", "", "only bearings with a cage are modelled", "use pocket_impacts_per_revolution"},
+    {"power_neighbour_W", "", "", "only bearings with a cage are modelled", "use power_pocket_W"},
 });
 // clang-format on
 

@@ -35,8 +35,8 @@ struct KeyRange {
   /// "auto" is allowed: computed from the rest of the scene, stored as NaN.
   bool may_be_auto = false;
   bool required = false;  ///< the key has no default and must be given
-  /// The key must be given if another key has this value, for example "model.motion = \"dynamic\"",
-  /// or has any but this one, "cage.model != \"none\"". Empty: no such condition.
+  /// The key must be given if another key has this value, for example "model.motion = \"dynamic\"".
+  /// Empty: no such condition.
   std::string required_where;
   std::vector<std::string> choices;
 };

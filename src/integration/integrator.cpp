@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "src/integration/rosenbrock.hpp"
-#include "src/integration/semi_implicit_euler.hpp"
 #include "src/integration/sundials_methods.hpp"
 
 namespace cagetol {
@@ -23,8 +22,6 @@ std::unique_ptr<Integrator> make_integrator(const Integration& given, const Syst
       return make_arkode(true, keys, system, t0, y0);
     case IntegrationMethod::arkode_erk:
       return make_arkode(false, keys, system, t0, y0);
-    case IntegrationMethod::semi_implicit_euler:
-      return std::make_unique<SemiImplicitEuler>(keys);
   }
   throw std::logic_error("no such integration method");
 }

@@ -24,7 +24,6 @@ double largest_step(const BearingModel& model, const Integration& keys);
 struct Counts {
   long steps = 0, rejected = 0, rhs = 0, jacobians = 0, factorisations = 0;
   double smallest_step = 1e30;
-  double largest_step_error = 0;  ///< of methods without error control [error scales]
 };
 
 struct System {

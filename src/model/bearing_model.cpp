@@ -87,12 +87,9 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.radius[lane] = radius;
     g.taper_slope[lane] = planar ? 0 : each(scene.roller.taper, k) / (2 * length);
     const double even = 2 * pi * static_cast<double>(j) / static_cast<double>(z),
-                 angle = has_cage(scene) ? even + each(scene.cage.pocket_pitch, k) : even;
+                 angle = even + each(scene.cage.pocket_pitch, k);
     g.pocket_cos[lane] = std::cos(angle);
     g.pocket_sin[lane] = std::sin(angle);
-    g.half_width[lane] = radius;
-    g.half_length[lane] = length / 2;
-    if (!has_cage(scene)) continue;
     g.half_width[lane] = each(scene.cage.pocket_width, k) / 2;
     g.half_length[lane] = each(scene.cage.pocket_length, k) / 2;
     g.squareness[lane] = planar ? 0 : each(scene.cage.pocket_squareness, k);
@@ -268,10 +265,9 @@ void set_guides(const Scene& scene, BearingModel& m) {
   guide.touching_at -= film.least;
 }
 
-/// E' of what rollers meet around the bearing: bars, or each other [Pa].
+/// E' of rollers and bars [Pa].
 double bar_modulus(const Scene& scene) {
-  return effective_modulus(roller_material(scene),
-                           has_cage(scene) ? cage_material(scene) : roller_material(scene));
+  return effective_modulus(roller_material(scene), cage_material(scene));
 }
 
 /// Fills the model with oil. To be called when its geometry is there.
@@ -307,13 +303,8 @@ void lubricate(const Scene& scene, BearingModel& m) {
     line.layer = l.pocket_layer;
     return line;
   };
-  if (has_cage(scene)) {
-    m.bar_line = pocket(m.curved_faces ? -1 / cage.face_radius : 0);
-    m.edge_line = pocket(1 / cage.edge_radius);
-  } else {
-    m.bar_line = pocket(1 / roller);
-    m.bar_line.rolls = false;  // surfaces that slide against each other drag hardly any oil in
-  }
+  m.bar_line = pocket(m.curved_faces ? -1 / cage.face_radius : 0);
+  m.edge_line = pocket(1 / cage.edge_radius);
   if (l.end_film) {
     const auto flat = [&](const ContactParameters& of, double area, bool squeeze) {
       return make_flat_film(oil.viscosity, area, l.pocket_layer,
@@ -321,7 +312,7 @@ void lubricate(const Scene& scene, BearingModel& m) {
     };
     const double face = pi * roller * roller,
                  wall = m.nominal_diameter * (cage.outer_diameter - cage.inner_diameter) / 2;
-    if (has_cage(scene)) m.wall_film = flat(contact.end, std::min(face, wall), l.squeeze);
+    m.wall_film = flat(contact.end, std::min(face, wall), l.squeeze);
     // Rollers that an axial load presses against flanges squeeze out next to nothing there, in many
     // steps.
     const bool squeezed = l.squeeze && m.layout.ring_axial == 0;
@@ -383,9 +374,8 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   m.layout.rollers = static_cast<int>(b.roller_count);
   m.layout.groups = (m.layout.rollers + kLanes - 1) / kLanes;
   m.planar = has_planar_rollers(scene);
-  m.full_complement = m.layout.full_complement = !has_cage(scene);
-  m.curved_faces = has_cage(scene) && !std::isnan(scene.cage.face_radius);
-  m.shaped_pockets = has_cage(scene) && has_shaped_pockets(scene.cage);
+  m.curved_faces = !std::isnan(scene.cage.face_radius);
+  m.shaped_pockets = has_shaped_pockets(scene.cage);
   m.layout.ring_tilt = has_free_ring_tilt(scene) ? 2 : 0;
   m.layout.ring_axial = has_free_axial_place(scene) ? 1 : 0;
   for (int g = 0; g < m.layout.groups; ++g) m.groups.push_back(make_group(scene, g));
@@ -417,7 +407,7 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   m.bar = make_normal_law(scene.contact.bar, length, stations, bar_modulus(scene));
   m.wall = make_normal_law(scene.contact.end, length, 2);
   m.flange = make_normal_law(scene.contact.flange, length, 2);
-  m.land_edge = has_cage(scene) ? land_width(scene) / 2 : 0;
+  m.land_edge = land_width(scene) / 2;
   m.land = make_normal_law(scene.contact.land, length, m.land_edge > 0 ? 4 : 2);
   m.friction = friction_laws(scene.contact);
 
@@ -445,7 +435,7 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
       given_or(b.inner_ring_transverse_inertia, m.ring_mass * (3 * radii + b.width * b.width) / 12);
   m.tilt_stiffness = b.tilt_stiffness;
 
-  if (has_cage(scene)) set_cage(scene, m);
+  set_cage(scene, m);
 
   const auto& o = scene.operation;
   m.duty = make_duty(o);
@@ -495,7 +485,6 @@ Jam find_jam(const Scene& as_made) {
   if (changes_in_operation(as_made)) return find_jam(operating_scene(as_made));
   const Scene& scene = as_made;
   Jam worst;
-  if (!has_cage(scene)) return worst;
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const double in_width = each(scene.roller.diameter, j) - each(scene.cage.pocket_width, j);
     const double in_length = scene.roller.length - each(scene.cage.pocket_length, j);

@@ -97,8 +97,7 @@ struct CageGuide {
 
 struct BearingModel {
   StateLayout layout;
-  bool full_complement = false;  ///< no cage: rollers touch each other by `bar` or `bar_line`
-  bool planar = false;           ///< rollers keep their axes parallel to the bearing's, and x = 0
+  bool planar = false;  ///< rollers keep their axes parallel to the bearing's, and x = 0
   std::vector<RollerGroup> groups;
   std::vector<Slice> race_slices;
   std::vector<double> bar_stations;     ///< positions along the roller's axis [m]

@@ -17,7 +17,6 @@ enum Mechanism {
   kEndFriction,
   kFlangeFriction,
   kLandFriction,
-  kNeighbourFriction,
   kChurning,
   kSqueeze,
   kDamping,
@@ -43,10 +42,9 @@ struct Observation {
   PackVector outer_force;    ///< on the outer race [N]
   PackVector inner_sliding;  ///< force-weighted mean sliding speed at the inner race [m/s]
   PackVector leading_force,
-      trailing_force;          ///< on the pocket's bars ahead of and behind the roller [N]
-  PackVector wall_force;       ///< on both end walls of the pocket [N]
-  PackVector flange_force;     ///< on the ring's flanges [N]
-  PackVector neighbour_force;  ///< of a full complement: on the next roller [N]
+      trailing_force;       ///< on the pocket's bars ahead of and behind the roller [N]
+  PackVector wall_force;    ///< on both end walls of the pocket [N]
+  PackVector flange_force;  ///< on the ring's flanges [N]
   /// Force on the cage at its bar stations towards larger theta, flexible cages only [N]: per
   /// pocket the stations of the trailing face, then of the leading face (station_stress,
   /// src/cage/cage_model.hpp).

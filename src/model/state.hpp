@@ -37,9 +37,8 @@ struct StateLayout {
   int rollers = 0;  ///< Z
   int groups = 0;   ///< packs of kLanes rollers
   int modes = 0;
-  int ring_axial = 0;            ///< 1 where the inner ring's axial place is free, else 0
-  int ring_tilt = 0;             ///< 2 where its tilt is free, else 0
-  bool full_complement = false;  ///< no cage: its slots stand still, but for the mean angle
+  int ring_axial = 0;  ///< 1 where the inner ring's axial place is free, else 0
+  int ring_tilt = 0;   ///< 2 where its tilt is free, else 0
 
   int padded() const { return groups * kLanes; }
   /// Directions of the border that single rollers couple to, from kCageY on: the cage's and the

@@ -7,7 +7,6 @@ namespace cagetol {
 Linearisation::Linearisation(const StateLayout& layout)
     : groups(static_cast<std::size_t>(layout.groups)),
       tilts(layout.ring_tilt > 0 ? groups.size() : 0),
-      neighbours(layout.full_complement ? groups.size() : 0),
       border_position(Eigen::MatrixXd::Zero(layout.border(), layout.border())),
       border_velocity(Eigen::MatrixXd::Zero(layout.border(), layout.border())),
       power_position(Eigen::VectorXd::Zero(layout.border())),

@@ -70,24 +70,6 @@ struct TiltLinear {
   Pack power_position[2], power_velocity[2];  ///< as in GroupLinear
 };
 
-/// Derivatives of forces on one roller by the motion of one, of a pack of rollers.
-struct RollerOnRoller {
-  Pack position[kLocalVelocities][kLocalPositions] = {};
-  Pack velocity[kLocalVelocities][kLocalVelocities] = {};
-};
-
-/// Contacts of a pack of rollers with the next ones around the bearing, in a full complement.
-struct NeighbourLinear {
-  /// By the rollers' own motion, of the contacts on both sides.
-  struct Own {
-    RollerOnRoller forces;
-    Pack power_position[kLocalPositions] = {}, power_velocity[kLocalVelocities] = {};
-  };
-  Own own;
-  RollerOnRoller ahead;   ///< of forces on them, by the motion of the next rollers
-  RollerOnRoller behind;  ///< of forces on the next rollers, by their motion
-};
-
 /// Coupling of one roller with the cage's degrees of freedom (rigid, then modes), then the axial
 /// place of the inner ring where it is free: over the roller's local directions, or in packs over
 /// these.
@@ -123,8 +105,6 @@ struct Linearisation {
 
   std::vector<GroupLinear> groups;
   std::vector<TiltLinear> tilts;  ///< one for each group where the inner ring's tilt is free
-  std::vector<NeighbourLinear> neighbours;  ///< one for each group of a full complement
-  bool neighbours_touch = false;            ///< else nothing in them counts
   Eigen::MatrixXd border_position, border_velocity;
   /// Something touches the cage: a roller, a ring, a guide film; or the inner ring moves axially.
   /// Where nothing does, the border's matrices hold but the blocks of the ring and the cage's own

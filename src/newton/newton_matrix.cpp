@@ -31,7 +31,6 @@ Eigen::VectorXd border_mass(const BearingModel& m) {
   mass[kCageY] = mass[kCageZ] = mass[kCageX] = m.cage_mass;
   mass[kCagePhi] = m.cage_polar;
   mass[kCageAxisY] = mass[kCageAxisZ] = m.cage_transverse;
-  if (m.full_complement) mass.segment(kCageY, kCageRigid).setOnes();  // of what nothing moves
   if (m.layout.ring_axial > 0) mass[m.layout.ring_axial_slot()] = m.ring_mass;
   mass.tail(m.layout.ring_tilt).setConstant(m.ring_transverse);
   return mass;
@@ -52,7 +51,6 @@ NewtonMatrix::NewtonMatrix(const BearingModel& model)
       border_positions_(border_mass_),
       border_solution_(border_mass_) {
   border_mass_.head(model.layout.border()) = border_mass(model);
-  if (model.full_complement) chain_.emplace(model);
   const int columns = model.layout.coupled();
   for (auto& c : cages_) {
     c.from.resize(static_cast<std::size_t>(columns));
@@ -151,11 +149,6 @@ void NewtonMatrix::add_to_lanes(int group, Pack (&to)[kLocalVelocities],
 }
 
 bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
-  chained_ = chain_ && linear.neighbours_touch;
-  if (chained_) {
-    beta_ = beta;
-    return chain_->factor(linear, border_mass_, beta);
-  }
   return model_.planar                 ? factor_as<true, 1>(linear, beta)
          : model_.layout.ring_tilt > 0 ? factor_as<false, 2>(linear, beta)
                                        : factor_as<false, 1>(linear, beta);
@@ -284,7 +277,6 @@ void NewtonMatrix::factor_cage() {
 }
 
 void NewtonMatrix::solve(const double* rhs, double* x) {
-  if (chained_) return chain_->solve(rhs, x);
   model_.planar                 ? solve_as<true, 1>(rhs, x)
   : model_.layout.ring_tilt > 0 ? solve_as<false, 2>(rhs, x)
                                 : solve_as<false, 1>(rhs, x);

@@ -9,13 +9,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "src/model/bearing_model.hpp"
 #include "src/newton/free_cage.hpp"
 #include "src/newton/linearisation.hpp"
-#include "src/newton/roller_chain.hpp"
 #include "src/numerics/small_inverse.hpp"
 
 namespace cagetol {
@@ -98,8 +96,6 @@ class NewtonMatrix {
   SmallInverse schur_;  ///< Schur complement on the border, then its inverse
   SmallInverse free_ring_;
   FreeCage free_cage_;
-  std::optional<RollerChain> chain_;  ///< of a full complement
-  bool chained_ = false;              ///< its rollers touch: it alone is factored
   // Over the border, zeros behind it up to whole packs.
   Eigen::VectorXd border_mass_, border_rhs_, border_positions_, border_solution_;
 };

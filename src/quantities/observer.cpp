@@ -156,13 +156,6 @@ void Observer::record_revolution(double t, const double* y) {
   convergence_.add(now);
 }
 
-double Observer::orbital_speed(const double* y) const {
-  const StateLayout& l = model_.layout;
-  if (!model_.full_complement) return y[l.border_velocity(kCagePhi)];
-  const double* rates = y + l.velocity(kOrbitRate, 0);
-  return std::accumulate(rates, rates + l.rollers, 0.0) / l.rollers;
-}
-
 void Observer::record(double t, const double* y, const System& system) {
   const StateLayout& l = model_.layout;
   const double *q = y + l.border_position(0), *v = y + l.border_velocity(0);
@@ -204,7 +197,8 @@ void Observer::record(double t, const double* y, const System& system) {
   dissipation_.add(lost, step);
   for (std::size_t k = 0; k < kMechanisms; ++k) lost_[k].add(seen.lost[k], step);
   if (stationarity_)
-    stationarity_->record(t, {orbital_speed(y), moving, seen.drive_power + seen.load_power, lost});
+    stationarity_->record(
+        t, {y[l.border_velocity(kCagePhi)], moving, seen.drive_power + seen.load_power, lost});
 
   whirl_.record(t, {cage_y, cage_z, std::hypot(cage_vy, cage_vz), v[kCagePhi]});
   const double angle = std::atan2(cage_z, cage_y);
@@ -349,11 +343,6 @@ void Observer::record_rollers(double t, const double* y, const System& system,
     pocket_impacts_.see(2 * k + 1, trailing > 0.0);
     wall_force_.add(k, wall, here, step);
     wall_impacts_.see(k, wall > 0.0);
-    if (model_.full_complement) {
-      const Pack neighbour = force(seen.neighbour_force);
-      neighbour_force_.add(k, neighbour, here, step);
-      neighbour_impacts_.see(k, neighbour > 0.0);
-    }
   }
 }
 
@@ -365,7 +354,7 @@ void Observer::record_statics(double t, const double* y) {
   if (over_time_) statics_.turn_outer(ring_speeds_at(model_.duty, t).outer);
   if (model_.lubricated) statics_.spin(y + l.velocity(kSpin, 0), ring_speeds_at(model_.duty, t));
   statics_.turn_rings(ring_angles_at(model_.duty, t));
-  const StaticState& rest = statics_.solve(angles_.data(), orbital_speed(y),
+  const StaticState& rest = statics_.solve(angles_.data(), y[l.border_velocity(kCagePhi)],
                                            load_at(model_.duty, t), RollerMotion::orbiting);
   ++static_positions_;
   if (!rest.converged) {
@@ -521,7 +510,6 @@ std::vector<double> Observer::quantities_so_far() const {
   force(force_rows("pocket"), pocket_force_.all(), pocket_impacts_);
   force(force_rows("guide"), guide_force_, guide_impacts_);
   force(force_rows("end"), wall_force_.all(), wall_impacts_);
-  force(force_rows("neighbour"), neighbour_force_.all(), neighbour_impacts_);
   const double per_turn = turns ? duration / revolutions : none;
   const Series::Sums pressed = pocket_force_.sums();
   q[quantity_row("pocket_impulse_N_s")] = pressed.integral() / pressed.weight * per_turn;
@@ -560,7 +548,6 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("power_end_W")] = lost(kEndFriction);
   q[quantity_row("power_flange_W")] = lost(kFlangeFriction);
   q[quantity_row("power_land_W")] = lost(kLandFriction);
-  q[quantity_row("power_neighbour_W")] = lost(kNeighbourFriction);
   q[quantity_row("power_churning_W")] = lost(kChurning);
   q[quantity_row("power_squeeze_W")] = lost(kSqueeze);
   q[quantity_row("power_damping_W")] = lost(kDamping);
@@ -602,12 +589,7 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("lambda_min_ratio")] =
       filmed && model_.lubricated ? thinnest_film_ / model_.inner_line.traction.roughness : none;
   q[quantity_row("static_consistency_error")] = static_consistency_error();
-  std::vector<double> values = q.all();
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (model_.full_complement ? is_of_cage(kQuantityRows[i].key)
-                               : is_of_neighbours(kQuantityRows[i].key))
-      values[i] = none;
-  return values;
+  return q.all();
 }
 
 }  // namespace cagetol

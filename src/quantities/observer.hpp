@@ -81,8 +81,6 @@ class Observer {
   /// Mean load and weight on the ring [N].
   double mean_imposed() const;
   void record_statics(double t, const double* y);
-  /// Speed of the cage; of a full complement the mean one of its rollers [rad/s].
-  double orbital_speed(const double* y) const;
   /// The centrifugal force of one roller [N].
   double light_force() const;
   /// Reference force of static_consistency_error() [N].
@@ -133,7 +131,7 @@ class Observer {
   RollerSeries carried_, carried_orbit_;  ///< force on the inner race [N], and times orbital rate
   RollerSeries slip_loaded_, slip_all_, sliding_{kPeak}, roller_speed_;
   RollerSeries skew_{kQuantiles}, tilt_{kQuantiles}, pocket_force_{kPeak | kQuantiles},
-      wall_force_{kPeak | kQuantiles}, neighbour_force_{kPeak | kQuantiles};
+      wall_force_{kPeak | kQuantiles};
   PlaneAcceleration ring_acceleration_;
   std::optional<CageStress> stress_;
   std::optional<CageFatigue> fatigue_;
@@ -164,7 +162,7 @@ class Observer {
   double orbit_turned_ = 0, orbit_angle_ = 0;
   double revolutions_ = 0, start_phase_ = 0;
   double end_displacement_ = 0;
-  Impacts pocket_impacts_, wall_impacts_, guide_impacts_, neighbour_impacts_;
+  Impacts pocket_impacts_, wall_impacts_, guide_impacts_;
   HermiteQuadrature net_work_;      ///< where the power's rate is known [J]
   StepSeries net_power_;            ///< where it is not [W]
   StepSeries dissipation_, drive_;  ///< powers [W]

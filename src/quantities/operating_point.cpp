@@ -9,7 +9,6 @@
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/load_rating.hpp"
 #include "src/scene/pocket_clearances.hpp"
-#include "src/scene/roller_gap.hpp"
 #include "src/statics/start_state.hpp"
 #include "src/statics/static_equilibrium.hpp"
 
@@ -89,12 +88,6 @@ Clearances clearances_of(const Scene& scene, const BearingModel& m) {
   Clearances left;
   left.internal = 2 * (m.outer_radius - m.inner_radius - thickest_roller(scene));
   left.flange = scene.bearing.flange_clearance;
-  left.neighbours = kNone;
-  if (!has_cage(scene)) {
-    left.pocket_width = left.pocket_length = left.guide = kNone;
-    left.neighbours = total_roller_gap(scene);
-    return left;
-  }
   left.pocket_width = left.pocket_length = std::numeric_limits<double>::infinity();
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const PocketClearances pocket = pocket_clearances(scene, j);
@@ -125,7 +118,7 @@ void add_clearances(const Scene& scene, const Scene& hot, const BearingModel& m,
 }
 
 void add_masses(const BearingModel& m, OperatingPoint& at) {
-  at.cage_mass = m.full_complement ? kNone : m.cage_mass;
+  at.cage_mass = m.cage_mass;
   at.roller_mass = m.groups.front().mass[0];
 }
 
@@ -255,8 +248,6 @@ const std::vector<OperatingRow>& operating_rows() {
       {"guide_clearance_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.guide; }},
       {"flange_clearance_as_made_um", "um", "axial clearance of a roller between its flanges, likewise", [](At p) { return 1e6 * p.made_clearance.flange; }, true},
       {"flange_clearance_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.flange; }},
-      {"neighbour_gap_as_made_um", "um", "of a full complement: sum of the gaps between neighbours on the pitch circle, before fits, heat and rotation", [](At p) { return 1e6 * p.made_clearance.neighbours; }, true, true},
-      {"neighbour_gap_um", "um", "the same in operation", [](At p) { return 1e6 * p.clearance.neighbours; }, false, true},
       {"cage_mass_g", "g", "mass of the cage", [](At p) { return 1e3 * p.cage_mass; }},
       {"roller_mass_g", "g", "mass of a roller", [](At p) { return 1e3 * p.roller_mass; }},
   };

@@ -23,7 +23,6 @@ struct Clearances {
   double internal;                     ///< diametral
   double pocket_width, pocket_length;  ///< pocket less roller
   double guide, flange;                ///< radial of the cage, axial of a roller
-  double neighbours;                   ///< sum of the gaps of a full complement
 };
 
 /// NaN: not known, or not defined for the scene.
@@ -68,7 +67,6 @@ struct OperatingRow {
   double (*value)(const OperatingPoint& of);  ///< in that unit
   /// Of what changes in operation: says nothing where nothing does (changes_in_operation()).
   bool of_change = false;
-  bool of_some = false;  ///< of bearings that have it alone: tables leave it out elsewhere
 };
 /// All lines, in the order of tables and files.
 const std::vector<OperatingRow>& operating_rows();

@@ -24,9 +24,6 @@ constexpr double kFullCircle = 360 * (1 + 1e-9);  // rounding allowed [deg]
 bool moving(Reach r) {
   return !r.quasi_static;
 }
-bool complement(Reach r) {
-  return moving(r) && !r.caged;
-}
 bool turning(Reach r) {
   return moving(r) && r.turns;
 }
@@ -180,10 +177,6 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"end_force_p99_N", moving, [](Reach r) { return magnitude(r.end_force); }, kForceReason, kTighten},
       {"end_force_peak_N", moving, [](Reach r) { return magnitude(r.end_force); }, kForceReason, kTighten},
       {"end_impacts_per_revolution", moving, [](Reach r) { return touches(r, r.rollers); }, kTouchReason, kTighten},
-      {"neighbour_force_rms_N", complement, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
-      {"neighbour_force_p99_N", complement, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
-      {"neighbour_force_peak_N", complement, [](Reach r) { return magnitude(r.pocket_force); }, kForceReason, kTighten},
-      {"neighbour_impacts_per_revolution", complement, [](Reach r) { return touches(r, r.rollers); }, kTouchReason, kTighten},
       {"cage_speed_std_ratio", turning, [](Reach r) { return magnitude(r.turns ? 3 * r.fastest * r.duration / turned(r) : kInfinite); }, kCageSlipReason, kTighten},
       {"cage_axial_std_um", moving, [](Reach r) { return magnitude(1e6 * r.axial); }, "the rollers' ends and the flanges leave the cage less axial play", "check cage.pocket_length_mm, bearing.flange_clearance_mm and contact.end, and tighten integration.tolerance"},
       {"cage_tilt_std_mrad", moving, lean, kLeanReason, kLeanRemedy},
@@ -208,7 +201,6 @@ const std::vector<PlausibleRow>& plausible_rows() {
       {"power_end_W", moving, one_power, kPowerReason, kTighten},
       {"power_flange_W", moving, one_power, kPowerReason, kTighten},
       {"power_land_W", moving, one_power, kPowerReason, kTighten},
-      {"power_neighbour_W", complement, one_power, kPowerReason, kTighten},
       {"power_churning_W", moving, one_power, kPowerReason, kTighten},
       {"power_squeeze_W", moving, one_power, kPowerReason, kTighten},
       {"power_damping_W", moving, one_power, kPowerReason, kTighten},
@@ -249,8 +241,6 @@ const std::vector<PlausibleOrder>& plausible_orders() {
       {"whirl_radius_ratio_p95", "whirl_radius_ratio_peak", part},
       {"pocket_force_rms_N", "pocket_force_peak_N", mean},
       {"pocket_force_p99_N", "pocket_force_peak_N", part},
-      {"neighbour_force_rms_N", "neighbour_force_peak_N", mean},
-      {"neighbour_force_p99_N", "neighbour_force_peak_N", part},
       {"guide_force_rms_N", "guide_force_peak_N", mean},
       {"guide_force_p99_N", "guide_force_peak_N", part},
       {"end_force_rms_N", "end_force_peak_N", mean},
@@ -279,7 +269,7 @@ std::string find_implausible(const PlausibleReach& reach, const std::vector<doub
     const double x = value(row.key);
     const bool given = std::isfinite(x);
     if (!given && !std::isnan(x) && !reach.turns && !reach.quasi_static) continue;
-    const bool expected = row.expected(reach) && (reach.caged || !is_of_cage(row.key));
+    const bool expected = row.expected(reach);
     if (!given && (std::isinf(x) || expected))
       return std::string(row.key) + " is " + (std::isnan(x) ? "no number" : "infinite") +
              " where the run must give one, which is impossible: a state or a contact is not "

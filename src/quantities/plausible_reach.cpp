@@ -84,7 +84,6 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
       planar(m.planar),
       tilts(m.layout.ring_tilt > 0),
       quasi_static(run.quasi_static),
-      caged(!m.full_complement),
       peaks_in_part(run.peaks_in_part),
       rollers(m.layout.rollers),
       duration(run.end - run.begin),
@@ -170,7 +169,7 @@ PlausibleReach::PlausibleReach(const Scene& scene, const BearingModel& m, const 
   touch_rate = std::sqrt(std::max({bars.stiffness(bars.depth(energy) + pinch),
                                    walls.stiffness(walls.depth(energy) + length_pinch),
                                    lands.stiffness(pressed)}) /
-                         (caged ? std::min(lightest, m.cage_mass) : lightest)) /
+                         std::min(lightest, m.cage_mass)) /
                pi;
 
   // The cage: its guide and what that gives way; rollers that guide it move between the races.

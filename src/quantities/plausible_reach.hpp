@@ -24,7 +24,6 @@ struct PlausibleReach {
   PlausibleReach(const Scene& scene, const BearingModel& model, const PlausibleRun& run);
 
   bool flexible, planar, tilts, quasi_static;
-  bool caged;  ///< else a full complement
   bool peaks_in_part;
   bool turns;       ///< rolling turns the cage throughout the window
   bool over_time;   ///< under a duty that may stand or reverse: then this is not known

@@ -13,9 +13,6 @@ constexpr double kBlocks = 5;  // revolutions from which peaks are extrapolated,
 bool moves(const Scene& s) {
   return !is_quasi_static(s);
 }
-bool caged(const Scene& s) {
-  return moves(s) && has_cage(s);
-}
 bool turns(const Scene& s) {
   return moves(s) &&
          (largest_inner_speed(s.operation) != 0 || largest_outer_speed(s.operation) != 0);
@@ -32,14 +29,9 @@ struct Need {
 constexpr Need kAny{"any model", [](const Scene&) { return true; }};
 constexpr Need kMotion{"model.motion = \"dynamic\"", moves};
 constexpr Need kTurning{"model.motion = \"dynamic\"; speed.inner_rpm not zero", turns};
-constexpr Need kCaged{"model.motion = \"dynamic\"; a cage", caged};
-constexpr Need kTurningCage{"model.motion = \"dynamic\"; a cage; speed.inner_rpm not zero",
-                            [](const Scene& s) { return turns(s) && has_cage(s); }};
-constexpr Need kNeighbours{"model.motion = \"dynamic\"; cage.model = \"none\"",
-                           [](const Scene& s) { return moves(s) && !has_cage(s); }};
 constexpr Need kWholeTurns{
-    "model.motion = \"dynamic\"; a cage; at least one whole cage revolution measured",
-    [](const Scene& s) { return turns(s) && has_cage(s) && s.window.measure_revolutions >= 1; }};
+    "model.motion = \"dynamic\"; at least one whole cage revolution measured",
+    [](const Scene& s) { return turns(s) && s.window.measure_revolutions >= 1; }};
 constexpr Need kSpatial{"model.rollers = \"spatial\"",
                         [](const Scene& s) { return !has_planar_rollers(s); }};
 constexpr Need kLeaning{"model.motion = \"dynamic\"; model.rollers = \"spatial\"",
@@ -56,9 +48,8 @@ constexpr Need kFilm{
 constexpr Need kOil{"model.motion = \"dynamic\"; lubrication.model = \"film\"; loaded contacts",
                     [](const Scene& s) { return moves(s) && is_lubricated(s); }};
 constexpr Need kExtrapolated{
-    "model.motion = \"dynamic\"; a cage; window.extrapolate_revolutions; at least 5 revolutions "
-    "measured",
-    [](const Scene& s) { return extrapolates(s) && has_cage(s); }};
+    "model.motion = \"dynamic\"; window.extrapolate_revolutions; at least 5 revolutions measured",
+    extrapolates};
 constexpr Need kExtrapolatedStress{
     "cage.model = \"flexible\"; window.extrapolate_revolutions; at least 5 revolutions measured",
     [](const Scene& s) { return extrapolates(s) && is_flexible(s); }};
@@ -73,25 +64,24 @@ struct Row {
 // clang-format off
 const std::vector<Row>& rows() {
   static const std::vector<Row> all = {
-      {{"cage_slip_ratio"}, kTurningCage, "speed of the cage; moves with a cage that hangs off centre"},
+      {{"cage_slip_ratio"}, kTurning, "speed of the cage; moves with a cage that hangs off centre"},
       {{"orbit_slip_ratio"}, kTurning, "limit against skidding"},
       {{"orbit_slip_ratio_loaded"}, kTurning, "skidding of the rollers that drive the cage"},
       {{"roller_slip_ratio_*"}, kTurning, "comparison with published slip"},
       {{"race_sliding_speed_*"}, kMotion, "smearing and wear of races"},
       {{"whirl_resting_share", "whirl_circling_share", "whirl_irregular_share"}, kWholeTurns, "kind of the cage's motion, for comparison with tests"},
-      {{"whirl_scatter_ratio"}, kCaged, "limit on cage stability"},
-      {{"whirl_speed_deviation_ratio", "whirl_energy_ratio"}, kTurningCage, "cage stability as the literature measures it"},
-      {{"whirl_frequency_ratio"}, kTurningCage, "sense and rate of whirl"},
-      {{"whirl_*"}, kCaged, "how far the cage uses up its guide clearance; cage stability"},
+      {{"whirl_scatter_ratio"}, kMotion, "limit on cage stability"},
+      {{"whirl_speed_deviation_ratio", "whirl_energy_ratio"}, kTurning, "cage stability as the literature measures it"},
+      {{"whirl_frequency_ratio"}, kTurning, "sense and rate of whirl"},
+      {{"whirl_*"}, kMotion, "how far the cage uses up its guide clearance; cage stability"},
       {{"*_peak_extrapolated_*"}, kExtrapolated, "limit on a peak over more revolutions than a run measures"},
-      {{"pocket_force_*"}, kCaged, "load of the bars: limit on forces, ranking of cages"},
-      {{"pocket_impulse_N_s", "pocket_friction_work_J"}, kTurningCage, "wear of pockets, relative between cages"},
-      {{"pocket_impacts_per_revolution", "guide_impacts_per_revolution", "end_impacts_per_revolution"}, kCaged, "rattle; how often contacts open"},
-      {{"neighbour_*"}, kNeighbours, "how rollers of a full complement push each other"},
-      {{"guide_force_*"}, kCaged, "load and wear of lands"},
-      {{"end_force_*"}, kCaged, "whether the pocket's length matters"},
-      {{"cage_speed_std_ratio"}, kTurningCage, "smoothness of the cage's rotation"},
-      {{"cage_axial_std_um", "cage_tilt_std_mrad"}, kCaged, "motion of the cage out of its plane"},
+      {{"pocket_force_*"}, kMotion, "load of the bars: limit on forces, ranking of cages"},
+      {{"pocket_impulse_N_s", "pocket_friction_work_J"}, kTurning, "wear of pockets, relative between cages"},
+      {{"pocket_impacts_per_revolution", "guide_impacts_per_revolution", "end_impacts_per_revolution"}, kMotion, "rattle; how often contacts open"},
+      {{"guide_force_*"}, kMotion, "load and wear of lands"},
+      {{"end_force_*"}, kMotion, "whether the pocket's length matters"},
+      {{"cage_speed_std_ratio"}, kTurning, "smoothness of the cage's rotation"},
+      {{"cage_axial_std_um", "cage_tilt_std_mrad"}, kMotion, "motion of the cage out of its plane"},
       {{"roller_load_peak_N", "race_pressure_peak_MPa", "load_zone_mean_deg"}, kMotion, "load distribution, beside that of statics (cagetol check)"},
       {{"ring_displacement_*"}, kAny, "stiffness of the bearing, place of the shaft"},
       {{"ring_orbit_p95_um"}, kAny, "running accuracy"},
@@ -101,8 +91,7 @@ const std::vector<Row>& rows() {
       {{"roller_speed_std_ratio"}, kTurning, "acceleration of rollers in and out of the load zone"},
       {{"roller_skew_*"}, kLeaning, "end and flange wear, effect of squareness"},
       {{"roller_tilt_p95_mrad"}, kSpatial, "edge load of rollers"},
-      {{"power_pocket_W", "power_end_W", "power_land_W"}, kCaged, "heat, and where it arises"},
-      {{"power_neighbour_W"}, kNeighbours, "heat, and where it arises"},
+      {{"power_pocket_W", "power_end_W", "power_land_W"}, kMotion, "heat, and where it arises"},
       {{"power_*"}, kMotion, "heat, and where it arises"},
       {{"friction_torque_Nmm"}, kMotion, "limit on friction"},
       {{"cage_fatigue_utilisation"}, kFlexible, "limit on fatigue of the cage: below 1, with the safety asked for"},

@@ -82,14 +82,6 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "99 % quantile over time and rollers of the same force, zeros included"},
     {"end_force_peak_N", "N", "largest value of the same force over every accepted step"},
     {"end_impacts_per_revolution", "1/rev", "closings of end-wall contacts per cage revolution"},
-    {"neighbour_force_rms_N", "N",
-     "rms over time and rollers of the normal force between a roller of a full complement and the "
-     "next one"},
-    {"neighbour_force_p99_N", "N",
-     "99 % quantile over time and rollers of the same force, zeros included"},
-    {"neighbour_force_peak_N", "N", "largest value of the same force over every accepted step"},
-    {"neighbour_impacts_per_revolution", "1/rev",
-     "closings of contacts between neighbours per revolution of the rollers"},
     {"cage_speed_std_ratio", "-", "standard deviation over mean of the cage's rotational speed"},
     {"cage_axial_std_um", "um", "standard deviation of the cage's axial place"},
     {"cage_tilt_std_mrad", "mrad",
@@ -131,7 +123,6 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"power_end_W", "W", "of it, sliding of roller ends on the end walls of their pockets"},
     {"power_flange_W", "W", "of it, sliding of roller ends on the ring's flanges"},
     {"power_land_W", "W", "of it, friction and guide film of the cage's lands"},
-    {"power_neighbour_W", "W", "of it, sliding of the rollers of a full complement on each other"},
     {"power_churning_W", "W", "of it, drag of oil and air on rollers and cage"},
     {"power_squeeze_W", "W", "of it, squeezing oil out of contacts"},
     {"power_damping_W", "W", "of it, damping in contacts and in a flexible cage"},
@@ -205,18 +196,6 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "ring displacement against the quasi-static one over the same roller positions (relative; "
      "below the centrifugal force of one roller only the force counts, relative to it)"},
 });
-
-/// Whether a quantity speaks of the cage and its contacts: a full complement has none.
-constexpr bool is_of_cage(std::string_view key) {
-  for (const std::string_view of : {"cage_", "whirl_", "pocket_", "guide_", "end_", "power_pocket_",
-                                    "power_end_", "power_land_"})
-    if (key.starts_with(of)) return true;
-  return false;
-}
-/// Whether it speaks of contacts between the rollers of a full complement.
-constexpr bool is_of_neighbours(std::string_view key) {
-  return key.starts_with("neighbour_") || key.starts_with("power_neighbour_");
-}
 
 /// Row of the quantity whose key is `key` followed by `suffix`.
 consteval std::size_t quantity_row(std::string_view key, std::string_view suffix = "") {

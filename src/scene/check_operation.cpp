@@ -3,7 +3,6 @@
 
 #include "src/scene/operating_clearance.hpp"
 #include "src/scene/pocket_clearances.hpp"
-#include "src/scene/roller_gap.hpp"
 #include "src/scene/scene_check.hpp"
 
 namespace cagetol {
@@ -74,15 +73,6 @@ void check_in_operation(const Scene& scene, const SceneCheck& check) {
     return "in operation (fits, temperatures, centrifugal growth) " + what + ", by " +
            in_um(-clearance);
   };
-  if (!has_cage(scene)) {
-    check.require(hot.bearing.flange_clearance >= 0, "bearing.flange_clearance_mm",
-                  say("the rollers do not fit between their flanges", hot.bearing.flange_clearance),
-                  "give a larger clearance, or correct the temperatures");
-    check.require(total_roller_gap(hot) > 0, "bearing.roller_count",
-                  say("the rollers do not fit beside each other", total_roller_gap(hot)),
-                  "give one roller less, or correct the temperatures");
-    return;
-  }
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const PocketClearances left = pocket_clearances(hot, j);
     const std::string pocket = "pocket " + std::to_string(j) + " is not ";

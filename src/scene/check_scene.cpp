@@ -223,13 +223,12 @@ void check_pockets(const Scene& scene, const SceneCheck& check) {
 }
 
 void check_ring_tilt(const Scene& scene, const SceneCheck& check) {
-  check.require(
-      !has_free_ring_tilt(scene) || !has_cage(scene) || scene.cage.guidance != Guidance::inner,
-      "model.ring_tilt",
-      "the lands of a cage do not follow the free tilt of the ring that guides it (" +
-          check.with_value("cage.guidance") + ")",
-      "set model.ring_tilt = \"prescribed\", or guide the cage by the outer ring or the "
-      "rollers");
+  check.require(!has_free_ring_tilt(scene) || scene.cage.guidance != Guidance::inner,
+                "model.ring_tilt",
+                "the lands of a cage do not follow the free tilt of the ring that guides it (" +
+                    check.with_value("cage.guidance") + ")",
+                "set model.ring_tilt = \"prescribed\", or guide the cage by the outer ring or the "
+                "rollers");
   const auto& load = scene.operation;
   for (const auto& [key, moment] : {std::pair{"load.tilting_moment_y_N_m", load.tilting_moment_y},
                                     std::pair{"load.tilting_moment_z_N_m", load.tilting_moment_z}})
@@ -339,13 +338,9 @@ void check_window(const Scene& scene, const SceneCheck& check) {
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root) {
   const SceneCheck check(scene, file, root);
   check_rings(scene, check);
-  if (has_cage(scene)) {
-    check_cage_between_rings(scene, check);
-    check_pockets(scene, check);
-    check_outline(scene, check);
-  } else {
-    check_full_complement(scene, check);
-  }
+  check_cage_between_rings(scene, check);
+  check_pockets(scene, check);
+  check_outline(scene, check);
   check.require(!is_flexible(scene) || !scene.cage.bar_modes ||
                     scene.cage.modes + scene.bearing.roller_count <= kMostModes,
                 "cage.modes",

@@ -53,12 +53,11 @@ constexpr auto spellings(GuideFilmModel) {
   return std::array{Spelling{none, "none"}, Spelling{short_bearing, "short-bearing"}};
 }
 
-/// Cage without or with elastic modes; none: a full complement, whose rollers touch each other.
-enum class CageKind { rigid, flexible, none };
+/// Cage without or with elastic modes.
+enum class CageKind { rigid, flexible };
 constexpr auto spellings(CageKind) {
   using enum CageKind;
-  return std::array{Spelling{rigid, "rigid"}, Spelling{flexible, "flexible"},
-                    Spelling{none, "none"}};
+  return std::array{Spelling{rigid, "rigid"}, Spelling{flexible, "flexible"}};
 }
 
 /// What guides the cage: shoulders of the outer ring, inner ring, or rollers.
@@ -111,19 +110,17 @@ constexpr auto spellings(WindowRule) {
 
 /// Time integration methods (src/integration/integrator.hpp).
 enum class IntegrationMethod {
-  rodas3,              ///< linearly implicit (Rosenbrock), 4 stages, order 3(2), L-stable
-  rodasp,              ///< the same with 6 stages, order 4(3): the least error for its time
-  cvode_bdf,           ///< CVODE, BDF with its order capped by integration.max_order
-  arkode_esdirk,       ///< ARKODE, diagonally implicit, order 3, L-stable
-  arkode_erk,          ///< ARKODE, explicit, order 3: limited by stability
-  semi_implicit_euler  ///< fixed step, order 1: the explicit baseline
+  rodas3,         ///< linearly implicit (Rosenbrock), 4 stages, order 3(2), L-stable
+  rodasp,         ///< the same with 6 stages, order 4(3): the least error for its time
+  cvode_bdf,      ///< CVODE, BDF with its order capped by integration.max_order
+  arkode_esdirk,  ///< ARKODE, diagonally implicit, order 3, L-stable
+  arkode_erk      ///< ARKODE, explicit, order 3: limited by stability
 };
 constexpr auto spellings(IntegrationMethod) {
   using enum IntegrationMethod;
-  return std::array{
-      Spelling{rodas3, "rodas3"},         Spelling{rodasp, "rodasp"},
-      Spelling{cvode_bdf, "cvode-bdf"},   Spelling{arkode_esdirk, "arkode-esdirk"},
-      Spelling{arkode_erk, "arkode-erk"}, Spelling{semi_implicit_euler, "semi-implicit-euler"}};
+  return std::array{Spelling{rodas3, "rodas3"}, Spelling{rodasp, "rodasp"},
+                    Spelling{cvode_bdf, "cvode-bdf"}, Spelling{arkode_esdirk, "arkode-esdirk"},
+                    Spelling{arkode_erk, "arkode-erk"}};
 }
 
 }  // namespace cagetol

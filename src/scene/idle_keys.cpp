@@ -65,8 +65,7 @@ bool strengths_given(const CageGeometry& cage) {
 bool cage_softens(const Scene& s) {
   const bool strengths = is_flexible(s) && !strengths_given(s.cage) &&
                          !material_named(s.cage.material.name).softer.empty();
-  return has_cage(s) &&
-         (strengths || (softens(s.cage.material) && (is_flexible(s) || bars_use_moduli(s))));
+  return strengths || (softens(s.cage.material) && (is_flexible(s) || bars_use_moduli(s)));
 }
 
 /// Catalogue values have a use outside the run: they are named only where they vary.
@@ -94,46 +93,6 @@ const std::vector<Rule>& rules() {
         "bearing.limiting_speed_rpm", "bearing.least_load_factor"},
        [](const Scene&) { return true; },
        kCatalogue},
-      // A full complement.
-      {{"cage.inner_diameter_mm",
-        "cage.outer_diameter_mm",
-        "cage.width_mm",
-        "cage.pocket_*",
-        "cage.material",
-        "cage.temperature_C",
-        "cage.young_GPa",
-        "cage.poisson",
-        "cage.density_kg_m3",
-        "cage.expansion_um_m_K",
-        "cage.yield_stress_MPa",
-        "cage.tensile_strength_MPa",
-        "cage.fatigue_strength_MPa",
-        "cage.mass_kg",
-        "cage.unbalance_*",
-        "cage.polar_inertia_kg_mm2",
-        "cage.transverse_inertia_kg_mm2",
-        "cage.guidance",
-        "cage.guide_*",
-        "cage.land_*",
-        "cage.face_radius_mm",
-        "cage.retention_*",
-        "cage.edge_radius_mm",
-        "cage.modes",
-        "cage.bar_modes",
-        "cage.mode_damping",
-        "cage.mesh_density",
-        "cage.corner_radius_mm",
-        "cage.centrifugal",
-        "cage.coriolis",
-        "cage.allow_interference",
-        "contact.end.*",
-        "contact.land.*",
-        "lubrication.land_film*",
-        "start.cage_offset_*",
-        "bearing.inner_land_diameter_mm",
-        "bearing.outer_land_diameter_mm"},
-       [](const Scene& s) { return !has_cage(s); },
-       "cage.model = \"none\""},
       // What equilibria leave out.
       {{"cage.unbalance*",
         "cage.mass_kg",
@@ -297,7 +256,7 @@ const std::vector<Rule>& rules() {
        [](const Scene& s) {
          const bool rings = s.temperature.growth &&
                             !(given(s.temperature.inner_ring) && given(s.temperature.outer_ring));
-         const bool cage = s.temperature.growth && !is_quasi_static(s) && has_cage(s);
+         const bool cage = s.temperature.growth && !is_quasi_static(s);
          return !is_lubricated(s) && !rings &&
                 (given(s.cage.temperature) || !(cage_softens(s) || cage));
        },
@@ -504,16 +463,6 @@ const std::vector<Rule>& rules() {
       {{"speed.ramp_from_rpm", "speed.outer_ramp_from_rpm"},
        [](const Scene& s) { return s.operation.speed_ramp == 0; },
        "speed.ramp_ms = 0"},
-      {{"integration.fixed_step_us"},
-       [](const Scene& s) {
-         return s.integration.method != IntegrationMethod::semi_implicit_euler;
-       },
-       "integration.method controls its steps"},
-      {{"integration.tolerance", "integration.max_step_us"},
-       [](const Scene& s) {
-         return s.integration.method == IntegrationMethod::semi_implicit_euler;
-       },
-       "integration.method = \"semi-implicit-euler\""},
       {{"integration.max_order"},
        [](const Scene& s) { return s.integration.method != IntegrationMethod::cvode_bdf; },
        "only cvode-bdf has an order to choose"},

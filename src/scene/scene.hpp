@@ -278,7 +278,6 @@ struct Integration {
   IntegrationMethod method = IntegrationMethod::rodasp;
   double tolerance = 0.001;     ///< multiple of the error scales (error_units in system.hpp)
   double max_step = kAuto;      ///< [s]
-  double fixed_step = 1e-6;     ///< of fixed-step methods [s]
   long max_order = 2;           ///< highest order of cvode_bdf
   long step_budget = 20000000;  ///< attempted steps before the run is censored
   double wall_budget = 0;       ///< wall-clock limit, 0: none; a run beyond it is not_run [s]
@@ -361,10 +360,6 @@ inline bool has_free_axial_place(const Scene& scene) {
 }
 inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == CageKind::flexible;
-}
-/// False for a full complement of rollers.
-inline bool has_cage(const Scene& scene) {
-  return scene.cage.model != CageKind::none;
 }
 inline bool is_lubricated(const Scene& scene) {
   return scene.lubrication.model == LubricationModel::film;

@@ -53,7 +53,5 @@ void check_duty(const Scene& scene, const SceneCheck& check);
 void check_operation(const Scene& scene, const SceneCheck& check);
 /// Flanges hold the rollers on both sides, meet their ends and carry an axial load.
 void check_flanges(const Scene& scene, const SceneCheck& check);
-/// Bearings without a cage.
-void check_full_complement(const Scene& scene, const SceneCheck& check);
 
 }  // namespace cagetol

@@ -1,30 +1,13 @@
 #include <cmath>
 
 #include "src/scene/pocket_outline.hpp"
-#include "src/scene/roller_gap.hpp"
 #include "src/scene/scene_check.hpp"
 
 namespace cagetol {
-namespace {
-
-/// Share of a roller's diameter that the gaps of a full complement hardly exceed in all.
-constexpr double kLooseComplement = 0.5;
-
-}  // namespace
 
 std::vector<std::string> scene_doubts(const Scene& scene) {
   std::vector<std::string> doubts;
   const double axes = pitch_radius(scene.bearing);
-  if (!has_cage(scene)) {
-    const double gap = total_roller_gap(scene), diameter = each(scene.roller.diameter, 0);
-    if (gap > kLooseComplement * diameter)
-      doubts.push_back("the gaps between the rollers add up to " + in_mm(gap) + ", " +
-                       (most_rollers(axes, diameter) > scene.bearing.roller_count
-                            ? "room for another roller"
-                            : "more than half a roller") +
-                       ": is this a full complement (bearing.roller_count)?");
-    return doubts;
-  }
   if (is_quasi_static(scene)) return doubts;
   const PocketOutline outline = pocket_outline(scene.cage, axes, each(scene.cage.pocket_width, 0));
   const auto beside = [&](const OutlineEnd& end, double past) {

@@ -65,8 +65,8 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   std::vector<double> y(static_cast<std::size_t>(l.size()), 0.0);
   const auto at = [&](int slot) -> double& { return y[static_cast<std::size_t>(slot)]; };
   const bool settled = start.state != StartState::centred;
-  const bool seeks = !m.full_complement && (start.state == StartState::steady ||
-                                            (start.state == StartState::automatic && m.lubricated));
+  const bool seeks =
+      start.state == StartState::steady || (start.state == StartState::automatic && m.lubricated);
   const SteadyStart steady = seeks ? find_steady_start(m) : SteadyStart{};
   const RingSpeeds rings = ring_speeds_at(m.duty, 0);
   const double cage_speed = steady.found ? steady.turn.cage_speed : kinematic_cage_speed(m, rings);
@@ -112,7 +112,6 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
   }
   at(l.border_position(kCagePhi)) = start.cage_phase;
   at(l.border_velocity(kCagePhi)) = cage_speed;
-  if (m.full_complement) return y;
   // The scene speaks of the geometric centre, the state of the mass centre.
   const double c = std::cos(start.cage_phase), s = std::sin(start.cage_phase);
   double e[2];

@@ -67,18 +67,6 @@ Eigen::MatrixXd assembled_jacobian(const BearingModel& m, const std::vector<doub
                      k, turn[k][a]);
         }
     }
-    if (l.full_complement && linear.neighbours_touch) {
-      const int next = (j + 1) % l.rollers * kLocalVelocities;
-      const NeighbourLinear& with = linear.neighbours[static_cast<std::size_t>(g)];
-      for (int i = 0; i < kLocalVelocities; ++i)
-        for (int k = 0; k < kLocalVelocities; ++k) {
-          by_velocity(at + i, next + k) += with.ahead.velocity[i][k][lane];
-          by_velocity(next + i, at + k) += with.behind.velocity[i][k][lane];
-          if (k == kLocalPositions) continue;
-          by_position(at + i, next + k) += with.ahead.position[i][k][lane];
-          by_position(next + i, at + k) += with.behind.position[i][k][lane];
-        }
-    }
     const int slot = linear.slot[static_cast<std::size_t>(j)];
     if (slot < 0) continue;
     const CageCoupling& cage = linear.couplings[static_cast<std::size_t>(slot)];

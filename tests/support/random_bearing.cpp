@@ -191,28 +191,6 @@ void round_the_ends(unsigned seed, Scene& scene) {
   if (b.inner_flanges != FlangeSides::none) b.inner_flange_angle = angle(b.inner_flange_diameter);
 }
 
-/// Takes the cage away and adds rollers, or widens them, until they stand beside each other.
-void fill_with_rollers(Scene& scene) {
-  auto& b = scene.bearing;
-  const bool sixteen = b.roller_count == 16;
-  b.roller_count = sixteen ? 22 : 16;
-  scene.cage = {};
-  scene.cage.model = CageKind::none;
-  const double pitch = (b.inner_raceway_diameter + b.outer_raceway_diameter) / 2;
-  const double even =
-      pitch * std::sin(pi / static_cast<double>(b.roller_count)) - 2e-6;  // where they touch
-  const double wider = even - (sixteen ? 9e-3 : 7.5e-3);
-  const auto count = static_cast<std::size_t>(b.roller_count);
-  for (auto* list : {&scene.roller.diameter, &scene.roller.taper}) {
-    const std::vector<double> some = *list;
-    list->resize(count);
-    for (std::size_t j = 0; j < count; ++j) (*list)[j] = some[j % some.size()];
-  }
-  for (double& diameter : scene.roller.diameter) diameter += wider;
-  b.inner_raceway_diameter -= wider;
-  b.outer_raceway_diameter += wider;
-}
-
 /// Lobes on both raceways.
 void wave_the_raceways(unsigned seed, Scene& scene) {
   Draw draw(seed + 5000011);
@@ -228,7 +206,6 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   if (options.inner_flanges && options.freedom == Freedom::spatial && seed % 4 == 3)
     flange_the_inner_ring(seed, b.scene);
   if (options.sphere_ends) round_the_ends(seed, b.scene);
-  if (options.full_complement) fill_with_rollers(b.scene);
   if (options.lobed) wave_the_raceways(seed, b.scene);
   b.scene.film.model = options.film;
   if (options.lubricated) {
@@ -275,8 +252,6 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
     const double slide = sliding[j % 3];
     at(l.position(kRadius, j)) = radius;
     at(l.position(kAngle, j)) = pocket + offset / radius;
-    if (m.full_complement)
-      at(l.position(kAngle, j)) = phi + 2 * pi * j / l.rollers + draw.about(depth / 4) / radius;
     if (options.outline != Outline::flat) {
       const PocketPlace place = beside_bar(g, lane, options.outline, depth, side, draw);
       const double y = cage_y + place.height * std::cos(pocket) - place.along * std::sin(pocket),

@@ -38,7 +38,6 @@ struct RandomBearingOptions {
   bool lubricated = false;          ///< lubrication.model = LubricationModel::film
   Outline outline = Outline::flat;  ///< else rollers stand apart from the races
   bool lobed = false;               ///< raceways with random lobes
-  bool full_complement = false;     ///< no cage: neighbours touch
   bool sphere_ends = false;         ///< of rollers, against inclined flanges
   bool inner_flanges = true;        ///< of spatial rollers, on every fourth bearing
 };

@@ -102,14 +102,13 @@ class Bearing {
     result_.rates.assign(y_.size(), 0.0);
     result_.gross.assign(y_.size(), 0.0);
     for (int j = 0; j < layout_.rollers; ++j) roller(j);
-    if (!full_complement()) lands();
+    lands();
     border();
     result_.load_power = force().dot(moving_.ring) + moment().dot(moving_.ring_tilt);
     return result_;
   }
 
  private:
-  bool full_complement() const { return scene_.cage.model == CageKind::none; }
   double state(int slot) const { return y_[static_cast<std::size_t>(slot)]; }
   double& size(int slot) { return result_.gross[static_cast<std::size_t>(slot)]; }
   double& rate(int slot) { return result_.rates[static_cast<std::size_t>(slot)]; }
@@ -202,9 +201,7 @@ class Bearing {
   /// How much stiffer the kind's pair of materials is than steel on steel.
   double against_steel(ContactKind kind) const {
     const auto softness = [](const Material& m) { return (1 - m.poisson * m.poisson) / m.young; };
-    const Material other = kind == kBar         ? cage_material(scene_)
-                           : kind == kNeighbour ? roller_material(scene_)
-                                                : ring_material(scene_);
+    const Material other = kind == kBar ? cage_material(scene_) : ring_material(scene_);
     return 2 * softness({208e9, 0.3, 0}) / (softness(roller_material(scene_)) + softness(other));
   }
 
@@ -513,7 +510,6 @@ class Bearing {
       enum Against { kPocket, kOuterFlange, kInnerFlange };
       for (const Against against : {kPocket, kOuterFlange, kInnerFlange}) {
         const bool flange = against != kPocket, inner = against == kInnerFlange;
-        if (!flange && full_complement()) continue;
         if (flange && !has_flange(inner ? b.inner_flanges : b.outer_flanges, e > 0)) continue;
         if (flange && scene_.roller.end_radius > 0) {
           sphere_end(roller, e, inner, forces);
@@ -574,63 +570,6 @@ class Bearing {
     }
   }
 
-  /// Roller `a` against the next one, `b`: what acts on one of both.
-  void neighbours(const Roller& a, int ja, const Roller& b, int jb, bool on_a, Forces& forces) {
-    const long stations = scene_.discretisation.bar_stations;
-    const double length = scene_.roller.length;
-    const auto& law = scene_.contact.bar;
-    for (long k = 0; k < stations; ++k) {
-      const double share =
-          stations == 1 ? 0 : static_cast<double>(k) / static_cast<double>(stations - 1) - 0.5;
-      const double s = 0.8 * share * length;
-      const double R_a = a.radius + s / length * each(scene_.roller.taper, ja) / 2,
-                   R_b = b.radius + s / length * each(scene_.roller.taper, jb) / 2;
-      const double half = (b.centre.x() - a.centre.x()) / 2, xi_a = s + half, xi_b = s - half;
-      const Vector3d d = radial(b.centre + xi_b * b.axis - a.centre - xi_a * a.axis),
-                     n = d.normalized(), t = kX.cross(n);
-      const auto speeds = [&](const Motion& A, const Motion& B) {
-        const double shift = (B.roller.x() - A.roller.x()) / 2;
-        const Vector3d d_rate = B.roller + xi_b * B.lean - A.roller - xi_a * A.lean -
-                                shift * (radial(a.axis) + radial(b.axis));
-        const Vector3d slide =
-            roller_point(a, A, xi_a, R_a * n) - roller_point(b, B, xi_b, -R_b * n);
-        return Speeds{-n.dot(d_rate), t.dot(slide), slide.x()};
-      };
-      const double p = R_a + R_b - d.norm();
-      if (p <= 0) continue;
-      const Speeds now = speeds(a.own, b.own);
-      const double part = (law.law == ForceLaw::hertz ? against_steel(kNeighbour) : 1) /
-                          static_cast<double>(stations);
-      const double Q = reference_normal_force(law, length, p, now.approach) * part,
-                   elastic = elastic_force(law, length, p) * part;
-      const double speed = std::hypot(now.v1, now.v2),
-                   traction = reference_friction_coefficient(scene_.contact, speed) * Q,
-                   F1 = speed > 0 ? -traction * now.v1 / speed : 0,
-                   F2 = speed > 0 ? -traction * now.v2 / speed : 0;
-      const auto power = [&](const Motion& unit) {
-        const Speeds u = on_a ? speeds(unit, {}) : speeds({}, unit);
-        return -Q * u.approach + F1 * u.v1 + F2 * u.v2;
-      };
-      for (int i = 0; i < 3; ++i) {
-        Motion unit;
-        unit.roller = Vector3d::Unit(i);
-        forces.centre[static_cast<std::size_t>(i)] += power(unit);
-        if (i == 0) continue;
-        unit = {};
-        unit.lean = Vector3d::Unit(i);
-        forces.lean[static_cast<std::size_t>(i)] += power(unit);
-      }
-      Motion unit;
-      unit.spin = 1;
-      forces.spin += power(unit);
-      if (!on_a) continue;
-      ++result_.touching[kNeighbour];
-      result_.elastic_energy += elastic * p / (exponent(law) + 1);
-      result_.friction_power += traction * speed;
-      result_.damping_power += (Q - elastic) * now.approach;
-    }
-  }
-
   Roller unpack_roller(int j) const {
     const auto q = [&](RollerPosition slot) { return state(layout_.position(slot, j)); };
     const auto v = [&](RollerVelocity slot) { return state(layout_.velocity(slot, j)); };
@@ -662,14 +601,7 @@ class Bearing {
     Forces forces;
     race(roller, j, true, forces);
     race(roller, j, false, forces);
-    if (full_complement()) {
-      const int next = (j + 1) % layout_.rollers,
-                last = (j + layout_.rollers - 1) % layout_.rollers;
-      neighbours(roller, j, unpack_roller(next), next, true, forces);
-      neighbours(unpack_roller(last), last, roller, j, false, forces);
-    } else {
-      bars(roller, j, forces);
-    }
+    bars(roller, j, forces);
     ends(roller, j, forces);
 
     const Vector3d acceleration = net(forces.centre) / roller.mass + gravity();
@@ -786,11 +718,6 @@ class Bearing {
       }
     }
     const double in_plane = std::max(border_.ring[1].gross, border_.ring[2].gross);
-    if (full_complement()) {
-      for (const int slot : {kRingY, kRingZ})
-        size(layout_.border_velocity(slot)) = in_plane / ring_mass;
-      return;
-    }
     v(kCageX) = border_.cage[0].net / cage_mass_ + g.x();
     v(kCageY) = border_.cage[1].net / cage_mass_;
     v(kCageZ) = border_.cage[2].net / cage_mass_ + g.z();

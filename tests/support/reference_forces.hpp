@@ -13,7 +13,7 @@
 
 namespace cagetol {
 
-enum ContactKind { kInnerRace, kOuterRace, kBar, kWall, kFlange, kLand, kNeighbour, kContactKinds };
+enum ContactKind { kInnerRace, kOuterRace, kBar, kWall, kFlange, kLand, kContactKinds };
 
 struct Reference {
   std::vector<double> rates;  ///< dy/dt in the order of the state vector; padding zero

@@ -100,9 +100,7 @@ void step(benchmark::State& state, IntegrationMethod method) {
 }
 BENCHMARK_CAPTURE(step, rodas3, IntegrationMethod::rodas3)->Arg(5)->ArgName("slices");
 BENCHMARK_CAPTURE(step, cvode_bdf, IntegrationMethod::cvode_bdf)->Arg(5)->ArgName("slices");
-BENCHMARK_CAPTURE(step, semi_implicit_euler, IntegrationMethod::semi_implicit_euler)
-    ->Arg(5)
-    ->ArgName("slices");
+BENCHMARK_CAPTURE(step, arkode_erk, IntegrationMethod::arkode_erk)->Arg(5)->ArgName("slices");
 
 }  // namespace
 }  // namespace cagetol

@@ -98,9 +98,8 @@ std::string random_value(const Key<Scene>& key, Draw& draw) {
 
 /// Keys that set how long a run takes.
 bool costs_time(const std::string& name) {
-  for (const char* part :
-       {"window.", "integration.max_step", "integration.fixed_step", "integration.step_budget",
-        "integration.wall_budget", "discretisation.", "cage.mesh_density"})
+  for (const char* part : {"window.", "integration.max_step", "integration.step_budget",
+                           "integration.wall_budget", "discretisation.", "cage.mesh_density"})
     if (name.starts_with(part)) return true;
   return false;
 }

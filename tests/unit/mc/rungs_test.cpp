@@ -226,32 +226,13 @@ TEST(Rungs, TheLowestGivesItsQuantitiesAndNoOthers) {
         << quantity_table()[k].key;
 }
 
-TEST(Rungs, LeaveAFullComplementWithoutACage) {
-  const Study study = read_study(shipped("scenes/ncf3008-full-complement.toml"));
-  for (const Rung& rung : climbing_rungs())
-    EXPECT_EQ(on_rung(study.scene, rung).cage.model, CageKind::none) << rung.name;
-  for (const Rung& rung : refining_rungs(study.scene)) EXPECT_NE(rung.name, "modes");
-  const Study rung = rung_study(study, climbing_rungs().back(), 4);
-  ASSERT_EQ(rung.inputs.size(), 1u);
-  EXPECT_EQ(rung.inputs[0].key, "start.cage_phase_deg");
-}
-
 TEST(Rungs, AreThoseThatTellModelsOfTheSceneApart) {
-  const Scene full = read_study(shipped("scenes/ncf3008-full-complement.toml")).scene;
-  EXPECT_EQ(names_of(rungs_for(full, climbing_rungs())),
-            (std::vector<std::string>{"quasi-static", "planar", "coarse-3", "coarse-5", "rigid-5",
-                                      "full"}));
-  const auto apart = names_of(rungs_for(full, separate_rungs(full)));
-  for (const char* of_a_cage : {"rigid", "no-bar-modes", "sharp-corners", "at-rest"})
-    EXPECT_THAT(apart, Not(Contains(of_a_cage)));
-  EXPECT_THAT(apart, Contains("no-rolling"));
-  EXPECT_EQ(apart.back(), "full");
   // Rollers in the plane carry no axial load, nor do equilibria.
   const Scene axial = read_study(shipped("scenes/nj308-axial.toml")).scene;
   EXPECT_EQ(rungs_for(axial, climbing_rungs()).front().name, "coarse-3");
   EXPECT_THAT(names_of(rungs_for(axial, separate_rungs(axial))), Not(Contains("planar")));
-  const Scene caged = read_study(shipped("scenes/nu208-brass.toml")).scene;
-  EXPECT_EQ(names_of(rungs_for(caged, climbing_rungs())), names_of(climbing_rungs()));
+  const Scene radial = read_study(shipped("scenes/nu208-brass.toml")).scene;
+  EXPECT_EQ(names_of(rungs_for(radial, climbing_rungs())), names_of(climbing_rungs()));
 }
 
 // A rung that a bearing's scene cannot take ends its ladder.

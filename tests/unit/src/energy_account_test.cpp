@@ -135,16 +135,6 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredAtSphereEnds) {
     }
 }
 
-TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredInAFullComplement) {
-  for (const bool lubricated : {false, true})
-    for (unsigned seed = 0; seed < 48; ++seed) {
-      RandomBearing b = random_bearing(
-          seed, {.freedom = GetParam(), .lubricated = lubricated, .full_complement = true});
-      EXPECT_LT(open_power(b, difference_steps(GetParam())), lubricated ? 4e-6 : 1e-7)
-          << (lubricated ? "oiled" : "dry") << ", seed " << seed;
-    }
-}
-
 // An arc's gap is a difference of lengths some hundred times as large, whose rounding counts.
 TEST(EnergyAccountOfPockets, PowerIsAccountedForOnEdgesLipsAndCurvedFaces) {
   for (const Outline outline : {Outline::edges, Outline::lips, Outline::curved})
@@ -217,28 +207,6 @@ TEST_P(EnergyAccount, NetPowerRateHoldsWhatLobesDoInTime) {
   EXPECT_GT(std::abs(by_time), 0.01 * std::abs(due));
   // Without it the rate would be off by all of that.
   EXPECT_NEAR(system.seen.net_power_rate, due, 0.1 * std::abs(by_time));
-}
-
-TEST_P(EnergyAccount, NetPowerRateHoldsWhatNeighboursDo) {
-  for (const bool lubricated : {false, true}) {
-    double apart = 0, size = 0;
-    for (unsigned seed = 0; seed < 48; ++seed) {
-      RandomBearing b = random_bearing(
-          seed, {.freedom = GetParam(), .lubricated = lubricated, .full_complement = true});
-      b.t = 1;                       // after every ramp
-      b.model.inner_radius -= 1e-3;  // off the races, whose share would hide theirs
-      b.model.outer_radius += 1e-3;
-      b.model.outer_line.starved = true;
-      b.model.outer_line.layer = 20e-6;
-      for (Flange& flange : b.model.flanges) flange.clearance = 1;
-      System system(b.model);
-      system.linearise_at(b.t, b.y.data());
-      const double due = differenced_net_power(b);
-      apart = std::max(apart, std::abs(system.seen.net_power_rate - due));
-      size = std::max(size, std::abs(due));
-    }
-    EXPECT_LT(apart, 1e-2 * size) << (lubricated ? "oiled" : "dry");
-  }
 }
 
 // Rollers off the races and free of their cage, so that sphere ends have all the power.

@@ -199,14 +199,6 @@ TEST_P(IdleKeys, AreThoseThatChangeNothing) {
   }
 }
 
-void make_full_complement(Scene& s) {
-  s.cage.model = CageKind::none;
-  s.bearing.roller_count = 16;
-  s.roller.diameter = {7.59e-3};
-  s.bearing.inner_raceway_diameter = 31.41e-3;
-  s.bearing.outer_raceway_diameter = 46.59e-3;
-}
-
 INSTANTIATE_TEST_SUITE_P(
     Scenes, IdleKeys,
     testing::Values(
@@ -271,12 +263,6 @@ INSTANTIATE_TEST_SUITE_P(
                s.model.motion = MotionModel::quasi_static;
                s.bearing.inner_lobes[1].amplitude = 3e-6;
                s.bearing.outer_lobes[0].amplitude = 2e-6;
-             }},
-        Case{"full_complement", make_full_complement},
-        Case{"dry_full_complement",
-             [](Scene& s) {
-               make_full_complement(s);
-               s.lubrication.model = LubricationModel::none;
              }},
         Case{"polymer", [](Scene& s) { s.cage.material = {"pa66-gf25"}; }},
         Case{"given_materials",

@@ -157,20 +157,8 @@ TEST(OperatingRows, HaveKeysOfTheirOwn) {
   for (const OperatingRow& row : operating_rows()) {
     EXPECT_TRUE(keys.insert(row.key).second) << row.key;
     const bool of_fit = std::string(row.key).ends_with("_fit_interference_um");  // it has none
-    EXPECT_EQ(std::isfinite(row.value(at)), !of_fit && !row.of_some) << row.key;
+    EXPECT_EQ(std::isfinite(row.value(at)), !of_fit) << row.key;
     EXPECT_EQ(quantity_index(row.key), -1) << row.key;
-  }
-}
-
-TEST(OperatingRows, TellTheGapsOfAFullComplementAndNothingOfACage) {
-  const OperatingPoint at = operating_point(shipped_scene("ncf3008-full-complement"));
-  for (const OperatingRow& row : operating_rows()) {
-    const std::string key = row.key;
-    if (key.starts_with("pocket_") || key.starts_with("guide_") || key == "cage_mass_g") {
-      EXPECT_TRUE(std::isnan(row.value(at))) << key;
-    } else if (key == "neighbour_gap_um") {
-      EXPECT_NEAR(row.value(at), 202.4, 0.1);
-    }
   }
 }
 

@@ -74,14 +74,6 @@ INSTANTIATE_TEST_SUITE_P(
                            s.cage.corner_radius = 0;
                            s.window.measure_revolutions = 1;
                          }},
-                    Case{"full_complement",
-                         [](Scene& s) {
-                           s.cage.model = CageKind::none;
-                           s.bearing.roller_count = 16;
-                           s.roller.diameter = {7.59e-3};
-                           s.bearing.inner_raceway_diameter = 31.41e-3;
-                           s.bearing.outer_raceway_diameter = 46.59e-3;
-                         }},
                     Case{"equilibria",
                          [](Scene& s) { s.model.motion = MotionModel::quasi_static; }}),
     [](const auto& one) { return one.param.name; });

@@ -61,7 +61,7 @@ TEST(System, TellsOfARateThatIsNotFiniteWhereverItStands) {
 }
 
 BearingModel rigid_model(Scene scene) {
-  if (has_cage(scene)) scene.cage.model = CageKind::rigid;
+  scene.cage.model = CageKind::rigid;
   return make_bearing_model(operating_scene(scene));
 }
 

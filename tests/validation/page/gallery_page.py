@@ -42,13 +42,12 @@ def draw(scene):
     ring(axis, b["outer_raceway_diameter_mm"] / 2, b["outside_diameter_mm"] / 2)
     shade = colors.Normalize(0, max(loads))
     angles = [-90 + 360 * j / count for j in range(count)]
-    if c.get("model") != "none":
-        low, high = c["inner_diameter_mm"] / 2, c["outer_diameter_mm"] / 2
-        half_pocket = degrees(asin(c["pocket_width_mm"] / 2 / pitch))
-        for angle in angles:
-            bar = patches.Wedge((0, 0), high, angle + half_pocket, angle + 360 / count - half_pocket, width=high - low)
-            bar.set(facecolor=CAGE, edgecolor="none")
-            axis.add_patch(bar)
+    low, high = c["inner_diameter_mm"] / 2, c["outer_diameter_mm"] / 2
+    half_pocket = degrees(asin(c["pocket_width_mm"] / 2 / pitch))
+    for angle in angles:
+        bar = patches.Wedge((0, 0), high, angle + half_pocket, angle + 360 / count - half_pocket, width=high - low)
+        bar.set(facecolor=CAGE, edgecolor="none")
+        axis.add_patch(bar)
     for angle, carried in zip(angles, loads):
         place = (pitch * cos(angle * pi / 180), pitch * sin(angle * pi / 180))
         axis.add_patch(patches.Circle(place, radius, facecolor=cm.Reds(shade(carried)), edgecolor="0.2", lw=0.6))
@@ -70,7 +69,7 @@ def title_of(path):
 
 def facts(scene):
     b, r = scene["bearing"], scene["roller"]
-    cage = scene["cage"].get("material", "no cage" if scene["cage"].get("model") == "none" else "steel-q235")
+    cage = scene["cage"].get("material", "steel-q235")
     return (f"{b['bore_diameter_mm']:g} x {b['outside_diameter_mm']:g} x {b['width_mm']:g} mm, {b['roller_count']} "
             f"rollers of {r['diameter_mm']:g} x {r['length_mm']:g} mm, {cage}; "
             f"{scene['load']['radial_N']:g} N, {scene['speed']['inner_rpm']:g} r/min")

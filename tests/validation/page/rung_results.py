@@ -15,7 +15,7 @@ from program import Program
 from report import ROOT, number
 from results import RESULTS, stamp, write_results
 
-SCENES = ("nu208-brass", "bore10-small", "nu2322-gearbox", "n1014-spindle", "aero118-outer", "ncf3008-full-complement")
+SCENES = ("nu208-brass", "bore10-small", "nu2322-gearbox", "n1014-spindle", "aero118-outer")
 WINDOW = {"window.settle_revolutions": 0.5, "window.measure_revolutions": 1.0}
 WITHIN = 0.05  # of the mean
 QUANTITIES = {"displacement": "ring_displacement_mean_um", "torque": "friction_torque_Nmm", "slip": "orbit_slip_ratio",

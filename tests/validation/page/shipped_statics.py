@@ -43,13 +43,6 @@ def bearing_of(scene):
     return rollers, b["inner_raceway_diameter_mm"] / 2 - play / 4, float(scene["load"]["radial_N"])
 
 
-def settings_of(scene):
-    """ALONE, less what a scene without a cage does not have."""
-    if scene["cage"].get("model") != "none":
-        return STATICS | ALONE
-    return {key: value for key, value in (STATICS | ALONE).items() if key != "cage.model"}
-
-
 def as_made(path, folder):
     """The scene with the dimensions that it gives: parts that grow change its clearance."""
     copy = folder / path.name
@@ -63,7 +56,7 @@ def errors_of(program, path):
     rollers, race, load = bearing_of(scene)
     worst = [0.0, 0.0, 0.0]
     for tilt, turned in ((0.0, 0.0), (0.0, 180 / rollers.count), (0.3, 0.0)):
-        run = program.run(path, settings_of(scene) | {
+        run = program.run(path, STATICS | ALONE | {
             "bearing.misalignment_z_mrad": tilt, "start.cage_phase_deg": DOWN + turned},
             ("inner_force", "ring_displacement"))
         if not run.ok:

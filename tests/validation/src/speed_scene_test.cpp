@@ -62,18 +62,5 @@ INSTANTIATE_TEST_SUITE_P(Loads, SpeedScene,
                            return std::to_string(static_cast<int>(test.param.load)) + "N";
                          });
 
-TEST(SpeedScene, ExplicitStepsTooLongAreCaughtByStatics) {
-  Scene scene = one_slice(3000);
-  scene.integration.method = IntegrationMethod::semi_implicit_euler;
-  scene.integration.fixed_step = 1e-6;
-  const Outcome wrong = simulate(scene);
-  EXPECT_EQ(wrong.status, Status::failed);
-  EXPECT_NE(wrong.reason.find("static consistency"), std::string::npos) << wrong.reason;
-  EXPECT_NEAR(quantity(wrong, "ring_displacement_end_um"), 22.0, 1.0);
-  scene.integration.fixed_step = 0.1e-6;
-  const Outcome right = simulate(scene);
-  EXPECT_NEAR(quantity(right, "ring_displacement_end_um") / 29.729, 1, 1e-3);
-}
-
 }  // namespace
 }  // namespace cagetol

@@ -1,14 +1,14 @@
-// The right-hand side of bearings whose raceways have lobes, or whose rollers have no cage.
+// The right-hand side of bearings whose raceways have lobes.
 #include "src/dynamics/evaluate.hpp"
 
 namespace cagetol {
 
-Evaluation uncommon_rates(const BearingModel& model) {
+Evaluation lobed_rates(const BearingModel& model) {
   return model.lubricated ? evaluation_as<false, true, true>(model)
                           : evaluation_as<false, false, true>(model);
 }
 
-Evaluation uncommon_linearisation(const BearingModel& model) {
+Evaluation lobed_linearisation(const BearingModel& model) {
   return model.lubricated ? evaluation_as<true, true, true>(model)
                           : evaluation_as<true, false, true>(model);
 }
