@@ -35,20 +35,18 @@ int run_animate(const AnimateArguments& options) {
 
 }  // namespace
 
-void add_animate_command(CLI::App& app, Chosen& chosen) {
-  auto* command =
-      app.add_subcommand("animate", "Write a page that plays the motion of one sample of a sweep");
-  command->footer(
+Chosen animate_command(CLI::App& command) {
+  command.footer(
       "The page shows the last two revolutions of the cage: rollers in their pockets, the orbit\n"
       "of the cage, bar forces and stress. It needs a browser alone.\n\n"
       "Examples:\n  cagetol animate out/nu205 --sample 17\n"
       "  cagetol animate out/nu205 --sample 17 -o sample17.html");
   auto options = std::make_shared<AnimateArguments>();
-  add_result_directory(*command, "DIR", options->directory, "Directory of a sweep");
-  command->add_option("--sample", options->sample, "Id of the sample")->required();
-  add_output_file(*command, "-o,--output", options->file,
+  add_result_directory(command, "DIR", options->directory, "Directory of a sweep");
+  command.add_option("--sample", options->sample, "Id of the sample")->required();
+  add_output_file(command, "-o,--output", options->file,
                   "Write the page to this file (DIR/motion-ID.html)");
-  command->callback([options, &chosen] { chosen = [options] { return run_animate(*options); }; });
+  return [options] { return run_animate(*options); };
 }
 
 }  // namespace cagetol

@@ -27,23 +27,20 @@ int run_bench(const BenchArguments& options) {
 
 }  // namespace
 
-void add_bench_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "bench", "Time every integration method on a scene: wall seconds per simulated second");
-  command->footer(
+Chosen bench_command(CLI::App& command) {
+  command.footer(
       "Examples:\n  cagetol bench inputs/scenes/speed-z16.toml\n"
       "  cagetol bench inputs/scenes/speed-z16.toml --json --methods rodas3,rodasp --set "
       "load.radial_N=3000");
   auto options = std::make_shared<BenchArguments>();
-  command->add_option("SCENE", options->file, "Scene file (or study: its first sample)")
-      ->required();
-  command->add_flag("--json", options->json, "Print the measurements as JSON");
-  add_methods_option(*command, options->bench.methods);
-  command->add_option("--repeats", options->bench.repeats, "Runs of each method; medians are given")
+  command.add_option("SCENE", options->file, "Scene file (or study: its first sample)")->required();
+  command.add_flag("--json", options->json, "Print the measurements as JSON");
+  add_methods_option(command, options->bench.methods);
+  command.add_option("--repeats", options->bench.repeats, "Runs of each method; medians are given")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] { chosen = [options] { return run_bench(*options); }; });
+  add_settings_option(command, options->settings);
+  return [options] { return run_bench(*options); };
 }
 
 }  // namespace cagetol

@@ -157,11 +157,8 @@ int run_cage(const CageArguments& options) {
 
 }  // namespace
 
-void add_cage_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "cage",
-      "Clearances and drawing of a pocket; modes, compliance, stress and mass of a flexible cage");
-  command->footer(
+Chosen cage_command(CLI::App& command) {
+  command.footer(
       "Examples:\n  cagetol cage inputs/scenes/nu205.toml -o out/nu205-cage\n"
       "  cagetol cage inputs/scenes/nu205-thin.toml --json\n"
       "  cagetol cage inputs/scenes/nu205-thin.toml --set cage.mesh_density=2 --deviations "
@@ -170,19 +167,19 @@ void add_cage_command(CLI::App& app, Chosen& chosen) {
       "row a pocket.\nCage tables are kept in $CAGETOL_CACHE, $XDG_CACHE_HOME/cagetol or "
       "~/.cache/cagetol.");
   auto options = std::make_shared<CageArguments>();
-  command->add_option("SCENE", options->file, "Scene or study file")->required();
-  add_output_directory(*command, options->directory,
+  command.add_option("SCENE", options->file, "Scene or study file")->required();
+  add_output_directory(command, options->directory,
                        "Directory of cage.json and figures/pocket.svg, the drawing")
       ->required(false);
-  command->add_option("--pocket", options->pocket, "Pocket to draw and to load, from 0")
+  command.add_option("--pocket", options->pocket, "Pocket to draw and to load, from 0")
       ->capture_default_str();
-  command->add_flag("--json", options->json, "Print everything as JSON");
-  command->add_option("--deviations", options->deviations,
-                      "CSV file of the pockets' deviations, instead of the scene's pockets");
-  command->add_flag("--decimal-comma", options->decimal_comma,
-                    "The numbers in that CSV file have decimal commas");
-  add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] { chosen = [options] { return run_cage(*options); }; });
+  command.add_flag("--json", options->json, "Print everything as JSON");
+  command.add_option("--deviations", options->deviations,
+                     "CSV file of the pockets' deviations, instead of the scene's pockets");
+  command.add_flag("--decimal-comma", options->decimal_comma,
+                   "The numbers in that CSV file have decimal commas");
+  add_settings_option(command, options->settings);
+  return [options] { return run_cage(*options); };
 }
 
 }  // namespace cagetol

@@ -46,10 +46,8 @@ int run_chart(const ChartArguments& options) {
 
 }  // namespace
 
-void add_chart_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "chart", "Chart error against cost of every integration method and tolerance on a scene");
-  command->footer(
+Chosen chart_command(CLI::App& command) {
+  command.footer(
       "Short horizon: trajectories against a tight run of a method of another kind. Whole window:\n"
       "bias of every quantity of interest over replicas with other cage offsets.\n\n"
       "Examples:\n  cagetol chart inputs/scenes/speed-z16.toml -o out/chart\n"
@@ -57,30 +55,30 @@ void add_chart_command(CLI::App& app, Chosen& chosen) {
       "--replicas 100\n"
       "  cagetol chart inputs/scenes/nu205.toml -o out/models --methods rodas3 --rungs");
   auto options = std::make_shared<ChartArguments>();
-  command->add_option("SCENE", options->file, "Scene file (or study: its first row)")->required();
-  add_output_directory(*command, options->directory,
+  command.add_option("SCENE", options->file, "Scene file (or study: its first row)")->required();
+  add_output_directory(command, options->directory,
                        "Directory of chart.json, chart.csv and figures/");
-  add_methods_option(*command, options->chart.methods);
+  add_methods_option(command, options->chart.methods);
   command
-      ->add_option("--replicas", options->chart.replicas,
-                   "Runs of each setting over the scene's window; 0: trajectories only")
+      .add_option("--replicas", options->chart.replicas,
+                  "Runs of each setting over the scene's window; 0: trajectories only")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
-  command->add_flag("--rungs", options->chart.rungs,
-                    "Run the replicas on each rung of the model ladder, too (`cagetol ladder`)");
+  command.add_flag("--rungs", options->chart.rungs,
+                   "Run the replicas on each rung of the model ladder, too (`cagetol ladder`)");
   command
-      ->add_option("--horizon-ms", options->horizon_ms,
-                   "Length of the trajectories; the time between two rollers that pass if absent")
+      .add_option("--horizon-ms", options->horizon_ms,
+                  "Length of the trajectories; the time between two rollers that pass if absent")
       ->check(CLI::Range(1e-3, 1e3));
-  command->add_option("--starts", options->chart.starts, "Trajectories of each setting")
+  command.add_option("--starts", options->chart.starts, "Trajectories of each setting")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   options->chart.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  command->add_option("--threads", options->chart.threads, "Replicas at a time")
+  command.add_option("--threads", options->chart.threads, "Replicas at a time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] { chosen = [options] { return run_chart(*options); }; });
+  add_settings_option(command, options->settings);
+  return [options] { return run_chart(*options); };
 }
 
 }  // namespace cagetol

@@ -121,28 +121,24 @@ std::string summary(const Study& study) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, Chosen& chosen) {
+Chosen check_command(CLI::App& command) {
   struct Options {
     std::string file;
     std::vector<std::string> settings;
     bool json = false;
   };
-  auto* command = app.add_subcommand(
-      "check", "Check a scene or study without simulating; print its operating point");
-  command->footer("Example:\n  cagetol check inputs/studies/nu205.toml");
+  command.footer("Example:\n  cagetol check inputs/studies/nu205.toml");
   auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->file, "Scene or study file")->required();
-  command->add_flag("--json", options->json, "Print the resolved study as JSON");
-  add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] {
-    chosen = [options] {
-      const Study study = read_study(options->file, options->settings);
-      require_memory(forecast_sweep(study), 1);
-      require_cage_memory(study.scene);
-      print(options->json ? study.resolved_json : summary(study));
-      return kDone;
-    };
-  });
+  command.add_option("FILE", options->file, "Scene or study file")->required();
+  command.add_flag("--json", options->json, "Print the resolved study as JSON");
+  add_settings_option(command, options->settings);
+  return [options] {
+    const Study study = read_study(options->file, options->settings);
+    require_memory(forecast_sweep(study), 1);
+    require_cage_memory(study.scene);
+    print(options->json ? study.resolved_json : summary(study));
+    return kDone;
+  };
 }
 
 }  // namespace cagetol

@@ -1,5 +1,4 @@
-// The subcommands of cagetol. Each registers itself with the command line and, when it is the one
-// chosen, leaves in `chosen` what is to be done; its result is the exit code of the program.
+// What subcommands (subcommands.hpp) share.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,24 +15,8 @@ namespace cagetol {
 
 struct Study;
 
+/// What a command line asks for; returns the exit code of the program.
 using Chosen = std::function<int()>;
-
-void add_check_command(CLI::App& app, Chosen& chosen);
-void add_simulate_command(CLI::App& app, Chosen& chosen);
-void add_sweep_command(CLI::App& app, Chosen& chosen);
-void add_replay_command(CLI::App& app, Chosen& chosen);
-void add_recommend_command(CLI::App& app, Chosen& chosen);
-void add_compare_command(CLI::App& app, Chosen& chosen);
-void add_animate_command(CLI::App& app, Chosen& chosen);
-void add_report_command(CLI::App& app, Chosen& chosen);
-void add_cage_command(CLI::App& app, Chosen& chosen);
-void add_bench_command(CLI::App& app, Chosen& chosen);
-void add_chart_command(CLI::App& app, Chosen& chosen);
-void add_ladder_command(CLI::App& app, Chosen& chosen);
-void add_stability_command(CLI::App& app, Chosen& chosen);
-void add_limits_command(CLI::App& app, Chosen& chosen);
-void add_quantities_command(CLI::App& app, Chosen& chosen);
-void add_scene_command(CLI::App& app, Chosen& chosen);
 
 /// --dump-default scene|study|keys, an option of the program itself.
 void add_dump_default_option(CLI::App& app, Chosen& chosen);

@@ -182,40 +182,38 @@ int run_compare(const CompareArguments& options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "compare", "Say whether any statistic of a study has changed between two sweeps");
-  command->footer(
+Chosen compare_command(CLI::App& command) {
+  command.footer(
       "Exit code 0: nothing changed, 1: something did, 2: not comparable, with the reason.\n"
       "With --bias 0: every limit (of those of --judge) is below one standard error, 1: some are "
       "not.\n\n"
       "Examples:\n  cagetol compare out/yesterday out/today\n"
       "  cagetol compare out/tight out/default --despite-keys --bias 1000");
   auto options = std::make_shared<CompareArguments>();
-  add_result_directory(*command, "OLD", options->before, "Directory of the earlier sweep");
-  add_result_directory(*command, "NEW", options->after, "Directory of the later sweep");
+  add_result_directory(command, "OLD", options->before, "Directory of the earlier sweep");
+  add_result_directory(command, "NEW", options->after, "Directory of the later sweep");
   command
-      ->add_option("--error-rate", options->error_rate,
-                   "Probability of any false alarm when nothing has changed")
+      .add_option("--error-rate", options->error_rate,
+                  "Probability of any false alarm when nothing has changed")
       ->check(CLI::Range(1e-9, 0.5))
       ->capture_default_str();
-  command->add_flag("--all", options->all, "Show every statistic");
-  command->add_flag("--despite-keys", options->despite_keys,
-                    "Compare sweeps whose keys differ; the differences are noted");
+  command.add_flag("--all", options->all, "Show every statistic");
+  command.add_flag("--despite-keys", options->despite_keys,
+                   "Compare sweeps whose keys differ; the differences are noted");
   command
-      ->add_option("--bias", options->bias,
-                   "Show the difference of each mean instead, pair by pair, in standard errors of "
-                   "a study of N samples")
+      .add_option("--bias", options->bias,
+                  "Show the difference of each mean instead, pair by pair, in standard errors of "
+                  "a study of N samples")
       ->check(CLI::Range(2L, 1000000000L))
       ->type_name("N");
   command
-      ->add_option("--judge", options->judged,
-                   "With --bias: only these quantities decide on the exit code, the others are "
-                   "listed")
+      .add_option("--judge", options->judged,
+                  "With --bias: only these quantities decide on the exit code, the others are "
+                  "listed")
       ->delimiter(',')
       ->type_name("NAME,NAME");
-  command->add_flag("--json", options->json, "Print every statistic as JSON");
-  command->callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
+  command.add_flag("--json", options->json, "Print every statistic as JSON");
+  return [options] { return run_compare(*options); };
 }
 
 }  // namespace cagetol

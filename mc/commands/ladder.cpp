@@ -51,11 +51,8 @@ int run_ladder(const LadderArguments& options) {
 
 }  // namespace
 
-void add_ladder_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "ladder",
-      "Find the cheapest model that is good enough for each quantity, on the same samples");
-  command->footer(
+Chosen ladder_command(CLI::App& command) {
+  command.footer(
       "Rungs go from equilibria without motion over planar rollers and a rigid cage to a flexible\n"
       "one with all its modes, each in a sweep of its own, DIR/rungs/RUNG; the same command\n"
       "resumes it. A rung is adequate where its shift against the highest rung is within the\n"
@@ -72,29 +69,29 @@ void add_ladder_command(CLI::App& app, Chosen& chosen) {
       "  cagetol ladder inputs/scenes/nu205-thin.toml -o out/worth --separate --json\n"
       "  cagetol ladder out/nu205/study.toml --refine -o out/nu205/ladder-refine");
   auto options = std::make_shared<LadderArguments>();
-  command->add_option("FILE", options->file, "Scene or study file")->required();
-  add_output_directory(*command, options->directory,
+  command.add_option("FILE", options->file, "Scene or study file")->required();
+  add_output_directory(command, options->directory,
                        "Directory of ladder.json, ladder.csv, figures/ and rungs/");
-  command->add_option("--samples", options->ladder.samples, "Runs on each rung")
+  command.add_option("--samples", options->ladder.samples, "Runs on each rung")
       ->check(CLI::Range(2L, 1000000000L))
       ->capture_default_str();
   command
-      ->add_option("--budget", options->ladder.budget_share,
-                   "Largest shift allowed, in standard errors of the study (of 1000 runs for a "
-                   "scene)")
+      .add_option("--budget", options->ladder.budget_share,
+                  "Largest shift allowed, in standard errors of the study (of 1000 runs for a "
+                  "scene)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  auto* separate = command->add_flag("--separate", options->separate,
-                                     "Take one thing at a time away from the highest rung");
+  auto* separate = command.add_flag("--separate", options->separate,
+                                    "Take one thing at a time away from the highest rung");
   command
-      ->add_flag("--refine", options->refine,
-                 "Refine one thing at a time of the scene as it is: integrator, modes, slices, "
-                 "mesh, window")
+      .add_flag("--refine", options->refine,
+                "Refine one thing at a time of the scene as it is: integrator, modes, slices, "
+                "mesh, window")
       ->excludes(separate);
-  command->add_flag("--json", options->json, "Print ladder.json on standard output");
-  add_settings_option(*command, options->settings);
-  add_progress_option(*command, options->progress);
-  command->callback([options, &chosen] { chosen = [options] { return run_ladder(*options); }; });
+  command.add_flag("--json", options->json, "Print ladder.json on standard output");
+  add_settings_option(command, options->settings);
+  add_progress_option(command, options->progress);
+  return [options] { return run_ladder(*options); };
 }
 
 }  // namespace cagetol

@@ -193,29 +193,26 @@ int run_limits(const LimitsArguments& options) {
 
 }  // namespace
 
-void add_limits_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "limits", "Show how quantities scatter, how far their limits are, and which limits decide");
-  command->footer(
+Chosen limits_command(CLI::App& command) {
+  command.footer(
       "Examples:\n  cagetol limits inputs/studies/nu205.toml -o out/nu205-limits\n"
       "  mpirun -n 2 cagetol limits inputs/studies/nu205.toml --samples 300 -o out/nu205-limits\n"
       "  cagetol limits out/nu205-limits --json");
   auto options = std::make_shared<LimitsArguments>();
-  command->add_option("STUDY", options->file, "Study file, or the directory of a sweep")
-      ->required();
-  add_output_directory(*command, options->sweep.directory,
+  command.add_option("STUDY", options->file, "Study file, or the directory of a sweep")->required();
+  add_output_directory(command, options->sweep.directory,
                        "Directory of the sweep at nominal scatter; an earlier one goes on")
       ->required(false);
   command
-      ->add_option(
+      .add_option(
           "--samples", options->samples,
           "Runs of that sweep; left out: as many as say of a limit that none of them misses "
           "that it decides nothing (target 99 %, confidence 95 %: 299)")
       ->check(CLI::Range(2L, 1000000L));
-  command->add_flag("--json", options->json, "Print distributions and margins as JSON");
-  add_settings_option(*command, options->settings);
-  add_progress_option(*command, options->sweep.progress);
-  command->callback([options, &chosen] { chosen = [options] { return run_limits(*options); }; });
+  command.add_flag("--json", options->json, "Print distributions and margins as JSON");
+  add_settings_option(command, options->settings);
+  add_progress_option(command, options->sweep.progress);
+  return [options] { return run_limits(*options); };
 }
 
 }  // namespace cagetol

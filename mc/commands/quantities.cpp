@@ -88,25 +88,21 @@ std::string listing(const std::string& name, bool json) {
 
 }  // namespace
 
-void add_quantities_command(CLI::App& app, Chosen& chosen) {
+Chosen quantities_command(CLI::App& command) {
   struct Options {
     std::string name;
     bool json = false;
   };
-  auto* command = app.add_subcommand(
-      "quantities", "List the quantities of interest: unit, definition, what they need, use");
-  command->footer(
+  command.footer(
       "Examples:\n  cagetol quantities\n  cagetol quantities orbit_slip_ratio --json\n"
       "  cagetol quantities pocket_force");
   auto options = std::make_shared<Options>();
-  command->add_option("NAME", options->name, "A quantity, or a part of names");
-  command->add_flag("--json", options->json, "Print a list as JSON");
-  command->callback([options, &chosen] {
-    chosen = [options] {
-      print(listing(options->name, options->json));
-      return kDone;
-    };
-  });
+  command.add_option("NAME", options->name, "A quantity, or a part of names");
+  command.add_flag("--json", options->json, "Print a list as JSON");
+  return [options] {
+    print(listing(options->name, options->json));
+    return kDone;
+  };
 }
 
 }  // namespace cagetol

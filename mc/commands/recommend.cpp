@@ -42,10 +42,8 @@ int run_recommend(const RecommendArguments& options) {
 
 }  // namespace
 
-void add_recommend_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs");
-  command->footer(
+Chosen recommend_command(CLI::App& command) {
+  command.footer(
       "Stages: DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a sweep. The\n"
       "same command resumes an interrupted run, also with a larger recommend.budget_samples or\n"
       "recommend.budget_h. Exit code 0: decided; with --exit-code 1 where no tolerance is\n"
@@ -57,14 +55,14 @@ void add_recommend_command(CLI::App& app, Chosen& chosen) {
       "  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing --set "
       "recommend.assumption_samples=auto");
   auto options = std::make_shared<RecommendArguments>();
-  command->add_option("STUDY", options->file, "Study file")->required();
-  add_output_directory(*command, options->stages.directory,
+  command.add_option("STUDY", options->file, "Study file")->required();
+  add_output_directory(command, options->stages.directory,
                        "Directory of the results, one folder a stage");
-  add_settings_option(*command, options->settings);
-  command->add_flag("--exit-code", options->stages.exit_code,
-                    "End with 1 where no tolerance is confirmed");
-  add_progress_option(*command, options->stages.progress);
-  command->callback([options, &chosen] { chosen = [options] { return run_recommend(*options); }; });
+  add_settings_option(command, options->settings);
+  command.add_flag("--exit-code", options->stages.exit_code,
+                   "End with 1 where no tolerance is confirmed");
+  add_progress_option(command, options->stages.progress);
+  return [options] { return run_recommend(*options); };
 }
 
 }  // namespace cagetol

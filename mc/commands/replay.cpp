@@ -83,21 +83,19 @@ int run_replay(const ReplayArguments& options) {
 
 }  // namespace
 
-void add_replay_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "replay", "Run one sample of a sweep again and compare it to the bit with what is stored");
-  command->footer(
+Chosen replay_command(CLI::App& command) {
+  command.footer(
       "Needs DIR/study.h5 alone. Exit code 0 when reproduced, 1 when not.\n\n"
       "Examples:\n  cagetol replay out/nu205 --sample 17\n"
       "  cagetol replay out/nu205 --sample 17 -o out/run17.h5");
   auto options = std::make_shared<ReplayArguments>();
-  add_result_directory(*command, "DIR", options->directory, "Directory of a sweep");
-  command->add_option("--sample", options->sample, "Id of the sample")->required();
-  command->add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
-  add_output_file(*command, "-o,--output", options->history,
+  add_result_directory(command, "DIR", options->directory, "Directory of a sweep");
+  command.add_option("--sample", options->sample, "Id of the sample")->required();
+  command.add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
+  add_output_file(command, "-o,--output", options->history,
                   "Write time histories to this HDF5 file");
-  add_snapshot_option(*command, options->snapshot);
-  command->callback([options, &chosen] { chosen = [options] { return run_replay(*options); }; });
+  add_snapshot_option(command, options->snapshot);
+  return [options] { return run_replay(*options); };
 }
 
 }  // namespace cagetol

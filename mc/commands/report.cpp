@@ -11,31 +11,27 @@
 
 namespace cagetol {
 
-void add_report_command(CLI::App& app, Chosen& chosen) {
-  CLI::App* command = app.add_subcommand(
-      "report", "Write report.html, report.json and CSV tables from DIR/study.h5");
-  command->footer("Examples:\n  cagetol report out/nu205\n  cagetol report out/nu205 --pdf");
+Chosen report_command(CLI::App& command) {
+  command.footer("Examples:\n  cagetol report out/nu205\n  cagetol report out/nu205 --pdf");
   struct Arguments {
     std::string directory;
     ReportOptions options;
   };
   const auto arguments = std::make_shared<Arguments>();
   arguments->options.bearing = bearing_facts;
-  add_result_directory(*command, "DIR", arguments->directory,
+  add_result_directory(command, "DIR", arguments->directory,
                        "Directory of a sweep or a recommendation");
-  command->add_flag("--json", arguments->options.json_to_stdout,
-                    "Print report.json on standard output");
-  command->add_flag("--pdf", arguments->options.pdf, "Write report.pdf, too (needs weasyprint)");
-  command->callback([arguments, &chosen] {
-    chosen = [arguments] {
-      try {
-        return run_report(arguments->directory, arguments->options);
-      } catch (const StudyFileError& error) {
-        std::fprintf(stderr, "cagetol: %s\n", printable(error.what(), LineBreaks::kept).c_str());
-        return kBadInput;
-      }
-    };
-  });
+  command.add_flag("--json", arguments->options.json_to_stdout,
+                   "Print report.json on standard output");
+  command.add_flag("--pdf", arguments->options.pdf, "Write report.pdf, too (needs weasyprint)");
+  return [arguments] {
+    try {
+      return run_report(arguments->directory, arguments->options);
+    } catch (const StudyFileError& error) {
+      std::fprintf(stderr, "cagetol: %s\n", printable(error.what(), LineBreaks::kept).c_str());
+      return kBadInput;
+    }
+  };
 }
 
 }  // namespace cagetol

@@ -93,10 +93,8 @@ std::vector<std::string> lubricants() {
 
 }  // namespace
 
-void add_scene_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "scene", "Write the scene of a bearing by its designation, or list the bearings");
-  command->footer(
+Chosen scene_command(CLI::App& command) {
+  command.footer(
       "Rollers follow from the load ratings, the cage from design rules: the file says where each\n"
       "number is from. Examples:\n"
       "  cagetol scene NU208 > nu208.toml\n"
@@ -104,28 +102,28 @@ void add_scene_command(CLI::App& app, Chosen& chosen) {
       "  cagetol scene NU1014 --cage peek-machined --lubricant iso-vg-32 --speed 6000 --load 2000\n"
       "  cagetol scene --list 22");
   auto options = std::make_shared<Options>();
-  command->add_option(
+  command.add_option(
       "DESIGNATION", options->designation,
       "Designation, in any case, with or without blanks and suffix; with --list a part of it");
-  command->add_option("--cage", options->make, "Make of the cage; left out: by the suffix")
+  command.add_option("--cage", options->make, "Make of the cage; left out: by the suffix")
       ->check(CLI::IsMember(choice_texts<CageMake>()));
-  command->add_option("--guidance", options->guidance, "What guides the cage; left out: outer")
+  command.add_option("--guidance", options->guidance, "What guides the cage; left out: outer")
       ->check(CLI::IsMember(choice_texts<Guidance>()));
-  command->add_option("--clearance", options->clearance, "Class of internal clearance (ISO 5753-1)")
+  command.add_option("--clearance", options->clearance, "Class of internal clearance (ISO 5753-1)")
       ->check(CLI::IsMember(choice_texts<ClearanceClass>()))
       ->capture_default_str();
   command
-      ->add_option("--lubricant", options->lubricant,
-                   fmt::format("Oil; left out: {}", kUsualLubricant))
+      .add_option("--lubricant", options->lubricant,
+                  fmt::format("Oil; left out: {}", kUsualLubricant))
       ->check(CLI::IsMember(lubricants()));
-  command->add_option("--temperature", options->temperature,
-                      fmt::format("Of the oil [degC]; left out: {:g}", kUsualTemperature));
-  command->add_option("--load", options->load, "Radial load [N]; left out: 0.1 C");
-  command->add_option("--speed", options->rpm,
-                      "Speed of the inner ring [r/min]; left out: half the limiting speed");
-  command->add_flag("--rigid", options->rigid, "A rigid cage instead of a flexible one");
-  command->add_flag("--list", options->list, "Print the bearings, or those that hold DESIGNATION");
-  command->callback([options, &chosen] { chosen = [options] { return run_scene(*options); }; });
+  command.add_option("--temperature", options->temperature,
+                     fmt::format("Of the oil [degC]; left out: {:g}", kUsualTemperature));
+  command.add_option("--load", options->load, "Radial load [N]; left out: 0.1 C");
+  command.add_option("--speed", options->rpm,
+                     "Speed of the inner ring [r/min]; left out: half the limiting speed");
+  command.add_flag("--rigid", options->rigid, "A rigid cage instead of a flexible one");
+  command.add_flag("--list", options->list, "Print the bearings, or those that hold DESIGNATION");
+  return [options] { return run_scene(*options); };
 }
 
 }  // namespace cagetol

@@ -71,23 +71,21 @@ int run_simulate(const SimulateArguments& options) {
 
 }  // namespace
 
-void add_simulate_command(CLI::App& app, Chosen& chosen) {
-  auto* command =
-      app.add_subcommand("simulate", "Simulate one bearing: a scene, or a sample of a study");
-  command->footer(
+Chosen simulate_command(CLI::App& command) {
+  command.footer(
       "Examples:\n  cagetol simulate inputs/scenes/nu205.toml --json\n"
       "  cagetol simulate inputs/scenes/speed-z16.toml --set load.radial_N=300 -o out/run.h5\n"
       "  cagetol simulate inputs/studies/nu205.toml --sample 17");
   auto options = std::make_shared<SimulateArguments>();
-  command->add_option("SCENE", options->file, "Scene or study file")->required();
-  command->add_flag("--json", options->json, "Print status, quantities and run as JSON");
-  add_output_file(*command, "-o,--output", options->history,
+  command.add_option("SCENE", options->file, "Scene or study file")->required();
+  command.add_flag("--json", options->json, "Print status, quantities and run as JSON");
+  add_output_file(command, "-o,--output", options->history,
                   "Write time histories to this HDF5 file");
-  add_snapshot_option(*command, options->snapshot);
-  command->add_option("--sample", options->sample, "Sample of the study to run")
+  add_snapshot_option(command, options->snapshot);
+  command.add_option("--sample", options->sample, "Sample of the study to run")
       ->capture_default_str();
-  add_settings_option(*command, options->settings);
-  command->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
+  add_settings_option(command, options->settings);
+  return [options] { return run_simulate(*options); };
 }
 
 }  // namespace cagetol

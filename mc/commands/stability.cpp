@@ -48,23 +48,20 @@ int run_stability(const StabilityArguments& options) {
 
 }  // namespace
 
-void add_stability_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "stability",
-      "Map where each integration method is right, degraded, silently wrong, or fails");
-  command->footer(
+Chosen stability_command(CLI::App& command) {
+  command.footer(
       "Ends with 1 where a method is silently wrong or the default method is not right.\n"
       "Example:\n  cagetol stability -o out/stability --fast --methods rodas3,cvode-bdf");
   auto options = std::make_shared<StabilityArguments>();
-  add_output_directory(*command, options->directory, "Directory of stability.json and figures/");
-  add_methods_option(*command, options->methods);
-  command->add_flag("--fast", options->fast, "Only the scenes marked fast");
-  command->add_option("--suite", options->suite, "Suite file: the scenes")->capture_default_str();
+  add_output_directory(command, options->directory, "Directory of stability.json and figures/");
+  add_methods_option(command, options->methods);
+  command.add_flag("--fast", options->fast, "Only the scenes marked fast");
+  command.add_option("--suite", options->suite, "Suite file: the scenes")->capture_default_str();
   options->threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  command->add_option("--threads", options->threads, "Runs at a time")
+  command.add_option("--threads", options->threads, "Runs at a time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->callback([options, &chosen] { chosen = [options] { return run_stability(*options); }; });
+  return [options] { return run_stability(*options); };
 }
 
 }  // namespace cagetol

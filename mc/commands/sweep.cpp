@@ -85,22 +85,20 @@ int run_sweep(const SweepArguments& options) {
 
 }  // namespace
 
-void add_sweep_command(CLI::App& app, Chosen& chosen) {
-  auto* command = app.add_subcommand(
-      "sweep", "Run every sample of a study; the same command resumes an interrupted sweep");
-  command->footer(
+Chosen sweep_command(CLI::App& command) {
+  command.footer(
       "With fidelity = \"auto\" in the study a pilot in DIR/fidelity chooses the model first.\n"
       "SIGUSR1 ends the sweep gently: running samples finish and are stored, exit code 75.\n\n"
       "Examples:\n  cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  mpirun cagetol sweep inputs/studies/nu205.toml -o out/nu205\n"
       "  cagetol sweep inputs/studies/nu205.toml -o out/small --set samples=16");
   auto options = std::make_shared<SweepArguments>();
-  command->add_option("STUDY", options->file, "Study file")->required();
-  add_output_directory(*command, options->sweep.directory,
+  command.add_option("STUDY", options->file, "Study file")->required();
+  add_output_directory(command, options->sweep.directory,
                        "Directory of the results: study.h5 and the journals");
-  add_settings_option(*command, options->settings);
-  add_progress_option(*command, options->sweep.progress);
-  command->callback([options, &chosen] { chosen = [options] { return run_sweep(*options); }; });
+  add_settings_option(command, options->settings);
+  add_progress_option(command, options->sweep.progress);
+  return [options] { return run_sweep(*options); };
 }
 
 }  // namespace cagetol

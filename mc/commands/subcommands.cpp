@@ -1,0 +1,76 @@
+#include "mc/commands/subcommands.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace cagetol {
+
+Chosen animate_command(CLI::App& command);
+Chosen bench_command(CLI::App& command);
+Chosen cage_command(CLI::App& command);
+Chosen chart_command(CLI::App& command);
+Chosen check_command(CLI::App& command);
+Chosen compare_command(CLI::App& command);
+Chosen ladder_command(CLI::App& command);
+Chosen limits_command(CLI::App& command);
+Chosen quantities_command(CLI::App& command);
+Chosen recommend_command(CLI::App& command);
+Chosen replay_command(CLI::App& command);
+Chosen report_command(CLI::App& command);
+Chosen scene_command(CLI::App& command);
+Chosen simulate_command(CLI::App& command);
+Chosen stability_command(CLI::App& command);
+Chosen sweep_command(CLI::App& command);
+
+namespace {
+
+constexpr const char *kBearing = "One bearing", *kStudy = "A study", *kResults = "Reading results",
+                     *kMethods = "Methods";
+
+struct Subcommand {
+  const char *group, *name, *summary, *example;
+  /// Declares its options; what it returns runs it.
+  Chosen (*make)(CLI::App& command);
+};
+
+// clang-format off
+const std::vector<Subcommand> kSubcommands = {
+    {kBearing, "scene", "Write the scene of a bearing by its designation, or list the bearings", "scene NU208 > nu208.toml", scene_command},
+    {kBearing, "check", "Check a scene or study without simulating; print its operating point", "check inputs/studies/nu205.toml", check_command},
+    {kBearing, "simulate", "Simulate one bearing: a scene, or a sample of a study", "simulate inputs/scenes/nu205.toml --json", simulate_command},
+    {kBearing, "cage", "Clearances and drawing of a pocket; modes, compliance, stress and mass of a flexible cage", "cage inputs/scenes/nu205.toml", cage_command},
+    {kStudy, "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs", "recommend inputs/studies/nu205.toml -o out/nu205-drawing", recommend_command},
+    {kStudy, "sweep", "Run every sample of a study; the same command resumes an interrupted sweep", "sweep inputs/studies/nu205.toml -o out/nu205", sweep_command},
+    {kStudy, "limits", "Show how quantities scatter, how far their limits are, and which limits decide", "limits inputs/studies/nu205.toml -o out/nu205-limits", limits_command},
+    {kResults, "report", "Write report.html, report.json and CSV tables from DIR/study.h5", "report out/nu205", report_command},
+    {kResults, "compare", "Say whether any statistic of a study has changed between two sweeps", "compare out/yesterday out/today", compare_command},
+    {kResults, "replay", "Run one sample of a sweep again and compare it to the bit with what is stored", "replay out/nu205 --sample 17", replay_command},
+    {kResults, "animate", "Write a page that plays the motion of one sample of a sweep", "animate out/nu205 --sample 17", animate_command},
+    {kResults, "quantities", "List the quantities of interest: unit, definition, what they need, use", "quantities pocket_force", quantities_command},
+    {kMethods, "ladder", "Find the cheapest model that is good enough for each quantity, on the same samples", "ladder inputs/scenes/nu205.toml -o out/ladder", ladder_command},
+    {kMethods, "chart", "Chart error against cost of every integration method and tolerance on a scene", "chart inputs/scenes/speed-z16.toml -o out/chart", chart_command},
+    {kMethods, "stability", "Map where each integration method is right, degraded, silently wrong, or fails", "stability -o out/stability", stability_command},
+    {kMethods, "bench", "Time every integration method on a scene: wall seconds per simulated second", "bench inputs/scenes/speed-z16.toml", bench_command},
+};
+// clang-format on
+
+}  // namespace
+
+void add_subcommands(CLI::App& app, Chosen& chosen) {
+  std::string examples;
+  for (const Subcommand& row : kSubcommands) {
+    CLI::App* command = app.add_subcommand(row.name, row.summary)->group(row.group);
+    command->callback([&chosen, run = row.make(*command)] { chosen = run; });
+    examples += fmt::format("\n  cagetol {}", row.example);
+  }
+  app.require_subcommand(0, 1);
+  app.footer(
+      "Exit codes: 0 done, 1 limits not met (compare: changed) where asked to judge, 2 bad input,\n"
+      "3 samples failed beyond the allowed share, 70 a fault of the program, 75 interrupted: "
+      "start\n"
+      "the same command again to go on.\n\nExamples:" +
+      examples + "\n  cagetol --dump-default scene");
+}
+
+}  // namespace cagetol
