@@ -126,8 +126,6 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
                               {"contact.race.approach='palmgren'"}});
   if (scene.film.model != FilmModel::none)
     less.push_back({"no-film", "no oil film", {"film.model='none'"}});
-  if (scene.cage.guide_film.model != GuideFilmModel::none)
-    less.push_back({"no-guide-film", "dry guide lands", {"cage.guide_film='none'"}});
   if (is_lubricated(scene)) {
     const Lubrication& on = scene.lubrication;
     const auto without = [&](bool present, const char* name, const char* meaning, const char* key) {

@@ -25,7 +25,7 @@ struct ContactParameters {
 };
 
 /// Oil film at the races without LubricationModel::film (src/contact_laws/oil_film.hpp).
-enum class FilmModel { none, series, series_bounded };
+enum class FilmModel { none, series };
 
 /// Oil film of the roller-race contacts (src/contact_laws/oil_film.hpp).
 struct OilFilm {

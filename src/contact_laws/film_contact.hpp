@@ -1,6 +1,6 @@
 // Elastic contact and oil film in series (oil_film.hpp): the depth behind a geometric penetration,
 //   p = delta - h(Q(delta), u),
-// and what follows for force, its derivatives and stored energy. The four parts of the film are
+// and what follows for force, its derivatives and stored energy. The two parts of the film are
 // told apart by p, each solved by Halley's steps from a start of its own, so that two are enough;
 // lanes only pay for parts that one of them is in. Depths are right to 1e-10 of themselves.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace cagetol {
 
-/// log2 of delta/d behind h_E alone, to some 1e-6 of delta.
+/// log2 of delta/d, to some 1e-6 of delta.
 template <class T>
 T film_depth_start(const FilmLaw& law, T ratio) {
   const FilmStart& table = law.start;
@@ -38,7 +38,7 @@ T halley_step(T x, T f, T slope, T bend) {
   return max(x - f * slope / max(square - 0.5 * f * bend, 0.5 * square), 0.05 * x);
 }
 
-/// delta [m] of p = delta - h, where anything is carried. One function: four branches of one curve,
+/// delta [m] of p = delta - h, where anything is carried. One function: two branches of one curve,
 /// each with its start and its iteration, of which lanes of a pack take different ones.
 template <class T>
 T film_depth(const NormalLaw& law, const FilmLaw& film, const FilmAtSpeed<T>& at, T penetration) {
@@ -46,10 +46,7 @@ T film_depth(const NormalLaw& law, const FilmLaw& film, const FilmAtSpeed<T>& at
   const T p = penetration * 1e6;
   const T along = p + 1e6 * thickest_film(film, at);
   const auto carrying = along > 0.0, light = carrying & (p < at.light_below);
-  const auto heavy = carrying & (p >= at.light_below);
-  const auto rigid = heavy & (p < at.rigid_below);
-  const auto corner = heavy & (p >= at.rigid_below) & (p < at.elastic_above);
-  const auto elastic = heavy & (p >= at.rigid_below) & (p >= at.elastic_above);
+  const auto elastic = carrying & (p >= at.light_below);
   T depth = T{} + 1.0;
   const auto go_on = [&depth](auto lanes, T next) {
     const bool far = any(lanes & (abs(next - depth) > kLastStep * next));
@@ -68,19 +65,6 @@ T film_depth(const NormalLaw& law, const FilmLaw& film, const FilmAtSpeed<T>& at
       h = film.softness * at.elastic * power(depth, -film.decay);
     }
   }
-  if (any(rigid)) {  // delta - c/delta^e = p; with e = 1 the start would be the solution
-    const double e = law.exponent;
-    const T c = (1e6 / law.stiffness) * at.isoviscous;
-    const T unit = power(select(rigid, c, T{} + 1.0), 1 / (1 + e)), half = 0.5 * p / unit;
-    T start = half + sqrt(half * half + 1.0);
-    start = select(half < 0.0, power(-half + sqrt(half * half + 1.0), -1 / e), start);
-    depth = select(rigid, start * unit, depth);
-    for (int i = 0; i < most; ++i) {
-      const T inverse = 1.0 / depth, h = c * power(depth, -e), bent = e * h * inverse;
-      if (!go_on(rigid, halley_step(depth, depth - h - p, 1.0 + bent, -(1 + e) * bent * inverse)))
-        break;
-    }
-  }
   if (any(light)) {  // delta + k K delta^e = p + h(0), nearly a straight line
     const double e = law.exponent;
     const T pull = 1e6 * law.stiffness * at.least_compliance;
@@ -89,29 +73,6 @@ T film_depth(const NormalLaw& law, const FilmLaw& film, const FilmAtSpeed<T>& at
       const T w = pull * power(depth, e - 1);
       if (!go_on(light, halley_step(depth, depth + w * depth - along, 1.0 + e * w,
                                     e * (e - 1) * w / depth)))
-        break;
-    }
-  }
-  if (any(corner)) {  // between its ends by their slopes first
-    const double e = law.exponent;
-    const T upper = film.depth_of_newton * power(1.5 * at.corner, film.depth_exponent),
-            lower = film.corner_lower * upper, height = 1e6 * at.corner_height;
-    const T reach = at.elastic_above - at.rigid_below;
-    const T low = reach / (1.0 + 1.5 * e * height / lower),
-            high = reach / (1.0 + kFilmForceExponent * kCornerEnd * e * height / upper);
-    const T share = (p - at.rigid_below) / reach, back = 1.0 - share, rise = upper - lower;
-    depth = select(
-        corner,
-        max(lower + share * (rise + back * (back * (low - rise) - share * (high - rise))), lower),
-        depth);
-    for (int i = 0; i < most; ++i) {
-      const T inverse = 1.0 / depth;
-      const T l = e * kLn2 * log2(select(corner, depth / upper, T{} + 1.0)) + kCorner;
-      const T steep = kCornerMiddle - 2 * kCornerTurn * l, h = height * corner_shape(l);
-      const T bent = e * h * inverse;
-      if (!go_on(corner,
-                 halley_step(depth, depth - h - p, 1.0 + steep * bent,
-                             -(2 * kCornerTurn * e + steep * (1.0 + e * steep)) * bent * inverse)))
         break;
     }
   }
@@ -163,8 +124,7 @@ T film_energy(const NormalLaw& law, const FilmLaw& film, const FilmAtSpeed<T>& a
           high = max(Q, least);
   const T on_tangent = 0.5 * low * low * at.least_compliance;
   const T thickness = select(Q < least, at.least, contact.thickness);
-  const T above =
-      film_energy_above(film, at, high, thickness) - film_energy_above(film, at, least, at.least);
+  const T above = film_energy_above(high, thickness) - film_energy_above(least, at.least);
   return Q * contact.depth * (1 / (law.exponent + 1)) + on_tangent + above;
 }
 

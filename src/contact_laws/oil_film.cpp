@@ -42,22 +42,17 @@ FilmLaw make_film_law(const OilFilm& film, double modulus, double radius, double
   FilmLaw law;
   law.on = film.model != FilmModel::none;
   if (!law.on) return law;
-  law.bounded = film.model == FilmModel::series_bounded;
   const double slice = length / static_cast<double>(slices);
   law.elastic = 2.65 * std::pow(film.pressure_viscosity, 0.54) *
                 std::pow(film.viscosity, kFilmSpeedExponent) * std::pow(radius, 0.43) *
                 std::pow(modulus, -0.03) * std::pow(slice, kFilmForceExponent);
-  law.isoviscous = kMartin * film.viscosity * radius * slice;
   law.least_force = film.least_force / static_cast<double>(slices);
   law.least_root = std::pow(law.least_force, -kFilmForceExponent);
   law.least_depth = 1e6 * elastic_penetration(normal, law.least_force);
   law.decay = kFilmForceExponent * normal.exponent;
   law.softness = 1e6 * std::pow(normal.stiffness, -kFilmForceExponent);
-  // h_E = C delta^-m with C = h_E(1 N) K^-0.13: d = C^(1/(1+m)), in um.
+  // h = C delta^-m with C = h(1 N) K^-0.13: d = C^(1/(1+m)), in um.
   law.depth_scale = std::pow(law.softness, 1 / (1 + law.decay));
-  law.depth_exponent = 1 / normal.exponent;
-  law.depth_of_newton = std::pow(normal.stiffness, -law.depth_exponent);
-  law.corner_lower = std::exp(-2 * kCorner * law.depth_exponent);
   law.start = make_start(law.decay);
   return law;
 }

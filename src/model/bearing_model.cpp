@@ -249,20 +249,19 @@ void set_guides(const Scene& scene, BearingModel& m) {
   }
   guide.touching_at = guide.clearance = m.guide_clearance =
       given_or(c.guide_clearance, guide.clearance);
-  const GuideFilm film = land_film(scene);
-  if (film.model == GuideFilmModel::none) return;
+  if (!has_land_film(scene)) return;
+  const Lubrication& l = scene.lubrication;
   const double radius = (guide.land_radius + guide.ring_radius) / 2,
-               width = given_or(film.width, (c.width - mean_length) / 2);
-  const double viscosity =
-      is_lubricated(scene) ? operating_oil(scene.lubrication).viscosity : film.viscosity;
+               width = given_or(l.land_film_width, (c.width - mean_length) / 2);
+  const double viscosity = operating_oil(l).viscosity;
   const double turned = 2 * pi * viscosity * radius * width;
   guide.film = {true,
                 viscosity * radius * width * width * width,
                 turned * radius * radius,
                 turned,
                 m.guide_clearance,
-                film.least};
-  guide.touching_at -= film.least;
+                l.land_film_least};
+  guide.touching_at -= l.land_film_least;
 }
 
 /// E' of rollers and bars [Pa].

@@ -86,22 +86,20 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                 "cage.land_offset_mm",
                 "the guide lands lie outside the cage (" + check.with_value("cage.width_mm") + ")",
                 "give at most half the cage's width");
-  const GuideFilm film = land_film(scene);
-  if (film.model == GuideFilmModel::none || cage.guidance == Guidance::roller) return;
-  const bool oil = is_lubricated(scene);
+  if (!has_land_film(scene)) return;
+  const Lubrication& film = scene.lubrication;
   const double on_diameter = cage.guidance == Guidance::inner
                                  ? cage.inner_diameter - inner_land_diameter(scene.bearing)
                                  : outer_land_diameter(scene.bearing) - cage.outer_diameter;
   const double clearance =
       std::isnan(cage.guide_clearance) ? on_diameter / 2 : cage.guide_clearance;
-  check.require(4 * film.least < clearance,
-                oil ? "lubrication.land_film_least_um" : "cage.guide_film_least_um",
+  check.require(4 * film.land_film_least < clearance, "lubrication.land_film_least_um",
                 "roughness this high fills the guide clearance (" +
                     number_text(std::round(clearance * 1e9) / 1e3) + " um)",
                 "give less than a quarter of the clearance");
   check.require(
-      std::isnan(film.width) || film.width <= cage.width / 2,
-      oil ? "lubrication.land_film_width_mm" : "cage.guide_film_width_mm",
+      std::isnan(film.land_film_width) || film.land_film_width <= cage.width / 2,
+      "lubrication.land_film_width_mm",
       "two lands this wide do not fit on the cage (" + check.with_value("cage.width_mm") + ")",
       "give at most half the cage's width");
 }

@@ -46,13 +46,6 @@ constexpr bool has_flange(FlangeSides sides, bool right) {
   return sides == FlangeSides::both || sides == (right ? FlangeSides::right : FlangeSides::left);
 }
 
-/// Oil film at the guide lands.
-enum class GuideFilmModel { none, short_bearing };
-constexpr auto spellings(GuideFilmModel) {
-  using enum GuideFilmModel;
-  return std::array{Spelling{none, "none"}, Spelling{short_bearing, "short-bearing"}};
-}
-
 /// Cage without or with elastic modes.
 enum class CageKind { rigid, flexible };
 constexpr auto spellings(CageKind) {
@@ -82,8 +75,7 @@ constexpr auto spellings(RaceApproach) {
 
 constexpr auto spellings(FilmModel) {
   using enum FilmModel;
-  return std::array{Spelling{none, "none"}, Spelling{series, "series"},
-                    Spelling{series_bounded, "series-bounded"}};
+  return std::array{Spelling{none, "none"}, Spelling{series, "series"}};
 }
 
 /// Oil in the whole bearing (src/lubrication).

@@ -13,11 +13,7 @@ struct Replaced {
 };
 
 constexpr const char* kModelItself = "leave it out, lubrication.model itself stands for it";
-constexpr std::array<Replaced, 8> kReplaced = {{
-    {"cage.guide_film", "lubrication.land_film = true or false"},
-    {"cage.guide_film_viscosity_Pa_s", "lubrication.viscosity_Pa_s"},
-    {"cage.guide_film_width_mm", "lubrication.land_film_width_mm"},
-    {"cage.guide_film_least_um", "lubrication.land_film_least_um"},
+constexpr std::array<Replaced, 4> kReplaced = {{
     {"film.model", kModelItself},
     {"film.viscosity_Pa_s", "lubrication.viscosity_Pa_s"},
     {"film.pressure_viscosity_1_GPa", "lubrication.pressure_viscosity_1_GPa"},
@@ -57,7 +53,7 @@ void refuse_replaced_keys(const Scene& scene, const toml::table& root, const std
   if (!first) return;
   throw InputError(
       place_of(*first, file), name, shown(*first),
-      "this belongs to the older oil films, which lubrication.model = \"film\" replaces",
+      "this belongs to the older oil film, which lubrication.model = \"film\" replaces",
       "set lubrication.model = \"none\", or give" + successors);
 }
 

@@ -1,5 +1,5 @@
 // How lubrication.model affects the other keys about oil. "film" brings its own films at every
-// contact: the older keys film.* and cage.guide_film* are then errors that name their successors.
+// contact: the older keys film.* are then errors that name their successors.
 // Keys of lubrication without effect: idle_keys.hpp.
 #pragma once
 

@@ -108,14 +108,6 @@ struct Temperatures {
   double inner_ring = kAuto, outer_ring = kAuto, rollers = kAuto, shaft = kAuto, housing = kAuto;
 };
 
-/// Oil film between the cage's lands and their guiding ring (src/contact_laws/short_bearing.hpp).
-struct GuideFilm {
-  GuideFilmModel model = GuideFilmModel::none;
-  double viscosity = 0.02;  ///< eta [Pa s]
-  double width = kAuto;     ///< of a land, axial [m]
-  double least = 1e-6;      ///< smallest film, limited by roughness: below it the lands touch [m]
-};
-
 /// Modes a flexible cage can have, elastic ones and those of its bars: bounds scratch on the stack.
 inline constexpr int kMostModes = 62;
 /// Elastic ones: as many as a cage table holds.
@@ -150,14 +142,13 @@ struct CageGeometry {
   double retention_inner = kAuto,
          retention_outer = kAuto;  ///< pocket opening between lips; kAuto: no lips [m]
   double edge_radius = 0.2e-3;     ///< of the bars' edges and lips [m]
-  GuideFilm guide_film;
-  long mesh_density = 4;          ///< finite elements through the thickness of a flexible cage
-  double corner_radius = 0.5e-3;  ///< of the pockets' corners [m]
-  long modes = 10;                ///< number of elastic modes of a flexible cage
-  bool bar_modes = true;          ///< and a static mode of every bar (src/cage/bar_modes.hpp)
-  double mode_damping = kAuto;    ///< damping ratio of elastic modes; kAuto: half the loss factor
-  bool centrifugal = true;        ///< centrifugal loading of the elastic modes
-  bool coriolis = true;           ///< Coriolis coupling of the elastic modes
+  long mesh_density = 4;           ///< finite elements through the thickness of a flexible cage
+  double corner_radius = 0.5e-3;   ///< of the pockets' corners [m]
+  long modes = 10;                 ///< number of elastic modes of a flexible cage
+  bool bar_modes = true;           ///< and a static mode of every bar (src/cage/bar_modes.hpp)
+  double mode_damping = kAuto;     ///< damping ratio of elastic modes; kAuto: half the loss factor
+  bool centrifugal = true;         ///< centrifugal loading of the elastic modes
+  bool coriolis = true;            ///< Coriolis coupling of the elastic modes
 };
 
 struct Contacts {
@@ -176,7 +167,7 @@ struct Contacts {
 /// Oil in the bearing: films, rolling resistance, traction and drag (src/lubrication). kAuto: the
 /// value of the named lubricant.
 struct Lubrication {
-  /// none: dry, or the films of OilFilm and GuideFilm.
+  /// none: dry, or the film of OilFilm.
   LubricationModel model = LubricationModel::none;
   std::string lubricant = "iso-vg-68";  ///< a name of lubricant_presets()
   double temperature = 70;              ///< of the oil in the bearing [degC]
@@ -364,14 +355,10 @@ inline bool is_flexible(const Scene& scene) {
 inline bool is_lubricated(const Scene& scene) {
   return scene.lubrication.model == LubricationModel::film;
 }
-/// The film at the cage's lands: the one of `lubrication` in a lubricated scene, with a viscosity
-/// that may be kAuto, otherwise cage.guide_film.
-inline GuideFilm land_film(const Scene& scene) {
-  if (!is_lubricated(scene)) return scene.cage.guide_film;
-  const Lubrication& l = scene.lubrication;
-  const bool on = l.land_film && scene.cage.guidance != Guidance::roller;
-  return {on ? GuideFilmModel::short_bearing : GuideFilmModel::none, l.viscosity, l.land_film_width,
-          l.land_film_least};
+/// Whether there is a film at the cage's lands.
+inline bool has_land_film(const Scene& scene) {
+  return is_lubricated(scene) && scene.lubrication.land_film &&
+         scene.cage.guidance != Guidance::roller;
 }
 /// Radius of the circle on which the rollers' axes run [m].
 inline double pitch_radius(const BearingGeometry& bearing) {

@@ -199,6 +199,14 @@ void wave_the_raceways(unsigned seed, Scene& scene) {
       lobes = {draw.about(15e-6), static_cast<long>(draw.between(1, 9)), draw.about(3)};
 }
 
+void oil_the_lands(const Scene& scene, BearingModel& model) {
+  Scene oiled = scene;
+  oiled.lubrication.model = LubricationModel::film;
+  oiled.lubrication.viscosity = 0.02;
+  oiled.contact.race.law = oiled.contact.bar.law = ForceLaw::hertz;
+  model.guides[0] = make_bearing_model(oiled).guides[0];
+}
+
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
   if (options.freedom == Freedom::planar) b.scene.model.rollers = RollerModel::planar;
@@ -212,12 +220,12 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
     b.scene.lubrication.model = LubricationModel::film;
     b.scene.contact.race.law = b.scene.contact.bar.law = ForceLaw::hertz;
   }
-  b.scene.cage.guide_film.model = options.guide_film;
   shape_pockets(options.outline, b.scene);
   if (options.outline != Outline::flat) b.scene.bearing.internal_clearance = 10e-3;
   Draw shapes(seed + 2000003), draw(seed + 1000003);
   b.model = make_bearing_model(
       b.scene, options.modes > 0 ? random_cage(b.scene, options.modes, shapes) : nullptr);
+  if (options.oiled_lands) oil_the_lands(b.scene, b.model);
   const BearingModel& m = b.model;
   const StateLayout& l = m.layout;
   b.t = draw.between(0, 1.5e-3);

@@ -33,14 +33,17 @@ struct RandomBearingOptions {
   double depth = 30e-6;                ///< typical penetration and gap [m]
   int modes = 0;                       ///< elastic modes of the cage, of random shape
   Freedom freedom = Freedom::spatial;  ///< tilting: no cage is guided by the inner ring
-  GuideFilmModel guide_film = GuideFilmModel::none;
   FilmModel film = FilmModel::none;
+  bool oiled_lands = false;         ///< a dry bearing but for its guide film
   bool lubricated = false;          ///< lubrication.model = LubricationModel::film
   Outline outline = Outline::flat;  ///< else rollers stand apart from the races
   bool lobed = false;               ///< raceways with random lobes
   bool sphere_ends = false;         ///< of rollers, against inclined flanges
   bool inner_flanges = true;        ///< of spatial rollers, on every fourth bearing
 };
+
+/// Gives the model of a dry scene the film that its guide lands would have in oil of 20 mPa s.
+void oil_the_lands(const Scene& scene, BearingModel& model);
 
 /// Scene number `seed`: Z = 13 or 16, both laws, one or five slices, all guidances, tapered,
 /// unbalanced, misaligned.

@@ -63,7 +63,6 @@ void rates_with_film(benchmark::State& state, FilmModel film) {
 }
 BENCHMARK_CAPTURE(rates_with_film, none, FilmModel::none)->Arg(5)->ArgName("slices");
 BENCHMARK_CAPTURE(rates_with_film, series, FilmModel::series)->Arg(5)->ArgName("slices");
-BENCHMARK_CAPTURE(rates_with_film, bounded, FilmModel::series_bounded)->Arg(5)->ArgName("slices");
 
 void derivatives(benchmark::State& state) {
   Loaded bearing(state);

@@ -151,12 +151,6 @@ TEST(Rungs, AFilmIsTakenAwayWhereTheSceneHasOneAndNeverAdded) {
   for (const Rung& rung : separate_rungs(scene))
     EXPECT_EQ(on_rung(scene, rung).film.model,
               rung.name == "no-film" ? FilmModel::none : FilmModel::series);
-  EXPECT_THAT(names(), Not(Contains("no-guide-film")));
-  scene.cage.guide_film.model = GuideFilmModel::short_bearing;
-  EXPECT_THAT(names(), Contains("no-guide-film"));
-  for (const Rung& rung : separate_rungs(scene))
-    EXPECT_EQ(on_rung(scene, rung).cage.guide_film.model,
-              rung.name == "no-guide-film" ? GuideFilmModel::none : GuideFilmModel::short_bearing);
   for (const Rung& rung : climbing_rungs()) {
     EXPECT_EQ(on_rung(scene, rung).film.model, FilmModel::series);
     EXPECT_EQ(on_rung(Scene{}, rung).film.model, FilmModel::none);

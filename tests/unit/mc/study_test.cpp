@@ -484,8 +484,8 @@ TEST_F(StudyFile, ALubricatedStudyResolvesWithoutTheKeysThatItRefuses) {
   EXPECT_EQ(again.hash, study.hash);
   EXPECT_TRUE(is_lubricated(again.scene));
   EXPECT_THAT(study.resolved_toml,
-              AllOf(HasSubstr("eyring_stress_MPa"), Not(HasSubstr("guide_film"))));
-  EXPECT_THAT(study_of("samples = 5\n").resolved_toml, HasSubstr("guide_film"));
+              AllOf(HasSubstr("eyring_stress_MPa"), Not(HasSubstr("least_force_N"))));
+  EXPECT_THAT(study_of("samples = 5\n").resolved_toml, HasSubstr("least_force_N"));
   const Study dry =
       changed_study(study, [](Study& s) { s.scene.lubrication.model = LubricationModel::none; });
   EXPECT_FALSE(is_lubricated(dry.scene));

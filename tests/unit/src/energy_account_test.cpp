@@ -29,11 +29,10 @@ double rate_along_motion(const RandomBearing& b, const PackVector& rates, double
 
 /// Rigid and flexible cages, dry and oiled lands by turns.
 RandomBearing bearing(unsigned seed, Freedom freedom, bool inner_flanges = true) {
-  return random_bearing(
-      seed, {.modes = seed % 2 == 0 ? 0 : 5,
-             .freedom = freedom,
-             .guide_film = seed % 3 == 0 ? GuideFilmModel::short_bearing : GuideFilmModel::none,
-             .inner_flanges = inner_flanges});
+  return random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
+                               .freedom = freedom,
+                               .oiled_lands = seed % 3 == 0,
+                               .inner_flanges = inner_flanges});
 }
 
 /// Net power into the bearing, and its rate along the motion by differences.

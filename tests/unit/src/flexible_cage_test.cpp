@@ -125,8 +125,8 @@ TEST(FlexibleCage, ABearingTurnedByOnePocketIsTheSame) {
   scene.window.measure_time = 0.25e-3;
   scene.cage.pocket_width = {7.55e-3};
   scene.start.cage_offset_z = -0.15e-3;
-  scene.integration.method = IntegrationMethod::semi_implicit_euler;
-  scene.integration.fixed_step = 0.005e-6;
+  scene.integration.max_step = 0.02e-6;
+  scene.integration.tolerance = 10;
   scene.watch.static_consistency_max = 1;
   const Outcome one = run(scene);
   scene.start.cage_phase = 2 * std::numbers::pi / 13;

@@ -215,11 +215,10 @@ INSTANTIATE_TEST_SUITE_P(
                s.lubrication.model = LubricationModel::none;
                s.model.ring_tilt = TiltModel::free;
              }},
-        Case{"older_films",
+        Case{"older_film",
              [](Scene& s) {
                s.lubrication.model = LubricationModel::none;
                s.film.model = FilmModel::series;
-               s.cage.guide_film.model = GuideFilmModel::short_bearing;
                s.operation.load_ramp = 1e-3;
                s.operation.speed_ramp_from = 100;
                s.operation.speed_ramp = 1e-3;

@@ -97,10 +97,11 @@ TEST(ModelCost, NoFilmIsNotDearerThanAFilm) {
 }
 
 TEST(ModelCost, DryLandsAreNotDearerThanOiledOnes) {
-  Scene scene = speed_scene();
+  const Scene scene = speed_scene();
   const Bearing dry = loaded(scene);
-  scene.cage.guide_film.model = GuideFilmModel::short_bearing;
-  expect_not_dearer(dry, loaded(scene));
+  Bearing oiled = dry;
+  oil_the_lands(scene, oiled.model);
+  expect_not_dearer(dry, oiled);
 }
 
 TEST(ModelCost, APrescribedTiltOfTheRingIsNotDearerThanAFreeOne) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "src/lubrication/lubricant.hpp"
 #include "src/model/bearing_model.hpp"
@@ -93,10 +94,6 @@ const std::vector<OlderKey> kOlderKeys = {
     {"film.viscosity_Pa_s", "0.03", "lubrication.viscosity_Pa_s"},
     {"film.pressure_viscosity_1_GPa", "20", "lubrication.pressure_viscosity_1_GPa"},
     {"film.least_force_N", "2", "lubrication.model"},
-    {"cage.guide_film", "\"short-bearing\"", "lubrication.land_film"},
-    {"cage.guide_film_viscosity_Pa_s", "0.03", "lubrication.viscosity_Pa_s"},
-    {"cage.guide_film_width_mm", "2", "lubrication.land_film_width_mm"},
-    {"cage.guide_film_least_um", "2", "lubrication.land_film_least_um"},
 };
 
 TEST(OilKeys, FilmRefusesTheOlderFilmsAndNamesTheirSuccessors) {
@@ -113,7 +110,7 @@ TEST(OilKeys, FilmRefusesTheOlderFilmsAndNamesTheirSuccessors) {
     EXPECT_NE(find_key(scene_keys(), old.successor), nullptr) << old.successor;
   }
   for (const auto& key : scene_keys()) {
-    const bool old = key.name.starts_with("film.") || key.name.starts_with("cage.guide_film");
+    const bool old = key.name.starts_with("film.");
     EXPECT_EQ(!successor_of(scene_of(kFilm), key.name).empty(), old) << key.name;
     EXPECT_EQ(successor_of(scene_of(kNone), key.name), "") << key.name;
   }
@@ -165,32 +162,22 @@ ShortBearing guide_film_of(const std::string& text) {
   return make_bearing_model(scene_of(text)).guides[0].film;
 }
 
-void expect_same(const ShortBearing& a, const ShortBearing& b) {
-  EXPECT_EQ(a.on, b.on);
-  EXPECT_EQ(a.pressure, b.pressure);
-  EXPECT_EQ(a.torque, b.torque);
-  EXPECT_EQ(a.axial, b.axial);
-  EXPECT_EQ(a.clearance, b.clearance);
-  EXPECT_EQ(a.least, b.least);
-}
-
-TEST(LandFilm, IsTheGuideFilmInTheOilOfTheBearing) {
-  for (const std::string guidance :
-       {"cage.guidance = 'outer'\n", "cage.guidance = 'inner'\ncage.guide_clearance_mm = 0.2\n"}) {
-    const std::string older = guidance + kNone + "cage.guide_film = 'short-bearing'\n";
-    expect_same(guide_film_of(guidance + kFilm + "lubrication.viscosity_Pa_s = 0.03\n"),
-                guide_film_of(older + "cage.guide_film_viscosity_Pa_s = 0.03\n"));
-    expect_same(
-        guide_film_of(guidance + kFilm +
-                      "lubrication.viscosity_Pa_s = 0.03\n"
-                      "lubrication.land_film_width_mm = 2\n"
-                      "lubrication.land_film_least_um = 3\n"),
-        guide_film_of(older + "cage.guide_film_viscosity_Pa_s = 0.03\n"
-                              "cage.guide_film_width_mm = 2\ncage.guide_film_least_um = 3\n"));
-  }
+TEST(LandFilm, LiesBetweenLandAndRingInTheOilOfTheBearing) {
+  // A cage of 43.4 mm in shoulders of 43.8 mm.
+  const double radius = 21.8e-3, width = 2e-3, viscosity = 0.03, pi = std::numbers::pi;
+  const ShortBearing thick = guide_film_of(kFilm +
+                                           "lubrication.viscosity_Pa_s = 0.03\n"
+                                           "lubrication.land_film_width_mm = 2\n"
+                                           "lubrication.land_film_least_um = 3\n");
+  EXPECT_TRUE(thick.on);
+  EXPECT_NEAR(thick.pressure / (viscosity * radius * std::pow(width, 3)), 1, 1e-9);
+  EXPECT_NEAR(thick.torque / (2 * pi * viscosity * std::pow(radius, 3) * width), 1, 1e-9);
+  EXPECT_NEAR(thick.axial / (2 * pi * viscosity * radius * width), 1, 1e-9);
+  EXPECT_NEAR(thick.clearance, 0.2e-3, 1e-12);
+  EXPECT_NEAR(thick.least, 3e-6, 1e-15);
   // VG 68 at 70 degC: 0.01688 Pa s. The film is proportional to it.
   const double share = guide_film_of(kFilm).torque /
-                       guide_film_of(kNone + "cage.guide_film = 'short-bearing'\n").torque;
+                       guide_film_of(kFilm + "lubrication.viscosity_Pa_s = 0.02\n").torque;
   EXPECT_NEAR(share * 0.02, 0.01688, 1e-5);
   const Scene film = scene_of(kFilm);
   const BearingModel model = make_bearing_model(film);

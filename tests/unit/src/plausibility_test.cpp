@@ -171,7 +171,7 @@ TEST(Plausibility, RandomScenesAreNeverImpossible) {
     if (seed % 5 == 1) scene.operation.inner_speed = scene.operation.speed_ramp = 0;
     if (seed % 5 == 2) scene.operation.radial_load = 0;
     if (seed % 5 == 3) scene.model.rollers = RollerModel::planar;
-    if (seed % 5 == 4) scene.film.model = FilmModel::series_bounded;
+    if (seed % 5 == 4) scene.film.model = FilmModel::series;
     const Outcome outcome = simulate(scene);
     EXPECT_EQ(outcome.reason.find("impossible"), std::string::npos)
         << seed << ": " << outcome.reason;
