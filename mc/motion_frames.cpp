@@ -22,7 +22,7 @@ nlohmann::ordered_json drawn(double value, int digits = 4) {
 
 double interval_of(const Scene& scene, const BearingModel& model) {
   const WindowTimes times = window_times(scene, model);
-  const double run = times.settle + times.longest;
+  const double run = times.settle + times.measure;
   if (!std::isfinite(times.revolution)) return run / MotionFrames::kMost;
   return std::min(times.revolution / kFramesPerRevolution, run / 20);
 }

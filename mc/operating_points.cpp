@@ -164,12 +164,11 @@ void add_run(const RunRecord& from, RunRecord& to) {
         &RunRecord::static_positions_missed, &RunRecord::wall_s})
     to.*sum += from.*sum;
   for (double RunRecord::*largest :
-       {&RunRecord::mean_share, &RunRecord::energy_residual, &RunRecord::static_consistency_error,
+       {&RunRecord::energy_residual, &RunRecord::static_consistency_error,
         &RunRecord::cage_frequency_error})
     if (std::isnan(to.*largest) || from.*largest > to.*largest) to.*largest = from.*largest;
   if (to.smallest_step_s == 0 || from.smallest_step_s < to.smallest_step_s)
     to.smallest_step_s = from.smallest_step_s;
-  to.window_end = std::max(to.window_end, from.window_end);
 }
 
 /// Processor time of this thread [s].
@@ -185,7 +184,6 @@ double cost_of_motion(Scene scene, double length) {
   constexpr double brief = 1e-3, longer = 3e-3;
   scene.cage.model = CageKind::rigid;
   scene.phase = {};
-  scene.window.measure = WindowRule::fixed;
   scene.window.peak_revolutions = scene.window.extrapolate_revolutions = kAuto;
   const auto cost = [&scene](double time) {
     scene.window.settle_time = scene.window.measure_time = time;
@@ -284,7 +282,6 @@ Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes) {
     joined.quantities.insert(joined.quantities.end(), of_point.quantities.begin(),
                              of_point.quantities.end());
   joined.quantities.resize(quantity_count(joined.labels), kNone);
-  joined.least_known = last.least_known;
   if (const long at = largest_of(outcomes, "cage_stress_peak_MPa"); at >= 0)
     joined.cage_peak = outcomes[static_cast<std::size_t>(at)].cage_peak;
   return joined;
@@ -304,7 +301,7 @@ std::string operating_points_text(const Study& study) {
     points += "\n";
     if (is_quasi_static(scene)) continue;
     const WindowTimes times = window_times(scene, make_bearing_model(scene));
-    const double length = times.settle + times.longest;
+    const double length = times.settle + times.measure;
     motion += length;
     cost += cost_of_motion(scene, length);
   }

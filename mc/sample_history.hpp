@@ -1,6 +1,5 @@
 // The decimated history that a sweep keeps of each sample (study key history.points): of equally
-// spaced instants that end with the measuring window - the shortest, where it ends by itself - the
-// first accepted state at or after each.
+// spaced instants that end with the measuring window the first accepted state at or after each.
 #pragma once
 
 #include <optional>

@@ -216,9 +216,7 @@ std::vector<std::string> study_notes(const Study& study) {
     if (changes_over_time(study.scene.operation) || !study.points.empty()) break;
     const bool in_part = is_extreme(limit.quantity) && !std::isnan(window.peak_revolutions);
     const double measured = in_part ? window.peak_revolutions : window.measure_revolutions;
-    // A mean is the same whatever time its window took to know it.
-    const bool any = measures_until_converged(study.scene) && !is_extreme(limit.quantity);
-    if (limit.cage_revolutions > 0 && std::isnan(window.measure_time) && !any &&
+    if (limit.cage_revolutions > 0 && std::isnan(window.measure_time) &&
         limit.cage_revolutions != measured)
       notes.push_back(
           "limit on " + limit.quantity + " is for " + number_text(limit.cage_revolutions) +

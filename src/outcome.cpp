@@ -25,12 +25,6 @@ const std::vector<RunField>& run_fields() {
       {"simulated_s", "s", "length of the run, settling included"},
       {"measured_s", "s", "length of the measuring window; quasi-static: 0"},
       {"cage_revolutions", "1", "revolutions of the cage in the measuring window"},
-      {"window_end", "-",
-       "why the window ended: 0 as long as the scene says, 1 its means had converged "
-       "(window.measure = \"auto\"), 2 at its longest, its means had not converged"},
-      {"mean_share", "-",
-       "half the width of the 95 % interval of a mean over its magnitude, of the watched mean that "
-       "is known least; NaN where the window has less than two cage revolutions"},
       {"steps", "1", "accepted integration steps; quasi-static: positions"},
       {"rejected_steps", "1", "steps tried and rejected"},
       {"rhs_evaluations", "1", "evaluations of all forces"},
@@ -57,8 +51,6 @@ std::vector<double> run_values(const RunRecord& r) {
   return {r.simulated_s,
           r.measured_s,
           r.cage_revolutions,
-          static_cast<double>(r.window_end),
-          r.mean_share,
           r.steps,
           r.rejected_steps,
           r.rhs_evaluations,

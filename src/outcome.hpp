@@ -21,22 +21,11 @@ enum class Status : int {
 /// "ok", "jammed", ... as printed in reports and --json output.
 const char* status_name(Status status);
 
-/// Why the measuring window ended. Numbers are those stored in study.h5.
-enum class WindowEnd : int {
-  fixed = 0,      ///< as long as the scene says
-  converged = 1,  ///< its means had converged (window.measure = "auto")
-  longest = 2,    ///< at its longest, its means had not
-};
-
 /// Numbers about the run itself. Only `wall_s` depends on the machine.
 struct RunRecord {
   double simulated_s = 0;
   double measured_s = 0;        ///< length of the measuring window
   double cage_revolutions = 0;  ///< revolutions of the cage in the measuring window
-  WindowEnd window_end = WindowEnd::fixed;
-  /// Of the watched mean that is known least (quantities/convergence.hpp); NaN where a window has
-  /// less than two revolutions.
-  double mean_share = std::numeric_limits<double>::quiet_NaN();
   double steps = 0;
   double rejected_steps = 0;
   double rhs_evaluations = 0;
@@ -81,7 +70,6 @@ struct Outcome {
   std::string reason;  ///< what happened, with numbers and units; empty when ok
   int pocket = -1;     ///< pocket that jams (with allow_interference: pinches), from 0; -1: none
   double interference_um = 0;  ///< excess of the roller over that pocket, in width or length
-  std::string least_known;     ///< key of the watched mean that is known least, for people
   std::vector<double> quantities;
   /// Phases with quantities of their own (src/quantities/quantity_labels.hpp).
   std::vector<std::string> labels;

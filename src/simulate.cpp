@@ -190,39 +190,19 @@ struct Motion {
   PackVector y;
   double t = 0, end;  ///< now, and end of the window [s]
   std::unique_ptr<Integrator> integrator;
-  WindowEnd window_end = WindowEnd::fixed;
   StepStatus status = StepStatus::accepted;
   bool finite = true;
 };
 
-/// Whether the means of a window that ends by itself are known well enough, and their motion is the
-/// one that is meant.
-bool has_converged(const Scene& scene, const Motion& run) {
-  return run.t >= ramps_end(run.model.duty) &&
-         run.observer->convergence().worst().share <= scene.window.measure_share &&
-         find_drift(scene, run.model, *run.observer).empty();
-}
-
-/// At the end of the window: settles longer where the motion drifts, measures longer where means
-/// have not converged.
+/// At the end of the window: settles longer where the motion drifts.
 void extend_window(const Scene& scene, const SimulateOptions& options, Motion& run) {
   WindowTimes& times = run.times;
-  if (run.end <= times.longest_settle && !find_drift(scene, run.model, *run.observer).empty()) {
-    times.settle = run.end;
-    run.end += times.measure;
-    run.observer.emplace(run.model, times);
-    run.observer->record(run.t, run.y.data(), run.system);
-    if (options.on_window) options.on_window(times.settle);
-  } else if (measures_until_converged(scene)) {
-    if (has_converged(scene, run)) {
-      run.window_end = WindowEnd::converged;
-    } else if (run.end < times.settle + (1 - 1e-9) * times.longest) {
-      run.end += times.revolution;
-      run.observer->extend(run.end);
-    } else {
-      run.window_end = WindowEnd::longest;
-    }
-  }
+  if (run.end > times.longest_settle || find_drift(scene, run.model, *run.observer).empty()) return;
+  times.settle = run.end;
+  run.end += times.measure;
+  run.observer.emplace(run.model, times);
+  run.observer->record(run.t, run.y.data(), run.system);
+  if (options.on_window) options.on_window(times.settle);
 }
 
 /// Why the run ends before its time; empty if it does not.
@@ -321,10 +301,6 @@ void conclude(const Scene& scene, const Motion& run, Outcome& outcome) {
   const Observer& observer = *run.observer;
   record.measured_s = run.end - run.times.settle;
   record.cage_revolutions = observer.cage_revolutions();
-  record.window_end = run.window_end;
-  const MeanShare worst = observer.convergence().worst();
-  record.mean_share = worst.share;
-  outcome.least_known = worst.key;
   record.energy_residual = observer.energy_residual();
   record.static_consistency_error = observer.static_consistency_error();
   record.static_positions_missed = static_cast<double>(observer.static_positions_missed());

@@ -26,7 +26,7 @@ WindowTimes times_of_duty(const Scene& scene, const Duty& duty) {
   else if (period == 0)
     end = duty.course.rows().back().time;
   const double measure = given_or(scene.window.measure_time, end - settle);
-  return {settle, measure, measure, measure, never, none, 0};
+  return {settle, measure, measure, never, none, 0};
 }
 
 }  // namespace
@@ -38,17 +38,12 @@ WindowTimes window_times(const Scene& scene, const BearingModel& model) {
   const Window& w = scene.window;
   const double settle =
       std::isnan(w.settle_time) ? w.settle_revolutions * revolution : w.settle_time;
-  const double longest =
+  const double measure =
       std::isnan(w.measure_time) ? w.measure_revolutions * revolution : w.measure_time;
   const double peaks =
-      std::isnan(w.peak_revolutions) ? longest : std::min(w.peak_revolutions * revolution, longest);
-  double measure = longest;
-  if (measures_until_converged(scene))
-    measure =
-        std::min(std::max(kLeastRevolutions, std::ceil(w.peak_revolutions)) * revolution, longest);
+      std::isnan(w.peak_revolutions) ? measure : std::min(w.peak_revolutions * revolution, measure);
   return {settle,
           measure,
-          longest,
           peaks,
           revolution,
           w.extrapolate_revolutions,

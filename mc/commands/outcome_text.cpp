@@ -17,8 +17,7 @@ std::string value_line(const std::string& key, double value, const std::string& 
 
 nlohmann::ordered_json outcome_json(const Outcome& outcome) {
   nlohmann::ordered_json json = {{"status", status_name(outcome.status)},
-                                 {"reason", outcome.reason},
-                                 {"least_known", outcome.least_known}};
+                                 {"reason", outcome.reason}};
   auto& quantities = json["qoi"] = nlohmann::ordered_json::object();
   const std::vector<LabelledQuantity> columns = labelled_quantities(outcome.labels);
   for (std::size_t i = 0; i < columns.size(); ++i)
@@ -47,12 +46,6 @@ std::string outcome_table(const Outcome& outcome) {
   for (std::size_t i = 0; i < values.size(); ++i)
     text += value_line(run_fields()[i].key, values[i], run_fields()[i].unit);
   text += value_line("wall_s", outcome.run.wall_s, "s");
-  if (outcome.run.window_end != WindowEnd::fixed)
-    text +=
-        fmt::format("window.measure = \"auto\": {} after {:.4g} s; known least: {} to {:.2g} %\n",
-                    outcome.run.window_end == WindowEnd::converged ? "the means have converged"
-                                                                   : "the means have NOT converged",
-                    outcome.run.measured_s, outcome.least_known, 100 * outcome.run.mean_share);
   return text;
 }
 

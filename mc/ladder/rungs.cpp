@@ -187,15 +187,11 @@ std::vector<Rung> refining_rungs(const Scene& scene) {
                      fmt::format("{} finite elements through the cage's thickness", density),
                      {fmt::format("cage.mesh_density={}", density)}});
   const bool timed = !std::isnan(scene.window.measure_time);
-  Rung window = {
+  const Rung window = {
       "window",
       "measured twice as long",
       {timed ? fmt::format("window.measure_time_s={}", 2 * scene.window.measure_time)
              : fmt::format("window.measure_revolutions={}", 2 * scene.window.measure_revolutions)}};
-  if (measures_until_converged(scene)) {
-    window.meaning = "measured twice as long as the longest run";
-    window.settings.emplace_back("window.measure='fixed'");
-  }
   // A duty over time has the length that it has.
   if (!changes_over_time(scene.operation)) rungs.push_back(window);
   rungs.push_back({"as-run", "the scene as it is", {}});

@@ -10,6 +10,8 @@ namespace {
 constexpr auto kFormerNames = std::to_array<FormerName>({
     // name, value, now, why, remedy
     {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
+    {"window.measure", "", "", "windows that end by themselves saved a fifth of the time and added noise", "leave it out; window.measure_revolutions is the length of the window"},
+    {"window.measure_share", "", "", "windows no longer end by themselves", "leave it out; window.measure_revolutions is the length of the window"},
     {"trend", "", "", "claims of a source are no part of a study", "leave it out; the report shows how each quantity goes over the levels of a grid"},
     {"multifidelity", "", "", "no quantity of the cage's motion gained from runs of a cheaper model", "leave it out; for fewer standard errors raise samples"},
     {"cage.model", "none", "", "only bearings with a cage are modelled: the torque of full complements was off by 1.8", "choose a bearing with a cage"},

@@ -107,25 +107,17 @@ Observer::Observer(const BearingModel& model, const WindowTimes& times)
     : Observer(model, times.settle, times.settle + times.measure) {
   revolution_ = times.revolution;
   extrapolate_ = times.extrapolate;
-  if (times.peaks < times.longest) peaks_end_ = begin_ + times.peaks;
-  if (times.measure < times.longest && stationarity_)
-    stationarity_ = Stationarity::growing(begin_, revolution_);
-}
-
-void Observer::extend(double end) {
-  end_ = end;
-  if (stationarity_) stationarity_->end_at(end);
+  if (times.peaks < times.measure) peaks_end_ = begin_ + times.peaks;
 }
 
 bool Observer::revolution_ended(double t) const {
-  if (over_time_)
-    return along_.rolled() >= 2 * std::numbers::pi * static_cast<double>(ended_revolutions_ + 1);
+  const auto ended = static_cast<double>(ended_revolutions_ + 1);
+  if (over_time_) return along_.rolled() >= 2 * std::numbers::pi * ended;
   // Rounding may put the end of a revolution after the state that is meant to be there.
-  const auto ended = static_cast<double>(convergence_.revolutions()) + 1;
   return t >= begin_ + (ended - 1e-9) * revolution_;
 }
 
-void Observer::record_revolution(double t, const double* y) {
+void Observer::record_revolution(double t) {
   if (!revolution_ended(t)) return;
   ++ended_revolutions_;
   whirl_.end_revolution();
@@ -134,26 +126,6 @@ void Observer::record_revolution(double t, const double* y) {
     fatigue_->end_revolution();
     bar_peaks_->begin_revolution();
   }
-  if (over_time_) return;  // means that change with the duty do not converge
-  const StateLayout& l = model_.layout;
-  const double* angles = y + l.position(kAngle, 0);
-  const double rollers = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
-  const double cage = y[l.border_position(kCagePhi)];
-  const double turned = rolling_.sums().integral();
-  const auto mean = [](const Series::Sums& of) { return MeanIntegral{of.integral(), of.weight}; };
-  const auto square = [](const Series::Sums& of) {
-    return MeanIntegral{of.square_integral(), of.weight};
-  };
-  Convergence::Integrals now;
-  now[kMeanCageSlip] = {turned - (cage - start_phase_), turned};
-  now[kMeanOrbitSlip] = {turned - (rollers - start_orbit_), turned};
-  now[kMeanRaceSliding] = square(sliding_.sums());
-  now[kMeanPocketForce] = square(pocket_force_.sums());
-  now[kMeanGuideForce] = square(guide_force_.sums());
-  now[kMeanDisplacement] = mean(sunk_.sums());
-  now[kMeanTorque] = mean(drive_.sums());
-  if (stress_) now[kMeanStress] = square(cage_stress_.sums());
-  convergence_.add(now);
 }
 
 void Observer::record(double t, const double* y, const System& system) {
@@ -181,8 +153,6 @@ void Observer::record(double t, const double* y, const System& system) {
     start_phase_ = q[kCagePhi];
     last_stress_ = t;
     orbit_angle_ = std::atan2(cage_z, cage_y);
-    const double* angles = y + l.position(kAngle, 0);
-    start_orbit_ = std::accumulate(angles, angles + l.rollers, 0.0) / l.rollers;
   }
   last_energy_ = energy;
   std::copy(v + kRingY, v + kRingZ + 1, last_ring_speed_);
@@ -252,7 +222,7 @@ void Observer::record(double t, const double* y, const System& system) {
   record_statics(t, y);
   if (stress_) record_stress(t, y, seen);
   last_time_ = t;
-  record_revolution(t, y);
+  record_revolution(t);
   if (t >= peaks_end_ && extremes_.empty()) {
     extremes_ = quantities_so_far();
     extreme_peak_ = cage_peak_;

@@ -15,7 +15,6 @@
 #include "src/quantities/cage_fatigue.hpp"
 #include "src/quantities/cage_stress.hpp"
 #include "src/quantities/cage_whirl.hpp"
-#include "src/quantities/convergence.hpp"
 #include "src/quantities/orbit_slip.hpp"
 #include "src/quantities/peak_extrapolation.hpp"
 #include "src/quantities/series.hpp"
@@ -31,8 +30,6 @@ class Observer {
   Observer(const BearingModel& model, double begin, double end);
   /// The first window that a run has after settling.
   Observer(const BearingModel& model, const WindowTimes& times);
-  /// The window goes on for another revolution of the cage, and ends there.
-  void extend(double end);
 
   /// Records an accepted state inside the window. Expects system.linearise_at() at this state.
   void record(double t, const double* y, const System& system);
@@ -57,8 +54,6 @@ class Observer {
   /// Whether the motion drifts through the window. None if this is not judged: dry bearing,
   /// standstill, ramp within the window, or less than two turns of the cage.
   const std::optional<Stationarity>& stationarity() const { return stationarity_; }
-  /// How well means are known, from whole revolutions of the cage.
-  const Convergence& convergence() const { return convergence_; }
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return revolutions_; }
   /// Largest angle between the axes of a roller and of the bearing [rad].
@@ -90,7 +85,7 @@ class Observer {
   /// Moment on the ring that the rollers carry, not the shaft, as a couple at the roller ends [N].
   double rollers_couple(const RingLoad& load) const;
   void record_stress(double t, const double* y, const Observation& seen);
-  void record_revolution(double t, const double* y);
+  void record_revolution(double t);
   /// Of everything that has been recorded so far.
   std::vector<double> quantities_so_far() const;
 
@@ -126,7 +121,7 @@ class Observer {
   StepSeries spun_;               ///< likewise: kinematic spin of the rollers [rad/s]
   RollerSeries spun_loaded_;      ///< likewise, of loaded rollers
   RollerSeries carried_rolling_;  ///< likewise: force times kinematic speed of the cage
-  long ended_revolutions_ = 0;    ///< likewise
+  long ended_revolutions_ = 0;
   std::optional<Stationarity> stationarity_;
   RollerSeries carried_, carried_orbit_;  ///< force on the inner race [N], and times orbital rate
   RollerSeries slip_loaded_, slip_all_, sliding_{kPeak}, roller_speed_;
@@ -154,9 +149,7 @@ class Observer {
   ExtrapolatedPeak extrapolated(const BlockPeaks& of) const;
   double extrapolate_ = std::numeric_limits<double>::quiet_NaN();  ///< [revolutions]; NaN: off
   BlockPeaks pocket_blocks_, guide_blocks_, stress_blocks_;
-  Convergence convergence_;
-  double start_orbit_ = 0;          ///< mean angle of all rollers at the first state [rad]
-  double thinnest_film_ = kNoFilm;  ///< [m]
+  double thinnest_film_ = kNoFilm;                              ///< [m]
   double roller_load_ = 0, inner_slice_ = 0, outer_slice_ = 0;  ///< largest at the races [N]
   double largest_lean_squared_ = 0;
   double orbit_turned_ = 0, orbit_angle_ = 0;

@@ -19,7 +19,6 @@ class Series {
     long count;
     double shift, weight, values, squares, peak;
     double integral() const { return values + shift * weight; }
-    double square_integral() const { return squares + shift * (2 * values + shift * weight); }
   };
   Series(const Sums& sums, std::vector<double> record);
   Sums sums() const { return {count_, shift_, weight_, sum_, squares_, peak_}; }

@@ -51,9 +51,8 @@ void Stationarity::record(double t, const Seen& now) {
     double to = begin_ + static_cast<double>(index + 1) * part_;
     // Rounding may put the end of a part into it.
     if (to <= from) to = begin_ + static_cast<double>(++index + 1) * part_;
-    if (grows_ && index >= parts_.size()) parts_.resize(parts_.size() + kDriftBlocks);
     index = std::min(index, parts_.size() - 1);
-    if ((!grows_ && index + 1 == kDriftBlocks) || to > t) to = t;
+    if (index + 1 == kDriftBlocks || to > t) to = t;
     const double middle = ((from + to) / 2 - time_) / (t - time_);
     for (const auto of : {&Seen::cage_speed, &Seen::energy, &Seen::drive, &Seen::loss})
       parts_[index].*of += (to - from) * (last_.*of + middle * (now.*of - last_.*of));
@@ -66,12 +65,7 @@ void Stationarity::record(double t, const Seen& now) {
 
 Stationarity::Means Stationarity::means(double Seen::*of) const {
   Means values{};
-  const auto each = static_cast<std::size_t>(std::max(std::lround(length_ / part_ / kBlocks), 1L));
-  for (std::size_t i = 0; i < kDriftBlocks; ++i) {
-    for (std::size_t k = i * each; k < std::min((i + 1) * each, parts_.size()); ++k)
-      values[i] += parts_[k].*of;
-    values[i] = values[i] * kBlocks / length_;
-  }
+  for (std::size_t i = 0; i < kDriftBlocks; ++i) values[i] = parts_[i].*of * kBlocks / length_;
   return values;
 }
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace cagetol {
 
@@ -43,19 +42,7 @@ class Stationarity {
 
   /// The window [s].
   Stationarity(double begin, double end)
-      : begin_(begin),
-        length_(end - begin),
-        part_(length_ / static_cast<double>(kDriftBlocks)),
-        parts_(kDriftBlocks) {}
-  /// A window that grows by whole lengths `growth` [s], each of kDriftBlocks parts: a block is as
-  /// many parts as the window has such lengths.
-  static Stationarity growing(double begin, double growth) {
-    Stationarity made(begin, begin + growth);
-    made.grows_ = true;
-    return made;
-  }
-  /// Where a window that grows ends for now [s]: no state beyond has been recorded.
-  void end_at(double end) { length_ = end - begin_; }
+      : begin_(begin), length_(end - begin), part_(length_ / static_cast<double>(kDriftBlocks)) {}
 
   /// Records the state at time t inside the window.
   void record(double t, const Seen& seen);
@@ -71,11 +58,10 @@ class Stationarity {
   Means means(double Seen::*of) const;
 
   double begin_, length_, part_;
-  bool grows_ = false;
   bool started_ = false;
   double time_ = 0;  ///< of the last state [s]
   Seen last_;
-  std::vector<Seen> parts_;  ///< integrals
+  std::array<Seen, kDriftBlocks> parts_{};  ///< integrals
 };
 
 }  // namespace cagetol

@@ -118,8 +118,6 @@ void check_window(const Scene& scene, const SceneCheck& check) {
   if (!changes_over_time(scene.operation)) return;
   const Window& w = scene.window;
   const char* why = "under a duty over time no cage revolution stands for another";
-  check.require(w.measure == WindowRule::fixed, "window.measure", why,
-                "set window.measure = \"fixed\"");
   check.require(std::isnan(w.peak_revolutions), "window.peak_revolutions", why,
                 "set window.peak_revolutions = \"auto\", and name phases");
   check.require(std::isnan(w.extrapolate_revolutions), "window.extrapolate_revolutions", why,

@@ -301,34 +301,16 @@ void check_line_races(const Scene& scene, const SceneCheck& check) {
           "outer", "bearing.outside_diameter_mm");
 }
 
-// Peaks grow with the time over which they are taken: that time is stated, whatever a run measures.
 void check_window(const Scene& scene, const SceneCheck& check) {
   const Window& w = scene.window;
-  const bool revolutions = std::isnan(w.measure_time);
-  if (!std::isnan(w.peak_revolutions)) {
-    check.require(revolutions, "window.peak_revolutions",
-                  "the window is given in seconds (" + check.with_value("window.measure_time_s") +
-                      "), not in cage revolutions",
-                  "leave window.measure_time_s out, or set window.peak_revolutions = \"auto\"");
-    check.require(w.peak_revolutions <= w.measure_revolutions, "window.peak_revolutions",
-                  "the window is shorter (" + check.with_value("window.measure_revolutions") + ")",
-                  "give at most window.measure_revolutions");
-  }
-  if (!measures_until_converged(scene)) return;
-  check.require(revolutions, "window.measure",
-                "a window in seconds (" + check.with_value("window.measure_time_s") +
-                    ") has no cage revolutions whose means could agree",
-                "leave window.measure_time_s out, or set window.measure = \"fixed\"");
-  check.require(!std::isnan(w.peak_revolutions), "window.peak_revolutions",
-                "runs that end by themselves (" + check.with_value("window.measure") +
-                    ") differ in length, and peaks grow with the time they are taken over",
-                "give the cage revolutions over which peaks are taken, the same for all samples");
-  check.require(
-      w.measure_revolutions >= 2 && w.measure_revolutions == std::floor(w.measure_revolutions),
-      "window.measure_revolutions",
-      "means are compared between whole cage revolutions (" + check.with_value("window.measure") +
-          ")",
-      "give a whole number of at least 2, the most that a run may measure");
+  if (std::isnan(w.peak_revolutions)) return;
+  check.require(std::isnan(w.measure_time), "window.peak_revolutions",
+                "the window is given in seconds (" + check.with_value("window.measure_time_s") +
+                    "), not in cage revolutions",
+                "leave window.measure_time_s out, or set window.peak_revolutions = \"auto\"");
+  check.require(w.peak_revolutions <= w.measure_revolutions, "window.peak_revolutions",
+                "the window is shorter (" + check.with_value("window.measure_revolutions") + ")",
+                "give at most window.measure_revolutions");
 }
 
 }  // namespace

@@ -93,13 +93,6 @@ constexpr auto spellings(StartState) {
                     Spelling{equilibrium, "equilibrium"}, Spelling{centred, "centred"}};
 }
 
-/// What ends the measuring window: its length, or that the means have converged.
-enum class WindowRule { fixed, automatic };
-constexpr auto spellings(WindowRule) {
-  using enum WindowRule;
-  return std::array{Spelling{fixed, "fixed"}, Spelling{automatic, "auto"}};
-}
-
 /// Time integration methods (src/integration/integrator.hpp).
 enum class IntegrationMethod {
   rodas3,         ///< linearly implicit (Rosenbrock), 4 stages, order 3(2), L-stable

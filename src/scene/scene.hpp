@@ -250,9 +250,7 @@ struct Start {
 
 struct Window {
   double settle_revolutions = 2;           ///< cage revolutions before the measurement
-  WindowRule measure = WindowRule::fixed;  ///< automatic: until the means have converged
-  double measure_revolutions = 6;          ///< cage revolutions measured; automatic: at most
-  double measure_share = 0.1;              ///< automatic: relative uncertainty of the means
+  double measure_revolutions = 6;          ///< cage revolutions measured
   double peak_revolutions = kAuto;         ///< over which peaks are taken; kAuto: whole window
   double extrapolate_revolutions = kAuto;  ///< to which peaks are extrapolated; kAuto: to none
   double longest_settle_revolutions = 60;  ///< limit of settling for lubricated bearings that drift
@@ -314,11 +312,6 @@ struct Scene {
   bool allow_interference = false;
   double history_interval = 20e-6;  ///< [s]
 };
-
-/// Whether a run ends its measuring window by itself.
-inline bool measures_until_converged(const Scene& scene) {
-  return scene.window.measure == WindowRule::automatic;
-}
 
 inline bool has_planar_rollers(const Scene& scene) {
   return scene.model.rollers == RollerModel::planar;

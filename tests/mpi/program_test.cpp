@@ -82,34 +82,6 @@ TEST(ProgramTest, OperatingPointsGiveTheSameFileOnAnyNumberOfRanks) {
   EXPECT_THAT(replay.output, HasSubstr("friction_torque_Nmm@idle"));
 }
 
-TEST(ProgramTest, WindowsThatEndByThemselvesGiveTheSameFileOnAnyRankAndReplay) {
-  const ScratchDirectory scratch;
-  const auto sweep = [&](const std::string& directory) {
-    auto command = sweep_of(kShippedStudy, directory);
-    for (const char* setting :
-         {"scene.window.measure='auto'", "scene.window.measure_revolutions=3",
-          "scene.window.peak_revolutions=1", "scene.window.measure_share=0.1",
-          "scene.window.longest_settle_revolutions=0", "scene.model.rollers='planar'",
-          "scene.discretisation.race_slices=1", "scene.discretisation.bar_stations=1"})
-      command.insert(command.end(), {"--set", setting});
-    return command;
-  };
-  const Ended serial = run(sweep(scratch / "0"));
-  ASSERT_EQ(serial.code, 0) << serial.output;
-  ASSERT_EQ(run(with_mpirun(3, sweep(scratch / "3"))).code, 0);
-  EXPECT_THAT(study_file_differences(study_file_of(scratch / "0"), study_file_of(scratch / "3")),
-              IsEmpty());
-  std::set<std::string> ends;
-  for (const char* id : {"0", "1", "2", "3", "4", "5"}) {
-    const Ended replay =
-        run({CAGETOL_BINARY_DIR "/cagetol", "replay", scratch / "3", "--sample", id, "--json"});
-    EXPECT_THAT(replay.output, HasSubstr("\"reproduced\": true"));
-    for (const char* end : {"\"window_end\": 1.0", "\"window_end\": 2.0"})
-      if (replay.output.find(end) != std::string::npos) ends.insert(end);
-  }
-  EXPECT_EQ(ends.size(), 2u);  // else there was nothing to decide
-}
-
 /// Pocket widths of cages from -0.2 to 0.2 mm need several cage tables, which ranks make together.
 TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
   const ScratchDirectory scratch;

@@ -108,21 +108,6 @@ TEST(Rungs, EachRefinesOneThingOfTheScene) {
   EXPECT_EQ(on_rung(flexible, more[4]).window.measure_revolutions, 6);
 }
 
-TEST(Rungs, AWindowThatEndsByItselfIsRefinedBeyondItsLongest) {
-  Scene open;
-  open.window.measure = WindowRule::automatic;
-  open.window.measure_revolutions = 12;
-  open.window.peak_revolutions = 3;
-  const auto rungs = refining_rungs(open);
-  const auto found = std::find_if(rungs.begin(), rungs.end(),
-                                  [](const Rung& rung) { return rung.name == "window"; });
-  ASSERT_NE(found, rungs.end());
-  const Window refined = on_rung(open, *found).window;
-  EXPECT_EQ(refined.measure, WindowRule::fixed);
-  EXPECT_EQ(refined.measure_revolutions, 24);
-  EXPECT_EQ(refined.peak_revolutions, 3);  // else their peaks were others
-}
-
 TEST(Rungs, WhatCannotBeRefinedIsLeftOut) {
   Scene finest;
   finest.cage.model = CageKind::flexible;

@@ -560,11 +560,11 @@ TEST_F(StudyFile, NotesSayWhatToKnow) {
 
 TEST_F(StudyFile, LimitsOnPeaksAreForTheRevolutionsThatPeaksAreTakenOver) {
   const auto notes_of = [&](const std::string& quantity, int revolutions) {
-    const auto notes = study_notes(study_of(
-        "samples = 5\n[scene.window]\nmeasure = 'auto'\npeak_revolutions = 3\n[[limit]]\n"
-        "quantity = '" +
-        quantity + "'\nmax = 1\nsource = 's'\ncage_revolutions = " + std::to_string(revolutions) +
-        "\n"));
+    const auto notes =
+        study_notes(study_of("samples = 5\n[scene.window]\npeak_revolutions = 3\n[[limit]]\n"
+                             "quantity = '" +
+                             quantity + "'\nmax = 1\nsource = 's'\ncage_revolutions = " +
+                             std::to_string(revolutions) + "\n"));
     std::string all;
     for (const std::string& note : notes) all += note + "\n";
     return all;

@@ -334,27 +334,13 @@ TEST(SceneMessages, BodiesThatDoNotFitEachOther) {
       AllOf(HasSubstr("t.toml:4: cage.model"), HasSubstr("remedy: set cage.model = \"rigid\"")));
 }
 
-TEST(SceneKeys, AWindowThatEndsByItselfStatesOverWhatPeaksAreTaken) {
-  const std::string open = "[window]\nmeasure = 'auto'\n";
-  const Scene scene = scene_of(open + "peak_revolutions = 3\n");
-  EXPECT_TRUE(measures_until_converged(scene));
-  EXPECT_EQ(scene.window.measure_share, 0.1);
-  EXPECT_THAT(problem_of(open),
-              AllOf(HasSubstr("window.peak_revolutions"), HasSubstr("window.measure = \"auto\"")));
-  EXPECT_THAT(problem_of(open + "peak_revolutions = 'auto'\n"),
-              AllOf(HasSubstr("t.toml:3: window.peak_revolutions"), HasSubstr("differ in length"),
-                    HasSubstr("remedy: give the cage revolutions")));
-  EXPECT_THAT(problem_of(open + "peak_revolutions = 1\nmeasure_revolutions = 1\n"),
-              HasSubstr("a whole number of at least 2"));
-  EXPECT_THAT(problem_of(open + "peak_revolutions = 1\nmeasure_revolutions = 2.5\n"),
-              HasSubstr("a whole number of at least 2"));
-  EXPECT_THAT(problem_of(open + "peak_revolutions = 7\n"),
+TEST(SceneKeys, PeaksAreTakenOverAPartOfTheWindow) {
+  EXPECT_EQ(scene_of("[window]\npeak_revolutions = 3\n").window.peak_revolutions, 3);
+  EXPECT_THAT(problem_of("[window]\npeak_revolutions = 7\n"),
               AllOf(HasSubstr("the window is shorter (window.measure_revolutions = 6)"),
                     HasSubstr("remedy: give at most window.measure_revolutions")));
   EXPECT_THAT(problem_of("[window]\nmeasure_time_s = 1\npeak_revolutions = 1\n"),
               HasSubstr("the window is given in seconds (window.measure_time_s = 1)"));
-  EXPECT_THAT(problem_of("[window]\nmeasure = 'auto'\nmeasure_time_s = 1\npeak_revolutions = 1\n"),
-              HasSubstr("window.measure_time_s"));
 }
 
 TEST(SceneKeys, EveryKeyHasAMeaningAndAUnitThatItsNameShows) {

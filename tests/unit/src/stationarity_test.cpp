@@ -91,26 +91,6 @@ TEST(Stationarity, NamesWhatDrifts) {
   }
 }
 
-TEST(Stationarity, AWindowThatGrowsIsJudgedAsOneOfItsLength) {
-  constexpr double kTurn = 0.3;
-  Stationarity grown = Stationarity::growing(1, kTurn);
-  std::vector<std::pair<double, Stationarity::Seen>> states;
-  for (int turn = 1; turn <= 5; ++turn) {
-    const double end = 1 + turn * kTurn;
-    Stationarity whole(1, end);
-    for (int i = turn > 1; i <= 97; ++i) {
-      const double t = end - kTurn + i * kTurn / 97;
-      states.push_back({t, {10 - t * t, 100 + std::sin(9 * t), 4 * t, 2 * t}});
-      grown.record(t, states.back().second);
-    }
-    grown.end_at(end);
-    for (const auto& [t, seen] : states) whole.record(t, seen);
-    EXPECT_NEAR(grown.speed_drift().value, whole.speed_drift().value, 1e-9) << turn;
-    EXPECT_NEAR(grown.energy_drift().scatter, whole.energy_drift().scatter, 1e-9) << turn;
-    EXPECT_NEAR(grown.mean().loss, whole.mean().loss, 1e-9) << turn;
-  }
-}
-
 // 0.02 of 50 J in 2 s are 0.5 W.
 TEST(Stationarity, PowerThatIsStoredOrGivenBackIsNotLost) {
   const auto balance = [](double loss) {

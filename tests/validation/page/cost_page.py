@@ -31,7 +31,7 @@ NU205 = ROOT / "inputs/scenes/nu205.toml"
 STUDY = ROOT / "inputs/studies/nu205-displacement.toml"
 DYNAMIC_STUDY = ROOT / "inputs/studies/nu205.toml"
 REPEATS = 3  # starts of each point, of which the fastest counts: what else runs on the machine only adds
-WINDOW = {"window.measure": "fixed", "window.peak_revolutions": "auto", "window.settle_revolutions": 1,
+WINDOW = {"window.peak_revolutions": "auto", "window.settle_revolutions": 1,
           "window.measure_revolutions": 2, "window.longest_settle_revolutions": 0, "watch.cage_drift_max": 1e9,
           "watch.power_surplus_max": 1e9, "watch.static_consistency_max": 1e9}
 SHORT = {"window.settle_revolutions": 0.1, "window.measure_revolutions": 0.1, "cage.corner_radius_mm": 0}

@@ -1,0 +1,65 @@
+// What depends on the length of a run's window.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "src/quantities/quantity_table.hpp"
+#include "src/simulate.hpp"
+#include "tests/support/shipped_scene.hpp"
+
+namespace cagetol {
+namespace {
+
+TEST(QuantityTable, ExtremesAreThoseThatSayPeakOrQuantileOrThinnest) {
+  for (const Quantity& row : quantity_table()) {
+    const std::string definition = row.definition;
+    bool says = false;
+    for (const char* word : {"largest value", "largest sliding", "largest acceleration", "quantile",
+                             "largest von Mises", "thinnest", "peak"})
+      says |= definition.find(word) != std::string::npos;
+    EXPECT_EQ(is_extreme(row.key), says) << row.key;
+  }
+}
+
+/// A lubricated NU 205 with short contacts.
+Scene quick_scene() {
+  Scene scene = shipped_scene("nu205");
+  scene.discretisation.bar_stations = 1;
+  scene.integration.method = IntegrationMethod::rodas3;
+  scene.integration.tolerance = 0.015;
+  scene.window = {.settle_revolutions = 1, .measure_revolutions = 2, .peak_revolutions = 2};
+  return scene;
+}
+
+double value_of(const Outcome& outcome, const std::string& key) {
+  return outcome.quantities[static_cast<std::size_t>(quantity_index(key))];
+}
+
+TEST(Window, PeaksOfTheSameRevolutionsAreTheSameInALongerWindow) {
+  Scene scene = quick_scene();
+  const Outcome brief = simulate(scene);
+  scene.window.measure_revolutions = 4;
+  const Outcome longer = simulate(scene);
+  ASSERT_EQ(brief.status, Status::ok) << brief.reason;
+  ASSERT_EQ(longer.status, Status::ok) << longer.reason;
+  for (const Quantity& row : quantity_table())
+    if (is_extreme(row.key) && !std::isnan(value_of(brief, row.key))) {
+      EXPECT_EQ(value_of(brief, row.key), value_of(longer, row.key)) << row.key;
+    }
+  EXPECT_NE(value_of(brief, "pocket_force_rms_N"), value_of(longer, "pocket_force_rms_N"));
+}
+
+TEST(Window, ADriftingMotionSettlesLongerAndThenFails) {
+  Scene scene = quick_scene();
+  scene.operation.radial_load = 0;
+  scene.start.state = StartState::equilibrium;
+  scene.window.longest_settle_revolutions = 5;
+  const Outcome drifting = simulate(scene);
+  EXPECT_EQ(drifting.status, Status::failed);
+  EXPECT_TRUE(drifting.reason.starts_with("not stationary after")) << drifting.reason;
+  EXPECT_GT(drifting.run.simulated_s, 2.5 * drifting.run.measured_s);  // the window began anew
+}
+
+}  // namespace
+}  // namespace cagetol
