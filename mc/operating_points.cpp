@@ -110,50 +110,17 @@ void check_points(const std::vector<OperatingPointPlan>& points, const toml::nod
            "set speed.centrifugal_growth = false, or cage.model = \"rigid\"");
 }
 
-bool is_mean(const std::string& key) {
-  return key.starts_with("power_") || key == "friction_torque_Nmm";
-}
-bool is_least(const std::string& key) {
-  return key == "film_min_um" || key == "lambda_min_ratio";
-}
-
-/// Places belong to the point where what they are the place of is largest.
-std::string place_decided_by(const std::string& key) {
-  if (key.starts_with("cage_stress_peak_") && !key.ends_with("_MPa")) return "cage_stress_peak_MPa";
-  if (key == "cage_fatigue_pocket" || key == "cage_fatigue_station")
-    return "cage_fatigue_utilisation";
-  return "";
-}
-
 /// The point with the largest value of a quantity; -1: none has one.
 long largest_of(const std::vector<Outcome>& outcomes, const std::string& key) {
   const auto row = static_cast<std::size_t>(quantity_index(key));
   long at = -1;
-  double most = 0;
-  for (std::size_t p = 0; p < outcomes.size(); ++p) {
-    const double value = outcomes[p].quantities[row];
-    if (std::isnan(value) || (at >= 0 && !(value > most))) continue;
-    at = static_cast<long>(p);
-    most = value;
-  }
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < outcomes.size(); ++p)
+    if (const double value = outcomes[p].quantities[row]; value > most) {
+      at = static_cast<long>(p);
+      most = value;
+    }
   return at;
-}
-
-double over_points(const std::string& key, std::size_t row, const Study& study,
-                   const std::vector<Outcome>& outcomes) {
-  if (const std::string decides = place_decided_by(key); !decides.empty()) {
-    const long at = largest_of(outcomes, decides);
-    return at < 0 ? kNone : outcomes[static_cast<std::size_t>(at)].quantities[row];
-  }
-  if (key.find("_extrapolated_") != std::string::npos) return kNone;
-  double sum = 0, weights = 0, extreme = kNone;
-  for (std::size_t p = 0; p < outcomes.size(); ++p) {
-    const double value = outcomes[p].quantities[row], weight = study.points[p].weight;
-    sum += weight * value;
-    weights += weight;
-    if (std::isnan(extreme) || (is_least(key) ? value < extreme : value > extreme)) extreme = value;
-  }
-  return is_mean(key) ? sum / weights : is_extreme(key) ? extreme : kNone;
 }
 
 void add_run(const RunRecord& from, RunRecord& to) {
@@ -261,6 +228,25 @@ std::vector<Limit> limits_at_points(std::vector<Limit> limits,
   return expanded;
 }
 
+double over_points(const Quantity& quantity, std::size_t row, const Study& study,
+                   const std::vector<Outcome>& outcomes) {
+  double sum = 0, weights = 0, least = kNone, peak = kNone;
+  for (std::size_t p = 0; p < outcomes.size(); ++p) {
+    const double value = outcomes[p].quantities[row], weight = study.points[p].weight;
+    sum += weight * value;
+    weights += weight;
+    least = std::fmin(least, value);
+    peak = std::fmax(peak, value);
+  }
+  const Kind kind = quantity.kind;
+  const long at = kind == Kind::place ? largest_of(outcomes, quantity.peak) : -1;
+  if (at >= 0) return outcomes[static_cast<std::size_t>(at)].quantities[row];
+  return kind == Kind::power   ? sum / weights
+         : kind == Kind::peak  ? peak
+         : kind == Kind::least ? least
+                               : kNone;
+}
+
 Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes) {
   const auto& table = quantity_table();
   Outcome joined;
@@ -275,7 +261,7 @@ Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes) {
     joined.reason = last.reason.empty() ? "" : "operating point " + name + ": " + last.reason;
   else if (outcomes.size() == study.points.size())
     for (std::size_t row = 0; row < table.size(); ++row)
-      joined.quantities[row] = over_points(table[row].key, row, study, outcomes);
+      joined.quantities[row] = over_points(table[row], row, study, outcomes);
   joined.run = outcomes.front().run;
   for (std::size_t p = 1; p < outcomes.size(); ++p) add_run(outcomes[p].run, joined.run);
   for (const Outcome& of_point : outcomes)

@@ -1,9 +1,8 @@
 // Several operating points of one study (a duty list): one sample is one drawn bearing, run at each
 // point. A limit on a quantity must be met at every point, one on QUANTITY@POINT at that point.
 //
-// Of a sample, each point has quantities of its own. Those without a label are, over the points:
-// powers and the friction torque means by weight; peaks, quantiles and utilisations the largest,
-// the film's minima the smallest; all others none. A sample fails with its first point that does.
+// Of a sample, each point has quantities of its own. Those without a label are joined over the points
+// as their kind says (quantity_table.hpp). A sample fails with its first point that does.
 #pragma once
 
 #include <toml++/toml.h>
@@ -13,6 +12,7 @@
 
 #include "mc/study.hpp"
 #include "src/outcome.hpp"
+#include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
 
@@ -32,6 +32,10 @@ Scene at_operating_point(Scene scene, const OperatingPointPlan& point);
 /// Limits on a quantity without a label become one for each point.
 std::vector<Limit> limits_at_points(std::vector<Limit> limits,
                                     const std::vector<OperatingPointPlan>& points);
+
+/// Value over the points of the quantity in that row; NaN where its kind has none.
+double over_points(const Quantity& quantity, std::size_t row, const Study& study,
+                   const std::vector<Outcome>& outcomes);
 
 /// The outcome of a sample from those of its points in order; a failed one may be the last.
 Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes);

@@ -16,7 +16,6 @@
 #include "mc/study_limits.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
-#include "src/quasi_static.hpp"
 #include "src/scene/idle_keys.hpp"
 #include "src/scene/oil_keys.hpp"
 #include "src/scene/scene_keys.hpp"
@@ -193,7 +192,7 @@ std::vector<std::string> model_notes(const Study& study) {
       "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "
       "and a film of scene.film.model are not (scene.model.motion)");
   for (const auto& limit : study.limits)
-    if (!is_quasi_static_quantity(labelled_key(limit.quantity).key))
+    if (!quantity_named(limit.quantity).need.met(study.scene))
       notes.push_back("limit on " + limit.quantity + ": a quasi-static run does not define it");
   return notes;
 }
@@ -214,7 +213,8 @@ std::vector<std::string> study_notes(const Study& study) {
   const auto& window = study.scene.window;
   for (const auto& limit : study.limits) {
     if (changes_over_time(study.scene.operation) || !study.points.empty()) break;
-    const bool in_part = is_extreme(limit.quantity) && !std::isnan(window.peak_revolutions);
+    const bool extreme = is_extreme(quantity_named(limit.quantity).kind);
+    const bool in_part = extreme && !std::isnan(window.peak_revolutions);
     const double measured = in_part ? window.peak_revolutions : window.measure_revolutions;
     if (limit.cage_revolutions > 0 && std::isnan(window.measure_time) &&
         limit.cage_revolutions != measured)

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
-#include "src/quantities/plausibility.hpp"
-#include "src/quantities/quantity_table.hpp"
+#include "src/quantities/quantity_bounds.hpp"
+#include "src/quantities/quantity_rows.hpp"
 #include "src/quantities/series.hpp"
 #include "src/statics/start_state.hpp"
 #include "src/statics/static_equilibrium.hpp"
@@ -23,10 +22,6 @@ using std::numbers::pi;
 constexpr double kPositionsPerPitch = 8;
 
 constexpr double kDutyAccuracy = 1e-6;  // of the balance under a duty over time, share of the load
-
-constexpr const char* kDefined[] = {"ring_displacement_mean_um", "ring_displacement_end_um",
-                                    "ring_orbit_p95_um", "ring_tilt_mean_mrad",
-                                    "roller_tilt_p95_mrad"};
 
 /// An instant at which equilibrium is sought.
 struct Instant {
@@ -130,27 +125,16 @@ Outcome quasi_static_outcome(const Scene& scene) {
       tilt.add(std::abs(rest.tilt[static_cast<std::size_t>(j)]), 1, 1);
   }
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const double values[] = {1e6 * sunk.mean(), 1e6 * sunk_at_end,
-                           1e6 * distance_quantile(ring_y, ring_z, 0.95),
-                           model.planar ? none : 1e3 * ring_tilt.mean(),
-                           model.planar ? none : 1e3 * tilt.quantile(0.95)};
-  static_assert(std::size(values) == std::size(kDefined));
-  for (std::size_t k = 0; k < std::size(kDefined); ++k)
-    outcome.quantities[static_cast<std::size_t>(quantity_index(kDefined[k]))] = values[k];
+  std::vector<double>& q = outcome.quantities;
+  q[quantity_row("ring_displacement_mean_um")] = 1e6 * sunk.mean();
+  q[quantity_row("ring_displacement_end_um")] = 1e6 * sunk_at_end;
+  q[quantity_row("ring_orbit_p95_um")] = 1e6 * distance_quantile(ring_y, ring_z, 0.95);
+  q[quantity_row("ring_tilt_mean_mrad")] = model.planar ? none : 1e3 * ring_tilt.mean();
+  q[quantity_row("roller_tilt_p95_mrad")] = model.planar ? none : 1e3 * tilt.quantile(0.95);
   outcome.run.cage_revolutions = revolutions_over(instants);
-  const PlausibleReach reach(dry, model,
-                             {.begin = window.settle,
-                              .end = window.settle + window.measure,
-                              .revolutions = outcome.run.cage_revolutions,
-                              .steps = outcome.run.steps,
-                              .quasi_static = true});
-  outcome.reason = find_implausible(reach, outcome.quantities);
+  outcome.reason = find_impossible({dry, model, window.settle, window.settle + window.measure, q});
   outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;
   return outcome;
-}
-
-bool is_quasi_static_quantity(const std::string& key) {
-  return std::find(std::begin(kDefined), std::end(kDefined), key) != std::end(kDefined);
 }
 
 }  // namespace cagetol

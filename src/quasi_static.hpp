@@ -2,8 +2,6 @@
 // without integration in time.
 #pragma once
 
-#include <string>
-
 #include "src/outcome.hpp"
 #include "src/scene/scene.hpp"
 
@@ -21,8 +19,5 @@ namespace cagetol {
 /// quantities are NaN, slip included, because it is an assumption here. `run.steps` counts
 /// positions. The run fails if a position has no equilibrium.
 Outcome quasi_static_outcome(const Scene& scene);
-
-/// True if a quasi-static run may define the quantity `key`.
-bool is_quasi_static_quantity(const std::string& key);
 
 }  // namespace cagetol

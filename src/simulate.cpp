@@ -9,7 +9,7 @@
 #include "src/cage/unsolved_cage.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quantities/observer.hpp"
-#include "src/quantities/plausibility.hpp"
+#include "src/quantities/quantity_bounds.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
@@ -145,13 +145,8 @@ void judge(const Scene& scene, const BearingModel& model, const WindowTimes& tim
                      ": rollers tumble; raise discretisation.race_slices to at least 3, a single "
                      "slice rights no tilted roller";
   } else {
-    const PlausibleReach reach(scene, model,
-                               {.begin = times.settle,
-                                .end = times.settle + run.measured_s,
-                                .revolutions = run.cage_revolutions,
-                                .steps = run.steps,
-                                .peaks_in_part = times.peaks < run.measured_s});
-    outcome.reason = find_implausible(reach, outcome.quantities);
+    outcome.reason = find_impossible({scene, model, times.settle, times.settle + run.measured_s,
+                                      outcome.quantities, times.peaks < run.measured_s});
     outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;
   }
 }
@@ -265,12 +260,7 @@ void add_phase(const Scene& scene, const Motion& run, std::size_t i, Outcome& ou
   const std::vector<double> quantities = phase.observer.quantities();
   outcome.quantities.insert(outcome.quantities.end(), quantities.begin(), quantities.end());
   if (outcome.status != Status::ok) return;
-  const PlausibleReach reach(scene, run.model,
-                             {.begin = phase.from,
-                              .end = phase.to,
-                              .revolutions = phase.observer.cage_revolutions(),
-                              .steps = outcome.run.steps});
-  const std::string problem = find_implausible(reach, quantities);
+  const std::string problem = find_impossible({scene, run.model, phase.from, phase.to, quantities});
   if (problem.empty()) return;
   outcome.status = Status::failed;
   outcome.reason = "phase " + scene.phase.name[i] + ": " + problem;

@@ -9,7 +9,6 @@
 #include "src/input/input_error.hpp"
 #include "src/input/key_table.hpp"
 #include "src/quantities/operating_point.hpp"
-#include "src/quantities/quantity_guide.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -22,10 +21,9 @@ struct Entry {
 std::vector<Entry> entries() {
   std::vector<Entry> all;
   for (const Quantity& quantity : quantity_table()) {
-    const QuantityGuide guide = quantity_guide(quantity.key);
-    all.push_back({quantity.key, quantity.unit, quantity.definition, guide.needs,
-                   is_extreme(quantity.key) ? "window.peak_revolutions" : "the whole window",
-                   guide.use});
+    all.push_back({quantity.key, quantity.unit, quantity.definition, quantity.need.text,
+                   is_extreme(quantity.kind) ? "window.peak_revolutions" : "the whole window",
+                   quantity.use});
   }
   for (const OperatingRow& row : operating_rows())
     all.push_back({row.key, row.unit, row.definition, "any model", "no run",

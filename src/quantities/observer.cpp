@@ -427,7 +427,7 @@ double Observer::static_consistency_error() const {
 std::vector<double> Observer::quantities() const {
   std::vector<double> values = quantities_so_far();
   for (std::size_t i = 0; i < extremes_.size(); ++i)
-    if (is_extreme(quantity_table()[i].key)) values[i] = extremes_[i];
+    if (is_extreme(kQuantityRows[i].kind)) values[i] = extremes_[i];
   return values;
 }
 

@@ -9,18 +9,16 @@ const std::vector<Quantity>& quantity_table() {
   return table;
 }
 
-bool is_extreme(const std::string& name) {
-  const std::string key = name.substr(0, name.find('@'));
-  for (const char* part : {"_peak", "_p95", "_p99", "_min_", "_fatigue_", "_utilisation"})
-    if (key.find(part) != std::string::npos) return true;
-  return false;
-}
-
 int quantity_index(const std::string& key) {
   const auto& table = quantity_table();
   for (std::size_t i = 0; i < table.size(); ++i)
     if (table[i].key == key) return static_cast<int>(i);
   return -1;
+}
+
+const Quantity& quantity_named(const std::string& name) {
+  const int index = quantity_index(name.substr(0, name.find('@')));
+  return quantity_table().at(static_cast<std::size_t>(index));
 }
 
 }  // namespace cagetol

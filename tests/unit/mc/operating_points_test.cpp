@@ -13,6 +13,7 @@
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/simulate.hpp"
+#include "tests/support/not_a_number.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shipped_input.hpp"
 
@@ -114,6 +115,26 @@ TEST_F(OperatingPoints, ASampleIsTheDrawnBearingAtEachPoint) {
             std::min(value(rated, "film_min_um"), value(light, "film_min_um")));
   EXPECT_TRUE(std::isnan(value(joined, "cage_slip_ratio")));
   EXPECT_EQ(joined.run.steps, rated.run.steps + light.run.steps);
+}
+
+// By its kind, whatever its key: a new smallest value is the smallest of its points.
+TEST_F(OperatingPoints, AQuantityIsJoinedByItsKind) {
+  Study study;
+  study.points = {{"a", 1, {}}, {"b", 3, {}}, {"c", 4, {}}};
+  std::vector<Outcome> outcomes(3);
+  outcomes[0].quantities = {3};
+  outcomes[1].quantities = {1};
+  outcomes[2].quantities = {2};
+  const Quantity& any = quantity_table()[0];
+  const auto joined = [&](Kind kind) {
+    return over_points({"gap_min_um", "um", kind, any.need, any.bound, "", ""}, 0, study, outcomes);
+  };
+  EXPECT_EQ(joined(Kind::least), 1);
+  EXPECT_EQ(joined(Kind::peak), 3);
+  EXPECT_DOUBLE_EQ(joined(Kind::power), (3 + 3 * 1 + 4 * 2) / 8.0);
+  EXPECT_TRUE(std::isnan(joined(Kind::mean)));
+  outcomes[1].quantities = {kNan};
+  EXPECT_EQ(joined(Kind::least), 2);
 }
 
 TEST_F(OperatingPoints, APointThatFailsFailsItsSampleAndIsNamed) {

@@ -1,11 +1,11 @@
-// The guide says of every quantity what it needs, and runs give a number exactly where that is met.
-#include "src/quantities/quantity_guide.hpp"
+// A row says what its quantity needs, and runs give a number exactly where that is met; its kind is
+// the one that key and definition say.
+#include "src/quantities/quantity_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/quantities/quantity_table.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/shipped_scene.hpp"
 
@@ -32,20 +32,20 @@ struct Case {
   void (*set)(Scene&);
 };
 
-class QuantityGuideOf : public testing::TestWithParam<Case> {};
+class QuantitiesOf : public testing::TestWithParam<Case> {};
 
-TEST_P(QuantityGuideOf, NamesTheQuantitiesThatARunGives) {
+TEST_P(QuantitiesOf, AreThoseWhoseNeedsItMeets) {
   Scene scene = brief_scene("nu205");
   GetParam().set(scene);
   const Outcome outcome = simulate(scene);
   ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
   for (const Quantity& row : quantity_table())
-    EXPECT_EQ(!std::isnan(quantity(outcome, row.key)), quantity_guide(row.key).defined(scene))
-        << row.key << " needs " << quantity_guide(row.key).needs;
+    EXPECT_EQ(!std::isnan(quantity(outcome, row.key)), row.need.met(scene))
+        << row.key << " needs " << row.need.text;
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Scenes, QuantityGuideOf,
+    Scenes, QuantitiesOf,
     testing::Values(Case{"oiled", [](Scene&) {}},
                     Case{"dry", [](Scene& s) { s.lubrication.model = LubricationModel::none; }},
                     Case{"older_film",
@@ -78,8 +78,38 @@ INSTANTIATE_TEST_SUITE_P(
                          [](Scene& s) { s.model.motion = MotionModel::quasi_static; }}),
     [](const auto& one) { return one.param.name; });
 
-TEST(QuantityGuide, KnowsNoOtherKeys) {
-  EXPECT_THROW(quantity_guide("roller_colour"), std::logic_error);
+TEST(QuantityTable, ExtremesAreThoseThatSayPeakOrQuantileOrThinnest) {
+  for (const Quantity& row : quantity_table()) {
+    const std::string definition = row.definition;
+    bool says = false;
+    for (const char* word : {"largest value", "largest sliding", "largest acceleration", "quantile",
+                             "largest von Mises", "thinnest", "peak"})
+      says |= definition.find(word) != std::string::npos;
+    EXPECT_EQ(is_extreme(row.kind), says) << row.key;
+  }
+}
+
+// What users read from a key holds for its row.
+TEST(QuantityTable, KindsAreThoseThatKeysSay) {
+  for (const Quantity& row : quantity_table()) {
+    const std::string key = row.key;
+    const auto says = [&](const char* part) { return key.find(part) != std::string::npos; };
+    EXPECT_EQ(row.kind == Kind::least, says("_min_")) << key;
+    EXPECT_EQ(row.kind == Kind::estimate, says("_extrapolated_")) << key;
+    EXPECT_EQ(row.kind == Kind::place, key.ends_with("_pocket") || key.ends_with("_station"));
+    EXPECT_EQ(row.kind == Kind::power, says("power_") || says("torque")) << key;
+    if (says("_p95") || says("_p99") || says("_utilisation") || key.ends_with("_peak_N")) {
+      EXPECT_EQ(row.kind, Kind::peak) << key;
+    }
+    if (row.kind == Kind::place || *row.peak) {
+      EXPECT_EQ(quantity_named(row.peak).kind, Kind::peak) << key;
+    }
+  }
+}
+
+TEST(QuantityTable, NamesMayHaveLabels) {
+  EXPECT_STREQ(quantity_named("film_min_um@idle.braking").key, "film_min_um");
+  EXPECT_THROW(quantity_named("roller_colour"), std::out_of_range);
 }
 
 }  // namespace

@@ -1,0 +1,43 @@
+#include <cmath>
+
+#include "src/quantities/quantity_rows.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kBlocks = 5;  // revolutions from which peaks are extrapolated, at least
+
+bool moves(const Scene& s) {
+  return !is_quasi_static(s);
+}
+bool turns(const Scene& s) {
+  return moves(s) &&
+         (largest_inner_speed(s.operation) != 0 || largest_outer_speed(s.operation) != 0);
+}
+bool extrapolates(const Scene& s) {
+  return moves(s) && !std::isnan(s.window.extrapolate_revolutions) &&
+         s.window.measure_revolutions >= kBlocks;
+}
+
+}  // namespace
+
+// clang-format off
+namespace need {
+const Need any{"any model", [](const Scene&) { return true; }};
+const Need motion{"model.motion = \"dynamic\"", moves};
+const Need loaded{"model.motion = \"dynamic\"; loaded contacts", moves, Given::perhaps};
+const Need turning{"model.motion = \"dynamic\"; speed.inner_rpm not zero", turns, Given::where_the_cage_turns};
+const Need turning_loaded{"model.motion = \"dynamic\"; speed.inner_rpm not zero; loaded contacts", turns, Given::perhaps};
+const Need whole_turns{"model.motion = \"dynamic\"; at least one whole cage revolution measured", [](const Scene& s) { return turns(s) && s.window.measure_revolutions >= 1; }, Given::perhaps};
+const Need spatial{"model.rollers = \"spatial\"", [](const Scene& s) { return !has_planar_rollers(s); }};
+const Need leaning{"model.motion = \"dynamic\"; model.rollers = \"spatial\"", [](const Scene& s) { return moves(s) && !has_planar_rollers(s); }};
+const Need tilting{"model.motion = \"dynamic\"; model.ring_tilt = \"free\"; model.rollers = \"spatial\"", [](const Scene& s) { return moves(s) && has_free_ring_tilt(s); }};
+const Need flexible{"cage.model = \"flexible\"", is_flexible};
+const Need film{"model.motion = \"dynamic\"; lubrication.model = \"film\" or a film.model; loaded contacts", [](const Scene& s) { return moves(s) && (is_lubricated(s) || s.film.model != FilmModel::none); }, Given::perhaps};
+const Need oil{"model.motion = \"dynamic\"; lubrication.model = \"film\"; loaded contacts", [](const Scene& s) { return moves(s) && is_lubricated(s); }, Given::perhaps};
+const Need extrapolated{"model.motion = \"dynamic\"; window.extrapolate_revolutions; at least 5 revolutions measured", extrapolates, Given::perhaps};
+const Need extrapolated_stress{"cage.model = \"flexible\"; window.extrapolate_revolutions; at least 5 revolutions measured", [](const Scene& s) { return extrapolates(s) && is_flexible(s); }, Given::perhaps};
+}  // namespace need
+// clang-format on
+
+}  // namespace cagetol
