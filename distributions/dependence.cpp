@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 

@@ -5,13 +5,13 @@
 #include <utility>
 #include <variant>
 
+#include "distributions/basics/require.hpp"
 #include "distributions/designs/grid.hpp"
 #include "distributions/designs/latin_hypercube.hpp"
 #include "distributions/designs/morris.hpp"
 #include "distributions/designs/pick_freeze.hpp"
 #include "distributions/designs/random_design.hpp"
 #include "distributions/designs/scrambled_sobol.hpp"
-#include "distributions/require.hpp"
 
 namespace cagetol {
 

@@ -23,7 +23,7 @@
 #include <span>
 #include <vector>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 namespace {

@@ -7,10 +7,10 @@
 #include <sstream>
 
 #include "mc/commands/subcommands.hpp"
-#include "mc/failure.hpp"
-#include "mc/log.hpp"
-#include "mc/page_faults.hpp"
-#include "mc/process_limits.hpp"
+#include "mc/host/failure.hpp"
+#include "mc/host/log.hpp"
+#include "mc/host/page_faults.hpp"
+#include "mc/host/process_limits.hpp"
 #include "src/input/printable.hpp"
 
 int main(int argc, char** argv) try {

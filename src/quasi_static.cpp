@@ -7,9 +7,9 @@
 #include "src/quantities/quantity_bounds.hpp"
 #include "src/quantities/quantity_rows.hpp"
 #include "src/quantities/series.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/statics/start_state.hpp"
 #include "src/statics/static_equilibrium.hpp"
-#include "src/window_times.hpp"
 
 namespace cagetol {
 namespace {

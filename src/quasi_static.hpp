@@ -2,7 +2,7 @@
 // without integration in time.
 #pragma once
 
-#include "src/outcome.hpp"
+#include "src/quantities/outcome.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {

@@ -5,18 +5,18 @@
 #include <limits>
 #include <optional>
 
-#include "src/cage/scene_cage.hpp"
-#include "src/cage/unsolved_cage.hpp"
+#include "src/cage/solve/unsolved_cage.hpp"
+#include "src/cage/table/scene_cage.hpp"
 #include "src/integration/integrator.hpp"
+#include "src/operation/operating_clearance.hpp"
 #include "src/quantities/observer.hpp"
 #include "src/quantities/quantity_bounds.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/quasi_static.hpp"
-#include "src/scene/operating_clearance.hpp"
 #include "src/scene/pocket_clearances.hpp"
 #include "src/statics/start_state.hpp"
-#include "src/window_times.hpp"
 
 namespace cagetol {
 namespace {

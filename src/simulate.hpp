@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "src/outcome.hpp"
+#include "src/quantities/outcome.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -17,7 +17,7 @@ struct CageModel;
 
 /// Optional inputs of a run.
 struct SimulateOptions {
-  /// Table of the flexible cage (src/cage/scene_cage.hpp), which the samples of a study share. If
+  /// Table of the flexible cage (src/cage/table/scene_cage.hpp), which the samples of a study share. If
   /// null, one is made from the pockets of the scene, which takes some seconds.
   std::shared_ptr<const CageTable> cage_table = {};
   /// The flexible cage of this very scene, where the caller has made it already.

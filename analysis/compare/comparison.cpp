@@ -14,7 +14,7 @@
 #include "analysis/statistics/summary.hpp"
 #include "analysis/study/judgement.hpp"
 #include "analysis/study/refused.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 
 namespace cagetol {
 

@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 
 namespace cagetol {
 

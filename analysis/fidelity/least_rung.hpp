@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "analysis/fidelity/settled_limit.hpp"
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 
 namespace cagetol {
 

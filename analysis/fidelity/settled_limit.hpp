@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 #include "analysis/study/study_plan.hpp"
 
 namespace cagetol {

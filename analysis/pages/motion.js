@@ -1,4 +1,4 @@
-// Plays the motion of one run (mc/motion_frames.hpp): play_motion(element, motion) fills the element with the bearing seen
+// Plays the motion of one run (mc/run/motion_frames.hpp): play_motion(element, motion) fills the element with the bearing seen
 // along its axis, the orbit of the cage's centre, bar forces and stress over time. Needs nothing but a browser.
 "use strict";
 

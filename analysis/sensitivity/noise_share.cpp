@@ -6,7 +6,7 @@
 
 #include "analysis/statistics/order_statistics.hpp"
 #include "analysis/statistics/summary.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 namespace {

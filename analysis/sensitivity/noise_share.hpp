@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 #include "analysis/study/study_data.hpp"
 
 namespace cagetol {

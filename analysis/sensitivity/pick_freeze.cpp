@@ -6,7 +6,7 @@
 #include "analysis/statistics/order_statistics.hpp"
 #include "analysis/study/design_blocks.hpp"
 #include "analysis/study/refused.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 namespace {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 #include "analysis/study/study_data.hpp"
 
 namespace cagetol {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "analysis/statistics/estimate.hpp"
 #include "analysis/statistics/order_statistics.hpp"
+#include "analysis/study/estimate.hpp"
 #include "analysis/study/refused.hpp"
 
 namespace cagetol {

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 
 namespace cagetol {
 

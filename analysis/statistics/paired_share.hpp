@@ -13,7 +13,7 @@
 
 #include <cstddef>
 
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 
 namespace cagetol {
 

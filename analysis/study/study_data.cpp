@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/statistics/estimate.hpp"
+#include "analysis/study/estimate.hpp"
 #include "mc/study_file/hdf5_reader.hpp"
 #include "mc/study_file/study_bytes.hpp"
 #include "mc/study_file/study_file_error.hpp"

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "analysis/statistics/binomial_bounds.hpp"
-#include "analysis/statistics/estimate.hpp"
 #include "analysis/statistics/order_statistics.hpp"
+#include "analysis/study/estimate.hpp"
 #include "analysis/study/judgement.hpp"
 
 namespace cagetol {

@@ -1,6 +1,6 @@
 #include "distributions/designs/grid.hpp"
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 

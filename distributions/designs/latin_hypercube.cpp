@@ -1,7 +1,7 @@
 #include "distributions/designs/latin_hypercube.hpp"
 
+#include "distributions/basics/require.hpp"
 #include "distributions/designs/permutation.hpp"
-#include "distributions/require.hpp"
 
 namespace cagetol {
 

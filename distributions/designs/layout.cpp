@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <boost/random/sobol.hpp>
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 

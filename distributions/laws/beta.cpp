@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "distributions/basics/require.hpp"
 #include "distributions/laws/invert_cdf.hpp"
 #include "distributions/laws/uniform.hpp"
-#include "distributions/require.hpp"
 
 namespace cagetol {
 

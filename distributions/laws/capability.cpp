@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "distributions/basics/require.hpp"
 #include "distributions/laws/uniform.hpp"
-#include "distributions/require.hpp"
 
 namespace cagetol {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "distributions/basics/require.hpp"
 #include "distributions/laws/invert_cdf.hpp"
-#include "distributions/require.hpp"
 
 namespace cagetol {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distributions/basics/require.hpp"
 #include "distributions/laws/uniform.hpp"
-#include "distributions/require.hpp"
 
 namespace cagetol {
 

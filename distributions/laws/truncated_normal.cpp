@@ -8,8 +8,8 @@
 #include <cmath>
 #include <memory>
 
+#include "distributions/basics/require.hpp"
 #include "distributions/laws/normal.hpp"
-#include "distributions/require.hpp"
 
 namespace cagetol {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distributions/require.hpp"
+#include "distributions/basics/require.hpp"
 
 namespace cagetol {
 

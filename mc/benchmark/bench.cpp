@@ -11,7 +11,7 @@
 #include "analysis/statistics/median.hpp"
 #include "mc/benchmark/call_time.hpp"
 #include "mc/benchmark/setting.hpp"
-#include "mc/json_number.hpp"
+#include "mc/host/json_number.hpp"
 #include "src/newton/newton_matrix.hpp"
 #include "src/simulate.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mc/benchmark/mechanism_cost.hpp"
-#include "src/outcome.hpp"
+#include "src/quantities/outcome.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {

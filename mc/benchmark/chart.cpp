@@ -10,11 +10,11 @@
 #include "analysis/statistics/median.hpp"
 #include "mc/benchmark/replicas.hpp"
 #include "mc/benchmark/trajectory.hpp"
-#include "mc/cage_cache.hpp"
-#include "src/cage/scene_cage.hpp"
+#include "mc/run/cage_cache.hpp"
+#include "src/cage/table/scene_cage.hpp"
 #include "src/model/bearing_model.hpp"
+#include "src/operation/operating_clearance.hpp"
 #include "src/quantities/quantity_table.hpp"
-#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {

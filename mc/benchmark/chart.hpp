@@ -13,8 +13,8 @@
 #include "analysis/compare/bias.hpp"
 #include "mc/benchmark/setting.hpp"
 #include "mc/ladder/rungs.hpp"
-#include "mc/study.hpp"
-#include "src/outcome.hpp"
+#include "mc/study/study.hpp"
+#include "src/quantities/outcome.hpp"
 
 namespace cagetol {
 

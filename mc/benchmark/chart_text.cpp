@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mc/benchmark/chart.hpp"
-#include "mc/json_number.hpp"
+#include "mc/host/json_number.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {

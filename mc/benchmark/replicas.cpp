@@ -6,9 +6,9 @@
 #include <atomic>
 #include <thread>
 
-#include "distributions/random_stream.hpp"
-#include "mc/sample.hpp"
-#include "src/scene/operating_clearance.hpp"
+#include "distributions/basics/random_stream.hpp"
+#include "mc/study/sample.hpp"
+#include "src/operation/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {

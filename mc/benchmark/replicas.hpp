@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mc/study.hpp"
+#include "mc/study/study.hpp"
 #include "src/simulate.hpp"
 
 namespace cagetol {

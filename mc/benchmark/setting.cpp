@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mc/cage_cache.hpp"
+#include "mc/run/cage_cache.hpp"
 
 namespace cagetol {
 namespace {

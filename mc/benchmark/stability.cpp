@@ -10,7 +10,7 @@
 #include "mc/benchmark/replicas.hpp"
 #include "mc/benchmark/setting.hpp"
 #include "mc/benchmark/trajectory.hpp"
-#include "mc/json_number.hpp"
+#include "mc/host/json_number.hpp"
 
 namespace cagetol {
 namespace {

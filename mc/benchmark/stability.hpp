@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "src/outcome.hpp"
+#include "src/quantities/outcome.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {

@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "mc/benchmark/stability.hpp"
-#include "mc/sample.hpp"
+#include "mc/study/sample.hpp"
 #include "src/input/toml_file.hpp"
 
 namespace cagetol {

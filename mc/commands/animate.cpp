@@ -6,7 +6,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/motion_page.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/sample_motion.hpp"
+#include "mc/sweep/sample_motion.hpp"
 
 namespace cagetol {
 namespace {

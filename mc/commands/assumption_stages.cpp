@@ -10,13 +10,13 @@
 #include "analysis/report/assumption_runs.hpp"
 #include "analysis/tolerance/assumption_plan.hpp"
 #include "analysis/tolerance/assumption_verdict.hpp"
-#include "mc/adopted_runs.hpp"
-#include "mc/assumption_ranges.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/stage_study.hpp"
-#include "mc/file_write.hpp"
+#include "mc/host/file_write.hpp"
+#include "mc/study/assumption_ranges.hpp"
 #include "mc/study_file/study_file_error.hpp"
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/adopted_runs.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 
 namespace cagetol {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "analysis/tolerance/campaign.hpp"
-#include "mc/staged_sweeps.hpp"
+#include "mc/sweep/staged_sweeps.hpp"
 
 namespace cagetol {
 

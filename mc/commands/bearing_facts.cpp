@@ -5,17 +5,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "mc/band_filling.hpp"
 #include "mc/commands/cage_drawing.hpp"
 #include "mc/commands/operating_text.hpp"
-#include "mc/operating_points.hpp"
-#include "mc/stored_study.hpp"
-#include "mc/study.hpp"
+#include "mc/study/band_filling.hpp"
+#include "mc/study/operating_points.hpp"
+#include "mc/study/study.hpp"
+#include "mc/sweep/stored_study.hpp"
 #include "src/input/unit.hpp"
 #include "src/lubrication/lubricant.hpp"
+#include "src/operation/operating_clearance.hpp"
 #include "src/quantities/operating_point.hpp"
 #include "src/scene/materials.hpp"
-#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mc/commands/command.hpp"
-#include "mc/sample.hpp"
+#include "mc/study/sample.hpp"
 
 namespace cagetol {
 namespace {

@@ -4,17 +4,17 @@
 
 #include <memory>
 
-#include "mc/cage_cache.hpp"
 #include "mc/commands/cage_drawing.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/file_write.hpp"
-#include "mc/pocket_csv.hpp"
-#include "mc/study.hpp"
-#include "src/cage/cage_report.hpp"
-#include "src/cage/unsolved_cage.hpp"
+#include "mc/host/file_write.hpp"
+#include "mc/run/cage_cache.hpp"
+#include "mc/study/pocket_csv.hpp"
+#include "mc/study/study.hpp"
+#include "src/cage/solve/unsolved_cage.hpp"
+#include "src/cage/table/cage_report.hpp"
 #include "src/input/input_error.hpp"
-#include "src/scene/operating_clearance.hpp"
+#include "src/operation/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {

@@ -6,17 +6,17 @@
 #include <numbers>
 
 #include "analysis/report/cage_peak.hpp"
-#include "mc/cage_cache.hpp"
 #include "mc/commands/peak_snapshot.hpp"
-#include "mc/file_write.hpp"
-#include "mc/replay.hpp"
-#include "mc/sample_run.hpp"
-#include "mc/signals.hpp"
+#include "mc/host/file_write.hpp"
+#include "mc/ranks/signals.hpp"
+#include "mc/run/cage_cache.hpp"
+#include "mc/run/sample_run.hpp"
 #include "mc/study_file/study_file_error.hpp"
-#include "src/cage/cage_surface.hpp"
-#include "src/cage/field_recovery.hpp"
+#include "mc/sweep/replay.hpp"
+#include "src/cage/mesh/cage_surface.hpp"
+#include "src/cage/stress/field_recovery.hpp"
+#include "src/operation/operating_clearance.hpp"
 #include "src/quantities/quantity_table.hpp"
-#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {

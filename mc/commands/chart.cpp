@@ -12,7 +12,7 @@
 
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/file_write.hpp"
+#include "mc/host/file_write.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {

@@ -6,16 +6,16 @@
 #include <memory>
 #include <set>
 
-#include "mc/assumption_ranges.hpp"
-#include "mc/band_filling.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/operating_text.hpp"
-#include "mc/forecast.hpp"
-#include "mc/jam_shares.hpp"
-#include "mc/law_reader.hpp"
-#include "mc/operating_points.hpp"
-#include "mc/sample.hpp"
-#include "mc/study.hpp"
+#include "mc/run/jam_shares.hpp"
+#include "mc/study/assumption_ranges.hpp"
+#include "mc/study/band_filling.hpp"
+#include "mc/study/law_reader.hpp"
+#include "mc/study/operating_points.hpp"
+#include "mc/study/sample.hpp"
+#include "mc/study/study.hpp"
+#include "mc/sweep/forecast.hpp"
 #include "src/quantities/operating_point.hpp"
 
 namespace cagetol {

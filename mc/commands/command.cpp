@@ -10,7 +10,7 @@
 
 #include "analysis/report/figure_set.hpp"
 #include "analysis/report/report.hpp"
-#include "mc/study.hpp"
+#include "mc/study/study.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/operating_point.hpp"
 

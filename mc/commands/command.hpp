@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mc/progress.hpp"
+#include "mc/host/progress.hpp"
 #include "mc/study_file/exit_code.hpp"
 #include "src/scene/scene.hpp"
 

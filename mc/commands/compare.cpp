@@ -14,7 +14,7 @@
 #include "analysis/study/refused.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/json_number.hpp"
+#include "mc/host/json_number.hpp"
 #include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {

@@ -1,7 +1,7 @@
 // cagetol --dump-default scene|study|keys: the defaults as files to start from, and the tables of
 // inputs/README.md.
 #include "mc/commands/command.hpp"
-#include "mc/key_documentation.hpp"
+#include "mc/study/key_documentation.hpp"
 
 namespace cagetol {
 

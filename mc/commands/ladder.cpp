@@ -7,7 +7,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/file_write.hpp"
+#include "mc/host/file_write.hpp"
 
 namespace cagetol {
 namespace {

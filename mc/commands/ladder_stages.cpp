@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <map>
 
-#include "mc/adopted_runs.hpp"
-#include "mc/build_info.hpp"
 #include "mc/commands/command.hpp"
-#include "mc/file_write.hpp"
-#include "mc/sweep_directory.hpp"
+#include "mc/host/build_info.hpp"
+#include "mc/host/file_write.hpp"
+#include "mc/sweep/adopted_runs.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {

@@ -8,7 +8,7 @@
 
 #include "analysis/fidelity/model_ladder.hpp"
 #include "mc/ladder/rungs.hpp"
-#include "mc/staged_sweeps.hpp"
+#include "mc/sweep/staged_sweeps.hpp"
 
 namespace cagetol {
 

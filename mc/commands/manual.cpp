@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "mc/build_info.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/host/build_info.hpp"
 #include "src/catalogue/catalogue.hpp"
 #include "src/quantities/quantity_table.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {

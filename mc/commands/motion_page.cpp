@@ -1,6 +1,6 @@
 #include "mc/commands/motion_page.hpp"
 
-#include "mc/file_write.hpp"
+#include "mc/host/file_write.hpp"
 #include "mc/study_file/shipped_file.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/toml_file.hpp"

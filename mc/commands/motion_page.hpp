@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mc/motion_frames.hpp"
+#include "mc/run/motion_frames.hpp"
 
 namespace cagetol {
 

@@ -8,11 +8,11 @@
 #include <numbers>
 
 #include "mc/commands/outcome_text.hpp"
-#include "mc/json_number.hpp"
+#include "mc/host/json_number.hpp"
 #include "src/input/unit.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/operating_point.hpp"
-#include "src/window_times.hpp"
+#include "src/quantities/window_times.hpp"
 
 namespace cagetol {
 namespace {

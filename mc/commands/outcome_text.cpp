@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mc/json_number.hpp"
+#include "mc/host/json_number.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "src/outcome.hpp"
+#include "src/quantities/outcome.hpp"
 
 namespace cagetol {
 

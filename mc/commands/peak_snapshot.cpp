@@ -3,10 +3,10 @@
 #include <optional>
 
 #include "mc/commands/output_path.hpp"
-#include "src/cage/cage_snapshot.hpp"
-#include "src/cage/scene_cage.hpp"
+#include "src/cage/table/cage_snapshot.hpp"
+#include "src/cage/table/scene_cage.hpp"
 #include "src/input/input_error.hpp"
-#include "src/scene/operating_clearance.hpp"
+#include "src/operation/operating_clearance.hpp"
 
 namespace cagetol {
 

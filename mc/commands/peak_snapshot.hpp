@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "src/cage/cage_recovery.hpp"
-#include "src/cage/scene_cage.hpp"
-#include "src/outcome.hpp"
+#include "src/cage/table/cage_recovery.hpp"
+#include "src/cage/table/scene_cage.hpp"
+#include "src/quantities/outcome.hpp"
 
 namespace cagetol {
 

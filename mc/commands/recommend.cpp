@@ -9,9 +9,9 @@
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/recommend_stages.hpp"
 #include "mc/commands/study_motion.hpp"
-#include "mc/signals.hpp"
-#include "mc/study.hpp"
-#include "mc/team.hpp"
+#include "mc/ranks/signals.hpp"
+#include "mc/ranks/team.hpp"
+#include "mc/study/study.hpp"
 
 namespace cagetol {
 namespace {

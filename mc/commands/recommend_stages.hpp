@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "mc/progress.hpp"
-#include "mc/staged_sweeps.hpp"
+#include "mc/host/progress.hpp"
+#include "mc/sweep/staged_sweeps.hpp"
 
 namespace cagetol {
 

@@ -1,19 +1,19 @@
 // cagetol replay DIR --sample ID: one sample of a sweep once more, compared to the bit with what is
 // stored.
-#include "mc/replay.hpp"
+#include "mc/sweep/replay.hpp"
 
 #include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/outcome_text.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/peak_snapshot.hpp"
-#include "mc/run_history.hpp"
-#include "mc/sample_run.hpp"
+#include "mc/run/cage_cache.hpp"
+#include "mc/run/run_history.hpp"
+#include "mc/run/sample_run.hpp"
 
 namespace cagetol {
 namespace {

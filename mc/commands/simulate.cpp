@@ -3,16 +3,16 @@
 
 #include <memory>
 
-#include "mc/cage_cache.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/commands/outcome_text.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/peak_snapshot.hpp"
-#include "mc/run_history.hpp"
-#include "mc/sample.hpp"
-#include "mc/sample_run.hpp"
-#include "mc/study.hpp"
+#include "mc/run/cage_cache.hpp"
+#include "mc/run/run_history.hpp"
+#include "mc/run/sample_run.hpp"
+#include "mc/study/sample.hpp"
+#include "mc/study/study.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {

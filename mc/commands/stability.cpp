@@ -13,7 +13,7 @@
 
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/file_write.hpp"
+#include "mc/host/file_write.hpp"
 #include "mc/study_file/shipped_file.hpp"
 
 namespace cagetol {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "src/input/unit.hpp"
 
 namespace cagetol {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/tolerance/campaign.hpp"
-#include "mc/study.hpp"
+#include "mc/study/study.hpp"
 
 namespace cagetol {
 

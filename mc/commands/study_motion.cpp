@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "analysis/study/study_data.hpp"
-#include "mc/file_write.hpp"
-#include "mc/sample_motion.hpp"
-#include "mc/signals.hpp"
+#include "mc/host/file_write.hpp"
+#include "mc/ranks/signals.hpp"
 #include "mc/study_file/study_file_error.hpp"
+#include "mc/sweep/sample_motion.hpp"
 
 namespace cagetol {
 namespace {

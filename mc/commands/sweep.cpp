@@ -1,21 +1,21 @@
 // cagetol sweep STUDY -o DIR: every sample of a study, serial or under mpirun.
-#include "mc/sweep.hpp"
+#include "mc/sweep/sweep.hpp"
 
 #include <spdlog/spdlog.h>
 
 #include <exception>
 #include <memory>
 
-#include "mc/adopted_runs.hpp"
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/study_motion.hpp"
-#include "mc/forecast.hpp"
-#include "mc/signals.hpp"
-#include "mc/study.hpp"
-#include "mc/team.hpp"
+#include "mc/ranks/signals.hpp"
+#include "mc/ranks/team.hpp"
+#include "mc/study/study.hpp"
+#include "mc/sweep/adopted_runs.hpp"
+#include "mc/sweep/forecast.hpp"
 
 namespace cagetol {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "mc/build_info.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/host/build_info.hpp"
 
 namespace cagetol {
 

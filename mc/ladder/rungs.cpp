@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "src/scene/operating_clearance.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/operation/operating_clearance.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {

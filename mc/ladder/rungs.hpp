@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mc/study.hpp"
+#include "mc/study/study.hpp"
 
 namespace cagetol {
 

@@ -8,7 +8,7 @@
 #include "src/input/input_error.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/input/unit.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {

@@ -6,13 +6,13 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "src/cage/cage_mass.hpp"
+#include "src/cage/mesh/cage_mass.hpp"
 #include "src/contact_laws/hertz_line.hpp"
 #include "src/contact_laws/hertz_point.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/model/race_stiffness.hpp"
+#include "src/operation/operating_clearance.hpp"
 #include "src/scene/materials.hpp"
-#include "src/scene/operating_clearance.hpp"
 #include "src/scene/pocket_outline.hpp"
 
 namespace cagetol {

@@ -2,13 +2,13 @@
 // point per modal coordinate, eight pockets side by side. Floating frame of reference: the frame is
 // the rigid cage of the state (mass centre, spin angle, axis), modes are mean-axes modes, so they
 // couple to the rigid motion through the spin alone. Displacements are small and in the directions
-// e_R, e_T, e_x of the point's own pocket (src/cage/cage_model.hpp).
+// e_R, e_T, e_x of the point's own pocket (src/cage/table/cage_model.hpp).
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "src/cage/cage_model.hpp"
+#include "src/cage/table/cage_model.hpp"
 #include "src/numerics/pack_matrix.hpp"
 #include "src/scene/scene.hpp"
 

@@ -47,7 +47,7 @@ struct Observation {
   PackVector flange_force;  ///< on the ring's flanges [N]
   /// Force on the cage at its bar stations towards larger theta, flexible cages only [N]: per
   /// pocket the stations of the trailing face, then of the leading face (station_stress,
-  /// src/cage/cage_model.hpp).
+  /// src/cage/table/cage_model.hpp).
   Eigen::VectorXd bar_force;
   double centrifugal_spin = 0;  ///< of the cage where its centrifugal load is on, else 0 [rad/s]
   /// Of contact and guide film at x = -land_offset, +land_offset [N].

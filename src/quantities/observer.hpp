@@ -9,18 +9,18 @@
 #include <vector>
 
 #include "src/integration/system.hpp"
-#include "src/outcome.hpp"
 #include "src/quantities/along_rolling.hpp"
 #include "src/quantities/bar_peaks.hpp"
 #include "src/quantities/cage_fatigue.hpp"
 #include "src/quantities/cage_stress.hpp"
 #include "src/quantities/cage_whirl.hpp"
 #include "src/quantities/orbit_slip.hpp"
+#include "src/quantities/outcome.hpp"
 #include "src/quantities/peak_extrapolation.hpp"
 #include "src/quantities/series.hpp"
 #include "src/quantities/stationarity.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/statics/static_equilibrium.hpp"
-#include "src/window_times.hpp"
 
 namespace cagetol {
 

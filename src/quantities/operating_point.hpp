@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "src/scene/operating_clearance.hpp"
+#include "src/operation/operating_clearance.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -48,7 +48,7 @@ struct OperatingPoint {
   double roller_speed;        ///< w_r, relative to the cage [rad/s]
   double roller_spin;         ///< w_c - w_r, seen from outside [rad/s]
   double entrainment;         ///< u [m/s]
-  Clearances clearance;       ///< in operation (src/scene/operating_clearance.hpp)
+  Clearances clearance;       ///< in operation (src/operation/operating_clearance.hpp)
   Clearances made_clearance;  ///< as the scene gives the parts, cold and not mounted
   Growth inner_change, outer_change,
       roller_change;  ///< of the internal clearance, by each part [m]

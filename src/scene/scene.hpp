@@ -88,7 +88,7 @@ struct RollerGeometry {
   MaterialChoice material{"bearing-steel"};
 };
 
-/// Seats of the rings (src/scene/operating_clearance.hpp).
+/// Seats of the rings (src/operation/operating_clearance.hpp).
 struct Fits {
   /// Of the inner ring on its shaft, diametral; < 0: loose, kAuto: a ring without seat [m].
   double inner_interference = kAuto;
@@ -145,10 +145,10 @@ struct CageGeometry {
   long mesh_density = 4;           ///< finite elements through the thickness of a flexible cage
   double corner_radius = 0.5e-3;   ///< of the pockets' corners [m]
   long modes = 10;                 ///< number of elastic modes of a flexible cage
-  bool bar_modes = true;           ///< and a static mode of every bar (src/cage/bar_modes.hpp)
-  double mode_damping = kAuto;     ///< damping ratio of elastic modes; kAuto: half the loss factor
-  bool centrifugal = true;         ///< centrifugal loading of the elastic modes
-  bool coriolis = true;            ///< Coriolis coupling of the elastic modes
+  bool bar_modes = true;        ///< and a static mode of every bar (src/cage/table/bar_modes.hpp)
+  double mode_damping = kAuto;  ///< damping ratio of elastic modes; kAuto: half the loss factor
+  bool centrifugal = true;      ///< centrifugal loading of the elastic modes
+  bool coriolis = true;         ///< Coriolis coupling of the elastic modes
 };
 
 struct Contacts {

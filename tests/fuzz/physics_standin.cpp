@@ -1,9 +1,9 @@
 // What the readers ask of the physics, so that fuzzing them compiles no physics.
 #include <sundials/sundials_version.h>
 
-#include "mc/history_channels.hpp"
+#include "mc/run/history_channels.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/quasi_static.hpp"
-#include "src/window_times.hpp"
 
 namespace cagetol {
 

@@ -10,16 +10,16 @@ build=${CAGETOL_FUZZ_BUILD:-build-fuzz}
 declare -A share=([scene]=10 [study]=3 [resolved]=3 [settings]=2 [csv]=40 [journal]=22 [study_file]=5 [study_data]=5 [cage_table]=10)
 # The sources whose coverage is printed.
 declare -A sources=(
-  [scene]="src/input/toml_file.cpp src/input/key_table.cpp src/scene/scene_keys.cpp src/scene/check_scene.cpp src/scene/oil_keys.cpp"
-  [study]="mc/study.cpp mc/study_inputs.cpp mc/study_layers.cpp mc/study_limits.cpp mc/law_reader.cpp"
-  [resolved]="mc/study.cpp mc/resolved_study.cpp" [settings]="src/input/toml_file.cpp mc/study_layers.cpp"
-  [csv]="src/input/csv_records.cpp src/input/csv_heading.cpp mc/measurement_csv.cpp" [journal]="mc/journal.cpp mc/byte_stream.hpp"
-  [study_file]="mc/stored_study.cpp mc/study_file/file_seal.cpp mc/study_file/hdf5_reader.cpp"
+  [scene]="src/input/toml_file.cpp src/input/key_table.cpp src/reading/scene_keys.cpp src/reading/check_scene.cpp src/reading/oil_keys.cpp"
+  [study]="mc/study/study.cpp mc/study/study_inputs.cpp mc/study/study_layers.cpp mc/study/study_limits.cpp mc/study/law_reader.cpp"
+  [resolved]="mc/study/study.cpp mc/study/resolved_study.cpp" [settings]="src/input/toml_file.cpp mc/study/study_layers.cpp"
+  [csv]="src/input/csv_records.cpp src/input/csv_heading.cpp mc/study/measurement_csv.cpp" [journal]="mc/sweep/journal.cpp mc/host/byte_stream.hpp"
+  [study_file]="mc/sweep/stored_study.cpp mc/study_file/file_seal.cpp mc/study_file/hdf5_reader.cpp"
   [study_data]="analysis/study/study_data.cpp analysis/study/study_plan.cpp mc/study_file/hdf5_reader.cpp"
-  [cage_table]="src/cage/cage_table_bytes.cpp")
+  [cage_table]="src/cage/table/cage_table_bytes.cpp")
 all=(scene study resolved settings csv journal)
 [ -e mc/study_file/file_seal.cpp ] && all+=(study_file study_data)
-[ -e src/cage/cage_table_bytes.cpp ] && all+=(cage_table)
+[ -e src/cage/table/cage_table_bytes.cpp ] && all+=(cage_table)
 for tool in clang++-14 llvm-profdata-14 llvm-cov-14; do
   command -v $tool >/dev/null || { echo "$tool is missing: apt-get install clang-14 libclang-rt-14-dev llvm-14" >&2; exit 2; }
 done

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
 
 namespace cagetol {

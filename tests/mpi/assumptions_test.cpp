@@ -10,8 +10,8 @@
 #include <random>
 #include <thread>
 
-#include "mc/stored_study.hpp"
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/stored_study.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/study_compare.hpp"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mc/stored_study.hpp"
+#include "mc/sweep/stored_study.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/study_compare.hpp"
 

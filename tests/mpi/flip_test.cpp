@@ -8,7 +8,7 @@
 #include <fstream>
 #include <random>
 
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/file_bytes.hpp"
 #include "tests/support/study_compare.hpp"

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "mc/hand_out.hpp"
+#include "mc/ranks/hand_out.hpp"
 
 namespace cagetol {
 namespace {
 
-// As in mc/sweep.cpp, mc/pulse.cpp and mc/team.cpp.
+// As in mc/sweep/sweep.cpp, mc/ranks/pulse.cpp and mc/ranks/team.cpp.
 constexpr double kRebuildInterval = 180, kRebuildShare = 0.01;
 constexpr double kBeatInterval = 10;
 constexpr double kWorkerRest = 0.3e-3;

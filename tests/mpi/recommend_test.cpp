@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "mc/stored_study.hpp"
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/stored_study.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/study_compare.hpp"
 

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <string>
 
-#include "mc/hand_out.hpp"
-#include "mc/journal.hpp"
-#include "mc/stored_study.hpp"
+#include "mc/ranks/hand_out.hpp"
+#include "mc/sweep/journal.hpp"
+#include "mc/sweep/stored_study.hpp"
 #include "tests/mpi/hand_out_simulation.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/standin_study.hpp"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "mc/journal.hpp"
-#include "mc/stored_study.hpp"
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/journal.hpp"
+#include "mc/sweep/stored_study.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/study_compare.hpp"
 

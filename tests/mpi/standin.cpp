@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "mc/journal.hpp"
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/journal.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 
 namespace cagetol {
 namespace {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "mc/commands/recommend_stages.hpp"
-#include "mc/log.hpp"
+#include "mc/host/log.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace {

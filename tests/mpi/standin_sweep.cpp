@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "mc/log.hpp"
-#include "mc/sweep.hpp"
+#include "mc/host/log.hpp"
+#include "mc/sweep/sweep.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/standin_study.hpp"
 

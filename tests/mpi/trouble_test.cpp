@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
 #include "tests/support/study_compare.hpp"
 

@@ -40,6 +40,6 @@ check mc/benchmark 'mc/(study_file/|ladder/|benchmark/)?[a-z_0-9]+\.hpp|src/|dis
 # A report comes from study files alone: it runs nothing.
 check mc/commands/report.cpp 'analysis/|mc/study_file/|mc/commands/(bearing_facts|command|output_path)\.hpp|src/input/' mc/commands/report.cpp
 outside=$(grep -nE '#include <(mpi|hdf5)' -r src distributions; grep -nE '#include <mpi' -r analysis
-          grep -nE '#include <hdf5' -r mc analysis | grep -vE '^(mc/study_file|mc/build_info.cpp)')
-[ -z "$outside" ] || { echo "MPI belongs to mc, HDF5 to mc/study_file (its version to mc/build_info.cpp):"; echo "$outside"; status=1; }
+          grep -nE '#include <hdf5' -r mc analysis | grep -vE '^(mc/study_file|mc/host/build_info.cpp)')
+[ -z "$outside" ] || { echo "MPI belongs to mc, HDF5 to mc/study_file (its version to mc/host/build_info.cpp):"; echo "$outside"; status=1; }
 exit $status

@@ -2,7 +2,7 @@
 // cage skids, and takes hundreds of turns to slow down.
 #pragma once
 
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 

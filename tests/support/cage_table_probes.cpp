@@ -1,5 +1,5 @@
 // Probes of cage tables.
-#include "src/cage/cage_table_bytes.hpp"
+#include "src/cage/table/cage_table_bytes.hpp"
 #include "tests/support/stored_file_probes.hpp"
 
 namespace cagetol {

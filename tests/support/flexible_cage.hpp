@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "src/cage/cage_table.hpp"
+#include "src/cage/table/cage_table.hpp"
 
 namespace cagetol::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/cage/cage_mesh.hpp"
+#include "src/cage/mesh/cage_mesh.hpp"
 
 namespace cagetol::test {
 

@@ -9,12 +9,12 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "mc/journal.hpp"
-#include "mc/measurement_csv.hpp"
-#include "mc/sample.hpp"
-#include "mc/study.hpp"
+#include "mc/study/measurement_csv.hpp"
+#include "mc/study/sample.hpp"
+#include "mc/study/study.hpp"
+#include "mc/sweep/journal.hpp"
 #include "src/input/toml_file.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "tests/support/probe_folder.hpp"
 #include "tests/support/shipped_input.hpp"
 #include "tests/support/stored_file_probes.hpp"

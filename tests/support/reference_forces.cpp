@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "src/cage/cage_mass.hpp"
+#include "src/cage/mesh/cage_mass.hpp"
 #include "src/contact_laws/normal_force.hpp"
 #include "src/scene/materials.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 

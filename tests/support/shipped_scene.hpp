@@ -7,9 +7,9 @@
 #include <string>
 
 #include "src/input/toml_file.hpp"
-#include "src/outcome.hpp"
+#include "src/quantities/outcome.hpp"
 #include "src/quantities/quantity_table.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "tests/support/shipped_input.hpp"
 
 namespace cagetol {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "mc/build_info.hpp"
-#include "mc/sample_history.hpp"
+#include "mc/host/build_info.hpp"
+#include "mc/run/sample_history.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "mc/sweep_plan.hpp"
+#include "mc/sweep/sweep_plan.hpp"
 
 namespace cagetol {
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "analysis/study/study_data.hpp"
-#include "mc/stored_study.hpp"
 #include "mc/study_file/file_seal.hpp"
 #include "mc/study_file/h5.hpp"
 #include "mc/study_file/study_file_error.hpp"
+#include "mc/sweep/stored_study.hpp"
 #include "tests/support/probe_folder.hpp"
 #include "tests/support/standin_study.hpp"
 

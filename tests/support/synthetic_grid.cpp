@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/not_a_number.hpp"
 #include "tests/support/synthetic_study.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {

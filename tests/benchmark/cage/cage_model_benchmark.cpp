@@ -2,7 +2,7 @@
 // scattered.
 #include <benchmark/benchmark.h>
 
-#include "src/cage/cage_model.hpp"
+#include "src/cage/table/cage_model.hpp"
 #include "tests/support/flexible_cage.hpp"
 
 namespace cagetol {

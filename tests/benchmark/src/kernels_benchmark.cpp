@@ -8,7 +8,7 @@
 #include "src/input/toml_file.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/newton/newton_matrix.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "src/statics/start_state.hpp"
 
 namespace cagetol {

@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "src/cage/cage_modes.hpp"
-#include "src/cage/cage_report.hpp"
-#include "src/cage/field_recovery.hpp"
-#include "src/cage/sector_carry.hpp"
+#include "src/cage/solve/cage_modes.hpp"
+#include "src/cage/solve/sector_carry.hpp"
+#include "src/cage/stress/field_recovery.hpp"
+#include "src/cage/table/cage_report.hpp"
 #include "src/scene/materials.hpp"
 
 namespace cagetol {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "src/integration/system.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/simulate.hpp"
-#include "src/window_times.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "src/cage/cage_model.hpp"
+#include "src/cage/table/cage_model.hpp"
 #include "tests/support/flexible_cage.hpp"
 
 namespace cagetol {

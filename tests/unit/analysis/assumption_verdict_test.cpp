@@ -10,7 +10,7 @@
 
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/study/refused.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 #include "tests/support/tolerance_standin.hpp"
 

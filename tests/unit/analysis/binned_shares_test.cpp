@@ -9,7 +9,7 @@
 
 #include "analysis/sensitivity/rank_shares.hpp"
 #include "analysis/study/refused.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 #include "tests/support/test_functions.hpp"
 

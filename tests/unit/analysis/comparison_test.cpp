@@ -13,7 +13,7 @@
 #include "analysis/compare/holm.hpp"
 #include "analysis/compare/matched_runs.hpp"
 #include "analysis/study/refused.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {

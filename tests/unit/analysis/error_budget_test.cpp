@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "analysis/statistics/paired_difference.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 namespace {

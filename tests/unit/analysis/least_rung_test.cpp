@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/not_a_number.hpp"
 
 namespace cagetol {

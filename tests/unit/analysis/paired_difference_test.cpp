@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/not_a_number.hpp"
 
 namespace cagetol {

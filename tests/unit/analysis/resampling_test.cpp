@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/statistics/summary.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 
 namespace cagetol {

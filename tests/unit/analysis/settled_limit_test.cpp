@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "analysis/fidelity/least_rung.hpp"
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 #include "tests/support/not_a_number.hpp"
 
 namespace cagetol {

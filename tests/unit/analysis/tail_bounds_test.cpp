@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,10 +1,10 @@
-#include "src/cage/bar_modes.hpp"
+#include "src/cage/table/bar_modes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "src/cage/cage_model.hpp"
+#include "src/cage/table/cage_model.hpp"
 #include "tests/support/flexible_cage.hpp"
 
 namespace cagetol {

@@ -1,13 +1,13 @@
 // The fine mesh of half a bar: its fillets, its middle plane, its volume.
-#include "src/cage/bar_strip.hpp"
+#include "src/cage/mesh/bar_strip.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "src/cage/hex20.hpp"
-#include "src/cage/sector_polynomial.hpp"
+#include "src/cage/mesh/hex20.hpp"
+#include "src/cage/mesh/sector_polynomial.hpp"
 
 namespace cagetol {
 namespace {

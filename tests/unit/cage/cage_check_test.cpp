@@ -1,4 +1,4 @@
-#include "src/cage/cage_check.hpp"
+#include "src/cage/table/cage_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Which table serves which cage.
-#include "src/cage/cage_grid.hpp"
+#include "src/cage/mesh/cage_grid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/cage/sector_polynomial.hpp"
+#include "src/cage/mesh/sector_polynomial.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,12 +1,12 @@
-#include "src/cage/cage_mesh.hpp"
+#include "src/cage/mesh/cage_mesh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "src/cage/hex8_incompatible.hpp"
-#include "src/cage/sector_polynomial.hpp"
+#include "src/cage/mesh/hex8_incompatible.hpp"
+#include "src/cage/mesh/sector_polynomial.hpp"
 
 namespace cagetol {
 namespace {

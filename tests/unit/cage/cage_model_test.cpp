@@ -1,4 +1,4 @@
-#include "src/cage/cage_model.hpp"
+#include "src/cage/table/cage_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <numbers>
 
-#include "src/cage/cage_check.hpp"
-#include "src/cage/cage_modes.hpp"
-#include "src/cage/cage_recovery.hpp"
-#include "src/cage/cage_table_bytes.hpp"
-#include "src/cage/field_recovery.hpp"
+#include "src/cage/solve/cage_modes.hpp"
+#include "src/cage/stress/field_recovery.hpp"
+#include "src/cage/table/cage_check.hpp"
+#include "src/cage/table/cage_recovery.hpp"
+#include "src/cage/table/cage_table_bytes.hpp"
 #include "tests/support/flexible_cage.hpp"
 
 namespace cagetol {

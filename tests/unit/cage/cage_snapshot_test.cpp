@@ -1,13 +1,13 @@
-#include "src/cage/cage_snapshot.hpp"
+#include "src/cage/table/cage_snapshot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "src/cage/cage_model.hpp"
-#include "src/cage/cage_recovery.hpp"
-#include "src/cage/field_recovery.hpp"
+#include "src/cage/stress/field_recovery.hpp"
+#include "src/cage/table/cage_model.hpp"
+#include "src/cage/table/cage_recovery.hpp"
 #include "tests/support/flexible_cage.hpp"
 #include "tests/support/process.hpp"
 

@@ -1,4 +1,4 @@
-#include "src/cage/cage_surface.hpp"
+#include "src/cage/mesh/cage_surface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Modes and static responses by cyclic symmetry against those of the whole cage's matrices.
-#include "src/cage/cyclic_cage.hpp"
+#include "src/cage/solve/cyclic_cage.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // 20-node element: patch test, mass, stress of a quadratic field, and what it refuses.
-#include "src/cage/hex20.hpp"
+#include "src/cage/mesh/hex20.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "src/cage/hex8_incompatible.hpp"
+#include "src/cage/mesh/hex8_incompatible.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,12 +1,12 @@
-#include "src/cage/hex8_incompatible.hpp"
+#include "src/cage/mesh/hex8_incompatible.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 
-#include "src/cage/elastic_body.hpp"
-#include "src/cage/field_recovery.hpp"
+#include "src/cage/solve/elastic_body.hpp"
+#include "src/cage/stress/field_recovery.hpp"
 #include "tests/support/hex_meshes.hpp"
 
 namespace cagetol {

@@ -1,4 +1,4 @@
-#include "src/cage/polynomial_values.hpp"
+#include "src/cage/mesh/polynomial_values.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/cage/cage_stations.hpp"
+#include "src/cage/mesh/cage_stations.hpp"
 
 namespace cagetol {
 namespace {

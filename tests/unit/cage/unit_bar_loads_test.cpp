@@ -1,5 +1,5 @@
 // One newton on a bar: what it does belongs to the cage, not to the number of modes kept.
-#include "src/cage/unit_bar_loads.hpp"
+#include "src/cage/table/unit_bar_loads.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 namespace cagetol {
 namespace {

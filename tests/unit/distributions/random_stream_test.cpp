@@ -1,4 +1,4 @@
-#include "distributions/random_stream.hpp"
+#include "distributions/basics/random_stream.hpp"
 
 #include <gtest/gtest.h>
 

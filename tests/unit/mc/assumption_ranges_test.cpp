@@ -1,4 +1,4 @@
-#include "mc/assumption_ranges.hpp"
+#include "mc/study/assumption_ranges.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

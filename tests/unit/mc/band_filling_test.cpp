@@ -1,5 +1,5 @@
 // Cp of the laws of a dimension, parts outside their band, and candidates that take no roller.
-#include "mc/band_filling.hpp"
+#include "mc/study/band_filling.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "mc/cage_cache.hpp"
+#include "mc/run/cage_cache.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <functional>
 #include <random>
 
-#include "mc/build_info.hpp"
-#include "mc/sealed_bytes.hpp"
-#include "src/cage/cage_table_bytes.hpp"
+#include "mc/host/build_info.hpp"
+#include "mc/host/sealed_bytes.hpp"
+#include "src/cage/table/cage_table_bytes.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/simulate.hpp"

@@ -1,4 +1,4 @@
-#include "mc/failure.hpp"
+#include "mc/host/failure.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "mc/file_write.hpp"
+#include "mc/host/file_write.hpp"
 #include "mc/study_file/study_file_error.hpp"
 #include "src/input/input_error.hpp"
 

@@ -1,4 +1,4 @@
-#include "mc/forecast.hpp"
+#include "mc/sweep/forecast.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "mc/journal.hpp"
-#include "mc/stored_study.hpp"
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/journal.hpp"
+#include "mc/sweep/stored_study.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/sanitizers.hpp"

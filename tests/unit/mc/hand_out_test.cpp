@@ -1,9 +1,9 @@
-#include "mc/hand_out.hpp"
+#include "mc/ranks/hand_out.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mc/progress.hpp"
+#include "mc/host/progress.hpp"
 
 namespace cagetol {
 namespace {

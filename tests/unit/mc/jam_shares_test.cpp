@@ -1,4 +1,4 @@
-#include "mc/jam_shares.hpp"
+#include "mc/run/jam_shares.hpp"
 
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>

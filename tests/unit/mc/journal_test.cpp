@@ -1,4 +1,4 @@
-#include "mc/journal.hpp"
+#include "mc/sweep/journal.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

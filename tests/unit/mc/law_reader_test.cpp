@@ -1,4 +1,4 @@
-#include "mc/law_reader.hpp"
+#include "mc/study/law_reader.hpp"
 
 #include <gtest/gtest.h>
 #include <fstream>

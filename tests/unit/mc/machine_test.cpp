@@ -1,4 +1,4 @@
-#include "mc/machine.hpp"
+#include "mc/host/machine.hpp"
 
 #include <gtest/gtest.h>
 

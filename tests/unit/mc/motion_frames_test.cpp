@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "mc/motion_frames.hpp"
-#include "src/scene/operating_clearance.hpp"
+#include "mc/run/motion_frames.hpp"
+#include "src/operation/operating_clearance.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/simulate.hpp"
-#include "src/window_times.hpp"
 #include "tests/support/reference_scene.hpp"
 
 namespace cagetol {

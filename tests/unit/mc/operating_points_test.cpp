@@ -1,5 +1,5 @@
 // A study with several operating points: what it reads and refuses, and what its samples are.
-#include "mc/operating_points.hpp"
+#include "mc/study/operating_points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "mc/sample_run.hpp"
-#include "mc/stored_study.hpp"
+#include "mc/run/sample_run.hpp"
+#include "mc/sweep/stored_study.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"

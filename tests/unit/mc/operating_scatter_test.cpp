@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "mc/sample.hpp"
-#include "src/scene/operating_clearance.hpp"
+#include "mc/study/sample.hpp"
+#include "src/operation/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {

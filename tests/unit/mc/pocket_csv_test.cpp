@@ -1,4 +1,4 @@
-#include "mc/pocket_csv.hpp"
+#include "mc/study/pocket_csv.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "mc/private_folder.hpp"
+#include "mc/host/private_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "mc/study.hpp"
+#include "mc/study/study.hpp"
 #include "mc/study_file/tolerance.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/process.hpp"

@@ -9,11 +9,11 @@
 #include <set>
 
 #include "analysis/fidelity/error_budget.hpp"
-#include "mc/sample.hpp"
+#include "mc/study/sample.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quasi_static.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/shipped_input.hpp"
 

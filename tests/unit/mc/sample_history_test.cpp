@@ -1,4 +1,4 @@
-#include "mc/sample_history.hpp"
+#include "mc/run/sample_history.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "mc/sample_run.hpp"
+#include "mc/run/sample_run.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

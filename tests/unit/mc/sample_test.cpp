@@ -1,4 +1,4 @@
-#include "mc/sample.hpp"
+#include "mc/study/sample.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "distributions/random_stream.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "distributions/basics/random_stream.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,4 +1,4 @@
-#include "mc/sealed_bytes.hpp"
+#include "mc/host/sealed_bytes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mc/stored_study.hpp"
+#include "mc/sweep/stored_study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "mc/file_write.hpp"
+#include "mc/host/file_write.hpp"
 #include "mc/study_file/h5.hpp"
 #include "mc/study_file/hdf5_reader.hpp"
 #include "mc/study_file/study_bytes.hpp"

@@ -1,5 +1,5 @@
 // One file on purpose, though long: a single table names every mistake a study file can hold.
-#include "mc/study.hpp"
+#include "mc/study/study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "mc/sample.hpp"
-#include "mc/study_inputs.hpp"
+#include "mc/study/sample.hpp"
+#include "mc/study/study_inputs.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_input.hpp"

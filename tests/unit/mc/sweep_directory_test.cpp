@@ -1,4 +1,4 @@
-#include "mc/sweep_directory.hpp"
+#include "mc/sweep/sweep_directory.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -12,11 +12,11 @@
 #include "src/input/toml_file.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/quantities/operating_point.hpp"
-#include "src/scene/idle_keys.hpp"
+#include "src/reading/idle_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/pocket_clearances.hpp"
 #include "src/scene/pocket_outline.hpp"
-#include "src/scene/scene_keys.hpp"
 
 namespace cagetol {
 namespace {

@@ -7,13 +7,13 @@
 #include <numbers>
 #include <optional>
 
-#include "src/cage/scene_cage.hpp"
+#include "src/cage/table/scene_cage.hpp"
 #include "src/integration/system.hpp"
 #include "src/quantities/bar_peaks.hpp"
 #include "src/quantities/cage_stress.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/scene/materials.hpp"
 #include "src/simulate.hpp"
-#include "src/window_times.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/support/shipped_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "src/cage/cage_mass.hpp"
+#include "src/cage/mesh/cage_mass.hpp"
 
 #include <gtest/gtest.h>
 #include <array>

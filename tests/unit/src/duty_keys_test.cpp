@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "src/quantities/quantity_labels.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/simulate.hpp"
-#include "src/window_times.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -7,7 +7,7 @@
 
 #include "src/input/input_error.hpp"
 #include "src/integration/system.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "src/simulate.hpp"
 #include "src/statics/start_state.hpp"
 #include "tests/support/reference_scene.hpp"

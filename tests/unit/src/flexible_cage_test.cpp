@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "src/cage/scene_cage.hpp"
+#include "src/cage/table/scene_cage.hpp"
 #include "src/integration/integrator.hpp"
 #include "src/quantities/cage_stress.hpp"
 #include "src/quantities/quantity_table.hpp"

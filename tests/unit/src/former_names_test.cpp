@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mc/study_keys.hpp"
+#include "mc/study/study_keys.hpp"
 #include "src/quantities/quantity_table.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {

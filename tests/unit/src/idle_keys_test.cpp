@@ -1,6 +1,6 @@
 // Every key of a scene either changes what is computed or is named as idle, in scenes that differ in
 // what they model.
-#include "src/scene/idle_keys.hpp"
+#include "src/reading/idle_keys.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 #include <set>
 
 #include "src/integration/system.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/pocket_outline.hpp"
 #include "src/simulate.hpp"
 #include "src/statics/start_state.hpp"
-#include "src/window_times.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

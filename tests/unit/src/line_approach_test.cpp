@@ -13,8 +13,8 @@
 #include "src/input/input_error.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/model/race_stiffness.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "src/scene/materials.hpp"
-#include "src/scene/scene_keys.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -1,5 +1,5 @@
 // What a scene must say about oil, and what lubrication.model makes of the other keys about it.
-#include "src/scene/oil_keys.hpp"
+#include "src/reading/oil_keys.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "src/lubrication/lubricant.hpp"
 #include "src/model/bearing_model.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_scene.hpp"
 

@@ -1,5 +1,5 @@
 // The operating scene: what changes, by how much, and that everything sees it.
-#include "src/scene/operating_clearance.hpp"
+#include "src/operation/operating_clearance.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/cage/cage_mass.hpp"
+#include "src/cage/mesh/cage_mass.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/operating_point.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "src/scene/pocket_clearances.hpp"
-#include "src/scene/scene_keys.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_scene.hpp"

@@ -1,5 +1,5 @@
 // Press fits against their closed forms for one material, causes and their order.
-#include "src/scene/press_fit.hpp"
+#include "src/operation/press_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "src/input/input_error.hpp"
 #include "src/input/toml_file.hpp"
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "src/quantities/window_times.hpp"
 #include "src/simulate.hpp"
-#include "src/window_times.hpp"
 #include "tests/support/not_a_number.hpp"
 #include "tests/support/random_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"

@@ -1,4 +1,4 @@
-#include "src/scene/scene_keys.hpp"
+#include "src/reading/scene_keys.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

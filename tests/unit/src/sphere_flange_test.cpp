@@ -10,8 +10,8 @@
 
 #include "src/input/input_error.hpp"
 #include "src/integration/system.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "src/scene/materials.hpp"
-#include "src/scene/scene_keys.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/dense_jacobian.hpp"
 #include "tests/support/random_bearing.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/integration/integrator.hpp"
-#include "src/scene/operating_clearance.hpp"
+#include "src/operation/operating_clearance.hpp"
 #include "src/statics/start_state.hpp"
 #include "tests/support/random_bearing.hpp"
 #include "tests/support/shipped_scene.hpp"

@@ -1,5 +1,5 @@
 // Growth of thick rings against hand values and limits.
-#include "src/scene/thick_ring.hpp"
+#include "src/operation/thick_ring.hpp"
 
 #include <gtest/gtest.h>
 

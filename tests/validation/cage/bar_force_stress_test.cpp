@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "src/cage/cage_recovery.hpp"
-#include "src/cage/field_recovery.hpp"
-#include "src/cage/scene_cage.hpp"
+#include "src/cage/stress/field_recovery.hpp"
+#include "src/cage/table/cage_recovery.hpp"
+#include "src/cage/table/scene_cage.hpp"
 
 namespace cagetol {
 namespace {

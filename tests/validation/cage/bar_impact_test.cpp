@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "src/cage/cage_recovery.hpp"
+#include "src/cage/table/cage_recovery.hpp"
 #include "tests/support/flexible_cage.hpp"
 
 namespace cagetol {

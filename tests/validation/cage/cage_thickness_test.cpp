@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "src/cage/scene_cage.hpp"
-#include "src/cage/unit_bar_loads.hpp"
+#include "src/cage/table/scene_cage.hpp"
+#include "src/cage/table/unit_bar_loads.hpp"
 
 namespace cagetol {
 namespace {

@@ -15,12 +15,12 @@
 #include <numbers>
 #include <sstream>
 
-#include "src/cage/cage_basis.hpp"
-#include "src/cage/cage_modes.hpp"
-#include "src/cage/cage_stations.hpp"
-#include "src/cage/field_recovery.hpp"
-#include "src/cage/hex8_incompatible.hpp"
-#include "src/cage/sector_carry.hpp"
+#include "src/cage/mesh/cage_stations.hpp"
+#include "src/cage/mesh/hex8_incompatible.hpp"
+#include "src/cage/solve/cage_basis.hpp"
+#include "src/cage/solve/cage_modes.hpp"
+#include "src/cage/solve/sector_carry.hpp"
+#include "src/cage/stress/field_recovery.hpp"
 
 namespace cagetol {
 namespace {

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <string_view>
 
-#include "src/cage/cage_modes.hpp"
-#include "src/cage/cage_recovery.hpp"
-#include "src/cage/field_recovery.hpp"
+#include "src/cage/solve/cage_modes.hpp"
+#include "src/cage/stress/field_recovery.hpp"
+#include "src/cage/table/cage_recovery.hpp"
 #include "tests/support/flexible_cage.hpp"
 
 namespace cagetol {

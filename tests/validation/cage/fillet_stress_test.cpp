@@ -12,11 +12,11 @@
 #include <map>
 #include <numbers>
 
-#include "src/cage/cage_model.hpp"
-#include "src/cage/elastic_body.hpp"
-#include "src/cage/field_recovery.hpp"
-#include "src/cage/hex20.hpp"
-#include "src/cage/strip_stations.hpp"
+#include "src/cage/mesh/hex20.hpp"
+#include "src/cage/mesh/strip_stations.hpp"
+#include "src/cage/solve/elastic_body.hpp"
+#include "src/cage/stress/field_recovery.hpp"
+#include "src/cage/table/cage_model.hpp"
 
 namespace cagetol {
 namespace {

@@ -16,7 +16,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "src/cage/scene_cage.hpp"
+#include "src/cage/table/scene_cage.hpp"
 #include "src/integration/system.hpp"
 #include "src/model/flexible_cage.hpp"
 #include "src/quantities/cage_stress.hpp"

@@ -2,7 +2,7 @@
 // nu 0.3, rho 7800: in-plane pairs 210.55 and 587.92 Hz, out-of-plane pairs 205.89 and 588.88 Hz.
 #include <gtest/gtest.h>
 
-#include "src/cage/cage_modes.hpp"
+#include "src/cage/solve/cage_modes.hpp"
 #include "tests/support/hex_meshes.hpp"
 
 namespace cagetol {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "src/cage/cage_recovery.hpp"
-#include "src/cage/scene_cage.hpp"
+#include "src/cage/table/cage_recovery.hpp"
+#include "src/cage/table/scene_cage.hpp"
 #include "src/integration/system.hpp"
 #include "src/simulate.hpp"
 

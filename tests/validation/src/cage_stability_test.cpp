@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "src/integration/system.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/simulate.hpp"
-#include "src/window_times.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -1,6 +1,6 @@
 // Press fits against finite elements: rings of two-node elements over the radius in plane stress,
 // which minimise the elastic energy and know neither Lame's equations nor those of rotating discs.
-#include "src/scene/press_fit.hpp"
+#include "src/operation/press_fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "src/model/bearing_model.hpp"
+#include "src/operation/operating_clearance.hpp"
 #include "src/scene/materials.hpp"
-#include "src/scene/operating_clearance.hpp"
 
 namespace cagetol {
 namespace {

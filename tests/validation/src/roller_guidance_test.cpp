@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "src/reading/scene_keys.hpp"
 #include "src/scene/pocket_outline.hpp"
-#include "src/scene/scene_keys.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/shipped_scene.hpp"
 

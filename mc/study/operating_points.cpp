@@ -1,0 +1,308 @@
+#include "mc/study/operating_points.hpp"
+
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "mc/study/study_inputs.hpp"
+#include "mc/study/study_keys.hpp"
+#include "src/model/bearing_model.hpp"
+#include "src/quantities/quantity_labels.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "src/quantities/window_times.hpp"
+#include "src/reading/scene_keys.hpp"
+#include "src/simulate.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMostPoints = 50;
+
+/// Whether an operating point may set the key: what the bearing is stays the same at all points.
+bool is_about_operation(const std::string& key) {
+  static const std::vector<std::string> sections = {
+      "load.", "speed.", "duty.", "phase.", "window.", "environment.", "start.", "lubrication."};
+  static const std::set<std::string> fixed = {"speed.centrifugal_growth", "lubrication.model",
+                                              "lubrication.temperature_C",
+                                              "window.history_interval_us"};
+  return !fixed.contains(key) &&
+         std::any_of(sections.begin(), sections.end(),
+                     [&](const std::string& section) { return key.starts_with(section); });
+}
+
+toml::table value_table(const std::string& text) {
+  return toml::parse("value = " + text);
+}
+
+/// Phases and duties of a point replace those of the scene as a whole.
+void read_setting(const std::string& key, const toml::node& node, const std::string& file,
+                  Scene& scene) {
+  read_key(*find_key(scene_keys(), key), node, file,
+           static_cast<std::size_t>(scene.bearing.roller_count), scene);
+}
+
+OperatingPointPlan read_point(const toml::table& entry, const std::string& file,
+                              const Study& study) {
+  OperatingPointPlan point;
+  const auto* name = entry.get("name");
+  if (!name || !name->is_string())
+    throw InputError(place_of(entry, file), "operating_point", shown(entry),
+                     "the operating point has no name", "add name = \"full-load\"");
+  point.name = name->value<std::string>().value();
+  if (!is_label(point.name))
+    throw InputError(place_of(*name, file), "operating_point.name", shown(*name),
+                     "this is no name of a point", "use up to 40 letters, digits, _ and -");
+  if (const auto* weight = entry.get("weight"))
+    point.weight =
+        number_value(info_of(operating_point_keys(), "operating_point.weight"), *weight, file);
+  Scene scene = study.scene;
+  const auto known = key_infos(scene_keys());
+  for (const TomlLeaf& leaf : toml_leaves(entry)) {
+    if (leaf.name == "name" || leaf.name == "weight") continue;
+    const auto* key = find_key(scene_keys(), leaf.name);
+    if (!key) throw unknown_key(leaf, file, known);
+    const auto refuse = [&](const std::string& why, const std::string& remedy) {
+      return InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node), why, remedy);
+    };
+    if (!is_about_operation(leaf.name) || leaf.name == "duty.file")
+      throw refuse(
+          "an operating point changes load, speed, duty, the oil's viscosity, window and "
+          "surroundings, nothing that the bearing is",
+          "set it below [scene]; a duty in its columns (duty.time_s ...); for a colder or warmer "
+          "oil give lubrication.viscosity_Pa_s");
+    if (std::any_of(study.inputs.begin(), study.inputs.end(),
+                    [&](const UncertainInput& input) { return input.key == leaf.name; }))
+      throw refuse("this key varies in the study", "leave it out here, or give it one value there");
+    read_setting(leaf.name, *leaf.node, file, scene);
+    point.settings.emplace_back(leaf.name, key_text(*key, scene));
+  }
+  try {
+    check_scene(scene, file);
+  } catch (const InputError& problem) {
+    throw InputError(place_of(entry, file), "operating_point", point.name, problem.what(),
+                     "correct the point or the scene");
+  }
+  return point;
+}
+
+void check_points(const std::vector<OperatingPointPlan>& points, const toml::node& node,
+                  const std::string& file, const Study& study) {
+  const auto refuse = [&](const std::string& why, const std::string& remedy) {
+    throw InputError(place_of(node, file), "operating_point", "", why, remedy);
+  };
+  std::set<std::string> names;
+  for (const OperatingPointPlan& point : points)
+    if (!names.insert(point.name).second)
+      refuse("two points are called " + point.name, "give each a name of its own");
+  if (points.size() > kMostPoints)
+    refuse(std::to_string(points.size()) + " points are more than " + std::to_string(kMostPoints),
+           "join points that hardly differ");
+  if (study.history.points > 0)
+    refuse("time histories are kept of studies with one operating point only (history.points)",
+           "set history.points = 0");
+  if (is_flexible(study.scene) && study.scene.operation.centrifugal_growth)
+    refuse("a flexible cage that grows by rotation is another one at every speed",
+           "set speed.centrifugal_growth = false, or cage.model = \"rigid\"");
+}
+
+/// The point with the largest value of a quantity; -1: none has one.
+long largest_of(const std::vector<Outcome>& outcomes, const std::string& key) {
+  const auto row = static_cast<std::size_t>(quantity_index(key));
+  long at = -1;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < outcomes.size(); ++p)
+    if (const double value = outcomes[p].quantities[row]; value > most) {
+      at = static_cast<long>(p);
+      most = value;
+    }
+  return at;
+}
+
+void add_run(const RunRecord& from, RunRecord& to) {
+  for (double RunRecord::*sum :
+       {&RunRecord::simulated_s, &RunRecord::measured_s, &RunRecord::cage_revolutions,
+        &RunRecord::steps, &RunRecord::rejected_steps, &RunRecord::rhs_evaluations,
+        &RunRecord::jacobian_evaluations, &RunRecord::factorisations,
+        &RunRecord::static_positions_missed, &RunRecord::wall_s})
+    to.*sum += from.*sum;
+  for (double RunRecord::*largest :
+       {&RunRecord::energy_residual, &RunRecord::static_consistency_error,
+        &RunRecord::cage_frequency_error})
+    if (std::isnan(to.*largest) || from.*largest > to.*largest) to.*largest = from.*largest;
+  if (to.smallest_step_s == 0 || from.smallest_step_s < to.smallest_step_s)
+    to.smallest_step_s = from.smallest_step_s;
+}
+
+/// Processor time of this thread [s].
+double processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Processor time of `length` seconds of motion of the scene, cage rigid [s]: that of two brief runs,
+/// the steps at the start being shorter than all others.
+double cost_of_motion(Scene scene, double length) {
+  constexpr double brief = 1e-3, longer = 3e-3;
+  scene.cage.model = CageKind::rigid;
+  scene.phase = {};
+  scene.window.peak_revolutions = scene.window.extrapolate_revolutions = kAuto;
+  const auto cost = [&scene](double time) {
+    scene.window.settle_time = scene.window.measure_time = time;
+    const double began = processor_time();
+    simulate(scene, {});
+    return processor_time() - began;
+  };
+  const double first = cost(brief);
+  if (length <= 2 * brief) return first;
+  return first +
+         (length - 2 * brief) * std::max(0.0, cost(longer) - first) / (2 * (longer - brief));
+}
+
+}  // namespace
+
+std::vector<std::string> quantity_labels(const Study& study) {
+  if (study.points.empty()) return study.scene.phase.name;
+  std::vector<std::string> labels;
+  for (const OperatingPointPlan& point : study.points) {
+    labels.push_back(point.name);
+    for (const std::string& phase : at_operating_point(study.scene, point).phase.name)
+      labels.push_back(point.name + "." + phase);
+  }
+  return labels;
+}
+
+std::vector<OperatingPointPlan> read_operating_points(const toml::table& root,
+                                                      const std::string& file, const Study& study) {
+  const auto* node = root.get("operating_point");
+  if (!node) return {};
+  const auto* array = node->as_array();
+  std::vector<OperatingPointPlan> points;
+  for (std::size_t i = 0; array && i < array->size(); ++i)
+    if (const auto* entry = (*array)[i].as_table())
+      points.push_back(read_point(*entry, file, study));
+  if (!array || points.size() != array->size())
+    throw InputError(place_of(*node, file), "operating_point", shown(*node),
+                     "operating points are a list of tables",
+                     "write each one below a line [[operating_point]]");
+  if (!points.empty()) check_points(points, *node, file, study);
+  return points;
+}
+
+toml::table operating_point_table(const OperatingPointPlan& point) {
+  toml::table entry{{"name", point.name}, {"weight", point.weight}};
+  for (const auto& [key, text] : point.settings) {
+    toml::table value = value_table(text);
+    std::move(*value.get("value")).visit([&, &key = key](auto&& node) {
+      entry.insert_or_assign(key, std::forward<decltype(node)>(node));
+    });
+  }
+  return entry;
+}
+
+Scene at_operating_point(Scene scene, const OperatingPointPlan& point) {
+  for (const auto& [key, text] : point.settings)
+    read_setting(key, *value_table(text).get("value"), "operating point " + point.name, scene);
+  return scene;
+}
+
+std::vector<Limit> limits_at_points(std::vector<Limit> limits,
+                                    const std::vector<OperatingPointPlan>& points) {
+  if (points.empty()) return limits;
+  std::vector<Limit> expanded;
+  for (const Limit& limit : limits) {
+    if (!labelled_key(limit.quantity).label.empty()) {
+      expanded.push_back(limit);
+      continue;
+    }
+    for (const OperatingPointPlan& point : points) {
+      expanded.push_back(limit);
+      expanded.back().quantity = labelled_name(limit.quantity, point.name);
+    }
+  }
+  return expanded;
+}
+
+double over_points(const Quantity& quantity, std::size_t row, const Study& study,
+                   const std::vector<Outcome>& outcomes) {
+  double sum = 0, weights = 0, least = kNone, peak = kNone;
+  for (std::size_t p = 0; p < outcomes.size(); ++p) {
+    const double value = outcomes[p].quantities[row], weight = study.points[p].weight;
+    sum += weight * value;
+    weights += weight;
+    least = std::fmin(least, value);
+    peak = std::fmax(peak, value);
+  }
+  const Kind kind = quantity.kind;
+  const long at = kind == Kind::place ? largest_of(outcomes, quantity.peak) : -1;
+  if (at >= 0) return outcomes[static_cast<std::size_t>(at)].quantities[row];
+  return kind == Kind::power   ? sum / weights
+         : kind == Kind::peak  ? peak
+         : kind == Kind::least ? least
+                               : kNone;
+}
+
+Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes) {
+  const auto& table = quantity_table();
+  Outcome joined;
+  joined.labels = quantity_labels(study);
+  joined.quantities.assign(table.size(), kNone);
+  const Outcome& last = outcomes.back();
+  joined.status = last.status;
+  joined.pocket = last.pocket;
+  joined.interference_um = last.interference_um;
+  const std::string& name = study.points[outcomes.size() - 1].name;
+  if (last.status != Status::ok)
+    joined.reason = last.reason.empty() ? "" : "operating point " + name + ": " + last.reason;
+  else if (outcomes.size() == study.points.size())
+    for (std::size_t row = 0; row < table.size(); ++row)
+      joined.quantities[row] = over_points(table[row], row, study, outcomes);
+  joined.run = outcomes.front().run;
+  for (std::size_t p = 1; p < outcomes.size(); ++p) add_run(outcomes[p].run, joined.run);
+  for (const Outcome& of_point : outcomes)
+    joined.quantities.insert(joined.quantities.end(), of_point.quantities.begin(),
+                             of_point.quantities.end());
+  joined.quantities.resize(quantity_count(joined.labels), kNone);
+  if (const long at = largest_of(outcomes, "cage_stress_peak_MPa"); at >= 0)
+    joined.cage_peak = outcomes[static_cast<std::size_t>(at)].cage_peak;
+  return joined;
+}
+
+std::string operating_points_text(const Study& study) {
+  if (study.points.empty()) return "";
+  const auto samples = static_cast<double>(sample_count(study));
+  double motion = 0, cost = 0, weights = 0;
+  std::string points;
+  for (const OperatingPointPlan& point : study.points) weights += point.weight;
+  for (const OperatingPointPlan& point : study.points) {
+    const Scene scene = at_operating_point(study.scene, point);
+    points += fmt::format("  {}, weight {:.3g}", point.name, point.weight / weights);
+    for (const auto& [key, text] : point.settings)
+      points += ", " + key + " = " + (text.size() > 40 ? text.substr(0, 37) + "..." : text);
+    points += "\n";
+    if (is_quasi_static(scene)) continue;
+    const WindowTimes times = window_times(scene, make_bearing_model(scene));
+    const double length = times.settle + times.measure;
+    motion += length;
+    cost += cost_of_motion(scene, length);
+  }
+  const auto hours = [](double seconds) {
+    return seconds > 3600 ? fmt::format("{:.2g} h", seconds / 3600)
+                          : fmt::format("{:.{}f} s", seconds, seconds < 10 ? 1 : 0);
+  };
+  return fmt::format("{} operating points, each sample runs at all of them: {:.0f} runs\n{}",
+                     study.points.size(), samples * static_cast<double>(study.points.size()),
+                     points) +
+         fmt::format(
+             "a sample takes {:.3g} s of motion, {}about {} of a core of this machine; all {:.0f} "
+             "samples {}",
+             motion, is_flexible(study.scene) ? "with a rigid cage " : "", hours(cost), samples,
+             hours(samples * cost));
+}
+
+}  // namespace cagetol

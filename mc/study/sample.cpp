@@ -1,0 +1,299 @@
+#include "mc/study/sample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+
+#include "distributions/dependence.hpp"
+#include "mc/study/study_inputs.hpp"
+#include "src/reading/scene_keys.hpp"
+
+namespace cagetol {
+
+// Where the columns of one input begin in the design; -1 where the scope is absent or a plain
+// number.
+struct InputPlaces {
+  long lot = -1, pocket = -1;
+};
+
+struct SampleColumns {
+  std::vector<InputPlaces> of_input;
+  std::vector<DesignColumn> design;
+  std::vector<std::string> names, groups;
+};
+
+namespace {
+
+bool is_plain_number(const Law& law) {
+  const auto range = support(law);
+  return range.lower == range.upper;
+}
+
+bool is_varied(const std::optional<Law>& law) {
+  return law && !is_plain_number(*law);
+}
+
+std::uint32_t pocket_count(const Study& study) {
+  return static_cast<std::uint32_t>(study.scene.bearing.roller_count);
+}
+
+// Name of the group of each "KEY:scope": inputs that are correlated, directly or by way of others,
+// share one.
+std::map<std::string, std::string> group_names(const Study& study,
+                                               const std::vector<std::string>& scopes) {
+  std::map<std::string, std::string> leader;
+  for (const auto& scope : scopes) leader[scope] = scope;
+  const auto root_of = [&](std::string name) {
+    while (leader.at(name) != name) name = leader.at(name);
+    return name;
+  };
+  for (const auto& correlation : study.correlations)
+    if (leader.count(correlation.first) && leader.count(correlation.second))
+      leader[root_of(correlation.second)] = root_of(correlation.first);
+  std::map<std::string, std::string> joined, result;
+  for (const auto& scope : scopes) {
+    auto& name = joined[root_of(scope)];
+    name += (name.empty() ? "" : " + ") + scope;
+  }
+  for (const auto& scope : scopes) result[scope] = joined[root_of(scope)];
+  return result;
+}
+
+SampleColumns make_columns(const Study& study) {
+  std::vector<std::string> scopes;
+  for (const auto& input : study.inputs) {
+    if (is_varied(input.lot)) scopes.push_back(input.key + ":lot");
+    if (is_varied(input.pocket)) scopes.push_back(input.key + ":pocket");
+  }
+  const auto groups = group_names(study, scopes);
+  std::map<std::string, std::uint32_t> group_index;
+  SampleColumns columns;
+  const auto add = [&](const std::string& key, const std::string& scope, Purpose purpose,
+                       std::uint32_t draw, const std::string& name) {
+    const std::string& group = groups.at(scope);
+    const auto index =
+        group_index.try_emplace(group, static_cast<std::uint32_t>(group_index.size()))
+            .first->second;
+    columns.design.push_back({purpose, stream_address(key), draw, index});
+    columns.names.push_back(name);
+    columns.groups.push_back(group);
+  };
+  for (const auto& input : study.inputs) {
+    InputPlaces of_input;
+    if (is_varied(input.lot)) {
+      of_input.lot = static_cast<long>(columns.names.size());
+      add(input.key, input.key + ":lot", Purpose::lot, 0, input.key + ":lot");
+    }
+    if (is_varied(input.pocket)) {
+      of_input.pocket = static_cast<long>(columns.names.size());
+      for (std::uint32_t j = 0; j < pocket_count(study); ++j)
+        add(input.key, input.key + ":pocket", Purpose::pocket, j,
+            input.key + ":pocket[" + std::to_string(j) + "]");
+    }
+    columns.of_input.push_back(of_input);
+  }
+  return columns;
+}
+
+bool has_endless_law(const Study& study) {
+  const auto endless = [](const std::optional<Law>& law) {
+    if (!law) return false;
+    const auto range = support(*law);
+    return std::isinf(range.lower) || std::isinf(range.upper);
+  };
+  return std::any_of(study.inputs.begin(), study.inputs.end(), [&](const auto& input) {
+    return endless(input.lot) || endless(input.pocket);
+  });
+}
+
+DesignSpec spec_of(const Study& study, const SampleColumns& columns) {
+  DesignSpec spec;
+  spec.kind = study.design;
+  spec.seed = static_cast<std::uint64_t>(study.seed);
+  spec.columns = columns.design;
+  spec.cages_per_lot = static_cast<std::uint64_t>(study.cages_per_lot);
+  spec.scrambles = static_cast<std::uint64_t>(study.scrambles);
+  spec.classes = std::max<std::uint64_t>(1, study.candidates.size());
+  const bool noise = std::any_of(study.inputs.begin(), study.inputs.end(),
+                                 [](const auto& input) { return input.noise.has_value(); });
+  std::uint32_t groups = 0;
+  for (const auto& column : columns.design) groups = std::max(groups, column.group + 1);
+  if (noise && (study.design == DesignKind::pick_freeze || study.design == DesignKind::morris))
+    spec.groups = groups + 1;
+  spec.grid_levels.assign(study.grid_levels.begin(), study.grid_levels.end());
+  if (spec.grid_levels.size() == 1) spec.grid_levels.resize(groups, spec.grid_levels[0]);
+  // Levels of laws without ends span plus and minus three standard deviations of a normal law.
+  spec.trim = has_endless_law(study) ? 0.00135 : 0;
+  spec.rows = static_cast<std::uint64_t>(study.samples);
+  return spec;
+}
+
+std::string quoted_design(const Study& study) {
+  return std::string("\"") + design_name(study.design) + "\"";
+}
+
+// Refusals of the distributions room name no file; the study's key is what the user can change.
+template <class Make>
+auto refused_as_input(const std::string& key, const std::string& value, const Make& make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    const auto cut = text.find("; ");
+    throw InputError({}, key, value, text.substr(0, cut),
+                     cut == std::string::npos ? "change the study's design" : text.substr(cut + 2));
+  }
+}
+
+GaussianCopula make_copula(const Study& study, const SampleColumns& columns) {
+  std::vector<CorrelatedPair> pairs;
+  for (const auto& correlation : study.correlations) {
+    const auto first = find_input_scope(study.inputs, correlation.first);
+    const auto second = find_input_scope(study.inputs, correlation.second);
+    const auto i = static_cast<std::size_t>(first.input),
+               k = static_cast<std::size_t>(second.input);
+    const auto& a = study.inputs[i];
+    const auto& b = study.inputs[k];
+    const auto column = [&](std::size_t input) {
+      return first.pocket ? columns.of_input[input].pocket : columns.of_input[input].lot;
+    };
+    if (column(i) < 0 || column(k) < 0) continue;  // a plain number depends on nothing
+    const double rho = refused_as_input("correlation.rho", number_text(correlation.rho), [&] {
+      return first.pocket ? normal_correlation(*a.pocket, *b.pocket, correlation.rho)
+                          : normal_correlation(*a.lot, *b.lot, correlation.rho);
+    });
+    const std::size_t draws = first.pocket ? pocket_count(study) : 1;
+    for (std::size_t j = 0; j < draws; ++j)
+      pairs.push_back(
+          {static_cast<std::size_t>(column(i)) + j, static_cast<std::size_t>(column(k)) + j, rho});
+  }
+  return refused_as_input("correlation", "",
+                          [&] { return GaussianCopula(columns.design.size(), pairs); });
+}
+
+double into_range(const KeyRange& range, double value) {
+  const double lowest = range.open_minimum
+                            ? std::nextafter(range.minimum, std::numeric_limits<double>::infinity())
+                            : range.minimum;
+  return std::clamp(value, lowest, range.maximum);
+}
+
+}  // namespace
+
+struct Sampler::Implementation {
+  Study study;
+  SampleColumns columns;
+  Design design;
+  GaussianCopula copula;
+  std::vector<const Key<Scene>*> keys;  ///< of the inputs
+  std::vector<long> dimension;  ///< position of an input among the tolerance dimensions, or -1
+
+  explicit Implementation(const Study& given)
+      : study(given),
+        columns(make_columns(study)),
+        design(refused_as_input("design", quoted_design(study),
+                                [&] { return Design(spec_of(study, columns)); })),
+        copula(make_copula(study, columns)) {
+    study.resolved_toml.clear();
+    study.resolved_json.clear();
+    for (const auto& input : study.inputs) {
+      keys.push_back(find_key(scene_keys(), input.key));
+      const auto& dimensions = study.tolerance.dimensions;
+      const auto found = std::find_if(dimensions.begin(), dimensions.end(),
+                                      [&](const auto& d) { return d.key == input.key; });
+      dimension.push_back(found == dimensions.end() ? -1 : found - dimensions.begin());
+    }
+  }
+
+  double noise(const UncertainInput& input, const Sample& sample) const {
+    // Where noise is a group of the design, the design says which rows share it.
+    const bool in_design = design.spec().groups > 0 && sample.replicate == 0;
+    // In a grid every row meets the same noise in its k-th run: differences between rows are
+    // paired.
+    const std::uint64_t id = study.design == DesignKind::grid ? sample.replicate
+                             : in_design ? design.source_of(sample.row, design.groups() - 1)
+                                         : sample.id;
+    return quantile(*input.noise,
+                    uniform(design.spec().seed, Purpose::noise, id, stream_address(input.key), 0));
+  }
+
+  DrawnInput drawn(std::size_t i, const std::vector<double>& u, const Sample& sample) const {
+    const auto& input = study.inputs[i];
+    const auto& of_input = columns.of_input[i];
+    const Candidate* candidate =
+        dimension[i] < 0 ? nullptr : &study.candidates[static_cast<std::size_t>(sample.candidate)];
+    const auto d = static_cast<std::size_t>(std::max(dimension[i], 0L));
+    const double scale = candidate ? candidate->scales[d] : 1;
+    // The centre moves the lot, or every pocket where there is no lot.
+    const double shift = candidate ? candidate->shift(d) : 0;
+    const auto deviation = [&](const Law& law, long column, std::size_t draw) {
+      return scale * (column < 0 ? quantile(law, 0.5)
+                                 : quantile(law, u[static_cast<std::size_t>(column) + draw]));
+    };
+    DrawnInput drawn;
+    drawn.value = input.nominal;
+    if (input.per_pocket) drawn.value.resize(pocket_count(study), input.nominal[0]);
+    if (input.lot) drawn.lot = {deviation(*input.lot, of_input.lot, 0) + shift};
+    if (input.pocket)
+      for (std::size_t j = 0; j < pocket_count(study); ++j)
+        drawn.pocket.push_back(deviation(*input.pocket, of_input.pocket, j) +
+                               (input.lot ? 0 : shift));
+    if (input.noise) drawn.noise = {noise(input, sample)};
+    for (std::size_t j = 0; j < drawn.value.size(); ++j) {
+      double& value = drawn.value[j];
+      if (input.lot) value += drawn.lot[0];
+      if (input.pocket) value += drawn.pocket[j];
+      if (input.noise) value += drawn.noise[0];
+      value = into_range(keys[i]->range, value);
+    }
+    return drawn;
+  }
+};
+
+Sampler::Sampler(const Study& study)
+    : implementation_(std::make_shared<const Implementation>(study)) {}
+
+const Design& Sampler::design() const {
+  return implementation_->design;
+}
+
+Sample Sampler::draw(std::uint64_t id) const {
+  const auto& own = *implementation_;
+  Sample sample;
+  sample.id = id;
+  sample.row = id % own.design.rows();
+  sample.replicate = id / own.design.rows();
+  sample.lot = own.design.lot_of(sample.row);
+  if (!own.study.candidates.empty())
+    sample.candidate = static_cast<long>(sample.row % own.study.candidates.size());
+  sample.design_point.resize(own.design.dimensions());
+  own.design.point(sample.row, sample.design_point);
+  std::vector<double> u = sample.design_point;
+  own.copula.correlate(u);
+  sample.scene = own.study.scene;
+  for (std::size_t i = 0; i < own.study.inputs.size(); ++i) {
+    sample.inputs.push_back(own.drawn(i, u, sample));
+    set_key_numbers(*own.keys[i], sample.inputs.back().value, sample.scene);
+  }
+  return sample;
+}
+
+Sample draw_sample(const Study& study, std::uint64_t id) {
+  return Sampler(study).draw(id);
+}
+
+DesignColumns design_columns(const Study& study) {
+  auto columns = make_columns(study);
+  return {std::move(columns.names), std::move(columns.groups)};
+}
+
+DesignSpec design_spec(const Study& study) {
+  auto spec = spec_of(study, make_columns(study));
+  spec.rows = refused_as_input("design", quoted_design(study), [&] { return complete_rows(spec); });
+  return spec;
+}
+
+}  // namespace cagetol

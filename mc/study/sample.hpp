@@ -1,0 +1,72 @@
+// One sample of a study: a pure function of (study, id), whatever rank computes it and whenever.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "distributions/design.hpp"
+
+#include "mc/study/study.hpp"
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+/// The drawn parts of one uncertain input, in the key's unit, already scaled by the sample's
+/// candidate. Empty where not varied.
+struct DrawnInput {
+  std::vector<double> lot;     ///< 0 or 1 value
+  std::vector<double> pocket;  ///< 0 or Z values
+  std::vector<double> noise;   ///< 0 or 1 value
+  std::vector<double> value;   ///< what is simulated: 1 or Z values
+};
+
+struct Sample {
+  std::uint64_t id = 0;
+  std::uint64_t row = 0;        ///< design row
+  std::uint64_t replicate = 0;  ///< 0, or the k-th repetition of the row with fresh noise
+  std::uint64_t lot = 0;
+  long candidate = -1;
+  std::vector<double> design_point;
+  std::vector<DrawnInput> inputs;  ///< in the order of Study::inputs
+  Scene scene;                     ///< ready to simulate
+};
+
+/// Columns of the design: "KEY:lot", "KEY:pocket[j]", in order, and the group of each ("KEY:lot",
+/// "KEY:pocket"; correlated inputs share a group, its name joins theirs). Laws of zero width are
+/// plain numbers and have no column.
+struct DesignColumns {
+  std::vector<std::string> names, groups;
+};
+DesignColumns design_columns(const Study& study);
+
+/// The design that the study asks for. `rows` is study.samples, rounded up where the design needs
+/// it. In pick-freeze and morris designs the noise inputs are one more group, without columns: the
+/// last one.
+DesignSpec design_spec(const Study& study);
+
+/// Draws samples: owns the design and the correlations, made once. Immutable, cheap to copy, usable
+/// from any thread.
+class Sampler {
+ public:
+  /// Throws InputError when the study makes no design or its correlations contradict each other.
+  explicit Sampler(const Study& study);
+
+  /// Id to row and replicate: ids 0 .. rows-1 are replicate 0; further ids go through the rows
+  /// again, replicate 1, 2, ... A pure function of (study, id). Drawn values beyond the range of
+  /// their key (a negative length; read_study refuses laws for which this is likely) are set to its
+  /// end.
+  Sample draw(std::uint64_t id) const;
+
+  const Design& design() const;
+
+ private:
+  struct Implementation;
+  std::shared_ptr<const Implementation> implementation_;
+};
+
+/// One sample. Makes a Sampler each time: for many samples make one and keep it.
+Sample draw_sample(const Study& study, std::uint64_t id);
+
+}  // namespace cagetol

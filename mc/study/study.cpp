@@ -1,0 +1,248 @@
+#include "mc/study/study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "mc/host/build_info.hpp"
+#include "mc/study/assumption_ranges.hpp"
+#include "mc/study/operating_points.hpp"
+#include "mc/study/resolved_study.hpp"
+#include "mc/study/sample.hpp"
+#include "mc/study/study_inputs.hpp"
+#include "mc/study/study_keys.hpp"
+#include "mc/study/study_layers.hpp"
+#include "mc/study/study_limits.hpp"
+#include "mc/study_file/cage_thickness.hpp"
+#include "src/quantities/quantity_labels.hpp"
+#include "src/quantities/quantity_table.hpp"
+#include "src/reading/idle_keys.hpp"
+#include "src/reading/oil_keys.hpp"
+#include "src/reading/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+const toml::table& scene_table(const toml::table& root, const std::string& file) {
+  static const toml::table none;
+  const auto* scene = root.get("scene");
+  if (!scene) return none;
+  if (!scene->is_table())
+    throw InputError(place_of(*scene, file), "scene", shown(*scene), "this is a section, not a key",
+                     "write [scene] and below it file = \"...\"");
+  return *scene->as_table();
+}
+
+std::vector<long> read_grid_levels(const toml::node& node, const std::string& file) {
+  const auto* array = node.as_array();
+  std::vector<long> levels;
+  if (array)
+    for (const auto& element : *array)
+      if (element.is_integer() && element.as_integer()->get() >= 1)
+        levels.push_back(element.as_integer()->get());
+  if (!array || array->empty() || levels.size() != array->size())
+    throw InputError(place_of(node, file), "grid_levels", shown(node),
+                     "expected an array of whole numbers above 0",
+                     "give one number of levels for each group of inputs (`cagetol check` lists "
+                     "the groups), or a single one for all");
+  return levels;
+}
+
+// Every key outside the scene that holds one value; the lists are read elsewhere.
+void read_plain_keys(const toml::table& root, const std::string& file, Study& study) {
+  for (const auto& leaf : toml_leaves(root, {})) {
+    if (leaf.name == "scene" || leaf.name.starts_with("scene.") || leaf.name == "limit" ||
+        leaf.name == "correlation" || leaf.name == "tolerance.dimension" ||
+        leaf.name == "operating_point")
+      continue;
+    if (leaf.name == "tolerance" && leaf.node->is_table()) continue;
+    for (const std::string list :
+         {"limit", "correlation", "tolerance.dimension", "assumption", "operating_point"})
+      if (leaf.name.starts_with(list + "."))
+        throw InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node),
+                         "there may be several of these: they are a list of tables",
+                         "write [[" + list + "]] with two brackets on each side");
+    if (leaf.name == "grid_levels") {
+      study.grid_levels = read_grid_levels(*leaf.node, file);
+    } else if (const auto* key = find_key(study_keys(), leaf.name)) {
+      read_key(*key, *leaf.node, file, 1, study);
+    } else {
+      auto known = key_infos(study_keys());
+      for (const char* list : {"grid_levels", "scene", "limit", "correlation",
+                               "tolerance.dimension", "assumption", "operating_point"})
+        known.emplace_back(list, any_value(), "", KeyKind::text);
+      throw unknown_key(leaf, file, known);
+    }
+  }
+}
+
+// The number of rows with which the design is complete. Throws what Sampler throws, and InputError
+// beyond the range of `samples`: the resolved study could not be read again.
+void complete_rows(Study& study, const toml::table& root, const std::string& file) {
+  const std::uint64_t rows = design_spec(study).rows;
+  const auto most =
+      static_cast<std::uint64_t>(info_of(key_infos(study_keys()), "samples").range.maximum);
+  if (rows > most) {
+    const bool grid = study.design == DesignKind::grid;
+    const char* name = grid ? "grid_levels" : "samples";
+    const auto* node = find_node(root, name);
+    throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, name,
+                     node ? shown(*node) : "",
+                     std::string("design \"") + design_name(study.design) + "\" has " +
+                         std::to_string(rows) + " rows" + (grid ? "" : " when it is complete") +
+                         "; a study has at most " + std::to_string(most),
+                     grid ? "use fewer levels" : "ask for fewer rows");
+  }
+  study.samples = static_cast<long>(rows);
+}
+
+void check_history(const Study& study, const toml::table& root, const std::string& file) {
+  // A study that chooses its model by itself may end up on equilibria: then it keeps no histories.
+  if (study.history.points > 0 && is_quasi_static(study.scene) && study.fidelity != "auto") {
+    const auto* node = find_node(root, "history.points");
+    throw InputError(place_of(*node, file), "history.points", shown(*node),
+                     "a quasi-static run has no time history",
+                     "set it to 0, or scene.model.motion = \"dynamic\"");
+  }
+  const long rollers = study.scene.bearing.roller_count;
+  if (study.history.roller < rollers) return;
+  const auto* node = find_node(root, "history.roller");
+  throw InputError(place_of(*node, file), "history.roller", shown(*node),
+                   "the bearing has the rollers 0 to " + std::to_string(rollers - 1),
+                   "choose one of them");
+}
+
+void resolve(Study& study) {
+  const toml::table table = resolved_table(study);
+  std::ostringstream toml_text, json_text;
+  toml_text << toml::toml_formatter(table) << '\n';
+  json_text << toml::json_formatter(table) << '\n';
+  study.resolved_toml = toml_text.str();
+  study.resolved_json = json_text.str();
+  std::string all = study.resolved_toml;
+  for (const auto& [name, hash] : study.files) all += name + "\n" + hash + "\n";
+  study.hash = text_hash(all);
+}
+
+Study study_of(toml::table root, const std::string& file) {
+  Study study;
+  study.fidelity_decision = take_fidelity_decision(root);
+  unresolve(root, file);
+  read_plain_keys(root, file, study);
+  const auto& scene = scene_table(root, file);
+  study.scene = read_scene(scene, file);
+  study.names_lubrication = find_node(scene, "lubrication.model") != nullptr;
+  if (study.fidelity == "auto") require_word_of_oil(study, file);
+  MeasurementFiles measurements;
+  study.inputs = read_inputs(scene, file, study.scene, measurements);
+  for (const auto& [name, text] : measurements) study.files.emplace_back(name, text_hash(text));
+  study.correlations = read_correlations(root, file, study.inputs);
+  study.points = read_operating_points(root, file, study);
+  study.limits = limits_at_points(read_limits(root, file, quantity_labels(study)), study.points);
+  study.tolerance.dimensions = read_dimensions(root, file, study.inputs);
+  study.candidates = make_candidates(study, root, file);
+  check_drawn_range(study, scene, file);
+  check_flexible_cage(study, scene, file);
+  check_assumption_ranges(study, scene, file);
+  check_history(study, root, file);
+  complete_rows(study, root, file);
+  const Sampler sampler(study);  // refuses what makes no design
+  resolve(study);
+  return study;
+}
+
+}  // namespace
+
+std::uint64_t sample_count(const Study& study) {
+  return static_cast<std::uint64_t>(study.samples) +
+         static_cast<std::uint64_t>(
+             std::llround(study.extra_replicates * static_cast<double>(study.samples)));
+}
+
+Study read_study(const std::string& path, const std::vector<std::string>& settings) {
+  return study_of(study_layers(path, settings), path);
+}
+
+Study read_resolved_study(const std::string& resolved_toml, const std::string& name) {
+  return study_of(parse_toml(resolved_toml, name), name);
+}
+
+Study changed_study(Study study, const std::function<void(Study&)>& change) {
+  change(study);
+  std::ostringstream text;
+  text << toml::toml_formatter(resolved_table(study)) << '\n';
+  return read_resolved_study(text.str(), study.name);
+}
+
+void require_word_of_oil(const Study& study, const std::string& file) {
+  if (!study.names_lubrication)
+    throw no_word_of_oil("the model ladder sets this scene in motion, and a dynamic scene must say",
+                         file);
+}
+
+std::vector<std::string> model_notes(const Study& study) {
+  const auto varies = [&](const std::string& key) {
+    return std::any_of(study.inputs.begin(), study.inputs.end(),
+                       [&](const auto& input) { return input.key == key; });
+  };
+  std::vector<std::string> notes = scene_doubts(study.scene);
+  for (const std::string& idle : idle_notes(study.scene, varies)) notes.push_back(idle);
+  if (!is_quasi_static(study.scene)) return notes;
+  notes.push_back(
+      "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "
+      "and a film of scene.film.model are not (scene.model.motion)");
+  for (const auto& limit : study.limits)
+    if (!quantity_named(limit.quantity).need.met(study.scene))
+      notes.push_back("limit on " + limit.quantity + ": a quasi-static run does not define it");
+  return notes;
+}
+
+/// What scattering diameters of a flexible cage leave wrong.
+std::string thickness_note(double share) {
+  const auto percent = [&](double error) { return number_text(std::round(1e4 * error) / 100); };
+  return "bore and outside of the flexible cage deviate together by up to " + percent(share) +
+         " % of its thickness: contacts, clearances and mass follow them, its elasticity stays the "
+         "nominal one (errors up to " +
+         percent(kFrequencyErrorPerShare * share) + " % of frequencies, " +
+         percent(kComplianceErrorPerShare * share) + " % of the bars' compliance, " +
+         percent(kStressErrorPerShare * share) + " % of stress)";
+}
+
+std::vector<std::string> study_notes(const Study& study) {
+  std::vector<std::string> notes = model_notes(study);
+  const auto& window = study.scene.window;
+  for (const auto& limit : study.limits) {
+    if (changes_over_time(study.scene.operation) || !study.points.empty()) break;
+    const bool extreme = is_extreme(quantity_named(limit.quantity).kind);
+    const bool in_part = extreme && !std::isnan(window.peak_revolutions);
+    const double measured = in_part ? window.peak_revolutions : window.measure_revolutions;
+    if (limit.cage_revolutions > 0 && std::isnan(window.measure_time) &&
+        limit.cage_revolutions != measured)
+      notes.push_back(
+          "limit on " + limit.quantity + " is for " + number_text(limit.cage_revolutions) +
+          " cage revolutions, the window measures " + number_text(measured) + " (scene.window." +
+          (in_part ? "peak_revolutions" : "measure_revolutions") + ")");
+  }
+  if (const double share = is_flexible(study.scene) ? thickness_scatter(study) : 0; share > 0)
+    notes.push_back(thickness_note(share));
+  for (const std::string& idle : idle_range_notes(study)) notes.push_back(idle);
+  const auto varied = design_columns(study);
+  if (study.inputs.empty())
+    notes.push_back("nothing varies: no key of the scene is a distribution");
+  else if (varied.names.empty())
+    notes.push_back("only noise varies: no input by lot or pocket");
+  return notes;
+}
+
+std::vector<std::string> sweep_notes(const Study& study) {
+  std::vector<std::string> notes = study_notes(study);
+  const auto candidates = static_cast<long>(study.candidates.size());
+  if (candidates > 0 && study.samples < 100 * candidates)
+    notes.push_back(
+        std::to_string(study.samples) + " rows for " + std::to_string(candidates) +
+        " candidate tolerances: fewer than 100 each, which decides few of them; `cagetol "
+        "recommend` spends its runs where they decide");
+  return notes;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,146 @@
+// A study: which numbers of a scene are uncertain, how many samples, which limits decide, which
+// tolerances are candidates.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "distributions/design.hpp"
+#include "distributions/law.hpp"
+#include "mc/study_file/correlation.hpp"
+#include "mc/study_file/limit.hpp"
+#include "mc/study_file/tolerance.hpp"
+#include "src/scene/scene.hpp"
+
+namespace cagetol {
+
+/// A scene key that is a distribution. Deviations add up, in the key's unit:
+///   value = nominal + scale * (lot + pocket) + noise
+/// Laws describe deviations from the nominal value, not the value itself.
+struct UncertainInput {
+  std::string key;
+  std::string unit;
+  std::vector<double> nominal;  ///< one value, or one per pocket
+  bool per_pocket = false;      ///< the key holds one number per pocket
+  std::optional<Law> lot;       ///< drawn once per lot (a cage, unless cages_per_lot > 1)
+  std::optional<Law> pocket;    ///< drawn for every pocket
+  std::optional<Law> noise;  ///< drawn from the sample's own noise stream: not part of the design
+};
+
+/// How `cagetol recommend` goes about it: pilot, mixture of all candidates, confirmations.
+struct RecommendPlan {
+  long pilot_samples = 128;
+  long attempts = 2;         ///< confirmations at most, planned beforehand
+  long confirm_samples = 0;  ///< most runs of one confirmation; 0: chosen
+  long budget_samples = 0;   ///< runs of all stages together; 0: no budget
+  double budget_time = 0;    ///< wall-clock time of all stages together, s; 0: no budget
+  /// Runs under each alternative of an assumption; 0: none, NaN: as many as confirm the target when
+  /// none fails.
+  double assumption_samples = 0;
+};
+
+struct TolerancePlan {
+  double target_yield = 0.95;
+  double confidence = 0.95;
+  std::vector<ToleranceDimension> dimensions;
+};
+
+/// The time histories that a sweep keeps of each sample (sample_history.hpp).
+struct HistoryPlan {
+  long points = 0;  ///< instants; 0: none are kept
+  long roller = 0;  ///< whose spin is kept, from 0
+};
+
+/// What a rung of the model ladder does to the mean of a limited quantity, in the quantity's unit
+/// (analysis/fidelity/least_rung.hpp). Numbers that are not known are NaN.
+struct FidelityShift {
+  std::string quantity, rung;
+  double shift = 0, lower = 0, upper = 0;  ///< against the highest rung, with its interval
+  double budget = 0;                       ///< largest |shift| allowed
+  std::string verdict;                     ///< adequate, settled, biased, unresolved, unusable
+  std::string limit = {};                  ///< on the quantity, in words
+  /// Share of samples on the wrong side of the limit, at most, and what would settle it.
+  double wrong_share = 0, allowed_wrong_share = 0;
+};
+
+/// The rung that fidelity = "auto" has taken, and why.
+struct FidelityDecision {
+  std::string rung;                   ///< empty: nothing has been decided
+  std::string reason;                 ///< in words
+  std::string assumption;             ///< what verdicts rest on, where some limit is settled
+  std::vector<FidelityShift> shifts;  ///< by quantity, then by rung
+};
+
+/// One of several operating points at which each sample runs (mc/study/operating_points.hpp).
+struct OperatingPointPlan {
+  std::string name;
+  double weight = 1;                                          ///< relative to the other points
+  std::vector<std::pair<std::string, std::string>> settings;  ///< scene key, value as TOML text
+};
+
+struct Study {
+  std::string name = "study";
+  long seed = 1;
+  long samples = 256;  ///< design rows
+  double extra_replicates =
+      0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
+  DesignKind design = DesignKind::random;
+  long scrambles = 8;
+  long cages_per_lot = 1;
+  double allowed_failure_share = 0.02;
+  std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
+  long fidelity_samples = 24;       ///< runs on each rung of the model ladder
+  double fidelity_budget = 0.1;     ///< largest shift allowed, in standard errors of the study
+  std::vector<long> grid_levels;    ///< of design "grid": levels per varied input
+  Scene scene;                      ///< nominal
+  bool names_lubrication = true;    ///< the scene gives lubrication.model
+  std::vector<UncertainInput> inputs;
+  std::vector<OperatingPointPlan> points;  ///< none: the scene's own load and speed
+  std::vector<Correlation> correlations;
+  std::vector<Limit> limits;
+  TolerancePlan tolerance;
+  HistoryPlan history;
+  double cage_check_share = 0.01;  ///< of samples whose flexible cage is also solved in full
+  FidelityDecision fidelity_decision;
+  RecommendPlan recommend;
+  std::vector<Candidate> candidates;
+  std::string resolved_toml, resolved_json;
+  std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash
+  std::string hash;  ///< 16 hex digits, 64-bit FNV-1a over resolved_toml and `files`
+};
+
+/// Samples in all: rows plus noise replicates.
+std::uint64_t sample_count(const Study& study);
+
+/// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn).
+/// `settings` are "key=value" in TOML syntax; scene keys may be given with or without "scene." in
+/// front. Throws InputError. `Study::samples` is rounded up to the number of rows with which the
+/// design is complete (sobol, grid, pick-freeze, morris).
+Study read_study(const std::string& path, const std::vector<std::string>& settings = {});
+
+/// Reads a study from its resolved text (Study::resolved_toml): gives the same study with the same
+/// hash.
+Study read_resolved_study(const std::string& resolved_toml, const std::string& name);
+
+/// The study after `change`, which may touch all that its text says; resolved and hashed anew.
+Study changed_study(Study study, const std::function<void(Study&)>& change);
+
+/// Refuses to set the scene in motion that does not say whether there is oil in the bearing: a
+/// quasi-static scene, when it stands on a model ladder. Throws InputError naming `file`.
+void require_word_of_oil(const Study& study, const std::string& file);
+
+/// What a user should know before a sweep, though nothing is wrong: "limit ... is for 6 cage
+/// revolutions, the window has 2".
+std::vector<std::string> study_notes(const Study& study);
+
+/// These, and what concerns a sweep of the study's own rows alone, which is no recommendation.
+std::vector<std::string> sweep_notes(const Study& study);
+
+/// Of these, what a simplified model (the scene's section [model]) leaves out of this study.
+std::vector<std::string> model_notes(const Study& study);
+
+}  // namespace cagetol

@@ -1,0 +1,101 @@
+#include "mc/study/study_keys.hpp"
+
+#include <algorithm>
+
+namespace cagetol {
+
+// clang-format off
+#define AT(member) [](Study& s) -> auto& { return s.member; }
+const KeyTable<Study>& study_keys() {
+  static const KeyTable<Study> keys = {
+      {"name", any_value(), AT(name), "name of the study, for titles"},
+      {"seed", within(0, 9007199254740992), AT(seed), "seed of every random number of the study"},
+      {"samples", within(1, 1e9), AT(samples), "rows of the design; rounded up where the design needs it"},
+      {"extra_replicates", within(0, 1000), AT(extra_replicates), "runs repeated with fresh noise, as a share of the rows; 15: every row 16 times"},
+      {"design", any_value(), AT(design), "how the rows fill the space of deviations"},
+      {"scrambles", within(1, 1024), AT(scrambles), "design sobol: independent scrambles"},
+      {"cages_per_lot", within(1, 1e6), AT(cages_per_lot), "design random: cages that share one draw of the lot"},
+      {"allowed_failure_share", within(0, 1), AT(allowed_failure_share), "failed, censored and poisoned samples beyond this share: exit code 3; `recommend` judges the lower bound of their share in pilot and mixture together, and counts them as failing in confirmations"},
+      {"fidelity", one_of({"pinned", "auto"}), AT(fidelity), "pinned: the model that the scene says; auto: the cheapest rung of the model ladder that is good enough for every limited quantity: its mean is unmoved or its limits are settled (`cagetol ladder --help`), the highest where the samples do not tell"},
+      {"fidelity_samples", within(2, 1e9), AT(fidelity_samples), "fidelity auto: runs on each rung that is tried; more of them settle limits that are closer"},
+      {"fidelity_budget", above(0), AT(fidelity_budget), "fidelity auto: largest shift of a mean, or share beyond a limit, that a rung may cause, in standard errors of the study: of that mean, of its yield"},
+      {"cage_check_share", within(0, 1), AT(cage_check_share), "share of samples whose flexible cage is also solved in full, to know the error of the per-sample cage model"},
+      {"tolerance.target_yield", above(0, 1), AT(tolerance.target_yield), "share of cages that must meet all limits"},
+      {"tolerance.confidence", above(0, 0.999999), AT(tolerance.confidence), "confidence of the bounds"},
+      {"history.points", within(0, 10000), AT(history.points), "instants of the time history that is stored of each sample, equally spaced up to the end of the window; 0: no histories"},
+      {"history.roller", at_least(0), AT(history.roller), "roller whose spin the histories hold, from 0"},
+      {"recommend.pilot_samples", within(32, 1e9), AT(recommend.pilot_samples), "rows of the pilot, which measures run time and noise"},
+      {"recommend.attempts", within(1, 100), AT(recommend.attempts), "confirmations at most; each has the share 1 / attempts of the error that the confidence leaves"},
+      {"recommend.confirm_samples", within(0, 1e9), AT(recommend.confirm_samples), "most runs of one confirmation; 0: as many as its estimated yield needs and the budget affords; without a budget `samples` runs an attempt on average, or twice as many as can confirm at all, where that is more"},
+      {"recommend.budget_samples", within(0, 1e9), AT(recommend.budget_samples), "runs of all stages together, may be raised in the same directory; 0: the mixture has `samples` rows"},
+      {"recommend.budget_h", at_least(0), AT(recommend.budget_time), "wall-clock time of all stages together, by the pilot's time of a run, may be raised in the same directory; 0: no such budget"},
+      {"recommend.assumption_samples", or_auto(within(0, 1e9)), AT(recommend.assumption_samples), "after the confirmation: runs under each end of each range of an [[assumption]], beyond any budget; may be set and raised in the same directory; auto: as many as confirm the target if none fails; 0: none"},
+  };
+  return keys;
+}
+#undef AT
+
+const std::vector<KeyInfo>& limit_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"limit.quantity", any_value(), "quantity of interest that is limited", KeyKind::text},
+      {"limit.min", any_value(), "smallest value allowed, in the quantity's unit; min or max must be given", KeyKind::number},
+      {"limit.max", any_value(), "largest value allowed, in the quantity's unit", KeyKind::number},
+      {"limit.source", any_value(), "where the limit comes from", KeyKind::text},
+      {"limit.cage_revolutions", at_least(0), "measured cage revolutions for which the limit is meant; 0: not stated", KeyKind::number},
+  };
+  return keys;
+}
+
+const std::vector<KeyInfo>& dimension_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"tolerance.dimension.key", any_value(), "uncertain scene key, a length, whose tolerance is asked for", KeyKind::text},
+      {"tolerance.dimension.band_mm", above(0), "full width of the tolerance band to which the study's laws belong", KeyKind::number},
+      {"tolerance.dimension.candidates", any_value(), "array of candidate bands: ISO 286 grades (\"IT9\"), of diameters, widths and lengths in mm, or full widths in mm", KeyKind::numbers},
+      {"tolerance.dimension.centres", any_value(), "array of candidate nominal values in the unit of the key, ascending: centre and band are decided together; left out: the nominal value of the study", KeyKind::numbers},
+      {"tolerance.dimension.cost_a", at_least(0), "cost of a band = cost_a + cost_b / band^cost_k, band in mm, in any one currency", KeyKind::number},
+      {"tolerance.dimension.cost_b", at_least(0), "see cost_a", KeyKind::number},
+      {"tolerance.dimension.cost_k", above(0), "see cost_a; left out: 1", KeyKind::number},
+      {"tolerance.dimension.cost_table", any_value(), "instead of cost_a and cost_b: array of [band in mm, cost], straight lines between them", KeyKind::numbers},
+  };
+  return keys;
+}
+
+const std::vector<KeyInfo>& correlation_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"correlation.between", any_value(), "array of two inputs of one scope: \"KEY:lot\" or \"KEY:pocket\"", KeyKind::text},
+      {"correlation.rho", within(-1, 1), "correlation of the two deviations (of the same pocket)", KeyKind::number},
+  };
+  return keys;
+}
+
+const std::vector<KeyInfo>& assumption_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"assumption.key", any_value(), "scene key whose value nobody measured", KeyKind::text},
+      {"assumption.note", any_value(), "why this value was taken; reports print it", KeyKind::text},
+      {"assumption.low", any_value(), "smallest value that it may have as well, in the key's unit and range", KeyKind::number},
+      {"assumption.high", any_value(), "largest such value", KeyKind::number},
+  };
+  return keys;
+}
+
+const std::vector<KeyInfo>& operating_point_keys() {
+  static const std::vector<KeyInfo> keys = {
+      {"operating_point.name", any_value(), "name of an operating point at which every sample runs; its quantities are QUANTITY@NAME", KeyKind::text},
+      {"operating_point.weight", above(0), "share of the time in service, relative to the other points, for mean powers and friction torque; left out: 1", KeyKind::number},
+      {"operating_point.KEY", any_value(), "any scene key of load, speed, duty, phase, window, start, environment or lubrication (not lubrication.model, lubrication.temperature_C and speed.centrifugal_growth) with its value at the point", KeyKind::number},
+  };
+  return keys;
+}
+
+// clang-format on
+
+bool is_study_section(const std::string& name) {
+  static const std::vector<std::string> lists = {
+      "scene", "limit", "correlation", "grid_levels", "inputs", "candidates", "operating_point"};
+  if (std::find(lists.begin(), lists.end(), name) != lists.end()) return true;
+  return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
+    return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;
+  });
+}
+
+}  // namespace cagetol

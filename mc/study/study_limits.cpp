@@ -1,0 +1,302 @@
+#include "mc/study/study_limits.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "distributions/iso286.hpp"
+#include "mc/study/study_inputs.hpp"
+#include "mc/study/study_keys.hpp"
+#include "src/input/former_names.hpp"
+#include "src/quantities/quantity_labels.hpp"
+#include "src/quantities/quantity_table.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr std::size_t kMostCandidates = 1000;
+
+Limit read_limit(const toml::table& entry, const std::string& file,
+                 const std::vector<std::string>& labels) {
+  const auto info = [](const std::string& name) -> const KeyInfo& {
+    return info_of(limit_keys(), "limit." + name);
+  };
+  const auto missing = [&](const std::string& what, const std::string& remedy) {
+    return InputError(place_of(entry, file), "limit", shown(entry), what, remedy);
+  };
+  Limit limit;
+  const auto* quantity = entry.get("quantity");
+  if (!quantity)
+    throw missing("the limit names no quantity",
+                  "add quantity = \"...\", a key of `simulate --json`");
+  limit.quantity = text_value(info("quantity"), *quantity, file);
+  if (labelled_index(limit.quantity, labels) < 0)
+    throw no_such_quantity(*quantity, "limit.quantity", limit.quantity, file, labels);
+  if (const auto* node = entry.get("min")) limit.minimum = number_value(info("min"), *node, file);
+  if (const auto* node = entry.get("max")) limit.maximum = number_value(info("max"), *node, file);
+  if (!limit.minimum && !limit.maximum)
+    throw missing("the limit has neither min nor max", "add min = ..., max = ..., or both");
+  if (limit.minimum && limit.maximum && *limit.minimum > *limit.maximum)
+    throw missing("min is larger than max: nothing can meet this limit", "correct one of the two");
+  const auto* source = entry.get("source");
+  if (source) limit.source = text_value(info("source"), *source, file);
+  if (limit.source.empty())
+    throw missing("the limit does not say where it comes from",
+                  "add source = \"...\": a standard, a drawing, a test, an assumption");
+  if (const auto* node = entry.get("cage_revolutions"))
+    limit.cage_revolutions = number_value(info("cage_revolutions"), *node, file);
+  return limit;
+}
+
+const UncertainInput* find_input(const std::vector<UncertainInput>& inputs,
+                                 const std::string& key) {
+  for (const auto& input : inputs)
+    if (input.key == key) return &input;
+  return nullptr;
+}
+
+std::vector<std::string> candidate_names(const toml::node* node, const toml::table& entry,
+                                         const std::string& file) {
+  const auto* array = node ? node->as_array() : nullptr;
+  if (!array || array->empty())
+    throw InputError(place_of(node ? *node : entry, file), "tolerance.dimension.candidates",
+                     node ? shown(*node) : "", "there are no candidate bands",
+                     "give candidates = [\"IT9\", \"IT10\"] or full widths in mm, [0.05, 0.1]");
+  std::vector<std::string> names;
+  for (const auto& element : *array) {
+    const auto text = element.value<std::string>();
+    const auto width = element.value<double>();
+    const bool grade = text && grade_number(*text);
+    const bool band = element.is_number() && width && std::isfinite(*width) && *width > 0;
+    if (!grade && !band)
+      throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
+                       "this is neither an ISO 286 grade nor a band",
+                       "give a grade like \"IT9\" or a full width in mm above 0");
+    names.push_back(grade ? *text : number_text(*width));
+  }
+  return names;
+}
+
+std::vector<double> read_centres(const toml::node* node, const UncertainInput& input,
+                                 const std::string& file) {
+  std::vector<double> centres;
+  if (!node) return centres;
+  const auto refuse = [&](const toml::node& where, const char* why, const char* remedy) {
+    return InputError(place_of(where, file), "tolerance.dimension.centres", shown(where), why,
+                      remedy);
+  };
+  const auto* array = node->as_array();
+  if (!array || array->empty())
+    throw refuse(*node, "there are no centres",
+                 "give nominal values in the unit of the key, centres = [7.6, 7.65, 7.7]");
+  if (std::any_of(input.nominal.begin(), input.nominal.end(),
+                  [&](double value) { return value != input.nominal.front(); }))
+    throw refuse(*node, "the nominal values of the pockets differ: there is no centre to move",
+                 "give the key one nominal value, or leave out centres");
+  for (const auto& element : *array) {
+    const auto value = element.is_number() ? element.value<double>() : std::nullopt;
+    if (!value || !std::isfinite(*value))
+      throw refuse(element, "this is no number", "give nominal values in the unit of the key");
+    if (!centres.empty() && *value <= centres.back())
+      throw refuse(element, "centres must ascend", "sort them and name each once");
+    centres.push_back(*value);
+  }
+  return centres;
+}
+
+std::vector<std::pair<double, double>> cost_table(const toml::node& node, const std::string& file) {
+  std::vector<std::pair<double, double>> table;
+  const auto* rows = node.as_array();
+  for (std::size_t i = 0; rows && i < rows->size(); ++i) {
+    const auto* row = (*rows)[i].as_array();
+    const auto band = row && row->size() == 2 ? (*row)[0].value<double>() : std::nullopt;
+    const auto cost = row && row->size() == 2 ? (*row)[1].value<double>() : std::nullopt;
+    if (!band || !cost || !(*band > 0) || !(*cost >= 0) || !std::isfinite(*band + *cost) ||
+        (!table.empty() && *band <= table.back().first)) {
+      table.clear();
+      break;
+    }
+    table.emplace_back(*band, *cost);
+  }
+  if (table.size() < 2)
+    throw InputError(place_of(node, file), "tolerance.dimension.cost_table", shown(node),
+                     "this is no table of costs",
+                     "give two or more [band in mm, cost], bands above 0 and ascending: "
+                     "[[0.036, 9.5], [0.09, 4.0]]");
+  return table;
+}
+
+std::optional<CostCurve> read_cost(const toml::table& entry, const std::string& file) {
+  CostCurve cost;
+  const auto read = [&](const char* name, double& value) {
+    const auto* node = entry.get(name);
+    if (node)
+      value = number_value(info_of(dimension_keys(), std::string("tolerance.dimension.") + name),
+                           *node, file);
+    return node != nullptr;
+  };
+  const bool a = read("cost_a", cost.a), b = read("cost_b", cost.b), k = read("cost_k", cost.k);
+  const auto* table = entry.get("cost_table");
+  if (!a && !b && !k && !table) return std::nullopt;
+  if (table && (a || b || k))
+    throw InputError(place_of(*table, file), "tolerance.dimension.cost_table", shown(*table),
+                     "the cost is given twice, by a formula and by a table", "keep one of them");
+  if (!table && !b)
+    throw InputError(place_of(entry, file), "tolerance.dimension", shown(entry),
+                     "cost_b is missing: the cost would not depend on the tolerance",
+                     "add cost_b = ..., or leave out cost_a and cost_k");
+  if (table) cost.table = cost_table(*table, file);
+  return cost;
+}
+
+// A nominal size in mm, whatever unit of length its key has.
+double nominal_mm(const UncertainInput& input) {
+  const double mean = std::accumulate(input.nominal.begin(), input.nominal.end(), 0.0) /
+                      static_cast<double>(input.nominal.size());
+  return from_si(to_si(mean, unit_of(input.key).to_si), 1e-3);
+}
+
+// A table of costs says nothing beyond its ends.
+void check_costs(const std::vector<ToleranceDimension>& dimensions,
+                 const std::vector<Candidate>& candidates, const SourcePlace& place) {
+  for (std::size_t d = 0; d < dimensions.size(); ++d)
+    for (const Candidate& candidate : candidates) {
+      if (!dimensions[d].cost || dimensions[d].cost->table.empty()) break;
+      const auto& table = dimensions[d].cost->table;
+      const double band = candidate.bands_mm[d];
+      if (band < table.front().first || band > table.back().first)
+        throw InputError(place, "tolerance.dimension.cost_table", number_text(band),
+                         "the candidate band of " + dimensions[d].key + " of " + number_text(band) +
+                             " mm lies outside the table of costs, " +
+                             number_text(table.front().first) + " to " +
+                             number_text(table.back().first) + " mm",
+                         "extend the table, or leave the candidate out");
+    }
+}
+
+}  // namespace
+
+InputError no_such_quantity(const toml::node& node, const std::string& key,
+                            const std::string& quantity, const std::string& file,
+                            const std::vector<std::string>& labels) {
+  if (const auto [plain, label] = labelled_key(quantity);
+      !label.empty() && quantity_index(plain) >= 0) {
+    std::string known;
+    for (const std::string& name : labels) known += (known.empty() ? "" : ", ") + name;
+    return InputError(place_of(node, file), key, shown(node),
+                      "no phase and no operating point is called '" + label + "'",
+                      known.empty() ? "leave out @" + label +
+                                          ", or name phases ([[scene.phase]]) or operating points"
+                                    : "choose from " + known);
+  }
+  if (const FormerName* former = former_name(labelled_key(quantity).key))
+    return InputError(place_of(node, file), key, shown(node), former_problem(*former),
+                      former_remedy(*former));
+  std::vector<std::string> names;
+  for (const auto& known : quantity_table()) names.emplace_back(known.key);
+  return InputError(
+      place_of(node, file), key, shown(node), "there is no such quantity of interest",
+      "did you mean " + nearest_name(quantity, names) + "? `cagetol quantities` lists them all");
+}
+
+std::vector<Limit> read_limits(const toml::table& root, const std::string& file,
+                               const std::vector<std::string>& labels) {
+  std::vector<Limit> limits;
+  for (const auto* entry : table_entries(root, "limit", limit_keys(), file))
+    limits.push_back(read_limit(*entry, file, labels));
+  return limits;
+}
+
+std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const std::string& file,
+                                                const std::vector<UncertainInput>& inputs) {
+  std::vector<std::string> names;
+  for (const auto& input : inputs)
+    if (unit_of(input.key).dimension == "length" && (input.lot || input.pocket))
+      names.push_back(input.key);
+  std::vector<ToleranceDimension> dimensions;
+  for (const auto* entry : table_entries(root, "tolerance.dimension", dimension_keys(), file)) {
+    const auto* key = entry->get("key");
+    const auto* band = entry->get("band_mm");
+    if (!key || !band)
+      throw InputError(place_of(*entry, file), "tolerance.dimension", shown(*entry),
+                       key ? "the band to which the laws belong is missing" : "the key is missing",
+                       "write key = \"cage.pocket_width_mm\" and band_mm = 0.1");
+    ToleranceDimension dimension;
+    dimension.key = text_value(info_of(dimension_keys(), "tolerance.dimension.key"), *key, file);
+    dimension.band_mm =
+        number_value(info_of(dimension_keys(), "tolerance.dimension.band_mm"), *band, file);
+    const auto* input = find_input(inputs, dimension.key);
+    const bool scalable =
+        input && unit_of(input->key).dimension == "length" && (input->lot || input->pocket);
+    if (!scalable)
+      throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
+                       "this is no length of the scene that varies by lot or pocket in this study",
+                       names.empty() ? "give the key a distribution below [scene]"
+                                     : "did you mean " + nearest_name(dimension.key, names) + "?");
+    for (const auto& other : dimensions)
+      if (other.key == dimension.key)
+        throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
+                         "this key has a tolerance.dimension already", "join the two");
+    dimension.candidates = candidate_names(entry->get("candidates"), *entry, file);
+    dimension.centres = read_centres(entry->get("centres"), *input, file);
+    dimension.cost = read_cost(*entry, file);
+    if (!dimensions.empty() && dimension.cost.has_value() != dimensions.front().cost.has_value())
+      throw InputError(place_of(*entry, file), "tolerance.dimension", shown(*entry),
+                       "one dimension has a cost and another has none: no total can be compared",
+                       "give every dimension a cost, or none");
+    dimensions.push_back(std::move(dimension));
+  }
+  return dimensions;
+}
+
+std::vector<Candidate> make_candidates(const Study& study, const toml::table& root,
+                                       const std::string& file) {
+  const auto& dimensions = study.tolerance.dimensions;
+  if (dimensions.empty()) return {};
+  const auto place = place_of(*find_node(root, "tolerance.dimension"), file);
+  std::vector<Candidate> candidates = {Candidate{}};
+  for (const auto& dimension : dimensions) {
+    const double nominal = find_input(study.inputs, dimension.key)->nominal.front();
+    const auto centres =
+        dimension.centres.empty() ? std::vector<double>{nominal} : dimension.centres;
+    if (candidates.size() * dimension.candidates.size() * centres.size() > kMostCandidates)
+      throw InputError(
+          place, "tolerance.dimension", "",
+          "more than " + std::to_string(kMostCandidates) + " combinations of candidates",
+          "name fewer candidates for each dimension");
+    std::vector<Candidate> longer;
+    for (const auto& shorter : candidates)
+      for (const auto& name : dimension.candidates) {
+        Candidate candidate = shorter;
+        double band = 0;
+        if (const auto grade = grade_number(name)) {
+          if (!is_size(dimension.key))
+            throw InputError(place, "tolerance.dimension.candidates", name,
+                             "ISO 286 grades sizes, and " + dimension.key +
+                                 " is no diameter, width or length in mm",
+                             "give full widths in mm, such as 0.01");
+          try {
+            band =
+                grade_width_um(*grade, nominal_mm(*find_input(study.inputs, dimension.key))) / 1000;
+          } catch (const std::invalid_argument& error) {
+            throw InputError(place, "tolerance.dimension.candidates", name, error.what(),
+                             "choose another grade or give the full width in mm");
+          }
+        } else {
+          band = std::stod(name);
+        }
+        candidate.grades.push_back(grade_number(name) ? name : "");
+        candidate.bands_mm.push_back(band);
+        candidate.scales.push_back(band / dimension.band_mm);
+        for (const double centre : centres) {
+          longer.push_back(candidate);
+          longer.back().shifts.push_back(centre - nominal);
+        }
+      }
+    candidates = std::move(longer);
+  }
+  check_costs(dimensions, candidates, place);
+  return candidates;
+}
+
+}  // namespace cagetol

@@ -1,0 +1,47 @@
+#include "mc/sweep/adopted_runs.hpp"
+
+#include <algorithm>
+
+#include "mc/host/build_info.hpp"
+#include "mc/study/sample.hpp"
+#include "mc/sweep/stored_study.hpp"
+#include "mc/sweep/sweep_directory.hpp"
+
+namespace cagetol {
+namespace {
+
+bool same_model(const Study& a, const Study& b) {
+  const auto differences = study_differences(a.resolved_toml, b.resolved_toml);
+  return std::none_of(differences.begin(), differences.end(), [](const std::string& difference) {
+    return difference.starts_with("scene.") || difference.starts_with("history.") ||
+           difference.starts_with("cage_check_share");
+  });
+}
+
+bool same_sample(const Sample& a, const Sample& b) {
+  return a.candidate == b.candidate && a.replicate == b.replicate &&
+         std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(),
+                    [](const DrawnInput& x, const DrawnInput& y) { return x.value == y.value; });
+}
+
+}  // namespace
+
+std::size_t adopt_runs(const Study& study, const std::string& directory, const std::string& from) {
+  const StudyFile file = read_study_file(study_file_path(from));
+  const BuildInfo build = build_info();
+  const Study other = read_resolved_study(file.study_toml, from);
+  if (file.build != build_id(build) || !same_model(study, other)) return 0;
+  const SweepDirectory opened(directory, study, build);
+  if (!opened.stored().headers.empty() || !opened.only_in_study_file().empty()) return 0;
+  const Sampler mine(study), theirs(other);
+  Journal journal(journal_directory(directory), {study.hash, build_id(build), 0});
+  std::size_t adopted = 0;
+  for (const auto& [id, outcome] : file.outcomes) {
+    if (id >= sample_count(study) || !same_sample(mine.draw(id), theirs.draw(id))) continue;
+    journal.finished(outcome);
+    ++adopted;
+  }
+  return adopted;
+}
+
+}  // namespace cagetol

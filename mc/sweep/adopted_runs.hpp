@@ -1,0 +1,18 @@
+// Runs of another directory that are samples of this study to the bit: same geometry, same noise,
+// same model. They need not be run again.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "mc/study/study.hpp"
+
+namespace cagetol {
+
+/// Takes the outcomes stored in the directory `from` over into the journal of an empty `directory`,
+/// as far as both studies draw the same samples for the same model and keep the same of them.
+/// Returns their number: 0 where `directory` holds anything already. Rank 0 alone calls it, before
+/// the sweep. Throws what SweepDirectory and read_study_file throw.
+std::size_t adopt_runs(const Study& study, const std::string& directory, const std::string& from);
+
+}  // namespace cagetol

@@ -1,0 +1,53 @@
+#include "src/quantities/window_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace cagetol {
+namespace {
+
+WindowTimes times_of_duty(const Scene& scene, const Duty& duty) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN(),
+                   never = std::numeric_limits<double>::infinity();
+  const Phases& phases = scene.phase;
+  const double period = duty.course.empty()     ? 2 * std::numbers::pi / duty.swing_rate
+                        : duty.course.repeats() ? duty.course.period()
+                                                : 0;
+  const auto least = [](const NumberList& of) {
+    return *std::min_element(of.values.begin(), of.values.end());
+  };
+  const double settle =
+      given_or(scene.window.settle_time, phases.name.empty() ? period : least(phases.from));
+  double end = settle + period;
+  if (!phases.name.empty())
+    end = *std::max_element(phases.to.values.begin(), phases.to.values.end());
+  else if (period == 0)
+    end = duty.course.rows().back().time;
+  const double measure = given_or(scene.window.measure_time, end - settle);
+  return {settle, measure, measure, never, none, 0};
+}
+
+}  // namespace
+
+WindowTimes window_times(const Scene& scene, const BearingModel& model) {
+  if (model.duty.over_time()) return times_of_duty(scene, model.duty);
+  const double revolution =
+      2 * std::numbers::pi / std::abs(kinematic_cage_speed(model, model.duty.speed));
+  const Window& w = scene.window;
+  const double settle =
+      std::isnan(w.settle_time) ? w.settle_revolutions * revolution : w.settle_time;
+  const double measure =
+      std::isnan(w.measure_time) ? w.measure_revolutions * revolution : w.measure_time;
+  const double peaks =
+      std::isnan(w.peak_revolutions) ? measure : std::min(w.peak_revolutions * revolution, measure);
+  return {settle,
+          measure,
+          peaks,
+          revolution,
+          w.extrapolate_revolutions,
+          w.longest_settle_revolutions * revolution};
+}
+
+}  // namespace cagetol

@@ -1,0 +1,174 @@
+#include "src/reading/duty_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "src/input/csv_heading.hpp"
+#include "src/input/csv_records.hpp"
+#include "src/input/printable.hpp"
+#include "src/reading/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+constexpr std::size_t kLongestField = 40;
+
+/// A column of the file and the key that it fills.
+struct Column {
+  const Key<Scene>* key = nullptr;
+  double factor = 1;  ///< from the column's unit to the key's
+  std::vector<double> values;
+};
+
+/// Keys that a column may fill: "duty.time_s", ...
+std::vector<const Key<Scene>*> column_keys() {
+  std::vector<const Key<Scene>*> keys;
+  for (const auto& key : scene_keys())
+    if (key.name.starts_with("duty.") && key.kind == KeyKind::list) keys.push_back(&key);
+  return keys;
+}
+
+std::string heading_of(const KeyInfo& key) {
+  return key.name.substr(std::string("duty.").size());
+}
+
+std::string known_headings() {
+  std::string text;
+  for (const auto* key : column_keys()) text += (text.empty() ? "" : ", ") + heading_of(*key);
+  return text;
+}
+
+Column find_column(std::string_view heading, const SourcePlace& place) {
+  const CsvHeading given = csv_heading(heading);
+  const std::string shown = excerpt(std::string(heading), kLongestField);
+  std::vector<std::string> names;
+  for (const auto* key : column_keys()) {
+    names.push_back(heading_of(*key));
+    if (std::string(without_unit(names.back())) != given.name) continue;
+    const Unit* unit = find_unit(given.unit);
+    const Unit& wanted = unit_of(key->name);
+    if (!unit || unit->dimension != wanted.dimension)
+      throw InputError(place, "duty.file", shown,
+                       "this column needs a unit of a " + wanted.dimension,
+                       "write " + names.back() + " in the header");
+    return {key, unit->to_si / wanted.to_si, {}};
+  }
+  throw InputError(
+      place, "duty.file", shown, "no column of a duty has this name",
+      "did you mean " + nearest_name(shown, names) + "? Columns are " + known_headings());
+}
+
+double value_of(std::string_view field, const Column& column, const SourcePlace& place) {
+  const std::string shown = excerpt(std::string(field), kLongestField);
+  const std::string key = "duty." + heading_of(*column.key);
+  if (field.starts_with('+')) field.remove_prefix(1);
+  double value = 0;
+  const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (result.ec != std::errc{} || result.ptr != field.data() + field.size() ||
+      !std::isfinite(value))
+    throw InputError(place, key, shown, "not a finite number",
+                     "give a number in each field, with a decimal point");
+  value *= column.factor;
+  if (!in_range(column.key->range, value))
+    throw InputError(place, key, shown, "outside the range of this column",
+                     "give values " + range_text(*column.key));
+  return value;
+}
+
+}  // namespace
+
+void read_duty_file(const toml::node& node, const std::string& file, DutyTable& table) {
+  namespace fs = std::filesystem;
+  const SourcePlace from = place_of(node, file);
+  const std::string name = table.file;
+  const fs::path folder = from.line > 0 ? fs::path(from.file).parent_path() : fs::path();
+  const std::string path = (folder / name).string();
+  Scene filled;
+  filled.operation.table = table;
+  for (const auto* key : column_keys())
+    if (!key_numbers(*key, filled).empty())
+      throw InputError(from, "duty.file", name,
+                       "the scene gives " + key->name + " beside a file that holds all columns",
+                       "leave one of the two out");
+  std::string text;
+  try {
+    text = csv_text(read_text_file(path), path);
+  } catch (const InputError& problem) {
+    throw InputError(from, "duty.file", name, problem.what(),
+                     "name a CSV file, its path relative to the file that names it");
+  }
+  CsvRecords records(text, path, false);
+  if (!records.next())
+    throw InputError({path, 0}, "duty.file", name, "the file is empty",
+                     "write a header (" + known_headings() + "), then a line for each instant");
+  std::vector<Column> columns;
+  std::set<std::string> seen;
+  for (const std::string_view heading : records.fields()) {
+    columns.push_back(find_column(heading, records.place()));
+    if (!seen.insert(columns.back().key->name).second)
+      throw InputError(records.place(), columns.back().key->name, "",
+                       "a second column of this name", "leave one of them out");
+  }
+  if (!seen.contains("duty.time_s"))
+    throw InputError(records.place(), "duty.file", name, "no column tells the time",
+                     "add a column time_s");
+  double last = -1;
+  std::size_t rows = 0;
+  while (records.next()) {
+    const auto& fields = records.fields();
+    if (fields.size() != columns.size())
+      throw InputError(records.place(), "duty.file", name,
+                       std::to_string(fields.size()) + " fields, but the header has " +
+                           std::to_string(columns.size()),
+                       "give one value for each column");
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      Column& column = columns[k];
+      column.values.push_back(value_of(trimmed_field(fields[k]), column, records.place()));
+      if (column.key->name != "duty.time_s") continue;
+      if (!(column.values.back() > last))
+        throw InputError(records.place(), "duty.time_s", std::string(trimmed_field(fields[k])),
+                         "times must increase from line to line", "sort the lines by time");
+      last = column.values.back();
+    }
+    ++rows;
+  }
+  if (rows == 0)
+    throw InputError({path, 0}, "duty.file", name, "there is no line after the header",
+                     "write a line for each instant");
+  for (const Column& column : columns) {
+    auto& place = std::get<std::function<NumberList&(Scene&)>>(column.key->place)(filled);
+    for (const double value : column.values)
+      place.values.push_back(to_si(value, column.key->to_si));
+  }
+  table = filled.operation.table;
+  table.file.clear();
+}
+
+void read_phases(const toml::node& node, const std::string& file, Phases& phases) {
+  static const std::vector<std::string> known = {"name", "from_s", "to_s"};
+  for (const auto& element : *node.as_array()) {
+    const auto* entry = element.as_table();
+    if (!entry || !entry->contains("name") || !entry->contains("from_s") ||
+        !entry->contains("to_s"))
+      throw InputError(place_of(element, file), "phase", shown(element),
+                       "a phase has a name, a beginning and an end",
+                       "write [[phase]] with name = \"braking\", from_s = 0.1, to_s = 0.2");
+    for (const auto& [key, value] : *entry)
+      if (std::find(known.begin(), known.end(), key.str()) == known.end())
+        throw InputError(place_of(value, file), "phase." + std::string(key.str()), shown(value),
+                         "no such key", "did you mean " + nearest_name(key.str(), known) + "?");
+    const auto number = [&](const char* name) {
+      const Key<Scene>& key = *find_key(scene_keys(), std::string("phase.") + name);
+      return number_value(key, *entry->get(name), file);
+    };
+    phases.name.push_back(
+        text_value(*find_key(scene_keys(), "phase.name"), *entry->get("name"), file));
+    phases.from.values.push_back(number("from_s"));
+    phases.to.values.push_back(number("to_s"));
+  }
+}
+
+}  // namespace cagetol

@@ -1,0 +1,60 @@
+#include "src/reading/oil_keys.hpp"
+
+#include <array>
+
+#include "src/reading/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Replaced {
+  const char* key;
+  const char* successor;
+};
+
+constexpr const char* kModelItself = "leave it out, lubrication.model itself stands for it";
+constexpr std::array<Replaced, 4> kReplaced = {{
+    {"film.model", kModelItself},
+    {"film.viscosity_Pa_s", "lubrication.viscosity_Pa_s"},
+    {"film.pressure_viscosity_1_GPa", "lubrication.pressure_viscosity_1_GPa"},
+    {"film.least_force_N", kModelItself},
+}};
+
+}  // namespace
+
+InputError no_word_of_oil(const std::string& who, const std::string& file) {
+  return {{file, 0},
+          "lubrication.model",
+          "",
+          who +
+              " whether there is oil in the bearing: friction, slip and pocket forces depend on it "
+              "more than on any tolerance",
+          "give lubrication.model = \"film\" for a bearing with oil, or \"none\" for a dry one as "
+          "before (in a study below [scene], or in the scene file that its scene.file names)"};
+}
+
+std::string successor_of(const Scene& scene, std::string_view key) {
+  if (is_lubricated(scene))
+    for (const Replaced& replaced : kReplaced)
+      if (key == replaced.key) return replaced.successor;
+  return "";
+}
+
+void refuse_replaced_keys(const Scene& scene, const toml::table& root, const std::string& file) {
+  const toml::node* first = nullptr;
+  std::string name, successors;
+  for (const auto& key : scene_keys()) {
+    const std::string successor = successor_of(scene, key.name);
+    const auto* node = successor.empty() ? nullptr : find_node(root, key.name);
+    if (!node) continue;
+    if (!first) first = node, name = key.name;
+    successors += "\n    instead of " + key.name + ": " + successor;
+  }
+  if (!first) return;
+  throw InputError(
+      place_of(*first, file), name, shown(*first),
+      "this belongs to the older oil film, which lubrication.model = \"film\" replaces",
+      "set lubrication.model = \"none\", or give" + successors);
+}
+
+}  // namespace cagetol

@@ -1,0 +1,47 @@
+#include "src/reading/unmodelled_keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "src/input/input_error.hpp"
+
+namespace cagetol {
+namespace {
+
+struct Unmodelled {
+  std::array<std::string_view, 3> words;  ///< of a key's last part
+  std::string_view what, remedy;
+};
+constexpr std::array kUnmodelled = {
+    Unmodelled{{"row", "rows", "double"},
+               "a bearing has one row of rollers: double-row bearings are not modelled",
+               "simulate one row by itself, under its share of the load, and leave the key out"},
+    Unmodelled{{"split", "segments", "segmented"},
+               "a cage is one closed ring: split and segmented cages are not modelled",
+               "leave the key out; the scene then has a cage without a gap"},
+};
+
+/// Whether one of the words between underscores is `word`.
+bool has_word(std::string_view name, std::string_view word) {
+  for (std::size_t from = 0; from <= name.size();) {
+    const std::size_t end = std::min(name.find('_', from), name.size());
+    if (name.substr(from, end - from) == word) return true;
+    from = end + 1;
+  }
+  return false;
+}
+
+}  // namespace
+
+void refuse_unmodelled_key(const TomlLeaf& leaf, const std::string& file) {
+  const std::string_view name = leaf.name;
+  const std::string_view last = name.substr(name.rfind('.') + 1);
+  for (const Unmodelled& of : kUnmodelled)
+    for (const std::string_view word : of.words)
+      if (has_word(last, word))
+        throw InputError(place_of(*leaf.node, file), leaf.name, "", std::string(of.what),
+                         std::string(of.remedy));
+}
+
+}  // namespace cagetol
