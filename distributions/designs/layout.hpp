@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "distributions/design.hpp"
+#include "distributions/designs/design_spec.hpp"
 
 namespace cagetol {
 

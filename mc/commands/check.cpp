@@ -8,6 +8,7 @@
 
 #include "mc/commands/command.hpp"
 #include "mc/commands/operating_text.hpp"
+#include "mc/run/forecast.hpp"
 #include "mc/run/jam_shares.hpp"
 #include "mc/study/assumption_ranges.hpp"
 #include "mc/study/band_filling.hpp"
@@ -15,7 +16,6 @@
 #include "mc/study/operating_points.hpp"
 #include "mc/study/sample.hpp"
 #include "mc/study/study.hpp"
-#include "mc/sweep/forecast.hpp"
 #include "src/quantities/operating_point.hpp"
 
 namespace cagetol {

@@ -12,7 +12,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/stage_study.hpp"
-#include "mc/sweep/forecast.hpp"
+#include "mc/run/forecast.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/unit.hpp"

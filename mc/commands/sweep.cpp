@@ -13,9 +13,9 @@
 #include "mc/commands/study_motion.hpp"
 #include "mc/ranks/signals.hpp"
 #include "mc/ranks/team.hpp"
+#include "mc/run/forecast.hpp"
 #include "mc/study/study.hpp"
 #include "mc/sweep/adopted_runs.hpp"
-#include "mc/sweep/forecast.hpp"
 
 namespace cagetol {
 namespace {

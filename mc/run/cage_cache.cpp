@@ -11,7 +11,7 @@
 #include "mc/host/progress.hpp"
 #include "mc/host/sealed_bytes.hpp"
 #include "mc/ranks/signals.hpp"
-#include "mc/sweep/forecast.hpp"
+#include "mc/run/forecast.hpp"
 #include "src/cage/solve/unsolved_cage.hpp"
 #include "src/cage/table/cage_table_bytes.hpp"
 #include "src/input/input_error.hpp"

@@ -12,10 +12,10 @@
 #include "mc/host/failure.hpp"
 #include "mc/ranks/hand_out.hpp"
 #include "mc/ranks/signals.hpp"
+#include "mc/run/forecast.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study_file/exit_code.hpp"
 #include "mc/sweep/alone.hpp"
-#include "mc/sweep/forecast.hpp"
 #include "mc/sweep/stored_study.hpp"
 #include "src/input/input_error.hpp"
 

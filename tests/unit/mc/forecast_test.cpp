@@ -1,4 +1,4 @@
-#include "mc/sweep/forecast.hpp"
+#include "mc/run/forecast.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

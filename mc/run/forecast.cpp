@@ -1,4 +1,4 @@
-#include "mc/sweep/forecast.hpp"
+#include "mc/run/forecast.hpp"
 
 #include <fmt/format.h>
 

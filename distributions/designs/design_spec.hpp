@@ -1,0 +1,65 @@
+// What a sampling design is made from (design.hpp).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "distributions/basics/random_stream.hpp"
+
+namespace cagetol {
+
+enum class DesignKind { random, lhs, sobol, grid, pick_freeze, morris };
+
+/// A design and its name in study files.
+struct DesignName {
+  DesignKind value;
+  const char* text;
+};
+constexpr std::array<DesignName, 6> spellings(DesignKind) {
+  using enum DesignKind;
+  return {{{random, "random"},
+           {lhs, "lhs"},
+           {sobol, "sobol"},
+           {grid, "grid"},
+           {pick_freeze, "pick-freeze"},
+           {morris, "morris"}}};
+}
+
+/// One coordinate: the address of its random numbers, and its group in grouped designs.
+struct DesignColumn {
+  Purpose purpose = Purpose::lot;
+  std::uint32_t stream = 0;  ///< stream_address(name of the input)
+  std::uint32_t draw = 0;    ///< pocket, for Purpose::pocket
+  std::uint32_t group = 0;   ///< 0, 1, 2, ...
+};
+
+struct DesignSpec {
+  DesignKind kind = DesignKind::random;
+  std::uint64_t rows = 0;
+  std::uint64_t seed = 1;
+  std::vector<DesignColumn> columns;
+
+  /// 0: the number of groups in `columns`. A larger number adds groups without columns (noise).
+  std::uint32_t groups = 0;
+
+  /// random only: the rows of one lot share their columns of Purpose::lot.
+  std::uint64_t cages_per_lot = 1;
+
+  /// sobol: independent replicates.
+  std::uint64_t scrambles = 8;
+
+  /// sobol: rows r, r + classes, r + 2 classes, ... of a scramble form a net of their own.
+  std::uint64_t classes = 1;
+
+  /// grid: number of levels of each group.
+  std::vector<std::uint64_t> grid_levels;
+
+  /// morris: number of levels, even.
+  std::uint64_t morris_levels = 4;
+
+  /// grid, morris: levels span [trim, 1 - trim]. Laws without ends need trim > 0.
+  double trim = 0;
+};
+
+}  // namespace cagetol
