@@ -38,8 +38,8 @@ std::vector<Rung> refining_rungs(const Scene& scene);
 Scene on_rung(Scene scene, const Rung& rung);
 
 /// Those of `rungs` that give this scene a model of its own: not one that takes away what the scene
-/// has not, nor one without what the scene needs (planar rollers carry no axial load). The last one,
-/// the reference, stays.
+/// has not, nor one without what the scene needs (planar rollers carry no axial load). The last
+/// one, the reference, stays.
 std::vector<Rung> rungs_for(const Scene& scene, const std::vector<Rung>& rungs);
 
 /// The study's first `samples` random samples on that rung, without its replicates and histories. All

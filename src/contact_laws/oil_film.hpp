@@ -1,11 +1,11 @@
 // Oil film between roller and race, in series with the elastic contact:
 //   p = delta(Q) - h(Q, u),   1/K = 1/K_r + k,   k = -dh/dQ
 //   h = 2.65 alpha^0.54 (eta0 u)^0.70 R^0.43 E'^-0.03 (Q/l)^-0.13
-// h Dowson and Higginson, minimum film of an elastic line contact; k = Q/(0.13 h) turned over. It is
-// fitted to heavy contacts, and too thin by any factor for light ones (Q below some 30 N of an NU 205
-// in 20 mPa s). p geometric penetration [m], Q normal force [N], delta elastic depth [m], u mean
-// entrainment speed [m/s], l contact length [m], R effective radius [m], E' effective modulus [Pa],
-// eta0 viscosity at ambient pressure [Pa s], alpha pressure-viscosity coefficient [1/Pa]. Below
+// h Dowson and Higginson, minimum film of an elastic line contact; k = Q/(0.13 h) turned over. It
+// is fitted to heavy contacts, and too thin by any factor for light ones (Q below some 30 N of an
+// NU 205 in 20 mPa s). p geometric penetration [m], Q normal force [N], delta elastic depth [m], u
+// mean entrainment speed [m/s], l contact length [m], R effective radius [m], E' effective modulus
+// [Pa], eta0 viscosity at ambient pressure [Pa s], alpha pressure-viscosity coefficient [1/Pa]. Below
 // `least_force` h goes on along its tangent to a finite film at Q = 0, and the film carries load at
 // p > -h(0, u). Below 1 cm/s of entrainment h falls as the square of the speed instead: with it the
 // force is smooth in all that it depends on. Isothermal, fully flooded, steady: no squeeze.

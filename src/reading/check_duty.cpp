@@ -114,7 +114,7 @@ void check_phases(const Scene& scene, const SceneCheck& check) {
   }
 }
 
-void check_window(const Scene& scene, const SceneCheck& check) {
+void check_window_under_duty(const Scene& scene, const SceneCheck& check) {
   if (!changes_over_time(scene.operation)) return;
   const Window& w = scene.window;
   const char* why = "under a duty over time no cage revolution stands for another";
@@ -143,7 +143,7 @@ void check_duty(const Scene& scene, const SceneCheck& check) {
                   "a ring whose tilt is prescribed hands any moment on to its shaft (" +
                       check.with_value("model.ring_tilt") + ")",
                   "set model.ring_tilt = \"free\", or leave the moment out");
-  check_window(scene, check);
+  check_window_under_duty(scene, check);
   check_phases(scene, check);
 }
 

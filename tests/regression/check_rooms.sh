@@ -1,45 +1,85 @@
 #!/usr/bin/env bash
-# Which room, and which folder of src, may include which: check_rooms.sh SOURCE_DIR. The roof, mc/commands and
-# mc/main.cpp, may use every room.
+# Which folder may include which: check_rooms.sh SOURCE_DIR. A folder may use itself and what stands behind its colon, a
+# room's name alone standing for all of its folders. Every folder has a line, and no folders include each other in a circle.
 set -u
 cd "$1" || exit 2
-status=0
-ours='(src|distributions|mc|analysis|tests)/' # in angle brackets, too: the project's root is an include directory
-check() { # WHO ALLOWED-REGEX FILES...
-  local who=$1 allowed=$2; shift 2
-  local bad
-  bad=$(grep -HnE "^[[:space:]]*#[[:space:]]*include[[:space:]]*(\"|<$ours)" "$@" | grep -vE "include[[:space:]]*[\"<]($allowed)")
-  [ -z "$bad" ] || { echo "$who includes what it must not know:"; echo "$bad"; status=1; }
-}
-sources() { find "$@" -name '*.?pp' ! -path 'mc/commands/*' ! -path 'mc/benchmark/*' ! -path 'mc/main.cpp'; }
-check src 'src/' $(sources src)
-check src/input 'src/input/' $(sources src/input)
-check src/numerics 'src/numerics/' $(sources src/numerics)
-check src/scene 'src/(scene|input|lubrication)/' $(sources src/scene)
-check src/cage 'src/(cage|scene)/' $(sources src/cage)
-# The way of a state, and no arrow runs back up: model -> contacts -> dynamics -> integration, with the matrix beside.
-laws='numerics|scene|cage|contact_laws|lubrication'
-check src/contact_laws 'src/(contact_laws|numerics|scene)/' $(sources src/contact_laws)
-check src/lubrication 'src/(lubrication|contact_laws|numerics|scene)/' $(sources src/lubrication)
-check src/model "src/($laws|model)/" $(sources src/model)
-check src/newton "src/($laws|model|newton)/" $(sources src/newton)
-check src/contacts "src/($laws|model|newton|contacts)/" $(sources src/contacts)
-check src/dynamics "src/($laws|model|newton|contacts|dynamics)/" $(sources src/dynamics)
-check src/statics "src/($laws|model|newton|contacts|statics)/" $(sources src/statics)
-check src/integration "src/($laws|model|newton|dynamics|integration)/" $(sources src/integration)
-# What a run amounts to stands above how it is computed.
-check 'what is below src/quantities' 'src/[a-pr-z][a-z_]*/' $(find src -mindepth 2 -name '*.?pp' ! -path 'src/quantities/*' ! -path 'src/catalogue/*')
-# Bearings by designation end in a scene; nothing of src knows where a scene is from.
-check src/catalogue 'src/(catalogue|scene|input|lubrication|quantities/load_rating)' $(sources src/catalogue)
-check 'what is below src/catalogue' 'src/(cage|c[b-z][a-z_]*|[abd-z][a-z_]*)[./]' $(find src -name '*.?pp' ! -path 'src/catalogue/*')
-check distributions 'distributions/' $(sources distributions)
-check mc/study_file 'mc/study_file/|distributions/' $(sources mc/study_file)
-check analysis 'analysis/|distributions/|mc/study_file/' $(sources analysis)
-check mc 'mc/(study_file/|ladder/)?[a-z_0-9]+\.hpp|src/|distributions/|cagetol_build.hpp' $(sources mc)
-check mc/benchmark 'mc/(study_file/|ladder/|benchmark/)?[a-z_0-9]+\.hpp|src/|distributions/|analysis/' $(find mc/benchmark -name '*.?pp')
+law='src/numerics src/input src/contact_laws src/lubrication src/scene'
+cage='src/cage/mesh src/cage/solve src/cage/stress src/cage/table'
+model="$law src/operation $cage src/model"
+run="$model src/newton src/contacts src/dynamics src/statics src/integration src/quantities"
+sweep='mc/study_file mc/host mc/ranks mc/study mc/run mc/sweep'
+allowed=$(cat <<TABLE
+src/input:
+src/numerics:
+src/contact_laws: src/input src/numerics
+src/lubrication: src/contact_laws src/numerics
+src/scene: src/contact_laws src/input
+src/operation: src/scene
+src/reading: src/input src/lubrication src/operation src/scene
+src/cage/mesh: src/scene
+src/cage/solve: src/cage/mesh
+src/cage/stress: src/cage/mesh src/cage/solve
+src/cage/table: src/cage/mesh src/cage/solve src/cage/stress src/operation src/scene
+src/model: $law src/operation $cage
+src/newton: $model
+src/contacts: $model src/newton
+src/dynamics: $model src/newton src/contacts
+src/statics: $model src/newton src/contacts
+src/integration: $model src/newton src/dynamics
+src/quantities: $model src/integration src/statics
+src/catalogue: src/input src/scene src/reading src/quantities
+src: $run
+distributions/basics:
+distributions/laws: distributions/basics
+distributions/designs: distributions/basics
+distributions: distributions/basics distributions/laws distributions/designs
+mc/study_file: distributions
+mc/host: mc/study_file src/input src/quantities
+mc/ranks: mc/study_file mc/host src/input src/quantities
+mc/study: mc/study_file mc/host src distributions
+mc/run: mc/study_file mc/host mc/ranks mc/study src distributions
+mc/sweep: mc/study_file mc/host mc/ranks mc/study mc/run src distributions
+mc/ladder: $sweep src
+mc/benchmark: $sweep mc/ladder src distributions analysis
+mc/commands: $sweep mc/ladder mc/benchmark src distributions analysis
+mc: mc/commands mc/host src/input
+analysis/study: mc/study_file distributions
+analysis/statistics: analysis/study mc/study_file distributions
+analysis/sensitivity: analysis/study analysis/statistics mc/study_file distributions
+analysis/compare: analysis/study analysis/statistics mc/study_file distributions
+analysis/response: analysis/study analysis/statistics analysis/sensitivity mc/study_file
+analysis/tolerance: analysis/study analysis/statistics analysis/sensitivity analysis/compare mc/study_file distributions
+analysis/fidelity: analysis/study analysis/statistics analysis/compare mc/study_file distributions
+analysis/report: analysis/study analysis/statistics analysis/sensitivity analysis/compare analysis/response analysis/tolerance analysis/fidelity mc/study_file distributions
+TABLE
+)
+includes=$(find src mc analysis distributions -name '*.[hc]pp' -print0 |
+  xargs -0 grep -HnoE '^[[:space:]]*#[[:space:]]*include[[:space:]]*["<](src|mc|analysis|distributions|tests)/[^">]*')
+# Lines FOLDER INCLUDED-FOLDER PLACE, the folder's own left out.
+edges=$(sed -E 's|^(.*)/([^/]*:[0-9]+):.*["<](.*)/[^/]*$|\1 \3 \1/\2|' <<< "$includes" | awk '$1 != $2')
+faults=$(awk -v table="$allowed" '
+  BEGIN {
+    lines = split(table, line, "\n")
+    for (i = 1; i <= lines; ++i) {
+      n = split(line[i], word, " ")
+      folder = substr(word[1], 1, length(word[1]) - 1)
+      known[folder] = 1
+      for (k = 2; k <= n; ++k) may[folder, word[k]] = 1
+    }
+  }
+  function room(folder) { sub("/.*", "", folder); return folder }
+  !($1 in known) { print $1 " has no line in check_rooms.sh: " $3; next }
+  !(($1, $2) in may) && !(room($1) != room($2) && (($1, room($2)) in may)) {
+    print $1 " includes what it must not know: " $3 " " $2 }' <<< "$edges")
+circle=$(cut -d' ' -f1,2 <<< "$edges" | sort -u | tsort 2>&1 > /dev/null)
 # A report comes from study files alone: it runs nothing.
-check mc/commands/report.cpp 'analysis/|mc/study_file/|mc/commands/(bearing_facts|command|output_path)\.hpp|src/input/' mc/commands/report.cpp
+runs=$(grep -nE '^#include "(mc|src)/' mc/commands/report.cpp | grep -vE '"(mc/study_file/|mc/host/|mc/commands/(bearing_facts|command|output_path)\.hpp|src/input/)')
 outside=$(grep -nE '#include <(mpi|hdf5)' -r src distributions; grep -nE '#include <mpi' -r analysis
           grep -nE '#include <hdf5' -r mc analysis | grep -vE '^(mc/study_file|mc/host/build_info.cpp)')
-[ -z "$outside" ] || { echo "MPI belongs to mc, HDF5 to mc/study_file (its version to mc/host/build_info.cpp):"; echo "$outside"; status=1; }
+status=0
+say() { [ -z "$2" ] || { echo "$1"; echo "$2"; status=1; }; }
+say 'Includes against the order of rooms:' "$faults"
+say 'Folders include each other in a circle:' "$circle"
+say 'mc/commands/report.cpp includes what runs a bearing:' "$runs"
+say 'MPI belongs to mc, HDF5 to mc/study_file (its version to mc/host/build_info.cpp):' "$outside"
 exit $status
