@@ -1,8 +1,8 @@
 // Several operating points of one study (a duty list): one sample is one drawn bearing, run at each
 // point. A limit on a quantity must be met at every point, one on QUANTITY@POINT at that point.
 //
-// Of a sample, each point has quantities of its own. Those without a label are joined over the points
-// as their kind says (quantity_table.hpp). A sample fails with its first point that does.
+// Of a sample, each point has quantities of its own. Those without a label are joined over the
+// points as their kind says (quantity_table.hpp). A sample fails with its first point that does.
 #pragma once
 
 #include <toml++/toml.h>

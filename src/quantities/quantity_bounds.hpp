@@ -1,6 +1,6 @@
 // Impossible values of quantities: a run that gives one has failed, even if all watches are
-// satisfied. Bounds follow from definitions, from geometry and from the energy that a bearing holds;
-// they are wide on purpose.
+// satisfied. Bounds follow from definitions, from geometry and from the energy that a bearing
+// holds; they are wide on purpose.
 #pragma once
 
 #include "src/model/bearing_model.hpp"
