@@ -23,7 +23,7 @@ void for_each(N_Vector z, const Function& f) {
 
 /// Sum of f(i) over the elements of x.
 template <class Function>
-double sum(N_Vector x, const Function& f) {
+double sum_over(N_Vector x, const Function& f) {
   const long n = NV_LENGTH_S(x);
   double parts[kSums] = {};
   long i = 0;
@@ -69,7 +69,7 @@ void add_constant(N_Vector x, double b, N_Vector z) {
 
 double dot_product(N_Vector x, N_Vector y) {
   const double *p = data(x), *q = data(y);
-  return sum(x, [=](long i) { return p[i] * q[i]; });
+  return sum_over(x, [=](long i) { return p[i] * q[i]; });
 }
 double largest_magnitude(N_Vector x) {
   double largest = 0;
@@ -81,7 +81,7 @@ double smallest(N_Vector x) {
 }
 double weighted_rms(N_Vector x, N_Vector weights) {
   const double *p = data(x), *w = data(weights);
-  const double squares = sum(x, [=](long i) { return (p[i] * w[i]) * (p[i] * w[i]); });
+  const double squares = sum_over(x, [=](long i) { return (p[i] * w[i]) * (p[i] * w[i]); });
   return std::sqrt(squares / static_cast<double>(NV_LENGTH_S(x)));
 }
 

@@ -17,10 +17,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRpm = pi / 30;                // [rad/s]
 constexpr int kPositionsPerPitch = 32;          // the load zone is resolved to this part of a pitch
-constexpr double kLoadedShare = 0.01;           // of the load: a roller in the load zone
+constexpr double kInLoadZone = 0.01;            // of the load: a roller in the load zone
 constexpr double kFastest = 3e6 * 1e-3 * kRpm;  // n d_m of the fastest bearings in service [m/s]
 constexpr double kLifeShare = 0.5;              // of C: the largest load of ISO 281
 
@@ -132,7 +132,7 @@ void add_kinematics(const BearingModel& m, OperatingPoint& at) {
 
 /// Load zone, heaviest roller and contacts over one pitch of the rollers.
 void add_load_distribution(const BearingModel& m, OperatingPoint& at) {
-  at.roller_load = at.race_pressure = at.load_zone = at.film = at.lambda = kNone;
+  at.roller_load = at.race_pressure = at.load_zone = at.film = at.lambda = kUnset;
   StaticEquilibrium equilibrium(m);
   double heaviest = 0, inner = 0, outer = 0;
   long loaded = 0;
@@ -145,7 +145,7 @@ void add_load_distribution(const BearingModel& m, OperatingPoint& at) {
       heaviest = std::max(heaviest, rest.inner_force[j]);
       inner = std::max(inner, rest.inner_slice[j]);
       outer = std::max(outer, rest.outer_slice[j]);
-      if (rest.inner_force[j] > kLoadedShare * at.largest_load) ++loaded;
+      if (rest.inner_force[j] > kInLoadZone * at.largest_load) ++loaded;
     }
   }
   at.roller_load = heaviest;

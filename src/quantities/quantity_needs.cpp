@@ -5,7 +5,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kBlocks = 5;  // revolutions from which peaks are extrapolated, at least
+constexpr double kPeakRevolutions = 5;  // revolutions from which peaks are extrapolated, at least
 
 bool moves(const Scene& s) {
   return !is_quasi_static(s);
@@ -16,7 +16,7 @@ bool turns(const Scene& s) {
 }
 bool extrapolates(const Scene& s) {
   return moves(s) && !std::isnan(s.window.extrapolate_revolutions) &&
-         s.window.measure_revolutions >= kBlocks;
+         s.window.measure_revolutions >= kPeakRevolutions;
 }
 
 }  // namespace

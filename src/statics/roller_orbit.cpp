@@ -14,22 +14,22 @@ namespace cagetol {
 namespace {
 
 constexpr int kAngles = 128;
-constexpr int kMostIterations = 60;
+constexpr int kOrbitIterations = 60;
 constexpr double kStaticsAccuracy = 1e-6;
 constexpr double kRadialReach = 0.3e-3;  ///< from the pitch circle, of rollers at the start [m]
 constexpr int kHalvings = 20;            ///< of that
 constexpr double kSpinWithin = 1e-4;     ///< of the last move of a spin, share of pure rolling
 constexpr double kPlaceWithin = 1e-9;    ///< likewise of a place [m]
-constexpr double kLongestMove = 2e-6;    ///< of a roller or the ring in one iteration [m]
+constexpr double kOrbitMove = 2e-6;      ///< of a roller or the ring in one iteration [m]
 constexpr double kLargestTurn = 0.2;     ///< change of a spin in one iteration, share of rolling
 constexpr double kPlaceProbe = 1e-10, kSpinProbe = 1e-6;  ///< for slopes [m], share of rolling
 constexpr double kGrowth = 1.2, kForget = 0.3, kProgress = 0.7;
 constexpr int kMostTries = 3;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kMissWithin = 1e-8;  ///< sum of moments that is as good as none [N m]
-constexpr double kSoftSpring = 1e3;   ///< that keeps a matrix regular [N/m]
+constexpr double kOrbitSpring = 1e3;  ///< that keeps a matrix regular [N/m]
 constexpr double kReach = 5e-6;       ///< of a bar's deformation, at most [m]
-constexpr int kMostHalvings = 60;
+constexpr int kOrbitHalvings = 60;
 
 /// All lanes a roller of mean size and place.
 RollerGroup mean_roller(const BearingModel& m) {
@@ -139,7 +139,7 @@ void RollerOrbit::balance_pocket(Pack need, Pack s, Pack& x) const {
     push.slope[0] = select(wet, push.slope[0], Pack{});
     return push;
   };
-  for (int k = 0; k < kMostHalvings; ++k) {
+  for (int k = 0; k < kOrbitHalvings; ++k) {
     const D behind = force(-1), ahead = force(1);
     const Pack miss = behind.value - ahead.value - need, slope = behind.slope[0] - ahead.slope[0];
     low = select(miss > 0.0, x, low);
@@ -279,11 +279,11 @@ bool RollerOrbit::solve(double w) {
     for (std::size_t k = 0; k < packs; ++k) {
       const Pack ds = load(change.data() + k * kLanes), along = dr[k] + response[k] * ds;
       s_[k] = from_s[k] + ds;
-      r_[k] = from_r[k] + min(max(along, splat(-kLongestMove)), splat(kLongestMove));
+      r_[k] = from_r[k] + min(max(along, splat(-kOrbitMove)), splat(kOrbitMove));
       x_[k] = from_x[k];
     }
   };
-  for (int iteration = 0; iteration < kMostIterations; ++iteration, ++iterations_) {
+  for (int iteration = 0; iteration < kOrbitIterations; ++iteration, ++iterations_) {
     for (std::size_t k = 0; k < packs; ++k) {
       now[k] = forces(k, r_[k], s_[k], x_[k]);
       store(spin.data() + k * kLanes, s_[k]);
@@ -317,7 +317,7 @@ bool RollerOrbit::solve(double w) {
     from_r = r_;
     from_s = s_;
     from_x = x_;
-    double pushed[2] = {load_.y, load_.z}, K[3] = {kSoftSpring, 0, kSoftSpring};
+    double pushed[2] = {load_.y, load_.z}, K[3] = {kOrbitSpring, 0, kOrbitSpring};
     std::vector<Pack> stiff(packs), inner(packs), by_ring(packs);
     for (std::size_t k = 0; k < packs; ++k) {
       const Forces& f = now[k];
@@ -325,7 +325,7 @@ bool RollerOrbit::solve(double w) {
       const Forces out = forces(k, r_[k] + kPlaceProbe, s_[k], near);
       near = x_[k];
       const Forces fast = forces(k, r_[k], s_[k] + spin_probe, near);
-      stiff[k] = max((f.radial - out.radial) / kPlaceProbe, splat(kSoftSpring));
+      stiff[k] = max((f.radial - out.radial) / kPlaceProbe, splat(kOrbitSpring));
       inner[k] = max((f.inner - out.inner) / kPlaceProbe, Pack{});
       response[k] = (fast.radial - f.radial) / spin_probe / stiff[k];
       by_place[k] = (out.moment - f.moment) / kPlaceProbe;
@@ -348,8 +348,8 @@ bool RollerOrbit::solve(double w) {
     if (pushed[0] * last_pushed[0] + pushed[1] * last_pushed[1] < 0)
       for (double& d : du) d /= 2;
     std::copy(pushed, pushed + 2, last_pushed);
-    if (moved > kLongestMove)
-      for (double& d : du) d *= kLongestMove / moved;
+    if (moved > kOrbitMove)
+      for (double& d : du) d *= kOrbitMove / moved;
     for (std::size_t k = 0; k < packs; ++k) {
       const Pack along = cosine_[k] * du[0] + sine_[k] * du[1];
       dr[k] = (now[k].radial + inner[k] * along) / stiff[k];
