@@ -117,21 +117,21 @@ constexpr const char* kStressRemedy = "make the cage table again (remove the cag
 }  // namespace
 
 namespace bound {
-const Bound finite{[](Run) { return Range{-kInfinite, kInfinite}; }, ""};
-const Bound not_negative{[](Run) { return Range{0, kInfinite}; }, "a magnitude is not negative"};
-const Bound share{[](Run) { return Range{0, 1}; }, "a share lies between 0 and 1"};
-const Bound slip{[](Run) { return Range{-kInfinite, 1}; }, "a roller that does not spin at all slips by 1"};
-const Bound circle{[](Run) { return Range{0, 360 * (1 + 1e-9)}; }, "rollers are loaded at most all round"};
-const Bound lean{[](Run) { return Range{0, 1e3 * kLeanMax}; }, "the equations hold for small angles, up to 0.1 rad; beyond, parts tumble", "raise discretisation.race_slices to at least 3, check bearing.tilt_stiffness_N_m_rad and the end and flange clearances, and tighten integration.tolerance"};
-const Bound whirl{[](Run r) { return Range{0, whirl_held(r)}; }, "the cage would have left its guide: its centre moves no farther than 1.05 of the guide clearance and what the guide gives way under the forces of this run", "set cage.guidance = \"outer\" or \"inner\", or give the pockets of a cage that rollers guide lips that hold it (cage.retention_width_outer_mm); else tighten integration.tolerance and check cage.guide_clearance_mm, contact.land and start.cage_offset"};
-const Bound axial{[](Run r) { return Range{0, 2e6 * r.model.roller_half_length}; }, "the cage would have left the rollers, which are no longer", "check cage.pocket_length_mm, bearing.flange_clearance_mm and contact.end, and tighten integration.tolerance"};
-const Bound ring_place{[](Run r) { return Range{-1e6 * hold_of(r).way, 1e6 * hold_of(r).way}; }, kRing, kRingRemedy};
-const Bound ring_orbit{[](Run r) { return Range{0, 2e6 * hold_of(r).way}; }, kRing, kRingRemedy};
-const Bound ring_acceleration{[](Run r) { return Range{0, cagetol::ring_acceleration(r)}; }, "load and weight, and the largest force of this run on every roller, accelerate the ring by a tenth of that at most", kRingRemedy};
-const Bound loss{[](Run r) { return Range{-hold_of(r).energy / (r.end - r.begin), kInfinite}; }, "contacts dissipate; no more comes back than the bearing holds"};
-const Bound stress{[](Run r) { return Range{0, 1e-6 * kStrainMax * cage_material(r.scene).young}; }, "it would strain the cage by more than 5 %, where no cage is elastic", kStressRemedy};
-const Bound pocket{[](Run r) { return Range{0, r.model.layout.rollers - 1.0}; }, "the cage has no such pocket", kStressRemedy};
-const Bound station{[](Run r) { return Range{0, r.model.flexible.model->stress_stations - 1.0}; }, "the cage has no such stress station", kStressRemedy};
+const Bound finite{[](Run) { return ValueRange{-kInfinite, kInfinite}; }, ""};
+const Bound not_negative{[](Run) { return ValueRange{0, kInfinite}; }, "a magnitude is not negative"};
+const Bound share{[](Run) { return ValueRange{0, 1}; }, "a share lies between 0 and 1"};
+const Bound slip{[](Run) { return ValueRange{-kInfinite, 1}; }, "a roller that does not spin at all slips by 1"};
+const Bound circle{[](Run) { return ValueRange{0, 360 * (1 + 1e-9)}; }, "rollers are loaded at most all round"};
+const Bound lean{[](Run) { return ValueRange{0, 1e3 * kLeanMax}; }, "the equations hold for small angles, up to 0.1 rad; beyond, parts tumble", "raise discretisation.race_slices to at least 3, check bearing.tilt_stiffness_N_m_rad and the end and flange clearances, and tighten integration.tolerance"};
+const Bound whirl{[](Run r) { return ValueRange{0, whirl_held(r)}; }, "the cage would have left its guide: its centre moves no farther than 1.05 of the guide clearance and what the guide gives way under the forces of this run", "set cage.guidance = \"outer\" or \"inner\", or give the pockets of a cage that rollers guide lips that hold it (cage.retention_width_outer_mm); else tighten integration.tolerance and check cage.guide_clearance_mm, contact.land and start.cage_offset"};
+const Bound axial{[](Run r) { return ValueRange{0, 2e6 * r.model.roller_half_length}; }, "the cage would have left the rollers, which are no longer", "check cage.pocket_length_mm, bearing.flange_clearance_mm and contact.end, and tighten integration.tolerance"};
+const Bound ring_place{[](Run r) { return ValueRange{-1e6 * hold_of(r).way, 1e6 * hold_of(r).way}; }, kRing, kRingRemedy};
+const Bound ring_orbit{[](Run r) { return ValueRange{0, 2e6 * hold_of(r).way}; }, kRing, kRingRemedy};
+const Bound ring_acceleration{[](Run r) { return ValueRange{0, cagetol::ring_acceleration(r)}; }, "load and weight, and the largest force of this run on every roller, accelerate the ring by a tenth of that at most", kRingRemedy};
+const Bound loss{[](Run r) { return ValueRange{-hold_of(r).energy / (r.end - r.begin), kInfinite}; }, "contacts dissipate; no more comes back than the bearing holds"};
+const Bound stress{[](Run r) { return ValueRange{0, 1e-6 * kStrainMax * cage_material(r.scene).young}; }, "it would strain the cage by more than 5 %, where no cage is elastic", kStressRemedy};
+const Bound pocket{[](Run r) { return ValueRange{0, r.model.layout.rollers - 1.0}; }, "the cage has no such pocket", kStressRemedy};
+const Bound station{[](Run r) { return ValueRange{0, r.model.flexible.model->stress_stations - 1.0}; }, "the cage has no such stress station", kStressRemedy};
 }  // namespace bound
 // clang-format on
 

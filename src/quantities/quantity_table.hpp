@@ -34,14 +34,14 @@ constexpr bool is_extreme(Kind kind) {
 }
 
 struct JudgedRun;
-struct Range {
+struct ValueRange {
   double low, high;
 };
 
 /// Values beyond are impossible: a run that gives one has failed (quantity_bounds.hpp).
 struct Bound {
-  Range (*range)(const JudgedRun&);  ///< in the quantity's unit
-  const char* reason;                ///< follows "impossible: " in the message
+  ValueRange (*range)(const JudgedRun&);  ///< in the quantity's unit
+  const char* reason;                     ///< follows "impossible: " in the message
   const char* remedy =
       "tighten integration.tolerance, and check the scene's stiffnesses and speeds";
 };

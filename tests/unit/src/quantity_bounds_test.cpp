@@ -70,7 +70,7 @@ const Ran& complete() {
   return run;
 }
 
-Range range_of(const Ran& run, const char* key) {
+ValueRange range_of(const Ran& run, const char* key) {
   return quantity_named(key).bound.range(run.judged(run.outcome.quantities));
 }
 
@@ -137,7 +137,7 @@ TEST(QuantityBounds, AMeanOrQuantileAboveThePeakIsNamed) {
 // Numbers by hand: the bounds are wide, but not endless.
 TEST(QuantityBounds, BoundsOfTheReferenceBearing) {
   EXPECT_DOUBLE_EQ(range_of(healthy(), "cage_stress_peak_MPa").high, 0.05 * 206e3);  // steel
-  const Range ring = range_of(healthy(), "ring_displacement_mean_um");
+  const ValueRange ring = range_of(healthy(), "ring_displacement_mean_um");
   EXPECT_GT(ring.high, 15);  // half of 30 um of clearance is free
   EXPECT_LT(ring.high, 100);
   EXPECT_EQ(ring.low, -ring.high);
