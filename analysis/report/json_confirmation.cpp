@@ -14,8 +14,6 @@
 namespace cagetol {
 namespace {
 
-constexpr std::size_t kResamples = 500;
-
 std::string unit_of_input(const StudyData& runs, const std::string& key) {
   const InputColumns* input = find_input(runs, key);
   return input == nullptr ? "" : input->unit;
@@ -238,7 +236,7 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
           "about it: {}.",
           verdict[text].get<std::string>(), verdict["close"].back().get<std::string>());
   const auto joint = judge_all(runs);
-  const Resampling resampling(runs, kResamples);
+  const Resampling resampling(runs, kUsualResamples);
   return {{"passed_over", wider},
           {"attempts_planned", plan.campaign.attempts},
           {"confidence_each", attempt_confidence(confirmation_rules(plan, 0))},

@@ -29,6 +29,9 @@ inline constexpr std::size_t kFewestLots = 8;
 
 enum class IntervalKind { lots, scrambles, none };
 
+/// Enough for the ends of a 95 % interval.
+inline constexpr std::size_t kUsualResamples = 500;
+
 class Resampling {
  public:
   Resampling(const StudyData& study, std::size_t resamples);

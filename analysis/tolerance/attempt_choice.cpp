@@ -12,7 +12,6 @@
 namespace cagetol {
 namespace {
 
-constexpr std::size_t kResamples = 500;
 constexpr double kRounding = 1e-9;
 /// Least chance of being confirmed, by its estimate, with which a wide tolerance is tried while
 /// another attempt remains.
@@ -146,7 +145,7 @@ ToleranceStudy study_tolerances(const StudyData& runs, const std::vector<Judgeme
 MixtureStudy study_mixture(const StudyData& mixture) {
   StudyData runs = select_samples(mixture, first_runs(mixture));
   auto joint = judge_all(runs);
-  Resampling resampling(runs, kResamples);
+  Resampling resampling(runs, kUsualResamples);
   ToleranceStudy tolerances = study_tolerances(runs, joint, resampling);
   return {std::move(runs), std::move(joint), std::move(resampling), std::move(tolerances)};
 }

@@ -15,7 +15,6 @@ namespace {
 
 /// Shares of a budget that the mixture gets at most and at least; the confirmations have the rest.
 constexpr double kMostMixture = 0.5, kLeastMixture = 0.25;
-constexpr std::size_t kResamples = 500;
 
 double seconds_per_run(const StudyData& pilot) {
   for (const Column& column : pilot.timing)
@@ -47,7 +46,7 @@ std::optional<double> runs_left(const StudyData& pilot, const CampaignPlan& plan
 /// most that any of them needs. More than any budget where one cannot be told from the target.
 double confirming_need(const StudyData& pilot, const ConfirmationRules& rules) {
   const StudyData runs = select_samples(pilot, first_runs(pilot));
-  const Resampling resampling(runs, kResamples);
+  const Resampling resampling(runs, kUsualResamples);
   const YieldCurves curves =
       yield_curves(runs, mixture_weights(runs), judge_all(runs), resampling, runs.plan.confidence);
   auto need = static_cast<double>(confirming_runs(0, rules));
@@ -67,7 +66,8 @@ std::string noise_text(const StudyData& pilot) {
   for (const Limit& limit : pilot.plan.limits) {
     const Column* column = find_quantity(pilot, limit.quantity);
     if (column == nullptr) continue;
-    const NoiseShare noise = noise_share(pilot, column->values, pilot.plan.confidence, kResamples);
+    const NoiseShare noise =
+        noise_share(pilot, column->values, pilot.plan.confidence, kUsualResamples);
     if (!(noise.share.value > 0)) continue;
     text += fmt::format(
         "\n  noise owns {:.0f} % of the variance of {} ({:.0f} to {:.0f} %): no design lowers the "

@@ -31,7 +31,7 @@ constexpr std::uint32_t kSchema = 2;
 constexpr std::chrono::seconds kSyncInterval{5};
 constexpr std::chrono::seconds kCheckInterval{1};
 
-enum class Kind : std::uint8_t { header = 0, started = 1, finished = 2, dropped = 3 };
+enum class RecordKind : std::uint8_t { header = 0, started = 1, finished = 2, dropped = 3 };
 
 using Crc32c = boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true>;
 
@@ -62,7 +62,7 @@ std::optional<std::string_view> payload_at(std::string_view bytes) {
   return payload;
 }
 
-std::string encoded(Kind kind, std::uint64_t id) {
+std::string encoded(RecordKind kind, std::uint64_t id) {
   ByteWriter out;
   out.put(static_cast<std::uint8_t>(kind));
   out.put(id);
@@ -71,7 +71,7 @@ std::string encoded(Kind kind, std::uint64_t id) {
 
 std::string encoded(const JournalHeader& header) {
   ByteWriter out;
-  out.put(static_cast<std::uint8_t>(Kind::header));
+  out.put(static_cast<std::uint8_t>(RecordKind::header));
   out.put(kSchema);
   out.put(std::string_view(header.study_hash));
   out.put(std::string_view(header.build));
@@ -88,8 +88,8 @@ std::string new_name(int rank) {
 bool take_record(std::string_view payload, JournalContent& content,
                  std::set<std::uint64_t>& open) try {
   ByteReader in(payload);
-  const auto kind = static_cast<Kind>(in.get<std::uint8_t>());
-  if (kind == Kind::header) {
+  const auto kind = static_cast<RecordKind>(in.get<std::uint8_t>());
+  if (kind == RecordKind::header) {
     if (in.get<std::uint32_t>() != kSchema) return false;
     content.header.study_hash = in.get_text();
     content.header.build = in.get_text();
@@ -98,11 +98,11 @@ bool take_record(std::string_view payload, JournalContent& content,
     return true;
   }
   const auto id = in.get<std::uint64_t>();
-  if (kind == Kind::started) {
+  if (kind == RecordKind::started) {
     open.insert(id);
   } else {
     open.erase(id);
-    if (kind == Kind::finished) content.finished.push_back(outcome_from_bytes(in));
+    if (kind == RecordKind::finished) content.finished.push_back(outcome_from_bytes(in));
   }
   return true;
 } catch (const std::runtime_error&) {
@@ -155,14 +155,14 @@ Journal::~Journal() {
 }
 
 void Journal::started(std::uint64_t id) {
-  append(encoded(Kind::started, id));
+  append(encoded(RecordKind::started, id));
 }
 void Journal::dropped(std::uint64_t id) {
-  append(encoded(Kind::dropped, id));
+  append(encoded(RecordKind::dropped, id));
 }
 
 void Journal::finished(const StoredOutcome& stored) {
-  append(encoded(Kind::finished, stored.id) + to_bytes(stored));
+  append(encoded(RecordKind::finished, stored.id) + to_bytes(stored));
   const auto now = std::chrono::steady_clock::now();
   if (now - last_sync_ > kSyncInterval) sync();
   if (now - last_check_ > kCheckInterval) {

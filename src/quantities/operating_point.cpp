@@ -18,7 +18,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRpm = pi / 30;                // [rad/s]
 constexpr int kPositionsPerPitch = 32;          // the load zone is resolved to this part of a pitch
 constexpr double kInLoadZone = 0.01;            // of the load: a roller in the load zone
 constexpr double kFastest = 3e6 * 1e-3 * kRpm;  // n d_m of the fastest bearings in service [m/s]
