@@ -14,7 +14,7 @@ constexpr auto kFormerNames = std::to_array<FormerName>({
     {"window.measure_share", "", "", "windows no longer end by themselves", "leave it out; window.measure_revolutions is the length of the window"},
     {"trend", "", "", "claims of a source are no part of a study", "leave it out; the report shows how each quantity goes over the levels of a grid"},
     {"multifidelity", "", "", "no quantity of the cage's motion gained from runs of a cheaper model", "leave it out; for fewer standard errors raise samples"},
-    {"cage.model", "none", "", "only bearings with a cage are modelled: the torque of full complements was off by 1.8", "choose a bearing with a cage"},
+    {"cage.model", "none", "", "only bearings with a cage are modelled; the torque of full complements was off by 1.8", "choose a bearing with a cage"},
     {"integration.method", "semi-implicit-euler", "", "arkode-erk shows what explicit steps do", "use arkode-erk"},
     {"integration.fixed_step_us", "", "", "no method has fixed steps any more", "use integration.max_step_us"},
     {"film.model", "series-bounded", "", "lubrication has films of light contacts", "use series, or lubrication.model = \"film\""},
