@@ -89,30 +89,37 @@ const char* course_of(const std::vector<std::vector<double>>& levels, double con
   return "undecided";
 }
 
+Json courses_of(const ReportBasis& basis, const Column& column, const GridCells& cells) {
+  Json courses = Json::array();
+  for (std::size_t setting = 0; setting < cells.settings.size(); ++setting) {
+    std::vector<std::vector<double>> levels;
+    for (std::size_t level = 0; level < cells.levels.size(); ++level)
+      levels.push_back(by_replicate(basis.study, column, cells.samples(setting, level)));
+    courses.push_back(course_of(levels, basis.confidence));
+  }
+  return courses;
+}
+
+/// The band, and the mean with its interval.
+Json cell_json(const std::vector<double>& values, double confidence) {
+  Json json = band_json(values);
+  const std::vector<double> nothing(values.size(), 0.0);
+  json["mean"] = to_json(paired_difference(nothing, values, confidence).difference);
+  return json;
+}
+
 Json quantities_of(const ReportBasis& basis, const GridCells& cells) {
   Json list = Json::array();
   for (const Column& column : basis.study.quantities) {
     if (!has_values(column.values)) continue;
-    Json settings = Json::array(), courses = Json::array();
-    for (std::size_t setting = 0; setting < cells.settings.size(); ++setting) {
-      std::vector<std::vector<double>> levels;
-      Json bands = Json::array();
-      for (std::size_t level = 0; level < cells.levels.size(); ++level) {
-        const std::vector<double> values =
-            by_replicate(basis.study, column, cells.samples(setting, level));
-        bands.push_back(band_json(values));
-        const std::vector<double> nothing(values.size(), 0.0);
-        bands.back()["mean"] =
-            to_json(paired_difference(nothing, values, basis.confidence).difference);
-        levels.push_back(values);
-      }
-      settings.push_back(std::move(bands));
-      courses.push_back(course_of(levels, basis.confidence));
-    }
     list.push_back({{"quantity", column.name},
                     {"unit", column.unit},
-                    {"course", std::move(courses)},
-                    {"cells", std::move(settings)}});
+                    {"course", courses_of(basis, column, cells)},
+                    {"cells", for_cells(cells, [&](const std::vector<std::size_t>& samples) {
+                       std::vector<double> values;
+                       for (const std::size_t i : samples) values.push_back(column.values[i]);
+                       return cell_json(values, basis.confidence);
+                     })}});
   }
   return list;
 }

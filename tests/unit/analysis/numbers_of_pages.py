@@ -13,9 +13,9 @@ import sys
 
 NUMBER = re.compile(r"(?<![\w.])[-+±]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w])")
 # What the templates say whatever the study is: standards, sources, definitions.
-FIXED = ["ISO 286", "ISO/TS 16281", "Appl. Sci. 2024, 14, 9433", r"Figs?\. \d+( and \d+)?", "L10", "C0/60", "0.135 %, 50 % and 99.865 %", "20 kHz",
+FIXED = ["ISO 286", "ISO/TS 16281", "L10", "C0/60", "0.135 %, 50 % and 99.865 %", "20 kHz",
          "shares of 5 % and more", "holds 90 % of the runs", "5 to 95 % of them", "with their 5 to 95 % range", "band from 5 to 95 %", "95 % quantile",
-         "5 % quantile", "95 % of runs below", "numbered from 0", "Xin et al. 2024", "at 100 %", "up to 100 %"]
+         "5 % quantile", "95 % of runs below", "numbered from 0", "at 100 %", "up to 100 %"]
 
 
 FRONT = ["verdict", "margins", "passed_over", "bearing", "tolerance", "confirmation", "limits", "assumptions", "assumption_verdicts",
