@@ -200,8 +200,7 @@ TEST(Rungs, TheLowestGivesItsQuantitiesAndNoOthers) {
   const Outcome outcome = simulate(scene);
   ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
   for (std::size_t k = 0; k < quantity_table().size(); ++k)
-    EXPECT_EQ(std::isfinite(outcome.quantities[k]),
-              is_quasi_static_quantity(quantity_table()[k].key))
+    EXPECT_EQ(std::isfinite(outcome.quantities[k]), quantity_table()[k].need.met(scene))
         << quantity_table()[k].key;
 }
 

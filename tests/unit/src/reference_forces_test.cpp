@@ -14,16 +14,16 @@ namespace cagetol {
 namespace {
 
 /// Accelerations that share a unit and a size.
-struct Kind {
+struct ContactKind {
   std::string name;
   std::vector<int> slots;
 };
 
-std::vector<Kind> acceleration_kinds(const StateLayout& l) {
-  std::vector<Kind> kinds;
+std::vector<ContactKind> acceleration_kinds(const StateLayout& l) {
+  std::vector<ContactKind> kinds;
   const char* names[] = {"r''", "theta''", "x''", "a_y''", "a_z''", "w_s'"};
   for (int slot = 0; slot < kRollerVelocities; ++slot) {
-    Kind kind{names[slot], {}};
+    ContactKind kind{names[slot], {}};
     for (int j = 0; j < l.rollers; ++j)
       kind.slots.push_back(l.velocity(static_cast<RollerVelocity>(slot), j));
     kinds.push_back(kind);
@@ -41,7 +41,8 @@ std::vector<Kind> acceleration_kinds(const StateLayout& l) {
 
 /// Largest difference of a kind over the largest sum of contact contributions of that kind:
 /// opposite contacts may cancel.
-double difference(const Kind& kind, const std::vector<double>& rates, const Reference& reference) {
+double difference(const ContactKind& kind, const std::vector<double>& rates,
+                  const Reference& reference) {
   double apart = 0, size = 0;
   for (int slot : kind.slots) {
     const auto k = static_cast<std::size_t>(slot);
@@ -57,7 +58,7 @@ void expect_same(const RandomBearing& b, const Reference& reference, unsigned se
   for (int i = 0; i < b.model.layout.positions(); ++i)
     ASSERT_EQ(rates[static_cast<std::size_t>(i)], reference.rates[static_cast<std::size_t>(i)])
         << "seed " << seed;
-  for (const Kind& kind : acceleration_kinds(b.model.layout))
+  for (const ContactKind& kind : acceleration_kinds(b.model.layout))
     // An angle is known to 4e-16, a bar's gap of some 10 um on a radius of 20 to 33 mm therefore
     // to 1e-12 of itself.
     EXPECT_LT(difference(kind, rates, reference), 1e-11)
