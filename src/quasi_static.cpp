@@ -124,13 +124,12 @@ Outcome quasi_static_outcome(const Scene& scene) {
     for (int j = 0; j < model.layout.rollers; ++j)
       tilt.add(std::abs(rest.tilt[static_cast<std::size_t>(j)]), 1, 1);
   }
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double>& q = outcome.quantities;
   q[quantity_row("ring_displacement_mean_um")] = 1e6 * sunk.mean();
   q[quantity_row("ring_displacement_end_um")] = 1e6 * sunk_at_end;
   q[quantity_row("ring_orbit_p95_um")] = 1e6 * distance_quantile(ring_y, ring_z, 0.95);
-  q[quantity_row("ring_tilt_mean_mrad")] = model.planar ? none : 1e3 * ring_tilt.mean();
-  q[quantity_row("roller_tilt_p95_mrad")] = model.planar ? none : 1e3 * tilt.quantile(0.95);
+  q[quantity_row("ring_tilt_mean_mrad")] = 1e3 * ring_tilt.mean();
+  q[quantity_row("roller_tilt_p95_mrad")] = 1e3 * tilt.quantile(0.95);
   outcome.run.cage_revolutions = revolutions_over(instants);
   outcome.reason = find_impossible({dry, model, window.settle, window.settle + window.measure, q});
   outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;

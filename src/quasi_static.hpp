@@ -15,7 +15,7 @@ namespace cagetol {
 /// (src/statics/static_equilibrium.hpp), without an oil film. The positions cover the window, but
 /// not more than one turn, and end with it.
 ///
-/// Defined are displacement, orbit and tilt of the ring, and the tilt of spatial rollers. All other
+/// Defined are displacement, orbit and tilt of the ring, and the tilt of rollers. All other
 /// quantities are NaN, slip included, because it is an assumption here. `run.steps` counts
 /// positions. The run fails if a position has no equilibrium.
 Outcome quasi_static_outcome(const Scene& scene);

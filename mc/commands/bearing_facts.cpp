@@ -147,9 +147,7 @@ std::vector<std::string> model_sentences(const Scene& scene) {
     return {
         "Ring and rollers in static equilibrium at every position of the cage; no motion of the "
         "cage, slip or friction."};
-  list.push_back(model.rollers == RollerModel::planar
-                     ? "Rollers move in the radial plane, without skew and tilt."
-                     : "Every roller moves in space, with skew, tilt and slip.");
+  list.emplace_back("Every roller moves in space, with skew, tilt and slip.");
   list.push_back(is_flexible(scene)
                      ? fmt::format("The cage is flexible: {} elastic modes{}, stress at its "
                                    "fillets.",

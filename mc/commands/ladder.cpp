@@ -53,12 +53,11 @@ int run_ladder(const LadderArguments& options) {
 
 Chosen ladder_command(CLI::App& command) {
   command.footer(
-      "Rungs go from equilibria without motion over planar rollers and a rigid cage to a flexible\n"
-      "one with all its modes, each in a sweep of its own, DIR/rungs/RUNG; the same command\n"
-      "resumes it. A rung is adequate where its shift against the highest rung is within the\n"
-      "budget with its whole 95 % interval, settled where no shift can matter to the study's "
-      "limit\n"
-      "because all runs are far on one side of it; where the samples do not tell, the answer is\n"
+      "Rungs go from equilibria without motion over a rigid cage to a flexible one with all its\n"
+      "modes, each in a sweep of its own, DIR/rungs/RUNG; the same command resumes it. A rung is\n"
+      "adequate where its shift against the highest rung is within the budget with its whole 95 %\n"
+      "interval, settled where no shift can matter to the study's limit because all runs are far\n"
+      "on one side of it; where the samples do not tell, the answer is\n"
       "\"unresolved\". \"-\": the rung does not define the quantity.\n"
       "--refine compares the scene as it is with the same refined in one thing at a time, for the\n"
       "error budget in the report of the sweep whose directory holds it as ladder-refine.\n\n"

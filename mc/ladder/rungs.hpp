@@ -17,10 +17,9 @@ struct Rung {
 };
 
 /// Cheapest first by this order, never by measured time. The lowest rung has no motion, the second
-/// all of it in the plane, the third all of it in space; from there each rung adds one thing to the
-/// one below it. The last one is the reference. An oil film, and an inner ring whose tilt is free,
-/// stay as the scene has them, their data are the scene's to give; equilibria are dry, and in the
-/// plane no ring tilts.
+/// all of it; from there each rung adds one thing to the one below it. The last one is the
+/// reference. An oil film, and an inner ring whose tilt is free, stay as the scene has them, their
+/// data are the scene's to give; equilibria are dry.
 const std::vector<Rung>& climbing_rungs();
 
 /// The reference with one thing taken away at a time, and the reference last: what each is worth.
@@ -38,8 +37,8 @@ std::vector<Rung> refining_rungs(const Scene& scene);
 Scene on_rung(Scene scene, const Rung& rung);
 
 /// Those of `rungs` that give this scene a model of its own: not one that takes away what the scene
-/// has not, nor one without what the scene needs (planar rollers carry no axial load). The last
-/// one, the reference, stays.
+/// has not, nor one without what the scene needs (equilibria carry no axial load). The last one, the
+/// reference, stays.
 std::vector<Rung> rungs_for(const Scene& scene, const std::vector<Rung>& rungs);
 
 /// The study's first `samples` random samples on that rung, without its replicates and histories. All

@@ -7,7 +7,6 @@ namespace cagetol {
 namespace {  // each source compiles its own
 
 /// Accelerations of a pack of rollers from its loads; velocities into the position rates.
-template <bool planar>
 void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerPack& q,
                  const RollerLoads& loads, const double* y, double* rate, int group) {
   const StateLayout& l = m.layout;
@@ -24,11 +23,6 @@ void store_rates(const BearingModel& m, const RollerGroup& roller, const RollerP
   put(l.velocity(kOrbitRate, j),
       (loads.f[kLt] * roller.inverse_mass + gravity_t - 2.0 * q.vr * q.omega) / q.r);
   put(l.velocity(kSpin, j), loads.f[kLs] * roller.inverse_polar);
-  if constexpr (planar) {
-    for (const RollerVelocity slot : {kAxialSpeed, kAxisRateY, kAxisRateZ})
-      put(l.velocity(slot, j), Pack{});
-    return;
-  }
   put(l.velocity(kAxialSpeed, j), loads.f[kLx] * roller.inverse_mass - m.gravity_axial);
   const Pack gyro = roller.polar * q.spin;
   const Pack lean_r = (loads.f[kLar] - gyro * q.b_t) * roller.inverse_transverse;

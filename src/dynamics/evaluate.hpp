@@ -210,7 +210,7 @@ void pocket(Pass& pass, Shared& all) {
 }
 
 /// Derivatives of what is not a contact, once all contacts are there.
-template <bool planar, bool lubricated>
+template <bool lubricated>
 void finish_rollers(Pass& pass, Shared& all) {
   const BearingModel& m = all.model;
   const RollerPack& q = pass.q;
@@ -224,7 +224,6 @@ void finish_rollers(Pass& pass, Shared& all) {
                    -sum(roller.exists * (pass.energy_by_vt * a_t + pass.energy_by_spin * a_s)));
   }
   add_inertial(m, roller, q, loads, *pass.linear);
-  if constexpr (planar) all.jac->hold(pass.group);
   all.seen->net_power_rate += roller_power_rate(roller, q, loads, m, *pass.linear);
 }
 
@@ -261,7 +260,7 @@ void finish_border(double t, const double* y, const double* rate, const Shared& 
 
 /// `tilting`: the inner ring's tilt is free. `lubricated`: there is oil by src/lubrication.
 /// `lobed`: raceways may be no circles.
-template <bool linear, bool planar, bool tilting, bool lubricated, bool lobed>
+template <bool linear, bool tilting, bool lubricated, bool lobed>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
@@ -277,18 +276,16 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   }
   Shared all{m, b, modal, border, jac, seen};
   for (int group = 0; group < m.layout.groups; ++group) {
-    Pass pass{group, m.groups[static_cast<std::size_t>(group)],
-              unpack_rollers<planar>(m.layout, y, group)};
+    Pass pass{group, m.groups[static_cast<std::size_t>(group)], unpack_rollers(m.layout, y, group)};
     if constexpr (linear) pass.linear = start_group(pass.q, group, *jac);
     inner_race<linear, tilting, lubricated, lobed>(pass, all);
     outer_race<linear, lubricated, lobed>(pass, all);
-    if constexpr (!planar)  // who stands still in the middle touches no flange
-      flange_contacts<linear>(m, pass.roller, pass.q, b, group, pass.loads, border, jac, seen);
+    flange_contacts<linear>(m, pass.roller, pass.q, b, group, pass.loads, border, jac, seen);
     if (lubricated && m.churning.on)
       roller_churning<linear>(m.churning, pass.roller, pass.q, b, pass.loads, pass.linear, seen);
     pocket<linear, lubricated>(pass, all);
-    if constexpr (linear) finish_rollers<planar, lubricated>(pass, all);
-    store_rates<planar>(m, pass.roller, pass.q, pass.loads, y, rate, group);
+    if constexpr (linear) finish_rollers<lubricated>(pass, all);
+    store_rates(m, pass.roller, pass.q, pass.loads, y, rate, group);
   }
   double on_modes[kMostModes];
   for (int k = 0; k < m.layout.modes; ++k) on_modes[k] = modal.pushed ? sum(modal_force[k]) : 0;
@@ -301,9 +298,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
 /// The one that suits a model; a dry bearing pays nothing for what oil would do.
 template <bool linear, bool lubricated, bool lobed = false>
 Evaluation evaluation_as(const BearingModel& m) {
-  return m.planar                 ? evaluate<linear, true, false, lubricated, lobed>
-         : m.layout.ring_tilt > 0 ? evaluate<linear, false, true, lubricated, lobed>
-                                  : evaluate<linear, false, false, lubricated, lobed>;
+  return m.layout.ring_tilt > 0 ? evaluate<linear, true, lubricated, lobed>
+                                : evaluate<linear, false, lubricated, lobed>;
 }
 }  // namespace
 }  // namespace cagetol

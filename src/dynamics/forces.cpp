@@ -23,8 +23,7 @@ double body_energy(const BearingModel& m, const double* y) {
   double energy = 0;
   for (int group = 0; group < m.layout.groups; ++group) {
     const RollerGroup& roller = m.groups[static_cast<std::size_t>(group)];
-    const RollerPack q = m.planar ? unpack_rollers<true>(m.layout, y, group)
-                                  : unpack_rollers<false>(m.layout, y, group);
+    const RollerPack q = unpack_rollers(m.layout, y, group);
     energy +=
         sum(roller.exists * (0.5 * roller.mass * (q.vr * q.vr + q.vt * q.vt + q.vx * q.vx) +
                              0.5 * roller.transverse * (q.b_r * q.b_r + q.b_t * q.b_t) +

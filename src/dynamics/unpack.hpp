@@ -7,9 +7,6 @@
 namespace cagetol {
 namespace {  // each source compiles its own
 
-/// Planar rollers are at x = 0, straight and still in the directions in which they are held,
-/// whatever the state says of these.
-template <bool planar>
 RollerPack unpack_rollers(const StateLayout& l, const double* y, int group) {
   const int j = group * kLanes;
   RollerPack p;
@@ -19,10 +16,6 @@ RollerPack unpack_rollers(const StateLayout& l, const double* y, int group) {
   p.omega = load(y + l.velocity(kOrbitRate, j));
   p.vt = p.r * p.omega;
   p.spin = load(y + l.velocity(kSpin, j));
-  if constexpr (planar) {
-    p.x = p.a_r = p.a_t = p.vx = p.b_r = p.b_t = Pack{};
-    return p;
-  }
   p.x = load(y + l.position(kAxial, j));
   const Pack ay = load(y + l.position(kAxisY, j)), az = load(y + l.position(kAxisZ, j));
   p.a_r = along_r(p, ay, az);

@@ -71,7 +71,6 @@ void set_outline(const PocketOutline& outline, double roller_radius, int lane, R
 RollerGroup make_group(const Scene& scene, int group) {
   RollerGroup g;
   const long z = scene.bearing.roller_count;
-  const bool planar = has_planar_rollers(scene);  // every section of the bearing is alike
   for (int lane = 0; lane < kLanes; ++lane) {
     const long j = group * kLanes + lane;
     g.exists[lane] = j < z;
@@ -85,14 +84,14 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.inverse_polar[lane] = 1 / g.polar[lane];
     g.inverse_transverse[lane] = 1 / g.transverse[lane];
     g.radius[lane] = radius;
-    g.taper_slope[lane] = planar ? 0 : each(scene.roller.taper, k) / (2 * length);
+    g.taper_slope[lane] = each(scene.roller.taper, k) / (2 * length);
     const double even = 2 * pi * static_cast<double>(j) / static_cast<double>(z),
                  angle = even + each(scene.cage.pocket_pitch, k);
     g.pocket_cos[lane] = std::cos(angle);
     g.pocket_sin[lane] = std::sin(angle);
     g.half_width[lane] = each(scene.cage.pocket_width, k) / 2;
     g.half_length[lane] = each(scene.cage.pocket_length, k) / 2;
-    g.squareness[lane] = planar ? 0 : each(scene.cage.pocket_squareness, k);
+    g.squareness[lane] = each(scene.cage.pocket_squareness, k);
     set_outline(
         pocket_outline(scene.cage, pitch_radius(scene.bearing), each(scene.cage.pocket_width, k)),
         radius, lane, g);
@@ -372,7 +371,6 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   const auto& b = scene.bearing;
   m.layout.rollers = static_cast<int>(b.roller_count);
   m.layout.groups = (m.layout.rollers + kLanes - 1) / kLanes;
-  m.planar = has_planar_rollers(scene);
   m.curved_faces = !std::isnan(scene.cage.face_radius);
   m.shaped_pockets = has_shaped_pockets(scene.cage);
   m.layout.ring_tilt = has_free_ring_tilt(scene) ? 2 : 0;
@@ -384,9 +382,7 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   for (long j = 0; j < b.roller_count; ++j) m.nominal_diameter += each(scene.roller.diameter, j);
   m.nominal_diameter /= static_cast<double>(b.roller_count);
   const double length = scene.roller.length;
-  // Slices of a cylinder that stays parallel to its race are alike: one does the work of all.
-  const bool alike = m.planar && scene.roller.profile == RollerProfile::none;
-  const long slices = alike ? 1 : scene.discretisation.race_slices,
+  const long slices = scene.discretisation.race_slices,
              stations = scene.discretisation.bar_stations;
   if (slices > kMostSlices) throw std::domain_error("bearing model: too many race slices");
   for (long k = 0; k < slices; ++k) {
@@ -421,10 +417,8 @@ BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const Cage
   m.forms = RacewayForms(b);
   m.wall_points = end_points(m.nominal_diameter / 2, 0);
   set_flanges(scene, m);
-  if (!m.planar) {
-    m.misalignment_y = b.misalignment_y;
-    m.misalignment_z = b.misalignment_z;
-  }
+  m.misalignment_y = b.misalignment_y;
+  m.misalignment_z = b.misalignment_z;
   m.ring_mass = given_or(b.inner_ring_mass, ring_mass(b, 2 * m.inner_radius));
   // Of a hollow cylinder of that mass.
   const double bore = b.bore_diameter / 2;

@@ -97,7 +97,6 @@ struct CageGuide {
 
 struct BearingModel {
   StateLayout layout;
-  bool planar = false;  ///< rollers keep their axes parallel to the bearing's, and x = 0
   std::vector<RollerGroup> groups;
   std::vector<Slice> race_slices;
   std::vector<double> bar_stations;     ///< positions along the roller's axis [m]

@@ -61,32 +61,6 @@ CageCoupling& Linearisation::coupling(int roller) {
   return couplings[static_cast<std::size_t>(index)];
 }
 
-void Linearisation::hold(int group) {
-  GroupLinear& g = groups[static_cast<std::size_t>(group)];
-  for (int i = 0; i < kLocalVelocities; ++i)
-    for (int j = 0; j < kLocalVelocities; ++j) {
-      if (!held<true>(i) && !held<true>(j)) continue;
-      g.velocity[i][j] = Pack{};
-      if (j < kLocalPositions) g.position[i][j] = Pack{};
-    }
-  for (int i = kLx; i <= kLat; ++i) {
-    for (int k = 0; k < 2; ++k)
-      g.ring.position[i][k] = g.ring.velocity[i][k] = g.ring.to_position[k][i] =
-          g.ring.to_velocity[k][i] = Pack{};
-    g.power_position[i] = g.power_velocity[i] = Pack{};
-  }
-  for (int n = 0; n < coupled; ++n) {
-    CageCoupling& c = couplings[static_cast<std::size_t>(n)];
-    if (c.roller / kLanes != group) continue;
-    for (auto* part : {&c.position, &c.velocity})
-      for (Eight& column : *part) column[kLx] = column[kLar] = column[kLat] = 0;
-    const std::size_t packs = c.to_velocity.size() / kLocalVelocities;
-    for (auto* part : {&c.to_position, &c.to_velocity})
-      std::fill_n(part->begin() + static_cast<std::ptrdiff_t>(kLx * packs),
-                  (kLat - kLx + 1) * packs, Pack{});
-  }
-}
-
 namespace {
 
 /// A contact's channels over some directions: e = g_n - ratio (v1 g_1 + v2 g_2), and what F1 and F2

@@ -21,12 +21,6 @@ enum Local { kLr, kLt, kLx, kLar, kLat, kLs, kLocalVelocities, kLocalPositions =
 
 static_assert(int{kLocalVelocities} <= kEight);
 
-/// Whether planar rollers are held in a local direction.
-template <bool planar>
-constexpr bool held(int local) {
-  return planar && local >= kLx && local <= kLat;
-}
-
 /// Coupling of a pack of rollers with a vector of the inner ring - its displacement, or its tilt -
 /// in the rollers' directions r, t.
 struct RingCoupling {
@@ -99,9 +93,6 @@ struct Linearisation {
   void clear();
   /// The coupling record of a roller, made on first use.
   CageCoupling& coupling(int roller);
-  /// Planar rollers do not answer in the directions in which they are held, nor move along them:
-  /// clears these of a pack of rollers.
-  void hold(int group);
 
   std::vector<GroupLinear> groups;
   std::vector<TiltLinear> tilts;  ///< one for each group where the inner ring's tilt is free

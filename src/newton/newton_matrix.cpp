@@ -74,7 +74,7 @@ const RingCoupling& NewtonMatrix::coupling(int group, int vector) const {
 }
 
 /// Blocks of the rollers, and what of them reaches the ring.
-template <bool planar, int vectors>
+template <int vectors>
 bool NewtonMatrix::factor_rollers(double beta) {
   bool sound = true;
   double ring[vectors][vectors][2][2] = {};
@@ -85,14 +85,12 @@ bool NewtonMatrix::factor_rollers(double beta) {
     Pack mass[kLocalVelocities];
     local_mass(roller, mass);
     for (int i = 0; i < kLocalVelocities; ++i) {
-      if (held<planar>(i)) continue;
       for (int j = 0; j < kLocalVelocities; ++j)
-        if (!held<planar>(j))
-          f.inverse[i][j] =
-              -l.velocity[i][j] - (j < kLocalPositions ? beta * l.position[i][j] : Pack{});
+        f.inverse[i][j] =
+            -l.velocity[i][j] - (j < kLocalPositions ? beta * l.position[i][j] : Pack{});
       f.inverse[i][i] += mass[i] / beta;
     }
-    if (!invert<planar>(f.inverse, mass, beta, roller.exists)) sound = false;
+    if (!invert(f.inverse, mass, beta, roller.exists)) sound = false;
     Pack from_ring[vectors][2][kLocalVelocities];  // N, ring part
     for (int v = 0; v < vectors; ++v) {
       const RingCoupling& with = coupling(g, v);
@@ -103,9 +101,9 @@ bool NewtonMatrix::factor_rollers(double beta) {
           to_ring[i] = -with.to_velocity[c][i] -
                        (i < kLocalPositions ? beta * with.to_position[c][i] : Pack{});
         }
-        multiply<planar>(f.inverse, from_ring[v][c], solved);
+        multiply(f.inverse, from_ring[v][c], solved);
         for (int i = 0; i < kLocalVelocities; ++i) f.from_ring[v][i][c] = solved[i];
-        multiply_left<planar>(to_ring, f.inverse, f.to_ring[v][c]);
+        multiply_left(to_ring, f.inverse, f.to_ring[v][c]);
       }
     }
     const Pack co = roller.exists * l.cosine, si = roller.exists * l.sine;
@@ -149,9 +147,7 @@ void NewtonMatrix::add_to_lanes(int group, Pack (&to)[kLocalVelocities],
 }
 
 bool NewtonMatrix::factor(const Linearisation& linear, double beta) {
-  return model_.planar                 ? factor_as<true, 1>(linear, beta)
-         : model_.layout.ring_tilt > 0 ? factor_as<false, 2>(linear, beta)
-                                       : factor_as<false, 1>(linear, beta);
+  return model_.layout.ring_tilt > 0 ? factor_as<2>(linear, beta) : factor_as<1>(linear, beta);
 }
 
 /// The ring's own block into schur_, for the rollers to add what reaches it.
@@ -187,20 +183,20 @@ void NewtonMatrix::solve_free_border() {
   free_cage_.solve(border_rhs_, border_solution_);
 }
 
-template <bool planar, int vectors>
+template <int vectors>
 bool NewtonMatrix::factor_as(const Linearisation& linear, double beta) {
   linear_ = &linear;
   beta_ = beta;
   if (!linear.cage_touched) {
     start_free_ring<vectors>();
-    bool sound = factor_rollers<planar, vectors>(beta);
+    bool sound = factor_rollers<vectors>(beta);
     if (!finish_free_ring<vectors>()) sound = false;
     return free_cage_.factor(linear, border_mass_, beta) && sound;
   }
   auto schur = schur_.matrix();
   schur = -linear.border_velocity - beta * linear.border_position;
   schur.diagonal() += border_mass_.head(model_.layout.border()) / beta;
-  bool sound = factor_rollers<planar, vectors>(beta);
+  bool sound = factor_rollers<vectors>(beta);
   with_packs(packs_for(model_.layout.coupled()),
              [&]<int packs>() { factor_cage<vectors, packs>(); });
   if (!schur_.invert()) sound = false;
@@ -277,16 +273,14 @@ void NewtonMatrix::factor_cage() {
 }
 
 void NewtonMatrix::solve(const double* rhs, double* x) {
-  model_.planar                 ? solve_as<true, 1>(rhs, x)
-  : model_.layout.ring_tilt > 0 ? solve_as<false, 2>(rhs, x)
-                                : solve_as<false, 1>(rhs, x);
+  model_.layout.ring_tilt > 0 ? solve_as<2>(rhs, x) : solve_as<1>(rhs, x);
 }
 
-template <bool planar, int vectors>
+template <int vectors>
 void NewtonMatrix::solve_as(const double* rhs, double* x) {
-  if (linear_->coupled == 0) return solve_with<planar, vectors, 0>(rhs, x);
+  if (linear_->coupled == 0) return solve_with<vectors, 0>(rhs, x);
   with_packs(packs_for(model_.layout.coupled()),
-             [&]<int packs>() { solve_with<planar, vectors, packs>(rhs, x); });
+             [&]<int packs>() { solve_with<vectors, packs>(rhs, x); });
 }
 
 /// The border's right-hand side, as it is without rollers, and its positions.
@@ -315,7 +309,7 @@ void NewtonMatrix::start_border(const double* rhs) {
 
 /// Right-hand side of a pack of rollers in their directions: positions, and forces with what these
 /// positions and the border's make.
-template <bool planar, int vectors>
+template <int vectors>
 NewtonMatrix::RollerSide NewtonMatrix::roller_side(int n, const double* rhs) const {
   const StateLayout& layout = model_.layout;
   const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
@@ -336,9 +330,7 @@ NewtonMatrix::RollerSide NewtonMatrix::roller_side(int n, const double* rhs) con
   force[kLs] = roller.polar * velocity(kSpin);
   const RingVectors<vectors> ring(l, border_positions_, layout);
   for (int i = 0; i < kLocalVelocities; ++i) {
-    if (held<planar>(i)) continue;
-    for (int k = 0; k < kLocalPositions; ++k)
-      if (!held<planar>(k)) force[i] += l.position[i][k] * side.position[k];
+    for (int k = 0; k < kLocalPositions; ++k) force[i] += l.position[i][k] * side.position[k];
     for (int v = 0; v < vectors; ++v) {
       const RingCoupling& with = coupling(n, v);
       force[i] += with.position[i][0] * ring.r[v] + with.position[i][1] * ring.t[v];
@@ -349,7 +341,7 @@ NewtonMatrix::RollerSide NewtonMatrix::roller_side(int n, const double* rhs) con
 
 /// Eliminates the rollers: what they leave on ring and cage goes to the border's right-hand side.
 /// `packs` of a vector over the cage's directions; 0 where no roller touches the cage.
-template <bool planar, int vectors, int packs>
+template <int vectors, int packs>
 void NewtonMatrix::eliminate_rollers(const double* rhs) {
   const StateLayout& layout = model_.layout;
   Pack on_ring[vectors][2] = {};  // in y, z
@@ -359,7 +351,7 @@ void NewtonMatrix::eliminate_rollers(const double* rhs) {
     const GroupLinear& l = linear_->groups[static_cast<std::size_t>(n)];
     const RollerGroup& roller = model_.groups[static_cast<std::size_t>(n)];
     Group& f = groups_[static_cast<std::size_t>(n)];
-    auto [P, force] = roller_side<planar, vectors>(n, rhs);
+    auto [P, force] = roller_side<vectors>(n, rhs);
     Pack to_ring[vectors][2] = {};
     for (int v = 0; v < vectors; ++v)
       for (int a = 0; a < 2; ++a)
@@ -381,7 +373,7 @@ void NewtonMatrix::eliminate_rollers(const double* rhs) {
       on_ring[v][0] += roller.exists * (l.cosine * to[0] - l.sine * to[1]);
       on_ring[v][1] += roller.exists * (l.sine * to[0] + l.cosine * to[1]);
     }
-    multiply<planar>(f.inverse, force, f.rhs);
+    multiply(f.inverse, force, f.rhs);
     if constexpr (packs > 0)
       for_coupled(n, [&](int lane, std::size_t slot) {
         for (int i = 0; i < kLocalVelocities; ++i)
@@ -433,11 +425,11 @@ void NewtonMatrix::substitute_rollers(const double* rhs, double* x) {
   }
 }
 
-template <bool planar, int vectors, int packs>
+template <int vectors, int packs>
 void NewtonMatrix::solve_with(const double* rhs, double* x) {
   const StateLayout& layout = model_.layout;
   start_border<vectors>(rhs);
-  eliminate_rollers<planar, vectors, packs>(rhs);
+  eliminate_rollers<vectors, packs>(rhs);
   if (linear_->cage_touched)
     schur_.solve(border_rhs_.data(), border_solution_.data());
   else

@@ -34,13 +34,13 @@ class NewtonMatrix {
 
  private:
   // `vectors` of the inner ring couple to rollers: its displacement, and its tilt where it is free.
-  template <bool planar, int vectors>
+  template <int vectors>
   bool factor_as(const Linearisation& linear, double beta);
-  template <bool planar, int vectors>
+  template <int vectors>
   bool factor_rollers(double beta);
-  template <bool planar, int vectors>
+  template <int vectors>
   void solve_as(const double* rhs, double* x);
-  template <bool planar, int vectors, int packs>
+  template <int vectors, int packs>
   void solve_with(const double* rhs, double* x);
   // Its steps, in order.
   struct RollerSide {
@@ -48,9 +48,9 @@ class NewtonMatrix {
   };
   template <int vectors>
   void start_border(const double* rhs);
-  template <bool planar, int vectors>
+  template <int vectors>
   RollerSide roller_side(int group, const double* rhs) const;
-  template <bool planar, int vectors, int packs>
+  template <int vectors, int packs>
   void eliminate_rollers(const double* rhs);
   template <int vectors, int packs>
   void substitute_rollers(const double* rhs, double* x);

@@ -1,5 +1,4 @@
-// Square matrices over the local directions of a roller, of a pack of rollers side by side. Those
-// of planar rollers have a diagonal entry only where these are held.
+// Square matrices over the local directions of a roller, of a pack of rollers side by side.
 #pragma once
 
 #include "src/model/bearing_model.hpp"
@@ -50,13 +49,11 @@ template <int sign>
 
 /// Inverts in place, by blocks of three by three, which fit into registers, with the pivots of an
 /// elimination without pivoting. False where a pivot of an existing roller is not well above zero
-/// (or not a number) against its mass. Directions in which rollers are held have only their mass: a
-/// diagonal entry each.
-template <bool planar>
+/// (or not a number) against its mass.
 bool invert(Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack (&mass)[kLocalVelocities],
             double beta, Pack exists) {
   static_assert(kLocalVelocities == 6);
-  constexpr int first[3] = {kLr, kLt, planar ? kLs : kLx}, second[3] = {kLar, kLat, kLs};
+  constexpr int first[3] = {kLr, kLt, kLx}, second[3] = {kLar, kLat, kLs};
   const auto get = [&](const int(&rows)[3], const int(&columns)[3], Three& to) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) to[i][j] = a[rows[i]][columns[j]];
@@ -73,29 +70,24 @@ bool invert(Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack (&mass)[kL
   Three P;
   get(first, first, P);
   Mask bad = inverted(first, P);
-  if constexpr (planar) {
-    put(P, first, first);
-    for (int k = kLx; k <= kLat; ++k) a[k][k] = beta / mass[k];
-  } else {
-    // (P Q; R S)^-1, P inverted: X = P Q, S' = (S - R X)^-1, ...
-    Three Q, R, S, X{}, lower{}, right{};
-    get(first, second, Q);
-    add_three<1>(P, Q, X);
-    get(second, first, R);
-    get(second, second, S);
-    add_three<-1>(R, X, S);
-    bad |= inverted(second, S);
-    put(S, second, second);
-    add_three<-1>(X, S, right);
-    put(right, first, second);
-    // ... -S' R P below, and P + X S' R P.
-    Three RP{};
-    add_three<1>(R, P, RP);
-    add_three<-1>(S, RP, lower);
-    put(lower, second, first);
-    add_three<-1>(X, lower, P);
-    put(P, first, first);
-  }
+  // (P Q; R S)^-1, P inverted: X = P Q, S' = (S - R X)^-1, ...
+  Three Q, R, S, X{}, lower{}, right{};
+  get(first, second, Q);
+  add_three<1>(P, Q, X);
+  get(second, first, R);
+  get(second, second, S);
+  add_three<-1>(R, X, S);
+  bad |= inverted(second, S);
+  put(S, second, second);
+  add_three<-1>(X, S, right);
+  put(right, first, second);
+  // ... -S' R P below, and P + X S' R P.
+  Three RP{};
+  add_three<1>(R, P, RP);
+  add_three<-1>(S, RP, lower);
+  put(lower, second, first);
+  add_three<-1>(X, lower, P);
+  put(P, first, first);
   return !any(bad & (exists > 0.0));
 }
 
@@ -109,33 +101,21 @@ Pack product(const Pack (&a)[kLocalVelocities], const Pack (&b)[kLocalVelocities
   return even + odd;
 }
 
-template <bool planar>
 void multiply(const Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack* b, Pack* x) {
   for (int i = 0; i < kLocalVelocities; ++i) {
-    if (held<planar>(i)) {
-      x[i] = a[i][i] * b[i];
-      continue;
-    }
     // Two sums: neither waits for the other.
     Pack odd = a[i][1] * b[1];
     x[i] = a[i][0] * b[0];
-    for (int k = 2; k < kLocalVelocities; ++k)
-      if (!held<planar>(k)) (k % 2 == 0 ? x[i] : odd) += a[i][k] * b[k];
+    for (int k = 2; k < kLocalVelocities; ++k) (k % 2 == 0 ? x[i] : odd) += a[i][k] * b[k];
     x[i] += odd;
   }
 }
 
 /// x = b A, b a row.
-template <bool planar>
 void multiply_left(const Pack* b, const Pack (&a)[kLocalVelocities][kLocalVelocities], Pack* x) {
   for (int j = 0; j < kLocalVelocities; ++j) {
-    if (held<planar>(j)) {
-      x[j] = b[j] * a[j][j];
-      continue;
-    }
     x[j] = b[0] * a[0][j];
-    for (int k = 1; k < kLocalVelocities; ++k)
-      if (!held<planar>(k)) x[j] += b[k] * a[k][j];
+    for (int k = 1; k < kLocalVelocities; ++k) x[j] += b[k] * a[k][j];
   }
 }
 

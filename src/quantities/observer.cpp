@@ -500,16 +500,16 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("ring_orbit_p95_um")] = 1e6 * distance_quantile(ring_y_, ring_z_, 0.95);
   q[quantity_row("ring_acceleration_rms_m_s2")] = ring_acceleration_.rms();
   q[quantity_row("ring_acceleration_peak_m_s2")] = ring_acceleration_.peak();
-  const bool lean = !model_.planar, tilts = model_.layout.ring_tilt > 0;
+  const bool tilts = model_.layout.ring_tilt > 0;
   const double held = std::hypot(model_.misalignment_y, model_.misalignment_z);
-  q[quantity_row("ring_tilt_mean_mrad")] = lean ? 1e3 * (tilts ? ring_tilt_.mean() : held) : none;
+  q[quantity_row("ring_tilt_mean_mrad")] = 1e3 * (tilts ? ring_tilt_.mean() : held);
   q[quantity_row("ring_tilt_std_mrad")] =
       tilts ? 1e3 * std::hypot(tilt_y_.standard_deviation(), tilt_z_.standard_deviation()) : none;
   q[quantity_row("roller_speed_std_ratio")] =
       stands ? none : speeds.standard_deviation() / std::abs(speeds.mean());
-  q[quantity_row("roller_skew_rms_mrad")] = lean ? 1e3 * skew.rms() : none;
-  q[quantity_row("roller_skew_p95_mrad")] = lean ? 1e3 * skew.quantile(0.95) : none;
-  q[quantity_row("roller_tilt_p95_mrad")] = lean ? 1e3 * tilt_.all().quantile(0.95) : none;
+  q[quantity_row("roller_skew_rms_mrad")] = 1e3 * skew.rms();
+  q[quantity_row("roller_skew_p95_mrad")] = 1e3 * skew.quantile(0.95);
+  q[quantity_row("roller_tilt_p95_mrad")] = 1e3 * tilt_.all().quantile(0.95);
   q[quantity_row("power_loss_W")] = dissipation_.mean();
   const auto lost = [&](Mechanism of) { return lost_[of].mean(); };
   q[quantity_row("power_race_sliding_W")] = lost(kRaceSliding);

@@ -29,9 +29,7 @@ const Need loaded{"model.motion = \"dynamic\"; loaded contacts", moves, Given::p
 const Need turning{"model.motion = \"dynamic\"; speed.inner_rpm not zero", turns, Given::where_the_cage_turns};
 const Need turning_loaded{"model.motion = \"dynamic\"; speed.inner_rpm not zero; loaded contacts", turns, Given::perhaps};
 const Need whole_turns{"model.motion = \"dynamic\"; at least one whole cage revolution measured", [](const Scene& s) { return turns(s) && s.window.measure_revolutions >= 1; }, Given::perhaps};
-const Need spatial{"model.rollers = \"spatial\"", [](const Scene& s) { return !has_planar_rollers(s); }};
-const Need leaning{"model.motion = \"dynamic\"; model.rollers = \"spatial\"", [](const Scene& s) { return moves(s) && !has_planar_rollers(s); }};
-const Need tilting{"model.motion = \"dynamic\"; model.ring_tilt = \"free\"; model.rollers = \"spatial\"", [](const Scene& s) { return moves(s) && has_free_ring_tilt(s); }};
+const Need tilting{"model.motion = \"dynamic\"; model.ring_tilt = \"free\"", [](const Scene& s) { return moves(s) && has_free_ring_tilt(s); }};
 const Need flexible{"cage.model = \"flexible\"", is_flexible};
 const Need film{"model.motion = \"dynamic\"; lubrication.model = \"film\" or a film.model; loaded contacts", [](const Scene& s) { return moves(s) && (is_lubricated(s) || s.film.model != FilmModel::none); }, Given::perhaps};
 const Need oil{"model.motion = \"dynamic\"; lubrication.model = \"film\"; loaded contacts", [](const Scene& s) { return moves(s) && is_lubricated(s); }, Given::perhaps};

@@ -13,8 +13,8 @@
 namespace cagetol {
 
 namespace need {
-extern const Need any, motion, loaded, turning, turning_loaded, whole_turns, spatial, leaning,
-    tilting, flexible, film, oil, extrapolated, extrapolated_stress;
+extern const Need any, motion, loaded, turning, turning_loaded, whole_turns, tilting, flexible,
+    film, oil, extrapolated, extrapolated_stress;
 }
 namespace bound {
 extern const Bound finite, not_negative, share, slip, circle, lean, whirl, axial, ring_place,
@@ -157,8 +157,7 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "vibration", "rms of the inner ring's acceleration", "ring_acceleration_peak_m_s2"},
     {"ring_acceleration_peak_m_s2", "m/s2", Kind::peak, need::motion, bound::ring_acceleration,
      "vibration", "largest acceleration of the inner ring over every accepted step"},
-    {"ring_tilt_mean_mrad", "mrad", Kind::mean, need::spatial, bound::lean,
-     "misalignment that results",
+    {"ring_tilt_mean_mrad", "mrad", Kind::mean, need::any, bound::lean, "misalignment that results",
      "mean angle between the inner ring's centre line and the bearing's axis; the misalignment "
      "where the tilt is prescribed"},
     {"ring_tilt_std_mrad", "mrad", Kind::mean, need::tilting, bound::lean, "wobble of the ring",
@@ -166,11 +165,11 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"roller_speed_std_ratio", "-", Kind::mean, need::turning, bound::not_negative,
      "acceleration of rollers in and out of the load zone",
      "standard deviation over mean of the rollers' absolute spin, over time and rollers"},
-    {"roller_skew_rms_mrad", "mrad", Kind::mean, need::leaning, bound::lean,
+    {"roller_skew_rms_mrad", "mrad", Kind::mean, need::motion, bound::lean,
      "end and flange wear, effect of squareness", "rms over time and rollers of the skew a.e_t"},
-    {"roller_skew_p95_mrad", "mrad", Kind::peak, need::leaning, bound::lean,
+    {"roller_skew_p95_mrad", "mrad", Kind::peak, need::motion, bound::lean,
      "end and flange wear, effect of squareness", "95 % quantile over time and rollers of |skew|"},
-    {"roller_tilt_p95_mrad", "mrad", Kind::peak, need::spatial, bound::lean, "edge load of rollers",
+    {"roller_tilt_p95_mrad", "mrad", Kind::peak, need::any, bound::lean, "edge load of rollers",
      "95 % quantile over time and rollers of |tilt|, tilt = a.e_r"},
     {"power_loss_W", "W", Kind::power, need::motion, bound::loss, "heat, and where it arises",
      "mean dissipation of all contacts, films and churning; the sum of the rows that follow"},

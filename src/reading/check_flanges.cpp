@@ -79,12 +79,10 @@ void check_flanges(const Scene& scene, const SceneCheck& check) {
   const AxialLoads loads = axial_loads(scene.operation);
   if (loads.least == 0 && loads.greatest == 0) return;
   const char* key = scene.operation.table.axial_load.empty() ? "load.axial_N" : "duty.axial_N";
-  check.require(!is_quasi_static(scene) && !has_planar_rollers(scene), key,
+  check.require(!is_quasi_static(scene), key,
                 "rollers carry an axial load by their ends, which " +
-                    check.with_value(is_quasi_static(scene) ? "model.motion" : "model.rollers") +
-                    " leaves out",
-                "set model.motion = \"dynamic\" and model.rollers = \"spatial\", or leave the load "
-                "out");
+                    check.with_value("model.motion") + " leaves out",
+                "set model.motion = \"dynamic\", or leave the load out");
   for (const double load : {loads.least, loads.greatest})
     check.require(
         load == 0 ||

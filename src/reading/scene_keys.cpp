@@ -31,7 +31,6 @@ std::vector<std::string> material_names() {
 void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
       {"name", any_value(), AT(name), "name of the scene, for titles"},
-      {"model.rollers", any_value(), AT(model.rollers), "spatial: rollers tilt, skew and move axially; planar: they stay parallel to the bearing's axis, in the middle, and misalignment, squareness, taper and a tilt of the inner ring do nothing to them"},
       {"model.motion", any_value(), AT(model.motion), "dynamic: equations of motion; quasi-static: equilibria of ring and rollers over one turn of the cage at full load and kinematic speed; no cage forces, no slip, of oil only the films of the races"},
       {"model.ring_tilt", any_value(), AT(model.ring_tilt), "tilt of the inner ring; prescribed: the misalignment, whatever moment it takes; free: two degrees of freedom, held by the rollers, the shaft (bearing.tilt_stiffness_N_m_rad) and the ring's inertia"},
       {"bearing.roller_count", required(within(3, 64)), AT(bearing.roller_count), "number of rollers and pockets Z"},

@@ -7,13 +7,6 @@
 
 namespace cagetol {
 
-/// Motion of the rollers; planar: no tilt, skew or axial motion.
-enum class RollerModel { spatial, planar };
-constexpr auto spellings(RollerModel) {
-  using enum RollerModel;
-  return std::array{Spelling{spatial, "spatial"}, Spelling{planar, "planar"}};
-}
-
 /// Equations of motion, or equilibria without integration.
 enum class MotionModel { dynamic, quasi_static };
 constexpr auto spellings(MotionModel) {

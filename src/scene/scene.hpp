@@ -32,7 +32,6 @@ struct MaterialChoice {
 
 /// Which motions are modelled.
 struct Simplification {
-  RollerModel rollers = RollerModel::spatial;
   MotionModel motion = MotionModel::dynamic;
   TiltModel ring_tilt = TiltModel::prescribed;  ///< of the inner ring
 };
@@ -313,12 +312,8 @@ struct Scene {
   double history_interval = 20e-6;  ///< [s]
 };
 
-inline bool has_planar_rollers(const Scene& scene) {
-  return scene.model.rollers == RollerModel::planar;
-}
-/// False for planar rollers, on which a tilt of the ring has no effect.
 inline bool has_free_ring_tilt(const Scene& scene) {
-  return scene.model.ring_tilt == TiltModel::free && !has_planar_rollers(scene);
+  return scene.model.ring_tilt == TiltModel::free;
 }
 /// Whether speed or load follow a table or an oscillation, so that no cage revolution stands for
 /// another.
@@ -340,7 +335,7 @@ double largest_outer_speed(const Operation& operation);
 /// An axial load moves the inner ring until flanges carry it; without one it keeps its place.
 inline bool has_free_axial_place(const Scene& scene) {
   const AxialLoads loads = axial_loads(scene.operation);
-  return (loads.least != 0 || loads.greatest != 0) && !has_planar_rollers(scene);
+  return loads.least != 0 || loads.greatest != 0;
 }
 inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == CageKind::flexible;

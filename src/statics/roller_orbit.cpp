@@ -55,7 +55,6 @@ RollerGroup mean_roller(const BearingModel& m) {
 /// A rigid cage, and `count` mean rollers between rings that are not tilted.
 BearingModel straight(const BearingModel& from, int count, const RollerGroup& roller) {
   BearingModel m = from;
-  m.planar = true;
   m.misalignment_y = m.misalignment_z = 0;
   m.forms = {};
   m.layout = {count, (count + kLanes - 1) / kLanes, 0, 0};

@@ -82,7 +82,7 @@ std::vector<double> start_state(const BearingModel& m, const Start& start) {
     const double roller_radius = m.groups[static_cast<std::size_t>(j / kLanes)].radius[j % kLanes];
     at(l.position(kRadius, j)) = radius;
     at(l.position(kAngle, j)) = a;
-    const double tilt = rest && !m.planar ? rest->tilt[k] : 0;
+    const double tilt = rest ? rest->tilt[k] : 0;
     at(l.position(kAxisY, j)) = tilt * std::cos(a);
     at(l.position(kAxisZ, j)) = tilt * std::sin(a);
     at(l.velocity(kOrbitRate, j)) = cage_speed;

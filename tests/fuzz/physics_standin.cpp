@@ -3,13 +3,8 @@
 
 #include "mc/run/history_channels.hpp"
 #include "src/quantities/window_times.hpp"
-#include "src/quasi_static.hpp"
 
 namespace cagetol {
-
-bool is_quasi_static_quantity(const std::string& key) {
-  return key == "ring_displacement_mean_um";
-}
 
 // No sample is run here: of histories only the names of their columns are asked for.
 const std::vector<BearingChannel>& bearing_channels() {

@@ -1,7 +1,12 @@
 // A scene of the program that is set like the planar reference (planar_bearing_reference.hpp): what
-// that leaves out is switched off, the rest is taken from it.
+// that leaves out is switched off, the rest is taken from it. No constraint holds the rollers in the
+// plane. Every section of this bearing is alike, so nothing moves them out of it.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "src/model/state.hpp"
 #include "src/scene/scene.hpp"
 #include "tests/support/planar_bearing_reference.hpp"
 
@@ -9,7 +14,6 @@ namespace cagetol {
 
 inline Scene planar_scene(const PlanarBearing& bearing) {
   Scene scene;  // NU 205 with straight rollers and one slice
-  scene.model.rollers = RollerModel::planar;
   scene.operation.gravity = 0;
   scene.operation.radial_load = bearing.load;
   scene.operation.inner_speed = bearing.inner_speed;
@@ -37,6 +41,19 @@ inline Scene planar_scene(const PlanarBearing& bearing) {
   oil.pocket_layer = bearing.oil.pocket_layer;
   oil.inlet_heating = oil.churning = oil.land_film = false;
   return scene;
+}
+
+/// Largest magnitude of the rollers' axial places, tilts and skews, and of their rates, each in its
+/// SI unit. Zero to the bit throughout a run of planar_scene().
+inline double out_of_plane(const StateLayout& l, const double* y) {
+  double most = 0;
+  for (int j = 0; j < l.rollers; ++j) {
+    for (const RollerPosition slot : {kAxial, kAxisY, kAxisZ})
+      most = std::max(most, std::abs(y[l.position(slot, j)]));
+    for (const RollerVelocity slot : {kAxialSpeed, kAxisRateY, kAxisRateZ})
+      most = std::max(most, std::abs(y[l.velocity(slot, j)]));
+  }
+  return most;
 }
 
 }  // namespace cagetol

@@ -100,9 +100,7 @@ std::shared_ptr<const CageModel> random_cage(const Scene& s, int modes, Draw& dr
 }
 
 const char* freedom_name(Freedom freedom) {
-  return freedom == Freedom::spatial  ? "spatial"
-         : freedom == Freedom::planar ? "planar"
-                                      : "tilting";
+  return freedom == Freedom::spatial ? "spatial" : "tilting";
 }
 
 const char* outline_name(Outline outline) {
@@ -209,7 +207,6 @@ void oil_the_lands(const Scene& scene, BearingModel& model) {
 
 RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options) {
   RandomBearing b{random_scene(seed, options.lean), {}, {}, 0};
-  if (options.freedom == Freedom::planar) b.scene.model.rollers = RollerModel::planar;
   if (options.freedom == Freedom::tilting) free_the_ring(seed, b.scene);
   if (options.inner_flanges && options.freedom == Freedom::spatial && seed % 4 == 3)
     flange_the_inner_ring(seed, b.scene);

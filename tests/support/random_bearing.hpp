@@ -17,9 +17,8 @@ struct RandomBearing {
   double t = 0;
 };
 
-/// Which motions of the bearing are free: those of spatial rollers, of planar ones, or of spatial
-/// ones and the inner ring's tilt.
-enum class Freedom { spatial, planar, tilting };
+/// Which motions of the bearing are free: those of rollers, or of rollers and the inner ring's tilt.
+enum class Freedom { spatial, tilting };
 /// For names of tests.
 const char* freedom_name(Freedom freedom);
 
@@ -39,7 +38,7 @@ struct RandomBearingOptions {
   Outline outline = Outline::flat;  ///< else rollers stand apart from the races
   bool lobed = false;               ///< raceways with random lobes
   bool sphere_ends = false;         ///< of rollers, against inclined flanges
-  bool inner_flanges = true;        ///< of spatial rollers, on every fourth bearing
+  bool inner_flanges = true;        ///< on every fourth bearing whose ring does not tilt
 };
 
 /// Gives the model of a dry scene the film that its guide lands would have in oil of 20 mPa s.

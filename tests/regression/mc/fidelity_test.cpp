@@ -56,16 +56,16 @@ TEST_F(Fidelity, ASettledLimitTakesTheCheapestRungAndThePilotsRuns) {
   const Ended automatic = sweep("auto", far_limit_);
   ASSERT_EQ(automatic.code, 0) << automatic.output;
   EXPECT_THAT(automatic.output,
-              HasSubstr("fidelity: planar, the cheapest rung that is good enough"));
+              HasSubstr("fidelity: coarse-3, the cheapest rung that is good enough"));
   EXPECT_THAT(automatic.output, HasSubstr("8 runs of the pilot are the study's own"));
   EXPECT_THAT(automatic.output, HasSubstr("8 of 13 samples are already done"));
   EXPECT_TRUE(climbed("auto", "full"));
-  EXPECT_FALSE(climbed("auto", "coarse-3"));
+  EXPECT_FALSE(climbed("auto", "coarse-5"));
   EXPECT_THAT(automatic.output, HasSubstr("3 of 8 samples are already done"));  // a first look's
   std::ifstream file(scratch_ / "auto/fidelity/ladder.json");
   const auto ladder = nlohmann::json::parse(file);
-  EXPECT_EQ(ladder["rungs_not_run"].size(), 6u);
-  EXPECT_EQ(ladder["rungs_not_run"][0], "coarse-3");
+  EXPECT_EQ(ladder["rungs_not_run"].size(), 5u);
+  EXPECT_EQ(ladder["rungs_not_run"][0], "coarse-5");
   EXPECT_THAT(ladder["settled_assumes"].get<std::string>(), HasSubstr("scatter normally"));
   for (const auto& quantity : ladder["quantities"])
     if (quantity["quantity"] == "cage_slip_ratio") {
@@ -94,16 +94,16 @@ TEST_F(Fidelity, ALimitThatTheReferenceLeavesOpenTakesTheHighestRung) {
   EXPECT_THAT(ended.output,
               HasSubstr("fidelity: full, the highest rung: a first look at 3 samples finds no "
                         "other within reach; the pilot cost about"));
-  EXPECT_TRUE(climbed("auto", "first-look/planar"));
-  EXPECT_FALSE(climbed("auto", "planar"));
-  EXPECT_FALSE(climbed("auto", "coarse-3"));  // hopeless
+  EXPECT_TRUE(climbed("auto", "first-look/coarse-3"));
+  EXPECT_FALSE(climbed("auto", "coarse-3"));
+  EXPECT_FALSE(climbed("auto", "coarse-5"));  // hopeless
   EXPECT_THAT(ended.output, HasSubstr("8 runs of the pilot are the study's own"));
 }
 
 TEST_F(Fidelity, RunsOfAnotherDesignAreNotAdopted) {
   const Ended ended = sweep("auto", {far_limit_[0], "design='lhs'"});
   ASSERT_EQ(ended.code, 0) << ended.output;
-  EXPECT_THAT(ended.output, HasSubstr("fidelity: planar"));
+  EXPECT_THAT(ended.output, HasSubstr("fidelity: coarse-3"));
   EXPECT_THAT(ended.output, Not(HasSubstr("runs of the pilot")));
 }
 

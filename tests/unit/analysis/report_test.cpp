@@ -71,15 +71,15 @@ TEST_F(Report, ShowsTheModelThatAPilotChose) {
   StudyData study = make_synthetic_study({.rows = 200});
   EXPECT_TRUE(make_report(study)["fidelity"].is_null());
   study.plan.whole["fidelity_decision"] = nlohmann::ordered_json::parse(
-      R"({"rung": "coarse-3", "reason": "the cheapest", "shift": [{"quantity": "cage_slip_ratio",
-          "rung": "planar", "verdict": "biased", "shift": 0.5, "budget": 0.25},
-          {"quantity": "cage_slip_ratio", "rung": "coarse-3", "verdict": "settled",
+      R"({"rung": "coarse-5", "reason": "the cheapest", "shift": [{"quantity": "cage_slip_ratio",
+          "rung": "coarse-3", "verdict": "biased", "shift": 0.5, "budget": 0.25},
+          {"quantity": "cage_slip_ratio", "rung": "coarse-5", "verdict": "settled",
            "limit": "limit at most 0.02", "wrong_share": 2e-5, "allowed_wrong_share": 6e-4}],
           "assumption": "that tails are light"})");
   const auto report = make_report(study);
-  EXPECT_EQ(report["fidelity"]["rung"], "coarse-3");
+  EXPECT_EQ(report["fidelity"]["rung"], "coarse-5");
   const std::string html = page_of(report);
-  EXPECT_THAT(html, testing::HasSubstr("Rung <b>coarse-3</b>: the cheapest."));
+  EXPECT_THAT(html, testing::HasSubstr("Rung <b>coarse-5</b>: the cheapest."));
   EXPECT_THAT(html, testing::HasSubstr("0.500 (- to -)"));
   EXPECT_THAT(html, testing::HasSubstr("limit at most 0.02"));
   EXPECT_THAT(html, testing::HasSubstr("0.002 % (0.06 %)"));

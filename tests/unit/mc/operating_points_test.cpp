@@ -26,8 +26,8 @@ using testing::HasSubstr;
 
 const char* const kScene = R"(name = "points"
 samples = 3
-[scene.model]
-rollers = "planar"
+[scene.discretisation]
+race_slices = 3
 [scene.window]
 settle_time_s = 2e-4
 measure_time_s = 4e-4

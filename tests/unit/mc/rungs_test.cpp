@@ -30,13 +30,11 @@ TEST(Rungs, GoFromTheCheapestModelToTheWholeOne) {
   EXPECT_EQ(bottom.cage.model, CageKind::rigid);
   EXPECT_TRUE(is_quasi_static(bottom));
   EXPECT_EQ(bottom.discretisation.race_slices, 5);
-  const Scene plane = on_rung(Scene{}, rungs[1]);
-  EXPECT_TRUE(has_planar_rollers(plane));
-  EXPECT_FALSE(is_quasi_static(plane));
-  EXPECT_EQ(plane.integration.tolerance, 0.002);
-  EXPECT_EQ(on_rung(plane, rungs[2]).integration.tolerance, 0.02);
-  EXPECT_FALSE(has_planar_rollers(on_rung(plane, rungs[2])));
-  EXPECT_FALSE(has_planar_rollers(top) || is_quasi_static(top));
+  const Scene coarse = on_rung(Scene{}, rungs[1]);
+  EXPECT_FALSE(is_quasi_static(coarse));
+  EXPECT_EQ(coarse.discretisation.race_slices, 3);
+  EXPECT_EQ(coarse.integration.tolerance, 0.02);
+  EXPECT_FALSE(is_quasi_static(top));
   EXPECT_EQ(top.cage.model, CageKind::flexible);
   EXPECT_EQ(top.cage.modes, 10);
   EXPECT_TRUE(top.cage.bar_modes);
@@ -55,15 +53,15 @@ TEST(Rungs, OneThingIsTakenAwayAtATime) {
   const Scene top = on_rung(Scene{}, climbing_rungs().back());
   for (const Rung& rung : separate_rungs(Scene{})) {
     const Scene less = on_rung(Scene{}, rung);
-    int changes =
-        (less.cage.model != top.cage.model) + (less.cage.bar_modes != top.cage.bar_modes) +
-        (less.cage.corner_radius != top.cage.corner_radius) +
-        (less.cage.edge_radius != top.cage.edge_radius) +
-        (less.cage.centrifugal != top.cage.centrifugal) +
-        (less.contact.race_approach != top.contact.race_approach) +
-        (less.discretisation.race_slices != top.discretisation.race_slices) +
-        (less.integration.tolerance != top.integration.tolerance) +
-        (less.model.rollers != top.model.rollers) + (less.model.motion != top.model.motion);
+    int changes = (less.cage.model != top.cage.model) +
+                  (less.cage.bar_modes != top.cage.bar_modes) +
+                  (less.cage.corner_radius != top.cage.corner_radius) +
+                  (less.cage.edge_radius != top.cage.edge_radius) +
+                  (less.cage.centrifugal != top.cage.centrifugal) +
+                  (less.contact.race_approach != top.contact.race_approach) +
+                  (less.discretisation.race_slices != top.discretisation.race_slices) +
+                  (less.integration.tolerance != top.integration.tolerance) +
+                  (less.model.motion != top.model.motion);
     EXPECT_EQ(changes, rung.name == "full" ? 0 : 1) << rung.name;
   }
 }
@@ -205,10 +203,9 @@ TEST(Rungs, TheLowestGivesItsQuantitiesAndNoOthers) {
 }
 
 TEST(Rungs, AreThoseThatTellModelsOfTheSceneApart) {
-  // Rollers in the plane carry no axial load, nor do equilibria.
+  // Equilibria carry no axial load.
   const Scene axial = read_study(shipped("scenes/nj308-axial.toml")).scene;
   EXPECT_EQ(rungs_for(axial, climbing_rungs()).front().name, "coarse-3");
-  EXPECT_THAT(names_of(rungs_for(axial, separate_rungs(axial))), Not(Contains("planar")));
   const Scene radial = read_study(shipped("scenes/nu208-brass.toml")).scene;
   EXPECT_EQ(names_of(rungs_for(radial, climbing_rungs())), names_of(climbing_rungs()));
 }

@@ -123,8 +123,7 @@ TEST_F(SampleHistoryTest, ARunThatEndsEarlyLeavesTheRestUndefined) {
 TEST_F(SampleHistoryTest, IsThatOfTheLastWindowWhereSettlingIsExtended) {
   scene_.lubrication.model = LubricationModel::film;
   scene_.operation.radial_load = 0;
-  scene_.model.rollers = RollerModel::planar;
-  scene_.discretisation = {.race_slices = 1, .bar_stations = 1};
+  scene_.discretisation = {.race_slices = 3, .bar_stations = 1};
   scene_.window.settle_revolutions = 0;
   scene_.window.measure_revolutions = 2;
   scene_.window.longest_settle_revolutions = 4;

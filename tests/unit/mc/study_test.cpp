@@ -437,16 +437,13 @@ TEST_F(StudyFile, EquilibriaHaveNoHistory) {
 
 TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
   const std::string squareness = "cage.pocket_squareness_mrad = { law = 'normal', sigma = 1 }\n";
-  const auto notes = model_notes(
-      study_of("samples = 5\n[scene]\nmodel.rollers = 'planar'\nbearing.misalignment_z_mrad = 2\n" +
-               squareness));
-  EXPECT_THAT(notes, ElementsAre("without effect (model.rollers = \"planar\"): "
-                                 "bearing.misalignment_z_mrad, cage.pocket_squareness_mrad"));
+  const auto notes = model_notes(study_of(
+      "samples = 5\n[scene]\nmodel.motion = 'quasi-static'\nload.ramp_ms = 2\n" + squareness));
+  EXPECT_THAT(notes, ElementsAre("without effect (model.motion = \"quasi-static\"): "
+                                 "cage.pocket_squareness_mrad, load.ramp_ms"));
   EXPECT_TRUE(model_notes(study_of("samples = 5\n[scene]\n" + squareness)).empty());
   const std::string free = "samples = 5\n[scene]\nmodel.ring_tilt = 'free'\n";
   EXPECT_TRUE(model_notes(study_of(free)).empty());
-  EXPECT_THAT(model_notes(study_of(free + "model.rollers = 'planar'\n")),
-              ElementsAre(HasSubstr("model.ring_tilt")));
   const auto limits = study_notes(
       study_of("samples = 5\n[[limit]]\nquantity = 'pocket_force_peak_N'\nmax = 1\nsource = 's'\n"
                "[[limit]]\nquantity = 'ring_displacement_mean_um'\nmax = 1\nsource = 's'\n"

@@ -208,7 +208,6 @@ INSTANTIATE_TEST_SUITE_P(
                s.lubrication.model = LubricationModel::none;
                s.contact.race.law = s.contact.bar.law = ForceLaw::impact;
              }},
-        Case{"planar", [](Scene& s) { s.model.rollers = RollerModel::planar; }},
         Case{"tilting",
              [](Scene& s) {
                s.lubrication.model = LubricationModel::none;

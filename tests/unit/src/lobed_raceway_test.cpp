@@ -37,7 +37,7 @@ Scene resting_scene() {
   Scene scene;
   scene.operation.gravity = 0;
   scene.operation.inner_speed = 0;
-  scene.model.rollers = RollerModel::planar;
+  scene.discretisation.race_slices = 1;
   return scene;
 }
 

@@ -10,6 +10,7 @@
 #include "src/contact_laws/normal_force.hpp"
 #include "src/integration/system.hpp"
 #include "src/lubrication/lubricated_line.hpp"
+#include "src/simulate.hpp"
 #include "src/statics/start_state.hpp"
 #include "tests/support/planar_scene.hpp"
 #include "tests/support/shipped_scene.hpp"
@@ -64,6 +65,25 @@ TEST_F(LubricatedBearing, OneContactIsTheReferencesContact) {
            1e-15, "film thickness");
       if (due.normal > 1e-3) same(ours.ratio * sliding, due.traction, 1e-9, "traction");
     }
+}
+
+// What makes the comparison with a planar reference a fair one.
+TEST(PlanarScene, NothingMovesRollersOutOfThePlane) {
+  Scene scene = planar_scene({});
+  scene.window.settle_time = 0;
+  scene.window.measure_time = 5e-3;
+  scene.watch.static_consistency_max = 1;  // too brief to settle
+  double most = 0, turned = 0;
+  const Outcome outcome =
+      simulate(scene, {.on_state = [&](double, const double* y, const System& system) {
+                 const StateLayout& l = system.model.layout;
+                 most = std::max(most, out_of_plane(l, y));
+                 turned = y[l.border_position(kCagePhi)];
+               }});
+  ASSERT_EQ(outcome.status, Status::ok) << outcome.reason;
+  EXPECT_EQ(most, 0);
+  EXPECT_GT(turned, 1);
+  EXPECT_GT(quantity(outcome, "pocket_force_peak_N"), 0.1);
 }
 
 /// A random state of the program and the same one for the reference.

@@ -79,16 +79,6 @@ void expect_not_dearer(const Bearing& simpler, const Bearing& fuller) {
   EXPECT_LE(*newton, 1.0);
 }
 
-TEST(ModelCost, PlanarRollersAreNotDearerThanSpatialOnes) {
-  for (const long slices : {1L, 5L}) {
-    Scene scene = speed_scene();
-    scene.discretisation.race_slices = slices;
-    const Bearing spatial = loaded(scene);
-    scene.model.rollers = RollerModel::planar;
-    expect_not_dearer(loaded(scene), spatial);
-  }
-}
-
 TEST(ModelCost, NoFilmIsNotDearerThanAFilm) {
   Scene scene = speed_scene();
   const Bearing dry = loaded(scene);

@@ -34,7 +34,7 @@ TEST(NoAllocation, InRightHandSideDerivativesAndSolution) {
   for (unsigned seed = 0; seed < 24; ++seed) {
     const bool lobed = seed % 3 == 1;
     const RandomBearing b = random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
-                                                  .freedom = static_cast<Freedom>(seed / 2 % 3),
+                                                  .freedom = static_cast<Freedom>(seed / 2 % 2),
                                                   .lobed = lobed});
     System system(b.model);
     NewtonMatrix newton(b.model);

@@ -53,7 +53,6 @@ INSTANTIATE_TEST_SUITE_P(
                            s.lubrication.model = LubricationModel::none;
                            s.film.model = FilmModel::series;
                          }},
-                    Case{"planar", [](Scene& s) { s.model.rollers = RollerModel::planar; }},
                     Case{"tilting",
                          [](Scene& s) {
                            s.lubrication.model = LubricationModel::none;
@@ -62,8 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"part_of_a_turn", [](Scene& s) { s.window.measure_revolutions = 0.4; }},
                     Case{"extrapolated",
                          [](Scene& s) {
-                           s.model.rollers = RollerModel::planar;
-                           s.discretisation = {1, 1};
+                           s.discretisation = {3, 1};
                            s.window.measure_revolutions = 5;
                            s.window.extrapolate_revolutions = 100;
                          }},

@@ -224,11 +224,5 @@ TEST(RingTilt, MayNotGrowBeyondSmallAngles) {
   EXPECT_NE(outcome.reason.find("the inner ring tilted by"), std::string::npos) << outcome.reason;
 }
 
-TEST(RingTilt, IsNotThereForPlanarRollers) {
-  Scene scene = free_ring({});
-  scene.model.rollers = RollerModel::planar;
-  EXPECT_EQ(make_bearing_model(scene).layout.ring_tilt, 0);
-}
-
 }  // namespace
 }  // namespace cagetol

@@ -20,7 +20,7 @@ Scene orbit_scene(double load, double rpm) {
   scene.lubrication.viscosity = 0.02;
   scene.lubrication.land_film = false;  // the orbit is the rollers', and so is its torque
   scene.lubrication.churning = false;
-  scene.model.rollers = RollerModel::planar;
+  scene.bearing.misalignment_z = 0;
   scene.bearing.roller_count = kRollers;
   scene.operation.radial_load = load;
   scene.operation.inner_speed = rpm * 2 * std::numbers::pi / 60;

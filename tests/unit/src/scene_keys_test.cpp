@@ -165,9 +165,8 @@ TEST(SceneKeys, SpeedSceneIsTheOneThatSpeedsAreMeasuredOn) {
   EXPECT_EQ(scene.operation.gravity, 0);
 }
 
-TEST(SceneKeys, TheModelIsSpatialAndDynamicUnlessToldOtherwise) {
-  EXPECT_FALSE(has_planar_rollers(scene_of("")) || is_quasi_static(scene_of("")));
-  EXPECT_TRUE(has_planar_rollers(scene_of("model.rollers = 'planar'\n")));
+TEST(SceneKeys, TheModelIsDynamicUnlessToldOtherwise) {
+  EXPECT_FALSE(is_quasi_static(scene_of("")));
   EXPECT_TRUE(is_quasi_static(scene_of("model.motion = 'quasi-static'\n")));
   EXPECT_THAT(problem_of("model.motion = 'static'\n"), HasSubstr("choose from dynamic"));
 }
@@ -176,7 +175,6 @@ TEST(SceneKeys, TheRingTiltsWhereItIsFreeTo) {
   EXPECT_FALSE(has_free_ring_tilt(scene_of("")));
   const std::string free = "model.ring_tilt = 'free'\n";
   EXPECT_TRUE(has_free_ring_tilt(scene_of(free)));
-  EXPECT_FALSE(has_free_ring_tilt(scene_of(free + "model.rollers = 'planar'\n")));
   const Scene scene = scene_of(free +
                                "load.tilting_moment_z_N_m = 3\n[bearing]\n"
                                "tilt_stiffness_N_m_rad = 2e4\ninner_ring_polar_inertia_kg_mm2 = 9\n"

@@ -83,7 +83,6 @@ TEST(SteadyStart, SlipFallsWithTheLoad) {
 
 TEST(SteadyStart, OfASkiddingBearingStaysWhereItStarts) {
   Scene scene = oiled(100);
-  scene.model.rollers = RollerModel::planar;
   scene.window.settle_revolutions = 1;
   scene.window.measure_revolutions = 3;
   const BearingModel m = make_bearing_model(scene);

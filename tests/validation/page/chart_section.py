@@ -10,7 +10,7 @@ sys.path.insert(0, str(ROOT / "analysis/figures"))
 from common import known  # noqa: E402
 from engine import error_against_cost, legend_below  # noqa: E402
 
-OFFSETS = ((-9, 4), (10, 2), (-9, 5), (-10, 2), (10, 2), (-9, -4), (-2, 10), (2, -10), (10, 3))  # of the numbers, points
+OFFSETS = ((-9, 4), (-9, 5), (-10, 2), (10, 2), (-9, -4), (-2, 10), (2, -10), (10, 3))  # of the numbers, points
 NU205 = ROOT / "inputs/scenes/nu205.toml"
 STUDY = ROOT / "inputs/studies/nu205.toml"
 LOADS = (150, 1000, 10000)  # N

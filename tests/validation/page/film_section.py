@@ -78,11 +78,10 @@ def film_section(page, program, quick):
     contact = contact_of(1e-3 * b.inner_race(), 1e-3 * b.outer_race(), 3.75e-3, b.rpm, 0.02, 1.8e-8)
     for load in ((1000,) if quick else FILM_LOADS):
         largest = distribution(replace(b.rollers(), logarithmic=False), load).loads.max()
-        # One slice of straight, aligned rollers: the film of the whole length, without the profile's edges.
+        # Straight, aligned rollers: one film over the whole length, without the profile's edges.
         for tolerance in (1e-3, 1e-4):
             run = program.run(b.scene, b.settings | {
-                "load.radial_N": load, "bearing.misalignment_z_mrad": 0, "model.rollers": "planar",
-                "roller.profile": "none", "integration.tolerance": tolerance})
+                "load.radial_N": load, "bearing.misalignment_z_mrad": 0, "roller.profile": "none", "integration.tolerance": tolerance})
             page.note_failure(f"film, NU 205, straight rollers, {load:g} N, tolerance {tolerance:g}", run)
             name = f"NU 205, straight rollers, tolerance {tolerance:g}: {run.status}"
             rows.append(row(name, load, run["film_min_um"], contact, largest / 9e-3))

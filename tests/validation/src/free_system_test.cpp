@@ -162,29 +162,6 @@ TEST(FreeSystem, KeepsThemAtTheEndWallsToo) {
   expect_kept(free_scene(), 1, 1e-6);
 }
 
-// What holds planar rollers straight takes axial momentum and moments about the radial axes; it
-// does no work, and nothing in the plane, whatever the cage does beside turning.
-TEST(FreeSystem, PlanarRollersKeepTheMomentumInThePlaneAndTheEnergy) {
-  Scene scene = free_scene();
-  scene.model.rollers = RollerModel::planar;
-  const BearingModel model = make_bearing_model(scene);
-  const StateLayout& l = model.layout;
-  std::vector<double> start = free_start(model, 0, 0);
-  start[static_cast<std::size_t>(l.border_velocity(kCageX))] = 0.1;
-  start[static_cast<std::size_t>(l.border_velocity(kCageAxisY))] = 3;
-  const Flight flight = fly(model, scene, start, 2e-3);
-  EXPECT_GT(flight.pocket_peak, 1);
-  const Momenta before = momenta(model, start), after = momenta(model, flight.end);
-  EXPECT_NEAR(after.y, before.y, 1e-6 * before.linear_size);
-  EXPECT_NEAR(after.z, before.z, 1e-6 * before.linear_size);
-  EXPECT_NEAR(after.spin, before.spin, 1e-6 * before.angular_size);
-  EXPECT_LT(flight.energy_residual, 1e-6);
-  for (int j = 0; j < l.rollers; ++j)
-    for (const RollerPosition slot : {kAxial, kAxisY, kAxisZ})
-      EXPECT_EQ(flight.end[static_cast<std::size_t>(l.position(slot, j))], 0);
-  EXPECT_GT(std::abs(flight.end[static_cast<std::size_t>(l.border_position(kCageX))]), 50e-6);
-}
-
 TEST(FreeSystem, TurningTheStartTurnsTheResult) {
   const Scene scene = free_scene();
   const BearingModel model = make_bearing_model(scene);

@@ -115,8 +115,7 @@ TEST(Watches, StillFindAWindowThatHasNotSettled) {
 /// to slow down.
 Scene skidding_bearing() {
   Scene scene = shipped_scene("nu205");
-  scene.model.rollers = RollerModel::planar;
-  scene.discretisation = {.race_slices = 1, .bar_stations = 1};
+  scene.discretisation = {.race_slices = 3, .bar_stations = 1};
   scene.lubrication.model = LubricationModel::film;
   scene.lubrication.viscosity = 0.02;
   scene.operation.radial_load = 20;
