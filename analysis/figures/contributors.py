@@ -5,7 +5,7 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 
-from common import BLUE, GREY, RED, SKY, WIDTH, interval_bars, known, pockets_alike, readable, with_unit
+from common import BLUE, GREY, SKY, WIDTH, interval_bars, known, pockets_alike, readable, with_unit
 
 
 def outputs_to_explain(report):

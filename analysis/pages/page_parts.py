@@ -5,7 +5,7 @@ Above 400 lines: one short function for each table or list of a page."""
 import math
 
 from page_text import (code, general, is_number, joined, percent_interval, pockets_alike, readable, rounded, scene_items,
-                       value_text)
+                       unit_suffix, value_text)
 
 
 class Chapter:
