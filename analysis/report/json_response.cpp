@@ -89,13 +89,15 @@ const char* course_of(const std::vector<std::vector<double>>& levels, double con
   return "undecided";
 }
 
-Json courses_of(const ReportBasis& basis, const Column& column, const GridCells& cells) {
+/// `error_rate`: chance that a course of nothing but noise is called one.
+Json courses_of(const ReportBasis& basis, const Column& column, const GridCells& cells,
+                double error_rate) {
   Json courses = Json::array();
   for (std::size_t setting = 0; setting < cells.settings.size(); ++setting) {
     std::vector<std::vector<double>> levels;
     for (std::size_t level = 0; level < cells.levels.size(); ++level)
       levels.push_back(by_replicate(basis.study, column, cells.samples(setting, level)));
-    courses.push_back(course_of(levels, basis.confidence));
+    courses.push_back(course_of(levels, 1 - error_rate));
   }
   return courses;
 }
@@ -110,11 +112,19 @@ Json cell_json(const std::vector<double>& values, double confidence) {
 
 Json quantities_of(const ReportBasis& basis, const GridCells& cells) {
   Json list = Json::array();
-  for (const Column& column : basis.study.quantities) {
+  const auto& all = basis.study.quantities;
+  const auto courses =
+      static_cast<std::size_t>(std::count_if(
+          all.begin(), all.end(), [](const Column& column) { return has_values(column.values); })) *
+      cells.settings.size();
+  // All courses together are right with the report's confidence (Bonferroni).
+  const double error_rate =
+      (1 - basis.confidence) / static_cast<double>(std::max<std::size_t>(1, courses));
+  for (const Column& column : all) {
     if (!has_values(column.values)) continue;
     list.push_back({{"quantity", column.name},
                     {"unit", column.unit},
-                    {"course", courses_of(basis, column, cells)},
+                    {"course", courses_of(basis, column, cells, error_rate)},
                     {"cells", for_cells(cells, [&](const std::vector<std::size_t>& samples) {
                        std::vector<double> values;
                        for (const std::size_t i : samples) values.push_back(column.values[i]);

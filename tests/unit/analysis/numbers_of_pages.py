@@ -44,7 +44,7 @@ def leaves(node):
     elif isinstance(node, dict):
         for key, value in node.items():
             yield from leaves(key)
-            yield from leaves(value)
+            yield from leaves(list(map(str, value)) if key == "levels" else value)  # heads of a table
     else:
         yield float(len(node))
         if not (len(node) > 3 and all(isinstance(item, (int, float)) for item in node)):

@@ -440,7 +440,8 @@ TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
   const auto notes = model_notes(study_of(
       "samples = 5\n[scene]\nmodel.motion = 'quasi-static'\nload.ramp_ms = 2\n" + squareness));
   EXPECT_THAT(notes, ElementsAre("without effect (model.motion = \"quasi-static\"): "
-                                 "cage.pocket_squareness_mrad, load.ramp_ms"));
+                                 "cage.pocket_squareness_mrad, load.ramp_ms",
+                                 HasSubstr("quasi-static: the ring's displacement")));
   EXPECT_TRUE(model_notes(study_of("samples = 5\n[scene]\n" + squareness)).empty());
   const std::string free = "samples = 5\n[scene]\nmodel.ring_tilt = 'free'\n";
   EXPECT_TRUE(model_notes(study_of(free)).empty());
