@@ -8,7 +8,7 @@ add_compile_options(-ffp-contract=on)
 
 # Kernels fuse wherever they can. What is inlined decides their bits, so each is compiled alone and has its own copy of every
 # inline function and template: weak ones the linker would choose by the order of files.
-set(cagetol_kernel_options $<$<CXX_COMPILER_ID:GNU>:-ffp-contract=fast>)
+set(cagetol_kernel_options $<$<CXX_COMPILER_ID:GNU>:-ffp-contract=fast> $<$<CXX_COMPILER_ID:GNU>:-fwhole-program>)
 
 # A library of every C++ file of some folders:
 #   cagetol_room(NAME [OBJECT] FOLDERS FOLDER... [WITHOUT FILE...] [WITH FILE...] [KERNELS FILE...] [ALONE FILE...] [OPTIONS OPTION...])

@@ -6,7 +6,7 @@
 namespace cagetol {
 namespace {
 
-constexpr std::string_view kMagic = "CAGETOLT";
+constexpr std::string_view kSealMagic = "CAGETOLT";
 constexpr std::size_t kLengths = 16, kChecksum = 8;
 
 std::string lengths(std::string_view head, std::string_view content) {
@@ -19,7 +19,7 @@ std::string lengths(std::string_view head, std::string_view content) {
 }  // namespace
 
 std::string sealed_bytes(std::string_view head, std::string_view content) {
-  std::string bytes(kMagic);
+  std::string bytes(kSealMagic);
   bytes += lengths(head, content);
   bytes += head;
   bytes += content;
@@ -29,15 +29,15 @@ std::string sealed_bytes(std::string_view head, std::string_view content) {
 }
 
 Unsealed unsealed_bytes(std::string_view bytes, std::string_view head) {
-  constexpr std::size_t least = kMagic.size() + kLengths + kChecksum;
-  if (bytes.size() < least || !bytes.starts_with(kMagic)) return {};
+  constexpr std::size_t least = kSealMagic.size() + kLengths + kChecksum;
+  if (bytes.size() < least || !bytes.starts_with(kSealMagic)) return {};
   const std::string_view body = bytes.substr(0, bytes.size() - kChecksum);
-  ByteReader numbers(bytes.substr(kMagic.size(), kLengths));
+  ByteReader numbers(bytes.substr(kSealMagic.size(), kLengths));
   const auto head_size = numbers.get<std::uint64_t>(), content_size = numbers.get<std::uint64_t>();
   const std::uint64_t held = bytes.size() - least;
   if (head_size > held || content_size != held - head_size) return {};
   if (ByteReader(bytes.substr(body.size())).get<std::uint64_t>() != crc64(body)) return {};
-  const std::string_view after = body.substr(kMagic.size() + kLengths);
+  const std::string_view after = body.substr(kSealMagic.size() + kLengths);
   if (after.substr(0, head_size) != head) return {SealedState::other_head, {}};
   return {SealedState::whole, after.substr(head_size)};
 }

@@ -17,7 +17,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kLastWordsSeconds = 2;
+constexpr double kSecondsToEnd = 2;
 
 /// Whether every sample of the study is stored, by this build, with no more failures than allowed.
 /// Anything doubtful is left to the sweep, which has the messages.
@@ -45,7 +45,7 @@ void tell(const Team& team, const std::string& text) {
 std::string next_sweep(const Team& team) {
   while (true) {
     if (const auto message = team.receive()) return message->bytes;
-    if (SignalWatch::stopping_for_s() > 2 * kLastWordsSeconds) ::_exit(kInterrupted);
+    if (SignalWatch::stopping_for_s() > 2 * kSecondsToEnd) ::_exit(kInterrupted);
     team.check_pulse();
     short_rest();
   }

@@ -31,7 +31,7 @@ constexpr int kLossesBeforeAlone = 2;
 constexpr double kRebuildShare = 0.01;
 
 // How often rank 0 looks whether the directory is still there, s.
-constexpr double kCheckInterval = 1;
+constexpr double kSecondsBetweenChecks = 1;
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -181,7 +181,7 @@ bool Leader::rebuild(std::uint64_t done) {
 }
 
 bool Leader::in_place(const Team& team, const Journal& journal) {
-  if (gone_ || seconds_since(last_check_) < kCheckInterval) return !gone_;
+  if (gone_ || seconds_since(last_check_) < kSecondsBetweenChecks) return !gone_;
   last_check_ = std::chrono::steady_clock::now();
   try {
     journal.check_in_place();

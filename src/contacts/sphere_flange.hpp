@@ -22,12 +22,14 @@
 #pragma once
 
 #include "src/contacts/contact_frame.hpp"
+#include "src/numerics/kernel.hpp"
 
 namespace cagetol {
 
 /// Adds forces; with `jac` and `seen` derivatives and what is seen too.
-void sphere_flange(const BearingModel& model, const Flange& flange, const RollerGroup& roller,
-                   const RollerPack& q, const BorderState& b, int group, RollerLoads& loads,
-                   BorderLoads& border, Linearisation* jac, Observation* seen);
+CAGETOL_KERNEL void sphere_flange(const BearingModel& model, const Flange& flange,
+                                  const RollerGroup& roller, const RollerPack& q,
+                                  const BorderState& b, int group, RollerLoads& loads,
+                                  BorderLoads& border, Linearisation* jac, Observation* seen);
 
 }  // namespace cagetol

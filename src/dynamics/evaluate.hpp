@@ -18,17 +18,18 @@
 #include "src/dynamics/accelerations.hpp"
 #include "src/dynamics/finish_derivatives.hpp"
 #include "src/dynamics/unpack.hpp"
+#include "src/numerics/kernel.hpp"
 
 namespace cagetol {
 
 using Evaluation = void (*)(const BearingModel&, double t, const double* y, double* rate,
                             Linearisation*, Observation*);
 /// Of a lubricated model: its rates alone, or with derivatives and what is seen.
-Evaluation lubricated_rates(const BearingModel& model);
-Evaluation lubricated_linearisation(const BearingModel& model);
+CAGETOL_KERNEL Evaluation lubricated_rates(const BearingModel& model);
+CAGETOL_KERNEL Evaluation lubricated_linearisation(const BearingModel& model);
 /// The same of a model whose raceways have lobes, dry or lubricated.
-Evaluation lobed_rates(const BearingModel& model);
-Evaluation lobed_linearisation(const BearingModel& model);
+CAGETOL_KERNEL Evaluation lobed_rates(const BearingModel& model);
+CAGETOL_KERNEL Evaluation lobed_linearisation(const BearingModel& model);
 
 namespace {  // each source compiles its own
 

@@ -14,21 +14,22 @@
 #include "src/model/bearing_model.hpp"
 #include "src/newton/free_cage.hpp"
 #include "src/newton/linearisation.hpp"
+#include "src/numerics/kernel.hpp"
 #include "src/numerics/small_inverse.hpp"
 
 namespace cagetol {
 
 class NewtonMatrix {
  public:
-  explicit NewtonMatrix(const BearingModel& model);
+  CAGETOL_KERNEL explicit NewtonMatrix(const BearingModel& model);
 
   /// Factors for `beta` > 0 [s]. False where a pivot vanished or is not a number. Keeps a reference
   /// to `linear` for solve().
-  bool factor(const Linearisation& linear, double beta);
+  CAGETOL_KERNEL bool factor(const Linearisation& linear, double beta);
 
   /// Solves (1/beta - J) x = rhs, both in the order of the state vector; x may be rhs. No
   /// allocation.
-  void solve(const double* rhs, double* x);
+  CAGETOL_KERNEL void solve(const double* rhs, double* x);
 
   double beta() const { return beta_; }
 
@@ -101,6 +102,6 @@ class NewtonMatrix {
 };
 
 /// Mass of each border direction [kg] or [kg m^2] (1 for mass-normalised modes).
-Eigen::VectorXd border_mass(const BearingModel& model);
+CAGETOL_KERNEL Eigen::VectorXd border_mass(const BearingModel& model);
 
 }  // namespace cagetol
