@@ -9,7 +9,7 @@ namespace {
 // clang-format off
 constexpr auto kFormerNames = std::to_array<FormerName>({
     // name, value, now, why, remedy
-    {"model.rollers", "", "", "planar rollers cost more than `cagetol ladder`'s rung coarse-3 and were not more accurate", "leave the line out: rollers always tilt, skew and move axially"},
+    {"model.rollers", "", "", "planar rollers saved no time at the same error", "leave the line out: rollers always tilt, skew and move axially"},
     {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
     {"window.measure", "", "", "windows that end by themselves saved a fifth of the time and added noise", "leave it out; window.measure_revolutions is the length of the window"},
     {"window.measure_share", "", "", "windows no longer end by themselves", "leave it out; window.measure_revolutions is the length of the window"},
