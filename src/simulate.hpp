@@ -17,8 +17,8 @@ struct CageModel;
 
 /// Optional inputs of a run.
 struct SimulateOptions {
-  /// Table of the flexible cage (src/cage/table/scene_cage.hpp), which the samples of a study share. If
-  /// null, one is made from the pockets of the scene, which takes some seconds.
+  /// Table of the flexible cage (src/cage/table/scene_cage.hpp), which the samples of a study
+  /// share. If null, one is made from the pockets of the scene, which takes some seconds.
   std::shared_ptr<const CageTable> cage_table = {};
   /// The flexible cage of this very scene, where the caller has made it already.
   std::shared_ptr<const CageModel> cage_model = {};

@@ -26,7 +26,8 @@ struct GridCells {
 /// The cells. Empty if the design is not a grid or the key does not vary by lot.
 std::optional<GridCells> grid_cells(const StudyData& study, const std::string& key);
 
-/// Key on the horizontal axis of response figures: the one with the most levels. Empty if the design is not a grid or no key varies by lot.
+/// Key on the horizontal axis of response figures: the one with the most levels. Empty if the
+/// design is not a grid or no key varies by lot.
 std::string response_key(const StudyData& study);
 
 }  // namespace cagetol

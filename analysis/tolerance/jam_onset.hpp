@@ -1,6 +1,7 @@
 // Where jams begin: the band up to which cages fit, and the one whose jams alone miss the target.
 //
-// From the shares that a study file holds (mc/run/jam_shares.hpp), straight lines between their bands.
+// From the shares that a study file holds (mc/run/jam_shares.hpp), straight lines between their
+// bands.
 #pragma once
 
 #include <optional>

@@ -5,8 +5,8 @@
 
 namespace cagetol {
 
-/// Declares all subcommands with their options. The one that the command line chooses leaves what is
-/// to be done in `chosen`.
+/// Declares all subcommands with their options. The one that the command line chooses leaves what
+/// is to be done in `chosen`.
 void add_subcommands(CLI::App& app, Chosen& chosen);
 
 }  // namespace cagetol

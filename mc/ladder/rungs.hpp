@@ -37,14 +37,14 @@ std::vector<Rung> refining_rungs(const Scene& scene);
 Scene on_rung(Scene scene, const Rung& rung);
 
 /// Those of `rungs` that give this scene a model of its own: not one that takes away what the scene
-/// has not, nor one without what the scene needs (equilibria carry no axial load). The last one, the
-/// reference, stays.
+/// has not, nor one without what the scene needs (equilibria carry no axial load). The last one,
+/// the reference, stays.
 std::vector<Rung> rungs_for(const Scene& scene, const std::vector<Rung>& rungs);
 
-/// The study's first `samples` random samples on that rung, without its replicates and histories. All
-/// rungs of a study draw the same samples. A study in which nothing varies gets scatter of the start:
-/// any phase, and a tenth of the pocket clearance in y and z. Throws InputError where a key of the
-/// rung is a distribution.
+/// The study's first `samples` random samples on that rung, without its replicates and histories.
+/// All rungs of a study draw the same samples. A study in which nothing varies gets scatter of the
+/// start: any phase, and a tenth of the pocket clearance in y and z. Throws InputError where a key
+/// of the rung is a distribution.
 Study rung_study(const Study& study, const Rung& rung, long samples);
 
 /// Size of the study whose standard error sets the budget: its rows; of a mere scene, 1000.

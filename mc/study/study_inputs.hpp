@@ -25,9 +25,9 @@ void check_drawn_range(const Study& study, const toml::table& scene, const std::
 /// Farthest deviation of the cage's bore and outside together, as a share of its thickness.
 double thickness_scatter(const Study& study);
 
-/// Throws InputError for laws on what the table of a flexible cage (src/cage/table/cage_table.hpp) holds
-/// fixed, all of the cage but its pockets and diameters, and for diameters that scatter farther
-/// than it covers.
+/// Throws InputError for laws on what the table of a flexible cage (src/cage/table/cage_table.hpp)
+/// holds fixed, all of the cage but its pockets and diameters, and for diameters that scatter
+/// farther than it covers.
 void check_flexible_cage(const Study& study, const toml::table& scene, const std::string& file);
 
 /// The [[correlation]] entries of a study. `inputs` must be read already.

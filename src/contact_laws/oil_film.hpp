@@ -5,12 +5,12 @@
 // is fitted to heavy contacts, and too thin by any factor for light ones (Q below some 30 N of an
 // NU 205 in 20 mPa s). p geometric penetration [m], Q normal force [N], delta elastic depth [m], u
 // mean entrainment speed [m/s], l contact length [m], R effective radius [m], E' effective modulus
-// [Pa], eta0 viscosity at ambient pressure [Pa s], alpha pressure-viscosity coefficient [1/Pa]. Below
-// `least_force` h goes on along its tangent to a finite film at Q = 0, and the film carries load at
-// p > -h(0, u). Below 1 cm/s of entrainment h falls as the square of the speed instead: with it the
-// force is smooth in all that it depends on. Isothermal, fully flooded, steady: no squeeze.
-// Sources: Dowson and Higginson, Elasto-hydrodynamic Lubrication (1966); Xin et al. 2024 (doi
-// 10.3390/app14209433) eqs. for K_o, whose text lost minus signs and l.
+// [Pa], eta0 viscosity at ambient pressure [Pa s], alpha pressure-viscosity coefficient [1/Pa].
+// Below `least_force` h goes on along its tangent to a finite film at Q = 0, and the film carries
+// load at p > -h(0, u). Below 1 cm/s of entrainment h falls as the square of the speed instead:
+// with it the force is smooth in all that it depends on. Isothermal, fully flooded, steady: no
+// squeeze. Sources: Dowson and Higginson, Elasto-hydrodynamic Lubrication (1966); Xin et al. 2024
+// (doi 10.3390/app14209433) eqs. for K_o, whose text lost minus signs and l.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Names of keys, values and quantities that earlier versions knew: each is refused with what became of
-// it.
+// Names of keys, values and quantities that earlier versions knew: each is refused with what became
+// of it.
 #pragma once
 
 #include <span>

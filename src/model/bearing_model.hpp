@@ -147,9 +147,9 @@ struct BearingModel {
   double nominal_diameter = 0;  ///< roller diameter, mean of all [m]
 };
 
-/// Builds the model of a scene in operation (src/operation/operating_clearance.hpp), with the elastic
-/// modes of `cage` where given. Throws std::domain_error for what cannot be built (the reader
-/// checks scenes before).
+/// Builds the model of a scene in operation (src/operation/operating_clearance.hpp), with the
+/// elastic modes of `cage` where given. Throws std::domain_error for what cannot be built (the
+/// reader checks scenes before).
 BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> cage = {});
 
 /// Mass centre minus geometric centre of the cage in inertial directions (y, z) [m], at the cosine

@@ -3,9 +3,9 @@
 //
 // The kernels keep Q = K delta^(10/9) (normal_force.hpp). K, one for both races, is such that the
 // roller's two contacts in series give way as above at one load: 5 F/(Z L) of the radial load F,
-// Stribeck's estimate of the most loaded roller, or kSmallestLineLoad. From 0.1 to 3 times that load
-// the power law's approach is within 3 % of the relation's for both races together at 1 kN on the
-// NU 205 (0.3 to 10 kN: 5 %), at either race within 5 % (9 %):
+// Stribeck's estimate of the most loaded roller, or kSmallestLineLoad. From 0.1 to 3 times that
+// load the power law's approach is within 3 % of the relation's for both races together at 1 kN on
+// the NU 205 (0.3 to 10 kN: 5 %), at either race within 5 % (9 %):
 // tests/unit/src/line_approach_test.cpp.
 #pragma once
 

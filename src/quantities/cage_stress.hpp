@@ -1,7 +1,7 @@
 // Von Mises stress of a flexible cage at its stress stations, fast enough for every accepted step.
-// The stress is that of station_stress() in src/cage/table/cage_model.hpp (elastic modes plus the static
-// residual of bar forces and rotation), in single precision. Cheap bounds avoid most evaluations:
-// one for the largest stress, one for its change since the last evaluation.
+// The stress is that of station_stress() in src/cage/table/cage_model.hpp (elastic modes plus the
+// static residual of bar forces and rotation), in single precision. Cheap bounds avoid most
+// evaluations: one for the largest stress, one for its change since the last evaluation.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 // A scene of the program that is set like the planar reference (planar_bearing_reference.hpp): what
-// that leaves out is switched off, the rest is taken from it. No constraint holds the rollers in the
-// plane. Every section of this bearing is alike, so nothing moves them out of it.
+// that leaves out is switched off, the rest is taken from it. No constraint holds the rollers in
+// the plane. Every section of this bearing is alike, so nothing moves them out of it.
 #pragma once
 
 #include <algorithm>

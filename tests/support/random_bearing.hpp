@@ -17,7 +17,8 @@ struct RandomBearing {
   double t = 0;
 };
 
-/// Which motions of the bearing are free: those of rollers, or of rollers and the inner ring's tilt.
+/// Which motions of the bearing are free: those of rollers, or of rollers and the inner ring's
+/// tilt.
 enum class Freedom { spatial, tilting };
 /// For names of tests.
 const char* freedom_name(Freedom freedom);

@@ -43,7 +43,7 @@ void climb(const std::string& scene, const std::string& revolutions,
   const Json ladder = written("ladder", scene, scratch / "ladder", revolutions, {"--samples", "2"});
   ASSERT_TRUE(ladder.is_object());
   for (const Json& rung : ladder["rungs"]) EXPECT_EQ(rung["runs_ok"], 2) << rung["name"];
-  EXPECT_EQ(ladder["rungs"].size(), 9u);
+  EXPECT_EQ(ladder["rungs"].size(), 8u);
   const Json& place = of(ladder["quantities"], "quantity", "ring_displacement_mean_um");
   const double still = of(place["rungs"], "rung", "quasi-static")["shift"];
   EXPECT_LT(std::abs(still), 0.02 * place["mean"].get<double>());
