@@ -209,7 +209,7 @@ TEST(GuideFilm, CarriesTheCageOfARun) {
   for (Scene* s : {&scene, &dry}) {
     s->window.settle_time = 0.01;
     s->window.measure_time = 0.02;
-    s->integration.tolerance = 5e-5;  // the account is to close, whatever the default leaves open
+    s->integration.tolerance = 1e-5;  // the account is to close, whatever the default leaves open
   }
   const Outcome oil = simulate(scene), touching = simulate(dry);
   ASSERT_EQ(oil.status, Status::ok) << oil.reason;
