@@ -29,7 +29,7 @@ inline constexpr std::size_t kFewestLots = 8;
 
 enum class IntervalKind { lots, scrambles, none };
 
-/// Enough for the ends of a 95 % interval.
+/// Resamples behind an interval where nothing else is said.
 inline constexpr std::size_t kUsualResamples = 500;
 
 class Resampling {
