@@ -38,7 +38,7 @@ constexpr std::array<SizeRange, 13> kTable = {{
 const SizeRange& range_of(double nominal_mm) {
   require(nominal_mm > 0 && nominal_mm <= kTable.back().up_to_mm, "ISO 286 grades need a nominal ",
           "size above 0 and up to ", kTable.back().up_to_mm, " mm, not ", nominal_mm,
-          " mm; give the band in mm");
+          " mm; give the tolerance width in mm");
   for (const auto& range : kTable)
     if (nominal_mm <= range.up_to_mm) return range;
   return kTable.back();

@@ -211,7 +211,8 @@ std::string stop_reason(const Scene& scene, const SimulateOptions& options,
 /// Instants this close are one [s].
 constexpr double kSame = 1e-10;
 
-/// Where the next step ends at the latest: a bound of the window or of a phase, a corner of the duty.
+/// Where the next step ends at the latest: a bound of the window or of a phase, a corner of the
+/// duty.
 double next_stop(const Motion& run) {
   const double settle = run.times.settle, peaks_end = settle + run.times.peaks;
   double stop = run.t < settle      ? settle

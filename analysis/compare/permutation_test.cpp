@@ -24,8 +24,8 @@ double some_value(const ClusteredValues& before, const ClusteredValues& after) {
   return 0;
 }
 
-/// Sums of the values less `reference`: those of a quantity that never varies are 0, not the rounding
-/// of their sums, by which one half would always differ from the other.
+/// Sums of the values less `reference`: those of a quantity that never varies are 0, not the
+/// rounding of their sums, by which one half would always differ from the other.
 Sums cluster_sums(const ClusteredValues& sample, double reference) {
   Sums sums;
   for (std::size_t i = 0; i < sample.value.size(); ++i) {
@@ -45,10 +45,10 @@ Sum total(const std::vector<Sum>& sums) {
 
 /// `difference` of a fresh draw against the one seen.
 double sequential_p_value(double seen, const std::function<double()>& difference) {
-  const double least = seen * (1 - 1e-9);  // equal but for rounding is equal
+  const double minimum = seen * (1 - 1e-9);  // equal but for rounding is equal
   std::int64_t extreme = 0;
   for (std::int64_t draw = 1; draw <= kMostDraws; ++draw) {
-    extreme += difference() >= least;
+    extreme += difference() >= minimum;
     if (extreme == kEnough) return static_cast<double>(kEnough) / static_cast<double>(draw);
   }
   return static_cast<double>(extreme + 1) / static_cast<double>(kMostDraws + 1);

@@ -57,7 +57,7 @@ ModelLadder make_model_ladder(std::vector<LadderRung> rungs, const std::vector<S
     for (const StudyData& rung : runs)
       values.push_back(ok_values(rung, find_quantity(rung, column.name)->values));
     auto limits = limits_on(column.name, reference.plan);
-    const QuantityLadder judged = least_rung(values, ladder.rule, limits);
+    const QuantityLadder judged = minimum_rung(values, ladder.rule, limits);
     ladder.quantities.push_back({column.name, column.unit, std::move(limits), judged});
   }
   return ladder;
@@ -67,7 +67,7 @@ std::size_t chosen_rung(const ModelLadder& ladder) {
   std::vector<QuantityLadder> limited;
   for (const LadderQuantity& quantity : ladder.quantities)
     if (quantity.limited()) limited.push_back(quantity.ladder);
-  return limited.empty() ? ladder.rungs.size() - 1 : least_rung_for_all(limited);
+  return limited.empty() ? ladder.rungs.size() - 1 : minimum_rung_for_all(limited);
 }
 
 }  // namespace cagetol

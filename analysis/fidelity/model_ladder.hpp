@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/fidelity/least_rung.hpp"
+#include "analysis/fidelity/minimum_rung.hpp"
 #include "analysis/study/study_data.hpp"
 
 namespace cagetol {

@@ -48,7 +48,7 @@ def pareto(report):
 
 
 MOST_ROWS = 26  # what a page has room for; report.json holds all
-LEAST_PRINTED = 5  # a smaller share [%] is a colour without a number
+MINIMUM_PRINTED = 5  # a smaller share [%] is a colour without a number
 
 
 def most_explained(report):
@@ -67,7 +67,7 @@ def matrix(report):
     if not outputs or not features.size:
         return None
     shares = np.array([[100 * known(share["value"]) for share in output["shares"]] for output in outputs])
-    felt = (np.nan_to_num(shares) >= LEAST_PRINTED).any(axis=0)
+    felt = (np.nan_to_num(shares) >= MINIMUM_PRINTED).any(axis=0)
     if not felt.any():
         return None
     shares, features = shares[:, felt], features[felt]
@@ -76,7 +76,7 @@ def matrix(report):
     for row in range(shares.shape[0]):
         for column in range(shares.shape[1]):
             value = shares[row, column]
-            if not math.isnan(value) and value >= LEAST_PRINTED:
+            if not math.isnan(value) and value >= MINIMUM_PRINTED:
                 axis.text(column, row, f"{value:.0f}", ha="center", va="center", fontsize=8,
                           color="white" if value > 50 else "black")
     axis.set_xticks(range(len(features)), features, rotation=55, ha="right", rotation_mode="anchor", fontsize=8)

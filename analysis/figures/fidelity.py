@@ -38,7 +38,7 @@ def draw_rungs(axis, entry, costs):
     axis.set_yscale("log")
     axis.set_xscale("log")
     axis.set_ylim(bottom=0.7 * FLOOR)
-    least = f": {entry['least_rung']}" if "least_rung" in entry else ""
+    least = f": {entry['minimum_rung']}" if "minimum_rung" in entry else ""
     axis.set_title(readable(entry["quantity"]) + least, fontsize=9)
 
 
@@ -66,6 +66,6 @@ def ladder(data):
     figure.supylabel("|shift of the mean| / budget, 95 % interval", fontsize=9)
     named = {label: handle for axis in axes.flat[:len(entries)] for handle, label in zip(*axis.get_legend_handles_labels())}
     legend_below(figure, list(named.values()), list(named), 0.55 / (0.9 + 2.1 * rows))
-    what = "what refining changes" if data.get("refining") else "least rung of each quantity"
+    what = "what refining changes" if data.get("refining") else "minimum rung of each quantity"
     figure.suptitle(f"{data['study']}: {what}, {data['samples']} samples (filled: adequate or settled)", fontsize=10)
     return figure

@@ -7,10 +7,10 @@ from common import BLUE, GREEN, GREY, RED, WIDTH, known
 from engine import legend_below
 
 
-def confirmed_bands(report):
-    """Bands of the attempt that confirmed, by key."""
+def confirmed_tolerances(report):
+    """Tolerances of the attempt that confirmed, by key."""
     attempts = (report["confirmation"] or {"attempts": []})["attempts"]
-    return {band["key"]: (band["band_mm"], attempt) for attempt in attempts if attempt["passed"] for band in attempt["bands"]}
+    return {tolerance["key"]: (tolerance["tolerance_width_mm"], attempt) for attempt in attempts if attempt["passed"] for tolerance in attempt["tolerances"]}
 
 
 def yield_curves(report):
@@ -19,7 +19,7 @@ def yield_curves(report):
     dimensions = [dimension for dimension in dimensions if sum(level["shown"] for level in dimension["levels"]) > 1]
     if not dimensions:
         return None
-    confirmed = confirmed_bands(report)
+    confirmed = confirmed_tolerances(report)
     columns = min(len(dimensions), 3)
     rows = -(-len(dimensions) // columns)
     figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, 2.9 * rows), sharey=True, squeeze=False)
@@ -27,29 +27,29 @@ def yield_curves(report):
         axis.set_visible(False)
     for axis, dimension in zip(axes.flat, dimensions):
         levels = [level for level in dimension["levels"] if level["shown"]]
-        bands = [1e3 * level["band_mm"] for level in levels]
+        tolerances = [1e3 * level["tolerance_width_mm"] for level in levels]
         low = [100 * known(level["yield"]["if_unknown_fail"]) for level in levels]
         high = [100 * known(level["yield"]["if_unknown_pass"]) for level in levels]
         lower = [100 * known(level["yield"]["lower_bound"]) for level in levels]
         upper = [100 * known(level["yield"]["upper_bound"]) for level in levels]
         axis.fill_between(bands, lower, upper, color=BLUE, alpha=0.15, linewidth=0, label="between the bounds")
         apart = any(abs(a - b) > 0.05 for a, b in zip(low, high))
-        axis.plot(bands, low, "o-", color=BLUE, label="estimate, runs without result fail" if apart else "estimate")
+        axis.plot(tolerances, low, "o-", color=BLUE, label="estimate, runs without result fail" if apart else "estimate")
         if apart:
-            axis.plot(bands, high, "s:", color=BLUE, markerfacecolor="white", label="runs without result pass")
+            axis.plot(tolerances, high, "s:", color=BLUE, markerfacecolor="white", label="runs without result pass")
         axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
         if dimension["key"] in confirmed:
-            band, attempt = confirmed[dimension["key"]]
+            tolerance, attempt = confirmed[dimension["key"]]
             bound, value = 100 * attempt["yield"]["lower_bound"], 100 * attempt["yield"]["if_unknown_fail"]
-            axis.plot([1e3 * band] * 2, [bound, value], color=GREEN, linewidth=2.5, label="confirmed, bound to estimate", zorder=4)
-            axis.plot(1e3 * band, bound, "_", color=GREEN, markersize=9, zorder=4)
+            axis.plot([1e3 * tolerance] * 2, [bound, value], color=GREEN, linewidth=2.5, label="confirmed, bound to estimate", zorder=4)
+            axis.plot(1e3 * tolerance, bound, "_", color=GREEN, markersize=9, zorder=4)
         axis.set_xlabel(f"{dimension['name']}, full width [µm]", fontsize=8.5)
-        if bands[-1] > 4 * bands[0]:
+        if tolerances[-1] > 4 * tolerances[0]:
             axis.set_xscale("log")
             axis.minorticks_off()
-        axis.set_xticks(bands)
-        axis.set_xticklabels([f"{band:.0f}\n{level['grade']}\n({level['yield']['effective_runs']:.0f})"
-                              for band, level in zip(bands, levels)], fontsize=7 if len(levels) > 4 or columns > 2 else 8.5)
+        axis.set_xticks(tolerances)
+        axis.set_xticklabels([f"{tolerance:.0f}\n{level['grade']}\n({level['yield']['effective_runs']:.0f})"
+                              for tolerance, level in zip(tolerances, levels)], fontsize=7 if len(levels) > 4 or columns > 2 else 8.5)
         axis.margins(x=0.08)
     for row in axes:
         row[0].set_ylabel("yield [%]")
@@ -66,12 +66,12 @@ def yield_map(report):
     if len({round(c["yield"]["if_unknown_fail"], 4) for c in tolerance["candidates"] if c["shown"]}) < 2:
         return None  # nothing to see
     first, second = tolerance["dimensions"]
-    rows = [level["band_mm"] for level in first["levels"]]
-    columns = [level["band_mm"] for level in second["levels"]]
+    rows = [level["tolerance_width_mm"] for level in first["levels"]]
+    columns = [level["tolerance_width_mm"] for level in second["levels"]]
     bound = np.full((len(rows), len(columns)), np.nan)
     text = {}
     for candidate in tolerance["candidates"]:
-        place = rows.index(candidate["bands_mm"][0]), columns.index(candidate["bands_mm"][1])
+        place = rows.index(candidate["tolerance_widths_mm"][0]), columns.index(candidate["tolerance_widths_mm"][1])
         if not candidate["shown"]:
             text[place] = f"too few\n({candidate['yield']['effective_runs']:.0f} runs)"
             continue
@@ -88,10 +88,10 @@ def yield_map(report):
         axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8 if len(columns) < 6 else 6.5,
                   color="white" if strong else "black")
     if chosen is not None:
-        bands = tolerance["candidates"][chosen]["bands_mm"]
-        axis.add_patch(plt.Rectangle((columns.index(bands[1]) - 0.48, rows.index(bands[0]) - 0.46), 0.96, 0.92,
+        tolerances = tolerance["candidates"][chosen]["tolerance_widths_mm"]
+        axis.add_patch(plt.Rectangle((columns.index(tolerances[1]) - 0.48, rows.index(tolerances[0]) - 0.46), 0.96, 0.92,
                                      fill=False, edgecolor="black", linewidth=2))
-    label = lambda levels, between: [f"{1e3 * level['band_mm']:.0f} µm{between}{level['grade']}" for level in levels]
+    label = lambda levels, between: [f"{1e3 * level['tolerance_width_mm']:.0f} µm{between}{level['grade']}" for level in levels]
     axis.set_xticks(range(len(columns)), label(second["levels"], "\n"))
     axis.set_yticks(range(len(rows)), label(first["levels"], "  "))
     axis.set_xlabel(f"tolerance of {second['name']}")
@@ -109,15 +109,15 @@ def jam_curves(report):
     jams = [jam for jam in jams if any(jam["share"])]
     if not jams:
         return None
-    bands = {band["key"]: band["band_mm"] for band in report["tolerance"]["bands"]}
+    tolerances = {tolerance["key"]: tolerance["tolerance_width_mm"] for tolerance in report["tolerance"]["tolerances"]}
     figure, axes = plt.subplots(1, len(jams), figsize=(WIDTH, 2.9), sharey=True, squeeze=False)
     for axis, jam in zip(axes[0], jams):
-        shown = [(1e3 * band, 100 * share) for band, share in zip(jam["band_mm"], jam["share"]) if share > 0]
+        shown = [(1e3 * tolerance, 100 * share) for tolerance, share in zip(jam["tolerance_width_mm"], jam["share"]) if share > 0]
         axis.plot(*zip(*shown), "o-", color=BLUE, markersize=3)
         axis.axhline(100 * (1 - report["verdict"]["target_yield"]), color=RED, linestyle="--", linewidth=1.2)
-        if jam["key"] in bands:
-            axis.axvline(1e3 * bands[jam["key"]], color=GREY, linestyle=":", linewidth=1.5)
-        axis.set_xlim(0, 1.02e3 * jam["band_mm"][-1])
+        if jam["key"] in tolerances:
+            axis.axvline(1e3 * tolerances[jam["key"]], color=GREY, linestyle=":", linewidth=1.5)
+        axis.set_xlim(0, 1.02e3 * jam["tolerance_width_mm"][-1])
         axis.set_yscale("log")
         axis.tick_params(axis="y", labelsize=9)  # exponents are smaller
         axis.set_xlabel(f"tolerance of {jam['name']}, full width [µm]")

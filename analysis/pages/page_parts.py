@@ -135,11 +135,11 @@ def strength(report):
     return (report["bearing"] or {}).get("strength")
 
 
-def bands(report):
+def tolerances(report):
     """Of the attempt that confirmed, else those recommended."""
     if not report["tolerance"]:
         return []
-    return report["tolerance"]["bands"]
+    return report["tolerance"]["tolerances"]
 
 
 def judged_revolutions(report):
@@ -148,19 +148,19 @@ def judged_revolutions(report):
     return over.pop() if len(over) == 1 else None
 
 
-def sized_bands(report):
-    """Bands to print whose limits of size and scatter are known."""
-    return [band for band in bands(report) if not band["not_binding"] and is_number(band.get("size", {}).get("capability"))]
+def sized_tolerances(report):
+    """Tolerances to print whose limits of size and scatter are known."""
+    return [tolerance for tolerance in tolerances(report) if not tolerance["not_binding"] and is_number(tolerance.get("size", {}).get("capability"))]
 
 
 def widest(report):
     """Dimensions recommended at the widest candidate."""
-    return [band["name"] for band in bands(report) if band["widest_studied"] and not band["not_binding"]]
+    return [tolerance["name"] for tolerance in tolerances(report) if tolerance["widest_studied"] and not tolerance["not_binding"]]
 
 
-def band_name(band):
-    grade = f" {band['grade']}" if band["grade"] else f" {band['band_mm']:.3f} mm"
-    return f"{band['name']}{grade}"
+def tolerance_name(tolerance):
+    grade = f" {tolerance['grade']}" if tolerance["grade"] else f" {tolerance['tolerance_width_mm']:.3f} mm"
+    return f"{tolerance['name']}{grade}"
 
 
 def wider_candidates(report):
@@ -170,7 +170,7 @@ def wider_candidates(report):
         if attempt["passed"]:
             continue
         jams = f", {rounded(attempt['jammed_runs'])} jam" if attempt["jammed_runs"] else ""
-        rows.append({"name": ", ".join(band_name(band) for band in attempt["bands"]), "command": None,
+        rows.append({"name": ", ".join(tolerance_name(tolerance) for tolerance in attempt["tolerances"]), "command": None,
                      "reason": f"tried and not confirmed: {rounded(attempt['meeting_runs'])} of {rounded(attempt['runs'])} fresh runs "
                                f"meet all limits{jams}"})
     return rows + report["passed_over"]
@@ -276,7 +276,7 @@ def candidates_shown(tolerance):
     chosen = next((c for c in candidates if c["candidate"] == tolerance["chosen_candidate"]), None)
     if chosen is None:
         return candidates[:MOST_CANDIDATES]
-    distance = lambda candidate: sum(abs(math.log(a / b)) for a, b in zip(candidate["bands_mm"], chosen["bands_mm"]))
+    distance = lambda candidate: sum(abs(math.log(a / b)) for a, b in zip(candidate["tolerance_widths_mm"], chosen["tolerance_widths_mm"]))
     near = sorted(candidates, key=distance)[:MOST_CANDIDATES]
     return [candidate for candidate in candidates if candidate in near]
 
@@ -305,7 +305,7 @@ def limited_names(report):
     return [entry["quantity"] for entry in report["limits"]["each"]]
 
 
-LEAST_SHARE = 0.05  # of a contributor without an interval
+MINIMUM_SHARE = 0.05  # of a contributor without an interval
 
 
 def strongest(output):
@@ -313,7 +313,7 @@ def strongest(output):
     shares = sorted((share for share in output["shares"] if is_number(share["value"])), key=lambda share: -share["value"])
     texts = []
     for share in shares[:3]:
-        if (share["lower"] if is_number(share["lower"]) else share["value"] - LEAST_SHARE) <= 0:
+        if (share["lower"] if is_number(share["lower"]) else share["value"] - MINIMUM_SHARE) <= 0:
             break
         texts.append(f"{share['feature']} {percent_interval(share)}")
     return texts

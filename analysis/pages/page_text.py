@@ -192,7 +192,7 @@ WORDS = [  # word, pattern, meaning
      "how many equally weighted runs would say as much about one candidate"),
     ("fresh runs", r"fresh runs",
      "runs of new cages at one tolerance, drawn after it was chosen: only they confirm it"),
-    ("lot", r"lots?", "of a deviation: the part that all pockets of a cage share, as from one setting of the tool"),
+    ("lot", r"lots?", "cages that share one draw of a deviation, as from one setting of the tool"),
     ("noise of the start", r"noise",
      "what differs between runs of the same cage from other starts; no tolerance removes it"),
     ("SE", r"SE", "standard error: how far a mean would scatter if the study were repeated with other samples"),

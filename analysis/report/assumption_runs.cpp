@@ -7,13 +7,14 @@ namespace cagetol {
 namespace {
 
 bool belongs_to(const StudyData& attempt, const StudyData& runs) {
-  const auto bands = [](const StudyData& study) {
+  const auto tolerances = [](const StudyData& study) {
     return study.plan.candidates.empty() ? std::vector<double>()
-                                         : study.plan.candidates.front().bands_mm;
+                                         : study.plan.candidates.front().tolerance_widths_mm;
   };
   return static_cast<std::int64_t>(runs.size()) >= runs.design.samples_planned &&
          runs.provenance.seed == attempt.provenance.seed &&
-         runs.provenance.build == attempt.provenance.build && bands(runs) == bands(attempt);
+         runs.provenance.build == attempt.provenance.build &&
+         tolerances(runs) == tolerances(attempt);
 }
 
 }  // namespace

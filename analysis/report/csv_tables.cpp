@@ -144,13 +144,13 @@ std::string yield_csv(const Json& report) {
   for (const Json& dimension : dimensions)
     for (const Json& level : dimension["levels"])
       add(fmt::format("{} {} mm {}", dimension["key"].get<std::string>(),
-                      level["band_mm"].get<double>(), level["grade"].get<std::string>()),
+                      level["tolerance_width_mm"].get<double>(), level["grade"].get<std::string>()),
           level["yield"], level["shown"]);
   for (const Json& candidate : report["tolerance"]["candidates"]) {
     std::string what = "candidate";
-    for (std::size_t d = 0; d < candidate["bands_mm"].size(); ++d)
+    for (std::size_t d = 0; d < candidate["tolerance_widths_mm"].size(); ++d)
       what += fmt::format(" {} {} mm {}", dimensions[d]["key"].get<std::string>(),
-                          candidate["bands_mm"][d].get<double>(),
+                          candidate["tolerance_widths_mm"][d].get<double>(),
                           candidate["grades"][d].get<std::string>());
     add(what, candidate["yield"], candidate["shown"]);
   }

@@ -19,23 +19,23 @@ std::string with_value(const AssumedValue& alternative) {
   return fmt::format("{} = {}", alternative.key, alternative.value);
 }
 
-/// Mean of a quantity with these bands less that with the narrowest: the sum over the dimensions of
-/// each one's change, all others taken from all of their candidates, for single candidates have few
-/// runs. Nothing where a band has too few effective runs.
+/// Mean of a quantity with these tolerances less that with the narrowest: the sum over the
+/// dimensions of each one's change, all others taken from all of their candidates, for single
+/// candidates have few runs. Nothing where a tolerance has too few effective runs.
 class ToleranceChange {
  public:
   ToleranceChange(const ReportBasis& basis, const Tolerance& tolerance) : basis_(basis) {
     const auto& candidates = basis.runs.plan.candidates;
     if (candidates.empty()) return;
     const MixtureWeights mixture = mixture_weights(basis.runs);
-    for (std::size_t d = 0; d < tolerance.bands_mm.size(); ++d) {
+    for (std::size_t d = 0; d < tolerance.tolerance_widths_mm.size(); ++d) {
       double narrowest = std::numeric_limits<double>::infinity();
       for (const Candidate& candidate : candidates)
-        narrowest = std::min(narrowest, candidate.bands_mm[d]);
-      Step step{weights_with(mixture, tolerance, d, tolerance.bands_mm[d]),
+        narrowest = std::min(narrowest, candidate.tolerance_widths_mm[d]);
+      Step step{weights_with(mixture, tolerance, d, tolerance.tolerance_widths_mm[d]),
                 weights_with(mixture, tolerance, d, narrowest)};
-      known_ = known_ && effective_sample_size(step.wide) >= kLeastEffectiveRuns &&
-               effective_sample_size(step.narrow) >= kLeastEffectiveRuns;
+      known_ = known_ && effective_sample_size(step.wide) >= kMinimumEffectiveRuns &&
+               effective_sample_size(step.narrow) >= kMinimumEffectiveRuns;
       steps_.push_back(std::move(step));
     }
   }
@@ -60,21 +60,21 @@ class ToleranceChange {
   }
 
  private:
-  /// Weights of the runs with a dimension's band as it is and as the narrowest.
+  /// Weights of the runs with a dimension's tolerance as it is and as the narrowest.
   struct Step {
     std::vector<double> wide, narrow;
   };
 
-  /// All candidates with this band of a dimension, at the centres of the tolerance.
+  /// All candidates with this tolerance of a dimension, at the centres of the tolerance.
   std::vector<double> weights_with(const MixtureWeights& mixture, const Tolerance& tolerance,
-                                   std::size_t dimension, double band_mm) const {
+                                   std::size_t dimension, double tolerance_width_mm) const {
     const auto& candidates = basis_.runs.plan.candidates;
     std::vector<std::size_t> with;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       const Tolerance snapped = snapped_tolerance(basis_.runs, candidates[k]);
       if (same_centres(snapped, tolerance) &&
-          (same_bands({snapped.bands_mm[dimension]}, {band_mm}) ||
-           same_bands({candidates[k].bands_mm[dimension]}, {band_mm})))
+          (same_tolerances({snapped.tolerance_widths_mm[dimension]}, {tolerance_width_mm}) ||
+           same_tolerances({candidates[k].tolerance_widths_mm[dimension]}, {tolerance_width_mm})))
         with.push_back(k);
     }
     if (with.empty()) return std::vector<double>(basis_.runs.size(), 0.0);

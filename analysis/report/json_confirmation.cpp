@@ -29,17 +29,17 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
   const auto rules = confirmation_rules(mixture.plan, 0);
   const Confirmation result = judge_confirmation(runs, rules);
   const Candidate& tolerance = runs.plan.candidates.front();
-  Json bands = Json::array();
-  for (std::size_t d = 0; d < tolerance.bands_mm.size(); ++d)
-    bands.push_back({{"key", runs.plan.dimensions[d].key},
-                     {"name", plain_name(runs.plan.dimensions[d].key)},
-                     {"band_mm", tolerance.bands_mm[d]},
-                     {"grade", tolerance.grades[d]},
-                     {"centre", centre_of(runs, d)},
-                     {"centre_unit", unit_of_input(runs, runs.plan.dimensions[d].key)}});
+  Json widths = Json::array();
+  for (std::size_t d = 0; d < tolerance.tolerance_widths_mm.size(); ++d)
+    widths.push_back({{"key", runs.plan.dimensions[d].key},
+                      {"name", plain_name(runs.plan.dimensions[d].key)},
+                      {"tolerance_width_mm", tolerance.tolerance_widths_mm[d]},
+                      {"grade", tolerance.grades[d]},
+                      {"centre", centre_of(runs, d)},
+                      {"centre_unit", unit_of_input(runs, runs.plan.dimensions[d].key)}});
   const auto allowed = allowed_failures(result.runs, rules);
   return {{"stage", fmt::format("confirm-{}", number)},
-          {"bands", bands},
+          {"tolerances", widths},
           {"runs", result.runs},
           {"meeting_runs", result.meeting},
           {"unknown_runs", result.unknown},
@@ -63,16 +63,18 @@ std::string confirming_command(const StudyData& runs, std::int64_t seed, const C
                                std::size_t count) {
   const StudyPlan& plan = runs.plan;
   std::string dimensions;
-  for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d) {
-    const std::string band = candidate.grades[d].empty() ? fmt::format("{}", candidate.bands_mm[d])
-                                                         : '"' + candidate.grades[d] + '"';
+  for (std::size_t d = 0; d < candidate.tolerance_widths_mm.size(); ++d) {
+    const std::string width = candidate.grades[d].empty()
+                                  ? fmt::format("{}", candidate.tolerance_widths_mm[d])
+                                  : '"' + candidate.grades[d] + '"';
     const InputColumns* input = find_input(runs, plan.dimensions[d].key);
     const std::string centre =
         plan.dimensions[d].centres.empty() || input == nullptr
             ? ""
             : fmt::format(", centres=[{:.12g}]", input->nominal.front() + candidate.shift(d));
-    dimensions += fmt::format("{}{{key=\"{}\", band_mm={}, candidates=[{}]{}}}", d == 0 ? "" : ", ",
-                              plan.dimensions[d].key, plan.dimensions[d].band_mm, band, centre);
+    dimensions += fmt::format("{}{{key=\"{}\", tolerance_width_mm={}, candidates=[{}]{}}}",
+                              d == 0 ? "" : ", ", plan.dimensions[d].key,
+                              plan.dimensions[d].tolerance_width_mm, width, centre);
   }
   return fmt::format(
       "cagetol recommend STUDY -o OTHER_DIR --set seed={} --set samples=128 --set "
@@ -87,19 +89,20 @@ std::string percent_down(double share) {
 }
 
 /// "pocket width 0.220 mm (IT13)".
-std::string band_text(const Json& band) {
-  const std::string grade = band["grade"];
-  return fmt::format("{}{} {:.3f} mm{}", band["name"].get<std::string>(),
-                     band["centre"].is_number()
-                         ? fmt::format(" {:g} {}, tolerance", band["centre"].get<double>(),
-                                       band["centre_unit"].get<std::string>())
+std::string tolerance_text(const Json& width) {
+  const std::string grade = width["grade"];
+  return fmt::format("{}{} {:.3f} mm{}", width["name"].get<std::string>(),
+                     width["centre"].is_number()
+                         ? fmt::format(" {:g} {}, tolerance", width["centre"].get<double>(),
+                                       width["centre_unit"].get<std::string>())
                          : std::string(),
-                     band["band_mm"].get<double>(), grade.empty() ? "" : " (" + grade + ")");
+                     width["tolerance_width_mm"].get<double>(),
+                     grade.empty() ? "" : " (" + grade + ")");
 }
 
 /// Whether other random numbers might have decided otherwise about an attempt: it was not confirmed
-/// although its yield may meet the target, or confirmed with failures or jams that take up more than
-/// half of what the target allows.
+/// although its yield may meet the target, or confirmed with failures or jams that take up more
+/// than half of what the target allows.
 bool is_close(const StudyData& runs, const Json& attempt, const StudyPlan& plan) {
   if (!attempt["passed"].get<bool>())
     return attempt["yield"]["upper_bound"].get<double>() >= plan.target_yield;
@@ -113,11 +116,11 @@ bool is_close(const StudyData& runs, const Json& attempt, const StudyPlan& plan)
 std::string failed_attempts_text(const Json& attempts) {
   std::string text;
   for (std::size_t i = 0; i + 1 < attempts.size(); ++i) {
-    std::string bands;
-    for (const Json& band : attempts[i]["bands"])
-      bands += (bands.empty() ? "" : ", ") + band_text(band);
+    std::string widths;
+    for (const Json& width : attempts[i]["tolerances"])
+      widths += (widths.empty() ? "" : ", ") + tolerance_text(width);
     const auto jammed = attempts[i]["jammed_runs"].get<std::int64_t>();
-    text += fmt::format(" Not confirmed before: {}; {} of {} fresh runs meet all limits{}.", bands,
+    text += fmt::format(" Not confirmed before: {}; {} of {} fresh runs meet all limits{}.", widths,
                         attempts[i]["meeting_runs"].get<std::size_t>(),
                         attempts[i]["runs"].get<std::size_t>(),
                         jammed > 0 ? fmt::format(", {} jam", jammed) : std::string());
@@ -127,12 +130,13 @@ std::string failed_attempts_text(const Json& attempts) {
 
 std::string statement(const Json& attempt, const Json& not_binding, const StudyPlan& plan,
                       std::size_t attempts) {
-  std::string bands, free;
-  for (const Json& band : attempt["bands"]) {
-    const std::string text = band_text(band);
+  std::string widths, free;
+  for (const Json& width : attempt["tolerances"]) {
+    const std::string text = tolerance_text(width);
     std::string& list =
-        std::find(not_binding.begin(), not_binding.end(), band["key"]) != not_binding.end() ? free
-                                                                                            : bands;
+        std::find(not_binding.begin(), not_binding.end(), width["key"]) != not_binding.end()
+            ? free
+            : widths;
     list += (list.empty() ? "" : ", ") + text;
   }
   const std::string counted =
@@ -143,17 +147,17 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
     text = fmt::format(
         "Confirmed{}. {}: with {:.6g} % confidence at least {} "
         "of the cages do; the target is {:.6g} %.",
-        bands.empty() ? ", though no tolerance studied limits the yield"
-                      : ": " + bands + ", full width of the tolerance",
+        widths.empty() ? ", though no tolerance studied limits the yield"
+                       : ": " + widths + ", full width of the tolerance",
         counted, 100 * plan.confidence, percent_down(attempt["yield"]["lower_bound"].get<double>()),
         100 * plan.target_yield);
   else
     text = fmt::format(
         "No tolerance is confirmed after {} of {} planned attempts. The last was {}: {}, too few "
         "for the target of {:.6g} %.",
-        attempts, plan.campaign.attempts, bands.empty() ? free : bands, counted,
+        attempts, plan.campaign.attempts, widths.empty() ? free : widths, counted,
         100 * plan.target_yield);
-  if (!free.empty() && !bands.empty())
+  if (!free.empty() && !widths.empty())
     text += fmt::format(
         " Not binding within the range studied: {}; the yield holds with it at that width, which "
         "is no recommendation.",
@@ -168,10 +172,10 @@ Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& c
   for (const PassedOver& passed : candidates) {
     const Candidate& candidate = basis.study.plan.candidates[passed.candidate];
     std::string name;
-    for (std::size_t d = 0; d < candidate.bands_mm.size(); ++d)
+    for (std::size_t d = 0; d < candidate.tolerance_widths_mm.size(); ++d)
       name += fmt::format("{}{} {}{}", d == 0 ? "" : ", ",
                           plain_name(basis.study.plan.dimensions[d].key),
-                          band_name(candidate.grades[d], candidate.bands_mm[d]),
+                          tolerance_name(candidate.grades[d], candidate.tolerance_widths_mm[d]),
                           centre_text(basis.study, candidate, d));
     list.push_back(
         {{"name", name},
@@ -196,13 +200,13 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
   const Json& last = attempts.back();
   const StudyData& runs = confirmations.back();
   const bool passed = last["passed"];
-  for (const Json& band : last["bands"]) {
-    Json& entry = verdict["bands"][band["key"].get<std::string>()];
+  for (const Json& width : last["tolerances"]) {
+    Json& entry = verdict["tolerances"][width["key"].get<std::string>()];
     const Json& free = verdict["not_binding"];
-    if (std::find(free.begin(), free.end(), band["key"]) != free.end()) continue;
-    entry = {{"band_mm", passed ? band["band_mm"] : Json()},
-             {"grade", passed ? band["grade"] : Json()}};
-    if (band["centre"].is_number()) entry["centre"] = passed ? band["centre"] : Json();
+    if (std::find(free.begin(), free.end(), width["key"]) != free.end()) continue;
+    entry = {{"tolerance_width_mm", passed ? width["tolerance_width_mm"] : Json()},
+             {"grade", passed ? width["grade"] : Json()}};
+    if (width["centre"].is_number()) entry["centre"] = passed ? width["centre"] : Json();
   }
   verdict["meets_target"] = passed;
   verdict["yield"] = last["yield"];
@@ -224,10 +228,10 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
   verdict["close"] = Json::array();
   for (std::size_t i = 0; i < confirmations.size(); ++i) {
     if (!is_close(confirmations[i], attempts[i], plan)) continue;
-    std::string bands;
-    for (const Json& band : attempts[i]["bands"])
-      bands += (bands.empty() ? "" : ", ") + band_text(band);
-    verdict["close"].push_back(bands);
+    std::string widths;
+    for (const Json& width : attempts[i]["tolerances"])
+      widths += (widths.empty() ? "" : ", ") + tolerance_text(width);
+    verdict["close"].push_back(widths);
   }
   if (!verdict["close"].empty())
     for (const char* text : {"statement", "judgement"})
@@ -286,7 +290,7 @@ Json centres_json(const ReportBasis& basis, const MixtureWeights& mixture,
       Json points = Json::array();
       for (const CentreYield& centre : curves.dimensions[d]) points.push_back(point(centre));
       dimensions.push_back({{"name", plain_name(basis.runs.plan.dimensions[d].key)},
-                            {"band_mm", tolerance.bands_mm[d]},
+                            {"tolerance_width_mm", tolerance.tolerance_widths_mm[d]},
                             {"points", points}});
     }
     for (const CentreYield& centre : curves.map) map.push_back(point(centre));

@@ -86,8 +86,8 @@ Json pockets_json(const ReportBasis& basis, const std::vector<Output>& outputs) 
     std::vector<Binning> binnings;
     for (const Feature& feature : pocket_features(basis.runs, input)) {
       binnings.push_back(make_binning(feature.values));
-      // Class means, not lines: the scatter of their shares does not depend on the output's law, which
-      // may be that of rare jams.
+      // Class means, not lines: the scatter of their shares does not depend on the output's law,
+      // which may be that of rare jams.
       std::fill(binnings.back().offset.begin(), binnings.back().offset.end(), 0.0);
     }
     for (const Output& output : outputs) {

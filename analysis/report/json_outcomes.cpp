@@ -102,10 +102,10 @@ void add_margins(const ReportBasis& basis, const Limit& limit, const Column* col
   if (values.empty()) return;
   entry["median"] = median(values);
   const auto room = [&](double value) {
-    double least = std::numeric_limits<double>::infinity();
-    if (limit.minimum) least = std::min(least, value - *limit.minimum);
-    if (limit.maximum) least = std::min(least, *limit.maximum - value);
-    return least;
+    double minimum = std::numeric_limits<double>::infinity();
+    if (limit.minimum) minimum = std::min(minimum, value - *limit.minimum);
+    if (limit.maximum) minimum = std::min(minimum, *limit.maximum - value);
+    return minimum;
   };
   entry["worst"] = *std::min_element(values.begin(), values.end(),
                                      [&](double a, double b) { return room(a) < room(b); });

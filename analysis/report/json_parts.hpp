@@ -74,8 +74,8 @@ Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& c
 Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
                        TolerancePart& tolerance);
 
-/// Adds to the bands of `tolerance` their limits of size, the Cp of the parts they hold for and
-/// what is to fit, from the bearing's dimensions; to those whose nominal value is known.
+/// Adds to the tolerances of `tolerance` their limits of size, the Cp of the parts they hold for
+/// and what is to fit, from the bearing's dimensions; to those whose nominal value is known.
 void add_limits_of_size(const Json& bearing, Json& tolerance);
 
 /// The verdict under alternatives of assumptions, one sentence of which is added to `verdict`; null

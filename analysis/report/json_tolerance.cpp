@@ -24,7 +24,7 @@ std::string plain_percent(double share) {
 }
 
 bool shown(const Yield& yield) {
-  return yield.ess >= kLeastEffectiveRuns;
+  return yield.ess >= kMinimumEffectiveRuns;
 }
 
 /// Where the centre of a dimension is in question.
@@ -50,7 +50,7 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
     const Candidate& plan = basis.study.plan.candidates[k];
     const auto& jam = basis.study.jam.candidate;
     list.push_back({{"candidate", k},
-                    {"bands_mm", plan.bands_mm},
+                    {"tolerance_widths_mm", plan.tolerance_widths_mm},
                     {"shifts", plan.shifts},
                     {"grades", plan.grades},
                     {"centres", candidate_centres(basis, plan)},
@@ -69,9 +69,9 @@ Json dimensions_json(const ReportBasis& basis, const YieldCurves& curves,
     const BindingTest& test = tests[d];
     Json levels = Json::array();
     for (const LevelYield& level : curves.dimensions[d].levels)
-      levels.push_back({{"band_mm", level.band_mm},
+      levels.push_back({{"tolerance_width_mm", level.tolerance_width_mm},
                         {"grade", level.grade},
-                        {"name", band_name(level.grade, level.band_mm)},
+                        {"name", tolerance_name(level.grade, level.tolerance_width_mm)},
                         {"shown", shown(level.yield)},
                         {"yield", to_json(level.yield)}});
     list.push_back({{"key", test.key},
@@ -96,7 +96,7 @@ Json jams_json(const ReportBasis& basis) {
     const JamOnset onset = jam_onset(curve, basis.study.plan.target_yield);
     list.push_back({{"key", curve.key},
                     {"name", plain_name(curve.key)},
-                    {"band_mm", curve.band_mm},
+                    {"tolerance_width_mm", curve.tolerance_width_mm},
                     {"share", curve.share},
                     {"free_mm", optional(onset.free_mm)},
                     {"limit_mm", optional(onset.limit_mm)}});
@@ -104,17 +104,17 @@ Json jams_json(const ReportBasis& basis) {
   return list;
 }
 
-Json bands_json(const Recommendation& result) {
-  Json bands = Json::array();
-  for (const RecommendedBand& band : result.bands)
-    bands.push_back({{"key", band.key},
-                     {"name", band.name},
-                     {"not_binding", band.not_binding},
-                     {"band_mm", band.band_mm},
-                     {"grade", band.grade},
-                     {"centre", band.centre ? Json(*band.centre) : Json()},
-                     {"widest_studied", band.widest_studied}});
-  return bands;
+Json tolerances_json(const Recommendation& result) {
+  Json widths = Json::array();
+  for (const RecommendedTolerance& tolerance : result.tolerances)
+    widths.push_back({{"key", tolerance.key},
+                      {"name", tolerance.name},
+                      {"not_binding", tolerance.not_binding},
+                      {"tolerance_width_mm", tolerance.tolerance_width_mm},
+                      {"grade", tolerance.grade},
+                      {"centre", tolerance.centre ? Json(*tolerance.centre) : Json()},
+                      {"widest_studied", tolerance.widest_studied}});
+  return widths;
 }
 
 Json steps_json(const Recommendation& result) {
@@ -146,37 +146,38 @@ bool unknown_runs_decide(const StudyPlan& plan, const Yield& yield) {
 std::string statement_of(const ReportBasis& basis, const Recommendation& result,
                          bool some_binding) {
   const StudyPlan& plan = basis.study.plan;
-  std::vector<std::string> bands, free;
-  for (const RecommendedBand& band : result.bands) {
-    const std::string width =
-        fmt::format("{}{} {:.3f} mm{}", band.name,
-                    band.centre ? fmt::format(" {:g} {}, tolerance", *band.centre,
-                                              find_input(basis.study, band.key)->unit)
-                                : "",
-                    band.band_mm, band.grade.empty() ? "" : " (" + band.grade + ")");
-    (band.not_binding ? free : bands).push_back(width);
+  std::vector<std::string> widths, free;
+  for (const RecommendedTolerance& tolerance : result.tolerances) {
+    const std::string text_of_one = fmt::format(
+        "{}{} {:.3f} mm{}", tolerance.name,
+        tolerance.centre ? fmt::format(" {:g} {}, tolerance", *tolerance.centre,
+                                       find_input(basis.study, tolerance.key)->unit)
+                         : "",
+        tolerance.tolerance_width_mm, tolerance.grade.empty() ? "" : " (" + tolerance.grade + ")");
+    (tolerance.not_binding ? free : widths).push_back(text_of_one);
   }
   std::string text;
-  if (bands.empty())
-    text = "No tolerance studied limits the yield: the study gives no band to print.";
+  if (widths.empty())
+    text = "No tolerance studied limits the yield: the study gives no tolerance to print.";
   else if (result.meets_target)
-    text = fmt::format("Recommended: {}, full width of the tolerance.", list_of(bands));
+    text = fmt::format("Recommended: {}, full width of the tolerance.", list_of(widths));
   else if (unknown_runs_decide(plan, result.yield))
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
         "judgement, and the yield lies between {} and {}, as they fail or pass. The best is {}.",
         result.yield.unknown_runs, result.yield.runs, percent(result.yield.if_unknown_fail),
-        percent(result.yield.if_unknown_pass), list_of(bands));
+        percent(result.yield.if_unknown_pass), list_of(widths));
   else if (result.yield.upper_bound >= plan.target_yield)
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: the runs are too few. The best "
         "is {}.",
-        list_of(bands));
+        list_of(widths));
   else
-    text = fmt::format("No candidate tolerance meets the target. The best is {}.{}", list_of(bands),
-                       some_binding ? ""
-                                    : " No difference between the widths studied is significant: "
-                                      "look at the contributors.");
+    text =
+        fmt::format("No candidate tolerance meets the target. The best is {}.{}", list_of(widths),
+                    some_binding ? ""
+                                 : " No difference between the widths studied is significant: "
+                                   "look at the contributors.");
   text +=
       fmt::format(" The estimated yield is {}, at least {} with {} confidence{}; the target is {}.",
                   percent(result.yield.if_unknown_fail), percent(result.yield.lower_bound),
@@ -192,7 +193,7 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
   if (result.yield.ess < kFewestEffectiveRuns)
     text += fmt::format(" Only {:.0f} effective runs support it: the bound is sound, but rough.",
                         result.yield.ess);
-  if (result.meets_target && !bands.empty())
+  if (result.meets_target && !widths.empty())
     text += " Unconfirmed: no fresh runs were made at this tolerance.";
   return text;
 }
@@ -207,7 +208,7 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
         "No tolerance can be recommended: every candidate has fewer than {:.0f} effective runs. "
         "Run more samples, or fewer candidates, in another directory: a directory keeps the "
         "numbers of runs it was begun with (of `recommend`: raise recommend.budget_samples).",
-        kLeastEffectiveRuns);
+        kMinimumEffectiveRuns);
   if (basis.study.plan.limits.empty())
     return "The study states no limits: there is nothing to judge a tolerance by.";
   if (std::string reason; !rows_follow_laws(basis.runs, &reason))
@@ -218,9 +219,9 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
 
 /// What the statement amounts to, in a word.
 const char* status_of(const StudyPlan& plan, const Recommendation& result) {
-  if (std::all_of(result.bands.begin(), result.bands.end(),
-                  [](const RecommendedBand& band) { return band.not_binding; }))
-    return "no_band";
+  if (std::all_of(result.tolerances.begin(), result.tolerances.end(),
+                  [](const RecommendedTolerance& t) { return t.not_binding; }))
+    return "no_tolerance";
   if (result.meets_target) return "recommended";
   if (result.yield.upper_bound < plan.target_yield) return "none_meets";
   return unknown_runs_decide(plan, result.yield) ? "not_known" : "open";
@@ -232,14 +233,14 @@ const char* status_without_candidates(const ReportBasis& basis, bool too_few) {
   return rows_follow_laws(basis.runs) ? "no_candidates" : "no_yield";
 }
 
-Json band_verdict(const RecommendedBand& band) {
-  if (band.not_binding)
-    return {{"band_mm", nullptr},
+Json tolerance_verdict(const RecommendedTolerance& tolerance) {
+  if (tolerance.not_binding)
+    return {{"tolerance_width_mm", nullptr},
             {"grade", nullptr},
-            {"yield_stated_at_mm", band.band_mm},
-            {"yield_stated_at_grade", band.grade}};
-  Json verdict{{"band_mm", band.band_mm}, {"grade", band.grade}};
-  if (band.centre) verdict["centre"] = *band.centre;
+            {"yield_stated_at_mm", tolerance.tolerance_width_mm},
+            {"yield_stated_at_grade", tolerance.grade}};
+  Json verdict{{"tolerance_width_mm", tolerance.tolerance_width_mm}, {"grade", tolerance.grade}};
+  if (tolerance.centre) verdict["centre"] = *tolerance.centre;
   return verdict;
 }
 
@@ -247,22 +248,22 @@ Json band_verdict(const RecommendedBand& band) {
 
 void add_limits_of_size(const Json& bearing, Json& tolerance) {
   if (!bearing.is_object() || !bearing.contains("dimensions") || !tolerance.is_object()) return;
-  for (Json& band : tolerance.at("bands"))
+  for (Json& printed : tolerance.at("tolerances"))
     for (const Json& dimension : bearing.at("dimensions")) {
-      if (dimension.at("key") != band.at("key")) continue;
+      if (dimension.at("key") != printed.at("key")) continue;
       const Json& middle =
-          band.at("centre").is_null() ? dimension.at("nominal_mm") : band.at("centre");
+          printed.at("centre").is_null() ? dimension.at("nominal_mm") : printed.at("centre");
       if (!middle.is_number()) continue;
-      const double nominal = middle, half = band.at("band_mm").get<double>() / 2;
+      const double nominal = middle, half = printed.at("tolerance_width_mm").get<double>() / 2;
       const Json& fit = dimension.at("counterpart_mm");
-      band["size"] = {{"nominal_mm", nominal},
-                      {"half_band_mm", half},
-                      {"least_mm", nominal - half},
-                      {"most_mm", nominal + half},
-                      {"capability", dimension.at("capability")},
-                      {"counterpart", dimension.at("counterpart")},
-                      {"counterpart_mm", fit},
-                      {"takes_counterpart", !fit.is_number() || nominal - half >= fit}};
+      printed["size"] = {{"nominal_mm", nominal},
+                         {"half_tolerance_mm", half},
+                         {"minimum_mm", nominal - half},
+                         {"maximum_mm", nominal + half},
+                         {"capability", dimension.at("capability")},
+                         {"counterpart", dimension.at("counterpart")},
+                         {"counterpart_mm", fit},
+                         {"takes_counterpart", !fit.is_number() || nominal - half >= fit}};
     }
 }
 
@@ -271,7 +272,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
   const StudyPlan& plan = basis.study.plan;
   TolerancePart part;
   Json& verdict = part.verdict;
-  verdict["bands"] = Json::object();
+  verdict["tolerances"] = Json::object();
   const std::vector<double> equal(basis.runs.size(), 1.0);
   Yield overall = estimate_yield(basis.runs, basis.joint, equal, basis.resampling, plan.confidence);
   Recommendation result;
@@ -296,8 +297,8 @@ TolerancePart tolerance_json(const ReportBasis& basis,
       part.passed_over = passed_over(basis.runs, curves, tried);
     }
     for (std::size_t d = 0; d < tests.size(); ++d) {
-      const bool held =
-          result.possible ? result.bands[d].not_binding : tests[d].answer == Binding::not_binding;
+      const bool held = result.possible ? result.tolerances[d].not_binding
+                                        : tests[d].answer == Binding::not_binding;
       some_binding = some_binding || tests[d].answer == Binding::binding;
       if (held)
         not_binding.push_back(tests[d].key);
@@ -306,16 +307,17 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     }
     part.tolerance = {{"candidates", candidates_json(basis, curves)},
                       {"dimensions", dimensions_json(basis, curves, tests)},
-                      {"fewest_effective_runs", kLeastEffectiveRuns},
+                      {"fewest_effective_runs", kMinimumEffectiveRuns},
                       {"confidence", basis.confidence},
                       {"jams", jams_json(basis)},
                       {"note", mixture.note},
                       {"chosen_candidate", result.possible ? Json(result.candidate) : Json()},
-                      {"bands", bands_json(result)},
+                      {"tolerances", tolerances_json(result)},
                       {"steps", steps_json(result)},
                       {"cost", result.cost ? Json(*result.cost) : Json()}};
     Tolerance chosen;
-    for (const RecommendedBand& band : result.bands) chosen.bands_mm.push_back(band.band_mm);
+    for (const RecommendedTolerance& tolerance : result.tolerances)
+      chosen.tolerance_widths_mm.push_back(tolerance.tolerance_width_mm);
     if (result.possible) chosen.shifts = plan.candidates[result.candidate].shifts;
     if (confirmations.empty() && result.possible && result.meets_target)
       part.passed_over = passed_over(
@@ -323,7 +325,8 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     part.tolerance["centres"] = result.possible ? centres_json(basis, mixture, chosen) : Json();
     part.tolerance["centre_responses"] = centre_responses_json(basis);
   }
-  for (const RecommendedBand& band : result.bands) verdict["bands"][band.key] = band_verdict(band);
+  for (const RecommendedTolerance& tolerance : result.tolerances)
+    verdict["tolerances"][tolerance.key] = tolerance_verdict(tolerance);
   const Yield& yield = result.possible ? result.yield : overall;
   verdict["meets_target"] = candidates ? result.possible && result.meets_target
                                        : overall.lower_bound >= plan.target_yield;

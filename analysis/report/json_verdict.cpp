@@ -54,13 +54,13 @@ std::string narrower_command(const ReportBasis& basis) {
   const StudyPlan& plan = basis.study.plan;
   std::string dimensions;
   for (std::size_t d = 0; d < plan.dimensions.size(); ++d) {
-    double narrowest = plan.candidates.front().bands_mm[d];
+    double narrowest = plan.candidates.front().tolerance_widths_mm[d];
     for (const Candidate& candidate : plan.candidates)
-      narrowest = std::min(narrowest, candidate.bands_mm[d]);
-    dimensions +=
-        fmt::format("{}{{key=\"{}\", band_mm={}, candidates=[{:.3g}, {:.3g}, {:.3g}]}}",
-                    d == 0 ? "" : ", ", plan.dimensions[d].key, plan.dimensions[d].band_mm,
-                    0.25 * narrowest, 0.5 * narrowest, narrowest);
+      narrowest = std::min(narrowest, candidate.tolerance_widths_mm[d]);
+    dimensions += fmt::format(
+        "{}{{key=\"{}\", tolerance_width_mm={}, candidates=[{:.3g}, {:.3g}, {:.3g}]}}",
+        d == 0 ? "" : ", ", plan.dimensions[d].key, plan.dimensions[d].tolerance_width_mm,
+        0.25 * narrowest, 0.5 * narrowest, narrowest);
   }
   return fmt::format("cagetol recommend STUDY -o OTHER_DIR --set 'tolerance.dimension=[{}]'",
                      dimensions);
@@ -138,7 +138,7 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
         step("Candidate tolerances: dimensions with WIDTH, the full width in mm that the scatter "
              "of the study belongs to.",
              fmt::format("cagetol recommend STUDY -o OTHER_DIR --set "
-                         "'tolerance.dimension=[{{key=\"{}\", band_mm=WIDTH, "
+                         "'tolerance.dimension=[{{key=\"{}\", tolerance_width_mm=WIDTH, "
                          "candidates=[\"IT9\", \"IT10\", \"IT11\", \"IT12\"]}}]'",
                          "cage.pocket_width_mm")));
   if (status == "no_yield" && report["response"].is_null())

@@ -10,8 +10,8 @@
 namespace cagetol {
 namespace {
 
-std::string least_name(const ModelLadder& ladder, const QuantityLadder& quantity) {
-  return quantity.least ? ladder.rungs[*quantity.least].name : "unresolved";
+std::string minimum_name(const ModelLadder& ladder, const QuantityLadder& quantity) {
+  return quantity.minimum ? ladder.rungs[*quantity.minimum].name : "unresolved";
 }
 
 Json shift_json(const LadderRung& rung, const RungShift& shift) {
@@ -68,7 +68,7 @@ std::string quantity_table(const ModelLadder& ladder, const LadderQuantity& quan
       fmt::format("{}{}: mean {:.4g}, standard deviation {:.2g}, budget {:.2g}{}{}\n",
                   quantity.name, quantity.limited() ? " (limited)" : "", seen.mean, seen.deviation,
                   seen.budget, quantity.unit == "-" ? "" : " " + quantity.unit,
-                  ladder.refining ? "" : "; least rung: " + least_name(ladder, seen));
+                  ladder.refining ? "" : "; minimum rung: " + minimum_name(ladder, seen));
   if (quantity.limited() && !ladder.refining)
     text += fmt::format("  {}; settled below {:.2g} % on the wrong side\n",
                         limits_text(quantity.limits), 100 * seen.allowed_wrong_share);
@@ -111,7 +111,7 @@ Json ladder_json(const ModelLadder& ladder) {
   json["refining"] = ladder.refining;
   if (!ladder.refining)
     for (const LadderQuantity& quantity : ladder.quantities)
-      json["least_rung"][quantity.name] = least_name(ladder, quantity.ladder);
+      json["minimum_rung"][quantity.name] = minimum_name(ladder, quantity.ladder);
   json["rungs"] = Json::array();
   for (const LadderRung& rung : ladder.rungs)
     json["rungs"].push_back({{"name", rung.name},
@@ -130,7 +130,7 @@ Json ladder_json(const ModelLadder& ladder) {
                   {"standard_deviation", number(quantity.ladder.deviation)},
                   {"budget", number(quantity.ladder.budget)},
                   {"allowed_wrong_share", number(quantity.ladder.allowed_wrong_share)}};
-    if (!ladder.refining) entry["least_rung"] = least_name(ladder, quantity.ladder);
+    if (!ladder.refining) entry["minimum_rung"] = minimum_name(ladder, quantity.ladder);
     entry["rungs"] = Json::array();
     for (std::size_t r = 0; r < ladder.rungs.size(); ++r)
       entry["rungs"].push_back(shift_json(ladder.rungs[r], quantity.ladder.rungs[r]));
@@ -143,7 +143,7 @@ Json ladder_json(const ModelLadder& ladder) {
 std::string ladder_csv(const ModelLadder& ladder) {
   std::string text =
       "quantity,unit,rung,shift,lower,upper,budget,correlation,pairs,lost,pairs_needed,wrong_share,"
-      "allowed_wrong_share,verdict,least_rung,cost_ratio\n";
+      "allowed_wrong_share,verdict,minimum_rung,cost_ratio\n";
   for (const LadderQuantity& quantity : ladder.quantities)
     for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
       const RungShift& shift = quantity.ladder.rungs[r];
@@ -153,7 +153,7 @@ std::string ladder_csv(const ModelLadder& ladder) {
           shift.shift.upper, quantity.ladder.budget, shift.correlation, shift.pairs, shift.lost,
           shift.pairs_needed, shift.wrong_share, quantity.ladder.allowed_wrong_share,
           rung_verdict_name(shift.verdict),
-          ladder.refining ? "" : least_name(ladder, quantity.ladder), ladder.rungs[r].cost_ratio);
+          ladder.refining ? "" : minimum_name(ladder, quantity.ladder), ladder.rungs[r].cost_ratio);
     }
   return text;
 }
@@ -181,7 +181,7 @@ std::string ladder_text(const ModelLadder& ladder) {
   text += "\nleast rung of each quantity\n";
   for (const LadderQuantity& quantity : ladder.quantities)
     if (is_defined(quantity))
-      text += fmt::format("  {:<31} {}\n", quantity.name, least_name(ladder, quantity.ladder));
+      text += fmt::format("  {:<31} {}\n", quantity.name, minimum_name(ladder, quantity.ladder));
   return text;
 }
 

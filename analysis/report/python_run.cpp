@@ -18,8 +18,8 @@ extern char** environ;
 namespace cagetol {
 namespace {
 
-// Figures and pages take some seconds. Under a tight limit on memory (ulimit -v) matplotlib's linear algebra
-// asks for it again and again and never ends.
+// Figures and pages take some seconds. Under a tight limit on memory (ulimit -v) matplotlib's
+// linear algebra asks for it again and again and never ends.
 constexpr rlim_t kLongestDrawing = 120;
 
 /// The exit code of the child; -1 and `problem` where it took too much time.

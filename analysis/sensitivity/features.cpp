@@ -108,11 +108,14 @@ std::string plain_name(const std::string& key) {
 
 std::vector<Feature> cage_features(const StudyData& study) {
   std::vector<Feature> features;
+  const bool one_cage = study.plan.cages_per_lot == 1;
   for (const InputColumns& input : study.inputs) {
     const std::string plain = plain_name(input.key);
     if (!input.lot.empty() && varies(input.lot))
-      features.push_back({input.key, plain + ": lot",
-                          fmt::format("deviation of the {} shared by the whole cage", plain),
+      features.push_back({input.key,
+                          plain + (one_cage ? ": from cage to cage" : ": from lot to lot"),
+                          fmt::format("deviation of the {} shared by the whole {}", plain,
+                                      one_cage ? "cage" : "lot"),
                           input.unit, input.lot});
     if (input.per_pocket && !input.pocket.empty()) add_pocket_features(study, input, features);
     if (!input.noise.empty() && varies(input.noise))

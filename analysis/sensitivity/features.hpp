@@ -11,14 +11,15 @@ namespace cagetol {
 
 struct Feature {
   std::string input;       ///< key of the scene, e.g. "cage.pocket_width_mm"
-  std::string name;        ///< short and unique: "pocket width: lot"
+  std::string name;        ///< short and unique: "pocket width: from cage to cage"
   std::string definition;  ///< one sentence for the report
   std::string unit;
   std::vector<double> values;  ///< N
 };
 
 /// Every feature that varies in the study:
-///   KEY: lot                    deviation shared by the cage
+///   KEY: from cage to cage      deviation shared by the cage (from lot to lot: by its lot, where
+///                               lots have several cages)
 ///   KEY: within-cage scatter    standard deviation over the cage's pockets
 ///   KEY: smallest pocket        smallest value of the cage (keys with nominal 0: the deviation of
 ///                               largest magnitude)

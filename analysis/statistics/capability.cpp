@@ -23,8 +23,8 @@ ProcessCapability process_capability(std::span<const double> values, std::option
   const auto order = ascending_order(values);
   result.defined = order.size();
   if (order.size() < 2 || (!minimum && !maximum)) return result;
-  const double least = values[order.front()], most = values[order.back()];
-  if (most - least <= kCapabilityRounding * std::max(std::abs(least), std::abs(most))) {
+  const double lowest = values[order.front()], most = values[order.back()];
+  if (most - lowest <= kCapabilityRounding * std::max(std::abs(lowest), std::abs(most))) {
     result.percentile_refused = "the quantity does not vary";
     return result;
   }

@@ -92,9 +92,10 @@ JamShares read_jams(const Hdf5Reader& file, const StudyPlan& plan, const std::st
   jams.candidate = shares("/jam/candidate", plan.candidates.size());
   for (const ToleranceDimension& dimension : plan.dimensions) {
     const std::string group = "/jam/" + dimension.key;
-    auto bands = file.reals(group + "/band_mm").values;
-    auto share = shares(group + "/share", bands.size());
-    jams.curves.push_back({dimension.key, std::move(bands), std::move(share)});
+    const bool former = !file.has(group + "/tolerance_width_mm");  // older programs
+    auto widths = file.reals(group + (former ? "/band_mm" : "/tolerance_width_mm")).values;
+    auto share = shares(group + "/share", widths.size());
+    jams.curves.push_back({dimension.key, std::move(widths), std::move(share)});
   }
   return jams;
 }

@@ -19,6 +19,11 @@ std::optional<double> optional_number(const Json& object, const char* key) {
   return value.get<double>();
 }
 
+/// A value by its name, or by the name that it has in files of older programs.
+const Json& either(const Json& object, const char* name, const char* former) {
+  return object.at(object.contains(name) ? name : former);
+}
+
 std::vector<double> numbers(const Json& value) {
   if (value.is_null()) return {};
   if (value.is_array()) return value.get<std::vector<double>>();
@@ -47,7 +52,7 @@ Limit read_limit(const Json& object) {
 }
 
 Candidate read_candidate(const Json& object) {
-  Candidate candidate{object.at("bands_mm").get<std::vector<double>>(),
+  Candidate candidate{either(object, "tolerance_widths_mm", "bands_mm").get<std::vector<double>>(),
                       object.at("grades").get<std::vector<std::string>>(),
                       object.at("scales").get<std::vector<double>>(),
                       {}};
@@ -78,7 +83,7 @@ std::optional<CostCurve> read_cost(const Json& dimension) {
 ToleranceDimension read_dimension(const Json& object) {
   ToleranceDimension dimension;
   dimension.key = object.at("key").get<std::string>();
-  dimension.band_mm = object.at("band_mm").get<double>();
+  dimension.tolerance_width_mm = either(object, "tolerance_width_mm", "band_mm").get<double>();
   for (const Json& candidate : part(object, "candidates"))
     dimension.candidates.push_back(candidate.is_string()
                                        ? candidate.get<std::string>()

@@ -20,12 +20,12 @@ constexpr double kFairChance = 0.1;
 /// best: estimates without a failing run differ by nothing but luck.
 constexpr double kNearlyAsSure = 0.8;
 
-/// True when no band is wider and one is narrower.
-bool narrower(const std::vector<double>& bands, const std::vector<double>& than) {
+/// True when no tolerance is wider and one is narrower.
+bool narrower(const std::vector<double>& widths, const std::vector<double>& than) {
   bool some = false;
-  for (std::size_t d = 0; d < bands.size(); ++d) {
-    if (bands[d] > than[d] * (1 + kRounding)) return false;
-    some = some || bands[d] < than[d] * (1 - kRounding);
+  for (std::size_t d = 0; d < widths.size(); ++d) {
+    if (widths[d] > than[d] * (1 + kRounding)) return false;
+    some = some || widths[d] < than[d] * (1 - kRounding);
   }
   return some;
 }
@@ -60,15 +60,15 @@ double expected_of(const MixtureStudy& mixture, std::size_t candidate) {
 /// effective runs (Jeffreys' prior).
 double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std::size_t runs,
                         const ConfirmationRules& rules) {
-  constexpr double kSteps = 96, kLeastShare = 1e-6;
+  constexpr double kSteps = 96, kMinimumShare = 1e-6;
   const Yield& yield = mixture.tolerances.curves.candidates[candidate];
   const double passing = yield.if_unknown_fail * yield.ess, failing = yield.ess - passing;
   double sum = 0, below = 0;
   for (double step = 1; step <= kSteps; ++step) {
     // Failing shares from 1e-6 to 1, in equal ratios.
-    const double up_to = std::pow(kLeastShare, 1 - step / kSteps);
+    const double up_to = std::pow(kMinimumShare, 1 - step / kSteps);
     const double reached = gsl_cdf_beta_P(up_to, failing + 0.5, passing + 0.5);
-    const double middle = up_to * std::pow(kLeastShare, 0.5 / kSteps);
+    const double middle = up_to * std::pow(kMinimumShare, 0.5 / kSteps);
     sum += (reached - below) *
            confirming_probability(std::min(1 - middle, share_without_jam(mixture.runs, candidate)),
                                   runs, rules);
@@ -79,14 +79,14 @@ double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std:
 
 /// Runs kept back for the attempts that may follow this candidate: what the narrower one needs that
 /// needs least, no more than an equal share of what is left.
-std::size_t kept_back(const MixtureStudy& mixture, const std::vector<double>& bands,
+std::size_t kept_back(const MixtureStudy& mixture, const std::vector<double>& widths,
                       std::size_t left, std::size_t following, const ConfirmationRules& rules) {
   if (following == 0) return 0;
   const std::size_t share = left / (following + 1);
   std::size_t need = 0;
   for (std::size_t k = 0; k < mixture.runs.plan.candidates.size(); ++k) {
     if (!(estimate_of(mixture, k) >= rules.target_yield) ||
-        !narrower(snapped_bands(mixture.runs, mixture.runs.plan.candidates[k]), bands))
+        !narrower(snapped_tolerances(mixture.runs, mixture.runs.plan.candidates[k]), widths))
       continue;
     ConfirmationRules affordable = rules;
     affordable.most_runs = share;
@@ -104,7 +104,7 @@ PassedOver reason_of(const StudyData& runs, const Yield& yield, std::size_t k) {
   const StudyPlan& plan = runs.plan;
   ConfirmationRules alone{plan.target_yield, plan.confidence, 1,
                           std::numeric_limits<std::size_t>::max() / 4};
-  if (yield.ess < kLeastEffectiveRuns)
+  if (yield.ess < kMinimumEffectiveRuns)
     return {k,
             fmt::format("the mixture holds {:.0f} effective runs of it, too few to judge it",
                         yield.ess),
@@ -166,19 +166,19 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
   const auto limited = [&](std::size_t runs) {
     return std::max(fewest, stated > 0 ? std::min(runs, stated) : runs);
   };
-  const auto bands_of = [&](std::size_t k) {
-    return snapped_bands(mixture.runs, study.candidates[k]);
+  const auto tolerances_of = [&](std::size_t k) {
+    return snapped_tolerances(mixture.runs, study.candidates[k]);
   };
   const auto promising = [&](std::size_t k) {
     return estimate_of(mixture, k) >= rules.target_yield &&
            std::all_of(failed.begin(), failed.end(), [&](const Tolerance& other) {
-             return narrower(bands_of(k), other.bands_mm) ||
-                    (same_bands(bands_of(k), other.bands_mm) &&
-                     !same_centres({bands_of(k), study.candidates[k].shifts}, other));
+             return narrower(tolerances_of(k), other.tolerance_widths_mm) ||
+                    (same_tolerances(tolerances_of(k), other.tolerance_widths_mm) &&
+                     !same_centres({tolerances_of(k), study.candidates[k].shifts}, other));
            });
   };
   const auto most_runs = [&](std::size_t k) {
-    return limited(left - kept_back(mixture, bands_of(k), left, following, rules));
+    return limited(left - kept_back(mixture, tolerances_of(k), left, following, rules));
   };
   const auto sure = [&](std::size_t k) {
     return chance(expected_of(mixture, k), most_runs(k), rules);
@@ -218,11 +218,11 @@ std::vector<PassedOver> passed_over(const StudyData& runs, const YieldCurves& cu
   std::vector<PassedOver> list;
   if (tried.empty()) return list;
   const StudyPlan& plan = runs.plan;
-  const double decided = worth_of_bands(plan, tried.back().bands_mm);
+  const double decided = worth_of_tolerances(plan, tried.back().tolerance_widths_mm);
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     const Tolerance tolerance = snapped_tolerance(runs, plan.candidates[k]);
-    const bool wider =
-        worth_of_bands(plan, tolerance.bands_mm) > decided + kRounding * std::abs(decided);
+    const bool wider = worth_of_tolerances(plan, tolerance.tolerance_widths_mm) >
+                       decided + kRounding * std::abs(decided);
     const bool fresh = std::none_of(tried.begin(), tried.end(), [&](const auto& other) {
       return same_tolerance(tolerance, other);
     });

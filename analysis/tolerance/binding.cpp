@@ -16,16 +16,16 @@ namespace {
 
 constexpr double kFewFailing = 5;
 
-/// The candidate's bands without those of dimension d, and its centres.
+/// The candidate's tolerances without those of dimension d, and its centres.
 std::vector<double> rest_of(const Candidate& candidate, std::size_t d) {
-  auto rest = candidate.bands_mm;
+  auto rest = candidate.tolerance_widths_mm;
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(d));
   rest.insert(rest.end(), candidate.shifts.begin(), candidate.shifts.end());
   return rest;
 }
 
-/// Candidates among which the decision lies: those whose other bands meet the target with at least
-/// one band of dimension d. All of them where none does.
+/// Candidates among which the decision lies: those whose other tolerances meet the target with at
+/// least one tolerance of dimension d. All of them where none does.
 std::vector<bool> relevant_candidates(const StudyPlan& plan, const YieldCurves& curves,
                                       std::size_t d) {
   std::vector<bool> relevant(plan.candidates.size(), false);
@@ -54,7 +54,7 @@ std::optional<std::size_t> widest_that_meets(const StudyPlan& plan, const YieldC
   double most = 0;
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     if (!meets_target(plan, curves.candidates[k])) continue;
-    const double worth = worth_of_bands(plan, plan.candidates[k].bands_mm);
+    const double worth = worth_of_tolerances(plan, plan.candidates[k].tolerance_widths_mm);
     if (widest && worth <= most) continue;
     widest = k;
     most = worth;
@@ -92,24 +92,24 @@ double effective_lots(std::span<const double> weights, const Resampling& resampl
   return effective_sample_size(of_lot);
 }
 
-/// Loss of yield from narrow to wide bands, unknown runs counted so that it is least and largest:
-/// as passing where they weigh less under the narrow bands, or where they weigh more.
+/// Loss of yield from narrow to wide tolerances, unknown runs counted so that it is least and
+/// largest: as passing where they weigh less under the narrow tolerances, or where they weigh more.
 struct LossRange {
-  YieldDifference least, largest;
+  YieldDifference minimum, largest;
 };
 
 LossRange loss_range(const std::vector<Judgement>& joint, std::span<const double> narrow,
                      std::span<const double> wide, const Resampling& resampling) {
   const double narrow_sum = std::accumulate(narrow.begin(), narrow.end(), 0.0);
   const double wide_sum = std::accumulate(wide.begin(), wide.end(), 0.0);
-  auto least = joint, largest = joint;
+  auto minimum = joint, largest = joint;
   for (std::size_t i = 0; i < joint.size(); ++i) {
     if (joint[i] != Judgement::unknown) continue;
     const bool weighs_more = narrow[i] / narrow_sum > wide[i] / wide_sum;
-    least[i] = weighs_more ? Judgement::misses : Judgement::meets;
+    minimum[i] = weighs_more ? Judgement::misses : Judgement::meets;
     largest[i] = weighs_more ? Judgement::meets : Judgement::misses;
   }
-  return {yield_difference(least, narrow, wide, resampling),
+  return {yield_difference(minimum, narrow, wide, resampling),
           yield_difference(largest, narrow, wide, resampling)};
 }
 
@@ -121,13 +121,14 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
   const auto narrow = level_weights(narrowest, mixture, relevant);
   const EffectiveRuns narrow_runs = effective_runs(joint, narrow);
   const double margin = 1 - narrow_runs.failing / narrow_runs.all - target_yield;
-  BindingTest test{curve.key,
-                   Binding::undecided,
-                   0,
-                   0,
-                   std::max(margin, 0.0),
-                   band_name(narrowest.grade, narrowest.band_mm),
-                   band_name(curve.levels.back().grade, curve.levels.back().band_mm)};
+  BindingTest test{
+      curve.key,
+      Binding::undecided,
+      0,
+      0,
+      std::max(margin, 0.0),
+      tolerance_name(narrowest.grade, narrowest.tolerance_width_mm),
+      tolerance_name(curve.levels.back().grade, curve.levels.back().tolerance_width_mm)};
   bool significant = false, enough = true;
   for (std::size_t i = 1; i < curve.levels.size(); ++i) {
     const auto wide = level_weights(curve.levels[i], mixture, relevant);
@@ -148,7 +149,7 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
       test.largest_loss_bound = std::max(test.largest_loss_bound, bound);
       continue;
     }
-    significant = significant || loss.least.value > two_sided * loss.least.standard_error ||
+    significant = significant || loss.minimum.value > two_sided * loss.minimum.standard_error ||
                   loss.largest.value < -two_sided * loss.largest.standard_error;
     test.largest_loss_bound = std::max(
         test.largest_loss_bound, loss.largest.value + one_sided * loss.largest.standard_error);
@@ -187,8 +188,8 @@ std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeight
   const auto widest = widest_that_meets(runs.plan, curves);
   for (std::size_t d = 0; d < curves.dimensions.size(); ++d) {
     const DimensionCurve& curve = curves.dimensions[d];
-    const bool at_widest =
-        widest && runs.plan.candidates[*widest].bands_mm[d] == curve.levels.back().band_mm;
+    const bool at_widest = widest && runs.plan.candidates[*widest].tolerance_widths_mm[d] ==
+                                         curve.levels.back().tolerance_width_mm;
     tests.push_back(test_dimension(curve, mixture, joint, resampling,
                                    relevant_candidates(runs.plan, curves, d), error_each,
                                    runs.plan.target_yield, at_widest));
@@ -196,8 +197,8 @@ std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeight
   return tests;
 }
 
-std::string band_name(const std::string& grade, double band_mm) {
-  return grade.empty() ? fmt::format("{:.4g} mm", band_mm) : grade;
+std::string tolerance_name(const std::string& grade, double tolerance_width_mm) {
+  return grade.empty() ? fmt::format("{:.4g} mm", tolerance_width_mm) : grade;
 }
 
 }  // namespace cagetol

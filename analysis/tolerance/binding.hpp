@@ -2,8 +2,8 @@
 //
 // For each dimension the yield at its narrowest candidate is compared with the yield at each wider
 // one, run by run on the same samples (yield_difference), the other dimensions averaged over the
-// combinations among which the decision lies: those that meet the target with at least one band of
-// the dimension tested (hopelessly wide ones would only add noise). Three answers:
+// combinations among which the decision lies: those that meet the target with at least one
+// tolerance of the dimension tested (hopelessly wide ones would only add noise). Three answers:
 //   binding      some difference is significant. Two-sided Student t test over lots, family error
 //                1 - confidence over all comparisons of all dimensions (Bonferroni).
 //   not binding  no difference is significant, AND the loss of yield from the narrowest to any
@@ -45,7 +45,7 @@ std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeight
                                       const std::vector<Judgement>& joint,
                                       const Resampling& resampling);
 
-/// "IT9", or "0.05 mm" where the band is no grade.
-std::string band_name(const std::string& grade, double band_mm);
+/// "IT9", or "0.05 mm" where the tolerance is no grade.
+std::string tolerance_name(const std::string& grade, double tolerance_width_mm);
 
 }  // namespace cagetol

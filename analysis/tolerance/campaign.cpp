@@ -10,10 +10,10 @@ namespace cagetol {
 namespace {
 
 Tolerance tolerance_of(const StudyPlan& plan, const Recommendation& recommendation) {
-  Tolerance tolerance{{}, plan.candidates[recommendation.candidate].shifts};
-  for (const RecommendedBand& band : recommendation.bands)
-    tolerance.bands_mm.push_back(band.band_mm);
-  return tolerance;
+  Tolerance chosen{{}, plan.candidates[recommendation.candidate].shifts};
+  for (const RecommendedTolerance& tolerance : recommendation.tolerances)
+    chosen.tolerance_widths_mm.push_back(tolerance.tolerance_width_mm);
+  return chosen;
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ LostRuns& LostRuns::operator+=(const LostRuns& other) {
   return *this;
 }
 
-double LostRuns::least_share() const {
+double LostRuns::minimum_share() const {
   return clopper_pearson_lower(static_cast<double>(lost), static_cast<double>(runs), kConfidence);
 }
 
@@ -66,7 +66,8 @@ Campaign run_campaign(const Stage& pilot,
       planned.attempts.push_back({next.recommendation.candidate, next.runs});
       keep(planned);
     }
-    const Stage stage{fmt::format("confirm-{}", number + 1), next.runs, next.recommendation.bands};
+    const Stage stage{fmt::format("confirm-{}", number + 1), next.runs,
+                      next.recommendation.tolerances};
     const auto confirming = run_stage(stage);
     if (!confirming) return campaign;
     campaign.attempts.push_back({next.recommendation, judge_confirmation(*confirming, rules)});

@@ -21,9 +21,10 @@
 namespace cagetol {
 
 struct Stage {
-  std::string name;                    ///< "pilot", "mixture", "confirm-1": also its directory
-  std::size_t rows = 0;                ///< of the design
-  std::vector<RecommendedBand> bands;  ///< of a confirmation, in the order of the dimensions
+  std::string name;      ///< "pilot", "mixture", "confirm-1": also its directory
+  std::size_t rows = 0;  ///< of the design
+  std::vector<RecommendedTolerance>
+      tolerances;  ///< of a confirmation, in the order of the dimensions
 };
 
 /// Runs a stage and gives its samples; nothing when it was interrupted.
@@ -37,7 +38,7 @@ struct LostRuns {
   LostRuns& operator+=(const LostRuns& other);
   /// Lower bound of the share at kConfidence (Clopper-Pearson): one lost run of 32 is no evidence
   /// that more than 2 % are lost.
-  double least_share() const;
+  double minimum_share() const;
 };
 LostRuns count_lost(const StudyData& runs);
 

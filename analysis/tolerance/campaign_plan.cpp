@@ -14,7 +14,7 @@ namespace cagetol {
 namespace {
 
 /// Shares of a budget that the mixture gets at most and at least; the confirmations have the rest.
-constexpr double kMostMixture = 0.5, kLeastMixture = 0.25;
+constexpr double kMostMixture = 0.5, kMinimumMixture = 0.25;
 
 double seconds_per_run(const StudyData& pilot) {
   for (const Column& column : pilot.timing)
@@ -82,7 +82,8 @@ std::string noise_text(const StudyData& pilot) {
 void require_runs(const StudyData& pilot, const CampaignPlan& plan,
                   const ConfirmationRules& rules) {
   const std::size_t fewest = confirming_runs(0, rules);
-  if (plan.confirm_runs >= fewest && static_cast<double>(plan.mixture_rows) >= kLeastEffectiveRuns)
+  if (plan.confirm_runs >= fewest &&
+      static_cast<double>(plan.mixture_rows) >= kMinimumEffectiveRuns)
     return;
   throw Refused(fmt::format(
       "the budget leaves {} rows to compare {} candidates and {} runs for up to {} attempts to "
@@ -90,7 +91,7 @@ void require_runs(const StudyData& pilot, const CampaignPlan& plan,
       "confidence. {} runs in all are the least, about {:.0f} would do",
       plan.mixture_rows, pilot.plan.candidates.size(), plan.confirm_runs, rules.attempts, fewest,
       100 * rules.target_yield, 100 * rules.confidence,
-      least_budget(rules, pilot.plan.extra_replicates, pilot.size()),
+      minimum_budget(rules, pilot.plan.extra_replicates, pilot.size()),
       static_cast<double>(pilot.size()) +
           2 * std::max(
                   runs_of_rows(pilot.plan, kFewestEffectiveRuns *
@@ -120,14 +121,14 @@ bool affords_attempt(const CampaignPlan& plan, const ConfirmationRules& rules) {
   return plan.confirm_runs >= decided_runs(plan) + confirming_runs(0, rules);
 }
 
-std::size_t least_budget(const ConfirmationRules& rules, double extra_replicates,
-                         std::size_t pilot_runs) {
+std::size_t minimum_budget(const ConfirmationRules& rules, double extra_replicates,
+                           std::size_t pilot_runs) {
   const std::size_t fewest = confirming_runs(0, rules);
-  const double mixture = kLeastEffectiveRuns * (1 + extra_replicates);
+  const double mixture = kMinimumEffectiveRuns * (1 + extra_replicates);
   // The mixture gets no more than its share.
-  return pilot_runs + std::max(static_cast<std::size_t>(std::ceil(mixture / kLeastMixture)),
+  return pilot_runs + std::max(static_cast<std::size_t>(std::ceil(mixture / kMinimumMixture)),
                                static_cast<std::size_t>(
-                                   std::ceil(static_cast<double>(fewest) / (1 - kLeastMixture))));
+                                   std::ceil(static_cast<double>(fewest) / (1 - kMinimumMixture))));
 }
 
 CampaignPlan plan_campaign(const StudyData& pilot, const CampaignSettings& settings,
@@ -149,7 +150,7 @@ CampaignPlan plan_campaign(const StudyData& pilot, const CampaignSettings& setti
                               ? static_cast<double>(settings.confirm_samples)
                               : confirming_need(pilot, rules);
     const double mixture =
-        std::clamp(*left - attempts * wanted, kLeastMixture * *left, kMostMixture * *left);
+        std::clamp(*left - attempts * wanted, kMinimumMixture * *left, kMostMixture * *left);
     plan.mixture_rows =
         static_cast<std::size_t>(std::max(0.0, mixture / (1 + study.extra_replicates)));
     plan.confirm_runs = static_cast<std::size_t>(
@@ -225,13 +226,13 @@ std::string plan_text(const StudyData& pilot, const CampaignPlan& plan) {
       confirming_runs(0, rules), plan.confirm_runs, duration_text(each * confirm));
   const auto rows = static_cast<double>(plan.mixture_rows),
              candidates = static_cast<double>(study.candidates.size());
-  // Candidates of several dimensions borrow from their bands (yield_curve.hpp).
-  if (study.dimensions.size() == 1 && rows < kLeastEffectiveRuns * candidates)
+  // Candidates of several dimensions borrow from their tolerances (yield_curve.hpp).
+  if (study.dimensions.size() == 1 && rows < kMinimumEffectiveRuns * candidates)
     text += fmt::format(
         "\n  fewer than {:.0f} rows for each candidate: some or all will have too few effective "
         "runs to be judged; in another directory recommend.budget_samples = {:.0f} gives them",
-        kLeastEffectiveRuns,
-        2 * runs_of_rows(study, kLeastEffectiveRuns * candidates) +
+        kMinimumEffectiveRuns,
+        2 * runs_of_rows(study, kMinimumEffectiveRuns * candidates) +
             static_cast<double>(pilot.id.size()));
   else if (rows < kFewestEffectiveRuns * candidates)
     text += fmt::format(

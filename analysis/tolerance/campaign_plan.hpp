@@ -31,8 +31,8 @@ struct CampaignPlan {
 
 /// Fewest runs in all that can confirm anything: a pilot, a mixture that can judge one candidate,
 /// one attempt without a failing run.
-std::size_t least_budget(const ConfirmationRules& rules, double extra_replicates,
-                         std::size_t pilot_runs);
+std::size_t minimum_budget(const ConfirmationRules& rules, double extra_replicates,
+                           std::size_t pilot_runs);
 
 /// Runs of the attempts decided so far.
 std::size_t decided_runs(const CampaignPlan& plan);

@@ -5,7 +5,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kStep = 1.0 / 32;  ///< of the band
+constexpr double kStep = 1.0 / 32;  ///< of the tolerance
 constexpr int kCurveSteps = 4, kMapSteps = 2;
 
 double units_per_mm(const StudyData& runs, const std::string& key) {
@@ -24,17 +24,17 @@ CentreCurves centre_curves(const StudyData& runs, const MixtureWeights& mixture,
                            const Tolerance& tolerance, const std::vector<Judgement>& joint,
                            const Resampling& resampling, double confidence) {
   const auto& dimensions = runs.plan.dimensions;
-  const auto& bands_mm = tolerance.bands_mm;
+  const auto& tolerance_widths_mm = tolerance.tolerance_widths_mm;
   std::vector<double> scales, units;
   for (std::size_t d = 0; d < dimensions.size(); ++d) {
-    scales.push_back(bands_mm[d] / dimensions[d].band_mm);
+    scales.push_back(tolerance_widths_mm[d] / dimensions[d].tolerance_width_mm);
     units.push_back(units_per_mm(runs, dimensions[d].key));
   }
   const auto at = [&](const std::vector<double>& steps) {
     CentreYield centre;
     std::vector<double> shifts;
     for (std::size_t d = 0; d < steps.size(); ++d) {
-      centre.shifts_mm.push_back(steps[d] * kStep * bands_mm[d]);
+      centre.shifts_mm.push_back(steps[d] * kStep * tolerance_widths_mm[d]);
       shifts.push_back(centre.shifts_mm[d] * units[d] +
                        (tolerance.shifts.empty() ? 0 : tolerance.shifts[d]));
     }

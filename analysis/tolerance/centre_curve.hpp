@@ -23,7 +23,7 @@ struct CentreCurves {
   std::vector<CentreYield> map;                      ///< the first two moved together
 };
 
-/// About the centres of this tolerance, in steps of 1/32 of each band, up to an eighth. Throws
+/// About the centres of this tolerance, in steps of 1/32 of each tolerance, up to an eighth. Throws
 /// Refused where a law has no density.
 CentreCurves centre_curves(const StudyData& runs, const MixtureWeights& mixture,
                            const Tolerance& tolerance, const std::vector<Judgement>& joint,

@@ -12,12 +12,12 @@ namespace {
 constexpr std::size_t kPowers = 3, kCurvePoints = 81;
 constexpr std::size_t kRunsPerTerm = 8;
 
-/// Value, place and band of each run with a result.
+/// Value, place and tolerance of each run with a result.
 struct Points {
   std::vector<std::size_t> run;
   std::vector<double> u, value;
-  std::vector<std::size_t> band;
-  std::size_t bands = 0;
+  std::vector<std::size_t> width;
+  std::size_t widths = 0;
 };
 
 /// Centre of the cage of each run: its lot, or the centre of its candidate where pockets alone
@@ -35,45 +35,46 @@ std::vector<double> centres_of_runs(const StudyData& runs, const InputColumns& i
 
 Points points_of(const StudyData& runs, const Column& column, const std::vector<double>& centres,
                  std::size_t dimension, double middle, double half) {
-  std::vector<double> bands;
+  std::vector<double> widths;
   for (const Candidate& candidate : runs.plan.candidates)
-    if (std::count(bands.begin(), bands.end(), candidate.bands_mm[dimension]) == 0)
-      bands.push_back(candidate.bands_mm[dimension]);
+    if (std::count(widths.begin(), widths.end(), candidate.tolerance_widths_mm[dimension]) == 0)
+      widths.push_back(candidate.tolerance_widths_mm[dimension]);
   Points points;
-  points.bands = bands.size();
+  points.widths = widths.size();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const double u = (centres[i] - middle) / half;
     if (runs.status[i] != RunStatus::ok || std::isnan(column.values[i]) || std::abs(u) > 1.25)
       continue;
-    const double band =
-        runs.plan.candidates[static_cast<std::size_t>(runs.candidate[i])].bands_mm[dimension];
+    const double width = runs.plan.candidates[static_cast<std::size_t>(runs.candidate[i])]
+                             .tolerance_widths_mm[dimension];
     points.run.push_back(i);
     points.u.push_back(u);
     points.value.push_back(column.values[i]);
-    points.band.push_back(
-        static_cast<std::size_t>(std::find(bands.begin(), bands.end(), band) - bands.begin()));
+    points.width.push_back(
+        static_cast<std::size_t>(std::find(widths.begin(), widths.end(), width) - widths.begin()));
   }
   return points;
 }
 
-/// Coefficients of the bands' levels, then of u, u^2, u^3; empty where the runs do not tell them.
+/// Coefficients of the tolerances' levels, then of u, u^2, u^3; empty where the runs do not tell
+/// them.
 std::vector<double> fit(const Points& points, std::span<const double> weights) {
-  const std::size_t terms = points.bands + kPowers;
+  const std::size_t terms = points.widths + kPowers;
   std::vector<double> normal(terms * terms, 0.0), right(terms, 0.0), row(terms), solution(terms);
   for (std::size_t p = 0; p < points.run.size(); ++p) {
     const double w = weights[points.run[p]];
     if (!(w > 0)) continue;
     std::fill(row.begin(), row.end(), 0.0);
-    row[points.band[p]] = 1;
+    row[points.width[p]] = 1;
     double power = 1;
-    for (std::size_t k = 0; k < kPowers; ++k) row[points.bands + k] = power *= points.u[p];
+    for (std::size_t k = 0; k < kPowers; ++k) row[points.widths + k] = power *= points.u[p];
     for (std::size_t a = 0; a < terms; ++a) {
       if (row[a] == 0) continue;
       right[a] += w * row[a] * points.value[p];
       for (std::size_t b = 0; b < terms; ++b) normal[a * terms + b] += w * row[a] * row[b];
     }
   }
-  for (std::size_t a = 0; a < points.bands; ++a)  // a band that no run of this resample has
+  for (std::size_t a = 0; a < points.widths; ++a)  // a tolerance that no run of this resample has
     if (normal[a * terms + a] == 0) normal[a * terms + a] = 1;
   gsl_matrix_view matrix = gsl_matrix_view_array(normal.data(), terms, terms);
   gsl_vector_const_view known = gsl_vector_const_view_array(right.data(), terms);
@@ -90,19 +91,19 @@ double place(std::size_t point) {
   return -1 + 2 * static_cast<double>(point) / (kCurvePoints - 1);
 }
 
-/// The fit without the bands' levels.
-double curve(const std::vector<double>& coefficients, std::size_t bands, double u) {
-  return u * (coefficients[bands] + u * (coefficients[bands + 1] + u * coefficients[bands + 2]));
+/// The fit without the tolerances' levels.
+double curve(const std::vector<double>& coefficients, std::size_t widths, double u) {
+  return u * (coefficients[widths] + u * (coefficients[widths + 1] + u * coefficients[widths + 2]));
 }
 
-double least_place(const Points& points, std::span<const double> weights) {
+double minimum_place(const Points& points, std::span<const double> weights) {
   const auto coefficients = fit(points, weights);
   if (coefficients.empty()) return kUndefined;
-  double best = 0, least = std::numeric_limits<double>::infinity();
+  double best = 0, minimum = std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < kCurvePoints; ++p) {
-    const double value = curve(coefficients, points.bands, place(p));
-    if (value >= least) continue;
-    least = value;
+    const double value = curve(coefficients, points.widths, place(p));
+    if (value >= minimum) continue;
+    minimum = value;
     best = place(p);
   }
   return best;
@@ -149,7 +150,7 @@ std::optional<CentreResponse> centre_response(const StudyData& runs, std::size_t
                half = 0.5 * (plan.centres.back() - plan.centres.front());
   const Points points =
       points_of(runs, *column, centres_of_runs(runs, *input, dimension), dimension, middle, half);
-  if (points.run.size() < kRunsPerTerm * (points.bands + kPowers)) return std::nullopt;
+  if (points.run.size() < kRunsPerTerm * (points.widths + kPowers)) return std::nullopt;
   const std::vector<double> equal(runs.size(), 1.0);
   const auto coefficients = fit(points, equal);
   if (coefficients.empty()) return std::nullopt;
@@ -158,14 +159,16 @@ std::optional<CentreResponse> centre_response(const StudyData& runs, std::size_t
       plan.key, input->unit, column->unit, means_by_centre(plan.centres, points, middle, half),
       {},       {},          {},           false};
   double level = 0;
-  for (const std::size_t band : points.band)
-    level += coefficients[band] / static_cast<double>(points.band.size());
+  for (const std::size_t width : points.width)
+    level += coefficients[width] / static_cast<double>(points.width.size());
   for (std::size_t p = 0; p < kCurvePoints; ++p) {
     response.at.push_back(middle + half * place(p));
-    response.fitted.push_back(level + curve(coefficients, points.bands, place(p)));
+    response.fitted.push_back(level + curve(coefficients, points.widths, place(p)));
   }
   response.optimum = resampling.estimate(
-      [&](std::span<const double> weights) { return middle + half * least_place(points, weights); },
+      [&](std::span<const double> weights) {
+        return middle + half * minimum_place(points, weights);
+      },
       confidence);
   const double step = (plan.centres.back() - plan.centres.front()) / (kCurvePoints - 1);
   response.at_end = response.optimum.lower < plan.centres.front() + step ||

@@ -3,8 +3,8 @@
 // Lots scatter about the centres studied, so the runs fill the range between them. Their values y
 // are fitted by least squares,
 //   y = a_b + c1 u + c2 u^2 + c3 u^3,   u from -1 to 1 over the range of the centres,
-// with a level a_b for every band of the dimension, which forces follow too. The optimum is the u
-// with the least fitted value. Its interval: lots drawn again (Resampling).
+// with a level a_b for every tolerance of the dimension, which forces follow too. The optimum is
+// the u with the least fitted value. Its interval: lots drawn again (Resampling).
 #pragma once
 
 #include <optional>
@@ -27,8 +27,8 @@ struct CentreResponse {
   std::string key, unit;           ///< of the dimension
   std::string quantity_unit;       ///< of kCentreQuantity
   std::vector<CentreMean> means;   ///< by centre, ascending
-  std::vector<double> at, fitted;  ///< curve over the range, at the mean level of the bands
-  Estimate optimum;                ///< centre of least force, in the key's unit
+  std::vector<double> at, fitted;  ///< curve over the range, at the mean level of the tolerances
+  Estimate optimum;                ///< centre of minimum force, in the key's unit
   bool at_end = false;  ///< the interval reaches an end of the range: the optimum may lie beyond
 };
 

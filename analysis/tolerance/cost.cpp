@@ -5,34 +5,36 @@
 
 namespace cagetol {
 
-double cost_of_band(const CostCurve& cost, double band_mm) {
-  if (cost.table.empty()) return cost.a + cost.b / std::pow(band_mm, cost.k);
-  const auto above = std::find_if(cost.table.begin(), cost.table.end(),
-                                  [&](const auto& point) { return point.first >= band_mm; });
+double cost_of_tolerance(const CostCurve& cost, double tolerance_width_mm) {
+  if (cost.table.empty()) return cost.a + cost.b / std::pow(tolerance_width_mm, cost.k);
+  const auto above = std::find_if(cost.table.begin(), cost.table.end(), [&](const auto& point) {
+    return point.first >= tolerance_width_mm;
+  });
   if (above == cost.table.end()) return cost.table.back().second;
   if (above == cost.table.begin()) return above->second;
   const auto& [left, left_cost] = *std::prev(above);
   const auto& [right, right_cost] = *above;
-  return left_cost + (right_cost - left_cost) * (band_mm - left) / (right - left);
+  return left_cost + (right_cost - left_cost) * (tolerance_width_mm - left) / (right - left);
 }
 
-std::optional<double> cost_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm) {
+std::optional<double> cost_of_tolerances(const StudyPlan& plan,
+                                         const std::vector<double>& tolerance_widths_mm) {
   double sum = 0;
-  for (std::size_t d = 0; d < bands_mm.size(); ++d) {
+  for (std::size_t d = 0; d < tolerance_widths_mm.size(); ++d) {
     if (!plan.dimensions[d].cost) return std::nullopt;
-    sum += cost_of_band(*plan.dimensions[d].cost, bands_mm[d]);
+    sum += cost_of_tolerance(*plan.dimensions[d].cost, tolerance_widths_mm[d]);
   }
   return sum;
 }
 
-double worth_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm) {
-  if (const auto cost = cost_of_bands(plan, bands_mm)) return -*cost;
+double worth_of_tolerances(const StudyPlan& plan, const std::vector<double>& tolerance_widths_mm) {
+  if (const auto cost = cost_of_tolerances(plan, tolerance_widths_mm)) return -*cost;
   double width = 1;
-  for (std::size_t d = 0; d < bands_mm.size(); ++d) {
+  for (std::size_t d = 0; d < tolerance_widths_mm.size(); ++d) {
     double widest = 0;
     for (const Candidate& candidate : plan.candidates)
-      widest = std::max(widest, candidate.bands_mm[d]);
-    width *= bands_mm[d] / widest;
+      widest = std::max(widest, candidate.tolerance_widths_mm[d]);
+    width *= tolerance_widths_mm[d] / widest;
   }
   return width;
 }

@@ -13,13 +13,14 @@
 
 namespace cagetol {
 
-double cost_of_band(const CostCurve& cost, double band_mm);
+double cost_of_tolerance(const CostCurve& cost, double tolerance_width_mm);
 
 /// Sum over the dimensions; nothing where the study states no costs.
-std::optional<double> cost_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm);
+std::optional<double> cost_of_tolerances(const StudyPlan& plan,
+                                         const std::vector<double>& tolerance_widths_mm);
 
 /// The larger, the more a tolerance is preferred: less its cost; where the study states no costs,
-/// the product of its bands, each in units of its widest candidate.
-double worth_of_bands(const StudyPlan& plan, const std::vector<double>& bands_mm);
+/// the product of its tolerances, each in units of its widest candidate.
+double worth_of_tolerances(const StudyPlan& plan, const std::vector<double>& tolerance_widths_mm);
 
 }  // namespace cagetol

@@ -1,7 +1,8 @@
-// Where jams begin: the band up to which cages fit, and the one whose jams alone miss the target.
+// Where jams begin: the tolerance up to which cages fit, and the one whose jams alone miss the
+// target.
 //
 // From the shares that a study file holds (mc/run/jam_shares.hpp), straight lines between their
-// bands.
+// tolerances.
 #pragma once
 
 #include <optional>
@@ -11,8 +12,8 @@
 namespace cagetol {
 
 struct JamOnset {
-  std::optional<double> free_mm;   ///< widest band at which no cage drawn jams
-  std::optional<double> limit_mm;  ///< narrowest band whose jams alone miss the target yield
+  std::optional<double> free_mm;   ///< widest tolerance at which no cage drawn jams
+  std::optional<double> limit_mm;  ///< narrowest tolerance whose jams alone miss the target yield
 };
 
 JamOnset jam_onset(const JamCurve& curve, double target_yield);

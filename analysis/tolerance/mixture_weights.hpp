@@ -21,7 +21,7 @@ namespace cagetol {
 inline constexpr double kFewestEffectiveRuns = 100;
 /// Below this one it is not shown as a result. Bounds are sound above: they take the effective
 /// number for their number of runs (yield.hpp).
-inline constexpr double kLeastEffectiveRuns = 30;
+inline constexpr double kMinimumEffectiveRuns = 30;
 
 struct MixtureWeights {
   std::vector<std::vector<double>> candidate;  ///< [candidate][sample]

@@ -18,13 +18,14 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-/// Product of the bands of the dimensions that matter, each relative to its widest candidate.
+/// Product of the tolerances of the dimensions that matter, each relative to its widest candidate.
 double width_of(const Candidate& candidate, const YieldCurves& curves,
                 const std::vector<BindingTest>& tests) {
   double product = 1;
   for (std::size_t d = 0; d < tests.size(); ++d)
     if (tests[d].answer != Binding::not_binding)
-      product *= candidate.bands_mm[d] / curves.dimensions[d].levels.back().band_mm;
+      product *=
+          candidate.tolerance_widths_mm[d] / curves.dimensions[d].levels.back().tolerance_width_mm;
   return product;
 }
 
@@ -33,13 +34,13 @@ bool eligible(const Candidate& candidate, const Yield& yield, const YieldCurves&
               const std::vector<BindingTest>& tests) {
   for (std::size_t d = 0; d < tests.size(); ++d)
     if (tests[d].answer == Binding::not_binding &&
-        candidate.bands_mm[d] != curves.dimensions[d].levels.back().band_mm)
+        candidate.tolerance_widths_mm[d] != curves.dimensions[d].levels.back().tolerance_width_mm)
       return false;
-  return yield.ess >= kLeastEffectiveRuns;
+  return yield.ess >= kMinimumEffectiveRuns;
 }
 
-/// Mean of the quantity that breaks ties between centres, over all bands at the candidate's centres,
-/// for one candidate has few runs; nothing where the study has no such quantity.
+/// Mean of the quantity that breaks ties between centres, over all tolerances at the candidate's
+/// centres, for one candidate has few runs; nothing where the study has no such quantity.
 std::optional<double> mean_peak_force(const StudyData& runs, const MixtureWeights& mixture,
                                       std::size_t candidate) {
   const Column* column = find_quantity(runs, kCentreQuantity);
@@ -53,12 +54,12 @@ std::optional<double> mean_peak_force(const StudyData& runs, const MixtureWeight
   return std::isnan(mean) ? std::nullopt : std::optional(mean);
 }
 
-/// True where two candidates with equal bands differ in their centres and the first one presses its
-/// pockets less.
+/// True where two candidates with equal tolerances differ in their centres and the first one
+/// presses its pockets less.
 bool better_centre(const StudyData& runs, const MixtureWeights& mixture, std::size_t one,
                    std::size_t other) {
   const Candidate &a = runs.plan.candidates[one], &b = runs.plan.candidates[other];
-  if (a.bands_mm != b.bands_mm || a.shifts == b.shifts) return false;
+  if (a.tolerance_widths_mm != b.tolerance_widths_mm || a.shifts == b.shifts) return false;
   const auto force = mean_peak_force(runs, mixture, one),
              other_force = mean_peak_force(runs, mixture, other);
   return force && other_force && *force < *other_force;
@@ -76,17 +77,17 @@ void choose(const StudyData& runs, const MixtureWeights& mixture, const YieldCur
     if (!allowed && yield.pooled) continue;  // nothing is claimed without runs of its own
     result.possible = true;
     const bool meets = allowed ? allowed(k) : yield.lower_bound >= plan.target_yield;
-    const auto cost = cost_of_bands(plan, plan.candidates[k].bands_mm);
+    const auto cost = cost_of_tolerances(plan, plan.candidates[k].tolerance_widths_mm);
     const double worth = cost ? -*cost : width_of(plan.candidates[k], curves, tests);
     if (result.meets_target && !meets) continue;
     const bool first_to_meet = meets && !result.meets_target;
-    const bool same_bands_chosen =
-        result.meets_target &&
-        plan.candidates[result.candidate].bands_mm == plan.candidates[k].bands_mm;
-    const bool better = !meets              ? yield.lower_bound > best
-                        : worth != most     ? worth > most
-                        : same_bands_chosen ? better_centre(runs, mixture, k, result.candidate)
-                                            : yield.lower_bound > best;
+    const bool same_tolerances_chosen =
+        result.meets_target && plan.candidates[result.candidate].tolerance_widths_mm ==
+                                   plan.candidates[k].tolerance_widths_mm;
+    const bool better = !meets                   ? yield.lower_bound > best
+                        : worth != most          ? worth > most
+                        : same_tolerances_chosen ? better_centre(runs, mixture, k, result.candidate)
+                                                 : yield.lower_bound > best;
     if (!first_to_meet && !better) continue;
     result.meets_target = meets;
     result.candidate = k;
@@ -100,77 +101,80 @@ double nominal_of(const StudyData& runs, const std::string& key) {
   return input == nullptr || input->nominal.empty() ? 0 : input->nominal.front();
 }
 
-/// A band in mm as the grade that fits into it; the band itself where none does.
+/// A tolerance width in mm as the grade that fits into it; the tolerance itself where none does.
 struct Snapped {
-  double band_mm = 0;
+  double tolerance_width_mm = 0;
   std::string grade;
 };
-Snapped snap(const StudyData& runs, const std::string& key, double band_mm) {
-  if (!is_size(key)) return {band_mm, ""};
+Snapped snap(const StudyData& runs, const std::string& key, double tolerance_width_mm) {
+  if (!is_size(key)) return {tolerance_width_mm, ""};
   const double nominal = nominal_of(runs, key);
-  if (!(nominal > 0)) return {band_mm, ""};
-  const auto grade = grade_within(1e3 * band_mm * (1 + kRounding), nominal);
-  if (!grade) return {band_mm, ""};
+  if (!(nominal > 0)) return {tolerance_width_mm, ""};
+  const auto grade = grade_within(1e3 * tolerance_width_mm * (1 + kRounding), nominal);
+  if (!grade) return {tolerance_width_mm, ""};
   return {1e-3 * grade_width_um(*grade, nominal), grade_name(*grade)};
 }
 
-/// Bands of the chosen combination; a band given in mm is snapped down. True when any band moved.
-bool set_bands(const StudyData& runs, const YieldCurves& curves,
-               const std::vector<BindingTest>& tests, Recommendation& result) {
+/// Tolerances of the chosen combination; a tolerance given in mm is snapped down. True when any
+/// tolerance moved.
+bool set_tolerances(const StudyData& runs, const YieldCurves& curves,
+                    const std::vector<BindingTest>& tests, Recommendation& result) {
   bool moved = false;
   const Candidate& chosen = runs.plan.candidates[result.candidate];
   for (std::size_t d = 0; d < tests.size(); ++d) {
     const auto& key = runs.plan.dimensions[d].key;
-    RecommendedBand band{key,
-                         plain_name(key),
-                         tests[d].answer == Binding::not_binding,
-                         chosen.bands_mm[d],
-                         chosen.grades[d],
-                         std::nullopt,
-                         false};
+    RecommendedTolerance width{key,
+                               plain_name(key),
+                               tests[d].answer == Binding::not_binding,
+                               chosen.tolerance_widths_mm[d],
+                               chosen.grades[d],
+                               std::nullopt,
+                               false};
     if (!runs.plan.dimensions[d].centres.empty())
-      band.centre = nominal_of(runs, key) + chosen.shift(d);
-    band.widest_studied = chosen.bands_mm[d] == curves.dimensions[d].levels.back().band_mm;
-    if (band.grade.empty() && !band.not_binding) {
-      const Snapped snapped = snap(runs, key, band.band_mm);
-      moved = moved || snapped.band_mm < band.band_mm * (1 - kRounding);
-      band.band_mm = snapped.band_mm;
-      band.grade = snapped.grade;
+      width.centre = nominal_of(runs, key) + chosen.shift(d);
+    width.widest_studied =
+        chosen.tolerance_widths_mm[d] == curves.dimensions[d].levels.back().tolerance_width_mm;
+    if (width.grade.empty() && !width.not_binding) {
+      const Snapped snapped = snap(runs, key, width.tolerance_width_mm);
+      moved = moved || snapped.tolerance_width_mm < width.tolerance_width_mm * (1 - kRounding);
+      width.tolerance_width_mm = snapped.tolerance_width_mm;
+      width.grade = snapped.grade;
     }
-    result.bands.push_back(band);
+    result.tolerances.push_back(width);
   }
   return moved;
 }
 
-/// The yield at the snapped bands, where the runs can tell; narrower bands cannot be claimed to do
-/// better otherwise.
+/// The yield at the snapped tolerances, where the runs can tell; narrower tolerances cannot be
+/// claimed to do better otherwise.
 void judge_snapped(const StudyData& runs, const MixtureWeights& mixture,
                    const std::vector<Judgement>& joint, const Resampling& resampling,
                    Recommendation& result) {
   if (mixture.log_mixture.empty()) return;
   std::vector<double> scales;
-  for (std::size_t d = 0; d < result.bands.size(); ++d)
-    scales.push_back(result.bands[d].band_mm / runs.plan.dimensions[d].band_mm);
+  for (std::size_t d = 0; d < result.tolerances.size(); ++d)
+    scales.push_back(result.tolerances[d].tolerance_width_mm /
+                     runs.plan.dimensions[d].tolerance_width_mm);
   auto weights =
       weights_of_scales(runs, mixture, scales, runs.plan.candidates[result.candidate].shifts);
-  if (effective_sample_size(weights) < kLeastEffectiveRuns) return;
+  if (effective_sample_size(weights) < kMinimumEffectiveRuns) return;
   result.yield = estimate_yield(runs, joint, weights, resampling, runs.plan.confidence);
   result.weights = std::move(weights);
 }
 
-/// The candidate that differs from `chosen` only in dimension d, one band narrower (step -1) or
-/// wider (+1); npos for none.
+/// The candidate that differs from `chosen` only in dimension d, one tolerance narrower (step -1)
+/// or wider (+1); npos for none.
 std::size_t neighbour(const StudyPlan& plan, const YieldCurves& curves, std::size_t chosen,
                       std::size_t d, int step) {
   const auto& levels = curves.dimensions[d].levels;
-  auto bands = plan.candidates[chosen].bands_mm;
+  auto widths = plan.candidates[chosen].tolerance_widths_mm;
   std::ptrdiff_t level = 0;
-  while (levels[static_cast<std::size_t>(level)].band_mm != bands[d]) ++level;
+  while (levels[static_cast<std::size_t>(level)].tolerance_width_mm != widths[d]) ++level;
   level += step;
   if (level < 0 || level >= static_cast<std::ptrdiff_t>(levels.size())) return std::string::npos;
-  bands[d] = levels[static_cast<std::size_t>(level)].band_mm;
+  widths[d] = levels[static_cast<std::size_t>(level)].tolerance_width_mm;
   for (std::size_t k = 0; k < plan.candidates.size(); ++k)
-    if (plan.candidates[k].bands_mm == bands &&
+    if (plan.candidates[k].tolerance_widths_mm == widths &&
         plan.candidates[k].shifts == plan.candidates[chosen].shifts)
       return k;
   return std::string::npos;
@@ -190,7 +194,8 @@ void add_steps(const StudyData& runs, const MixtureWeights& mixture, const Yield
       const auto difference = yield_difference(joint, mixture.candidate[other],
                                                mixture.candidate[result.candidate], resampling);
       const auto name = [&](std::size_t k) {
-        return band_name(plan.candidates[k].grades[d], plan.candidates[k].bands_mm[d]);
+        return tolerance_name(plan.candidates[k].grades[d],
+                              plan.candidates[k].tolerance_widths_mm[d]);
       };
       result.steps.push_back({plan.dimensions[d].key, name(result.candidate), name(other),
                               difference.value, difference.value - z * difference.standard_error,
@@ -210,11 +215,12 @@ Recommendation recommend_tolerance(const StudyData& runs, const MixtureWeights& 
   if (!result.possible) return result;
   result.yield = curves.candidates[result.candidate];
   result.weights = mixture.candidate[result.candidate];
-  if (set_bands(runs, curves, tests, result))
+  if (set_tolerances(runs, curves, tests, result))
     judge_snapped(runs, mixture, joint, resampling, result);
-  std::vector<double> bands;
-  for (const RecommendedBand& band : result.bands) bands.push_back(band.band_mm);
-  result.cost = cost_of_bands(runs.plan, bands);
+  std::vector<double> widths;
+  for (const RecommendedTolerance& tolerance : result.tolerances)
+    widths.push_back(tolerance.tolerance_width_mm);
+  result.cost = cost_of_tolerances(runs.plan, widths);
   add_steps(runs, mixture, curves, joint, resampling, result);
   return result;
 }
@@ -235,13 +241,13 @@ Recommendation recommend_allowed(const StudyData& runs, const MixtureWeights& mi
   return other.meets_target ? other : held;
 }
 
-bool same_bands(const std::vector<double>& one, const std::vector<double>& other) {
+bool same_tolerances(const std::vector<double>& one, const std::vector<double>& other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end(),
                     [](double a, double b) { return std::abs(a - b) <= kRounding * b; });
 }
 
 bool same_centres(const Tolerance& one, const Tolerance& other) {
-  for (std::size_t d = 0; d < one.bands_mm.size(); ++d) {
+  for (std::size_t d = 0; d < one.tolerance_widths_mm.size(); ++d) {
     const double a = one.shifts.empty() ? 0 : one.shifts[d],
                  b = other.shifts.empty() ? 0 : other.shifts[d];
     if (std::abs(a - b) > kRounding * std::max({std::abs(a), std::abs(b), 1.0})) return false;
@@ -250,24 +256,25 @@ bool same_centres(const Tolerance& one, const Tolerance& other) {
 }
 
 bool same_tolerance(const Tolerance& one, const Tolerance& other) {
-  return same_bands(one.bands_mm, other.bands_mm) && same_centres(one, other);
+  return same_tolerances(one.tolerance_widths_mm, other.tolerance_widths_mm) &&
+         same_centres(one, other);
 }
 
 Tolerance tolerance_tried(const StudyData& attempt) {
   const Candidate& candidate = attempt.plan.candidates.front();
-  return {candidate.bands_mm, candidate.shifts};
+  return {candidate.tolerance_widths_mm, candidate.shifts};
 }
 
 Tolerance snapped_tolerance(const StudyData& runs, const Candidate& candidate) {
-  return {snapped_bands(runs, candidate), candidate.shifts};
+  return {snapped_tolerances(runs, candidate), candidate.shifts};
 }
 
-std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate) {
-  auto bands = candidate.bands_mm;
-  for (std::size_t d = 0; d < bands.size(); ++d)
+std::vector<double> snapped_tolerances(const StudyData& runs, const Candidate& candidate) {
+  auto widths = candidate.tolerance_widths_mm;
+  for (std::size_t d = 0; d < widths.size(); ++d)
     if (candidate.grades[d].empty())
-      bands[d] = snap(runs, runs.plan.dimensions[d].key, bands[d]).band_mm;
-  return bands;
+      widths[d] = snap(runs, runs.plan.dimensions[d].key, widths[d]).tolerance_width_mm;
+  return widths;
 }
 
 }  // namespace cagetol

@@ -1,15 +1,15 @@
 // The tolerance that may be printed on the drawing, as far as one sweep can tell.
 //
 // Among the candidate combinations with an effective sample size of at least 30 whose lower yield
-// bound meets the target, the widest is taken: the largest product of the bands of the dimensions
-// that matter, each in units of its widest candidate. A dimension that is not binding is left out
-// of this choice and never recommended; the yield is then the one with that dimension at its widest
-// candidate, so that a small effect that went unnoticed cannot flatter the result. Where the study
-// states what tolerances cost, the cheapest is taken instead of the widest. Bands given in mm are
-// snapped down to an ISO 286 grade and judged again.
+// bound meets the target, the widest is taken: the largest product of the tolerances of the
+// dimensions that matter, each in units of its widest candidate. A dimension that is not binding is
+// left out of this choice and never recommended; the yield is then the one with that dimension at
+// its widest candidate, so that a small effect that went unnoticed cannot flatter the result. Where
+// the study states what tolerances cost, the cheapest is taken instead of the widest. Tolerances
+// given in mm are snapped down to an ISO 286 grade and judged again.
 //
 // The choice looks for the best of several noisy figures, so its bound is too good on average: it
-// is a recommendation until fresh independent runs at that band have confirmed it.
+// is a recommendation until fresh independent runs at that tolerance have confirmed it.
 #pragma once
 
 #include <functional>
@@ -22,11 +22,12 @@
 namespace cagetol {
 
 /// One dimension of the recommendation.
-struct RecommendedBand {
+struct RecommendedTolerance {
   std::string key, name;  ///< "cage.pocket_width_mm", "pocket width"
   bool not_binding = false;
-  double band_mm = 0;  ///< of a dimension that is not binding: the band for which the yield is
-                       ///< stated, no recommendation
+  double tolerance_width_mm =
+      0;  ///< of a dimension that is not binding: the tolerance for which the yield is
+          ///< stated, no recommendation
   std::string grade;
   std::optional<double> centre = {};  ///< nominal value in the key's unit, where it is in question
   bool widest_studied = false;        ///< there is no wider candidate: more may be possible
@@ -44,8 +45,8 @@ struct Recommendation {
   bool meets_target = false;
   std::size_t candidate =
       0;  ///< the recommended combination, or the best where none meets the target
-  std::vector<RecommendedBand> bands;
-  std::optional<double> cost;  ///< of these bands, where the study states costs
+  std::vector<RecommendedTolerance> tolerances;
+  std::optional<double> cost;  ///< of these tolerances, where the study states costs
   Yield yield;
   std::vector<double> weights;  ///< of the runs, for statistics at the recommended tolerance
   std::vector<StepEffect> steps;
@@ -70,21 +71,21 @@ Recommendation recommend_allowed(const StudyData& runs, const MixtureWeights& mi
                                  const std::vector<Judgement>& joint, const Resampling& resampling,
                                  const CandidateFilter& allowed);
 
-/// Bands in mm and shifts of the centres (Candidate::shifts).
+/// Tolerances in mm and shifts of the centres (Candidate::shifts).
 struct Tolerance {
-  std::vector<double> bands_mm, shifts;
+  std::vector<double> tolerance_widths_mm, shifts;
 };
 
 /// Up to rounding.
-bool same_bands(const std::vector<double>& one, const std::vector<double>& other);
+bool same_tolerances(const std::vector<double>& one, const std::vector<double>& other);
 bool same_centres(const Tolerance& one, const Tolerance& other);
 bool same_tolerance(const Tolerance& one, const Tolerance& other);
 
 /// Of a confirming attempt.
 Tolerance tolerance_tried(const StudyData& attempt);
 
-/// Bands of a candidate in mm, those without a grade snapped down to one where there is one.
-std::vector<double> snapped_bands(const StudyData& runs, const Candidate& candidate);
+/// Tolerances of a candidate in mm, those without a grade snapped down to one where there is one.
+std::vector<double> snapped_tolerances(const StudyData& runs, const Candidate& candidate);
 /// The same with its centres.
 Tolerance snapped_tolerance(const StudyData& runs, const Candidate& candidate);
 

@@ -10,14 +10,15 @@
 namespace cagetol {
 namespace {
 
-/// The candidates by band and centre of a dimension.
+/// The candidates by tolerance and centre of a dimension.
 std::vector<LevelYield> levels_at_centres(const StudyPlan& plan, std::size_t dimension) {
   if (plan.dimensions[dimension].centres.size() < 2) return {};
   std::map<std::pair<double, double>, LevelYield> levels;
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     const Candidate& candidate = plan.candidates[k];
-    LevelYield& level = levels[{candidate.bands_mm[dimension], candidate.shift(dimension)}];
-    level.band_mm = candidate.bands_mm[dimension];
+    LevelYield& level =
+        levels[{candidate.tolerance_widths_mm[dimension], candidate.shift(dimension)}];
+    level.tolerance_width_mm = candidate.tolerance_widths_mm[dimension];
     level.grade = candidate.grades[dimension];
     level.candidates.push_back(k);
   }
@@ -29,15 +30,17 @@ std::vector<LevelYield> levels_at_centres(const StudyPlan& plan, std::size_t dim
 DimensionCurve curve_of(const StudyPlan& plan, std::size_t dimension) {
   DimensionCurve curve{plan.dimensions[dimension].key, {}, levels_at_centres(plan, dimension)};
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
-    const double band = plan.candidates[k].bands_mm[dimension];
-    auto level = std::find_if(curve.levels.begin(), curve.levels.end(),
-                              [&](const LevelYield& known) { return known.band_mm == band; });
+    const double width = plan.candidates[k].tolerance_widths_mm[dimension];
+    auto level =
+        std::find_if(curve.levels.begin(), curve.levels.end(),
+                     [&](const LevelYield& known) { return known.tolerance_width_mm == width; });
     if (level == curve.levels.end())
-      level = curve.levels.insert(level, {band, plan.candidates[k].grades[dimension], {}, {}});
+      level = curve.levels.insert(level, {width, plan.candidates[k].grades[dimension], {}, {}});
     level->candidates.push_back(k);
   }
-  std::sort(curve.levels.begin(), curve.levels.end(),
-            [](const LevelYield& a, const LevelYield& b) { return a.band_mm < b.band_mm; });
+  std::sort(curve.levels.begin(), curve.levels.end(), [](const LevelYield& a, const LevelYield& b) {
+    return a.tolerance_width_mm < b.tolerance_width_mm;
+  });
   return curve;
 }
 
@@ -48,25 +51,25 @@ const LevelYield& level_of(const DimensionCurve& curve, std::size_t candidate) {
   });
 }
 
-/// A candidate's yield from those of its bands, where these have runs enough; else as it is.
+/// A candidate's yield from those of its tolerances, where these have runs enough; else as it is.
 Yield pooled_yield(const Yield& own, std::size_t candidate, const YieldCurves& curves,
                    const Yield& all, double confidence) {
-  double fail = all.if_unknown_fail, pass = all.if_unknown_pass, least = all.ess;
+  double fail = all.if_unknown_fail, pass = all.if_unknown_pass, minimum = all.ess;
   for (const DimensionCurve& curve : curves.dimensions) {
-    const Yield& of_band = level_of(curve, candidate).yield;
-    least = std::min(least, of_band.ess);
-    fail *= of_band.if_unknown_fail / all.if_unknown_fail;
-    pass *= of_band.if_unknown_pass / all.if_unknown_pass;
+    const Yield& of_tolerance = level_of(curve, candidate).yield;
+    minimum = std::min(minimum, of_tolerance.ess);
+    fail *= of_tolerance.if_unknown_fail / all.if_unknown_fail;
+    pass *= of_tolerance.if_unknown_pass / all.if_unknown_pass;
   }
-  if (!(least >= kLeastEffectiveRuns) || std::isnan(fail) || std::isnan(pass)) return own;
+  if (!(minimum >= kMinimumEffectiveRuns) || std::isnan(fail) || std::isnan(pass)) return own;
   Yield pooled = own;
-  pooled.ess = least;
+  pooled.ess = minimum;
   pooled.pooled = true;
   pooled.if_unknown_fail = std::min(fail, 1.0);
   pooled.if_unknown_pass = std::clamp(pass, pooled.if_unknown_fail, 1.0);
-  pooled.lower_bound = clopper_pearson_lower(pooled.if_unknown_fail * least, least, confidence);
-  pooled.upper_bound = clopper_pearson_upper(pooled.if_unknown_pass * least, least, confidence);
-  pooled.method = "product of the yields of its bands, for want of runs of its own";
+  pooled.lower_bound = clopper_pearson_lower(pooled.if_unknown_fail * minimum, minimum, confidence);
+  pooled.upper_bound = clopper_pearson_upper(pooled.if_unknown_pass * minimum, minimum, confidence);
+  pooled.method = "product of the yields of its tolerances, for want of runs of its own";
   return pooled;
 }
 
@@ -105,7 +108,7 @@ YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
   const Yield all =
       estimate_yield(runs, joint, average_weights(mixture, every), resampling, confidence);
   for (const std::size_t k : every)
-    if (curves.candidates[k].ess < kLeastEffectiveRuns)
+    if (curves.candidates[k].ess < kMinimumEffectiveRuns)
       curves.candidates[k] = pooled_yield(curves.candidates[k], k, curves, all, confidence);
   return curves;
 }

@@ -1,9 +1,9 @@
 // Yield of every candidate tolerance, and of each dimension by itself.
 //
-// Many candidates share few runs. One with fewer than kLeastEffectiveRuns of its own is estimated
-// from its bands b_d, as if each dimension caused failures by itself:
+// Many candidates share few runs. One with fewer than kMinimumEffectiveRuns of its own is estimated
+// from its tolerances b_d, as if each dimension caused failures by itself:
 //   y = y_all prod_d (y_d(b_d) / y_all)
-// with y_all over all candidates and y_d(b) over those with the band b. That is good enough to
+// with y_all over all candidates and y_d(b) over those with the tolerance b. That is good enough to
 // choose what fresh runs confirm, and claims nothing by itself (`Yield::pooled`).
 #pragma once
 
@@ -15,18 +15,18 @@
 
 namespace cagetol {
 
-/// One dimension at one of its candidate bands, the other dimensions drawn from all of theirs.
+/// One dimension at one of its candidate tolerances, the other dimensions drawn from all of theirs.
 struct LevelYield {
-  double band_mm = 0;
+  double tolerance_width_mm = 0;
   std::string grade;
-  std::vector<std::size_t> candidates;  ///< the combinations with this band
+  std::vector<std::size_t> candidates;  ///< the combinations with this tolerance
   Yield yield;
 };
 
 struct DimensionCurve {
   std::string key;
   std::vector<LevelYield> levels;  ///< narrowest first, over all centres
-  /// Likewise one for each band at each centre; empty where the centre is not in question.
+  /// Likewise one for each tolerance at each centre; empty where the centre is not in question.
   std::vector<LevelYield> at_centres;
 };
 

@@ -22,10 +22,10 @@ double start_draw(const Study& study, std::uint64_t id, const char* what) {
 
 double pocket_clearance(const Scene& as_made) {
   const Scene scene = operating_scene(as_made);
-  double least = 1;
+  double minimum = 1;
   for (long j = 0; j < scene.bearing.roller_count; ++j)
-    least = std::min(least, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));
-  return std::max(least, 0.0);
+    minimum = std::min(minimum, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));
+  return std::max(minimum, 0.0);
 }
 
 }  // namespace

@@ -105,9 +105,9 @@ int run_assumptions(const Study& base, const std::string& directory, const Campa
   if (const std::string text = assumption_plan_text(assumptions); !text.empty())
     spdlog::info("{}", text);
   if (assumptions.runs == 0) return kDone;
-  const auto& bands = campaign.attempts[assumptions.attempt - 1].recommendation.bands;
+  const auto& widths = campaign.attempts[assumptions.attempt - 1].recommendation.tolerances;
   const Study attempt =
-      stage_study(base, {fmt::format("confirm-{}", assumptions.attempt), assumptions.runs, bands});
+      stage_study(base, {fmt::format("confirm-{}", assumptions.attempt), assumptions.runs, widths});
   for (std::size_t k = 0; k < alternatives.size(); ++k) {
     const AssumedValue& assumed = assumptions.alternatives[k];
     const Study study = alternative_study(attempt, alternatives[k], assumptions.runs);

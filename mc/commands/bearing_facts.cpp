@@ -7,9 +7,9 @@
 
 #include "mc/commands/cage_drawing.hpp"
 #include "mc/commands/operating_text.hpp"
-#include "mc/study/band_filling.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study.hpp"
+#include "mc/study/tolerance_filling.hpp"
 #include "mc/sweep/stored_study.hpp"
 #include "src/input/unit.hpp"
 #include "src/lubrication/lubricant.hpp"
@@ -79,8 +79,8 @@ Json load_group(const Scene& scene, const OperatingPoint& at) {
       .value("load ratio C/P", at.dynamic_rating / at.load, "-")
       .value("static safety C0/P0", at.static_rating / at.largest_load, "-")
       .value("rating life L10", at.life_time / 3600, "h")
-      .value("least load, SKF's rule", at.least_load_skf, "N")
-      .value("least load, C0/60", at.least_load_schaeffler, "N")
+      .value("minimum load, SKF's rule", at.minimum_load_skf, "N")
+      .value("minimum load, C0/60", at.minimum_load_schaeffler, "N")
       .value("largest roller load", at.roller_load, "N")
       .value("largest pressure", 1e-6 * at.race_pressure, "MPa")
       .value("load zone", at.load_zone * 180 / std::numbers::pi, "deg")
@@ -219,7 +219,7 @@ Json points_json(const Study& study) {
 Json dimensions_json(const Study& study) {
   const auto known = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   Json list = Json::array();
-  for (const BandFilling& filling : band_fillings(study))
+  for (const ToleranceFilling& filling : tolerance_fillings(study))
     list.push_back({{"key", filling.key},
                     {"nominal_mm", known(filling.nominal_mm)},
                     {"capability", known(filling.capability)},

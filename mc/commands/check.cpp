@@ -11,11 +11,11 @@
 #include "mc/run/forecast.hpp"
 #include "mc/run/jam_shares.hpp"
 #include "mc/study/assumption_ranges.hpp"
-#include "mc/study/band_filling.hpp"
 #include "mc/study/law_reader.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/sample.hpp"
 #include "mc/study/study.hpp"
+#include "mc/study/tolerance_filling.hpp"
 #include "src/quantities/operating_point.hpp"
 
 namespace cagetol {
@@ -39,16 +39,16 @@ std::string limit_text(const Limit& limit) {
   return text + fmt::format(" ({})\n", limit.source);
 }
 
-/// Of each dimension that gets a tolerance, how its laws fill their band.
+/// Of each dimension that gets a tolerance, how its laws fill their tolerance.
 std::string dimensions_text(const Study& study) {
   std::string text;
-  for (const BandFilling& filling : band_fillings(study))
+  for (const ToleranceFilling& filling : tolerance_fillings(study))
     text += fmt::format(
-        "  {}: the laws belong to a band of {:.6g} mm and have a standard deviation of {:.4g} "
+        "  {}: the laws belong to a tolerance of {:.6g} mm and have a standard deviation of {:.4g} "
         "mm: Cp = {:.2f}; both scale with the candidate\n",
-        filling.key, filling.band_mm, filling.deviation_mm, filling.capability);
-  for (const std::string& warning : band_warnings(study)) text += "warning: " + warning + "\n";
-  for (const std::string& note : band_notes(study)) text += "note: " + note + "\n";
+        filling.key, filling.tolerance_width_mm, filling.deviation_mm, filling.capability);
+  for (const std::string& warning : tolerance_warnings(study)) text += "warning: " + warning + "\n";
+  for (const std::string& note : tolerance_notes(study)) text += "note: " + note + "\n";
   return text;
 }
 
@@ -88,7 +88,9 @@ std::string summary(const Study& study) {
                         columns.names.size(), groups.size());
   for (const auto& input : study.inputs)
     text += fmt::format("  {}, {}\n", input.key, nominal_text(input)) +
-            law_text(input.lot, "lot", input.unit) + law_text(input.pocket, "pocket", input.unit) +
+            law_text(input.lot, study.cages_per_lot > 1 ? "from lot to lot" : "from cage to cage",
+                     input.unit) +
+            law_text(input.pocket, "pocket", input.unit) +
             law_text(input.noise, "noise", input.unit);
   if (!study.limits.empty()) text += "limits:\n";
   for (const auto& limit : study.limits) text += limit_text(limit);

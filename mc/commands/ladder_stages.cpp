@@ -24,7 +24,7 @@ std::string reason_of(const ModelLadder& ladder, std::size_t chosen, long pilot_
                        ladder.samples);
   std::string open;
   for (const LadderQuantity& quantity : ladder.quantities)
-    if (quantity.limited() && !quantity.ladder.least)
+    if (quantity.limited() && !quantity.ladder.minimum)
       open += (open.empty() ? "" : ", ") + quantity.name;
   if (open.empty())
     return "the highest rung: no cheaper one is good enough for every limited quantity";

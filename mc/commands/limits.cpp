@@ -1,5 +1,5 @@
-// cagetol limits STUDY -o DIR: what scatters under nominal scatter, how far each limit is, and which
-// limits decide. `limits DIR` reads a sweep that is there.
+// cagetol limits STUDY -o DIR: what scatters under nominal scatter, how far each limit is, and
+// which limits decide. `limits DIR` reads a sweep that is there.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ long enough_samples(const Study& study) {
   return static_cast<long>(runs_without_miss(study.tolerance.confidence, target));
 }
 
-/// The study at nominal scatter: every dimension at the band to which its laws belong.
+/// The study at nominal scatter: every dimension at the tolerance to which its laws belong.
 Study nominal_study(const Study& given, long samples) {
   return changed_study(given, [&](Study& study) {
     study.name += ", nominal scatter";
@@ -55,7 +55,7 @@ Study nominal_study(const Study& given, long samples) {
     study.fidelity = "pinned";
     for (auto& dimension : study.tolerance.dimensions) {
       dimension.cost.reset();
-      dimension.candidates = {number_text(dimension.band_mm)};
+      dimension.candidates = {number_text(dimension.tolerance_width_mm)};
       dimension.centres.clear();
     }
   });

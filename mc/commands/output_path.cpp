@@ -12,7 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Room for what a command puts below its directory, such as
-// mixture/fidelity/first-look/quasi-static/journal/rank0000-0123456789abcdef.journal, and for ".part1234567".
+// mixture/fidelity/first-look/quasi-static/journal/rank0000-0123456789abcdef.journal, and for
+// ".part1234567".
 constexpr std::size_t kRoomBelow = 200;
 constexpr std::size_t kRoomOfSuffix = 24;
 

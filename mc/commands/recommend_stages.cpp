@@ -28,7 +28,7 @@ void check_study(const Study& study) {
            "add [[limit]] with quantity, max, source and cage_revolutions");
   if (study.candidates.empty())
     refuse("tolerance.dimension", "", "the study has no candidate tolerances",
-           "add [[tolerance.dimension]] with key, band_mm and candidates");
+           "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
   if (study.design != DesignKind::random && study.design != DesignKind::lhs &&
       study.design != DesignKind::sobol)
     refuse("design", design_name(study.design), "this design does not sample tolerances",
@@ -40,12 +40,12 @@ void check_study(const Study& study) {
                                 static_cast<std::size_t>(study.recommend.attempts)};
   const auto pilot = static_cast<std::size_t>(
       std::ceil(static_cast<double>(study.recommend.pilot_samples) * (1 + study.extra_replicates)));
-  const std::size_t least = least_budget(rules, study.extra_replicates, pilot);
+  const std::size_t minimum = minimum_budget(rules, study.extra_replicates, pilot);
   if (study.recommend.budget_samples > 0 &&
-      static_cast<std::size_t>(study.recommend.budget_samples) < least)
+      static_cast<std::size_t>(study.recommend.budget_samples) < minimum)
     refuse("recommend.budget_samples", std::to_string(study.recommend.budget_samples),
            "so few runs cannot confirm any tolerance, even if none of them fails",
-           fmt::format("give {} or more", least).c_str());
+           fmt::format("give {} or more", minimum).c_str());
 }
 
 CampaignSettings campaign_settings(const Study& study) {
@@ -92,7 +92,7 @@ std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
   code_ = stages_.sweep(stage_study(base_, stage), directory);
   if (code_ != kDone) return std::nullopt;
   auto runs = read_study_data(study_file_path(directory));
-  if (stage.bands.empty() && too_many_lost(runs, directory)) {
+  if (stage.tolerances.empty() && too_many_lost(runs, directory)) {
     code_ = kSamplesFailed;
     return std::nullopt;
   }
@@ -101,7 +101,7 @@ std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
 
 bool StageLeader::too_many_lost(const StudyData& runs, const std::string& directory) {
   lost_ += count_lost(runs);
-  const double share = lost_.least_share();
+  const double share = lost_.minimum_share();
   if (lost_.lost == 0 || share <= base_.allowed_failure_share) return false;
   spdlog::error(
       "{} of {} runs so far failed, were censored or poisoned: with {:g} % confidence more than "

@@ -29,16 +29,17 @@ Study stage_study(const Study& base, const Stage& stage) {
     // So may ranges, of which a stage knows one value: DIR/assumptions.json holds them.
     for (Assumption& assumption : study.scene.assumptions)
       assumption = {assumption.key, assumption.note};
-    if (stage.bands.empty()) return;
+    if (stage.tolerances.empty()) return;
     study.design = DesignKind::random;
     study.cages_per_lot = 1;
     study.extra_replicates = 0;
-    for (std::size_t d = 0; d < stage.bands.size(); ++d) {
-      const RecommendedBand& band = stage.bands[d];
+    for (std::size_t d = 0; d < stage.tolerances.size(); ++d) {
+      const RecommendedTolerance& tolerance = stage.tolerances[d];
       auto& dimension = study.tolerance.dimensions[d];
       dimension.cost.reset();
-      dimension.candidates = {band.grade.empty() ? number_text(band.band_mm) : band.grade};
-      if (band.centre) dimension.centres = {*band.centre};
+      dimension.candidates = {tolerance.grade.empty() ? number_text(tolerance.tolerance_width_mm)
+                                                      : tolerance.grade};
+      if (tolerance.centre) dimension.centres = {*tolerance.centre};
     }
   });
 }

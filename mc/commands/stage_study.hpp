@@ -6,8 +6,8 @@
 
 namespace cagetol {
 
-/// `base` with the rows and bands of the stage and random numbers of its own, which follow from the
-/// study's seed and the stage's name.
+/// `base` with the rows and tolerances of the stage and random numbers of its own, which follow
+/// from the study's seed and the stage's name.
 Study stage_study(const Study& base, const Stage& stage);
 
 }  // namespace cagetol

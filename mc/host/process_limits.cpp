@@ -22,27 +22,27 @@ rlim_t raised(__rlimit_resource resource, rlim_t wanted) {
   return ::setrlimit(resource, &limit) == 0 ? limit.rlim_cur : before;
 }
 
-void require_at_least(rlim_t allowed, std::size_t least, rlim_t unit, const std::string& what,
+void require_at_least(rlim_t allowed, std::size_t minimum, rlim_t unit, const std::string& what,
                       const std::string& option) {
-  if (allowed == RLIM_INFINITY || allowed >= least) return;
+  if (allowed == RLIM_INFINITY || allowed >= minimum) return;
   const auto units = [&](rlim_t amount) { return std::to_string(amount / unit); };
   throw InputError({}, "ulimit " + option, units(allowed),
-                   what + " is limited to this; the program needs " + units(least),
-                   "raise the limit: ulimit " + option + " " + units(least) + " or more");
+                   what + " is limited to this; the program needs " + units(minimum),
+                   "raise the limit: ulimit " + option + " " + units(minimum) + " or more");
 }
 
 }  // namespace
 
 void require_process_limits() {
-  require_at_least(raised(RLIMIT_STACK, kGoodStack), kLeastStack, 1024, "the stack [kB]", "-s");
-  require_at_least(raised(RLIMIT_NOFILE, kGoodFiles), kLeastFiles, 1, "the number of open files",
+  require_at_least(raised(RLIMIT_STACK, kGoodStack), kMinimumStack, 1024, "the stack [kB]", "-s");
+  require_at_least(raised(RLIMIT_NOFILE, kGoodFiles), kMinimumFiles, 1, "the number of open files",
                    "-n");
 }
 
 void require_limits_of_mpi() {
-  require_at_least(raised(RLIMIT_NOFILE, kGoodFiles), kLeastFilesOfMpi, 1,
+  require_at_least(raised(RLIMIT_NOFILE, kGoodFiles), kMinimumFilesOfMpi, 1,
                    "the number of open files of an MPI process", "-n");
-  require_at_least(raised(RLIMIT_AS, 0), kLeastSpaceOfMpi, 1024,
+  require_at_least(raised(RLIMIT_AS, 0), kMinimumSpaceOfMpi, 1024,
                    "the address space of an MPI process [kB]", "-v");
 }
 

@@ -8,9 +8,9 @@ namespace cagetol {
 
 /// Least stack of the program [bytes] and least number of open files, with and without MPI; least
 /// address space under MPI [bytes]. Measured: what works, with a margin of about a third.
-inline constexpr std::size_t kLeastStack = 256 << 10;
-inline constexpr std::size_t kLeastFiles = 12, kLeastFilesOfMpi = 32;
-inline constexpr std::size_t kLeastSpaceOfMpi = std::size_t{384} << 20;
+inline constexpr std::size_t kMinimumStack = 256 << 10;
+inline constexpr std::size_t kMinimumFiles = 12, kMinimumFilesOfMpi = 32;
+inline constexpr std::size_t kMinimumSpaceOfMpi = std::size_t{384} << 20;
 
 /// Raises the soft limits on stack and open files as far as the hard ones allow and sense asks.
 /// Throws InputError where they stay too small.

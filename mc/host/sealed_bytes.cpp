@@ -29,12 +29,12 @@ std::string sealed_bytes(std::string_view head, std::string_view content) {
 }
 
 Unsealed unsealed_bytes(std::string_view bytes, std::string_view head) {
-  constexpr std::size_t least = kSealMagic.size() + kLengths + kChecksum;
-  if (bytes.size() < least || !bytes.starts_with(kSealMagic)) return {};
+  constexpr std::size_t minimum = kSealMagic.size() + kLengths + kChecksum;
+  if (bytes.size() < minimum || !bytes.starts_with(kSealMagic)) return {};
   const std::string_view body = bytes.substr(0, bytes.size() - kChecksum);
   ByteReader numbers(bytes.substr(kSealMagic.size(), kLengths));
   const auto head_size = numbers.get<std::uint64_t>(), content_size = numbers.get<std::uint64_t>();
-  const std::uint64_t held = bytes.size() - least;
+  const std::uint64_t held = bytes.size() - minimum;
   if (head_size > held || content_size != held - head_size) return {};
   if (ByteReader(bytes.substr(body.size())).get<std::uint64_t>() != crc64(body)) return {};
   const std::string_view after = body.substr(kSealMagic.size() + kLengths);

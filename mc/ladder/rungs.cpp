@@ -41,10 +41,10 @@ std::vector<Rung> climbed(const std::vector<Rung>& steps) {
 
 double pocket_clearance_um(const Scene& as_made) {
   const Scene scene = operating_scene(as_made);
-  double least = 1;
+  double minimum = 1;
   for (long j = 0; j < scene.bearing.roller_count; ++j)
-    least = std::min(least, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));
-  return 1e6 * std::max(least, 0.0);
+    minimum = std::min(minimum, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));
+  return 1e6 * std::max(minimum, 0.0);
 }
 
 UncertainInput noise_of(const std::string& key, const std::string& unit, const Scene& scene,
@@ -100,7 +100,7 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
       {"tolerance-0.005", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
       {"rigid", "rigid cage", {"cage.model='rigid'"}},
       {"slices-3", "three slices", {"discretisation.race_slices=3"}},
-      {"no-bar-modes", "bars give way by the elastic modes alone", {"cage.bar_modes=false"}},
+      {"no-bar-modes", "bars deflect by the elastic modes alone", {"cage.bar_modes=false"}},
       {"sharp-corners",
        "stress of sharp pocket corners, by the cage's own mesh",
        {"cage.corner_radius_mm=0"}},

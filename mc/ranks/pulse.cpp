@@ -28,7 +28,7 @@ constexpr char kAlive = 'a', kStop = 's', kLost = 'l';
 constexpr int kGraceTicks = kTicksPerLimit / 2;
 
 /// mpirun may need some seconds to end all ranks that it reaches.
-constexpr double kLeastLauncherGrace = 15;
+constexpr double kMinimumLauncherGrace = 15;
 
 }  // namespace
 
@@ -115,7 +115,7 @@ void Pulse::beat() {
       "MPI does not end within {:.0f} s: a link is cut or a machine is down; all samples of this "
       "start are stored\n  remedy: start the same command again",
       limit_s_);
-  end_launcher_after(kLeastLauncherGrace);
+  end_launcher_after(kMinimumLauncherGrace);
   ::_exit(kInterrupted);
 }
 
@@ -173,7 +173,7 @@ void Pulse::count_silence() {
       lost == 1 ? " has been silent" : fmt::format(" and {} more have been silent", lost - 1),
       limit_s_);
   lost_rank_0_ = rank_ != 0;
-  end_launcher_after(std::max(kLeastLauncherGrace, kGraceTicks * tick_s_));
+  end_launcher_after(std::max(kMinimumLauncherGrace, kGraceTicks * tick_s_));
   lost_ = true;
   if (rank_ == 0) send(kLost);
   SignalWatch::ask_to_stop();

@@ -129,17 +129,17 @@ void require_memory(const SweepForecast& forecast, int ranks_here) {
   const Room own = room_of_process(), machine = room_of_machine();
   // The program itself is there already.
   const double added = forecast.rank_0_memory - kProgram;
-  if (added > kLeastRefused && added > own.bytes)
+  if (added > kMinimumRefused && added > own.bytes)
     refuse(forecast, "memory in rank 0", added, own, remedy);
   const double together = added + (ranks_here - 1) * forecast.rank_memory;
-  if (together > kLeastRefused && together > machine.bytes)
+  if (together > kMinimumRefused && together > machine.bytes)
     refuse(forecast, "memory", together, machine, remedy);
 }
 
 void require_disk(const SweepForecast& forecast, const std::string& directory) {
   const Room room = room_on_disk(directory);
   const double needed = forecast.disk_bytes() - stored_bytes(directory);
-  if (needed > kLeastRefused && needed > room.bytes)
+  if (needed > kMinimumRefused && needed > room.bytes)
     refuse(forecast, "disk", needed, room,
            "free some space, choose another output directory with -o, or ask for fewer samples, "
            "extra_replicates or history.points");
@@ -149,7 +149,7 @@ void require_cage_memory(const Scene& scene) {
   const double needed = forecast_cage_table(scene);
   const Room own = room_of_process(), machine = room_of_machine();
   const Room& room = own.bytes < machine.bytes ? own : machine;
-  if (!(needed > kLeastRefused && needed > room.bytes)) return;
+  if (!(needed > kMinimumRefused && needed > room.bytes)) return;
   throw InputError({}, "cage.mesh_density", std::to_string(scene.cage.mesh_density),
                    fmt::format("making the table of this cage takes about {} of memory; there are "
                                "{} ({})",

@@ -41,7 +41,7 @@ std::string forecast_text(const SweepForecast& forecast);
 
 /// Below this a need is not refused [bytes]: what is short then is said when it is met, and costs
 /// nothing that was finished.
-inline constexpr double kLeastRefused = 64e6;
+inline constexpr double kMinimumRefused = 64e6;
 
 /// Throw InputError with the counts and what to do where memory, of `ranks_here` ranks on this
 /// machine, or the disk of `directory` cannot hold what is predicted. What DIR holds already is

@@ -119,7 +119,7 @@ const std::vector<RollerChannel>& roller_channels() {
       {"outer_force", "N", "normal force on the outer raceway", [](I at, int j) { return of_roller(at.system.seen.outer_force, j); }},
       {"leading_force", "N", "normal force on the pocket's bar ahead of the roller", [](I at, int j) { return of_roller(at.system.seen.leading_force, j); }},
       {"trailing_force", "N", "normal force on the pocket's bar behind the roller", [](I at, int j) { return of_roller(at.system.seen.trailing_force, j); }},
-      {"end_force", "N", "normal force on both end walls of the pocket", [](I at, int j) { return of_roller(at.system.seen.wall_force, j); }},
+      {"end_force", "N", "normal force on both side ring faces of the pocket", [](I at, int j) { return of_roller(at.system.seen.wall_force, j); }},
       {"flange_force", "N", "normal force on the ring's flanges", [](I at, int j) { return of_roller(at.system.seen.flange_force, j); }},
   };
   return channels;

@@ -18,14 +18,14 @@ struct Deviation {
   const Key<Scene>* key = nullptr;
 };
 
-Study with_bands_of_the_laws(const Study& study) {
+Study with_tolerances_of_the_laws(const Study& study) {
   Study plain = study;
   plain.design = DesignKind::random;
   plain.samples = kJamCages;
   plain.extra_replicates = 0;
   Candidate as_stated;
   for (const ToleranceDimension& dimension : study.tolerance.dimensions) {
-    as_stated.bands_mm.push_back(dimension.band_mm);
+    as_stated.tolerance_widths_mm.push_back(dimension.tolerance_width_mm);
     as_stated.grades.emplace_back();
     as_stated.scales.push_back(1);
     as_stated.shifts.push_back(0);
@@ -45,13 +45,13 @@ std::vector<Deviation> deviations_of(const Study& study) {
   return deviations;
 }
 
-struct BandsAndCentres {
+struct TolerancesAndCentres {
   std::vector<double> scales, shifts;
 };
 
 /// The cage with the deviations of its dimensions scaled and their centres moved.
 void apply_tolerance(const Study& study, const std::vector<Deviation>& deviations,
-                     const Sample& cage, const BandsAndCentres& tolerance, Scene& scene) {
+                     const Sample& cage, const TolerancesAndCentres& tolerance, Scene& scene) {
   const auto& scales = tolerance.scales;
   for (std::size_t d = 0; d < deviations.size(); ++d) {
     const DrawnInput& drawn = cage.inputs[deviations[d].input];
@@ -72,16 +72,17 @@ bool has_jams(const Study& study) {
   return !study.candidates.empty() && !study.scene.allow_interference;
 }
 
-std::vector<BandsAndCentres> tolerances_of_candidates(const Study& study) {
-  std::vector<BandsAndCentres> all;
+std::vector<TolerancesAndCentres> tolerances_of_candidates(const Study& study) {
+  std::vector<TolerancesAndCentres> all;
   for (const Candidate& candidate : study.candidates)
     all.push_back({candidate.scales, candidate.shifts});
   return all;
 }
 
 /// Each candidate, then each point of each curve.
-std::vector<BandsAndCentres> all_tolerances(const Study& study, std::vector<JamCurve>& curves) {
-  std::vector<BandsAndCentres> all = tolerances_of_candidates(study);
+std::vector<TolerancesAndCentres> all_tolerances(const Study& study,
+                                                 std::vector<JamCurve>& curves) {
+  std::vector<TolerancesAndCentres> all = tolerances_of_candidates(study);
   std::vector<double> narrowest = study.candidates.front().scales, widest = narrowest;
   for (const Candidate& candidate : study.candidates) {
     for (std::size_t d = 0; d < narrowest.size(); ++d) {
@@ -91,11 +92,12 @@ std::vector<BandsAndCentres> all_tolerances(const Study& study, std::vector<JamC
   }
   for (std::size_t d = 0; d < narrowest.size(); ++d) {
     JamCurve curve{study.tolerance.dimensions[d].key, {}, {}};
-    const double ratio = kWidestJamBand * widest[d] / narrowest[d];
+    const double ratio = kWidestJamTolerance * widest[d] / narrowest[d];
     for (std::size_t p = 0; p < kPoints; ++p) {
       auto point = narrowest;
       point[d] *= std::pow(ratio, static_cast<double>(p) / (kPoints - 1));
-      curve.band_mm.push_back(point[d] * study.tolerance.dimensions[d].band_mm);
+      curve.tolerance_width_mm.push_back(point[d] *
+                                         study.tolerance.dimensions[d].tolerance_width_mm);
       all.push_back({std::move(point), {}});
     }
     curves.push_back(std::move(curve));
@@ -104,8 +106,9 @@ std::vector<BandsAndCentres> all_tolerances(const Study& study, std::vector<JamC
 }
 
 /// Share of the drawn cages that jam at each tolerance.
-std::vector<double> shares_at(const Study& study, const std::vector<BandsAndCentres>& tolerances) {
-  const Study plain = with_bands_of_the_laws(study);
+std::vector<double> shares_at(const Study& study,
+                              const std::vector<TolerancesAndCentres>& tolerances) {
+  const Study plain = with_tolerances_of_the_laws(study);
   const auto deviations = deviations_of(plain);
   const Sampler sampler(plain);
   std::vector<long> jammed(tolerances.size(), 0);
@@ -132,7 +135,8 @@ JamShares jam_shares(const Study& study) {
   auto next = shares.begin() + static_cast<std::ptrdiff_t>(study.candidates.size());
   jams.candidate.assign(shares.begin(), next);
   for (JamCurve& curve : jams.curves)
-    for (std::size_t p = 0; p < curve.band_mm.size(); ++p) curve.share.push_back(*next++);
+    for (std::size_t p = 0; p < curve.tolerance_width_mm.size(); ++p)
+      curve.share.push_back(*next++);
   return jams;
 }
 

@@ -10,9 +10,9 @@ namespace cagetol {
 /// Cages drawn for every share.
 inline constexpr long kJamCages = 8192;
 /// Where the curves end: this many times the widest candidate.
-inline constexpr double kWidestJamBand = 2.5;
+inline constexpr double kWidestJamTolerance = 2.5;
 
-/// The same cages at every band, drawn with the seed of the study. Empty where
+/// The same cages at every tolerance, drawn with the seed of the study. Empty where
 /// `cage.allow_interference` simulates jams.
 JamShares jam_shares(const Study& study);
 

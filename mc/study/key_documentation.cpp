@@ -18,10 +18,10 @@ constexpr const char* kExamples = R"(
 #   max = 1.1
 #   source = "drawing"
 #   cage_revolutions = 6
-# A tolerance in question: the band to which the laws belong, and the bands to choose from:
+# A tolerance in question: the width to which the laws belong, and the widths to choose from:
 #   [[tolerance.dimension]]
 #   key = "cage.pocket_width_mm"
-#   band_mm = 0.1
+#   tolerance_width_mm = 0.1
 #   candidates = ["IT9", "IT10", 0.08]
 # Several operating points, at each of which every sample runs:
 #   [[operating_point]]
@@ -133,12 +133,12 @@ std::string key_documentation() {
   text += "| `scene.file` | - | none | a path | scene file on which the study builds |\n";
   text += "\n### `[[limit]]`: what a cage must meet\n\n" +
           list_rows(limit_keys(), "`quantity`, `source` and one of `min` and `max` must be given.");
-  text +=
-      "\n### `[[tolerance.dimension]]`: a tolerance in question\n\n" +
-      list_rows(dimension_keys(),
-                "`key`, `band_mm` and `candidates` must be given. Costs: for every dimension or "
-                "for none; then the cheapest tolerance that meets the target is chosen instead "
-                "of the widest.");
+  text += "\n### `[[tolerance.dimension]]`: a tolerance in question\n\n" +
+          list_rows(dimension_keys(),
+                    "`key`, `tolerance_width_mm` and `candidates` must be given. Costs: for every "
+                    "dimension or "
+                    "for none; then the cheapest tolerance that meets the target is chosen instead "
+                    "of the widest.");
   text +=
       "\n### `[[operating_point]]`: where every sample runs\n\n" +
       list_rows(operating_point_keys(),

@@ -145,8 +145,8 @@ double processor_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Processor time of `length` seconds of motion of the scene, cage rigid [s]: that of two brief runs,
-/// the steps at the start being shorter than all others.
+/// Processor time of `length` seconds of motion of the scene, cage rigid [s]: that of two brief
+/// runs, the steps at the start being shorter than all others.
 double cost_of_motion(Scene scene, double length) {
   constexpr double brief = 1e-3, longer = 3e-3;
   scene.cage.model = CageKind::rigid;
@@ -230,21 +230,21 @@ std::vector<Limit> limits_at_points(std::vector<Limit> limits,
 
 double over_points(const Quantity& quantity, std::size_t row, const Study& study,
                    const std::vector<Outcome>& outcomes) {
-  double sum = 0, weights = 0, least = kNone, peak = kNone;
+  double sum = 0, weights = 0, minimum = kNone, peak = kNone;
   for (std::size_t p = 0; p < outcomes.size(); ++p) {
     const double value = outcomes[p].quantities[row], weight = study.points[p].weight;
     sum += weight * value;
     weights += weight;
-    least = std::fmin(least, value);
+    minimum = std::fmin(minimum, value);
     peak = std::fmax(peak, value);
   }
   const Kind kind = quantity.kind;
   const long at = kind == Kind::place ? largest_of(outcomes, quantity.peak) : -1;
   if (at >= 0) return outcomes[static_cast<std::size_t>(at)].quantities[row];
-  return kind == Kind::power   ? sum / weights
-         : kind == Kind::peak  ? peak
-         : kind == Kind::least ? least
-                               : kNone;
+  return kind == Kind::power     ? sum / weights
+         : kind == Kind::peak    ? peak
+         : kind == Kind::minimum ? minimum
+                                 : kNone;
 }
 
 Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes) {

@@ -51,14 +51,14 @@ void insert_cost(const CostCurve& cost, toml::table& table) {
     return;
   }
   toml::array points;
-  for (const auto& [band, value] : cost.table) points.push_back(toml::array{band, value});
+  for (const auto& [width, value] : cost.table) points.push_back(toml::array{width, value});
   table.insert("cost_table", std::move(points));
 }
 
 toml::table dimension_table(const ToleranceDimension& dimension) {
   toml::table table;
   table.insert("key", dimension.key);
-  table.insert("band_mm", dimension.band_mm);
+  table.insert("tolerance_width_mm", dimension.tolerance_width_mm);
   toml::array candidates;
   for (const auto& name : dimension.candidates) {
     if (name.starts_with("IT"))
@@ -99,7 +99,7 @@ toml::table decision_table(const FidelityDecision& decision) {
 
 toml::table candidate_table(const Candidate& candidate) {
   toml::table table;
-  table.insert("bands_mm", array_of(candidate.bands_mm));
+  table.insert("tolerance_widths_mm", array_of(candidate.tolerance_widths_mm));
   table.insert("grades", array_of(candidate.grades));
   table.insert("scales", array_of(candidate.scales));
   table.insert("shifts", array_of(candidate.shifts));

@@ -56,7 +56,7 @@ struct HistoryPlan {
 };
 
 /// What a rung of the model ladder does to the mean of a limited quantity, in the quantity's unit
-/// (analysis/fidelity/least_rung.hpp). Numbers that are not known are NaN.
+/// (analysis/fidelity/minimum_rung.hpp). Numbers that are not known are NaN.
 struct FidelityShift {
   std::string quantity, rung;
   double shift = 0, lower = 0, upper = 0;  ///< against the highest rung, with its interval

@@ -49,13 +49,13 @@ const std::vector<KeyInfo>& limit_keys() {
 const std::vector<KeyInfo>& dimension_keys() {
   static const std::vector<KeyInfo> keys = {
       {"tolerance.dimension.key", any_value(), "uncertain scene key, a length, whose tolerance is asked for", KeyKind::text},
-      {"tolerance.dimension.band_mm", above(0), "full width of the tolerance band to which the study's laws belong", KeyKind::number},
-      {"tolerance.dimension.candidates", any_value(), "array of candidate bands: ISO 286 grades (\"IT9\"), of diameters, widths and lengths in mm, or full widths in mm", KeyKind::numbers},
-      {"tolerance.dimension.centres", any_value(), "array of candidate nominal values in the unit of the key, ascending: centre and band are decided together; left out: the nominal value of the study", KeyKind::numbers},
-      {"tolerance.dimension.cost_a", at_least(0), "cost of a band = cost_a + cost_b / band^cost_k, band in mm, in any one currency", KeyKind::number},
+      {"tolerance.dimension.tolerance_width_mm", above(0), "full width of the tolerance to which the study's laws belong", KeyKind::number},
+      {"tolerance.dimension.candidates", any_value(), "array of candidate tolerances: ISO 286 grades (\"IT9\"), of diameters, widths and lengths in mm, or full widths in mm", KeyKind::numbers},
+      {"tolerance.dimension.centres", any_value(), "array of candidate nominal values in the unit of the key, ascending: centre and tolerance are decided together; left out: the nominal value of the study", KeyKind::numbers},
+      {"tolerance.dimension.cost_a", at_least(0), "cost of a tolerance = cost_a + cost_b / tolerance^cost_k, tolerance width in mm, in any one currency", KeyKind::number},
       {"tolerance.dimension.cost_b", at_least(0), "see cost_a", KeyKind::number},
       {"tolerance.dimension.cost_k", above(0), "see cost_a; left out: 1", KeyKind::number},
-      {"tolerance.dimension.cost_table", any_value(), "instead of cost_a and cost_b: array of [band in mm, cost], straight lines between them", KeyKind::numbers},
+      {"tolerance.dimension.cost_table", any_value(), "instead of cost_a and cost_b: array of [tolerance width in mm, cost], straight lines between them", KeyKind::numbers},
   };
   return keys;
 }

@@ -60,17 +60,17 @@ std::vector<std::string> candidate_names(const toml::node* node, const toml::tab
   const auto* array = node ? node->as_array() : nullptr;
   if (!array || array->empty())
     throw InputError(place_of(node ? *node : entry, file), "tolerance.dimension.candidates",
-                     node ? shown(*node) : "", "there are no candidate bands",
+                     node ? shown(*node) : "", "there are no candidate tolerances",
                      "give candidates = [\"IT9\", \"IT10\"] or full widths in mm, [0.05, 0.1]");
   std::vector<std::string> names;
   for (const auto& element : *array) {
     const auto text = element.value<std::string>();
     const auto width = element.value<double>();
     const bool grade = text && grade_number(*text);
-    const bool band = element.is_number() && width && std::isfinite(*width) && *width > 0;
-    if (!grade && !band)
+    const bool usable = element.is_number() && width && std::isfinite(*width) && *width > 0;
+    if (!grade && !usable)
       throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
-                       "this is neither an ISO 286 grade nor a band",
+                       "this is neither an ISO 286 grade nor a tolerance",
                        "give a grade like \"IT9\" or a full width in mm above 0");
     names.push_back(grade ? *text : number_text(*width));
   }
@@ -109,20 +109,21 @@ std::vector<std::pair<double, double>> cost_table(const toml::node& node, const 
   const auto* rows = node.as_array();
   for (std::size_t i = 0; rows && i < rows->size(); ++i) {
     const auto* row = (*rows)[i].as_array();
-    const auto band = row && row->size() == 2 ? (*row)[0].value<double>() : std::nullopt;
+    const auto width = row && row->size() == 2 ? (*row)[0].value<double>() : std::nullopt;
     const auto cost = row && row->size() == 2 ? (*row)[1].value<double>() : std::nullopt;
-    if (!band || !cost || !(*band > 0) || !(*cost >= 0) || !std::isfinite(*band + *cost) ||
-        (!table.empty() && *band <= table.back().first)) {
+    if (!width || !cost || !(*width > 0) || !(*cost >= 0) || !std::isfinite(*width + *cost) ||
+        (!table.empty() && *width <= table.back().first)) {
       table.clear();
       break;
     }
-    table.emplace_back(*band, *cost);
+    table.emplace_back(*width, *cost);
   }
   if (table.size() < 2)
-    throw InputError(place_of(node, file), "tolerance.dimension.cost_table", shown(node),
-                     "this is no table of costs",
-                     "give two or more [band in mm, cost], bands above 0 and ascending: "
-                     "[[0.036, 9.5], [0.09, 4.0]]");
+    throw InputError(
+        place_of(node, file), "tolerance.dimension.cost_table", shown(node),
+        "this is no table of costs",
+        "give two or more [tolerance width in mm, cost], widths above 0 and ascending: "
+        "[[0.036, 9.5], [0.09, 4.0]]");
   return table;
 }
 
@@ -163,11 +164,11 @@ void check_costs(const std::vector<ToleranceDimension>& dimensions,
     for (const Candidate& candidate : candidates) {
       if (!dimensions[d].cost || dimensions[d].cost->table.empty()) break;
       const auto& table = dimensions[d].cost->table;
-      const double band = candidate.bands_mm[d];
-      if (band < table.front().first || band > table.back().first)
-        throw InputError(place, "tolerance.dimension.cost_table", number_text(band),
-                         "the candidate band of " + dimensions[d].key + " of " + number_text(band) +
-                             " mm lies outside the table of costs, " +
+      const double width = candidate.tolerance_widths_mm[d];
+      if (width < table.front().first || width > table.back().first)
+        throw InputError(place, "tolerance.dimension.cost_table", number_text(width),
+                         "the candidate tolerance of " + dimensions[d].key + " of " +
+                             number_text(width) + " mm lies outside the table of costs, " +
                              number_text(table.front().first) + " to " +
                              number_text(table.back().first) + " mm",
                          "extend the table, or leave the candidate out");
@@ -216,15 +217,16 @@ std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const s
   std::vector<ToleranceDimension> dimensions;
   for (const auto* entry : table_entries(root, "tolerance.dimension", dimension_keys(), file)) {
     const auto* key = entry->get("key");
-    const auto* band = entry->get("band_mm");
-    if (!key || !band)
-      throw InputError(place_of(*entry, file), "tolerance.dimension", shown(*entry),
-                       key ? "the band to which the laws belong is missing" : "the key is missing",
-                       "write key = \"cage.pocket_width_mm\" and band_mm = 0.1");
+    const auto* width = entry->get("tolerance_width_mm");
+    if (!key || !width)
+      throw InputError(
+          place_of(*entry, file), "tolerance.dimension", shown(*entry),
+          key ? "the tolerance to which the laws belong is missing" : "the key is missing",
+          "write key = \"cage.pocket_width_mm\" and tolerance_width_mm = 0.1");
     ToleranceDimension dimension;
     dimension.key = text_value(info_of(dimension_keys(), "tolerance.dimension.key"), *key, file);
-    dimension.band_mm =
-        number_value(info_of(dimension_keys(), "tolerance.dimension.band_mm"), *band, file);
+    dimension.tolerance_width_mm = number_value(
+        info_of(dimension_keys(), "tolerance.dimension.tolerance_width_mm"), *width, file);
     const auto* input = find_input(inputs, dimension.key);
     const bool scalable =
         input && unit_of(input->key).dimension == "length" && (input->lot || input->pocket);
@@ -268,7 +270,7 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
     for (const auto& shorter : candidates)
       for (const auto& name : dimension.candidates) {
         Candidate candidate = shorter;
-        double band = 0;
+        double width = 0;
         if (const auto grade = grade_number(name)) {
           if (!is_size(dimension.key))
             throw InputError(place, "tolerance.dimension.candidates", name,
@@ -276,18 +278,18 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
                                  " is no diameter, width or length in mm",
                              "give full widths in mm, such as 0.01");
           try {
-            band =
+            width =
                 grade_width_um(*grade, nominal_mm(*find_input(study.inputs, dimension.key))) / 1000;
           } catch (const std::invalid_argument& error) {
             throw InputError(place, "tolerance.dimension.candidates", name, error.what(),
                              "choose another grade or give the full width in mm");
           }
         } else {
-          band = std::stod(name);
+          width = std::stod(name);
         }
         candidate.grades.push_back(grade_number(name) ? name : "");
-        candidate.bands_mm.push_back(band);
-        candidate.scales.push_back(band / dimension.band_mm);
+        candidate.tolerance_widths_mm.push_back(width);
+        candidate.scales.push_back(width / dimension.tolerance_width_mm);
         for (const double centre : centres) {
           longer.push_back(candidate);
           longer.back().shifts.push_back(centre - nominal);

@@ -27,9 +27,9 @@ std::vector<Limit> read_limits(const toml::table& root, const std::string& file,
 std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const std::string& file,
                                                 const std::vector<UncertainInput>& inputs);
 
-/// All combinations of the dimensions' candidates, the first dimension slowest. Grades become bands
-/// by ISO 286 for the nominal size of their key. Throws InputError for what is neither a grade nor
-/// a positive number.
+/// All combinations of the dimensions' candidates, the first dimension slowest. Grades become
+/// tolerances by ISO 286 for the nominal size of their key. Throws InputError for what is neither a
+/// grade nor a positive number.
 std::vector<Candidate> make_candidates(const Study& study, const toml::table& root,
                                        const std::string& file);
 

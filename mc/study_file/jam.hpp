@@ -6,10 +6,11 @@
 
 namespace cagetol {
 
-/// Share of jammed cages over the band of one tolerance dimension, all others at their narrowest.
+/// Share of jammed cages over the tolerance of one tolerance dimension, all others at their
+/// narrowest.
 struct JamCurve {
   std::string key;
-  std::vector<double> band_mm, share;  ///< narrowest first
+  std::vector<double> tolerance_width_mm, share;  ///< narrowest first
 };
 
 /// Empty where the study has no candidates, or its file does not say.

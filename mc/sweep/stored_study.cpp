@@ -185,16 +185,17 @@ void write_inputs(hid_t root, const Study& study, const DrawnColumns& drawn) {
   }
 }
 
-/// How often geometry alone jams a cage, by candidate and over the band of each dimension.
+/// How often geometry alone jams a cage, by candidate and over the tolerance of each dimension.
 void write_jams(hid_t root, const JamShares& jams) {
   if (jams.candidate.empty()) return;
   const H5Handle group = make_h5_group(root, "jam");
   write_h5(group, "candidate", jams.candidate, {"-", "share of cages that jam, by candidate"});
   for (const JamCurve& curve : jams.curves) {
     const H5Handle of_dimension = make_h5_group(group, curve.key);
-    write_h5(of_dimension, "band_mm", curve.band_mm, {"mm", "full width of the tolerance band"});
+    write_h5(of_dimension, "tolerance_width_mm", curve.tolerance_width_mm,
+             {"mm", "full width of the tolerance"});
     write_h5(of_dimension, "share", curve.share,
-             {"-", "share of cages that jam, all other bands at their narrowest"});
+             {"-", "share of cages that jam, all other tolerances at their narrowest"});
   }
 }
 

@@ -86,7 +86,7 @@ void write_bearing(const SceneRequest& asked, const DesignedBearing& bearing, Sc
   const ClearanceRange range = clearance_range(asked.clearance, row.bore);
   const std::string of_class =
       std::string("middle of class ") + spelled(asked.clearance) + " of ISO 5753-1";
-  const double least = std::round(1e6 * range.least), most = std::round(1e6 * range.most);
+  const double minimum = std::round(1e6 * range.minimum), most = std::round(1e6 * range.most);
   out.section("bearing");
   out.number("roller_count", static_cast<double>(bearing.set.rollers.count),
              "derived: ISO 281 and ISO 76, with room for the cage's bars");
@@ -97,7 +97,7 @@ void write_bearing(const SceneRequest& asked, const DesignedBearing& bearing, Sc
   out.number("outer_raceway_diameter_mm", in_mm(bearing.roller.outer_raceway),
              outer_raceway_source(bearing));
   write_flanges(row, out);
-  out.number("internal_clearance_um", (least + most) / 2,
+  out.number("internal_clearance_um", (minimum + most) / 2,
              of_class + "; the catalogue diameters leave none");
   out.number("flange_clearance_mm", in_mm(kFlangeClearance * bearing.set.rollers.length),
              rule(share_text(kFlangeClearance) + " L_we"));
@@ -106,7 +106,7 @@ void write_bearing(const SceneRequest& asked, const DesignedBearing& bearing, Sc
   out.number("static_rating_kN", 1e-3 * row.static_rating, "catalogue, C0");
   out.number("reference_speed_rpm", std::round(row.reference_speed / kRpm), kCatalogue);
   out.number("limiting_speed_rpm", std::round(row.limiting_speed / kRpm), kCatalogue);
-  out.number("least_load_factor", row.least_load_factor, "catalogue, kr");
+  out.number("minimum_load_factor", row.minimum_load_factor, "catalogue, kr");
   out.assume("bearing.roller_count",
              "not in the catalogue; with the rollers' length it gives C (ISO 281) and C0 (ISO 76), "
              "as other pairs would");
@@ -114,7 +114,7 @@ void write_bearing(const SceneRequest& asked, const DesignedBearing& bearing, Sc
     out.assume("bearing.outer_raceway_diameter_mm",
                "not in the catalogue; with the rollers' diameter it gives both ratings best");
   out.assume("bearing.internal_clearance_um",
-             of_class + ", unmounted: fits and temperatures take some of it", least, most);
+             of_class + ", unmounted: fits and temperatures take some of it", minimum, most);
   out.assume("bearing.flange_clearance_mm", "not in the catalogue");
   out.assume("bearing.misalignment_z_mrad", "one minute of arc, a well made seat");
 }

@@ -13,8 +13,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr double kReach = 1.2;            // of faces past the axes over the guide clearance
-constexpr double kLeastBar = 0.08;        // bar at the bore over D_we
-constexpr double kLeastSideRing = 0.1;    // over D_we
+constexpr double kMinimumBar = 0.08;      // bar at the bore over D_we
+constexpr double kMinimumSideRing = 0.1;  // over D_we
 constexpr double kWidestCage = 14. / 15;  // over B
 constexpr double kEdge = 0.2 / 7.5;       // over D_we
 constexpr double kStep = 0.01e-3;         // dimensions are multiples of this [m]
@@ -76,7 +76,8 @@ void shape_pockets(const RollerDiameter& roller, CageSection& cage) {
 const CageRule& cage_rule(CageMake make) {
   using enum Guidance;
   // clang-format off
-  //   material, guidance, thickness, clearances of pockets: width, length, side ring, guide clearance, corner
+  //   material, guidance, thickness, clearances of pockets: width, length, side ring, guide
+  //   clearance, corner
   static constexpr CageRule kSheet{"steel-sheet", outer, 0.15, 0.03, 0.04, 0.15, 0.0046, 0.067};
   static constexpr CageRule kSteel{"steel-q235", outer, 0.43, 0.02, 0.033, 0.32, 0.0046, 0.067};
   static constexpr CageRule kBrass{"brass-cuzn40pb2", outer, 0.43, 0.02, 0.033, 0.32, 0.0046, 0.067};
@@ -149,7 +150,7 @@ double bar_width(const CageSection& cage, long count) {
 
 long most_rollers(const CageSection& cage, const RollerDiameter& roller) {
   long count = most_rollers(roller);
-  while (count > 3 && bar_width(cage, count) < kLeastBar * roller.diameter) --count;
+  while (count > 3 && bar_width(cage, count) < kMinimumBar * roller.diameter) --count;
   return count;
 }
 
@@ -160,7 +161,7 @@ CageLengths cage_lengths(const CatalogueRow& row, const CageSection& cage,
   lengths.pocket_length = rounded(rollers.length + rule.pocket_length * rollers.diameter);
   lengths.width = rounded(std::min(lengths.pocket_length + 2 * rule.side_ring * rollers.diameter,
                                    kWidestCage * row.width));
-  if (lengths.width - lengths.pocket_length < 2 * kLeastSideRing * rollers.diameter)
+  if (lengths.width - lengths.pocket_length < 2 * kMinimumSideRing * rollers.diameter)
     throw no_room(row, "the bearing's width leaves the cage no side rings");
   return lengths;
 }

@@ -84,7 +84,7 @@ CatalogueRow row_of(const Fields& of) {
   row.static_rating = of.number("C0_kN");
   row.reference_speed = of.number("n_ref_rpm");
   row.limiting_speed = of.number("n_lim_rpm");
-  row.least_load_factor = of.number("kr");
+  row.minimum_load_factor = of.number("kr");
   row.uprated = of.number("uprated") == 1;
   row.outer_raceway_from = of.text("E_from");
   return row;

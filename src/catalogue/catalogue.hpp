@@ -36,7 +36,7 @@ struct CatalogueRow {
   double inner_shoulder = 0, outer_shoulder = 0;   ///< d_1 and D_1 [m]
   double dynamic_rating = 0, static_rating = 0;    ///< C, C_0 [N]
   double reference_speed = 0, limiting_speed = 0;  ///< [rad/s]
-  double least_load_factor = 0;                    ///< k_r
+  double minimum_load_factor = 0;                  ///< k_r
   bool uprated = false;            ///< C is 1.15 times that of ISO 281 with b_m = 1.1
   std::string outer_raceway_from;  ///< bearing whose row has E; "own row"; empty without E
 };

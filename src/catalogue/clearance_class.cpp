@@ -35,7 +35,7 @@ ClearanceRange clearance_range(ClearanceClass which, double bore) {
   for (const TableRow& row : kTable) {
     if (1e3 * bore > row.largest_bore * (1 + 1e-9)) continue;  // rounding
     const ClearanceRange& range = row.of[static_cast<int>(which)];
-    return {1e-6 * range.least, 1e-6 * range.most};
+    return {1e-6 * range.minimum, 1e-6 * range.most};
   }
   throw std::domain_error("clearance: the table ends at a bore of 250 mm");
 }

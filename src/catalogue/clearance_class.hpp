@@ -14,7 +14,7 @@ constexpr auto spellings(ClearanceClass) {
 }
 
 struct ClearanceRange {
-  double least = 0, most = 0;  ///< diametral [m]
+  double minimum = 0, most = 0;  ///< diametral [m]
 };
 
 /// Of a bore [m]. Throws std::domain_error beyond the table.

@@ -18,7 +18,7 @@ constexpr double kLongest = 0.78;        // L_we/B
 constexpr long kFewest = 6;              // rollers
 constexpr double kLengthStep = 0.05e-3;  // [m]
 constexpr double kDiameterStep = 0.5e-3;
-constexpr double kLeastFlange = 0.1, kMostFlange = 0.3;  // height of a flange over D_we
+constexpr double kMinimumFlange = 0.1, kMostFlange = 0.3;  // height of a flange over D_we
 
 double rounded(double value, double step) {
   return step * std::round(value / step);
@@ -80,7 +80,7 @@ RollerDiameter roller_diameter(const CatalogueRow& row) {
   const double shoulder = row.outer_shoulder - row.inner_raceway;
   RollerDiameter best;
   double error = 1e9;
-  for (double d = kDiameterStep * std::ceil(shoulder / (2 - 2 * kLeastFlange) / kDiameterStep);
+  for (double d = kDiameterStep * std::ceil(shoulder / (2 - 2 * kMinimumFlange) / kDiameterStep);
        d <= shoulder / (2 - 2 * kMostFlange); d += kDiameterStep) {
     const RollerDiameter tried = diameter_of(row, d, true);
     const double missed = worst(set_of(row, tried, most_rollers(tried)));

@@ -33,7 +33,7 @@ struct OilFilm {
   double viscosity = 0.02;            ///< eta0 [Pa s]
   double pressure_viscosity = 18e-9;  ///< alpha [1/Pa]
   /// Force of a whole contact below which the film thickness follows its tangent [N].
-  double least_force = 1;
+  double minimum_force = 1;
 };
 
 }  // namespace cagetol

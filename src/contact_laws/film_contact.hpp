@@ -67,8 +67,8 @@ T film_depth(const NormalLaw& law, const FilmLaw& film, const FilmAtSpeed<T>& at
   }
   if (any(light)) {  // delta + k K delta^e = p + h(0), nearly a straight line
     const double e = law.exponent;
-    const T pull = 1e6 * law.stiffness * at.least_compliance;
-    depth = select(light, along / (1.0 + pull * __builtin_pow(film.least_depth, e - 1)), depth);
+    const T pull = 1e6 * law.stiffness * at.minimum_compliance;
+    depth = select(light, along / (1.0 + pull * __builtin_pow(film.minimum_depth, e - 1)), depth);
     for (int i = 0; i < most; ++i) {
       const T w = pull * power(depth, e - 1);
       if (!go_on(light, halley_step(depth, depth + w * depth - along, 1.0 + e * w,
@@ -120,11 +120,11 @@ FilmContact<T> film_contact(const NormalLaw& law, const FilmLaw& film, const Fil
 template <class T>
 T film_energy(const NormalLaw& law, const FilmLaw& film, const FilmAtSpeed<T>& at,
               const FilmContact<T>& contact) {
-  const T Q = contact.normal.elastic, least = T{} + film.least_force, low = min(Q, least),
-          high = max(Q, least);
-  const T on_tangent = 0.5 * low * low * at.least_compliance;
-  const T thickness = select(Q < least, at.least, contact.thickness);
-  const T above = film_energy_above(high, thickness) - film_energy_above(least, at.least);
+  const T Q = contact.normal.elastic, minimum = T{} + film.minimum_force, low = min(Q, minimum),
+          high = max(Q, minimum);
+  const T on_tangent = 0.5 * low * low * at.minimum_compliance;
+  const T thickness = select(Q < minimum, at.minimum, contact.thickness);
+  const T above = film_energy_above(high, thickness) - film_energy_above(minimum, at.minimum);
   return Q * contact.depth * (1 / (law.exponent + 1)) + on_tangent + above;
 }
 

@@ -6,7 +6,7 @@
 //
 // q load per length [N/m], R radius of the roller, R_race of the race, concave negative [m]. A
 // half-space has no approach of its own: t has to be chosen. Assumption: t is the ring's thickness
-// at the race, as if its seat were rigid. With half of t the two races of the NU 205 give way 6 to
+// at the race, as if its seat were rigid. With half of t the two races of the NU 205 deflect 6 to
 // 8 % less. Valid for a << R, t, and a long contact.
 //
 // Source: K. L. Johnson, Contact Mechanics (1985), section 5.6 (doi 10.1017/CBO9781139171731).

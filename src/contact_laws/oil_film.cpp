@@ -46,9 +46,9 @@ FilmLaw make_film_law(const OilFilm& film, double modulus, double radius, double
   law.elastic = 2.65 * std::pow(film.pressure_viscosity, 0.54) *
                 std::pow(film.viscosity, kFilmSpeedExponent) * std::pow(radius, 0.43) *
                 std::pow(modulus, -0.03) * std::pow(slice, kFilmForceExponent);
-  law.least_force = film.least_force / static_cast<double>(slices);
-  law.least_root = std::pow(law.least_force, -kFilmForceExponent);
-  law.least_depth = 1e6 * elastic_penetration(normal, law.least_force);
+  law.minimum_force = film.minimum_force / static_cast<double>(slices);
+  law.minimum_root = std::pow(law.minimum_force, -kFilmForceExponent);
+  law.minimum_depth = 1e6 * elastic_penetration(normal, law.minimum_force);
   law.decay = kFilmForceExponent * normal.exponent;
   law.softness = 1e6 * std::pow(normal.stiffness, -kFilmForceExponent);
   // h = C delta^-m with C = h(1 N) K^-0.13: d = C^(1/(1+m)), in um.

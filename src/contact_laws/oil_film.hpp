@@ -6,7 +6,7 @@
 // NU 205 in 20 mPa s). p geometric penetration [m], Q normal force [N], delta elastic depth [m], u
 // mean entrainment speed [m/s], l contact length [m], R effective radius [m], E' effective modulus
 // [Pa], eta0 viscosity at ambient pressure [Pa s], alpha pressure-viscosity coefficient [1/Pa].
-// Below `least_force` h goes on along its tangent to a finite film at Q = 0, and the film carries
+// Below `minimum_force` h goes on along its tangent to a finite film at Q = 0, and the film carries
 // load at p > -h(0, u). Below 1 cm/s of entrainment h falls as the square of the speed instead:
 // with it the force is smooth in all that it depends on. Isothermal, fully flooded, steady: no
 // squeeze. Sources: Dowson and Higginson, Elasto-hydrodynamic Lubrication (1966); Xin et al. 2024
@@ -33,13 +33,13 @@ struct FilmStart {
 
 struct FilmLaw {
   bool on = false;
-  double elastic = 0;      ///< h at 1 N and 1 m/s [m]
-  double least_force = 0;  ///< [N]
-  double least_root = 0;   ///< least_force^-0.13
-  double least_depth = 0;  ///< delta at least_force [um]
-  double decay = 0;        ///< m = 0.13 e: h goes as delta^-m
-  double depth_scale = 0;  ///< d at h = 1 m of 1 N [um]
-  double softness = 0;     ///< h at delta of 1 um, were it 1 m at 1 N [um]
+  double elastic = 0;        ///< h at 1 N and 1 m/s [m]
+  double minimum_force = 0;  ///< [N]
+  double minimum_root = 0;   ///< minimum_force^-0.13
+  double minimum_depth = 0;  ///< delta at minimum_force [um]
+  double decay = 0;          ///< m = 0.13 e: h goes as delta^-m
+  double depth_scale = 0;    ///< d at h = 1 m of 1 N [um]
+  double softness = 0;       ///< h at delta of 1 um, were it 1 m at 1 N [um]
   FilmStart start;
 };
 
@@ -51,12 +51,12 @@ FilmLaw make_film_law(const OilFilm& film, double modulus, double radius, double
 /// A law at one entrainment speed. `_by_speed`: derivative by u, `_growth`: of the logarithm.
 template <class T>
 struct FilmAtSpeed {
-  T elastic;                  ///< h at 1 N [m]
-  T elastic_growth;           ///< [s/m]
-  T least, least_compliance;  ///< h [m] and k [m/N] at least_force
-  T least_by_speed, least_compliance_by_speed;
+  T elastic;                      ///< h at 1 N [m]
+  T elastic_growth;               ///< [s/m]
+  T minimum, minimum_compliance;  ///< h [m] and k [m/N] at minimum_force
+  T minimum_by_speed, minimum_compliance_by_speed;
   T depth;        ///< d [um]
-  T light_below;  ///< p at least_force [um]
+  T light_below;  ///< p at minimum_force [um]
 };
 
 template <class T>
@@ -65,7 +65,7 @@ struct FilmSlopes {
   T by_speed, compliance_by_speed;  /// dh/du, dk/du at constant Q
 };
 
-/// Of h at Q >= least_force.
+/// Of h at Q >= minimum_force.
 template <class T>
 FilmSlopes<T> film_slopes_above(const FilmAtSpeed<T>& at, T Q, T h) {
   const T inverse = 1.0 / Q, straight = h * inverse;
@@ -77,7 +77,7 @@ FilmSlopes<T> film_slopes_above(const FilmAtSpeed<T>& at, T Q, T h) {
   return s;
 }
 
-/// h at Q >= least_force [m].
+/// h at Q >= minimum_force [m].
 template <class T>
 T film_thickness_above(const FilmAtSpeed<T>& at, T Q) {
   return at.elastic * power(Q, -kFilmForceExponent);
@@ -99,43 +99,43 @@ FilmAtSpeed<T> film_at_speed(const FilmLaw& law, T speed) {
       n / fast);
   at.elastic = law.elastic * factor;
   at.depth = law.depth_scale * power(max(at.elastic, T{} + 1e-18), 1 / (1 + law.decay));
-  at.least = at.elastic * law.least_root;
-  at.light_below = law.least_depth - 1e6 * at.least;
-  const auto slopes = film_slopes_above(at, T{} + law.least_force, at.least);
-  at.least_compliance = slopes.compliance;
-  at.least_by_speed = slopes.by_speed;
-  at.least_compliance_by_speed = slopes.compliance_by_speed;
+  at.minimum = at.elastic * law.minimum_root;
+  at.light_below = law.minimum_depth - 1e6 * at.minimum;
+  const auto slopes = film_slopes_above(at, T{} + law.minimum_force, at.minimum);
+  at.minimum_compliance = slopes.compliance;
+  at.minimum_by_speed = slopes.by_speed;
+  at.minimum_compliance_by_speed = slopes.compliance_by_speed;
   return at;
 }
 
 /// h [m].
 template <class T>
 T film_thickness(const FilmLaw& law, const FilmAtSpeed<T>& at, T Q) {
-  const T least = T{} + law.least_force;
-  return select(Q < least, at.least + at.least_compliance * (least - Q),
-                film_thickness_above(at, max(Q, least)));
+  const T minimum = T{} + law.minimum_force;
+  return select(Q < minimum, at.minimum + at.minimum_compliance * (minimum - Q),
+                film_thickness_above(at, max(Q, minimum)));
 }
 
 template <class T>
 FilmSlopes<T> film_slopes(const FilmLaw& law, const FilmAtSpeed<T>& at, T Q, T h) {
-  const T least = T{} + law.least_force;
-  const auto light = Q < least;
-  FilmSlopes<T> s = film_slopes_above(at, max(Q, least), h);
-  s.compliance = select(light, at.least_compliance, s.compliance);
+  const T minimum = T{} + law.minimum_force;
+  const auto light = Q < minimum;
+  FilmSlopes<T> s = film_slopes_above(at, max(Q, minimum), h);
+  s.compliance = select(light, at.minimum_compliance, s.compliance);
   s.bend = select(light, T{}, s.bend);
-  s.by_speed =
-      select(light, at.least_by_speed + at.least_compliance_by_speed * (least - Q), s.by_speed);
-  s.compliance_by_speed = select(light, at.least_compliance_by_speed, s.compliance_by_speed);
+  s.by_speed = select(light, at.minimum_by_speed + at.minimum_compliance_by_speed * (minimum - Q),
+                      s.by_speed);
+  s.compliance_by_speed = select(light, at.minimum_compliance_by_speed, s.compliance_by_speed);
   return s;
 }
 
 /// Thickest film at this speed, at Q = 0 [m].
 template <class T>
 T thickest_film(const FilmLaw& law, const FilmAtSpeed<T>& at) {
-  return at.least + at.least_compliance * law.least_force;
+  return at.minimum + at.minimum_compliance * law.minimum_force;
 }
 
-/// Integral of Q k dQ above least_force, but for a constant [J].
+/// Integral of Q k dQ above minimum_force, but for a constant [J].
 template <class T>
 T film_energy_above(T Q, T h) {
   constexpr double share = kFilmForceExponent / (1 - kFilmForceExponent);

@@ -30,7 +30,7 @@ struct ShortBearing {
   double torque = 0;     ///< 2 pi eta R^3 L [N m s m]
   double axial = 0;      ///< 2 pi eta R L [N s]
   double clearance = 0;  ///< c [m]
-  double least = 0;      ///< [m]
+  double minimum = 0;    ///< [m]
 };
 
 struct ShortBearingFilm {
@@ -48,11 +48,11 @@ inline ShortBearingFilm short_bearing_film(const ShortBearing& law, const double
   const double e = std::hypot(D[0], D[1]), c = law.clearance;
   const double n[2] = {e > 0 ? D[0] / e : 1, e > 0 ? D[1] / e : 0};
   // Displacement as the film sees it, and its slope.
-  const double free = c - 2 * law.least;
+  const double free = c - 2 * law.minimum;
   double seen = e, slope = 1;
   if (e > free) {
-    const double z = (e - free) / law.least;
-    seen = free + law.least * z / (1 + z);
+    const double z = (e - free) / law.minimum;
+    seen = free + law.minimum * z / (1 + z);
     slope = 1 / ((1 + z) * (1 + z));
   }
   const double eps = seen / c, root = std::sqrt(1 - eps * eps);

@@ -29,7 +29,7 @@ struct BorderState {
   double unbalance[2];           ///< inertial directions [m]
   RingSpeeds speed;
   RingSpeeds speeding_up;  ///< its rate [rad/s^2]
-  RingAngles turned;       ///< where raceways have lobes
+  RingAngles turned;       ///< where raceways have waves
 };
 
 /// Generalised forces on the border: inner ring, and the moment on it conjugate to (B_y, B_z); cage

@@ -1,5 +1,5 @@
 // Cage lands against the rings, one at each side ring of the cage (x = +-land_offset): against the
-// ring that guides the cage, and against the other one, which holds it if all else gives way. A
+// ring that guides the cage, and against the other one, which holds it if all else deflects. A
 // land touches at its two edges, x +- land_edge: a tilted one at one of them. delta is the land's
 // offset from the ring's axis, n = delta/|delta|, p = |delta| - clearance. Under a guide film
 // (guide_film.hpp, around the land's middle) the clearance ends at the height of roughness. The

@@ -4,7 +4,7 @@
 //   P = Q p' + ratio |v|^2 + 2 F_r u
 #pragma once
 
-#include "src/contacts/lobed_race.hpp"
+#include "src/contacts/wavy_race.hpp"
 #include "src/lubrication/lubricated_line.hpp"
 
 namespace cagetol {
@@ -29,12 +29,12 @@ LineForces<T> oil_forces(const LubricatedLine& law, const LineSpeed<T>& speed, M
 }
 
 /// Powers, energy and sums of one slice, and its derivatives.
-template <bool moving, bool tilting, bool lobed>
+template <bool moving, bool tilting, bool wavy>
 void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
                            const RollerPack& q, const RaceSide& race, const SliceMotion& m,
                            const SliceForces& on, const LineForces<Dual<Pack, 4>>& f,
                            const Entrainment& u, Pack axis_share, Mask wet, GroupLinear& jac,
-                           Observation& seen, RaceTotals& totals, RingTilt* tilt, LobedRace* form) {
+                           Observation& seen, RaceTotals& totals, RingTilt* tilt, WavyRace* form) {
   using D = Dual<Pack, 4>;
   const Pack p = select(wet, m.p, splat(law.starved ? -0.5 * law.layer : -1e-5));
   const Pack squared = m.v1 * m.v1 + m.v2 * m.v2, one = select(wet, splat(1.0), Pack{});
@@ -58,13 +58,13 @@ void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
   const Pack thickness =
       select(on.normal > model.film_watch, value_of(f.at.state.thickness), splat(kNoFilm));
   seen.thinnest_film = std::min(seen.thinnest_film, smallest(thickness));
-  if constexpr (lobed) observe_lobed_load(*form, on, on.normal, totals);
-  add_slice_slopes<moving, tilting, lobed>(
+  if constexpr (wavy) observe_wavy_load(*form, on, on.normal, totals);
+  add_slice_slopes<moving, tilting, wavy>(
       q, race, m, on, {f.at.normal, f.ratio, f.rolling, storing}, u, axis_share, jac, tilt, form);
 }
 
-/// `moving`, `tilting`, `lobed` as of race_contacts. `law`: of one slice.
-template <bool linear, bool moving, bool tilting = false, bool lobed = false>
+/// `moving`, `tilting`, `wavy` as of race_contacts. `law`: of one slice.
+template <bool linear, bool moving, bool tilting = false, bool wavy = false>
 void lubricated_race(const BearingModel& model, const LubricatedLine& law,
                      const RollerGroup& roller, const RollerPack& q, const RaceSide& race,
                      RollerLoads& loads, GroupLinear* jac, Observation* seen, RaceTotals& totals,
@@ -78,26 +78,26 @@ void lubricated_race(const BearingModel& model, const LubricatedLine& law,
     speed = line_speed<D>(law, variable<D>(u.speed, 2));
   else
     speed = line_speed<Pack>(law, u.speed);
-  [[maybe_unused]] LobedRace form;
-  if constexpr (lobed) form = lobed_race(q, race);
+  [[maybe_unused]] WavyRace form;
+  if constexpr (wavy) form = wavy_race(q, race);
   for (const Slice& slice : model.race_slices) {
     SliceGap gap = slice_gap<moving>(roller, q, race, slice);
-    if constexpr (lobed) gap.p += form.w;
+    if constexpr (wavy) gap.p += form.w;
     Mask wet = roller.exists > 0.0;
     if (law.starved) wet &= -gap.p < law.layer;
     if (!any(wet)) continue;
     SliceMotion m = slice_motion<moving, tilting>(slice, gap, roller, q, race, tilt);
-    if constexpr (lobed) m.rate += form.rate;
+    if constexpr (wavy) m.rate += form.rate;
     const LineForces<D> f = oil_forces<D>(law, speed, wet, m);
     const SliceForces on =
         slice_forces(m, value_of(f.at.normal), value_of(f.ratio), value_of(f.rolling), axis_share);
     add_slice_loads<moving, tilting>(q, race, m, on, loads, tilt);
-    if constexpr (lobed) add_lobed_load(form, on, loads);
+    if constexpr (wavy) add_wavy_load(form, on, loads);
     if constexpr (linear)
-      linearise_oiled_slice<moving, tilting, lobed>(model, law, q, race, m, on, f, u, axis_share,
-                                                    wet, *jac, *seen, totals, tilt, &form);
+      linearise_oiled_slice<moving, tilting, wavy>(model, law, q, race, m, on, f, u, axis_share,
+                                                   wet, *jac, *seen, totals, tilt, &form);
   }
-  if constexpr (linear && lobed) seen->net_power_rate += sum(roller.exists * form.power_by_time);
+  if constexpr (linear && wavy) seen->net_power_rate += sum(roller.exists * form.power_by_time);
 }
 
 }  // namespace cagetol

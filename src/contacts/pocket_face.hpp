@@ -47,7 +47,7 @@ struct FlatFace {
   const RollerGroup& roller;
   const PocketFrame& f;
   const LubricatedLine& line;
-  Pack kappa, least;
+  Pack kappa, minimum;
   bool bounded;         ///< an axis of the pack stands beyond an edge
   double travel = 1.0;  ///< speed of the contact along the bar over that of the roller's axis
 
@@ -57,11 +57,11 @@ struct FlatFace {
         f(frame),
         line(model.bar_line),
         kappa(frame.A_T + group.squareness),
-        least(group.radius - group.half_width),
+        minimum(group.radius - group.half_width),
         bounded(beyond) {}
   FaceMeeting meet(const AxisPlace& at, double s) const {
     FaceMeeting meeting;
-    meeting.p = s * (at.D_T - kappa * at.X) + least;
+    meeting.p = s * (at.D_T - kappa * at.X) + minimum;
     meeting.here = roller.exists > 0.0;
     if (bounded) {
       const Pack height = at.D_R - f.A_R * at.X;

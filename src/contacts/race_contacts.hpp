@@ -3,7 +3,7 @@
 // film, and friction.
 #pragma once
 
-#include "src/contacts/lobed_race.hpp"
+#include "src/contacts/wavy_race.hpp"
 
 namespace cagetol {
 
@@ -59,8 +59,8 @@ inline void observe_slice(const BearingModel& model, const RaceSide& race, const
   }
 }
 
-/// `moving`, `tilting` as of slice_gap; `tilt`: where `tilting`; `lobed`: the race is no circle.
-template <bool linear, bool moving, bool tilting = false, bool lobed = false>
+/// `moving`, `tilting` as of slice_gap; `tilt`: where `tilting`; `wavy`: the race is no circle.
+template <bool linear, bool moving, bool tilting = false, bool wavy = false>
 void race_contacts(const BearingModel& model, const RollerGroup& roller, const RollerPack& q,
                    const RaceSide& race, RollerLoads& loads, GroupLinear* jac, Observation* seen,
                    RaceTotals& totals, RingTilt* tilt = nullptr) {
@@ -69,20 +69,20 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
       model.friction[kRacePair];  // a copy, so that its constants are made once
   // Where the slices are, before what they do: a slice's force waits for its root, and a processor
   // that sees several roots side by side does not wait.
-  [[maybe_unused]] LobedRace form;
-  if constexpr (lobed) form = lobed_race(q, race);
+  [[maybe_unused]] WavyRace form;
+  if constexpr (wavy) form = wavy_race(q, race);
   SliceGap gaps[kMostSlices];
   const int slices = static_cast<int>(model.race_slices.size());
   for (int n = 0; n < slices; ++n)
     gaps[n] = slice_gap<moving>(roller, q, race, model.race_slices[static_cast<std::size_t>(n)]);
-  if constexpr (lobed)
+  if constexpr (wavy)
     for (int n = 0; n < slices; ++n) gaps[n].p += form.w;
   for (int n = 0; n < slices; ++n) {
     const Mask touching = (gaps[n].p + film.thickest > 0.0) & (roller.exists > 0.0);
     if (!any(touching)) continue;
     const Slice& slice = model.race_slices[static_cast<std::size_t>(n)];
     SliceMotion m = slice_motion<moving, tilting>(slice, gaps[n], roller, q, race, tilt);
-    if constexpr (lobed) m.rate += form.rate;
+    if constexpr (wavy) m.rate += form.rate;
     const Pack reached = select(touching, m.p, splat(-1.0));
     FilmContact<Pack> contact{};
     if (race.film.on) {
@@ -95,15 +95,15 @@ void race_contacts(const BearingModel& model, const RollerGroup& roller, const R
     const Pack normal = contact.normal.force;
     const SliceForces on = slice_forces(m, normal, fr.ratio * normal, Pack{}, Pack{});
     add_slice_loads<moving, tilting>(q, race, m, on, loads, tilt);
-    if constexpr (lobed) add_lobed_load(form, on, loads);
+    if constexpr (wavy) add_wavy_load(form, on, loads);
     if constexpr (linear) {
       observe_slice(model, race, m, on, contact, film, touching, *seen, totals);
-      if constexpr (lobed) observe_lobed_load(form, on, contact.normal.elastic, totals);
-      add_slice_slopes<moving, tilting, lobed>(q, race, m, on, dry_law(contact, fr), film.speed,
-                                               Pack{}, *jac, tilt, &form);
+      if constexpr (wavy) observe_wavy_load(form, on, contact.normal.elastic, totals);
+      add_slice_slopes<moving, tilting, wavy>(q, race, m, on, dry_law(contact, fr), film.speed,
+                                              Pack{}, *jac, tilt, &form);
     }
   }
-  if constexpr (linear && lobed) seen->net_power_rate += sum(roller.exists * form.power_by_time);
+  if constexpr (linear && wavy) seen->net_power_rate += sum(roller.exists * form.power_by_time);
 }
 
 }  // namespace cagetol

@@ -31,8 +31,8 @@ struct RaceSide {
   Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
   Pack B_r, B_t;              ///< slope of its axis, likewise
   double x = 0, x_rate = 0;   ///< of its ring [m], [m/s]
-  const std::array<Lobes, kLobes>* form = nullptr;  ///< of the raceway (lobed_race.hpp)
-  double turned = 0;                                ///< angle of its ring [rad]
+  const std::array<Waviness, kHarmonics>* form = nullptr;  ///< of the raceway (wavy_race.hpp)
+  double turned = 0;                                       ///< angle of its ring [rad]
 
   double surface() const { return sign * speed * radius; }  ///< its speed along t [m/s]
   double arm() const { return sign * radius; }              ///< of its surface along n [m]
@@ -75,8 +75,8 @@ struct RaceTotals {
   Pack energy_by_vt{}, energy_by_spin{};
 };
 
-/// What the form of a raceway adds at a pack of rollers (lobed_race.hpp).
-struct LobedRace {
+/// What the form of a raceway adds at a pack of rollers (wavy_race.hpp).
+struct WavyRace {
   Pack w, rate;             ///< w [m], w' [m/s]
   Pack g[2], H[2][2];       ///< by d, in r and t [-], [1/m]
   Pack rate_by_place[2];    ///< of w' [1/s]
@@ -244,8 +244,8 @@ inline BySlice net_power_slopes(const SliceLaw& law, const SliceMotion& m, const
 /// Rows of a slice over the roller's velocities, then the ring's tilt: of -p', of the axis along t,
 /// of v2 (that of v1 is the axis' less R_slice times the spin); and how the same change as the axis
 /// moves along t, which turns n.
-/// `lobed`: the race is no circle.
-template <bool moving, bool tilting, bool lobed = false>
+/// `wavy`: the race is no circle.
+template <bool moving, bool tilting, bool wavy = false>
 struct SliceRows {
   static constexpr int kRows = kLocalVelocities + (tilting ? 2 : 0);
   Pack gn[kRows], gc[kRows], g2[kRows];
@@ -253,7 +253,7 @@ struct SliceRows {
   Pack rate_turn, v1_turn, v2_turn, drift_turn;
   Pack lean_r, lean_t;  ///< of v2 by the lean of the roller's axis
   Pack drifting[2];     ///< of v2 by the ring's tilt
-  Pack rate_by[2];      ///< of p' by place, where lobed
+  Pack rate_by[2];      ///< of p' by place, where wavy
 
   SliceRows(const RollerPack& q, const RaceSide& race, const SliceMotion& m)
       : gn{m.n_r, m.n_t, m.n_x, m.xi * m.n_r, m.xi * m.n_t, Pack{}},
@@ -282,7 +282,7 @@ struct SliceRows {
     drifting[1] = race.surface() * m.n_r;
   }
 
-  void add_form(const LobedRace& form) {
+  void add_form(const WavyRace& form) {
     for (int i = 0; i < 2; ++i) {
       gn[i] -= form.g[i];
       rate_by[i] = form.rate_by_place[i];
@@ -304,7 +304,7 @@ struct SliceRows {
   [[gnu::always_inline]] Pack by_position(const BySlice& by, Pack turned, int j) const {
     Pack sum =
         -by.p * gn[j] + (turned + by.rate * rate_turn + by.v1 * v1_turn + by.v2 * v2_turn) * tau(j);
-    if constexpr (lobed)
+    if constexpr (wavy)
       if (j < 2) sum += by.rate * rate_by[j];
     if (j == kLar) sum += by.v2 * lean_r;
     if (j == kLat) sum += by.v2 * lean_t;
@@ -331,8 +331,8 @@ LinearRow linear_row(int i, GroupLinear& of_roller, [[maybe_unused]] RingTilt* t
 }
 
 /// Adds the gradient of the net power.
-template <bool moving, bool tilting, bool lobed>
-[[gnu::always_inline]] inline void add_net_power(const SliceRows<moving, tilting, lobed>& rows,
+template <bool moving, bool tilting, bool wavy>
+[[gnu::always_inline]] inline void add_net_power(const SliceRows<moving, tilting, wavy>& rows,
                                                  const BySlice& net, const SliceForces& on,
                                                  const Entrainment& oil, GroupLinear& jac,
                                                  [[maybe_unused]] RingTilt* tilt) {
@@ -352,8 +352,8 @@ template <bool moving, bool tilting, bool lobed>
 }
 
 /// What the forces, held fast, do to direction i as n turns with t, and with it the lever of F2.
-template <bool moving, bool tilting, bool lobed>
-[[gnu::always_inline]] inline Pack turned_force(const SliceRows<moving, tilting, lobed>& rows,
+template <bool moving, bool tilting, bool wavy>
+[[gnu::always_inline]] inline Pack turned_force(const SliceRows<moving, tilting, wavy>& rows,
                                                 const SliceForces& on, const SliceMotion& m,
                                                 const RollerPack& q, const RaceSide& race, int i) {
   const Pack spread = m.inverse * on.normal, lever = m.inverse * on.f2;
@@ -368,7 +368,7 @@ template <bool moving, bool tilting, bool lobed>
 }
 
 /// Net power of a slice by what the form adds, and how that changes with time alone [W/s].
-inline Pack add_form_power(const LobedRace& form, const SliceForces& on, BySlice& net,
+inline Pack add_form_power(const WavyRace& form, const SliceForces& on, BySlice& net,
                            const ForceSlopes& force, GroupLinear& jac) {
   net.p += form.w_t * force.n.p;
   net.rate += form.w_t * force.n.rate;
@@ -380,16 +380,16 @@ inline Pack add_form_power(const LobedRace& form, const SliceForces& on, BySlice
   return net.p * form.w_t + net.rate * form.rate_by_time + on.normal * form.w_tt;
 }
 
-/// Adds the derivatives of one slice. `form`: where the race is lobed.
-template <bool moving, bool tilting, bool lobed = false>
+/// Adds the derivatives of one slice. `form`: where the race is wavy.
+template <bool moving, bool tilting, bool wavy = false>
 void add_slice_slopes(const RollerPack& q, const RaceSide& race, const SliceMotion& m,
                       const SliceForces& on, const SliceLaw& law, const Entrainment& oil,
                       Pack axis_share, GroupLinear& jac, [[maybe_unused]] RingTilt* tilt,
-                      [[maybe_unused]] LobedRace* form = nullptr) {
-  SliceRows<moving, tilting, lobed> rows(q, race, m);
+                      [[maybe_unused]] WavyRace* form = nullptr) {
+  SliceRows<moving, tilting, wavy> rows(q, race, m);
   const ForceSlopes force = force_slopes(law, m, axis_share);
   BySlice net = net_power_slopes(law, m, race, force, oil.speed);
-  if constexpr (lobed) {
+  if constexpr (wavy) {
     rows.add_form(*form);
     form->power_by_time += add_form_power(*form, on, net, force, jac);
   }

@@ -1,6 +1,6 @@
-// A roller's sphere end against an inclined flange, a cone about the axis of its ring: one point.
-// s, c sine and cosine of the flange's angle, z = 1 for the outer ring, -1 for the inner one, e the
-// side, k = e (L/2 - R_e) the place of the sphere's centre on the roller's axis.
+// A roller's spherical roller end against an inclined flange, a cone about the axis of its ring:
+// one point. s, c sine and cosine of the flange's angle, z = 1 for the outer ring, -1 for the inner
+// one, e the side, k = e (L/2 - R_e) the place of the sphere's centre on the roller's axis.
 //
 //   l = a - B,   D = (x - x_u, rho - u)                roller against ring: lean, place
 //   X = D_x + B . D - k l^2/2,   Y = D_rt - D_x B + k l        the sphere's centre, less k, in the

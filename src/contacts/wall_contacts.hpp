@@ -1,6 +1,7 @@
-// Roller ends against the end walls of their pocket. Each end e = +-1 carries two points off the
-// axis, at radial h and tangential tau from the centre of the end face, so that the force rights a
-// skewed roller and the spin enters the sliding speed. The wall is normal to the cage's axis A:
+// Roller ends against the side ring faces of their pocket. Each end e = +-1 carries two points off
+// the axis, at radial h and tangential tau from the centre of the end face, so that the force
+// rights a skewed roller and the spin enters the sliding speed. The wall is normal to the cage's
+// axis A:
 //   p = e (x - x_c + A . D - w_x) + L_w/2 - L_j/2
 // with D the point's radial-plane place relative to the cage's geometric centre, x at the point
 // less h a_r + tau a_t, w_x how far the wall has bent along e_x. The points do not spin with the

@@ -27,9 +27,9 @@ using Evaluation = void (*)(const BearingModel&, double t, const double* y, doub
 /// Of a lubricated model: its rates alone, or with derivatives and what is seen.
 CAGETOL_KERNEL Evaluation lubricated_rates(const BearingModel& model);
 CAGETOL_KERNEL Evaluation lubricated_linearisation(const BearingModel& model);
-/// The same of a model whose raceways have lobes, dry or lubricated.
-CAGETOL_KERNEL Evaluation lobed_rates(const BearingModel& model);
-CAGETOL_KERNEL Evaluation lobed_linearisation(const BearingModel& model);
+/// The same of a model whose raceways have waves, dry or lubricated.
+CAGETOL_KERNEL Evaluation wavy_rates(const BearingModel& model);
+CAGETOL_KERNEL Evaluation wavy_linearisation(const BearingModel& model);
 
 namespace {  // each source compiles its own
 
@@ -97,7 +97,7 @@ void finish_inner_race(Pass& pass, const RaceTotals& on, RingTilt& tilt, Shared&
   seen.drive_power += sum(on.drive);
 }
 
-template <bool linear, bool tilting, bool lubricated, bool lobed>
+template <bool linear, bool tilting, bool lubricated, bool wavy>
 void inner_race(Pass& pass, Shared& all) {
   const BearingModel& m = all.model;
   const BorderState& b = all.border;
@@ -127,11 +127,11 @@ void inner_race(Pass& pass, Shared& all) {
   RaceTotals on;
   RingTilt* const free_tilt = tilting ? &tilt : nullptr;
   if constexpr (lubricated)
-    lubricated_race<linear, true, tilting, lobed>(m, m.inner_line, pass.roller, q, race, pass.loads,
-                                                  pass.linear, all.seen, on, free_tilt);
+    lubricated_race<linear, true, tilting, wavy>(m, m.inner_line, pass.roller, q, race, pass.loads,
+                                                 pass.linear, all.seen, on, free_tilt);
   else
-    race_contacts<linear, true, tilting, lobed>(m, pass.roller, q, race, pass.loads, pass.linear,
-                                                all.seen, on, free_tilt);
+    race_contacts<linear, true, tilting, wavy>(m, pass.roller, q, race, pass.loads, pass.linear,
+                                               all.seen, on, free_tilt);
   const RollerLoads& loads = pass.loads;
   all.loads.ring[0] -= sum(q.cosine * loads.f[kLr] - q.sine * loads.f[kLt]);
   all.loads.ring[1] -= sum(q.sine * loads.f[kLr] + q.cosine * loads.f[kLt]);
@@ -152,7 +152,7 @@ void inner_race(Pass& pass, Shared& all) {
   }
 }
 
-template <bool linear, bool lubricated, bool lobed>
+template <bool linear, bool lubricated, bool wavy>
 void outer_race(Pass& pass, Shared& all) {
   const BearingModel& m = all.model;
   const RaceSide race{
@@ -160,11 +160,11 @@ void outer_race(Pass& pass, Shared& all) {
       0,  &m.forms.outer, all.border.turned.outer};
   RaceTotals on;
   if constexpr (lubricated)
-    lubricated_race<linear, false, false, lobed>(m, m.outer_line, pass.roller, pass.q, race,
-                                                 pass.loads, pass.linear, all.seen, on);
+    lubricated_race<linear, false, false, wavy>(m, m.outer_line, pass.roller, pass.q, race,
+                                                pass.loads, pass.linear, all.seen, on);
   else
-    race_contacts<linear, false, false, lobed>(m, pass.roller, pass.q, race, pass.loads,
-                                               pass.linear, all.seen, on);
+    race_contacts<linear, false, false, wavy>(m, pass.roller, pass.q, race, pass.loads, pass.linear,
+                                              all.seen, on);
   if constexpr (linear) {
     pass.energy_by_vt += on.energy_by_vt;
     pass.energy_by_spin += on.energy_by_spin;
@@ -260,8 +260,8 @@ void finish_border(double t, const double* y, const double* rate, const Shared& 
 }
 
 /// `tilting`: the inner ring's tilt is free. `lubricated`: there is oil by src/lubrication.
-/// `lobed`: raceways may be no circles.
-template <bool linear, bool tilting, bool lubricated, bool lobed>
+/// `wavy`: raceways may be no circles.
+template <bool linear, bool tilting, bool lubricated, bool wavy>
 void evaluate(const BearingModel& m, double t, const double* y, double* rate, Linearisation* jac,
               Observation* seen) {
   const BorderState b = unpack_border(m, t, y);
@@ -279,8 +279,8 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   for (int group = 0; group < m.layout.groups; ++group) {
     Pass pass{group, m.groups[static_cast<std::size_t>(group)], unpack_rollers(m.layout, y, group)};
     if constexpr (linear) pass.linear = start_group(pass.q, group, *jac);
-    inner_race<linear, tilting, lubricated, lobed>(pass, all);
-    outer_race<linear, lubricated, lobed>(pass, all);
+    inner_race<linear, tilting, lubricated, wavy>(pass, all);
+    outer_race<linear, lubricated, wavy>(pass, all);
     flange_contacts<linear>(m, pass.roller, pass.q, b, group, pass.loads, border, jac, seen);
     if (lubricated && m.churning.on)
       roller_churning<linear>(m.churning, pass.roller, pass.q, b, pass.loads, pass.linear, seen);
@@ -297,10 +297,10 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
 }
 
 /// The one that suits a model; a dry bearing pays nothing for what oil would do.
-template <bool linear, bool lubricated, bool lobed = false>
+template <bool linear, bool lubricated, bool wavy = false>
 Evaluation evaluation_as(const BearingModel& m) {
-  return m.layout.ring_tilt > 0 ? evaluate<linear, true, lubricated, lobed>
-                                : evaluate<linear, false, lubricated, lobed>;
+  return m.layout.ring_tilt > 0 ? evaluate<linear, true, lubricated, wavy>
+                                : evaluate<linear, false, lubricated, wavy>;
 }
 }  // namespace
 }  // namespace cagetol

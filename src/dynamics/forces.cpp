@@ -5,7 +5,7 @@
 namespace cagetol {
 
 void evaluate_rates(const BearingModel& model, double t, const double* y, double* rate) {
-  const Evaluation with = !model.forms.round ? lobed_rates(model)
+  const Evaluation with = !model.forms.round ? wavy_rates(model)
                           : model.lubricated ? lubricated_rates(model)
                                              : evaluation_as<false, false>(model);
   with(model, t, y, rate, nullptr, nullptr);
@@ -13,7 +13,7 @@ void evaluate_rates(const BearingModel& model, double t, const double* y, double
 
 void linearise(const BearingModel& model, double t, const double* y, double* rate,
                Linearisation& linear, Observation& seen) {
-  const Evaluation with = !model.forms.round ? lobed_linearisation(model)
+  const Evaluation with = !model.forms.round ? wavy_linearisation(model)
                           : model.lubricated ? lubricated_linearisation(model)
                                              : evaluation_as<true, false>(model);
   with(model, t, y, rate, &linear, &seen);

@@ -9,6 +9,14 @@ namespace {
 // clang-format off
 constexpr auto kFormerNames = std::to_array<FormerName>({
     // name, value, now, why, remedy
+    {"lobes", "", "waviness", "", ""},
+    {"bearing.least_load_factor", "", "bearing.minimum_load_factor", "", ""},
+    {"film.least_force_N", "", "film.minimum_force_N", "", ""},
+    {"lubrication.land_film_least_um", "", "lubrication.land_film_minimum_um", "", ""},
+    {"tolerance.dimension.band_mm", "", "tolerance.dimension.tolerance_width_mm", "", ""},
+    {"cage_yield_utilisation", "", "cage_strength_utilisation", "", ""},
+    {"least_load_skf_N", "", "minimum_load_skf_N", "", ""},
+    {"least_load_schaeffler_N", "", "minimum_load_schaeffler_N", "", ""},
     {"model.rollers", "", "", "planar rollers saved no time at the same error", "leave the line out: rollers always tilt, skew and move axially"},
     {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
     {"window.measure", "", "", "windows that end by themselves saved a fifth of the time and added noise", "leave it out; window.measure_revolutions is the length of the window"},
@@ -22,7 +30,7 @@ constexpr auto kFormerNames = std::to_array<FormerName>({
     {"cage.guide_film", "", "", "lubrication has a film at guide lands", "use lubrication.model = \"film\" with lubrication.land_film"},
     {"cage.guide_film_viscosity_Pa_s", "", "", "lubrication has a film at guide lands", "use lubrication.viscosity_Pa_s"},
     {"cage.guide_film_width_mm", "", "", "lubrication has a film at guide lands", "use lubrication.land_film_width_mm"},
-    {"cage.guide_film_least_um", "", "", "lubrication has a film at guide lands", "use lubrication.land_film_least_um"},
+    {"cage.guide_film_least_um", "", "", "lubrication has a film at guide lands", "use lubrication.land_film_minimum_um"},
     {"neighbour_force_rms_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_rms_N"},
     {"neighbour_force_p99_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_p99_N"},
     {"neighbour_force_peak_N", "", "", "only bearings with a cage are modelled", "limit pocket_force_peak_N"},

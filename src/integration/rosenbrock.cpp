@@ -142,7 +142,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       t = last ? t_end : t + h;
       ++system.counts.steps;
       if (!last) system.counts.smallest_step = std::min(system.counts.smallest_step, h);
-      last_log_error_ = std::max(log_error, std::log(kStepControl.least_error));
+      last_log_error_ = std::max(log_error, std::log(kStepControl.minimum_error));
       next_step_ = last ? std::max(next_step_, h * factor) : h * factor;
       return StepStatus::accepted;
     }

@@ -28,7 +28,7 @@ struct StepControl {
   // Hairer & Wanner II, IV.8).
   double safety = 0.9;
   double memory = 0.08;
-  double least_error = 1e-2;                         ///< smaller last errors count as this
+  double minimum_error = 1e-2;                       ///< smaller last errors count as this
   double shortest = 0.2, longest = 4;                ///< of the step just taken
   double shortest_again = 0.1, longest_again = 0.7;  ///< of the step just rejected
 };
@@ -39,6 +39,6 @@ static_assert(0 < kStepControl.safety && kStepControl.safety < 1);
 static_assert(kStepControl.shortest < 1 && 1 < kStepControl.longest);
 static_assert(kStepControl.shortest_again < kStepControl.longest_again &&
               kStepControl.longest_again < 1);
-static_assert(0 < kStepControl.least_error && kStepControl.least_error < 1);
+static_assert(0 < kStepControl.minimum_error && kStepControl.minimum_error < 1);
 
 }  // namespace cagetol

@@ -51,24 +51,24 @@ bool System::linearise_at(double t, const double* y) {
 }
 
 /// Whether a raceway that is no circle turns.
-static bool lobes_turn(const BearingModel& m) {
-  const auto lobed = [](const auto& form, double speed, double from) {
+static bool waviness_turns(const BearingModel& m) {
+  const auto wavy = [](const auto& form, double speed, double from) {
     return (speed != 0 || from != 0) && !is_round(form);
   };
   const Duty& d = m.duty;
-  return lobed(m.forms.inner, d.speed.inner, d.speed_from.inner) ||
-         lobed(m.forms.outer, d.speed.outer, d.speed_from.outer);
+  return wavy(m.forms.inner, d.speed.inner, d.speed_from.inner) ||
+         wavy(m.forms.outer, d.speed.outer, d.speed_from.outer);
 }
 
 bool System::driven_by_time(double t) const {
-  return duty_changes(model.duty, t) || lobes_turn(model);
+  return duty_changes(model.duty, t) || waviness_turns(model);
 }
 
 namespace {
 
-/// Time over which the faster surface changes its speed by 1e-10 m/s [s]. The traction of a thin film
-/// under pressure turns over within 1e-8 m/s: a difference over more is no derivative, and Rosenbrock
-/// methods without one chatter about rolling in steps a thousand times too short.
+/// Time over which the faster surface changes its speed by 1e-10 m/s [s]. The traction of a thin
+/// film under pressure turns over within 1e-8 m/s: a difference over more is no derivative, and
+/// Rosenbrock methods without one chatter about rolling in steps a thousand times too short.
 double difference_time(const BearingModel& m, double t) {
   constexpr double change = 1e-10, longest = 1e-9, shortest = 1e-13;
   const RingSpeeds rate = ring_accelerations_at(m.duty, t);
@@ -82,7 +82,7 @@ double difference_time(const BearingModel& m, double t) {
 
 void System::rates_by_time(double t, const double* y, double* out) {
   const bool speeds = speeds_change(model.duty, t);
-  if (speeds || lobes_turn(model)) {
+  if (speeds || waviness_turns(model)) {
     const double dt = speeds ? difference_time(model, t) : 1e-7;
     rates(t + dt, y, out);
     for (int i = 0; i < size; ++i) out[i] = (out[i] - rate[static_cast<std::size_t>(i)]) / dt;
@@ -114,7 +114,7 @@ ErrorUnits error_units(const BearingModel& m) {
       std::max(kStepControl.speed_unit, kStepControl.speed_share * fastest_surface(m));
   // In whole nanometres: rollers that scatter leave it as it is.
   const double nanometres = 1e9 * m.nominal_diameter / kStepControl.lengths_per_diameter;
-  return {std::max(std::round(nanometres), 1.0) / 1e9, std::min(speed, least_static_speed(m))};
+  return {std::max(std::round(nanometres), 1.0) / 1e9, std::min(speed, minimum_static_speed(m))};
 }
 
 double largest_step(const BearingModel& m, const Integration& keys) {

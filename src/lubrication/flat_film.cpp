@@ -5,12 +5,12 @@
 
 namespace cagetol {
 
-FlatFilm make_flat_film(double viscosity, double area, double layer, double least, int points,
+FlatFilm make_flat_film(double viscosity, double area, double layer, double minimum, int points,
                         bool squeeze) {
-  if (!(viscosity > 0 && layer > 0 && least > 0 && area >= 0 && points > 0))
+  if (!(viscosity > 0 && layer > 0 && minimum > 0 && area >= 0 && points > 0))
     throw std::domain_error("flat film: viscosity, layer and roughness must be positive");
   const double k = squeeze ? 1.5 * viscosity * area * area / std::numbers::pi : 0;
-  return {true, k / points, viscosity * area / points, 0, layer, least};
+  return {true, k / points, viscosity * area / points, 0, layer, minimum};
 }
 
 FlatFilm with_wedge(FlatFilm film, double viscosity, double width, int points) {

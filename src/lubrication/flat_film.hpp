@@ -32,12 +32,12 @@ struct FlatFilm {
   double shear = 0;    ///< eta A [N s]
   double wedge = 0;    ///< m [N s m]; 0: no wedge
   double layer = 0;    ///< of all oil in the gap [m]
-  double least = 0;    ///< roughness [m]
+  double minimum = 0;  ///< roughness [m]
 };
 
 /// Of one of `points` equal parts of a flat of `area`. Throws std::domain_error unless viscosity,
 /// layer and least are positive and the area is not negative.
-FlatFilm make_flat_film(double viscosity, double area, double layer, double least, int points,
+FlatFilm make_flat_film(double viscosity, double area, double layer, double minimum, int points,
                         bool squeeze);
 /// That film between pads `width` wide that draw oil in, in equal parts.
 FlatFilm with_wedge(FlatFilm film, double viscosity, double width, int points);
@@ -45,7 +45,7 @@ FlatFilm with_wedge(FlatFilm film, double viscosity, double width, int points);
 /// h of a gap.
 template <class T>
 T film_height(const FlatFilm& law, T gap) {
-  const double l = law.least, bend = 0.3 * l;
+  const double l = law.minimum, bend = 0.3 * l;
   const T half = 0.5 * (gap - l);
   const T root = sqrt(half * half + bend * bend), away = root + max(half, -half);
   return l + select(half < 0.0, bend * bend / away, away);  // free of cancellation

@@ -1,5 +1,5 @@
-// Oil between a roller's sphere end and an inclined flange: an elastohydrodynamic point contact in
-// series with the bodies' elasticity.
+// Oil between a roller's spherical roller end and an inclined flange: an elastohydrodynamic point
+// contact in series with the bodies' elasticity.
 //
 //   h   = 2.69 R U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)),   k = (R_2/R)^0.64
 //   U   = eta u/(E' R),   G = alpha E',   W = F/(E' R^2)

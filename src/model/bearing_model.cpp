@@ -190,7 +190,7 @@ CageGuide ring_guide(const Scene& scene, bool inner) {
   return guide;
 }
 
-/// Contact of a sphere-ended roller with a flange, curved by 1/R_e along it and by that and the
+/// Contact of a spherical-ended roller with a flange, curved by 1/R_e along it and by that and the
 /// cone's curvature around it.
 HertzPoint sphere_contact(const Scene& scene, const BearingModel& m, bool inner) {
   const double radius = scene.roller.end_radius, sine = std::sin(sphere_flange_angle(scene, inner)),
@@ -259,8 +259,8 @@ void set_guides(const Scene& scene, BearingModel& m) {
                 turned * radius * radius,
                 turned,
                 m.guide_clearance,
-                l.land_film_least};
-  guide.touching_at -= l.land_film_least;
+                l.land_film_minimum};
+  guide.touching_at -= l.land_film_minimum;
 }
 
 /// E' of rollers and bars [Pa].
@@ -321,14 +321,14 @@ void lubricate(const Scene& scene, BearingModel& m) {
         const double end = roller - corner_radius(scene),
                      height = flange.sphere.radius * flange.sphere.sine,
                      gap = (end * end - height * height) / (2 * flange.sphere.radius),
-                     least = 0.1e-6;  // growth may take the point to the end of a face
+                     minimum = 0.1e-6;  // growth may take the point to the end of a face
         const Traction traction =
             make_traction(oil.viscosity, oil.pressure_viscosity, flange.sphere.radius,
                           m.race_modulus, l.eyring_stress, l.limiting_shear,
                           given_or(contact.flange.roughness, l.pocket_roughness));
-        flange.sphere.film =
-            make_point_film(sphere_contact(scene, m, flange.inner), traction, std::max(pad, least),
-                            std::min(l.pocket_layer, std::max(gap, least)), l.film_traction);
+        flange.sphere.film = make_point_film(
+            sphere_contact(scene, m, flange.inner), traction, std::max(pad, minimum),
+            std::min(l.pocket_layer, std::max(gap, minimum)), l.film_traction);
         continue;
       }
       flange.film =
@@ -468,10 +468,10 @@ double race_pressure(const BearingModel& m, double inner_slice, double outer_sli
                   pressure(outer_slice, -1 / m.outer_radius));
 }
 
-double least_static_speed(const BearingModel& m) {
-  double least = m.friction.front().static_speed;
-  for (const FrictionLaw& law : m.friction) least = std::min(least, law.static_speed);
-  return least;
+double minimum_static_speed(const BearingModel& m) {
+  double minimum = m.friction.front().static_speed;
+  for (const FrictionLaw& law : m.friction) minimum = std::min(minimum, law.static_speed);
+  return minimum;
 }
 
 Jam find_jam(const Scene& as_made) {

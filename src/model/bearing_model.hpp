@@ -60,7 +60,7 @@ struct EndPoint {
   double radial, tangential;
 };
 
-/// An inclined flange that meets sphere-ended rollers (src/contacts/sphere_flange.hpp).
+/// An inclined flange that meets spherical-ended rollers (src/contacts/sphere_flange.hpp).
 struct SphereFlange {
   bool on = false;
   double radius = 0;            ///< R_e [m]
@@ -83,7 +83,7 @@ struct Flange {
   SphereFlange sphere;             ///< instead of points and their film
 };
 
-/// What rubs on what, each pair with its friction; kEndPair: roller end on pocket end wall.
+/// What rubs on what, each pair with its friction; kEndPair: roller end on pocket side ring face.
 enum FrictionPair { kRacePair, kBarPair, kEndPair, kFlangePair, kLandPair, kFrictionPairs };
 
 /// A surface of a ring that the cage's lands may meet.
@@ -100,7 +100,7 @@ struct BearingModel {
   std::vector<RollerGroup> groups;
   std::vector<Slice> race_slices;
   std::vector<double> bar_stations;     ///< positions along the roller's axis [m]
-  std::array<EndPoint, 2> wall_points;  ///< where a roller end meets the pocket's end wall
+  std::array<EndPoint, 2> wall_points;  ///< where a roller end meets the pocket's side ring face
   double roller_half_length = 0;
   std::vector<Flange> flanges;  ///< of the outer ring, then of the inner one
 
@@ -177,7 +177,7 @@ double slice_length(const BearingModel& model);
 double race_pressure(const BearingModel& model, double inner_slice, double outer_slice);
 
 /// The least of the contacts' static speeds [m/s].
-double least_static_speed(const BearingModel& model);
+double minimum_static_speed(const BearingModel& model);
 
 /// A pocket whose roller does not fit: clearance <= 0.
 struct Jam {

@@ -17,7 +17,7 @@ namespace cagetol {
 struct FlexibleCage {
   std::shared_ptr<const CageModel> model;  ///< null: rigid
   int modes = 0;
-  int points = 0;    ///< contact points per pocket that `rows` holds: bars, then end walls
+  int points = 0;    ///< contact points per pocket that `rows` holds: bars, then side ring faces
   int stations = 0;  ///< per bar face
   /// Displacement per modal coordinate: [((group points + point) 3 + direction) modes + mode].
   std::vector<Pack> rows;

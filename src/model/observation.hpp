@@ -43,7 +43,7 @@ struct Observation {
   PackVector inner_sliding;  ///< force-weighted mean sliding speed at the inner race [m/s]
   PackVector leading_force,
       trailing_force;       ///< on the pocket's bars ahead of and behind the roller [N]
-  PackVector wall_force;    ///< on both end walls of the pocket [N]
+  PackVector wall_force;    ///< on both side ring faces of the pocket [N]
   PackVector flange_force;  ///< on the ring's flanges [N]
   /// Force on the cage at its bar stations towards larger theta, flexible cages only [N]: per
   /// pocket the stations of the trailing face, then of the leading face (station_stress,

@@ -18,10 +18,10 @@ using Three = Pack[3][3];
 
 /// Gauss-Jordan in place, without pivoting. Marks lanes in which a pivot is not well above zero (or
 /// not a number) against its mass.
-[[gnu::always_inline]] inline Mask invert_three(Three& a, const Pack (&least)[3]) {
+[[gnu::always_inline]] inline Mask invert_three(Three& a, const Pack (&minimum)[3]) {
   Mask bad{};
   for (int k = 0; k < 3; ++k) {
-    bad |= ~(abs(a[k][k]) > least[k]);  // also true for NaN
+    bad |= ~(abs(a[k][k]) > minimum[k]);  // also true for NaN
     const Pack inverse = 1.0 / a[k][k];
     for (int j = 0; j < 3; ++j) a[k][j] *= inverse;
     a[k][k] = inverse;
@@ -63,9 +63,9 @@ bool invert(Pack (&a)[kLocalVelocities][kLocalVelocities], const Pack (&mass)[kL
       for (int j = 0; j < 3; ++j) a[rows[i]][columns[j]] = from[i][j];
   };
   const auto inverted = [&](const int(&rows)[3], Three& block) {
-    const Pack least[3] = {1e-9 * mass[rows[0]] / beta, 1e-9 * mass[rows[1]] / beta,
-                           1e-9 * mass[rows[2]] / beta};
-    return invert_three(block, least);
+    const Pack minimum[3] = {1e-9 * mass[rows[0]] / beta, 1e-9 * mass[rows[1]] / beta,
+                             1e-9 * mass[rows[2]] / beta};
+    return invert_three(block, minimum);
   };
   Three P;
   get(first, first, P);

@@ -32,12 +32,12 @@ double rating_life(double dynamic_rating, double load) {
   return 1e6 * std::pow(dynamic_rating / load, 10.0 / 3);
 }
 
-double least_load_skf(double factor, double speed_ratio, double mean_diameter) {
+double minimum_load_skf(double factor, double speed_ratio, double mean_diameter) {
   const double d = kPerMetre * mean_diameter / 100;
   return 1e3 * factor * (6 + 4 * speed_ratio) * d * d;
 }
 
-double least_load_schaeffler(double static_rating) {
+double minimum_load_schaeffler(double static_rating) {
   return static_rating / 60;
 }
 // clang-format on

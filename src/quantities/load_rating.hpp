@@ -1,12 +1,12 @@
-// Load ratings, rating life and least load of a radial cylindrical roller bearing with one row.
+// Load ratings, rating life and minimum load of a radial cylindrical roller bearing with one row.
 //
 //   C    = b_m f_c L^(7/9) Z^(3/4) D^(29/27)                        basic dynamic rating [N]
 //   f_c  = 172.6 g^(2/9) (1 - g)^(29/27) / (1 + g)^(1/4)
 //          / (1 + (1.04 ((1 - g)/(1 + g))^(143/108))^(9/2))^(2/9)
 //   C_0  = 44 (1 - g) Z L D                                         basic static rating [N]
 //   L_10 = 10^6 (C/P)^(10/3)                                        rating life [revolutions]
-//   F_S  = k_r (6 + 4 n/n_r) (d_m/100)^2 1000                       least load, SKF [N]
-//   F_C  = C_0/60                                                   least load, Schaeffler [N]
+//   F_S  = k_r (6 + 4 n/n_r) (d_m/100)^2 1000                       minimum load, SKF [N]
+//   F_C  = C_0/60                                                   minimum load, Schaeffler [N]
 //
 // Z number of rollers, L and D their length and diameter [mm], g = D/D_pw, D_pw pitch diameter
 // [mm], b_m = 1.1 for machined rings, P equivalent load: the radial load [N], k_r factor of the
@@ -15,7 +15,7 @@
 // lubricant, dirt and misalignment.
 //
 // Sources: ISO 281:2007, 7.1 and 7.3 (f_c: its table 7 from the formula of ISO/TR 1281-1:2008,
-// 0.83 x 207.9 = 172.6); ISO 76:2006, 6.1; least loads: SKF General Catalogue (cylindrical roller
+// 0.83 x 207.9 = 172.6); ISO 76:2006, 6.1; minimum loads: SKF General Catalogue (cylindrical roller
 // bearings, "minimum load"), Schaeffler HR 1 (likewise, C_0r/P_0 < 60).
 #pragma once
 
@@ -39,8 +39,8 @@ double static_rating(const RatedRollers& rollers);   ///< C_0 [N]
 double rating_life(double dynamic_rating, double load);
 
 /// F_S; `speed_ratio` = n/n_r, `mean_diameter` = d_m [m] -> [N].
-double least_load_skf(double factor, double speed_ratio, double mean_diameter);
+double minimum_load_skf(double factor, double speed_ratio, double mean_diameter);
 
-double least_load_schaeffler(double static_rating);  ///< F_C [N]
+double minimum_load_schaeffler(double static_rating);  ///< F_C [N]
 
 }  // namespace cagetol

@@ -1,4 +1,5 @@
-// Above 400 lines: one class, whose recording and results belong side by side, quantity by quantity.
+// Above 400 lines: one class, whose recording and results belong side by side, quantity by
+// quantity.
 #include "src/quantities/observer.hpp"
 
 #include <algorithm>
@@ -533,7 +534,7 @@ std::vector<double> Observer::quantities_so_far() const {
   q[quantity_row("cage_fatigue_utilisation")] = stress_ ? fatigue.utilisation : none;
   q[quantity_row("cage_fatigue_pocket")] = stress_ ? static_cast<double>(fatigue.sector) : none;
   q[quantity_row("cage_fatigue_station")] = stress_ ? static_cast<double>(fatigue.station) : none;
-  q[quantity_row("cage_yield_utilisation")] =
+  q[quantity_row("cage_strength_utilisation")] =
       stress_ ? cage_stress_.peak() / model_.cage_strength.yield : none;
   const auto extrapolate = [&](const ExtrapolatedRows& rows, const BlockPeaks& blocks,
                                double scale) {

@@ -70,9 +70,9 @@ OperatingPoint rated_point(const Scene& scene) {
   at.speed = std::abs(duty.speed.inner - duty.speed.outer);
   at.life = rating_life(at.dynamic_rating, at.load);
   at.life_time = 2 * pi * at.life / mean.speed;
-  at.least_load_schaeffler = least_load_schaeffler(at.static_rating);
-  at.least_load_skf = least_load_skf(b.least_load_factor, at.speed / b.reference_speed,
-                                     (b.bore_diameter + b.outside_diameter) / 2);
+  at.minimum_load_schaeffler = minimum_load_schaeffler(at.static_rating);
+  at.minimum_load_skf = minimum_load_skf(b.minimum_load_factor, at.speed / b.reference_speed,
+                                         (b.bore_diameter + b.outside_diameter) / 2);
   at.pitch_diameter = rollers.pitch_diameter;
   at.limiting_speed = b.limiting_speed;
   return at;
@@ -213,8 +213,8 @@ const std::vector<OperatingRow>& operating_rows() {
       {"static_safety", "-", "C0/P0", [](At p) { return p.static_rating / p.largest_load; }},
       {"life_L10_Mrev", "1e6 rev", "basic rating life L10 of ISO 281, in millions of revolutions: reached by 90 % of bearings", [](At p) { return 1e-6 * p.life; }},
       {"life_L10_h", "h", "the same life at the speed of one ring against the other", [](At p) { return p.life_time / 3600; }},
-      {"least_load_skf_N", "N", "least load by SKF's rule; where bearing.least_load_factor and bearing.reference_speed_rpm are given", [](At p) { return p.least_load_skf; }},
-      {"least_load_schaeffler_N", "N", "least load by Schaeffler's rule, C0/60", [](At p) { return p.least_load_schaeffler; }},
+      {"minimum_load_skf_N", "N", "minimum load by SKF's rule; where bearing.minimum_load_factor and bearing.reference_speed_rpm are given", [](At p) { return p.minimum_load_skf; }},
+      {"minimum_load_schaeffler_N", "N", "minimum load by Schaeffler's rule, C0/60", [](At p) { return p.minimum_load_schaeffler; }},
       {"roller_load_max_N", "N", "largest force of a roller on the inner race in static equilibrium, over positions of the rollers", [](At p) { return p.roller_load; }},
       {"race_pressure_max_MPa", "MPa", "largest Hertzian pressure of a slice at either race, likewise", [](At p) { return 1e-6 * p.race_pressure; }},
       {"load_zone_deg", "deg", "angle within which rollers carry more than 1 % of the load, likewise", [](At p) { return p.load_zone / (pi / 180); }},
@@ -262,7 +262,7 @@ std::vector<std::string> operating_warnings(const Scene& scene) {
   };
   const bool turns = make_duty(scene.operation).load_turns(),
              over_time = changes_over_time(scene.operation);
-  const std::string load = (over_time ? "the load of equal damage, "
+  const std::string load = (over_time ? "the equivalent load, "
                             : turns   ? "the radial load in all, "
                                       : "load.radial_N = ") +
                            force(at.load);
@@ -291,13 +291,13 @@ std::vector<std::string> operating_warnings(const Scene& scene) {
         "million");
   add_clearance_warnings(scene, warnings);
   if (at.speed == 0) return warnings;
-  if (at.load < at.least_load_skf)
-    warnings.push_back(load + " is below the least load by SKF's rule, " +
-                       force(at.least_load_skf) +
+  if (at.load < at.minimum_load_skf)
+    warnings.push_back(load + " is below the minimum load by SKF's rule, " +
+                       force(at.minimum_load_skf) +
                        " = k_r (6 + 4 n/n_ref) (d_m/100)^2: rollers and cage may skid");
-  else if (std::isnan(at.least_load_skf) && at.load < at.least_load_schaeffler)
-    warnings.push_back(load + " is below the least load by Schaeffler's rule, " +
-                       force(at.least_load_schaeffler) + " = C0/60: rollers and cage may skid");
+  else if (std::isnan(at.minimum_load_skf) && at.load < at.minimum_load_schaeffler)
+    warnings.push_back(load + " is below the minimum load by Schaeffler's rule, " +
+                       force(at.minimum_load_schaeffler) + " = C0/60: rollers and cage may skid");
   return warnings;
 }
 

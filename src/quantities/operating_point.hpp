@@ -30,10 +30,10 @@ struct OperatingPoint {
   double dynamic_rating, static_rating;  ///< C, C_0: given or by the standards [N]
   /// P; under a duty over time the one of equal damage, by ISO 281 with exponent 10/3 [N].
   double load;
-  double largest_load;                           ///< P_0 [N]
-  double life;                                   ///< L_10 [revolutions]
-  double life_time;                              ///< at the speed of the inner ring [s]
-  double least_load_skf, least_load_schaeffler;  ///< [N]
+  double largest_load;                               ///< P_0 [N]
+  double life;                                       ///< L_10 [revolutions]
+  double life_time;                                  ///< at the speed of the inner ring [s]
+  double minimum_load_skf, minimum_load_schaeffler;  ///< [N]
 
   double roller_load;    ///< largest on the inner race [N]
   double race_pressure;  ///< largest [Pa]

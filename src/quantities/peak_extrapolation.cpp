@@ -9,7 +9,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kLeastShape = -1, kMostShape = 0.5;
+constexpr double kMinimumShape = -1, kMostShape = 0.5;
 constexpr std::array<int, 3> kPoints = {33, 25, 25};  // of the grid: mu, log sigma, xi
 constexpr std::size_t kEnoughLaws = 500;              // on the grid
 constexpr double kFlat = 1e-6;                        // |xi| below which the law is Gumbel's
@@ -87,7 +87,7 @@ Box narrowed(const Box& box, const std::vector<Law>& laws) {
 
 ExtrapolatedPeak extrapolate_peak(const std::vector<double>& maxima, double blocks) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  if (maxima.size() < kLeastBlocks) return {none, none, none};
+  if (maxima.size() < kMinimumBlocks) return {none, none, none};
   const auto n = static_cast<double>(maxima.size());
   double mean = 0, square = 0;
   for (const double x : maxima) mean += x / n;
@@ -96,7 +96,7 @@ ExtrapolatedPeak extrapolate_peak(const std::vector<double>& maxima, double bloc
   if (!(spread > 1e-12 * std::abs(mean))) return {mean, mean, mean};
 
   Box box{Range{mean - 2.5 * spread, mean + 2.5 * spread},
-          Range{std::log(spread) - 2, std::log(spread) + 2}, Range{kLeastShape, kMostShape}};
+          Range{std::log(spread) - 2, std::log(spread) + 2}, Range{kMinimumShape, kMostShape}};
   std::vector<Law> laws = laws_of(maxima, box);
   // The grid is refined around the likely laws: once for few blocks, more often for many.
   for (int pass = 0; pass == 0 || (pass < 4 && laws.size() < kEnoughLaws); ++pass) {

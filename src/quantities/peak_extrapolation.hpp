@@ -22,14 +22,14 @@
 
 namespace cagetol {
 
-inline constexpr std::size_t kLeastBlocks = 5;
+inline constexpr std::size_t kMinimumBlocks = 5;
 
 struct ExtrapolatedPeak {
   double median, low, high;  ///< quantiles 0.5, 0.025, 0.975
 };
 
 /// Of the largest of `blocks` blocks, whose number may be a fraction above 0. NaN for fewer than
-/// kLeastBlocks maxima. Maxima that are all the same are their own extrapolation.
+/// kMinimumBlocks maxima. Maxima that are all the same are their own extrapolation.
 ExtrapolatedPeak extrapolate_peak(const std::vector<double>& maxima, double blocks);
 
 }  // namespace cagetol

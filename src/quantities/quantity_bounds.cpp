@@ -35,7 +35,7 @@ struct Hold {
 /// Clearance, more where the ring sinks between two rollers, and elastic approach.
 Hold hold_of(Run run) {
   const BearingModel& m = run.model;
-  double mass = 0, smallest = kInfinite, widest = 0, lobes = 0;
+  double mass = 0, smallest = kInfinite, widest = 0, waves = 0;
   for (int j = 0; j < m.layout.rollers; ++j) {
     const RollerGroup& g = m.groups[static_cast<std::size_t>(j / kLanes)];
     const double radius = g.radius[j % kLanes], gap = g.half_width[j % kLanes] - radius;
@@ -45,13 +45,13 @@ Hold hold_of(Run run) {
                                   std::max(gap, 0.0) / m.pitch_radius);
   }
   for (const auto* form : {&m.forms.inner, &m.forms.outer})
-    for (const Lobes& wave : *form) lobes += std::abs(wave.amplitude);
+    for (const Waviness& wave : *form) waves += std::abs(wave.amplitude);
   const RingSpeeds rings = fastest_speeds(m.duty);
   const RingLoad load = heaviest_load(m.duty);
   const double cage_speed = kinematic_cage_speed(m, rings),
                surface = rings.inner * m.inner_radius + rings.outer * m.outer_radius,
                gap = m.outer_radius - m.inner_radius - 2 * smallest,
-               preload = std::max(0.0, lobes - gap) + 2e-6,
+               preload = std::max(0.0, waves - gap) + 2e-6,
                lean = m.roller_half_length * std::hypot(m.misalignment_y, m.misalignment_z),
                pressed = largest_load(m.duty) + (m.ring_mass + mass) * std::abs(m.gravity) +
                          mass * m.pitch_radius * cage_speed * cage_speed +
@@ -62,11 +62,11 @@ Hold hold_of(Run run) {
                    std::min(std::numbers::pi / m.layout.rollers + 2 * widest, kLargestGapAngle);
   const double drop = 0.00035 * m.nominal_diameter * std::log(1e4);  // of a roller's profile
   const double way =
-      (std::max(gap, 0.0) + lobes + 2 * approach + preload + lean + drop) / std::cos(between);
+      (std::max(gap, 0.0) + waves + 2 * approach + preload + lean + drop) / std::cos(between);
   return {way, (mass + m.cage_mass) * surface * surface + 2 * kLoadMargin * pressed * way};
 }
 
-/// Of the cage's centre, over the guide clearance: that, what the guide gives way under the largest
+/// Of the cage's centre, over the guide clearance: that, what the guide deflects under the largest
 /// forces of the run, all of it on one contact whose normal is inclined to the centre's motion, and
 /// what an elastic cage deforms.
 double whirl_held(Run run) {
@@ -123,7 +123,7 @@ const Bound share{[](Run) { return ValueRange{0, 1}; }, "a share lies between 0 
 const Bound slip{[](Run) { return ValueRange{-kInfinite, 1}; }, "a roller that does not spin at all slips by 1"};
 const Bound circle{[](Run) { return ValueRange{0, 360 * (1 + 1e-9)}; }, "rollers are loaded at most all round"};
 const Bound lean{[](Run) { return ValueRange{0, 1e3 * kLeanMax}; }, "the equations hold for small angles, up to 0.1 rad; beyond, parts tumble", "raise discretisation.race_slices to at least 3, check bearing.tilt_stiffness_N_m_rad and the end and flange clearances, and tighten integration.tolerance"};
-const Bound whirl{[](Run r) { return ValueRange{0, whirl_held(r)}; }, "the cage would have left its guide: its centre moves no farther than 1.05 of the guide clearance and what the guide gives way under the forces of this run", "set cage.guidance = \"outer\" or \"inner\", or give the pockets of a cage that rollers guide lips that hold it (cage.retention_width_outer_mm); else tighten integration.tolerance and check cage.guide_clearance_mm, contact.land and start.cage_offset"};
+const Bound whirl{[](Run r) { return ValueRange{0, whirl_held(r)}; }, "the cage would have left its guide: its centre moves no farther than 1.05 of the guide clearance and what the guide deflects under the forces of this run", "set cage.guidance = \"outer\" or \"inner\", or give the pockets of a cage that rollers guide lips that hold it (cage.retention_width_outer_mm); else tighten integration.tolerance and check cage.guide_clearance_mm, contact.land and start.cage_offset"};
 const Bound axial{[](Run r) { return ValueRange{0, 2e6 * r.model.roller_half_length}; }, "the cage would have left the rollers, which are no longer", "check cage.pocket_length_mm, bearing.flange_clearance_mm and contact.end, and tighten integration.tolerance"};
 const Bound ring_place{[](Run r) { return ValueRange{-1e6 * hold_of(r).way, 1e6 * hold_of(r).way}; }, kRing, kRingRemedy};
 const Bound ring_orbit{[](Run r) { return ValueRange{0, 2e6 * hold_of(r).way}; }, kRing, kRingRemedy};

@@ -24,7 +24,7 @@ enum class Kind {
   mean,      ///< over the whole window, or at its end; over points none
   power,     ///< mean power or torque over the whole window; mean by the points' weights
   peak,      ///< largest value, high quantile, or utilisation by it; over points the largest
-  least,     ///< smallest value; over points the smallest
+  minimum,   ///< smallest value; over points the smallest
   place,     ///< where the row's peak is; that of the point at which it is largest
   estimate,  ///< of a peak over more revolutions; over points none
 };

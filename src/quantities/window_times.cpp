@@ -15,11 +15,11 @@ WindowTimes times_of_duty(const Scene& scene, const Duty& duty) {
   const double period = duty.course.empty()     ? 2 * std::numbers::pi / duty.swing_rate
                         : duty.course.repeats() ? duty.course.period()
                                                 : 0;
-  const auto least = [](const NumberList& of) {
+  const auto minimum = [](const NumberList& of) {
     return *std::min_element(of.values.begin(), of.values.end());
   };
   const double settle =
-      given_or(scene.window.settle_time, phases.name.empty() ? period : least(phases.from));
+      given_or(scene.window.settle_time, phases.name.empty() ? period : minimum(phases.from));
   double end = settle + period;
   if (!phases.name.empty())
     end = *std::max_element(phases.to.values.begin(), phases.to.values.end());

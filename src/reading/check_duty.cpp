@@ -10,7 +10,7 @@ namespace cagetol {
 namespace {
 
 constexpr std::size_t kMostRows = 10000;
-constexpr double kLeastSpacing = 1e-9;  // [s]: far below any step
+constexpr double kMinimumSpacing = 1e-9;  // [s]: far below any step
 constexpr std::size_t kLongestName = 40;
 
 struct TableColumn {
@@ -41,7 +41,7 @@ void check_rows(const DutyTable& t, const SceneCheck& check) {
       std::to_string(t.time.size()) + " instants are more than " + std::to_string(kMostRows),
       "leave out what lies between on straight lines");
   for (std::size_t i = 1; i < t.time.size(); ++i)
-    check.require(t.time[i] - t.time[i - 1] >= kLeastSpacing, "duty.time_s",
+    check.require(t.time[i] - t.time[i - 1] >= kMinimumSpacing, "duty.time_s",
                   "instant " + std::to_string(i + 1) + ", " + number_text(t.time[i]) +
                       " s, does not come after the one before it, " + number_text(t.time[i - 1]) +
                       " s",
@@ -53,8 +53,8 @@ void check_period(const DutyTable& t, const SceneCheck& check) {
   check.require(!t.empty(), "duty.repeat_s", "there is no duty to repeat",
                 "give duty.time_s and what the duty imposes, or leave the period out");
   const double span = t.time.values.back() - t.time[0];
-  const bool closed = t.repeat - span < kLeastSpacing;
-  check.require(t.repeat > span - kLeastSpacing, "duty.repeat_s",
+  const bool closed = t.repeat - span < kMinimumSpacing;
+  check.require(t.repeat > span - kMinimumSpacing, "duty.repeat_s",
                 "the period is shorter than the duty, " + number_text(span) + " s",
                 "give at least this");
   check.require(!closed || t.time.size() > 1, "duty.repeat_s", "a single instant has no period",

@@ -7,8 +7,8 @@
 namespace cagetol {
 namespace {
 
-// Sphere ends and inclined flanges meet at a point of both faces, between the roller's corner and
-// the flange's rim.
+// Spherical roller ends and inclined flanges meet at a point of both faces, between the roller's
+// corner and the flange's rim.
 void check_sphere_ends(const Scene& scene, const SceneCheck& check) {
   const BearingGeometry& b = scene.bearing;
   const double radius = scene.roller.end_radius, pitch = pitch_radius(b),
@@ -24,7 +24,7 @@ void check_sphere_ends(const Scene& scene, const SceneCheck& check) {
     const char* key = inner ? "bearing.inner_flange_angle_deg" : "bearing.outer_flange_angle_deg";
     const double angle = inner ? b.inner_flange_angle : b.outer_flange_angle;
     const double rim = (inner ? b.inner_flange_diameter : b.shoulder_diameter) / 2,
-                 least = std::abs(rim - pitch), middle = (least + most) / 2;
+                 minimum = std::abs(rim - pitch), middle = (minimum + most) / 2;
     if (radius == 0 && angle == 0) continue;
     check.require(radius > 0, key,
                   "a flat roller end meets an inclined flange at the edge of its corner only (" +
@@ -32,18 +32,18 @@ void check_sphere_ends(const Scene& scene, const SceneCheck& check) {
                   "give roller.end_radius_mm, " + rounded(middle / std::sin(angle), 1e-3) +
                       " for the middle of the flange, or set the angle to 0");
     check.require(angle > 0, key,
-                  "a sphere-ended roller meets a plane flange at its axis, beyond the rim (" +
+                  "a spherical-ended roller meets a plane flange at its axis, beyond the rim (" +
                       check.with_value("roller.end_radius_mm") + ")",
                   "give an angle, " + degrees(middle) +
                       " for the middle of the flange, or set roller.end_radius_mm = 0");
     const double height = radius * std::sin(angle);
-    check.require(height > least && height < most, key,
+    check.require(height > minimum && height < most, key,
                   "roller end and flange meet " + rounded(height, 1e-3) +
                       " mm from the roller's axis, outside the flange's face from " +
-                      rounded(least, 1e-3) + " to " + rounded(most, 1e-3) + " mm (" +
+                      rounded(minimum, 1e-3) + " to " + rounded(most, 1e-3) + " mm (" +
                       check.with_value("roller.end_radius_mm") + ")",
-                  "give an angle from " + degrees(least) + " to " + degrees(most) +
-                      ", or roller.end_radius_mm from " + rounded(least / std::sin(angle), 1e-3) +
+                  "give an angle from " + degrees(minimum) + " to " + degrees(most) +
+                      ", or roller.end_radius_mm from " + rounded(minimum / std::sin(angle), 1e-3) +
                       " to " + rounded(most / std::sin(angle), 1e-3));
   }
 }
@@ -77,13 +77,13 @@ void check_flanges(const Scene& scene, const SceneCheck& check) {
   }
   check_sphere_ends(scene, check);
   const AxialLoads loads = axial_loads(scene.operation);
-  if (loads.least == 0 && loads.greatest == 0) return;
+  if (loads.minimum == 0 && loads.greatest == 0) return;
   const char* key = scene.operation.table.axial_load.empty() ? "load.axial_N" : "duty.axial_N";
   check.require(!is_quasi_static(scene), key,
                 "rollers carry an axial load by their ends, which " +
                     check.with_value("model.motion") + " leaves out",
                 "set model.motion = \"dynamic\", or leave the load out");
-  for (const double load : {loads.least, loads.greatest})
+  for (const double load : {loads.minimum, loads.greatest})
     check.require(
         load == 0 ||
             (has_flange(b.inner_flanges, load < 0) && has_flange(b.outer_flanges, load > 0)),

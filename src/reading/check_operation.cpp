@@ -103,22 +103,22 @@ void check_in_operation(const Scene& scene, const SceneCheck& check) {
                 "give a larger clearance, or correct the temperatures");
 }
 
-/// Share of a raceway's curvature that a lobe may change: rollers are taken to meet a circle.
+/// Share of a raceway's curvature that a wave may change: rollers are taken to meet a circle.
 constexpr double kFlattest = 0.1;
 
-void check_lobes(const Scene& scene, const SceneCheck& check) {
+void check_waviness(const Scene& scene, const SceneCheck& check) {
   const auto& b = scene.bearing;
   for (const bool inner : {true, false}) {
     const double radius = (inner ? b.inner_raceway_diameter : b.outer_raceway_diameter) / 2;
     int n = 0;
-    for (const Lobes& lobes : inner ? b.inner_lobes : b.outer_lobes) {
+    for (const Waviness& waves : inner ? b.inner_waviness : b.outer_waviness) {
       const std::string name =
-          std::string(inner ? "lobes.inner_" : "lobes.outer_") + std::to_string(++n);
-      const double k = static_cast<double>(lobes.count);
-      check.require(k * k * std::abs(lobes.amplitude) < kFlattest * radius, name + "_um",
-                    "with so many lobes (" + check.with_value(name + "_count") +
+          std::string(inner ? "waviness.inner_" : "waviness.outer_") + std::to_string(++n);
+      const double k = static_cast<double>(waves.count);
+      check.require(k * k * std::abs(waves.amplitude) < kFlattest * radius, name + "_um",
+                    "with so many waves (" + check.with_value(name + "_count") +
                         ") the waves change the raceway's curvature by more than a tenth",
-                    "give a smaller amplitude or fewer lobes");
+                    "give a smaller amplitude or fewer waves");
     }
   }
 }
@@ -127,7 +127,7 @@ void check_lobes(const Scene& scene, const SceneCheck& check) {
 
 void check_operation(const Scene& scene, const SceneCheck& check) {
   check_fits(scene, check);
-  check_lobes(scene, check);
+  check_waviness(scene, check);
   check_in_operation(scene, check);
 }
 

@@ -93,7 +93,7 @@ void check_cage_between_rings(const Scene& scene, const SceneCheck& check) {
                                  : outer_land_diameter(scene.bearing) - cage.outer_diameter;
   const double clearance =
       std::isnan(cage.guide_clearance) ? on_diameter / 2 : cage.guide_clearance;
-  check.require(4 * film.land_film_least < clearance, "lubrication.land_film_least_um",
+  check.require(4 * film.land_film_minimum < clearance, "lubrication.land_film_minimum_um",
                 "roughness this high fills the guide clearance (" +
                     number_text(std::round(clearance * 1e9) / 1e3) + " um)",
                 "give less than a quarter of the clearance");
@@ -175,7 +175,8 @@ void check_outline(const Scene& scene, const SceneCheck& check) {
                 "cage.face_radius_mm), or guide the cage by a ring");
 }
 
-/// Of a pocket's smaller dimension: what bars touch and what the stress at corners is computed from.
+/// Of a pocket's smaller dimension: what bars touch and what the stress at corners is computed
+/// from.
 constexpr double kLargestCorner = 0.3;
 
 void check_pockets(const Scene& scene, const SceneCheck& check) {
@@ -272,8 +273,8 @@ void check_filmed_contacts(const Scene& scene, const SceneCheck& check) {
                       " = \"hertz\", or lubrication.model = \"none\" for a dry bearing");
 }
 
-// By the two-dimensional theory the strip of contact is narrow against the bodies. Its half width is
-// that of src/contact_laws/hertz_line.hpp under the most loaded roller by Stribeck's estimate.
+// By the two-dimensional theory the strip of contact is narrow against the bodies. Its half width
+// is that of src/contact_laws/hertz_line.hpp under the most loaded roller by Stribeck's estimate.
 void check_line_races(const Scene& scene, const SceneCheck& check) {
   if (scene.contact.race.law != ForceLaw::hertz ||
       scene.contact.race_approach != RaceApproach::line)

@@ -20,7 +20,7 @@ bool hertz(const ContactParameters& contact) {
   return contact.law == ForceLaw::hertz;
 }
 
-/// Whether a ring's flanges meet sphere-ended rollers.
+/// Whether a ring's flanges meet spherical-ended rollers.
 bool meets_spheres(const Scene& s, bool inner) {
   const FlangeSides sides = inner ? s.bearing.inner_flanges : s.bearing.outer_flanges;
   return sides != FlangeSides::none && sphere_flange_angle(s, inner) > 0;
@@ -90,7 +90,7 @@ const std::vector<Rule>& rules() {
        "the "
        "outer ring"},
       {{"bearing.dynamic_rating_kN", "bearing.static_rating_kN", "bearing.reference_speed_rpm",
-        "bearing.limiting_speed_rpm", "bearing.least_load_factor"},
+        "bearing.limiting_speed_rpm", "bearing.minimum_load_factor"},
        [](const Scene&) { return true; },
        kCatalogue},
       // What equilibria leave out.
@@ -196,19 +196,19 @@ const std::vector<Rule>& rules() {
          const bool inner = s.bearing.inner_flanges == FlangeSides::none || meets_spheres(s, true);
          return outer && inner;
        },
-       "sphere ends give way by Hertz (roller.end_radius_mm)"},
-      {{"lobes.inner_1_count", "lobes.inner_1_phase_deg"},
-       [](const Scene& s) { return s.bearing.inner_lobes[0].amplitude == 0; },
-       "lobes.inner_1_um = 0"},
-      {{"lobes.inner_2_count", "lobes.inner_2_phase_deg"},
-       [](const Scene& s) { return s.bearing.inner_lobes[1].amplitude == 0; },
-       "lobes.inner_2_um = 0"},
-      {{"lobes.outer_1_count", "lobes.outer_1_phase_deg"},
-       [](const Scene& s) { return s.bearing.outer_lobes[0].amplitude == 0; },
-       "lobes.outer_1_um = 0"},
-      {{"lobes.outer_2_count", "lobes.outer_2_phase_deg"},
-       [](const Scene& s) { return s.bearing.outer_lobes[1].amplitude == 0; },
-       "lobes.outer_2_um = 0"},
+       "spherical roller ends deflect by Hertz (roller.end_radius_mm)"},
+      {{"waviness.inner_1_count", "waviness.inner_1_phase_deg"},
+       [](const Scene& s) { return s.bearing.inner_waviness[0].amplitude == 0; },
+       "waviness.inner_1_um = 0"},
+      {{"waviness.inner_2_count", "waviness.inner_2_phase_deg"},
+       [](const Scene& s) { return s.bearing.inner_waviness[1].amplitude == 0; },
+       "waviness.inner_2_um = 0"},
+      {{"waviness.outer_1_count", "waviness.outer_1_phase_deg"},
+       [](const Scene& s) { return s.bearing.outer_waviness[0].amplitude == 0; },
+       "waviness.outer_1_um = 0"},
+      {{"waviness.outer_2_count", "waviness.outer_2_phase_deg"},
+       [](const Scene& s) { return s.bearing.outer_waviness[1].amplitude == 0; },
+       "waviness.outer_2_um = 0"},
       // Materials.
       {{"bearing.ring_young_GPa", "bearing.ring_poisson"},
        [](const Scene& s) {
@@ -340,7 +340,7 @@ const std::vector<Rule>& rules() {
        "contact.bar.force_law = \"hertz\""},
       // Oil.
       {{"film.*"}, is_lubricated, "lubrication.model = \"film\" brings films of its own"},
-      {{"film.viscosity_Pa_s", "film.pressure_viscosity_1_GPa", "film.least_force_N"},
+      {{"film.viscosity_Pa_s", "film.pressure_viscosity_1_GPa", "film.minimum_force_N"},
        [](const Scene& s) { return s.film.model == FilmModel::none; },
        "film.model = \"none\""},
       {{"lubrication.lubricant",

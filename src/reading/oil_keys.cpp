@@ -17,7 +17,7 @@ constexpr std::array<Replaced, 4> kReplaced = {{
     {"film.model", kModelItself},
     {"film.viscosity_Pa_s", "lubrication.viscosity_Pa_s"},
     {"film.pressure_viscosity_1_GPa", "lubrication.pressure_viscosity_1_GPa"},
-    {"film.least_force_N", kModelItself},
+    {"film.minimum_force_N", kModelItself},
 }};
 
 }  // namespace

@@ -44,7 +44,7 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"bearing.inner_flanges", any_value(), AT(bearing.inner_flanges), "likewise of the inner ring; N: none outside, both inside; NJ: both and one; NUP: both and both"},
       {"bearing.inner_flange_diameter_mm", or_auto(above(0)), AT(bearing.inner_flange_diameter), "rim of the inner ring's flanges; auto: it has none"},
       {"bearing.inner_flange_clearance_mm", or_auto(at_least(0)), AT(bearing.inner_flange_clearance), "axial clearance of a roller between both flanges of the inner ring, half of it at a single one; auto: flange_clearance_mm"},
-      {"bearing.outer_flange_angle_deg", within(0, 10), AT(bearing.outer_flange_angle), "angle of the outer ring's flanges to the radial plane, open towards their rim, which sphere-ended rollers (roller.end_radius_mm) meet at one point; 0: plane, for flat ends"},
+      {"bearing.outer_flange_angle_deg", within(0, 10), AT(bearing.outer_flange_angle), "angle of the outer ring's flanges to the radial plane, open towards their rim, which spherical-ended rollers (roller.end_radius_mm) meet at one point; 0: plane, for flat ends"},
       {"bearing.inner_flange_angle_deg", within(0, 10), AT(bearing.inner_flange_angle), "likewise of the inner ring's flanges"},
       {"bearing.outer_land_diameter_mm", or_auto(above(0)), AT(bearing.outer_land_diameter), "diameter of the surface on the outer ring that meets the cage's outside; auto: flanges on both sides, or else the raceway"},
       {"bearing.inner_land_diameter_mm", or_auto(above(0)), AT(bearing.inner_land_diameter), "diameter of the surface on the inner ring that meets the cage's bore; auto: flanges on both sides, or else the raceway"},
@@ -63,9 +63,9 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
       {"bearing.tilt_stiffness_N_m_rad", at_least(0), AT(bearing.tilt_stiffness), "stiffness with which the shaft holds a ring whose tilt is free; 0: only the rollers hold it"},
       {"bearing.dynamic_rating_kN", or_auto(above(0)), AT(bearing.dynamic_rating), "basic dynamic load rating C, for rating life and warnings, no simulated result; auto: by ISO 281 from rollers and raceways"},
       {"bearing.static_rating_kN", or_auto(above(0)), AT(bearing.static_rating), "basic static load rating C0, likewise; auto: by ISO 76"},
-      {"bearing.reference_speed_rpm", or_auto(above(0)), AT(bearing.reference_speed), "thermal reference speed, for the least load by SKF's rule; auto: not known"},
+      {"bearing.reference_speed_rpm", or_auto(above(0)), AT(bearing.reference_speed), "thermal reference speed, for the minimum load by SKF's rule; auto: not known"},
       {"bearing.limiting_speed_rpm", or_auto(above(0)), AT(bearing.limiting_speed), "limiting speed, above which `cagetol check` warns; auto: not known"},
-      {"bearing.least_load_factor", or_auto(above(0)), AT(bearing.least_load_factor), "factor k_r of the least load by SKF's rule (0.1 in series 10, 0.15 in series 2, 3 and 4, 0.2 in series 22, 0.25 in series 23); auto: not known"},
+      {"bearing.minimum_load_factor", or_auto(above(0)), AT(bearing.minimum_load_factor), "factor k_r of the minimum load by SKF's rule (0.1 in series 10, 0.15 in series 2, 3 and 4, 0.2 in series 22, 0.25 in series 23); auto: not known"},
       {"roller.diameter_mm", required(above(0)), AT(roller.diameter), "roller diameter D_we"},
       {"roller.length_mm", required(above(0)), AT(roller.length), "roller length L_we"},
       {"roller.corner_radius_mm", or_auto(at_least(0)), AT(roller.corner_radius), "radius between a roller's end and its cylinder: beyond it oil holds the flat end off a flange; auto: 0.06 D_we, an assumption"},
@@ -81,23 +81,23 @@ void add_ring_and_roller_keys(KeyTable<Scene>& keys) {
   keys.insert(keys.end(), table.begin(), table.end());
 }
 
-void add_lobe_keys(KeyTable<Scene>& keys) {
-  const auto add = [&](const std::string& ring, std::array<Lobes, kLobes> BearingGeometry::*form) {
-    for (std::size_t n = 0; n < kLobes; ++n) {
-      const auto at = [form, n](auto Lobes::*member) {
+void add_waviness_keys(KeyTable<Scene>& keys) {
+  const auto add = [&](const std::string& ring, std::array<Waviness, kHarmonics> BearingGeometry::*form) {
+    for (std::size_t n = 0; n < kHarmonics; ++n) {
+      const auto at = [form, n](auto Waviness::*member) {
         return [form, n, member](Scene& s) -> auto& { return (s.bearing.*form)[n].*member; };
       };
-      const std::string name = "lobes." + ring + "_" + std::to_string(n + 1);
+      const std::string name = "waviness." + ring + "_" + std::to_string(n + 1);
       const KeyTable<Scene> table = {
-          {name + "_um", within(-500, 500), at(&Lobes::amplitude), "amplitude of the " + std::string(n == 0 ? "first" : "second") + " harmonic of the " + ring + " raceway's radial form, outwards: a cos(k theta - phase), theta as the angle of rollers, from +y towards +z, in the ring, which turns; half the waviness of one harmonic; fits, heat and rotation do not change it"},
-          {name + "_count", within(1, 200), at(&Lobes::count), "its number of lobes k around the raceway"},
-          {name + "_phase_deg", within(-360, 360), at(&Lobes::phase), "its phase; the first crest stands at phase over k from +y at the start of the run"},
+          {name + "_um", within(-500, 500), at(&Waviness::amplitude), "amplitude of the " + std::string(n == 0 ? "first" : "second") + " harmonic of the " + ring + " raceway's radial form, outwards: a cos(k theta - phase), theta as the angle of rollers, from +y towards +z, in the ring, which turns; half the waviness of one harmonic; fits, heat and rotation do not change it"},
+          {name + "_count", within(1, 200), at(&Waviness::count), "its number of waves k around the raceway"},
+          {name + "_phase_deg", within(-360, 360), at(&Waviness::phase), "its phase; the first crest stands at phase over k from +y at the start of the run"},
       };
       keys.insert(keys.end(), table.begin(), table.end());
     }
   };
-  add("inner", &BearingGeometry::inner_lobes);
-  add("outer", &BearingGeometry::outer_lobes);
+  add("inner", &BearingGeometry::inner_waviness);
+  add("outer", &BearingGeometry::outer_waviness);
 }
 
 void add_cage_keys(KeyTable<Scene>& keys) {
@@ -116,7 +116,7 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.poisson", or_auto(within(0, 0.49)), AT(cage.material.poisson), "Poisson's ratio of the cage; auto: of the named material"},
       {"cage.density_kg_m3", or_auto(above(0)), AT(cage.material.density), "density of the cage; auto: likewise"},
       {"cage.expansion_um_m_K", or_auto(within(0, 300)), AT(cage.material.expansion), "linear thermal expansion of the cage, of fibre-filled polymers along the flow; auto: likewise"},
-      {"cage.yield_stress_MPa", or_auto(above(0)), AT(cage.yield_stress), "yield stress of the cage, for cage_yield_utilisation; auto: of the named material at its temperature"},
+      {"cage.yield_stress_MPa", or_auto(above(0)), AT(cage.yield_stress), "yield stress of the cage, for cage_strength_utilisation; auto: of the named material at its temperature"},
       {"cage.tensile_strength_MPa", or_auto(above(0)), AT(cage.tensile_strength), "tensile strength of the cage, for cage_fatigue_utilisation; auto: likewise"},
       {"cage.fatigue_strength_MPa", or_auto(above(0)), AT(cage.fatigue_strength), "fully reversed fatigue strength of the cage (amplitude), for the same; auto: likewise"},
       {"cage.mass_kg", or_auto(above(0)), AT(cage.mass), "mass of the cage; auto: from geometry and density"},
@@ -133,7 +133,7 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.retention_width_outer_mm", or_auto(above(0)), AT(cage.retention_outer), "likewise at the cage's outside"},
       {"cage.edge_radius_mm", above(0), AT(cage.edge_radius), "rounding of the bars' edges and of lips, on which rollers ride that stand beside the faces"},
       {"cage.modes", within(0, kMostElasticModes), AT(cage.modes), "elastic modes of a flexible cage, lowest first"},
-      {"cage.bar_modes", any_value(), AT(cage.bar_modes), "with them a static mode of every bar: how it gives way under rollers beyond what the elastic modes carry"},
+      {"cage.bar_modes", any_value(), AT(cage.bar_modes), "with them a static mode of every bar: how it deflects under rollers beyond what the elastic modes carry"},
       {"cage.mode_damping", or_auto(within(0, 1)), AT(cage.mode_damping), "damping ratio of the elastic modes; auto: half the loss factor of the named material"},
       {"cage.mesh_density", within(1, 12), AT(cage.mesh_density), "finite elements through the thickness of a flexible cage"},
       {"cage.corner_radius_mm", at_least(0), AT(cage.corner_radius), "radius of a flexible cage's pocket corners, which its stiffness and its stress there have; the default is an assumption; 0: sharp, whose stress belongs to the mesh and is for comparisons at one cage.mesh_density only"},
@@ -190,7 +190,7 @@ void add_contact_keys(KeyTable<Scene>& keys, const std::string& kind, ContactPar
       {name + "dynamic_speed_m_s", or_auto(above(0)), at(&ContactParameters::dynamic_speed), "v_d of this contact; auto: friction.dynamic_speed_m_s"},
   };
   keys.insert(keys.end(), table.begin(), table.end());
-  if (kind != "land")  // whose film ends at lubrication.land_film_least_um
+  if (kind != "land")  // whose film ends at lubrication.land_film_minimum_um
     keys.push_back({name + "roughness_um", or_auto(above(0)), at(&ContactParameters::roughness), "composite rms roughness under an oil film; auto: lubrication.race_roughness_um, elsewhere lubrication.pocket_roughness_um"});
   if (!may_be_hertz) return;
   if (kind == "race")
@@ -211,7 +211,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"film.model", any_value(), AT(film.model), "oil film of the roller-race contacts; series: in series with their elasticity (Dowson-Higginson); none: dry"},
       {"film.viscosity_Pa_s", above(0), AT(film.viscosity), "viscosity at ambient pressure"},
       {"film.pressure_viscosity_1_GPa", above(0), AT(film.pressure_viscosity), "pressure-viscosity coefficient"},
-      {"film.least_force_N", above(0), AT(film.least_force), "below this force of a contact the film thickens along its tangent only, at no force to 1.13 times what it is at this one"},
+      {"film.minimum_force_N", above(0), AT(film.minimum_force), "below this force of a contact the film thickens along its tangent only, at no force to 1.13 times what it is at this one"},
       {"lubrication.model", required_where(R"(model.motion = "dynamic")", any_value()), AT(lubrication.model), "oil in the bearing; film: films, rolling resistance and traction at races and pockets, a film at guide lands (src/lubrication), instead of film.*; none: dry or that older film, the other keys of this section do nothing"},
       {"lubrication.lubricant", one_of(lubricant_names()), AT(lubrication.lubricant), "named oil, for the keys of this section that are left to auto"},
       {"lubrication.temperature_C", within(-60, 250), AT(lubrication.temperature), "temperature of the oil in the bearing"},
@@ -239,7 +239,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"lubrication.carried_along", within(0, 1), AT(lubrication.carried_along), "share of the cage's speed at which the oil and air turn"},
       {"lubrication.land_film", any_value(), AT(lubrication.land_film), "oil film between the lands of a guided cage and their ring (Ocvirk, half of it in suction left out)"},
       {"lubrication.land_film_width_mm", or_auto(above(0)), AT(lubrication.land_film_width), "axial width of a land; auto: that of the cage's side rings"},
-      {"lubrication.land_film_least_um", above(0), AT(lubrication.land_film_least), "gap at which roughness ends that film and the lands touch"},
+      {"lubrication.land_film_minimum_um", above(0), AT(lubrication.land_film_minimum), "gap at which roughness ends that film and the lands touch"},
       {"load.radial_N", required(at_least(0)), AT(operation.radial_load), "radial load on the inner ring"},
       {"load.axial_N", any_value(), AT(operation.axial_load), "axial load on the inner ring, along +x: carried from a flange of the inner ring by the rollers' ends to one of the outer ring, while the inner ring moves axially; 0: it keeps its place"},
       {"load.direction_deg", within(-360, 360), AT(operation.load_direction), "direction of the radial load in the bearing's plane: 0 along -z, as gravity on a horizontal shaft; positive turned about +x, from y towards z, so that 90 is along +y"},
@@ -307,12 +307,12 @@ void add_operation_keys(KeyTable<Scene>& keys) {
 KeyTable<Scene> make_scene_keys() {
   KeyTable<Scene> keys;
   add_ring_and_roller_keys(keys);
-  add_lobe_keys(keys);
+  add_waviness_keys(keys);
   add_cage_keys(keys);
   add_clearance_keys(keys);
   add_contact_keys(keys, "race", &Contacts::race, "roller against raceways", true);
   add_contact_keys(keys, "bar", &Contacts::bar, "roller against pocket bars", true);
-  add_contact_keys(keys, "end", &Contacts::end, "roller end against pocket end wall", false);
+  add_contact_keys(keys, "end", &Contacts::end, "roller end against pocket side ring face", false);
   add_contact_keys(keys, "flange", &Contacts::flange, "roller end against ring flange", false);
   add_contact_keys(keys, "land", &Contacts::land, "cage against its guiding land", false);
   add_operation_keys(keys);

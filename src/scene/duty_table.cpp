@@ -20,7 +20,7 @@ AxialLoads axial_loads(const Operation& o) {
   if (column.empty()) return {std::min(o.axial_load, 0.0), std::max(o.axial_load, 0.0)};
   AxialLoads loads;
   for (const double value : column.values) {
-    loads.least = std::min(loads.least, value);
+    loads.minimum = std::min(loads.minimum, value);
     loads.greatest = std::max(loads.greatest, value);
   }
   return loads;

@@ -88,15 +88,15 @@ double retention_width(CageGeometry cage, double pitch_radius, double roller_rad
 }
 
 double roller_guide_clearance(const Scene& scene, double pitch_radius) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const PocketOutline outline =
         pocket_outline(scene.cage, pitch_radius, each(scene.cage.pocket_width, j));
     for (const int end : {0, 1})
-      least = std::min(least,
-                       radial_play(outline, pitch_radius, each(scene.roller.diameter, j) / 2, end));
+      minimum = std::min(
+          minimum, radial_play(outline, pitch_radius, each(scene.roller.diameter, j) / 2, end));
   }
-  return least;
+  return minimum;
 }
 
 }  // namespace cagetol

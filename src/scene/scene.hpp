@@ -37,12 +37,12 @@ struct Simplification {
 };
 
 /// Waves around a raceway, one harmonic of its radial form (src/model/raceway_form.hpp).
-struct Lobes {
+struct Waviness {
   double amplitude = 0;  ///< a_k [m]
   long count = 2;        ///< k
   double phase = 0;      ///< phi_k [rad]
 };
-inline constexpr int kLobes = 2;  ///< harmonics of a raceway
+inline constexpr int kHarmonics = 2;  ///< harmonics of a raceway
 
 struct BearingGeometry {
   long roller_count = 13;                   ///< Z
@@ -55,7 +55,8 @@ struct BearingGeometry {
   double shoulder_diameter = 43.8e-3;     ///< of the outer ring's flanges; kAuto: it has none [m]
   double inner_flange_diameter = kAuto;   ///< of the inner ring's flanges [m]
   double inner_flange_clearance = kAuto;  ///< as flange_clearance, which it is if kAuto [m]
-  /// Of the flanges' faces to the radial plane, open towards their rim; for sphere ends [rad].
+  /// Of the flanges' faces to the radial plane, open towards their rim; for spherical roller ends
+  /// [rad].
   double outer_flange_angle = 0, inner_flange_angle = 0;
   /// Surfaces that meet the cage; kAuto: flanges on both sides, or else the raceway [m].
   double outer_land_diameter = kAuto, inner_land_diameter = kAuto;
@@ -65,8 +66,8 @@ struct BearingGeometry {
   MaterialChoice ring_material{"bearing-steel"};
   double inner_ring_mass = kAuto;                                                  ///< [kg]
   double inner_ring_polar_inertia = kAuto, inner_ring_transverse_inertia = kAuto;  ///< [kg m^2]
-  std::array<Lobes, kLobes> inner_lobes = {Lobes{0, 2, 0}, Lobes{0, 3, 0}},
-                            outer_lobes = inner_lobes;
+  std::array<Waviness, kHarmonics> inner_waviness = {Waviness{0, 2, 0}, Waviness{0, 3, 0}},
+                                   outer_waviness = inner_waviness;
   double misalignment_y = 0;  ///< slope of the inner ring's centre line in y [rad]
   double misalignment_z = 0;  ///< slope in z [rad]
   double tilt_stiffness = 0;  ///< of the shaft against the tilt of a free ring [N m/rad]
@@ -74,7 +75,7 @@ struct BearingGeometry {
   double dynamic_rating = kAuto;                           ///< C; kAuto: by ISO 281 [N]
   double static_rating = kAuto;                            ///< C_0; kAuto: by ISO 76 [N]
   double reference_speed = kAuto, limiting_speed = kAuto;  ///< kAuto: not known [rad/s]
-  double least_load_factor = kAuto;                        ///< k_r; kAuto: not known
+  double minimum_load_factor = kAuto;                      ///< k_r; kAuto: not known
 };
 
 struct RollerGeometry {
@@ -153,7 +154,7 @@ struct CageGeometry {
 struct Contacts {
   ContactParameters race{.law = ForceLaw::hertz};  ///< roller-inner race and roller-outer race
   ContactParameters bar{.law = ForceLaw::hertz};   ///< roller-pocket bar
-  ContactParameters end;                           ///< roller end-pocket end wall
+  ContactParameters end;                           ///< roller end-pocket side ring face
   ContactParameters flange;                        ///< roller end-ring flange
   ContactParameters land;                          ///< cage land-ring shoulder
   double friction_static = 0.07;                   ///< mu_s
@@ -187,12 +188,12 @@ struct Lubrication {
   bool pocket_film = true;    ///< film between rollers and pocket bars
   bool end_film = true;       ///< film at roller ends, against pockets and flanges
   bool churning = true;
-  double oil_share = 0.02;         ///< volume fraction of oil in the free space
-  double roller_drag = 1;          ///< C_d of a roller in its orbit
-  double carried_along = 0.5;      ///< speed of oil and air over the cage's speed
-  bool land_film = true;           ///< short-bearing film at the lands of a guided cage
-  double land_film_width = kAuto;  ///< of a land, axial [m]
-  double land_film_least = 1e-6;   ///< smallest film: below it the lands touch [m]
+  double oil_share = 0.02;          ///< volume fraction of oil in the free space
+  double roller_drag = 1;           ///< C_d of a roller in its orbit
+  double carried_along = 0.5;       ///< speed of oil and air over the cage's speed
+  bool land_film = true;            ///< short-bearing film at the lands of a guided cage
+  double land_film_width = kAuto;   ///< of a land, axial [m]
+  double land_film_minimum = 1e-6;  ///< smallest film: below it the lands touch [m]
 };
 
 /// What a duty imposes, at instants in time and on straight lines between them; after the last one
@@ -322,7 +323,7 @@ inline bool changes_over_time(const Operation& operation) {
 }
 /// Ends of the values that an axial load takes, zero among them [N].
 struct AxialLoads {
-  double least = 0, greatest = 0;
+  double minimum = 0, greatest = 0;
 };
 AxialLoads axial_loads(const Operation& operation);
 /// The axial load at the start, or else the first one that is not zero [N].
@@ -335,7 +336,7 @@ double largest_outer_speed(const Operation& operation);
 /// An axial load moves the inner ring until flanges carry it; without one it keeps its place.
 inline bool has_free_axial_place(const Scene& scene) {
   const AxialLoads loads = axial_loads(scene.operation);
-  return loads.least != 0 || loads.greatest != 0;
+  return loads.minimum != 0 || loads.greatest != 0;
 }
 inline bool is_flexible(const Scene& scene) {
   return scene.cage.model == CageKind::flexible;
@@ -372,7 +373,7 @@ inline bool has_end_film(const Scene& scene) {
 inline double corner_radius(const Scene& scene) {
   return given_or(scene.roller.corner_radius, 0.06 * scene.roller.diameter[0]);
 }
-/// Angle of a ring's flanges where sphere-ended rollers meet them, else 0 [rad].
+/// Angle of a ring's flanges where spherical-ended rollers meet them, else 0 [rad].
 inline double sphere_flange_angle(const Scene& scene, bool inner) {
   const double angle = inner ? scene.bearing.inner_flange_angle : scene.bearing.outer_flange_angle;
   return scene.roller.end_radius > 0 ? angle : 0;

@@ -7,7 +7,7 @@
 // and d = r e_r + X alpha_r e_r - u - X B: everything follows from moments over X.
 #pragma once
 
-#include "src/contacts/lobed_race.hpp"
+#include "src/contacts/wavy_race.hpp"
 #include "src/lubrication/lubricated_line.hpp"
 
 namespace cagetol {
@@ -47,7 +47,7 @@ inline void add_normal(const Slice& slice, const NormalForce<Pack>& normal, cons
 
 /// Adds what the form of the race makes of that slice: F = Q (n - g). Left out of the slopes: what
 /// the form does to p'.
-inline void add_normal_of_form(const LobedRace& form, const NormalForce<Pack>& normal,
+inline void add_normal_of_form(const WavyRace& form, const NormalForce<Pack>& normal,
                                const SliceGap& gap, RaceNormals& sums) {
   const Pack n[2] = {gap.n_r, gap.n_t};
   for (int i = 0; i < 2; ++i) {
@@ -68,7 +68,7 @@ inline RaceNormals lubricated_normals(const BearingModel& model, const Lubricate
   using D = Dual<Pack, 2>;
   RaceNormals sums;
   const LineSpeed<D> speed = line_speed(line, D{entrainment(race, roller, q).speed, {}});
-  const LobedRace form = race.form ? lobed_race(q, race) : LobedRace{};
+  const WavyRace form = race.form ? wavy_race(q, race) : WavyRace{};
   for (const Slice& slice : model.race_slices) {
     SliceGap gap = slice_gap(roller, q, race, slice);
     if (race.form) gap.p += form.w;
@@ -102,7 +102,7 @@ inline RaceNormals race_normals(const BearingModel& model, const NormalLaw& law,
     film = film_at_speed(race.film, absolute(entrainment(race, roller, q)).speed);
     thickest = thickest_film(race.film, film);
   }
-  const LobedRace form = race.form ? lobed_race(q, race) : LobedRace{};
+  const WavyRace form = race.form ? wavy_race(q, race) : WavyRace{};
   for (const Slice& slice : model.race_slices) {
     SliceGap gap = slice_gap(roller, q, race, slice);
     if (race.form) gap.p += form.w;

@@ -9,7 +9,7 @@
 // F_r, F_t, F_s forces of races and bars (lubricated_race.hpp, lubricated_pocket.hpp). The
 // tangential balance says what the bars bear, and with it the side and the gap. Left out: what an
 // off-centre cage does to the orbital rate (within its pocket a roller passes that by),
-// misalignment, lobes of the raceways, lean and scatter of rollers (all are mean ones), pocket ends
+// misalignment, waves of the raceways, lean and scatter of rollers (all are mean ones), pocket ends
 // and flanges, bending of the cage, squeeze, traction on the ring, and the time from one bar to the
 // other.
 #pragma once

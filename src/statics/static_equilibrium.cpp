@@ -23,9 +23,9 @@ constexpr double kFollowedWithin = 1e-4;  // [m]
 constexpr int kMostDescending = 400;
 constexpr int kMostHalvings = 30;
 constexpr int kMostCorrections = 40;
-constexpr double kLeastShare = 1.0 / 16;  // by which the damping grows
-constexpr double kProbe = 1e-9;           // move that tells a derivative [m]
-constexpr double kStandstill = 1e-16;     // a move below this is none [m]
+constexpr double kMinimumShare = 1.0 / 16;  // by which the damping grows
+constexpr double kProbe = 1e-9;             // move that tells a derivative [m]
+constexpr double kStandstill = 1e-16;       // a move below this is none [m]
 // Of a roller's place [m], for a balance of the ring to a share `accuracy` of the load: were it
 // more, the ring's iteration would see noise (1e-14 m are a millionth of a newton of a loaded
 // contact). Never below what the place itself can be told to.
@@ -300,7 +300,7 @@ void StaticEquilibrium::search(const double* angle, double orbit_rate, const Rin
   RingForce f = descend(angle, orbit_rate, load);
   if (state_.converged && motion == RollerMotion::orbiting) {
     double share = 0;
-    for (double step = 1; share < 1 && step >= kLeastShare;) {
+    for (double step = 1; share < 1 && step >= kMinimumShare;) {
       const StaticState from = state_;
       const auto resting = std::pair{resting_radius_, resting_tilt_};
       const double next = std::min(1.0, share + step);

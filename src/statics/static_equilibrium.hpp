@@ -42,7 +42,7 @@ class StaticEquilibrium {
   /// outer ring of the duty's last speed, or that of turn_outer().
   void spin(const double* spins, const RingSpeeds& speeds);
   void turn_outer(double speed) { speeds_.outer = speed; }
-  /// From now on the rings, whose raceways may have lobes, stand so.
+  /// From now on the rings, whose raceways may have waves, stand so.
   void turn_rings(const RingAngles& angles) { angles_ = angles; }
   /// The last solution.
   const StaticState& state() const { return state_; }

@@ -47,7 +47,7 @@ cage_revolutions = 6
 target_yield = 0.9
 [[tolerance.dimension]]
 key = "cage.pocket_width_mm"
-band_mm = 0.1
+tolerance_width_mm = 0.1
 candidates = ["IT11", "IT12"]
 [recommend]
 pilot_samples = 40
@@ -166,11 +166,11 @@ TEST_F(AssumptionStages, AreRunLaterAndMoreOftenInTheSameDirectory) {
 }
 
 TEST_F(AssumptionStages, AreThoseOfTheSurestAttemptWhereNothingIsConfirmed) {
-  const Ended ended = run(recommend(
-      "out", "20",
-      {"--exit-code", "--set", "tolerance.target_yield=0.97", "--set", "recommend.attempts=1",
-       "--set",
-       "tolerance.dimension=[{key='cage.pocket_width_mm', band_mm=0.1, candidates=['IT12']}]"}));
+  const Ended ended = run(recommend("out", "20",
+                                    {"--exit-code", "--set", "tolerance.target_yield=0.97", "--set",
+                                     "recommend.attempts=1", "--set",
+                                     "tolerance.dimension=[{key='cage.pocket_width_mm', "
+                                     "tolerance_width_mm=0.1, candidates=['IT12']}]"}));
   EXPECT_EQ(ended.code, 1) << ended.output;
   EXPECT_THAT(ended.output, HasSubstr("limits: not confirmed"));
   EXPECT_EQ(read_study_file(file("out", stages("20")[5])).outcomes.size(), 20u);

@@ -90,7 +90,8 @@ TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
     for (const char* setting :
          {"scene.cage.mesh_density=1", "scene.cage.modes=6", "scene.cage.corner_radius_mm=0",
           "scene.cage.pocket_width_mm.lot={law='uniform', lower=-0.2, upper=0.2}",
-          "tolerance.dimension=[{key='cage.pocket_width_mm', band_mm=0.1, candidates=[0.1]}]"})
+          "tolerance.dimension=[{key='cage.pocket_width_mm', tolerance_width_mm=0.1, "
+          "candidates=[0.1]}]"})
       command.insert(command.end(), {"--set", setting});
     return command;
   };

@@ -39,7 +39,7 @@ cage_revolutions = 6
 target_yield = 0.9
 [[tolerance.dimension]]
 key = "cage.pocket_width_mm"
-band_mm = 0.1
+tolerance_width_mm = 0.1
 candidates = ["IT11", "IT12", "IT13"]
 [recommend]
 pilot_samples = 40

@@ -1,6 +1,6 @@
 // `cagetol recommend` with a formula in place of the physics: the cage slips by how far its widest
-// pocket exceeds the nominal 7.65 mm, and by 0.01 more for each slice of a contact below five. A share
-// of the runs may be lost.
+// pocket exceeds the nominal 7.65 mm, and by 0.01 more for each slice of a contact below five. A
+// share of the runs may be lost.
 #include <CLI/CLI.hpp>
 
 #include <algorithm>

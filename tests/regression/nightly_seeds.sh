@@ -26,7 +26,7 @@ out, seeds = sys.argv[1], int(sys.argv[2])
 grades, close = [], []
 for seed in range(1, seeds + 1):
     verdict = json.load(open(f"{out}/{seed}/report.json"))["verdict"]
-    grades.append(", ".join(f"{key} {band['grade']}" for key, band in sorted(verdict["bands"].items())))
+    grades.append(", ".join(f"{key} {tolerance['grade']}" for key, tolerance in sorted(verdict["tolerances"].items())))
     close.append(bool(verdict["close"]))
     print(f"seed {seed}: {grades[-1]}{', close' if close[-1] else ''}: {verdict['statement'][:160]}")
 most, count = collections.Counter(grades).most_common(1)[0]

@@ -176,7 +176,7 @@ void flange_the_inner_ring(unsigned seed, Scene& scene) {
     b.outer_flanges = FlangeSides::none;
 }
 
-/// Sphere ends, which meet every flange in the middle of its face.
+/// Spherical roller ends, which meet every flange in the middle of its face.
 void round_the_ends(unsigned seed, Scene& scene) {
   Draw draw(seed + 6000011);
   auto& b = scene.bearing;
@@ -189,12 +189,12 @@ void round_the_ends(unsigned seed, Scene& scene) {
   if (b.inner_flanges != FlangeSides::none) b.inner_flange_angle = angle(b.inner_flange_diameter);
 }
 
-/// Lobes on both raceways.
+/// Waviness on both raceways.
 void wave_the_raceways(unsigned seed, Scene& scene) {
   Draw draw(seed + 5000011);
-  for (auto* form : {&scene.bearing.inner_lobes, &scene.bearing.outer_lobes})
-    for (Lobes& lobes : *form)
-      lobes = {draw.about(15e-6), static_cast<long>(draw.between(1, 9)), draw.about(3)};
+  for (auto* form : {&scene.bearing.inner_waviness, &scene.bearing.outer_waviness})
+    for (Waviness& waves : *form)
+      waves = {draw.about(15e-6), static_cast<long>(draw.between(1, 9)), draw.about(3)};
 }
 
 void oil_the_lands(const Scene& scene, BearingModel& model) {
@@ -211,7 +211,7 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
   if (options.inner_flanges && options.freedom == Freedom::spatial && seed % 4 == 3)
     flange_the_inner_ring(seed, b.scene);
   if (options.sphere_ends) round_the_ends(seed, b.scene);
-  if (options.lobed) wave_the_raceways(seed, b.scene);
+  if (options.wavy) wave_the_raceways(seed, b.scene);
   b.scene.film.model = options.film;
   if (options.lubricated) {
     b.scene.lubrication.model = LubricationModel::film;

@@ -37,7 +37,7 @@ struct RandomBearingOptions {
   bool oiled_lands = false;         ///< a dry bearing but for its guide film
   bool lubricated = false;          ///< lubrication.model = LubricationModel::film
   Outline outline = Outline::flat;  ///< else rollers stand apart from the races
-  bool lobed = false;               ///< raceways with random lobes
+  bool wavy = false;                ///< raceways with random waves
   bool sphere_ends = false;         ///< of rollers, against inclined flanges
   bool inner_flanges = true;        ///< on every fourth bearing whose ring does not tilt
 };

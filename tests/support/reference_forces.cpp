@@ -286,10 +286,10 @@ class Bearing {
         std::atan2(to.z(), to.y()) - (inner ? turned_by(o.inner_speed, o.speed_ramp_from)
                                             : turned_by(o.outer_speed, o.outer_ramp_from));
     double height = 0, slope = 0;
-    for (const Lobes& of : inner ? b.inner_lobes : b.outer_lobes) {
-      const auto lobes = static_cast<double>(of.count);
-      height += of.amplitude * std::cos(lobes * angle - of.phase);
-      slope -= lobes * of.amplitude * std::sin(lobes * angle - of.phase);
+    for (const Waviness& of : inner ? b.inner_waviness : b.outer_waviness) {
+      const auto waves = static_cast<double>(of.count);
+      height += of.amplitude * std::cos(waves * angle - of.phase);
+      slope -= waves * of.amplitude * std::sin(waves * angle - of.phase);
     }
     for (long k = 0; k < slices; ++k) {
       const double xi =
@@ -443,8 +443,8 @@ class Bearing {
         });
   }
 
-  /// Hertz's contact of a sphere end and a cone of opposite or like curvature around the ring, as
-  /// an impact law of that exponent.
+  /// Hertz's contact of a spherical roller end and a cone of opposite or like curvature around the
+  /// ring, as an impact law of that exponent.
   ContactParameters sphere_law(double angle, bool inner, double pitch) const {
     const double way = inner ? -1 : 1, R_e = scene_.roller.end_radius;
     const double around =
@@ -465,7 +465,7 @@ class Bearing {
     return law;
   }
 
-  /// A sphere end against an inclined flange, by src/contacts/sphere_flange.hpp.
+  /// A spherical roller end against an inclined flange, by src/contacts/sphere_flange.hpp.
   void sphere_end(const Roller& roller, double e, bool inner, Forces& forces) {
     const auto& b = scene_.bearing;
     const double way = inner ? -1 : 1, R_e = scene_.roller.end_radius;

@@ -63,15 +63,15 @@ nlohmann::ordered_json study_json(const SyntheticOptions& options) {
   study["tolerance"] = {{"target_yield", 0.95},
                         {"confidence", 0.95},
                         {"dimension",
-                         {{{"key", "cage.pocket_width_mm"}, {"band_mm", 0.1}},
-                          {{"key", "cage.pocket_length_mm"}, {"band_mm", 0.1}}}}};
+                         {{{"key", "cage.pocket_width_mm"}, {"tolerance_width_mm", 0.1}},
+                          {{"key", "cage.pocket_length_mm"}, {"tolerance_width_mm", 0.1}}}}};
   const std::vector<std::pair<const char*, double>> widths = {
       {"IT9", 0.036}, {"IT10", 0.058}, {"IT11", 0.09}, {"IT12", 0.15}};
   const std::vector<std::pair<const char*, double>> lengths = {{"IT9", 0.036}, {"IT11", 0.09}};
   study["candidates"] = Json::array();
   for (const auto& [width_grade, width] : widths)
     for (const auto& [length_grade, length] : lengths)
-      study["candidates"].push_back({{"bands_mm", {width, length}},
+      study["candidates"].push_back({{"tolerance_widths_mm", {width, length}},
                                      {"grades", {width_grade, length_grade}},
                                      {"scales", {width / 0.1, length / 0.1}}});
   return study;

@@ -22,7 +22,7 @@ void add_candidates(StudyPlan& plan, const std::vector<StandinDimension>& dimens
                     std::vector<double> scales) {
   if (scales.size() == dimensions.size()) {
     Candidate candidate{{}, std::vector<std::string>(scales.size()), scales};
-    for (const double scale : scales) candidate.bands_mm.push_back(0.1 * scale);
+    for (const double scale : scales) candidate.tolerance_widths_mm.push_back(0.1 * scale);
     plan.candidates.push_back(std::move(candidate));
     return;
   }
@@ -84,8 +84,8 @@ double widest_pocket(const StandinCage& cage) {
   return *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end()) - 0.026;
 }
 
-double widest_pocket_yield(double band_mm) {
-  return std::pow(gsl_cdf_ugaussian_P(0.26 / band_mm), kPockets);
+double widest_pocket_yield(double tolerance_width_mm) {
+  return std::pow(gsl_cdf_ugaussian_P(0.26 / tolerance_width_mm), kPockets);
 }
 
 }  // namespace cagetol

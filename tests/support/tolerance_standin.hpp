@@ -13,7 +13,7 @@ namespace cagetol {
 struct StandinDimension {
   std::string key;                         ///< "cage.pocket_width_mm"
   double lot_sigma = 0, pocket_sigma = 0;  ///< at scale 1; 0: no such part
-  std::vector<double> scales;              ///< candidates; bands are 0.1 mm times these
+  std::vector<double> scales;              ///< candidates; tolerances are 0.1 mm times these
 };
 
 /// Deviations of one sample: lot and 13 pockets of each dimension.
@@ -36,8 +36,8 @@ extern const StandinDimension kPrintedWidth, kPrintedLength;
 /// "badness" of a cage that fails when the widest of its 13 pockets exceeds 0.026 mm.
 double widest_pocket(const StandinCage& cage);
 
-/// Its yield, Phi(0.26 mm / band)^13: at 0.036, 0.058, 0.09, 0.15 mm 1.0000, 0.99995, 0.9751,
+/// Its yield, Phi(0.26 mm / tolerance)^13: at 0.036, 0.058, 0.09, 0.15 mm 1.0000, 0.99995, 0.9751,
 /// 0.5731.
-double widest_pocket_yield(double band_mm);
+double widest_pocket_yield(double tolerance_width_mm);
 
 }  // namespace cagetol

@@ -8,7 +8,7 @@
 //   t  across, from the pocket's outline (0) to the outer edge (1)
 //   r  from the inner (0) to the outer surface (1)
 // A fillet is what an end mill leaves that moves along the pocket's radial middle line: a cylinder
-// of the corner radius about an axis in that direction, tangent to face and end wall.
+// of the corner radius about an axis in that direction, tangent to face and side ring face.
 // Positions are those of the leading face, in the sector's own frame. Trailing faces are mirror
 // images.
 #pragma once
@@ -67,7 +67,7 @@ Eigen::Matrix3Xd strip_nodes(const CageDimensions& cage, const PocketDeviation& 
                              const BarStrip& strip);
 
 /// The same places in the coordinates of the sector grid, to read its fields there. Places in a
-/// fillet, where the grid has no material, are moved to the pocket's end wall.
+/// fillet, where the grid has no material, are moved to the pocket's side ring face.
 std::vector<SectorPoint> strip_places(const CageDimensions& cage, const PocketDeviation& deviation,
                                       const BarStrip& strip, const Eigen::Matrix3Xd& nodes);
 

@@ -8,7 +8,7 @@
 // Faces of pocket j, in its own frame, turned to 2 pi j / Z + pitch:
 //   leading face   u = +S/2 + x gamma
 //   trailing face  u = -S/2 + x gamma
-//   end walls      x = +-L/2
+//   side ring faces      x = +-L/2
 // Fillets between them are cylinders of the corner radius about radial axes.
 // u is the tangential offset from the pocket's central radial plane, so bars are wedges.
 #pragma once

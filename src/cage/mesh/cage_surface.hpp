@@ -21,9 +21,9 @@ struct CageSurface {
 /// `up`: axial position x [m].
 CageSurface cylinder_surface(const CageMesh& cage, bool outer);
 
-/// The walls of a pocket in sequence, seen from inside: trailing face along +x, end wall at x > 0
-/// towards the leading face, leading face along -x, end wall at x < 0. `across`: distance along the
-/// walls [m]; `up`: radius [m].
+/// The walls of a pocket in sequence, seen from inside: trailing face along +x, side ring face at x
+/// > 0 towards the leading face, leading face along -x, side ring face at x < 0. `across`: distance
+/// along the walls [m]; `up`: radius [m].
 CageSurface pocket_walls(const CageMesh& cage, const PocketDeviation& deviation, long pocket);
 
 }  // namespace cagetol

@@ -11,8 +11,8 @@ namespace {
 /// Depth to which every node is watched: on meshes finer than the default the stress of a fillet
 /// peaks just inside the surface of the cage.
 constexpr double kSurface = 0.06;
-constexpr int kLineSamples = 48, kBandSamples = 16;
-constexpr double kBand = 0.25;  ///< of the thickness, to both sides of the pitch circle
+constexpr int kLineSamples = 48, kToleranceSamples = 16;
+constexpr double kTolerance = 0.25;  ///< of the thickness, to both sides of the pitch circle
 
 }  // namespace
 
@@ -83,9 +83,9 @@ Eigen::VectorXd strip_line_load(const CageDimensions& cage, const CageStations& 
       const double t = (2 * i + 1.0) / kLineSamples - 1;
       const double x = low + half * (1 + t);
       if (x < x0 || x >= x1) continue;
-      for (int k = 0; k < kBandSamples; ++k) {
-        const double b = (2 * k + 1.0) / kBandSamples - 1;
-        const double r = (depth + kBand * b - r0) / (r1 - r0);
+      for (int k = 0; k < kToleranceSamples; ++k) {
+        const double b = (2 * k + 1.0) / kToleranceSamples - 1;
+        const double r = (depth + kTolerance * b - r0) / (r1 - r0);
         if (r < 0 || r >= 1) continue;
         const double weight = (1 + lean * t) * (1 - std::abs(b));
         const auto shape = hex20_shape({2 * (x - x0) / (x1 - x0) - 1, 2 * r - 1, -1});

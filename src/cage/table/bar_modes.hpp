@@ -1,4 +1,4 @@
-// Static modes of the bars: how each bar gives way under a roller beyond what the kept elastic
+// Static modes of the bars: how each bar deflects under a roller beyond what the kept elastic
 // modes carry. Those leave out a third to a half of a bar's compliance, and 36 of them hardly less
 // than 20: a bar bends locally, which takes modes far above 100 kHz to compose.
 //

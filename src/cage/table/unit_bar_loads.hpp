@@ -1,4 +1,4 @@
-// What one newton on a bar does to a flexible cage: how far the bar gives way, and the stress.
+// What one newton on a bar does to a flexible cage: how far the bar deflects, and the stress.
 //
 // A static force along the tangent, balanced by the inertia of the whole cage (inertia relief).
 #pragma once

@@ -1,4 +1,4 @@
-// `cagetol check` on duties over time, laws and bands.
+// `cagetol check` on duties over time, laws and tolerances.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ to_s = 0.09
   EXPECT_THAT(printed_by_check(study_text("")), Not(HasSubstr("duty over time")));
 }
 
-TEST(CheckCommand, SaysHowLawsFillTheirBandAndHowManyCagesJam) {
+TEST(CheckCommand, SaysHowLawsFillTheirToleranceAndHowManyCagesJam) {
   const auto with_sigma = [](const char* sigma) {
     return printed_by_check(study_text(std::string("cage.pocket_width_mm = { nominal = 7.65, law = "
                                                    "\"normal\", sigma = ") +
@@ -59,7 +59,7 @@ source = "assumption"
 cage_revolutions = 1
 [[tolerance.dimension]]
 key = "cage.pocket_width_mm"
-band_mm = 0.06
+tolerance_width_mm = 0.06
 candidates = [0.06, 0.03]
 )"));
   };

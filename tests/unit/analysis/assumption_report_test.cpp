@@ -38,8 +38,9 @@ class AssumptionReport : public testing::Test {
                                             .failed_share = 0,
                                             .stress_limit = 1000,
                                             .whirl_limit = 100});
-    study.plan.whole["candidates"] = {
-        {{"bands_mm", {0.09, 0.09}}, {"grades", {"IT11", "IT11"}}, {"scales", {0.9, 0.9}}}};
+    study.plan.whole["candidates"] = {{{"tolerance_widths_mm", {0.09, 0.09}},
+                                       {"grades", {"IT11", "IT11"}},
+                                       {"scales", {0.9, 0.9}}}};
     std::fill(study.candidate.begin(), study.candidate.end(), 0);
     std::fill(study.status.begin(), study.status.end(), RunStatus::ok);
     for (Column& quantity : study.quantities)

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Bands of 0.058, 0.09 and 0.15 mm, whose yields are 0.99995, 0.9751 and 0.5731.
+/// Tolerances of 0.058, 0.09 and 0.15 mm, whose yields are 0.99995, 0.9751 and 0.5731.
 MixtureStudy mixture_of(double target, std::int64_t rows = 900) {
   StandinDimension width = kPrintedWidth;
   width.scales = {0.58, 0.9, 1.5};
@@ -19,8 +19,8 @@ MixtureStudy mixture_of(double target, std::int64_t rows = 900) {
   return study_mixture(study);
 }
 
-double band(const AttemptChoice& choice) {
-  return choice.recommendation.bands[0].band_mm;
+double tolerance_width(const AttemptChoice& choice) {
+  return choice.recommendation.tolerances[0].tolerance_width_mm;
 }
 
 TEST(ChooseAttempt, TakesTheWidestWhileAnotherAttemptRemains) {
@@ -28,14 +28,14 @@ TEST(ChooseAttempt, TakesTheWidestWhileAnotherAttemptRemains) {
   const CampaignPlan plan{.mixture_rows = 900, .confirm_runs = 900};
   const auto first = choose_attempt(mixture, plan, {});
   ASSERT_TRUE(first);
-  EXPECT_NEAR(band(*first), 0.09, 1e-12);
+  EXPECT_NEAR(tolerance_width(*first), 0.09, 1e-12);
   // Runs are left for the narrower one.
   EXPECT_LE(first->runs + confirming_runs(0, confirmation_rules(mixture.runs.plan, 0)), 900u);
   CampaignPlan failed = plan;
   failed.attempts = {{first->recommendation.candidate, first->runs}};
   const auto second = choose_attempt(mixture, failed, {{{0.09}, {}}});
   ASSERT_TRUE(second);
-  EXPECT_NEAR(band(*second), 0.058, 1e-12);
+  EXPECT_NEAR(tolerance_width(*second), 0.058, 1e-12);
   EXPECT_LE(first->runs + second->runs, 900u);
 }
 
@@ -44,7 +44,7 @@ TEST(ChooseAttempt, TakesAProbableOneLast) {
   mixture.runs.plan.campaign.attempts = 1;
   const auto only = choose_attempt(mixture, {.mixture_rows = 900, .confirm_runs = 400}, {});
   ASSERT_TRUE(only);
-  EXPECT_NEAR(band(*only), 0.058, 1e-12);
+  EXPECT_NEAR(tolerance_width(*only), 0.058, 1e-12);
 }
 
 TEST(ChooseAttempt, AsksForAsManyRunsAsTheYieldNeeds) {
@@ -52,7 +52,7 @@ TEST(ChooseAttempt, AsksForAsManyRunsAsTheYieldNeeds) {
   const auto near = choose_attempt(mixture_of(0.965), plan, {});
   const auto far = choose_attempt(mixture_of(0.93), plan, {});
   ASSERT_TRUE(near && far);
-  EXPECT_NEAR(band(*near), band(*far), 1e-12);
+  EXPECT_NEAR(tolerance_width(*near), tolerance_width(*far), 1e-12);
   EXPECT_GT(near->runs, 3 * far->runs);
 }
 
@@ -73,7 +73,7 @@ TEST(ChooseAttempt, KnowsFromGeometryWhichCandidateJams) {
   const auto chosen = [&](const std::vector<double>& jams) {
     study.jam.candidate = jams;
     const auto choice = choose_attempt(study_mixture(study), plan, {});
-    return choice ? band(*choice) : 0;
+    return choice ? tolerance_width(*choice) : 0;
   };
   EXPECT_NEAR(chosen({}), 0.022, 1e-12);
   EXPECT_NEAR(chosen({0, 0, 0.006}), 0.015, 1e-12);
@@ -81,22 +81,22 @@ TEST(ChooseAttempt, KnowsFromGeometryWhichCandidateJams) {
   EXPECT_EQ(chosen({0.02, 0.02, 0.1}), 0);
 }
 
-TEST(ChooseAttempt, FewRunsOfManyCandidatesArePooledByBand) {
+TEST(ChooseAttempt, FewRunsOfManyCandidatesArePooledByTolerance) {
   StandinDimension width = kPrintedWidth, length = kPrintedLength;
   width.scales = length.scales = {0.1, 0.15, 0.2, 0.3, 0.45, 0.6, 0.9};
   const StudyData study = tolerance_standin(400, 20, {width, length}, 0.99, widest_pocket);
   const MixtureStudy mixture = study_mixture(study);
   int pooled = 0;
   for (const Yield& yield : mixture.tolerances.curves.candidates) {
-    EXPECT_GE(yield.ess, kLeastEffectiveRuns);  // 8 rows each
-    pooled += yield.method.find("product of the yields of its bands") != std::string::npos;
+    EXPECT_GE(yield.ess, kMinimumEffectiveRuns);  // 8 rows each
+    pooled += yield.method.find("product of the yields of its tolerances") != std::string::npos;
   }
   EXPECT_GE(pooled, 15);
   // Lengths do nothing, widths of 0.09 mm fail in 2.5 % of cages.
   const auto& candidates = mixture.tolerances.curves.candidates;
   for (std::size_t k = 0; k < candidates.size(); ++k)
     EXPECT_NEAR(candidates[k].if_unknown_fail,
-                widest_pocket_yield(study.plan.candidates[k].bands_mm[0]), 0.05)
+                widest_pocket_yield(study.plan.candidates[k].tolerance_widths_mm[0]), 0.05)
         << k;
 }
 

@@ -145,8 +145,8 @@ TEST(NightlyBinnedShares, IntervalsCoverInAThousandRepeats) {
   RecordProperty("small_x3", std::to_string(coverage.small));
 }
 
-/// Percentage of repeats whose 95 % interval holds the share of a normal input X: Y = r f(X) + noise,
-/// f a straight line or a parabola of unit variance.
+/// Percentage of repeats whose 95 % interval holds the share of a normal input X: Y = r f(X) +
+/// noise, f a straight line or a parabola of unit variance.
 double normal_coverage(double share, bool parabola, std::int64_t runs, int repeats) {
   double held = 0;
   for (int repeat = 0; repeat < repeats; ++repeat) {

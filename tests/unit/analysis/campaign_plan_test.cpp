@@ -44,7 +44,8 @@ TEST(PlanCampaign, SharesABudgetOfRuns) {
 }
 
 TEST(PlanCampaign, LeavesConfirmationsMoreWhereTheYieldIsNearTheTarget) {
-  // Without a failing run the pilot's bound tells its size alone; with one the yield may be anything.
+  // Without a failing run the pilot's bound tells its size alone; with one the yield may be
+  // anything.
   StudyData sound = tolerance_standin(100, 3, {kPrintedWidth, kPrintedLength}, 0.95,
                                       [](const StandinCage&) { return -1.0; });
   const CampaignSettings settings{.budget_samples = 4100};
@@ -91,9 +92,9 @@ TEST(PlanCampaign, SaysWhichBudgetWouldDo) {
 
 TEST(LeastBudget, IsEnoughAndNoneLessIs) {
   const StudyData pilot = pilot_of();
-  const std::size_t least = least_budget(confirmation_rules(pilot.plan, 0), 0, pilot.size());
-  EXPECT_NO_THROW(plan_campaign(pilot, {.budget_samples = least}, 480, 1));
-  EXPECT_THROW(plan_campaign(pilot, {.budget_samples = least - 1}, 480, 1), Refused);
+  const std::size_t minimum = minimum_budget(confirmation_rules(pilot.plan, 0), 0, pilot.size());
+  EXPECT_NO_THROW(plan_campaign(pilot, {.budget_samples = minimum}, 480, 1));
+  EXPECT_THROW(plan_campaign(pilot, {.budget_samples = minimum - 1}, 480, 1), Refused);
 }
 
 TEST(CampaignPlan, IsReadAsWritten) {

@@ -31,9 +31,9 @@ struct Bench {
     asked.push_back(stage);
     if (stage.name == interrupted_at) return std::nullopt;
     auto width = kPrintedWidth, length = kPrintedLength;
-    if (!stage.bands.empty()) {
-      width.scales = {stage.bands[0].band_mm / 0.1};
-      length.scales = {stage.bands[1].band_mm / 0.1};
+    if (!stage.tolerances.empty()) {
+      width.scales = {stage.tolerances[0].tolerance_width_mm / 0.1};
+      length.scales = {stage.tolerances[1].tolerance_width_mm / 0.1};
     }
     StudyData study = tolerance_standin(static_cast<std::int64_t>(stage.rows),
                                         100 * seed + static_cast<std::int64_t>(asked.size()),
@@ -60,13 +60,13 @@ struct Bench {
   }
 };
 
-TEST(Campaign, ConfirmsTheWidestBandThatMeetsTheTarget) {
+TEST(Campaign, ConfirmsTheWidestToleranceThatMeetsTheTarget) {
   Bench bench;
   const Campaign campaign = bench.campaign();
   ASSERT_EQ(campaign.end, CampaignEnd::confirmed);
   const Attempt& last = campaign.attempts.back();
-  EXPECT_NEAR(last.recommendation.bands[0].band_mm, 0.09, 1e-12);
-  EXPECT_TRUE(last.recommendation.bands[1].not_binding);
+  EXPECT_NEAR(last.recommendation.tolerances[0].tolerance_width_mm, 0.09, 1e-12);
+  EXPECT_TRUE(last.recommendation.tolerances[1].not_binding);
   EXPECT_GE(last.confirmation.yield.lower_bound, 0.95);
   ASSERT_EQ(bench.asked.size(), 2 + campaign.attempts.size());
   EXPECT_EQ(bench.asked[1].name, "mixture");
@@ -88,14 +88,15 @@ Rates rates(int repeats, double target) {
     const bool confirmed = campaign.end == CampaignEnd::confirmed;
     const bool wrong =
         confirmed &&
-        widest_pocket_yield(campaign.attempts.back().recommendation.bands[0].band_mm) < target;
+        widest_pocket_yield(
+            campaign.attempts.back().recommendation.tolerances[0].tolerance_width_mm) < target;
     rates.confirmed += confirmed ? 1.0 / repeats : 0;
     rates.covered += wrong ? 0 : 1.0 / repeats;
   }
   return rates;
 }
 
-// The target lies just above the yield of the band of 0.09 mm, 0.9751: the worst place for it.
+// The target lies just above the yield of the tolerance of 0.09 mm, 0.9751: the worst place for it.
 constexpr double kWorstTarget = 0.9755;
 
 TEST(Campaign, CoversTheTrueTolerance) {
@@ -111,8 +112,9 @@ TEST(NightlyCampaign, CoversTheTrueToleranceInAThousandRepeats) {
   EXPECT_GE(found.confirmed, 0.95);
 }
 
-TEST(Campaign, TriesTheNextNarrowerBandWithFreshRuns) {
-  // From the third stage on a tenth of the cages fail whatever the band: nothing can be confirmed.
+TEST(Campaign, TriesTheNextNarrowerToleranceWithFreshRuns) {
+  // From the third stage on a tenth of the cages fail whatever the tolerance: nothing can be
+  // confirmed.
   Bench bench;
   int calls = 0;
   bench.badness = [&](const StandinCage& cage) {
@@ -122,13 +124,14 @@ TEST(Campaign, TriesTheNextNarrowerBandWithFreshRuns) {
   const Campaign campaign = bench.campaign();
   EXPECT_EQ(campaign.end, CampaignEnd::not_confirmed);
   ASSERT_EQ(campaign.attempts.size(), 2u);
-  EXPECT_LT(campaign.attempts[1].recommendation.bands[0].band_mm,
-            campaign.attempts[0].recommendation.bands[0].band_mm);
+  EXPECT_LT(campaign.attempts[1].recommendation.tolerances[0].tolerance_width_mm,
+            campaign.attempts[0].recommendation.tolerances[0].tolerance_width_mm);
   EXPECT_EQ(bench.asked.back().name, "confirm-2");
 }
 
-TEST(Campaign, TriesNarrowerBandsOfADimensionThatWasNotBinding) {
-  // No band matters in pilot and mixture. Confirming runs fail in a tenth of the cages at the widest.
+TEST(Campaign, TriesNarrowerTolerancesOfADimensionThatWasNotBinding) {
+  // No tolerance matters in pilot and mixture. Confirming runs fail in a tenth of the cages at the
+  // widest.
   Bench bench;
   int calls = 0;
   bench.badness = [&](const StandinCage&) {
@@ -139,21 +142,22 @@ TEST(Campaign, TriesNarrowerBandsOfADimensionThatWasNotBinding) {
   ASSERT_EQ(campaign.attempts.size(), 2u);
   EXPECT_EQ(campaign.end, CampaignEnd::confirmed);
   for (std::size_t d = 0; d < 2; ++d)
-    EXPECT_TRUE(campaign.attempts[0].recommendation.bands[d].not_binding);
-  EXPECT_LT(campaign.attempts[1].recommendation.bands[0].band_mm *
-                campaign.attempts[1].recommendation.bands[1].band_mm,
-            campaign.attempts[0].recommendation.bands[0].band_mm *
-                campaign.attempts[0].recommendation.bands[1].band_mm);
+    EXPECT_TRUE(campaign.attempts[0].recommendation.tolerances[d].not_binding);
+  EXPECT_LT(campaign.attempts[1].recommendation.tolerances[0].tolerance_width_mm *
+                campaign.attempts[1].recommendation.tolerances[1].tolerance_width_mm,
+            campaign.attempts[0].recommendation.tolerances[0].tolerance_width_mm *
+                campaign.attempts[0].recommendation.tolerances[1].tolerance_width_mm);
 }
 
 TEST(Campaign, TriesTheWidestThatMeetsTheTargetWhileAttemptsRemain) {
-  // Estimated at 97.5 %, the band of 0.09 mm is unlikely to be confirmed at 96.5 % by so few runs.
+  // Estimated at 97.5 %, the tolerance of 0.09 mm is unlikely to be confirmed at 96.5 % by so few
+  // runs.
   Bench bench{.target = 0.965, .mixture_rows = 600};
   const Campaign campaign = bench.campaign();
   ASSERT_GE(campaign.attempts.size(), 1u);
-  EXPECT_NEAR(campaign.attempts[0].recommendation.bands[0].band_mm, 0.09, 1e-12);
+  EXPECT_NEAR(campaign.attempts[0].recommendation.tolerances[0].tolerance_width_mm, 0.09, 1e-12);
   ASSERT_EQ(campaign.end, CampaignEnd::confirmed);
-  EXPECT_LE(campaign.attempts.back().recommendation.bands[0].band_mm, 0.09 + 1e-12);
+  EXPECT_LE(campaign.attempts.back().recommendation.tolerances[0].tolerance_width_mm, 0.09 + 1e-12);
 }
 
 TEST(Campaign, GoesOnWithALargerBudget) {
@@ -201,8 +205,8 @@ TEST(Campaign, AsksForTheSameStagesAgain) {
   }
 }
 
-/// The band whose cages have this yield: Phi(0.26 mm / band)^13.
-double band_of_yield(double yield) {
+/// The tolerance whose cages have this yield: Phi(0.26 mm / tolerance)^13.
+double tolerance_of_yield(double yield) {
   return 0.26 / gsl_cdf_ugaussian_Pinv(std::pow(yield, 1.0 / 13));
 }
 
@@ -215,9 +219,9 @@ struct Neighbours {
     double covered = 0, largest = 0;
   };
   Found rates(int repeats, std::int64_t first_seed) const {
-    const std::vector<double> scales = {10 * band_of_yield(std::min(target + 0.03, 0.999)),
-                                        10 * band_of_yield(target + 0.01),
-                                        10 * band_of_yield(target - 0.01)};
+    const std::vector<double> scales = {10 * tolerance_of_yield(std::min(target + 0.03, 0.999)),
+                                        10 * tolerance_of_yield(target + 0.01),
+                                        10 * tolerance_of_yield(target - 0.01)};
     Found found;
     for (int repeat = 0; repeat < repeats; ++repeat) {
       std::int64_t seed = 10 * (first_seed + repeat);
@@ -229,17 +233,20 @@ struct Neighbours {
           [&](const Stage& stage) -> std::optional<StudyData> {
             StandinDimension width = kPrintedWidth;
             width.key = "roller.taper_um";  // no size: no grade of ISO 286 to snap to
-            width.scales = stage.bands.empty() ? scales : std::vector{10 * stage.bands[0].band_mm};
+            width.scales = stage.tolerances.empty()
+                               ? scales
+                               : std::vector{10 * stage.tolerances[0].tolerance_width_mm};
             return tolerance_standin(static_cast<std::int64_t>(stage.rows), ++seed, {width}, target,
                                      widest_pocket);
           },
           [](const CampaignPlan&) {});
       const bool confirmed = campaign.end == CampaignEnd::confirmed;
-      const double band = confirmed ? campaign.attempts.back().recommendation.bands[0].band_mm : 0;
+      const double width =
+          confirmed ? campaign.attempts.back().recommendation.tolerances[0].tolerance_width_mm : 0;
       const bool wrong = confirmed && campaign.attempts.back().confirmation.yield.lower_bound >
-                                          widest_pocket_yield(band);
+                                          widest_pocket_yield(width);
       found.covered += wrong ? 0 : 1.0 / repeats;
-      found.largest += std::abs(10 * band - scales[1]) < 1e-9 ? 1.0 / repeats : 0;
+      found.largest += std::abs(10 * width - scales[1]) < 1e-9 ? 1.0 / repeats : 0;
     }
     std::printf("target %g, budget %zu, %d repeats: covered %.3f, largest passing grade %.3f\n",
                 target, budget, repeats, found.covered, found.largest);
@@ -272,8 +279,8 @@ TEST(Neighbours, AreToldApart) {
 
 TEST(LostRuns, AreCertainlyTooManyOnlyByTheirLowerBound) {
   // One of 32: 1 - 0.95^(1/32).
-  EXPECT_NEAR((LostRuns{1, 32}.least_share()), 1 - std::pow(0.95, 1.0 / 32), 1e-9);
-  EXPECT_EQ((LostRuns{0, 32}.least_share()), 0);
+  EXPECT_NEAR((LostRuns{1, 32}.minimum_share()), 1 - std::pow(0.95, 1.0 / 32), 1e-9);
+  EXPECT_EQ((LostRuns{0, 32}.minimum_share()), 0);
   StudyData pilot = tolerance_standin(100, 3, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   pilot.status[3] = RunStatus::failed;
   pilot.status[4] = RunStatus::censored;

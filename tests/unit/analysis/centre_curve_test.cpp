@@ -10,13 +10,13 @@
 namespace cagetol {
 namespace {
 
-CentreCurves curves_of(const StudyData& study, const std::vector<double>& bands_mm) {
-  return centre_curves(study, mixture_weights(study), {bands_mm, {}}, judge_all(study),
+CentreCurves curves_of(const StudyData& study, const std::vector<double>& tolerance_widths_mm) {
+  return centre_curves(study, mixture_weights(study), {tolerance_widths_mm, {}}, judge_all(study),
                        Resampling(study, 1000), 0.999);
 }
 
 // Fails beyond lot + pocket = 0.03 mm: yield Phi((0.03 - c) / (0.01 s sqrt 2)) with the lot moved
-// by c. The band of 0.1 s has a sigma of 0.01 s, so a step of 1/32 is 0.3 sigma.
+// by c. The tolerance of 0.1 s has a sigma of 0.01 s, so a step of 1/32 is 0.3 sigma.
 const StandinDimension kCurvedWidth{"cage.pocket_width_mm", 0.01, 0.01, {0.9, 1.5, 2.2}},
     kCurvedLength{"cage.pocket_length_mm", 0.01, 0.01, {0.9, 1.5}};
 

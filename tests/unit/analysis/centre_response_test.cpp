@@ -57,7 +57,7 @@ TEST(CentreResponse, FindsWhereTheForceIsLeast) {
   for (const CentreMean& mean : response.means) EXPECT_GT(mean.runs, 80u);
 }
 
-TEST(CentreResponse, BreaksTheTieBetweenCentresOfOneBand) {
+TEST(CentreResponse, BreaksTheTieBetweenCentresOfOneTolerance) {
   for (const double best : {7.60, 7.70}) {
     const StudyData study = centred(best, 8, 2000);
     const auto joint = judge_all(study);
@@ -68,7 +68,7 @@ TEST(CentreResponse, BreaksTheTieBetweenCentresOfOneBand) {
     const Recommendation chosen =
         recommend_tolerance(study, mixture, curves, tests, joint, resampling);
     ASSERT_TRUE(chosen.meets_target);
-    EXPECT_NEAR(*chosen.bands[0].centre, best, 1e-9);
+    EXPECT_NEAR(*chosen.tolerances[0].centre, best, 1e-9);
   }
 }
 

@@ -34,8 +34,9 @@ class ConfirmedReport : public testing::Test {
                                             .failed_share = 0,
                                             .stress_limit = 1000,
                                             .whirl_limit = 100});
-    study.plan.whole["candidates"] = {
-        {{"bands_mm", {0.09, 0.09}}, {"grades", {"IT11", "IT11"}}, {"scales", {0.9, 0.9}}}};
+    study.plan.whole["candidates"] = {{{"tolerance_widths_mm", {0.09, 0.09}},
+                                       {"grades", {"IT11", "IT11"}},
+                                       {"scales", {0.9, 0.9}}}};
     std::fill(study.candidate.begin(), study.candidate.end(), 0);
     std::fill(study.status.begin(), study.status.end(), RunStatus::ok);
     for (Column& quantity : study.quantities)
@@ -60,10 +61,10 @@ TEST_F(ConfirmedReport, TheVerdictIsThatOfTheFreshRuns) {
   write_attempt(1, 0);
   const auto json = report();
   const auto& verdict = json.at("verdict");
-  EXPECT_EQ(verdict.at("bands").at("cage.pocket_width_mm"),
-            nlohmann::json({{"band_mm", 0.09}, {"grade", "IT11"}}));
+  EXPECT_EQ(verdict.at("tolerances").at("cage.pocket_width_mm"),
+            nlohmann::json({{"tolerance_width_mm", 0.09}, {"grade", "IT11"}}));
   EXPECT_TRUE(
-      verdict.at("bands").at("cage.pocket_length_mm").at("grade").is_null());  // not binding
+      verdict.at("tolerances").at("cage.pocket_length_mm").at("grade").is_null());  // not binding
   EXPECT_EQ(verdict.at("confirmation").at("runs"), 200);
   EXPECT_EQ(verdict.at("confirmation").at("passed"), true);
   EXPECT_EQ(verdict.at("meets_target"), true);
@@ -113,12 +114,16 @@ TEST_F(ConfirmedReport, WiderCandidatesThatNoAttemptTriedAreNamed) {
               HasSubstr("Passed over: pocket width IT12, pocket length IT11"));
 }
 
-TEST_F(ConfirmedReport, AFailedAttemptIsShownAndNamesNoBand) {
+TEST_F(ConfirmedReport, AFailedAttemptIsShownAndNamesNoTolerance) {
   write_attempt(1, 30);
   auto json = report();
   EXPECT_EQ(json.at("verdict").at("confirmation").at("passed"), false);
   EXPECT_EQ(json.at("verdict").at("confirmation").at("meeting_runs"), 170);
-  EXPECT_TRUE(json.at("verdict").at("bands").at("cage.pocket_width_mm").at("band_mm").is_null());
+  EXPECT_TRUE(json.at("verdict")
+                  .at("tolerances")
+                  .at("cage.pocket_width_mm")
+                  .at("tolerance_width_mm")
+                  .is_null());
   EXPECT_THAT(json.at("verdict").at("statement").get<std::string>(),
               HasSubstr("No tolerance is confirmed after 1 of 2 planned attempts"));
   write_attempt(2, 0);

@@ -11,13 +11,13 @@ namespace cagetol {
 namespace {
 
 TEST(Cost, IsAReciprocalPowerOrATable) {
-  EXPECT_DOUBLE_EQ(cost_of_band({2, 0.5, 2, {}}, 0.5), 4);
+  EXPECT_DOUBLE_EQ(cost_of_tolerance({2, 0.5, 2, {}}, 0.5), 4);
   const CostCurve table{0, 0, 1, {{0.1, 10}, {0.2, 6}, {0.4, 5}}};
-  EXPECT_DOUBLE_EQ(cost_of_band(table, 0.1), 10);
-  EXPECT_DOUBLE_EQ(cost_of_band(table, 0.15), 8);
-  EXPECT_DOUBLE_EQ(cost_of_band(table, 0.3), 5.5);
-  EXPECT_DOUBLE_EQ(cost_of_band(table, 0.05), 10);
-  EXPECT_DOUBLE_EQ(cost_of_band(table, 1), 5);
+  EXPECT_DOUBLE_EQ(cost_of_tolerance(table, 0.1), 10);
+  EXPECT_DOUBLE_EQ(cost_of_tolerance(table, 0.15), 8);
+  EXPECT_DOUBLE_EQ(cost_of_tolerance(table, 0.3), 5.5);
+  EXPECT_DOUBLE_EQ(cost_of_tolerance(table, 0.05), 10);
+  EXPECT_DOUBLE_EQ(cost_of_tolerance(table, 1), 5);
 }
 
 /// Both dimensions matter: a cage fails when the sum of two deviations is too large.
@@ -45,8 +45,8 @@ TEST(Cost, TheCheapestTakesThePlaceOfTheWidest) {
     study.plan.dimensions[1 - dear].cost = CostCurve{1, 0.1, 1, {}};
     const Recommendation result = recommendation_of(study);
     ASSERT_TRUE(result.meets_target);
-    EXPECT_NEAR(result.bands[dear].band_mm, 0.09, 1e-12) << dear;
-    EXPECT_NEAR(result.bands[1 - dear].band_mm, 0.036, 1e-12) << dear;
+    EXPECT_NEAR(result.tolerances[dear].tolerance_width_mm, 0.09, 1e-12) << dear;
+    EXPECT_NEAR(result.tolerances[1 - dear].tolerance_width_mm, 0.036, 1e-12) << dear;
     EXPECT_NEAR(result.cost.value(), 2 + 1 / 0.09 + 0.1 / 0.036, 1e-9);
   }
 }

@@ -40,7 +40,8 @@ TEST(Features, OfThePocketsOfACage) {
                       {1, -3, 2, 0, 1, 1, 1, 2},     true};
   study.inputs = {phase, width, square};
   const auto features = cage_features(study);
-  EXPECT_THAT(find(features, "pocket width: lot").values, testing::ElementsAre(0.5, 1));
+  EXPECT_THAT(find(features, "pocket width: from cage to cage").values,
+              testing::ElementsAre(0.5, 1));
   EXPECT_THAT(find(features, "pocket width: smallest pocket").values,
               testing::ElementsAre(8.5, 12));
   EXPECT_THAT(find(features, "pocket width: within-cage scatter").values,

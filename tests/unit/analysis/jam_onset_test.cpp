@@ -7,7 +7,7 @@ namespace {
 
 const JamCurve kCurve{"cage.pocket_width_mm", {0.1, 0.2, 0.3, 0.4}, {0, 0, 0.01, 0.05}};
 
-TEST(JamOnset, LiesBetweenTheBandsDrawn) {
+TEST(JamOnset, LiesBetweenTheTolerancesDrawn) {
   const JamOnset onset = jam_onset(kCurve, 0.97);
   EXPECT_DOUBLE_EQ(*onset.free_mm, 0.2);
   EXPECT_NEAR(*onset.limit_mm, 0.35, 1e-12);

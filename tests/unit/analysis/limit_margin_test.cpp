@@ -33,9 +33,9 @@ Limit at_most(const std::string& quantity, double most) {
 TEST(LimitMargins, AreDistancesInUnitsOfTheBound) {
   Limit both = at_most("a", 200);
   both.minimum = -50;
-  Limit least{.quantity = "a"};
-  least.minimum = 40;
-  const auto m = limit_margins(counted_runs(101, {both, least, at_most("a", 0)}));
+  Limit minimum{.quantity = "a"};
+  minimum.minimum = 40;
+  const auto m = limit_margins(counted_runs(101, {both, minimum, at_most("a", 0)}));
   EXPECT_DOUBLE_EQ(m[0].median, 51);
   EXPECT_DOUBLE_EQ(m[0].median_margin, 149.0 / 200);
   EXPECT_DOUBLE_EQ(m[0].extreme, 101);

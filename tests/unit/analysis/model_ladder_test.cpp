@@ -28,12 +28,12 @@ ModelLadder climbed(const std::vector<StudyData>& runs) {
   return make_model_ladder(rungs, runs, {.study_samples = 100});
 }
 
-TEST(ModelLadder, NamesTheLeastRungOfEachQuantity) {
+TEST(ModelLadder, NamesTheMinimumRungOfEachQuantity) {
   const ModelLadder ladder =
       climbed({rung_runs(0.5, 1, kNan), rung_runs(0, 2, kNan), rung_runs(0, 8, 50)});
   const auto json = ladder_json(ladder);
-  EXPECT_EQ(json["least_rung"]["cage_slip_ratio"], "middle");
-  EXPECT_EQ(json["least_rung"]["cage_stress_peak_MPa"], "full");
+  EXPECT_EQ(json["minimum_rung"]["cage_slip_ratio"], "middle");
+  EXPECT_EQ(json["minimum_rung"]["cage_stress_peak_MPa"], "full");
   EXPECT_EQ(json["rungs"][0]["cost_ratio"], 0.125);
   EXPECT_EQ(json["quantities"][0]["rungs"][0]["verdict"], "biased");
   EXPECT_EQ(json["quantities"][0]["rungs"][0]["shift"], 0.5);
@@ -41,13 +41,13 @@ TEST(ModelLadder, NamesTheLeastRungOfEachQuantity) {
   EXPECT_EQ(json["quantities"][1]["rungs"][0]["verdict"], "unusable");
   // Only limited quantities choose the rung of a study.
   EXPECT_EQ(chosen_rung(ladder), 1u);
-  EXPECT_THAT(ladder_text(ladder), HasSubstr("least rung: middle"));
+  EXPECT_THAT(ladder_text(ladder), HasSubstr("minimum rung: middle"));
   EXPECT_THAT(ladder_text(ladder), HasSubstr("no run has a value"));
   EXPECT_THAT(ladder_text(ladder), Not(HasSubstr("nan")));
   EXPECT_THAT(ladder_csv(ladder), HasSubstr("\ncage_slip_ratio,-,low,0.5,0.5,0.5,"));
 }
 
-TEST(ModelLadder, RefiningSeeksNoLeastRung) {
+TEST(ModelLadder, RefiningSeeksNoMinimumRung) {
   ModelLadder ladder = climbed({rung_runs(0.5, 16, 50), rung_runs(0, 2, 50), rung_runs(0, 8, 50)});
   EXPECT_FALSE(ladder_json(ladder)["refining"]);
   ladder.refining = true;
@@ -57,10 +57,10 @@ TEST(ModelLadder, RefiningSeeksNoLeastRung) {
   EXPECT_TRUE(json["refining"]);
   EXPECT_EQ(json["resolved_study"]["seed"], 5);
   EXPECT_EQ(json["build"], "this one");
-  EXPECT_FALSE(json.contains("least_rung"));
-  EXPECT_FALSE(json["quantities"][0].contains("least_rung"));
+  EXPECT_FALSE(json.contains("minimum_rung"));
+  EXPECT_FALSE(json["quantities"][0].contains("minimum_rung"));
   EXPECT_EQ(json["quantities"][0]["rungs"][0]["shift"], 0.5);  // refined minus as run
-  EXPECT_THAT(ladder_text(ladder), testing::Not(HasSubstr("least rung")));
+  EXPECT_THAT(ladder_text(ladder), testing::Not(HasSubstr("minimum rung")));
   EXPECT_THAT(ladder_text(ladder), HasSubstr("refined minus as-run"));
 }
 

@@ -46,7 +46,7 @@ double probability(const PairedShare& outcome, double gain, double lose) {
 }
 
 TEST(PairedShare, IntervalCoversWhateverTheShares) {
-  double least = 1;
+  double minimum = 1;
   for (const unsigned n : {10u, 40u}) {
     const auto all = outcomes(n);
     for (double gain = 0; gain <= 0.5; gain += 0.05)
@@ -56,12 +56,12 @@ TEST(PairedShare, IntervalCoversWhateverTheShares) {
           if (outcome.change.lower <= gain - lose + 1e-12 &&
               outcome.change.upper >= gain - lose - 1e-12)
             covered += probability(outcome, gain, lose);
-        least = std::min(least, covered);
+        minimum = std::min(minimum, covered);
       }
   }
-  std::printf("least coverage of the 95 %% interval: %.4f\n", least);
-  EXPECT_GE(least, 0.95);
-  EXPECT_LE(least, 0.98);  // not wider than it must be
+  std::printf("least coverage of the 95 %% interval: %.4f\n", minimum);
+  EXPECT_GE(minimum, 0.95);
+  EXPECT_LE(minimum, 0.98);  // not wider than it must be
 }
 
 TEST(PairedShare, TestKeepsItsLevelWhateverTheShareThatDiffers) {

@@ -35,10 +35,10 @@ TEST(YieldCurves, MaximumOfNormals) {
       tolerance_standin(8000, 21, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   const Judged judged = judge_study(study, 2000, 0.999);
   for (const LevelYield& level : judged.curves.dimensions[0].levels) {
-    const double exact = widest_pocket_yield(level.band_mm);
-    EXPECT_LE(level.yield.lower_bound, exact) << level.band_mm;
-    EXPECT_GE(level.yield.upper_bound, exact) << level.band_mm;
-    EXPECT_NEAR(level.yield.if_unknown_fail, exact, 0.03) << level.band_mm;
+    const double exact = widest_pocket_yield(level.tolerance_width_mm);
+    EXPECT_LE(level.yield.lower_bound, exact) << level.tolerance_width_mm;
+    EXPECT_GE(level.yield.upper_bound, exact) << level.tolerance_width_mm;
+    EXPECT_NEAR(level.yield.if_unknown_fail, exact, 0.03) << level.tolerance_width_mm;
   }
 }
 
@@ -56,9 +56,9 @@ TEST(YieldCurves, HierarchicalLinear) {
         tolerance_standin(8000, 22, {width, kPrintedLength}, 0.95, badness, cages);
     const Judged judged = judge_study(study, 2000, 0.999);
     for (const LevelYield& level : judged.curves.dimensions[0].levels) {
-      const double exact = gsl_cdf_ugaussian_P(0.03 / (sigma * level.band_mm / 0.1));
-      EXPECT_LE(level.yield.lower_bound, exact) << level.band_mm;
-      EXPECT_GE(level.yield.upper_bound, exact) << level.band_mm;
+      const double exact = gsl_cdf_ugaussian_P(0.03 / (sigma * level.tolerance_width_mm / 0.1));
+      EXPECT_LE(level.yield.lower_bound, exact) << level.tolerance_width_mm;
+      EXPECT_GE(level.yield.upper_bound, exact) << level.tolerance_width_mm;
     }
   }
 }
@@ -83,32 +83,32 @@ TEST(NightlyYieldCurves, LowerBoundHoldsInAThousandRepeats) {
   EXPECT_GE(bound_coverage(1000), 0.93);
 }
 
-TEST(Recommendation, WidestBandThatMeetsTheTargetSnappedDown) {
-  // Yields at 0.036, 0.058, 0.09, 0.15 mm: 1.0000, 0.99995, 0.9751, 0.5731. Bands in mm snap to
-  // IT11 = 0.09 mm for 9 mm.
+TEST(Recommendation, WidestToleranceThatMeetsTheTargetSnappedDown) {
+  // Yields at 0.036, 0.058, 0.09, 0.15 mm: 1.0000, 0.99995, 0.9751, 0.5731. Tolerances in mm snap
+  // to IT11 = 0.09 mm for 9 mm.
   const StudyData study =
       tolerance_standin(4000, 23, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
   const Judged judged = judge_study(study);
   const Recommendation& result = judged.recommendation;
   ASSERT_TRUE(result.meets_target);
-  EXPECT_NEAR(result.bands[0].band_mm, 0.09, 1e-12);
-  EXPECT_EQ(result.bands[0].grade, "IT11");
+  EXPECT_NEAR(result.tolerances[0].tolerance_width_mm, 0.09, 1e-12);
+  EXPECT_EQ(result.tolerances[0].grade, "IT11");
   EXPECT_GE(result.yield.lower_bound, 0.95);
   EXPECT_LE(result.yield.lower_bound, widest_pocket_yield(0.09));
 }
 
-TEST(Recommendation, BandBetweenGradesIsJudgedAtTheGradeBelow) {
+TEST(Recommendation, ToleranceBetweenGradesIsJudgedAtTheGradeBelow) {
   StandinDimension width = kPrintedWidth;
   width.scales = {0.36, 0.75, 1.5};
   const StudyData study = tolerance_standin(4000, 24, {width, kPrintedLength}, 0.95, widest_pocket);
   const Recommendation result = judge_study(study).recommendation;
   ASSERT_TRUE(result.meets_target);
-  EXPECT_NEAR(result.bands[0].band_mm, 0.058, 1e-12);
-  EXPECT_EQ(result.bands[0].grade, "IT10");
+  EXPECT_NEAR(result.tolerances[0].tolerance_width_mm, 0.058, 1e-12);
+  EXPECT_EQ(result.tolerances[0].grade, "IT10");
   EXPECT_GT(result.yield.if_unknown_fail, 0.995);
 }
 
-TEST(Recommendation, BandOfAClearanceHasNoGrade) {
+TEST(Recommendation, ToleranceOfAClearanceHasNoGrade) {
   // ISO 286 would give 9 mm IT11 = 0.09 mm; a clearance of 9 um has no nominal size.
   StandinDimension clearance = kPrintedWidth;
   clearance.key = "bearing.internal_clearance_um";
@@ -117,9 +117,9 @@ TEST(Recommendation, BandOfAClearanceHasNoGrade) {
       judge_study(tolerance_standin(4000, 23, {clearance, kPrintedLength}, 0.95, widest_pocket))
           .recommendation;
   ASSERT_TRUE(result.possible);
-  EXPECT_EQ(result.bands[0].grade, "");
-  EXPECT_NEAR(result.bands[0].band_mm, result.meets_target && result.candidate >= 4 ? 0.095 : 0.05,
-              1e-12);
+  EXPECT_EQ(result.tolerances[0].grade, "");
+  EXPECT_NEAR(result.tolerances[0].tolerance_width_mm,
+              result.meets_target && result.candidate >= 4 ? 0.095 : 0.05, 1e-12);
 }
 
 TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
@@ -131,15 +131,15 @@ TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
         50);
     EXPECT_EQ(judged.tests[0].answer, Binding::binding);
     not_binding += judged.tests[1].answer == Binding::not_binding;
-    recommended += !judged.recommendation.bands[1].not_binding;
+    recommended += !judged.recommendation.tolerances[1].not_binding;
   }
   EXPECT_GE(not_binding, 38);
   EXPECT_LE(recommended, 2);
 }
 
 TEST(Recommendation, NotBindingWithholdsNoToleranceThatPasses) {
-  // Yields about 0.95, 0.93, 0.92 and 0.90 beside a target of 0.90: the dimensions change little, and
-  // the widest bands may miss the target.
+  // Yields about 0.95, 0.93, 0.92 and 0.90 beside a target of 0.90: the dimensions change little,
+  // and the widest tolerances may miss the target.
   StandinDimension width = kPrintedWidth, length = kPrintedLength;
   width.scales = {0.7, 0.76};
   length.scales = {0.7, 0.76};
@@ -187,7 +187,7 @@ TEST(Recommendation, RunsWithoutAJudgementDecideNothing) {
   const Judged judged = judge_study(some, 50);
   EXPECT_EQ(judged.tests[0].answer, Binding::binding);
   EXPECT_NE(judged.tests[1].answer, Binding::binding);
-  EXPECT_GT(judged.tests[1].largest_loss, 0.02);  // passing where the narrow bands weigh more
+  EXPECT_GT(judged.tests[1].largest_loss, 0.02);  // passing where the narrow tolerances weigh more
 }
 
 TEST(Recommendation, AllJammedIsNotCalledNotBinding) {
@@ -229,7 +229,7 @@ TEST(Recommendation, LostRunsNeverRaiseIt) {
   for (std::size_t i = 4; i < study.size(); i += 50) study.status[i] = RunStatus::censored;
   const Recommendation after = judge_study(study).recommendation;
   EXPECT_LE(after.yield.lower_bound, before.yield.lower_bound + 1e-12);
-  EXPECT_LE(after.bands[0].band_mm, before.bands[0].band_mm);
+  EXPECT_LE(after.tolerances[0].tolerance_width_mm, before.tolerances[0].tolerance_width_mm);
 }
 
 TEST(Recommendation, NarrowingTheDimensionThatMattersPays) {

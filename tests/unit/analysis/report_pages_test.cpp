@@ -59,11 +59,12 @@ StudyData fresh_runs(std::size_t jammed) {
                                           .failed_share = 0,
                                           .stress_limit = 1000,
                                           .whirl_limit = 100});
-  study.plan.whole["candidates"] = {
-      {{"bands_mm", {0.09, 0.09}}, {"grades", {"IT11", "IT11"}}, {"scales", {0.9, 0.9}}}};
+  study.plan.whole["candidates"] = {{{"tolerance_widths_mm", {0.09, 0.09}},
+                                     {"grades", {"IT11", "IT11"}},
+                                     {"scales", {0.9, 0.9}}}};
   study.plan.candidates.resize(1);
   study.plan.candidates[0] = {
-      .bands_mm = {0.09, 0.09}, .grades = {"IT11", "IT11"}, .scales = {0.9, 0.9}};
+      .tolerance_widths_mm = {0.09, 0.09}, .grades = {"IT11", "IT11"}, .scales = {0.9, 0.9}};
   std::fill(study.candidate.begin(), study.candidate.end(), 0);
   std::fill(study.status.begin(), study.status.end(), RunStatus::ok);
   for (Column& quantity : study.quantities)
@@ -211,18 +212,18 @@ TEST(ReportPages, NoIndexWhereNothingIsAtStakeAndNoWorstSamplesThatMeet) {
 TEST(ReportPages, ABandHasItsLimitsOfSizeAndTheScatterItHoldsFor) {
   Json report = make_report(make_synthetic_study());
   ASSERT_EQ(report["verdict"]["status"], "recommended");
-  const Json& bands = report["tolerance"]["bands"];
-  ASSERT_EQ(bands[0]["band_mm"], 0.09);
+  const Json& widths = report["tolerance"]["tolerances"];
+  ASSERT_EQ(widths[0]["tolerance_width_mm"], 0.09);
   add_limits_of_size(bearing(), report["tolerance"]);
-  const Json& size = bands[0]["size"];
-  EXPECT_DOUBLE_EQ(size["least_mm"], 7.605);
-  EXPECT_DOUBLE_EQ(size["most_mm"], 7.695);
+  const Json& size = widths[0]["size"];
+  EXPECT_DOUBLE_EQ(size["minimum_mm"], 7.605);
+  EXPECT_DOUBLE_EQ(size["maximum_mm"], 7.695);
   EXPECT_FALSE(size["takes_counterpart"]);
-  EXPECT_FALSE(bands[1].contains("size"));  // of another key
+  EXPECT_FALSE(widths[1].contains("size"));  // of another key
   const std::string first = text_of(section_of(page_of(report), "verdict"));
   EXPECT_THAT(first, HasSubstr("7.65 \u00b1 0.045 mm"));
   EXPECT_THAT(first, HasSubstr("7.605 to 7.695 mm: full width 0.090 mm (IT11)"));
-  EXPECT_THAT(first, HasSubstr("Cp 1.31. Print that requirement with the band"));
+  EXPECT_THAT(first, HasSubstr("Cp 1.31. Print that requirement with the tolerance"));
   EXPECT_THAT(first, HasSubstr("7.605 mm, is less than the roller&#39;s diameter of 7.62 mm"));
 }
 

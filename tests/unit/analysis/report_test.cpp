@@ -98,9 +98,10 @@ TEST_F(Report, SameStudySameBytes) {
 TEST_F(Report, VerdictHasItsKeys) {
   report_on(make_synthetic_study(), {.python = "/nonexistent/python3", .json_to_stdout = true});
   const auto verdict = nlohmann::json::parse(printed_).at("verdict");
-  EXPECT_EQ(verdict.at("bands").at("cage.pocket_width_mm").at("grade"), "IT11");
-  EXPECT_DOUBLE_EQ(verdict.at("bands").at("cage.pocket_width_mm").at("band_mm"), 0.09);
-  EXPECT_TRUE(verdict.at("bands")
+  EXPECT_EQ(verdict.at("tolerances").at("cage.pocket_width_mm").at("grade"), "IT11");
+  EXPECT_DOUBLE_EQ(verdict.at("tolerances").at("cage.pocket_width_mm").at("tolerance_width_mm"),
+                   0.09);
+  EXPECT_TRUE(verdict.at("tolerances")
                   .at("cage.pocket_length_mm")
                   .at("grade")
                   .is_null());  // length changes nothing: never recommended
@@ -192,7 +193,7 @@ TEST_F(Report, ContributorsAreFound) {
       if (share.at("value").is_number() && share.at("value") > largest)
         largest = share.at("value"), best = share.at("feature");
     if (output.at("output") == "whirl_radius_ratio_p95") {
-      EXPECT_EQ(best, "pocket width: lot");
+      EXPECT_EQ(best, "pocket width: from cage to cage");
     } else if (output.at("output") == "cage_slip_ratio") {
       EXPECT_EQ(best, "pocket squareness: within-cage scatter");
     }
@@ -258,8 +259,8 @@ TEST(ReportVerdict, DimensionsOfDifferentPartsKeepTheirNames) {
   roller.key = "roller.length_mm";
   const auto report = make_report(tolerance_standin(2000, 23, {cage, roller}, 0.95, widest_pocket));
   const auto& verdict = report.at("verdict");
-  EXPECT_EQ(verdict.at("bands").at("cage.pocket_length_mm").at("grade"), "IT11");
-  EXPECT_TRUE(verdict.at("bands").at("roller.length_mm").at("grade").is_null());
+  EXPECT_EQ(verdict.at("tolerances").at("cage.pocket_length_mm").at("grade"), "IT11");
+  EXPECT_TRUE(verdict.at("tolerances").at("roller.length_mm").at("grade").is_null());
   EXPECT_THAT(verdict.at("statement"), testing::HasSubstr("pocket length 0.090 mm (IT11)"));
   EXPECT_THAT(verdict.at("statement"), testing::HasSubstr("roller length 0.090 mm"));
 }

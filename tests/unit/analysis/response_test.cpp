@@ -60,7 +60,7 @@ TEST(Response, IsNotMonotoneWhereStepsGoBothWays) {
   EXPECT_THAT(slip.at("course"), ElementsAre("not monotone", "not monotone"));
 }
 
-TEST(Response, HoldsBandsOverTheRunsOfEachCell) {
+TEST(Response, HoldsTolerancesOverTheRunsOfEachCell) {
   const auto response = make_report(make_synthetic_grid()).at("response");
   EXPECT_EQ(response.at("name"), "pocket length");
   const auto& slip = response.at("quantities").at(0);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/fidelity/least_rung.hpp"
+#include "analysis/fidelity/minimum_rung.hpp"
 #include "distributions/basics/random_stream.hpp"
 #include "tests/support/not_a_number.hpp"
 
@@ -54,7 +54,7 @@ int found(const std::vector<PlantedRung>& rungs, const Limit& limit, std::size_t
   int count = 0;
   for (int repeat = 0; repeat < repeats; ++repeat) {
     const auto values = runs_of(rungs, static_cast<std::uint64_t>(repeat));
-    count += least_rung(values, kRule, std::vector{limit}).least == planted;
+    count += minimum_rung(values, kRule, std::vector{limit}).minimum == planted;
   }
   return count;
 }
@@ -76,14 +76,14 @@ TEST(SettledLimit, KnowsTheSideOfBothModels) {
   EXPECT_LT(settled_limit(low, low, at_most(20), 0.95).wrong_share, 1e-3);
   EXPECT_EQ(settled_limit(high, high, at_most(20), 0.95).side, LimitSide::above);
   EXPECT_LT(settled_limit(high, high, at_most(20), 0.95).wrong_share, 1e-3);
-  Limit band = at_most(20);
-  band.minimum = -20;
-  EXPECT_EQ(settled_limit(high, high, band, 0.95).side, LimitSide::above);
-  EXPECT_GT(settled_limit(low, low, band, 0.95).wrong_share,
+  Limit width = at_most(20);
+  width.minimum = -20;
+  EXPECT_EQ(settled_limit(high, high, width, 0.95).side, LimitSide::above);
+  EXPECT_GT(settled_limit(low, low, width, 0.95).wrong_share,
             settled_limit(low, low, at_most(20), 0.95).wrong_share);
-  band.minimum = 70;
-  band.maximum = 90;
-  EXPECT_EQ(settled_limit(high, high, band, 0.95).side, LimitSide::below);
+  width.minimum = 70;
+  width.maximum = 90;
+  EXPECT_EQ(settled_limit(high, high, width, 0.95).side, LimitSide::below);
   // Models on different sides, or one run on the other side, or near: nothing is settled.
   EXPECT_EQ(settled_limit(low, high, at_most(20), 0.95).wrong_share, 1);
   EXPECT_EQ(settled_limit(low, low, at_most(0.5), 0.95).side, LimitSide::both);
@@ -113,15 +113,15 @@ TEST(SettledLimit, TheLadderRecoversThePlantedRung) {
   // Two limits on the quantity: both must be settled.
   const std::vector<Limit> near_and_far = {at_most(25), at_most(2)};
   const auto values = runs_of({{}, {}}, 1);
-  EXPECT_NE(least_rung(values, kRule, near_and_far).rungs[0].verdict, RungVerdict::settled);
-  EXPECT_EQ(least_rung(values, kRule, std::vector{at_most(25)}).rungs[0].verdict,
+  EXPECT_NE(minimum_rung(values, kRule, near_and_far).rungs[0].verdict, RungVerdict::settled);
+  EXPECT_EQ(minimum_rung(values, kRule, std::vector{at_most(25)}).rungs[0].verdict,
             RungVerdict::settled);
 }
 
 TEST(SettledLimit, NothingMoreIsClimbedWhereNoRungCanDo) {
   const auto hopeless = [](const Limit& limit, const LadderRule& rule) {
     const QuantityLadder ladder =
-        least_rung(runs_of({{.shift = 2}, {}, {}}, 1), rule, std::vector{limit});
+        minimum_rung(runs_of({{.shift = 2}, {}, {}}, 1), rule, std::vector{limit});
     return leaves_limit_open(ladder) && is_out_of_reach(ladder.rungs[0], rule);
   };
   // The reference leaves the limit open, and chaotic pairs would take 5e5 samples for the mean.

@@ -88,7 +88,8 @@ TEST(BarModes, ChangeNoStaticResponse) {
   EXPECT_LT((stress(with) - expected).cwiseAbs().maxCoeff(), 0.03 * expected.maxCoeff());
 }
 
-/// With them the compliance under a bar's rollers depends little on how many elastic modes are kept.
+/// With them the compliance under a bar's rollers depends little on how many elastic modes are
+/// kept.
 TEST(BarModes, SpareElasticModes) {
   const std::vector<PocketDeviation> none(13);
   Eigen::VectorXd leading = Eigen::VectorXd::Zero(6);

@@ -44,7 +44,7 @@ pocket_width_mm = { nominal = 7.65, lot = { law = "normal", sigma = 0.009 } }
 )";
   static constexpr const char* kTolerance = R"([[tolerance.dimension]]
 key = "cage.pocket_width_mm"
-band_mm = 0.1
+tolerance_width_mm = 0.1
 candidates = ["IT11"]
 )";
   static constexpr const char* kScene = R"([bearing]

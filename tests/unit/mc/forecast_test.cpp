@@ -115,9 +115,9 @@ TEST(Forecast, BeyondTheMachineIsRefusedWithCountsAndRemedy) {
                     HasSubstr("choose another output directory with -o")));
   // The need of a sweep below the least that is refused is met as it comes.
   forecast.study_file_bytes = 0;
-  forecast.journal_bytes = kLeastRefused;
+  forecast.journal_bytes = kMinimumRefused;
   EXPECT_EQ(problem_of([&] { require_disk(forecast, "/proc"); }), "no error");
-  forecast.journal_bytes = 1.01 * kLeastRefused;
+  forecast.journal_bytes = 1.01 * kMinimumRefused;
   EXPECT_THAT(problem_of([&] { require_disk(forecast, "/proc"); }), HasSubstr("there are 0.0 kB"));
 }
 

@@ -20,7 +20,7 @@ Study pockets_alone(const std::vector<std::string>& settings = {}) {
       << "[scene]\nfile = \"" << shipped("scenes/nu205.toml") << "\"\n"
       << "[scene.cage]\npocket_width_mm = { nominal = 7.65, pocket = { law = \"normal\", sigma = "
          "0.05 } }\n"
-         "[[tolerance.dimension]]\nkey = \"cage.pocket_width_mm\"\nband_mm = 0.3\n"
+         "[[tolerance.dimension]]\nkey = \"cage.pocket_width_mm\"\ntolerance_width_mm = 0.3\n"
          "candidates = [0.2, 0.3, 0.6]\n";
   return read_study(scratch / "study.toml", settings);
 }
@@ -40,10 +40,11 @@ TEST(JamShares, AgreeWithTheClosedForm) {
     EXPECT_TRUE(near(jams.candidate[k], closed_form(std::array{0.2, 0.3, 0.6}[k] / 6)))
         << k << ": " << jams.candidate[k];
   const JamCurve& curve = jams.curves[0];
-  EXPECT_DOUBLE_EQ(curve.band_mm.front(), 0.2);
-  EXPECT_NEAR(curve.band_mm.back(), kWidestJamBand * 0.6, 1e-12);
+  EXPECT_DOUBLE_EQ(curve.tolerance_width_mm.front(), 0.2);
+  EXPECT_NEAR(curve.tolerance_width_mm.back(), kWidestJamTolerance * 0.6, 1e-12);
   for (std::size_t p = 0; p < curve.share.size(); ++p)
-    EXPECT_TRUE(near(curve.share[p], closed_form(curve.band_mm[p] / 6))) << curve.band_mm[p];
+    EXPECT_TRUE(near(curve.share[p], closed_form(curve.tolerance_width_mm[p] / 6)))
+        << curve.tolerance_width_mm[p];
   EXPECT_DOUBLE_EQ(curve.share.front(), jams.candidate[0]);
 }
 

@@ -129,12 +129,12 @@ TEST_F(OperatingPoints, AQuantityIsJoinedByItsKind) {
   const auto joined = [&](Kind kind) {
     return over_points({"gap_min_um", "um", kind, any.need, any.bound, "", ""}, 0, study, outcomes);
   };
-  EXPECT_EQ(joined(Kind::least), 1);
+  EXPECT_EQ(joined(Kind::minimum), 1);
   EXPECT_EQ(joined(Kind::peak), 3);
   EXPECT_DOUBLE_EQ(joined(Kind::power), (3 + 3 * 1 + 4 * 2) / 8.0);
   EXPECT_TRUE(std::isnan(joined(Kind::mean)));
   outcomes[1].quantities = {kNan};
-  EXPECT_EQ(joined(Kind::least), 2);
+  EXPECT_EQ(joined(Kind::minimum), 2);
 }
 
 TEST_F(OperatingPoints, APointThatFailsFailsItsSampleAndIsNamed) {

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 std::string study_text(const std::string& first, const std::string& second) {
   const auto dimension = [](const std::string& key, const std::string& more) {
     return "[[tolerance.dimension]]\nkey = \"cage." + key +
-           "\"\nband_mm = 0.1\ncandidates = [0.05, 0.1]\n" + more + "\n";
+           "\"\ntolerance_width_mm = 0.1\ncandidates = [0.05, 0.1]\n" + more + "\n";
   };
   return "[scene]\nfile = \"" + shipped("scenes/nu205.toml") +
          "\"\n[scene.cage]\n"
@@ -111,12 +111,13 @@ TEST(RecommendKeys, GradesAreForSizes) {
     return "[scene]\nfile = \"" + shipped("scenes/nu205.toml") +
            "\"\n[scene.bearing]\ninternal_clearance_um = { nominal = 30, lot = { law = \"normal\", "
            "sigma = 2 } }\n[[tolerance.dimension]]\nkey = \"bearing.internal_clearance_um\"\n"
-           "band_mm = 0.015\ncandidates = [" +
+           "tolerance_width_mm = 0.015\ncandidates = [" +
            candidate + "]\n";
   };
   const ScratchDirectory scratch;
-  std::ofstream(scratch / "band.toml") << text("0.02");
-  EXPECT_DOUBLE_EQ(read_study(scratch / "band.toml").candidates[0].bands_mm[0], 0.02);
+  std::ofstream(scratch / "tolerance.toml") << text("0.02");
+  EXPECT_DOUBLE_EQ(read_study(scratch / "tolerance.toml").candidates[0].tolerance_widths_mm[0],
+                   0.02);
   std::ofstream(scratch / "grade.toml") << text("\"IT6\"");
   try {
     read_study(scratch / "grade.toml");
@@ -136,7 +137,7 @@ TEST(ChangedStudy, IsResolvedAnew) {
   });
   EXPECT_NE(changed.hash, study.hash);
   ASSERT_EQ(changed.candidates.size(), 1u);
-  EXPECT_DOUBLE_EQ(changed.candidates[0].bands_mm[0], 0.123);
+  EXPECT_DOUBLE_EQ(changed.candidates[0].tolerance_widths_mm[0], 0.123);
   EXPECT_EQ(changed.candidates[0].grades[1], "IT12");
   EXPECT_THAT(changed.resolved_toml, HasSubstr("samples = 33"));
 }

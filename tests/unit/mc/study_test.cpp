@@ -174,13 +174,13 @@ TEST_F(StudyFile, WhatAFlexibleCageIsNotTabulatedForMayVary) {
 }
 
 TEST_F(StudyFile, DiametersOfAFlexibleCageMayScatterAsFarAsItsTableCovers) {
-  const auto scattered = [](const std::string& half_band) {
+  const auto scattered = [](const std::string& half_tolerance) {
     const auto law = [](const std::string& half) {
       return "{ law = 'uniform', lower = -" + half + ", upper = " + half + " } }\n";
     };
     return "samples = 2\n[scene.cage]\nmodel = 'flexible'\n"
            "outer_diameter_mm = { nominal = 43.4, lot = " +
-           law(half_band) + "inner_diameter_mm = { nominal = 37.0, noise = " + law("0.01");
+           law(half_tolerance) + "inner_diameter_mm = { nominal = 37.0, noise = " + law("0.01");
   };
   const Study study = study_of(scattered("0.03"));  // 0.04 of 6.4 mm
   EXPECT_NEAR(thickness_scatter(study), 0.04 / 6.4, 1e-6);
@@ -197,14 +197,16 @@ TEST_F(StudyFile, CandidatesAreTheProductOfTheDimensions) {
       "samples = 6\n[scene.cage]\npocket_width_mm = { nominal = 7.65, lot = { law = 'normal', "
       "sigma = 0.01 } }\n"
       "pocket_length_mm = { nominal = 10.5, pocket = { law = 'normal', sigma = 0.01 } }\n"
-      "[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\nband_mm = 0.1\ncandidates = ['IT9', "
+      "[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = 0.1\ncandidates "
+      "= ['IT9', "
       "'IT10']\n"
-      "[[tolerance.dimension]]\nkey = 'cage.pocket_length_mm'\nband_mm = 0.1\ncandidates = ['IT9', "
+      "[[tolerance.dimension]]\nkey = 'cage.pocket_length_mm'\ntolerance_width_mm = "
+      "0.1\ncandidates = ['IT9', "
       "0.2, 'IT11']\n");
   ASSERT_EQ(study.candidates.size(), 6u);
-  EXPECT_THAT(study.candidates[0].bands_mm, ElementsAre(0.036, 0.043));
-  EXPECT_THAT(study.candidates[1].bands_mm, ElementsAre(0.036, 0.2));
-  EXPECT_THAT(study.candidates[5].bands_mm, ElementsAre(0.058, 0.110));
+  EXPECT_THAT(study.candidates[0].tolerance_widths_mm, ElementsAre(0.036, 0.043));
+  EXPECT_THAT(study.candidates[1].tolerance_widths_mm, ElementsAre(0.036, 0.2));
+  EXPECT_THAT(study.candidates[5].tolerance_widths_mm, ElementsAre(0.058, 0.110));
   EXPECT_THAT(study.candidates[1].grades, ElementsAre("IT9", ""));
   // Rows that a recommendation does not draw are no matter of the study alone.
   EXPECT_THAT(sweep_notes(study), testing::Contains(HasSubstr("rows for 6 candidate tolerances")));
@@ -342,23 +344,24 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
       {"samples = 1\n[[limit]]\nquantity = 'cage_slip_ratio'\nmax = 1\n", {"where it comes from"}},
       {"samples = 1\n[limit]\nquantity = 'cage_slip_ratio'\n", {"list of tables", "[[limit]]"}},
       {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
-               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_widt_mm'\nband_mm = 0.1\ncandidates "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_widt_mm'\ntolerance_width_mm = "
+               "0.1\ncandidates "
                "= ['IT9']\n",
        {"study.toml:4: tolerance.dimension.key", "did you mean cage.pocket_width_mm?"}},
       {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
-               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\nband_mm = "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
                "0.1\ncandidates = ['IT99']\n",
        {"tolerance.dimension.candidates = IT99", "IT5 to IT14"}},
       {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
-               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\nband_mm = "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
                "0.1\ncandidates = [-0.1]\n",
        {"study.toml:6: tolerance.dimension.candidates = -0.1",
-        "neither an ISO 286 grade nor a band"}},
+        "neither an ISO 286 grade nor a tolerance"}},
       {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
                "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\nband_um = "
                "100\ncandidates = ['IT9']\n",
-       {"study.toml:5: tolerance.dimension.band_um = 100: wrong unit",
-        "write tolerance.dimension.band_mm = 0.1"}},
+       {"study.toml:5: tolerance.dimension.tolerance_um = 100: wrong unit",
+        "write tolerance.dimension.tolerance_width_mm = 0.1"}},
       {width +
            "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } }\n[[correlation]]\nbetween = "
            "['cage.pocket_width_mm:lot', 'cage.pocket_length_mm:lot']\nrho = 0.5\n",
@@ -482,8 +485,8 @@ TEST_F(StudyFile, ALubricatedStudyResolvesWithoutTheKeysThatItRefuses) {
   EXPECT_EQ(again.hash, study.hash);
   EXPECT_TRUE(is_lubricated(again.scene));
   EXPECT_THAT(study.resolved_toml,
-              AllOf(HasSubstr("eyring_stress_MPa"), Not(HasSubstr("least_force_N"))));
-  EXPECT_THAT(study_of("samples = 5\n").resolved_toml, HasSubstr("least_force_N"));
+              AllOf(HasSubstr("eyring_stress_MPa"), Not(HasSubstr("minimum_force_N"))));
+  EXPECT_THAT(study_of("samples = 5\n").resolved_toml, HasSubstr("minimum_force_N"));
   const Study dry =
       changed_study(study, [](Study& s) { s.scene.lubrication.model = LubricationModel::none; });
   EXPECT_FALSE(is_lubricated(dry.scene));

@@ -1,4 +1,5 @@
-// Scenes of catalogue bearings: every bearing with every make of cage is a scene that the reader takes.
+// Scenes of catalogue bearings: every bearing with every make of cage is a scene that the reader
+// takes.
 #include "src/catalogue/bearing_scene.hpp"
 
 #include <gmock/gmock.h>
@@ -153,7 +154,7 @@ TEST(BearingScene, LoadAndSpeedAreSharesOfTheCatalogues) {
   EXPECT_EQ(scene.operation.radial_load, 6200);
   EXPECT_NEAR(scene.operation.inner_speed, 5500 * std::numbers::pi / 30, 1e-6);
   EXPECT_EQ(scene.bearing.dynamic_rating, 62e3);
-  EXPECT_EQ(scene.bearing.least_load_factor, 0.15);
+  EXPECT_EQ(scene.bearing.minimum_load_factor, 0.15);
   EXPECT_EQ(scene.cage.model, CageKind::flexible);
 }
 

@@ -143,7 +143,7 @@ TEST(Catalogue, SaysWhyDoubleRowsAndFullComplementsAreNotInIt) {
 TEST(ClearanceClass, IsThatOfTheStandard) {
   const auto um = [](ClearanceClass which, double bore) {
     const ClearanceRange range = clearance_range(which, bore);
-    return std::pair{std::lround(1e6 * range.least), std::lround(1e6 * range.most)};
+    return std::pair{std::lround(1e6 * range.minimum), std::lround(1e6 * range.most)};
   };
   using enum ClearanceClass;
   EXPECT_EQ(um(C2, 25e-3), std::pair(0l, 25l));

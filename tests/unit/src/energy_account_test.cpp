@@ -45,7 +45,7 @@ double differenced_net_power(const RandomBearing& b, double step = 2e-9) {
   System system(b.model);
   system.linearise_at(b.t, b.y.data());
   const PackVector rates = system.rate;
-  // The rate of the net power holds what lobes do in time, and nothing else that time does.
+  // The rate of the net power holds what waves do in time, and nothing else that time does.
   return rate_along_motion(b, rates, step, [&](const std::vector<double>& y, double t) {
     return net_power(system, b.model.forms.round ? b.t : t, y);
   });
@@ -102,11 +102,11 @@ TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredWhereOilLiesInTheGaps) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredOnLobedRaceways) {
+TEST_P(EnergyAccount, PowerInIsDissipationPlusStoredOnWavyRaceways) {
   for (const bool lubricated : {false, true})
     for (unsigned seed = 0; seed < 48; ++seed) {
       RandomBearing b =
-          random_bearing(seed, {.freedom = GetParam(), .lubricated = lubricated, .lobed = true});
+          random_bearing(seed, {.freedom = GetParam(), .lubricated = lubricated, .wavy = true});
       b.t += 1;  // after every ramp
       EXPECT_LT(open_power(b), lubricated ? 4e-6 : 2e-9)
           << (lubricated ? "oiled" : "dry") << ", seed " << seed;
@@ -175,12 +175,12 @@ TEST_P(EnergyAccount, NetPowerRateIsTheDerivativeAlongTheMotion) {
   EXPECT_LT(worst_net_power_rate(GetParam(), false), 0.08);
 }
 
-// Loaded races alone, whose derivatives are exact, with lobes that turn.
-TEST_P(EnergyAccount, NetPowerRateHoldsWhatLobesDoInTime) {
+// Loaded races alone, whose derivatives are exact, with waves that turn.
+TEST_P(EnergyAccount, NetPowerRateHoldsWhatWavesDoInTime) {
   RandomBearing b;
   if (GetParam() == Freedom::tilting) b.scene.model.ring_tilt = TiltModel::free;
-  b.scene.bearing.inner_lobes = {Lobes{0.5e-6, 70, 0.3}, Lobes{1e-6, 3, 1}};
-  b.scene.bearing.outer_lobes = {Lobes{0.5e-6, 60, -1}, Lobes{}};
+  b.scene.bearing.inner_waviness = {Waviness{0.5e-6, 70, 0.3}, Waviness{1e-6, 3, 1}};
+  b.scene.bearing.outer_waviness = {Waviness{0.5e-6, 60, -1}, Waviness{}};
   b.scene.operation.outer_speed = -200;
   b.model = make_bearing_model(b.scene);
   b.y = start_state(b.model, b.scene.start);
@@ -195,7 +195,7 @@ TEST_P(EnergyAccount, NetPowerRateHoldsWhatLobesDoInTime) {
   EXPECT_NEAR(system.seen.net_power_rate, due, 0.1 * std::abs(by_time));
 }
 
-// Rollers off the races and free of their cage, so that sphere ends have all the power.
+// Rollers off the races and free of their cage, so that spherical roller ends have all the power.
 TEST(EnergyAccountOfFlanges, NetPowerRateHoldsWhatSphereEndsDo) {
   for (const bool lubricated : {false, true})
     for (unsigned seed = 0; seed < 24; ++seed) {

@@ -37,8 +37,8 @@ TEST(Flanges, StandOnTheSidesThatTheSceneSays) {
   EXPECT_EQ(m.flanges[1].side, 1);
   EXPECT_TRUE(m.flanges[2].inner);
   EXPECT_EQ(m.flanges[2].side, -1);
-  // Oiled, in the middle between a corner of 0.06 D and the rim: outside the rollers' axes for the outer
-  // ring, inside for the inner one.
+  // Oiled, in the middle between a corner of 0.06 D and the rim: outside the rollers' axes for the
+  // outer ring, inside for the inner one.
   const double corner = 0.06 * 7.5e-3, outer_race = scene.bearing.outer_raceway_diameter / 2,
                inner_race = scene.bearing.inner_raceway_diameter / 2;
   EXPECT_NEAR(m.flanges[0].points[0].radial,
@@ -120,8 +120,8 @@ TEST(Flanges, BalanceTheAxialLoad) {
 // What an axial load adds to the friction torque, and what flanges take: the term of SKF's friction
 // model at its coefficient of a full film, S1 d_m^0.9 F_a mu, S1 = 0.16 for this series, mu = 0.02.
 // Friction of a film whose wedge carries grows with the root of the load: at a sixth of this load
-// flanges take three times the maker's term. Source: SKF rolling bearings catalogue 17000, frictional
-// moment, table 1c.
+// flanges take three times the maker's term. Source: SKF rolling bearings catalogue 17000,
+// frictional moment, table 1c.
 TEST(Flanges, RubAsTheMakerSays) {
   Scene scene = shipped_scene("nj308-axial");
   scene.cage.model = CageKind::rigid;

@@ -91,8 +91,8 @@ TEST(FlatFilm, IsSmoothWhereItsBranchesMeet) {
   }
 }
 
-/// Force of a narrow pad of width b whose gap is `gap(x)`, x from 0 where oil enters to 1: across it
-/// p = 3 eta u h' (b^2/4 - y^2)/h^3, whatever its length.
+/// Force of a narrow pad of width b whose gap is `gap(x)`, x from 0 where oil enters to 1: across
+/// it p = 3 eta u h' (b^2/4 - y^2)/h^3, whatever its length.
 template <class Gap>
 double narrow_pad(double u, double b, Gap gap) {
   const int parts = 2000;

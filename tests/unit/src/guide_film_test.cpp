@@ -107,7 +107,7 @@ TEST(GuideFilm, DerivativesAreThoseOfDifferences) {
         V2[j] += speed;
         return short_bearing_film(kBearing, D2, V2);
       };
-      const double step = 1e-4 * std::max(kClearance - size, kBearing.least), faster = 1e-6;
+      const double step = 1e-4 * std::max(kClearance - size, kBearing.minimum), faster = 1e-6;
       const auto up = moved(step, 0), down = moved(-step, 0), fast = moved(0, faster),
                  slow = moved(0, -faster);
       for (int i = 0; i < 2; ++i) {
@@ -136,15 +136,15 @@ TEST(GuideFilm, EndsAtItsLeastHeight) {
     EXPECT_GT(-film.force[0], before) << e;  // ever harder to squeeze
     before = -film.force[0];
   }
-  // At the least height everywhere beyond: the film cannot be squeezed harder than there.
+  // At the minimum height everywhere beyond: the film cannot be squeezed harder than there.
   const double last[2] = {1e6, 0}, outward[2] = {0.05, 0},
-               edge[2] = {kClearance - kBearing.least, 0};
+               edge[2] = {kClearance - kBearing.minimum, 0};
   ShortBearing thin = kBearing;
-  thin.least = 1e-9;
+  thin.minimum = 1e-9;
   EXPECT_NEAR(short_bearing_film(kBearing, last, outward).force[0] /
                   short_bearing_film(thin, edge, outward).force[0],
               1, 1e-6);
-  const double free = kClearance - 2 * kBearing.least;
+  const double free = kClearance - 2 * kBearing.minimum;
   for (const double side : {-1e-13, 1e-13}) {
     const double D[2] = {free + side, 0}, at[2] = {free, 0};
     EXPECT_NEAR(

@@ -1,5 +1,5 @@
-// Every key of a scene either changes what is computed or is named as idle, in scenes that differ in
-// what they model.
+// Every key of a scene either changes what is computed or is named as idle, in scenes that differ
+// in what they model.
 #include "src/reading/idle_keys.hpp"
 
 #include <gmock/gmock.h>
@@ -47,7 +47,8 @@ std::vector<double> fingerprint(const Scene& scene) {
   const auto start = start_state(model, scene.start);
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
-  // Places off the start by micrometres, speeds by centimetres a second off the start's or off rest.
+  // Places off the start by micrometres, speeds by centimetres a second off the start's or off
+  // rest.
   struct Apart {
     double place, speed, share;
   };
@@ -98,9 +99,9 @@ std::vector<Scene> altered(const Key<Scene>& key, const Scene& from) {
   Scene scene = from;
   const bool geometry = key.unit == "mm" && !key.name.starts_with("contact.");
   const auto number = [&](double old) {
-    const double least = std::isfinite(key.range.minimum) ? key.range.minimum : 0;
+    const double minimum = std::isfinite(key.range.minimum) ? key.range.minimum : 0;
     if (key.name == "cage.face_radius_mm") return 2 * unit_value(from.roller.diameter[0], 1e-3);
-    double changed = std::isnan(old) ? std::max(least, 0.0) + 0.37
+    double changed = std::isnan(old) ? std::max(minimum, 0.0) + 0.37
                      : old == 0      ? 1
                                      : (geometry ? 1.002 : 1.3) * old;
     if (changed > key.range.maximum)
@@ -250,16 +251,16 @@ INSTANTIATE_TEST_SUITE_P(
                s.bearing.outer_flange_angle = 2.45e-3 / 0.4;
                s.bearing.inner_flange_angle = 2.7e-3 / 0.4;
              }},
-        Case{"lobed",
+        Case{"wavy",
              [](Scene& s) {
-               s.bearing.inner_lobes[0].amplitude = 3e-6;
-               s.bearing.outer_lobes[1] = {2e-6, 5, 0.4};
+               s.bearing.inner_waviness[0].amplitude = 3e-6;
+               s.bearing.outer_waviness[1] = {2e-6, 5, 0.4};
              }},
-        Case{"lobed_equilibria",
+        Case{"wavy_equilibria",
              [](Scene& s) {
                s.model.motion = MotionModel::quasi_static;
-               s.bearing.inner_lobes[1].amplitude = 3e-6;
-               s.bearing.outer_lobes[0].amplitude = 2e-6;
+               s.bearing.inner_waviness[1].amplitude = 3e-6;
+               s.bearing.outer_waviness[0].amplitude = 2e-6;
              }},
         Case{"polymer", [](Scene& s) { s.cage.material = {"pa66-gf25"}; }},
         Case{"given_materials",

@@ -125,8 +125,8 @@ TEST(LineApproach, OfBothRacesIsMetAtTheLoadAndMissedByLittleAround) {
   EXPECT_NEAR(misses(scene, reference).inner, 0.173, 2e-3);
   EXPECT_NEAR(misses(scene, reference).outer, 0.239, 2e-3);
   scene.contact.race_approach = RaceApproach::line;
-  // Found apart from the program (tests/validation/page/line_approach.py). Off the reference load the
-  // power law misses by up to 5 % of both races, at either race by up to 9 %.
+  // Found apart from the program (tests/validation/page/line_approach.py). Off the reference load
+  // the power law misses by up to 5 % of both races, at either race by up to 9 %.
   struct Due {
     double radial, share;
     Misses misses;

@@ -96,10 +96,10 @@ TEST_P(Linearisation, RatesAreThoseOfTheRightHandSide) {
   }
 }
 
-TEST_P(Linearisation, RatesChangeWithTimeAsLobesPass) {
+TEST_P(Linearisation, RatesChangeWithTimeAsWavesPass) {
   for (const bool lubricated : {false, true}) {
     RandomBearing b =
-        random_bearing(2, {.freedom = GetParam(), .lubricated = lubricated, .lobed = true});
+        random_bearing(2, {.freedom = GetParam(), .lubricated = lubricated, .wavy = true});
     b.t = 5e-3;  // after the ramps
     System system(b.model);
     const double dt = 1e-6;
@@ -216,13 +216,13 @@ TEST_P(Linearisation, LoadedRacesAreExact) {
   }
 }
 
-TEST_P(Linearisation, LobedRacesAreExact) {
+TEST_P(Linearisation, WavyRacesAreExact) {
   for (const bool lubricated : {false, true})
     for (const ForceLaw law : {ForceLaw::hertz, ForceLaw::impact}) {
       if (lubricated && law == ForceLaw::impact) continue;
       RandomBearing b = loaded_races(law, FilmModel::none, GetParam());
-      b.scene.bearing.inner_lobes = {Lobes{4e-6, 2, 0.3}, Lobes{1e-6, 9, -1}};
-      b.scene.bearing.outer_lobes = {Lobes{3e-6, 3, 2}, Lobes{}};
+      b.scene.bearing.inner_waviness = {Waviness{4e-6, 2, 0.3}, Waviness{1e-6, 9, -1}};
+      b.scene.bearing.outer_waviness = {Waviness{3e-6, 3, 2}, Waviness{}};
       b.scene.operation.outer_speed = -100;
       if (lubricated) b.scene.lubrication.model = LubricationModel::film;
       b.model = make_bearing_model(b.scene);

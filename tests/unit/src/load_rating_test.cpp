@@ -1,4 +1,4 @@
-// Ratings, life and least loads against the numbers of standards and catalogues.
+// Ratings, life and minimum loads against the numbers of standards and catalogues.
 #include "src/quantities/load_rating.hpp"
 
 #include <gtest/gtest.h>
@@ -42,8 +42,8 @@ TEST(RatingLife, FallsByTheTenThirdsPower) {
 
 // NU 205 at 6000 rpm: 171 N by SKF with n_ref 14,000 rpm, 450 N by Schaeffler with C_0 27 kN.
 TEST(LeastLoad, OfNu205IsThatOfTheMakers) {
-  EXPECT_NEAR(least_load_skf(0.15, 6000.0 / 14000, 38.5e-3), 171.5, 0.1);
-  EXPECT_NEAR(least_load_schaeffler(27e3), 450, 1e-9);
+  EXPECT_NEAR(minimum_load_skf(0.15, 6000.0 / 14000, 38.5e-3), 171.5, 0.1);
+  EXPECT_NEAR(minimum_load_schaeffler(27e3), 450, 1e-9);
 }
 
 }  // namespace

@@ -32,10 +32,10 @@ TEST(NoAllocation, TheCounterCounts) {
 
 TEST(NoAllocation, InRightHandSideDerivativesAndSolution) {
   for (unsigned seed = 0; seed < 24; ++seed) {
-    const bool lobed = seed % 3 == 1;
+    const bool wavy = seed % 3 == 1;
     const RandomBearing b = random_bearing(seed, {.modes = seed % 2 == 0 ? 0 : 5,
                                                   .freedom = static_cast<Freedom>(seed / 2 % 2),
-                                                  .lobed = lobed});
+                                                  .wavy = wavy});
     System system(b.model);
     NewtonMatrix newton(b.model);
     std::vector<double> rates(b.y.size());

@@ -52,7 +52,7 @@ template <class Check>
 void at_many_forces(const FilmLaw& law, double u, Check check) {
   const auto at = film_at_speed(law, u);
   for (double Q = 1e-3; Q < 1e4; Q *= 1.3) check(at, Q);
-  for (const double side : {1 - 1e-3, 1 + 1e-3}) check(at, law.least_force * side);
+  for (const double side : {1 - 1e-3, 1 + 1e-3}) check(at, law.minimum_force * side);
 }
 
 TEST(OilFilm, SlopesAreThoseOfTheThickness) {
@@ -87,7 +87,7 @@ TEST(OilFilm, SlopesAreThoseOfTheThickness) {
 TEST(OilFilm, PartsMeetWithTheirSlopes) {
   const FilmLaw law = film(15.75e-3, kSeries);
   const auto at = film_at_speed(law, kRollingSpeed);
-  const double Q = law.least_force;
+  const double Q = law.minimum_force;
   const double below = film_thickness(law, at, Q * (1 - 1e-9)),
                above = film_thickness(law, at, Q * (1 + 1e-9));
   EXPECT_NEAR(below / above, 1, 1e-8);

@@ -93,7 +93,7 @@ const std::vector<OlderKey> kOlderKeys = {
     {"film.model", "\"series\"", "lubrication.model"},
     {"film.viscosity_Pa_s", "0.03", "lubrication.viscosity_Pa_s"},
     {"film.pressure_viscosity_1_GPa", "20", "lubrication.pressure_viscosity_1_GPa"},
-    {"film.least_force_N", "2", "lubrication.model"},
+    {"film.minimum_force_N", "2", "lubrication.model"},
 };
 
 TEST(OilKeys, FilmRefusesTheOlderFilmsAndNamesTheirSuccessors) {
@@ -164,17 +164,17 @@ ShortBearing guide_film_of(const std::string& text) {
 
 TEST(LandFilm, LiesBetweenLandAndRingInTheOilOfTheBearing) {
   // A cage of 43.4 mm in shoulders of 43.8 mm.
-  const double radius = 21.8e-3, width = 2e-3, viscosity = 0.03, pi = std::numbers::pi;
+  const double radius = 21.8e-3, width = 2e-3, viscosity = 0.03;
   const ShortBearing thick = guide_film_of(kFilm +
                                            "lubrication.viscosity_Pa_s = 0.03\n"
                                            "lubrication.land_film_width_mm = 2\n"
-                                           "lubrication.land_film_least_um = 3\n");
+                                           "lubrication.land_film_minimum_um = 3\n");
   EXPECT_TRUE(thick.on);
   EXPECT_NEAR(thick.pressure / (viscosity * radius * std::pow(width, 3)), 1, 1e-9);
   EXPECT_NEAR(thick.torque / (2 * pi * viscosity * std::pow(radius, 3) * width), 1, 1e-9);
   EXPECT_NEAR(thick.axial / (2 * pi * viscosity * radius * width), 1, 1e-9);
   EXPECT_NEAR(thick.clearance, 0.2e-3, 1e-12);
-  EXPECT_NEAR(thick.least, 3e-6, 1e-15);
+  EXPECT_NEAR(thick.minimum, 3e-6, 1e-15);
   // VG 68 at 70 degC: 0.01688 Pa s. The film is proportional to it.
   const double share = guide_film_of(kFilm).torque /
                        guide_film_of(kFilm + "lubrication.viscosity_Pa_s = 0.02\n").torque;
@@ -193,14 +193,14 @@ TEST(LandFilm, IsOffBySwitchAndWhereNoLandGuides) {
 
 TEST(LandFilm, WantsRoom) {
   EXPECT_THAT(
-      problem_of(kFilm + "lubrication.land_film_least_um = 60\n"),
-      HasSubstr("t.toml:2: lubrication.land_film_least_um = 60: roughness this high fills the "
+      problem_of(kFilm + "lubrication.land_film_minimum_um = 60\n"),
+      HasSubstr("t.toml:2: lubrication.land_film_minimum_um = 60: roughness this high fills the "
                 "guide clearance (200 um)"));
   EXPECT_THAT(
       problem_of(kFilm + "lubrication.land_film_width_mm = 8\n"),
       HasSubstr("t.toml:2: lubrication.land_film_width_mm = 8: two lands this wide do not fit"));
   const std::string off = kFilm + "lubrication.land_film = false\n";
-  EXPECT_EQ(problem_of(off + "lubrication.land_film_least_um = 60\n"), "no error");
+  EXPECT_EQ(problem_of(off + "lubrication.land_film_minimum_um = 60\n"), "no error");
   EXPECT_THAT(problem_of(kFilm + "cage.guidance = 'roller'\n"),
               HasSubstr("nothing would hold the cage's centre"));
 }

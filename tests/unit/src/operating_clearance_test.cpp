@@ -229,8 +229,8 @@ TEST(OperatingClearance, WidensRollersAsSolidDiscs) {
               2 * 7810 * spin * spin * r * r * r * 0.7 / (4 * 208e9), 1e-15);
 }
 
-/// An outer ring alone grows as a ring, pressed into a housing of its steel as one body with it; the
-/// cage turns at w_o R_o/(R_i + R_o), rollers at w_o R_o/(2 R).
+/// An outer ring alone grows as a ring, pressed into a housing of its steel as one body with it;
+/// the cage turns at w_o R_o/(R_i + R_o), rollers at w_o R_o/(2 R).
 TEST(OperatingClearance, FollowsAnOuterRingThatTurns) {
   Scene scene;
   scene.operation.centrifugal_growth = true;

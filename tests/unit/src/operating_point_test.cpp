@@ -187,7 +187,7 @@ TEST(OperatingWarnings, NameTheLeastLoadAndItsRule) {
   EXPECT_THAT(operating_warnings(scene), IsEmpty());
   scene.operation.radial_load = 170;
   EXPECT_THAT(operating_warnings(scene), ElementsAre(HasSubstr("by SKF's rule, 172 N")));
-  scene.bearing.least_load_factor = kAuto;
+  scene.bearing.minimum_load_factor = kAuto;
   scene.operation.radial_load = 451;
   EXPECT_THAT(operating_warnings(scene), IsEmpty());
   scene.operation.radial_load = 449;

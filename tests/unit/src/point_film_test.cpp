@@ -17,8 +17,8 @@ PointFilm film(double layer = 10e-6, double roughness = 0.3e-6) {
   return make_point_film(hertz_point(kRadius, kRadius, kModulus), oil, 1.4e-3, layer, true);
 }
 
-// Of equal spheres or a sphere on a plane: delta = (9 F^2/(16 E*^2 R))^(1/3), a = (3 F R/(4 E*))^(1/3)
-// with E* = E'/2.
+// Of equal spheres or a sphere on a plane: delta = (9 F^2/(16 E*^2 R))^(1/3), a = (3 F R/(4
+// E*))^(1/3) with E* = E'/2.
 TEST(HertzPoint, IsExactForASphereOnAPlane) {
   const double force = 30, E = kModulus / 2;
   const HertzPoint h = hertz_point(kRadius, kRadius, kModulus);

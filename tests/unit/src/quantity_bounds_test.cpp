@@ -150,7 +150,7 @@ TEST(QuantityBounds, BoundsOfTheReferenceBearing) {
   EXPECT_LT(range_of(healthy(), "power_loss_W").low, 0);
 }
 
-// Met: whirl ratios of 150 and 7, ok. A cage goes as far as its guide gives way under the forces of
+// Met: whirl ratios of 150 and 7, ok. A cage goes as far as its guide deflects under the forces of
 // the run, and 1.05 of the clearance.
 TEST(QuantityBounds, ACageOutsideItsGuideIsAFailedRun) {
   Ran run = healthy();

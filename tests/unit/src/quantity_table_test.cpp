@@ -92,7 +92,7 @@ TEST(QuantityTable, KindsAreThoseThatKeysSay) {
   for (const Quantity& row : quantity_table()) {
     const std::string key = row.key;
     const auto says = [&](const char* part) { return key.find(part) != std::string::npos; };
-    EXPECT_EQ(row.kind == Kind::least, says("_min_")) << key;
+    EXPECT_EQ(row.kind == Kind::minimum, says("_min_")) << key;
     EXPECT_EQ(row.kind == Kind::estimate, says("_extrapolated_")) << key;
     EXPECT_EQ(row.kind == Kind::place, key.ends_with("_pocket") || key.ends_with("_station"));
     EXPECT_EQ(row.kind == Kind::power, says("power_") || says("torque")) << key;

@@ -90,10 +90,10 @@ TEST_P(ReferenceForces, AgreeInRandomStatesOfEveryKind) {
   }
 }
 
-TEST_P(ReferenceForces, AgreeOnLobedRaceways) {
+TEST_P(ReferenceForces, AgreeOnWavyRaceways) {
   long touching = 0;
   for (unsigned seed = 0; seed < 96; ++seed) {
-    const RandomBearing b = random_bearing(seed, {.freedom = GetParam(), .lobed = true});
+    const RandomBearing b = random_bearing(seed, {.freedom = GetParam(), .wavy = true});
     const Reference reference = reference_rates(b.scene, b.t, b.y);
     touching += reference.touching[kInnerRace] + reference.touching[kOuterRace];
     expect_same(b, reference, seed);

@@ -1,4 +1,4 @@
-// Sphere-ended rollers against inclined flanges.
+// Spherical-ended rollers against inclined flanges.
 #include "src/contacts/sphere_flange.hpp"
 
 #include <gmock/gmock.h>
@@ -26,7 +26,8 @@ using testing::HasSubstr;
 
 constexpr double kEnd = 0.4, kOuterHeight = 2.85e-3, kInnerHeight = 2.7e-3;
 
-/// An NJ 205 with sphere ends, dry, without gravity, its rollers off the races and the cage.
+/// An NJ 205 with spherical roller ends, dry, without gravity, its rollers off the races and the
+/// cage.
 Scene round_ended() {
   Scene s;
   s.bearing.inner_flanges = FlangeSides::left;
@@ -117,7 +118,8 @@ TEST(SphereFlange, PushesByHertzAlongTheFlangesNormal) {
   }
 }
 
-// Friction takes hold R_e sin(angle) from the axis, and where a roller tilts R_e times the tilt away.
+// Friction takes hold R_e sin(angle) from the axis, and where a roller tilts R_e times the tilt
+// away.
 TEST(SphereFlange, TouchesAtItsHeight) {
   for (const bool inner : {false, true})
     for (const double tilt : {0.0, 1e-3}) {
@@ -203,7 +205,8 @@ TEST(SphereFlange, HasTheDistanceOfASphereToACone) {
   }
 }
 
-// An axial load presses rollers between a flange of each ring: both carry it, at Hertz's approaches.
+// An axial load presses rollers between a flange of each ring: both carry it, at Hertz's
+// approaches.
 TEST(SphereFlange, BalancesAnAxialLoad) {
   Alone a(round_ended());
   const Flange &outer = a.flange(false), &inner = a.flange(true);
@@ -257,8 +260,8 @@ TEST(SphereFlange, RubsByCoulombAtItsSliding) {
   }
 }
 
-// Oil holds the bodies apart: the load is that of the film at the gap and the mean of both surfaces'
-// speeds as seen from the point, the friction that of the film with the bodies' spin.
+// Oil holds the bodies apart: the load is that of the film at the gap and the mean of both
+// surfaces' speeds as seen from the point, the friction that of the film with the bodies' spin.
 TEST(SphereFlange, RidesOnItsFilm) {
   for (const bool inner : {false, true}) {
     Scene s = round_ended();
@@ -293,7 +296,7 @@ TEST(SphereFlange, RidesOnItsFilm) {
   }
 }
 
-/// Random bearings whose only contacts are those of sphere ends.
+/// Random bearings whose only contacts are those of spherical roller ends.
 RandomBearing only_spheres(unsigned seed, bool lubricated) {
   RandomBearing b = random_bearing(seed, {.lubricated = lubricated, .sphere_ends = true});
   take_apart(b.model);
@@ -342,9 +345,9 @@ double flange_torque(const Outcome& outcome) {  // [N mm]
   return 1e3 * quantity(outcome, "power_flange_W") / (4750 * std::numbers::pi / 30);
 }
 
-// Sphere ends on inclined flanges rub less than flat ones, and less than the term that a maker gives
-// for these (SKF rolling bearings catalogue 17000, frictional moment, table 1c: 0.16 d_m^0.9 F_a mu,
-// mu = 0.02 of a full film).
+// Spherical roller ends on inclined flanges rub less than flat ones, and less than the term that a
+// maker gives for these (SKF rolling bearings catalogue 17000, frictional moment, table 1c: 0.16
+// d_m^0.9 F_a mu, mu = 0.02 of a full film).
 TEST(SphereFlange, RubsLessThanAFlatOneInARun) {
   const double axial = 600, maker = 0.16 * std::pow(65, 0.9) * axial * 0.02;
   const Outcome flat = run_nj308(false, axial), round = run_nj308(true, axial);

@@ -78,7 +78,8 @@ TEST(ErrorUnits, AreOfTheBearing) {
     EXPECT_NEAR(units.length / m.nominal_diameter, error_units(nu205).length / 7.5e-3, 2e-7)
         << name;
     const double surface = scene.operation.inner_speed * m.inner_radius;
-    EXPECT_DOUBLE_EQ(units.speed, std::min({std::max(1e-2, 1e-3 * surface), least_static_speed(m)}))
+    EXPECT_DOUBLE_EQ(units.speed,
+                     std::min({std::max(1e-2, 1e-3 * surface), minimum_static_speed(m)}))
         << name;
   }
   EXPECT_GT(error_units(rigid_model(shipped_scene("aero118-outer"))).speed, 0.05);

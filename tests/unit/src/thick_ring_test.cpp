@@ -12,7 +12,8 @@ namespace {
 
 constexpr Material kSteel{200e9, 0.3, 8000};
 
-// Inner radius 1, outer radius 2: strains of Lame's stresses s_t = p (1 + 4/r^2)/3, s_r = p (1 - 4/r^2)/3.
+// Inner radius 1, outer radius 2: strains of Lame's stresses s_t = p (1 + 4/r^2)/3, s_r = p (1 -
+// 4/r^2)/3.
 TEST(ThickRing, GrowsUnderPressureAsItsHoopStrainSays) {
   const ThickRing ring{10e-3, 20e-3, kSteel};
   const double p = 60e6;

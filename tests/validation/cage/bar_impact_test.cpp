@@ -148,9 +148,9 @@ Impact modal_impact(const CageTable& table, const CageModelOptions& options) {
       });
 }
 
-/// What an impact excites reaches above 100 kHz: 90 elastic modes and the bars' have it, and show that
-/// both ways to compute it agree. Static modes of the bars alone are too slow to answer by a third,
-/// elastic modes alone too stiff by far.
+/// What an impact excites reaches above 100 kHz: 90 elastic modes and the bars' have it, and show
+/// that both ways to compute it agree. Static modes of the bars alone are too slow to answer by a
+/// third, elastic modes alone too stiff by far.
 TEST(BarImpact, HasForceAndDurationOfAllUnknowns) {
   const CageTable table =
       make_cage_table({}, test::kCageSteel, {}, {.density = 2, .basis_modes = 100});

@@ -1,5 +1,6 @@
-// What the table of a cage with nominal diameters is off by on cages whose diameters deviate, as far
-// as a sample's may: against tables of their own, on the NU 205 cage, a thin one and a brass one.
+// What the table of a cage with nominal diameters is off by on cages whose diameters deviate, as
+// far as a sample's may: against tables of their own, on the NU 205 cage, a thin one and a brass
+// one.
 #include "mc/study_file/cage_thickness.hpp"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 // The bar forces of a run at the default density act on the modal equations of each cage,
 //   q'' + 2 zeta omega q' + omega^2 q = rows^T force + spin^2 centrifugal,
 // linear in time between the recorded states and solved exactly; the gyroscopic term and forces of
-// end walls and lands are left out. Stress is that of a run: modes and static rest of the forces.
-// Three ways show what a density changes: its own frequencies, the default's in their place (with
-// its own static response), and the static response alone.
+// side ring faces and lands are left out. Stress is that of a run: modes and static rest of the
+// forces. Three ways show what a density changes: its own frequencies, the default's in their place
+// (with its own static response), and the static response alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>

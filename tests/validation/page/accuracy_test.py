@@ -56,8 +56,8 @@ class Ladders(unittest.TestCase):
                   {"rung": "c", "shift": 0.09, "lower": 0.05, "upper": 0.13}]}]}
 
     def test_a_rung_below_a_bad_one_is_good_by_chance(self):
-        self.assertEqual(rung_results.least_rung(self.LADDER, "q"), "c (0.50)")
-        self.assertEqual(rung_results.least_rung(self.LADDER, "none"), "-")
+        self.assertEqual(rung_results.minimum_rung(self.LADDER, "q"), "c (0.50)")
+        self.assertEqual(rung_results.minimum_rung(self.LADDER, "none"), "-")
 
     def test_shifts_are_in_per_cent(self):
         self.assertEqual(rung_results.shifts_of(self.LADDER, "q", ("c", "b")), "+4 ± 2, -15 ± 5")

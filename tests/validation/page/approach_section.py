@@ -13,7 +13,7 @@ RUN_LOADS = (1000, 3000)
 STARTS = 8  # cage phases over one pitch
 QUANTITIES = (("ring_displacement_mean_um", "displacement, um"), ("friction_torque_Nmm", "torque, N mm"),
               ("pocket_force_rms_N", "pocket force, rms, N"), ("cage_slip_ratio", "slip"),
-              ("film_min_um", "least film, um"))
+              ("film_min_um", "minimum film, um"))
 
 
 def laws(page):

@@ -1,7 +1,7 @@
 """Film thickness of a line contact. SI units.
 
-  Dowson-Higginson   h = 2.65  U^0.70  G^0.54  W^-0.13  R        least film, elastic and piezoviscous
-  Pan-Hamrock        h = 1.714 U^0.694 G^0.568 W^-0.128 R        least film, likewise
+  Dowson-Higginson   h = 2.65  U^0.70  G^0.54  W^-0.13  R        minimum film, elastic and piezoviscous
+  Pan-Hamrock        h = 1.714 U^0.694 G^0.568 W^-0.128 R        minimum film, likewise
   rigid, isoviscous  h = 4.895 eta u R/q                          Martin's contact, by Reynolds' equation
   U = eta u/(E' R),  G = alpha E',  W = q/(E' R)
 """

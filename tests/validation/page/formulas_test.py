@@ -16,8 +16,8 @@ from load_distribution import RollerSet, distribution, hertz_pressure, laminae_o
 from lubricant import curve, viscosity, viscosity_fall
 from skid_section import load_of_a_tenth
 from static_rolling import static_rolling
-from torque_models import (SERIES, ntn_least_load, palmgren_torque, ratio_to_nearer, schaeffler_least_load,
-                           skf_least_load, skf_torque)
+from torque_models import (SERIES, ntn_minimum_load, palmgren_torque, ratio_to_nearer, schaeffler_minimum_load,
+                           skf_minimum_load, skf_torque)
 
 
 class Close(unittest.TestCase):
@@ -49,10 +49,10 @@ class Torque(Close):
         self.assertEqual(ratio_to_nearer(110, 100, 120), 1)
         self.assertEqual(ratio_to_nearer(50, 100, 120), 0.5)
 
-    def test_least_loads(self):
-        self.near(skf_least_load(SERIES["2"], 25, 52, 6000, 14000), 171.5, 1e-3)
-        self.near(schaeffler_least_load(27000), 450, 1e-12)
-        self.near(ntn_least_load(27000), 1080, 1e-12)
+    def test_minimum_loads(self):
+        self.near(skf_minimum_load(SERIES["2"], 25, 52, 6000, 14000), 171.5, 1e-3)
+        self.near(schaeffler_minimum_load(27000), 450, 1e-12)
+        self.near(ntn_minimum_load(27000), 1080, 1e-12)
 
 
 class Rating(Close):

@@ -29,7 +29,7 @@ def quantity_of(ladder, name):
     return next((entry for entry in ladder["quantities"] if entry["quantity"] == name), None)
 
 
-def least_rung(ladder, name):
+def minimum_rung(ladder, name):
     """Name and cost of the lowest rung from which on all are within 5 % of the highest; "-" where the scene has no such
     quantity."""
     quantity = quantity_of(ladder, name)
@@ -55,7 +55,7 @@ def shifts_of(ladder, name, rungs):
 
 
 def row_of(scene, ladder):
-    return [scene, *(least_rung(ladder, name) for name in QUANTITIES.values()),
+    return [scene, *(minimum_rung(ladder, name) for name in QUANTITIES.values()),
             *(shifts_of(ladder, *shift) for shift in SHIFTS.values())]
 
 

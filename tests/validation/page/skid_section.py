@@ -8,7 +8,7 @@ from matplotlib import pyplot
 
 from bearings import NU205, NU208
 from report import WIDTH, logarithmic, number, percent, signed_percent
-from torque_models import SERIES, ntn_least_load, schaeffler_least_load, skf_least_load
+from torque_models import SERIES, ntn_minimum_load, schaeffler_minimum_load, skf_minimum_load
 
 TENTH = 0.1
 SPEEDS = {NU205: (3000, 6000, 12000), NU208: (3000, 6000, 9000)}
@@ -53,14 +53,14 @@ def draw_slip(found):
     for axis, (bearing, speeds) in zip(axes[0], found.items()):
         for colour, (rpm, slips) in enumerate(speeds.items()):
             line, = axis.plot(list(slips), [100 * s for s in slips.values()], "o-", label=f"{rpm:g} r/min")
-            least = skf_least_load(SERIES[bearing.series], bearing.bore, bearing.outside, rpm, bearing.reference_rpm)
+            least = skf_minimum_load(SERIES[bearing.series], bearing.bore, bearing.outside, rpm, bearing.reference_rpm)
             axis.axvline(least, color=line.get_color(), linestyle=":", linewidth=1.2)
         axis.axhline(100 * TENTH, color="#8A8A8A", linewidth=0.8)
         logarithmic(axis, (20, 50, 100, 200, 500, 1000, 2000))
         axis.set_xlim(0.9 * LOADS[bearing][0], 1.1 * LOADS[bearing][-1])
         axis.set_xlabel("load [N]")
         axis.set_ylabel("slip of the rollers' orbit [%]")
-        axis.set_title(f"{bearing.title} (dotted: SKF's least load)")
+        axis.set_title(f"{bearing.title} (dotted: SKF's minimum load)")
         axis.legend()
     return figure
 
@@ -77,12 +77,12 @@ def over_load_and_speed(page, program, quick):
                     for rpm in speeds])
         for rpm in speeds:
             tenth = load_of_a_tenth(found[bearing].get(rpm, {}))
-            skf = skf_least_load(SERIES[bearing.series], bearing.bore, bearing.outside, rpm, bearing.reference_rpm)
+            skf = skf_minimum_load(SERIES[bearing.series], bearing.bore, bearing.outside, rpm, bearing.reference_rpm)
             rows.append([bearing.title, f"{rpm:g}", number(tenth), number(skf), number(tenth / skf if tenth else None),
-                         number(schaeffler_least_load(bearing.C0)), number(ntn_least_load(bearing.C0))])
-    page.add("### Load at which slip passes 10 %, against the makers' least loads, N", "")
+                         number(schaeffler_minimum_load(bearing.C0)), number(ntn_minimum_load(bearing.C0))])
+    page.add("### Load at which slip passes 10 %, against the makers' minimum loads, N", "")
     page.table(["bearing", "r/min", "10 % slip at", "SKF", "ratio to SKF", "Schaeffler, C0/60", "NTN, 0.04 C0"], rows)
-    page.add("A maker's least load is advice with a margin that no maker states, not a measured slip.", "")
+    page.add("A maker's minimum load is advice with a margin that no maker states, not a measured slip.", "")
     if quick:
         return
     slips = found[NU205].get(6000, {})
@@ -153,7 +153,7 @@ def from_two_states(page, program, quick):
 
 
 def skid_section(page, program, quick):
-    page.heading("Skidding against the makers' least loads")
+    page.heading("Skidding against the makers' minimum loads")
     over_load_and_speed(page, program, quick)
     over_starts(page, program, quick)
     from_two_states(page, program, quick)

@@ -1,4 +1,4 @@
-"""Friction torque of cylindrical roller bearings by two makers' models, and the least load against skidding.
+"""Friction torque of cylindrical roller bearings by two makers' models, and the minimum load against skidding.
 
 SKF (General Catalogue), torque in N mm, lengths in mm, n in r/min, nu in mm2/s, F in N:
   M    = phi_ish phi_rs G_rr (nu n)^0.6 + mu_sl S2 d_m F
@@ -60,17 +60,17 @@ def ratio_to_nearer(torque, skf, palmgren):
     return torque / high if torque > high else torque / low if torque < low else 1.0
 
 
-def skf_least_load(series, bore, outside, rpm, reference_rpm):
+def skf_minimum_load(series, bore, outside, rpm, reference_rpm):
     """[N]."""
     mean = (bore + outside) / 2
     return 1e3 * series.k_r * (6 + 4 * rpm / reference_rpm) * (mean / 100) ** 2
 
 
-def schaeffler_least_load(static_rating):
+def schaeffler_minimum_load(static_rating):
     """[N], of C0 [N]."""
     return static_rating / 60
 
 
-def ntn_least_load(static_rating):
+def ntn_minimum_load(static_rating):
     """[N], of C0 [N]."""
     return 0.04 * static_rating

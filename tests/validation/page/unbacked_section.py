@@ -6,11 +6,11 @@ UNBACKED = """
 Nothing on this page compares the program with a measured bearing. It compares it with models, standards and formulas.
 
 - **Slip.** No table of measured slip of a cylindrical roller bearing could be found in readable form. Abstracts agree
-  that tested bearings became free of slip only above the makers' least load, that slip rises with speed and falls
+  that tested bearings became free of slip only above the makers' minimum load, that slip rises with speed and falls
   with load, tight clearance and warmer oil. More is not claimed. The load at 10 % slip moves with what nobody knows:
   oil layer, Eyring stress, pressure-viscosity coefficient, roughness, clearance.
 - **Torque.** SKF's and Palmgren's models are fits to their makers' tests of steady, well lubricated, loaded bearings
-  with standard cages. They know neither skidding nor the cage; below the least load, and at the aero bearing's speed,
+  with standard cages. They know neither skidding nor the cage; below the minimum load, and at the aero bearing's speed,
   far beyond a catalogue bearing of that size, they are extrapolated.
 - **Pocket forces, optimum of clearance.** No measurement. The place of the optimum follows the thickness of the oil
   layer, which is an assumption (20 um).

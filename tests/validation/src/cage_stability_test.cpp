@@ -1,8 +1,8 @@
 // Whether the measures of a short window tell a cage that whirls from one that does not.
 //
 // Pairs of dry scenes differ in one number, by a factor of two. They are labelled without the
-// measures, by the path of the cage's centre in long runs from both ends of the clearance (nightly).
-// tests/CAGE_STABILITY.md has the figures.
+// measures, by the path of the cage's centre in long runs from both ends of the clearance
+// (nightly). tests/CAGE_STABILITY.md has the figures.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>

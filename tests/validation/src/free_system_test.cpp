@@ -154,7 +154,7 @@ TEST(FreeSystem, KeepsMomentumAndClosesItsEnergyAccountInThePlane) {
 
 TEST(FreeSystem, KeepsThemWithLeaningRollersToo) {
   Scene scene = free_scene();
-  scene.cage.pocket_length = {11e-3};  // the end walls are out of reach
+  scene.cage.pocket_length = {11e-3};  // the side ring faces are out of reach
   expect_kept(scene, 1, 1e-6);
 }
 

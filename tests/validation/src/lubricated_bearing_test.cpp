@@ -126,7 +126,7 @@ TEST(LubricatedBearingReference, NightlyConvergesWithItsStep) {
 // clearance, and torque falls.
 TEST(LubricatedBearingClearance, NightlyPeaksAreLeastWhereOilFillsThePocket) {
   if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
-  double least = 1e9, best = 0, slip = 0, torque = 1e9, widest = 0;
+  double minimum = 1e9, best = 0, slip = 0, torque = 1e9, widest = 0;
   for (const double half : {5e-6, 10e-6, 15e-6, 25e-6, 50e-6, 100e-6, 200e-6}) {
     PlanarBearing bearing;
     bearing.half_clearance = half;
@@ -135,7 +135,7 @@ TEST(LubricatedBearingClearance, NightlyPeaksAreLeastWhereOilFillsThePocket) {
     scene.window.measure_time = 0.3;
     const Outcome outcome = planar_outcome(scene);
     widest = quantity(outcome, "pocket_force_peak_N");
-    if (widest < least) least = widest, best = half;
+    if (widest < minimum) minimum = widest, best = half;
     EXPECT_GT(quantity(outcome, "cage_slip_ratio"), slip) << half;
     EXPECT_LT(quantity(outcome, "friction_torque_Nmm"), torque) << half;
     slip = quantity(outcome, "cage_slip_ratio");
@@ -143,7 +143,7 @@ TEST(LubricatedBearingClearance, NightlyPeaksAreLeastWhereOilFillsThePocket) {
   }
   EXPECT_GE(best, 10e-6);
   EXPECT_LE(best, 40e-6);
-  EXPECT_GT(widest, 3 * least);
+  EXPECT_GT(widest, 3 * minimum);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "analysis/fidelity/least_rung.hpp"
+#include "analysis/fidelity/minimum_rung.hpp"
 
 #include <gsl/gsl_statistics_double.h>
 
@@ -95,8 +95,8 @@ bool will_do(RungVerdict verdict) {
   return verdict == RungVerdict::adequate || verdict == RungVerdict::settled;
 }
 
-QuantityLadder least_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
-                          std::span<const Limit> limits) {
+QuantityLadder minimum_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
+                            std::span<const Limit> limits) {
   QuantityLadder ladder;
   if (!limits.empty()) ladder.allowed_wrong_share = allowed_share(rule);
   const std::vector<double>& reference = values.back();
@@ -111,7 +111,7 @@ QuantityLadder least_rung(std::span<const std::vector<double>> values, const Lad
     ladder.rungs.push_back(judged(rung, reference, ladder.budget, rule, limits));
     const RungVerdict verdict = ladder.rungs.back().verdict;
     open = open || verdict == RungVerdict::unresolved;
-    if (will_do(verdict) && !ladder.least) ladder.least = ladder.rungs.size() - 1;
+    if (will_do(verdict) && !ladder.minimum) ladder.minimum = ladder.rungs.size() - 1;
   }
   RungShift top;
   top.pairs = known.size();
@@ -121,7 +121,7 @@ QuantityLadder least_rung(std::span<const std::vector<double>> values, const Lad
   top.correlation = 1;
   top.verdict = RungVerdict::adequate;
   ladder.rungs.push_back(top);
-  if (!ladder.least && !open) ladder.least = values.size() - 1;
+  if (!ladder.minimum && !open) ladder.minimum = values.size() - 1;
   return ladder;
 }
 
@@ -133,7 +133,7 @@ bool is_out_of_reach(const RungShift& rung, const LadderRule& rule) {
   return !will_do(rung.verdict) && rung.pairs_needed > rule.study_samples;
 }
 
-std::size_t least_rung_for_all(std::span<const QuantityLadder> quantities) {
+std::size_t minimum_rung_for_all(std::span<const QuantityLadder> quantities) {
   const std::size_t top = quantities.front().rungs.size() - 1;
   for (std::size_t r = 0; r < top; ++r)
     if (std::all_of(quantities.begin(), quantities.end(), [r](const QuantityLadder& quantity) {

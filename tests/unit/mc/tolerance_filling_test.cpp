@@ -1,5 +1,5 @@
-// Cp of the laws of a dimension, parts outside their band, and candidates that take no roller.
-#include "mc/study/band_filling.hpp"
+// Cp of the laws of a dimension, parts outside their tolerance, and candidates that take no roller.
+#include "mc/study/tolerance_filling.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Study study_with(const std::string& laws, const std::string& candidates) {
   std::ofstream(path) << "samples = 4\n[scene]\nfile = '" << shipped("scenes/nu205.toml")
                       << "'\n[scene.cage]\npocket_width_mm = { nominal = 7.65, " << laws
                       << " }\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\n"
-                      << "band_mm = 0.1\ncandidates = [" << candidates << "]\n";
+                      << "tolerance_width_mm = 0.1\ncandidates = [" << candidates << "]\n";
   return read_study(path, {});
 }
 
@@ -32,8 +32,8 @@ std::string normal(const std::string& sigma) {
   return "{ law = 'normal', sigma = " + sigma + " }";
 }
 
-TEST(BandFilling, AddsTheVariancesOfLotAndPocket) {
-  const auto filling = band_fillings(
+TEST(ToleranceFilling, AddsTheVariancesOfLotAndPocket) {
+  const auto filling = tolerance_fillings(
       study_with("lot = " + normal("0.009") + ", pocket = " + normal("0.012"), "0.1"));
   ASSERT_EQ(filling.size(), 1u);
   EXPECT_NEAR(filling[0].deviation_mm, 0.015, 1e-12);
@@ -43,25 +43,25 @@ TEST(BandFilling, AddsTheVariancesOfLotAndPocket) {
   EXPECT_FALSE(filling[0].within);
 }
 
-TEST(BandFilling, AUniformLawThatFillsItsBandHasNoPartsOutside) {
+TEST(ToleranceFilling, AUniformLawThatFillsItsToleranceHasNoPartsOutside) {
   const auto uniform = [](const std::string& half) {
     return "pocket = { law = 'uniform', lower = -" + half + ", upper = " + half + " }";
   };
   const auto inside = study_with(uniform("0.05"), "0.1"),
              outside = study_with(uniform("0.08"), "0.1");
-  EXPECT_TRUE(band_fillings(inside)[0].within);
-  EXPECT_THAT(band_warnings(inside), Not(Contains(HasSubstr("lie outside"))));
-  EXPECT_FALSE(band_fillings(outside)[0].within);
-  EXPECT_THAT(band_warnings(outside), Contains(HasSubstr("lie outside")));
+  EXPECT_TRUE(tolerance_fillings(inside)[0].within);
+  EXPECT_THAT(tolerance_warnings(inside), Not(Contains(HasSubstr("lie outside"))));
+  EXPECT_FALSE(tolerance_fillings(outside)[0].within);
+  EXPECT_THAT(tolerance_warnings(outside), Contains(HasSubstr("lie outside")));
 }
 
-TEST(BandFilling, NamesTheBandFromWhichAPartMayBeSmallerThanItsRoller) {
+TEST(ToleranceFilling, NamesTheToleranceFromWhichAPartMayBeSmallerThanItsRoller) {
   const std::string laws = "pocket = " + normal("0.0125");
-  EXPECT_THAT(band_notes(study_with(laws, "0.2, 0.3")), testing::IsEmpty());
-  EXPECT_THAT(
-      band_notes(study_with(laws, "0.2, 0.32, 0.4")),
-      Contains(HasSubstr("from a band of 0.32 mm on, a part inside its band may be as small "
-                         "as 7.49 mm, less than the roller's diameter of 7.5 mm")));
+  EXPECT_THAT(tolerance_notes(study_with(laws, "0.2, 0.3")), testing::IsEmpty());
+  EXPECT_THAT(tolerance_notes(study_with(laws, "0.2, 0.32, 0.4")),
+              Contains(HasSubstr(
+                  "from a tolerance of 0.32 mm on, a part inside its tolerance may be as small "
+                  "as 7.49 mm, less than the roller's diameter of 7.5 mm")));
 }
 
 }  // namespace

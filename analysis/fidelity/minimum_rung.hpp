@@ -57,14 +57,14 @@ struct QuantityLadder {
   double budget = kUndefined;
   double allowed_wrong_share = kUndefined;  ///< NaN without limits
   std::vector<RungShift> rungs;             ///< the reference, adequate by definition, last
-  std::optional<std::size_t> least;         ///< empty: the samples do not determine it
+  std::optional<std::size_t> minimum;       ///< empty: the samples do not determine it
 };
 
 /// Judges the rungs. `values[rung][sample]`, NaN: no value; `limits` are those on the quantity.
 /// `least` is the cheapest sufficient rung. It is the reference only if all others are biased or
 /// unusable.
-QuantityLadder least_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
-                          std::span<const Limit> limits = {});
+QuantityLadder minimum_rung(std::span<const std::vector<double>> values, const LadderRule& rule,
+                            std::span<const Limit> limits = {});
 
 /// True if a limit on the quantity is not settled on the reference itself. Rungs can then be judged
 /// by the mean only.
@@ -73,6 +73,6 @@ bool leaves_limit_open(const QuantityLadder& quantity);
 bool is_out_of_reach(const RungShift& rung, const LadderRule& rule);
 
 /// The cheapest rung that is sufficient for all quantities; the reference if no other one is.
-std::size_t least_rung_for_all(std::span<const QuantityLadder> quantities);
+std::size_t minimum_rung_for_all(std::span<const QuantityLadder> quantities);
 
 }  // namespace cagetol

@@ -14,8 +14,8 @@
 
 namespace cagetol {
 
-inline LobedRace lobed_race(const RollerPack& q, const RaceSide& race) {
-  LobedRace on{};
+inline WavyRace wavy_race(const RollerPack& q, const RaceSide& race) {
+  WavyRace on{};
   if (is_round(*race.form)) return on;
   const Pack d[2] = {q.r - race.u_r, -race.u_t}, v[2] = {q.vr - race.du_r, q.vt - race.du_t};
   const Pack inverse = 1.0 / (d[0] * d[0] + d[1] * d[1]);
@@ -46,13 +46,13 @@ inline LobedRace lobed_race(const RollerPack& q, const RaceSide& race) {
 }
 
 /// Adds what the form makes of a slice's normal force.
-inline void add_lobed_load(const LobedRace& form, const SliceForces& on, RollerLoads& loads) {
+inline void add_wavy_load(const WavyRace& form, const SliceForces& on, RollerLoads& loads) {
   for (int i = 0; i < 2; ++i) loads.f[i] -= on.normal * form.g[i];
 }
 
 /// And to the sums; `elastic`: part of the normal force.
-inline void observe_lobed_load(const LobedRace& form, const SliceForces& on, Pack elastic,
-                               RaceTotals& totals) {
+inline void observe_wavy_load(const WavyRace& form, const SliceForces& on, Pack elastic,
+                              RaceTotals& totals) {
   totals.normal_r -= elastic * form.g[0];
   totals.normal_t -= elastic * form.g[1];
   totals.drive += on.normal * form.w_t;

@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 
 TEST(RacewayForm, IsTheSumOfItsHarmonicsWithDerivatives) {
-  const std::array<Lobes, kLobes> form = {Lobes{3e-6, 2, 0.4}, Lobes{-1e-6, 7, 2}};
+  const std::array<Waviness, kHarmonics> form = {Waviness{3e-6, 2, 0.4}, Waviness{-1e-6, 7, 2}};
   for (const double angle : {-9.0, 0.0, 0.3, 70.0}) {
     const auto height = [&](double a) {
       return 3e-6 * std::cos(2 * a - 0.4) - 1e-6 * std::cos(7 * a - 2);
@@ -47,18 +47,18 @@ const StaticState& rest_of(const BearingModel& model, StaticEquilibrium& statics
   return statics.solve(roller_angles(model, phase).data(), 0, load_at(model.duty, 1));
 }
 
-// One lobe is a circle whose centre stands a beside the ring's: the ring moves by that much and
+// One wave is a circle whose centre stands a beside the ring's: the ring moves by that much and
 // rollers are loaded as before.
-TEST(LobedRaceway, OneLobeIsAnEccentricCircle) {
+TEST(WavyRaceway, OneWaveIsAnEccentricCircle) {
   Scene scene = resting_scene();
   const BearingModel round = make_bearing_model(scene);
   const double a = 5e-6;
-  scene.bearing.inner_lobes[0] = {a, 1, 0};
-  const BearingModel lobed = make_bearing_model(scene);
-  StaticEquilibrium on_round(round), on_lobed(lobed);
+  scene.bearing.inner_waviness[0] = {a, 1, 0};
+  const BearingModel wavy = make_bearing_model(scene);
+  StaticEquilibrium on_round(round), on_wavy(wavy);
   const StaticState& circle = rest_of(round, on_round, {});
   for (const double turned : {0.0, 0.7, pi / 2, 4.0}) {
-    const StaticState& eccentric = rest_of(lobed, on_lobed, {turned, 0});
+    const StaticState& eccentric = rest_of(wavy, on_wavy, {turned, 0});
     ASSERT_TRUE(eccentric.converged);
     // To a^2/R, 1.6 nm.
     EXPECT_NEAR(eccentric.ring_y, circle.ring_y - a * std::cos(turned), 2e-9);
@@ -70,21 +70,21 @@ TEST(LobedRaceway, OneLobeIsAnEccentricCircle) {
 
 // Pinched between an oval ring and a round one without load, a roller at theta bears half of what
 // both races approach: K (delta/2)^e each, with delta = interference + a cos 2 (theta - turned).
-TEST(LobedRaceway, AnOvalRingPinchesRollersAsItsFormSays) {
+TEST(WavyRaceway, AnOvalRingPinchesRollersAsItsFormSays) {
   Scene scene = resting_scene();
   scene.operation.radial_load = 0;
   scene.bearing.roller_count = 12;
   scene.bearing.internal_clearance = -40e-6;
   const double a = 8e-6, turned = 0.4;
   for (const bool inner : {true, false}) {
-    scene.bearing.inner_lobes[0].amplitude = inner ? a : 0;
-    scene.bearing.outer_lobes[0].amplitude = inner ? 0 : -a;
+    scene.bearing.inner_waviness[0].amplitude = inner ? a : 0;
+    scene.bearing.outer_waviness[0].amplitude = inner ? 0 : -a;
     const BearingModel model = make_bearing_model(scene);
     StaticEquilibrium statics(model);
     const StaticState& rest = rest_of(model, statics, {turned, turned});
     ASSERT_TRUE(rest.converged);
     EXPECT_NEAR(std::hypot(rest.ring_y, rest.ring_z), 0, 1e-11);
-    double most = 0, least = 1e9;
+    double most = 0, minimum = 1e9;
     for (int j = 0; j < 12; ++j) {
       const double theta = 2 * pi * j / 12,
                    depth = (20e-6 + a * std::cos(2 * (theta - turned))) / 2;
@@ -92,19 +92,19 @@ TEST(LobedRaceway, AnOvalRingPinchesRollersAsItsFormSays) {
       const double force = rest.inner_force[static_cast<std::size_t>(j)];
       EXPECT_NEAR(force, due, 2e-3 * due) << (inner ? "inner " : "outer ") << j;
       most = std::max(most, force);
-      least = std::min(least, force);
+      minimum = std::min(minimum, force);
     }
-    EXPECT_GT(most, 1.5 * least);
+    EXPECT_GT(most, 1.5 * minimum);
   }
 }
 
-// A ring with k lobes under a fixed load looks the same after a k-th of a turn: its displacement
+// A ring with k waves under a fixed load looks the same after a k-th of a turn: its displacement
 // has that period, and hardly anything at lower frequencies.
-TEST(LobedRaceway, DisplacementVariesAsOftenAsLobesPass) {
+TEST(WavyRaceway, DisplacementVariesAsOftenAsWavesPass) {
   for (const long k : {2L, 3L, 5L}) {
     Scene scene = resting_scene();
     const double a = 4e-6;
-    scene.bearing.inner_lobes[0] = {a, k, 0};
+    scene.bearing.inner_waviness[0] = {a, k, 0};
     const BearingModel model = make_bearing_model(scene);
     StaticEquilibrium statics(model);
     constexpr int n = 60;        // a multiple of all k
@@ -145,19 +145,19 @@ std::vector<double> end_of(const BearingModel& model, const Scene& scene) {
 
 // Mirrored in the plane x-z: theta becomes pi - theta, so cos(k theta - phi) keeps its value with
 // k pi - phi for phi.
-TEST(LobedRaceway, MirroredSpeedsMirrorTheMotion) {
+TEST(WavyRaceway, MirroredSpeedsMirrorTheMotion) {
   Scene scene;
   scene.operation.gravity = 0;
   scene.operation.outer_speed = -300;
   scene.bearing.roller_count = 12;  // of which each has a mirror image
   scene.integration.tolerance = 1e-5;
-  scene.bearing.inner_lobes = {Lobes{5e-6, 2, 0.3}, Lobes{2e-6, 3, 1}};
-  scene.bearing.outer_lobes = {Lobes{3e-6, 4, -2}, Lobes{1e-6, 5, 0.2}};
+  scene.bearing.inner_waviness = {Waviness{5e-6, 2, 0.3}, Waviness{2e-6, 3, 1}};
+  scene.bearing.outer_waviness = {Waviness{3e-6, 4, -2}, Waviness{1e-6, 5, 0.2}};
   Scene mirrored = scene;
   mirrored.operation.inner_speed *= -1;
   mirrored.operation.outer_speed *= -1;
-  for (auto* form : {&mirrored.bearing.inner_lobes, &mirrored.bearing.outer_lobes})
-    for (Lobes& of : *form) of.phase = static_cast<double>(of.count) * pi - of.phase;
+  for (auto* form : {&mirrored.bearing.inner_waviness, &mirrored.bearing.outer_waviness})
+    for (Waviness& of : *form) of.phase = static_cast<double>(of.count) * pi - of.phase;
   const BearingModel one = make_bearing_model(scene), other = make_bearing_model(mirrored);
   const std::vector<double> a = end_of(one, scene), b = end_of(other, mirrored);
   const auto at = [](const std::vector<double>& y, int slot) {
@@ -179,21 +179,21 @@ TEST(LobedRaceway, MirroredSpeedsMirrorTheMotion) {
 
 // A whole run: its watches hold, statics among them, and the ring's path is wider than with round
 // raceways.
-TEST(LobedRaceway, RunsWithinItsWatches) {
+TEST(WavyRaceway, RunsWithinItsWatches) {
   for (const bool lubricated : {false, true}) {
     Scene scene;
     if (lubricated) scene.lubrication.model = LubricationModel::film;
     scene.window.settle_revolutions = 0.5;
     scene.window.measure_revolutions = 1.5;
     const Outcome round = simulate(scene);
-    scene.bearing.inner_lobes[0].amplitude = 5e-6;
-    scene.bearing.outer_lobes[1].amplitude = 2e-6;
-    const Outcome lobed = simulate(scene);
-    ASSERT_EQ(lobed.status, Status::ok) << lobed.reason;
-    EXPECT_LT(lobed.run.static_consistency_error, 0.01);
-    EXPECT_LT(lobed.run.energy_residual, 1e-3);
+    scene.bearing.inner_waviness[0].amplitude = 5e-6;
+    scene.bearing.outer_waviness[1].amplitude = 2e-6;
+    const Outcome wavy = simulate(scene);
+    ASSERT_EQ(wavy.status, Status::ok) << wavy.reason;
+    EXPECT_LT(wavy.run.static_consistency_error, 0.01);
+    EXPECT_LT(wavy.run.energy_residual, 1e-3);
     const auto orbit = static_cast<std::size_t>(quantity_index("ring_orbit_p95_um"));
-    EXPECT_GT(lobed.quantities[orbit], round.quantities[orbit] + 1);
+    EXPECT_GT(wavy.quantities[orbit], round.quantities[orbit] + 1);
   }
 }
 
