@@ -31,7 +31,7 @@ program_packages=(g++ cmake ninja-build pkg-config git ca-certificates
   libeigen3-dev libsundials-dev libopenmpi-dev openmpi-bin libhdf5-dev libgsl-dev libspectra-dev libsuitesparse-dev
   libopenblas0-serial libblas-dev liblapack-dev libboost-dev librandom123-dev libtomlplusplus-dev libcli11-dev
   libfmt-dev libspdlog-dev
-  nlohmann-json3-dev)
+  nlohmann-json3-dev help2man)
 figure_packages=(python3 python3-jinja2 python3-matplotlib python3-h5py fonts-dejavu-core weasyprint)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev calculix-ccx python3-scipy python3-pandas python3-pip
   python3-setuptools clang-format-14)

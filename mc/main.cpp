@@ -26,7 +26,7 @@ int main(int argc, char** argv) try {
   add_subcommands(app, chosen);
   add_dump_default_option(app, chosen);
   add_version_option(app, chosen);
-  add_manual_options(app, chosen);
+  app.set_help_all_flag("--help-all", "Print the help of every command");
   try {
     app.parse(argc, argv);
     if (chosen) return chosen();

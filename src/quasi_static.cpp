@@ -79,7 +79,7 @@ double revolutions_over(const std::vector<Instant>& instants) {
 
 }  // namespace
 
-Outcome quasi_static_outcome(const Scene& scene) {
+Outcome quasi_static_outcome(const OperatingScene& scene) {
   Scene dry = scene;
   dry.film.model = FilmModel::none;
   const BearingModel model = make_bearing_model(dry);

@@ -2,6 +2,7 @@
 // without integration in time.
 #pragma once
 
+#include "src/operation/operating_scene.hpp"
 #include "src/quantities/outcome.hpp"
 #include "src/scene/scene.hpp"
 
@@ -18,6 +19,6 @@ namespace cagetol {
 /// Defined are displacement, orbit and tilt of the ring, and the tilt of rollers. All other
 /// quantities are NaN, slip included, because it is an assumption here. `run.steps` counts
 /// positions. The run fails if a position has no equilibrium.
-Outcome quasi_static_outcome(const Scene& scene);
+Outcome quasi_static_outcome(const OperatingScene& scene);
 
 }  // namespace cagetol

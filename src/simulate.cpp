@@ -8,7 +8,7 @@
 #include "src/cage/solve/unsolved_cage.hpp"
 #include "src/cage/table/scene_cage.hpp"
 #include "src/integration/integrator.hpp"
-#include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 #include "src/quantities/observer.hpp"
 #include "src/quantities/quantity_bounds.hpp"
 #include "src/quantities/quantity_labels.hpp"
@@ -98,57 +98,46 @@ std::string find_drift(const Scene& scene, const BearingModel& model, const Obse
                                               scene.watch.power_surplus_max});
 }
 
-void judge(const Scene& scene, const BearingModel& model, const WindowTimes& times,
-           const Observer& observer, Outcome& outcome) {
+/// The watches of a run that came to its end, one after the other: why it has failed, or empty.
+std::string find_fault(const Scene& scene, const BearingModel& model, const WindowTimes& times,
+                       const Observer& observer, const Outcome& outcome) {
   const RunRecord& run = outcome.run;
   const double blur = observer.energy_resolution(scene.integration.tolerance),
                statics_blur = observer.static_resolution();
-  const double lean = observer.largest_lean(), tilt = observer.largest_tilt();
+  const double lean = observer.rollers().largest_lean(), tilt = observer.ring().largest_tilt();
   const std::string drift = find_drift(scene, model, observer);
-  const long positions = observer.static_positions(), missed = observer.static_positions_missed();
-  if (!(tilt <= kLeanMax)) {
-    outcome.status = Status::failed;
-    outcome.reason =
-        "the inner ring tilted by " + number(tilt) + " rad, more than " + number(kLeanMax) +
-        ": too little holds it; raise bearing.tilt_stiffness_N_m_rad, or "
-        "discretisation.race_slices to at least 3, a single slice rights no tilted ring";
-  } else if (static_cast<double>(missed) > kMissedMax * static_cast<double>(positions)) {
-    outcome.status = Status::failed;
-    outcome.reason = "no static equilibrium of ring and rollers was found at " +
-                     std::to_string(missed) + " of " + std::to_string(positions) +
-                     " roller positions: nothing tells whether the loaded contacts are right; "
-                     "remedy: check contact.race (damping this strong, or a restitution this "
-                     "small, holds rollers off the races), load.radial_N and "
-                     "bearing.internal_clearance_um";
-  } else if (!(run.static_consistency_error <= scene.watch.static_consistency_max + statics_blur)) {
-    outcome.status = Status::failed;
-    outcome.reason =
-        "static consistency error " + number(run.static_consistency_error) + " exceeds " +
-        number(scene.watch.static_consistency_max + statics_blur) +
-        ": the step is too long for the loaded contacts, or the window too short to settle; "
-        "remedy: tighten integration.tolerance, or lengthen window.settle_revolutions and "
-        "window.measure_revolutions";
-  } else if (!(run.energy_residual <= scene.watch.energy_residual_max + blur)) {
-    outcome.status = Status::failed;
-    outcome.reason = "energy residual " + number(run.energy_residual) + " exceeds " +
-                     number(scene.watch.energy_residual_max + blur) +
-                     ": steps make or lose energy; remedy: tighten integration.tolerance";
-  } else if (!drift.empty()) {
-    outcome.status = Status::failed;
-    outcome.reason =
-        "not stationary after " + number(times.settle) + " s of settling: " + drift +
-        "; remedy: raise window.longest_settle_revolutions or window.settle_revolutions (a cage "
-        "that skids may take hundreds), or start nearer to the steady motion (start.state)";
-  } else if (!(lean <= kLeanMax)) {
-    outcome.status = Status::failed;
-    outcome.reason = "a roller leaned by " + number(lean) + " rad, more than " + number(kLeanMax) +
-                     ": rollers tumble; raise discretisation.race_slices to at least 3, a single "
-                     "slice rights no tilted roller";
-  } else {
-    outcome.reason = find_impossible({scene, model, times.settle, times.settle + run.measured_s,
-                                      outcome.quantities, times.peaks < run.measured_s});
-    outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;
-  }
+  const long positions = observer.ring().positions(), missed = observer.ring().positions_missed();
+  if (!(tilt <= kLeanMax))
+    return "the inner ring tilted by " + number(tilt) + " rad, more than " + number(kLeanMax) +
+           ": too little holds it; raise bearing.tilt_stiffness_N_m_rad, or "
+           "discretisation.race_slices to at least 3, a single slice rights no tilted ring";
+  if (static_cast<double>(missed) > kMissedMax * static_cast<double>(positions))
+    return "no static equilibrium of ring and rollers was found at " + std::to_string(missed) +
+           " of " + std::to_string(positions) +
+           " roller positions: nothing tells whether the loaded contacts are right; "
+           "remedy: check contact.race (damping this strong, or a restitution this "
+           "small, holds rollers off the races), load.radial_N and "
+           "bearing.internal_clearance_um";
+  if (!(run.static_consistency_error <= scene.watch.static_consistency_max + statics_blur))
+    return "static consistency error " + number(run.static_consistency_error) + " exceeds " +
+           number(scene.watch.static_consistency_max + statics_blur) +
+           ": the step is too long for the loaded contacts, or the window too short to settle; "
+           "remedy: tighten integration.tolerance, or lengthen window.settle_revolutions and "
+           "window.measure_revolutions";
+  if (!(run.energy_residual <= scene.watch.energy_residual_max + blur))
+    return "energy residual " + number(run.energy_residual) + " exceeds " +
+           number(scene.watch.energy_residual_max + blur) +
+           ": steps make or lose energy; remedy: tighten integration.tolerance";
+  if (!drift.empty())
+    return "not stationary after " + number(times.settle) + " s of settling: " + drift +
+           "; remedy: raise window.longest_settle_revolutions or window.settle_revolutions (a cage "
+           "that skids may take hundreds), or start nearer to the steady motion (start.state)";
+  if (!(lean <= kLeanMax))
+    return "a roller leaned by " + number(lean) + " rad, more than " + number(kLeanMax) +
+           ": rollers tumble; raise discretisation.race_slices to at least 3, a single "
+           "slice rights no tilted roller";
+  return find_impossible({scene, model, times.settle, times.settle + run.measured_s,
+                          outcome.quantities, times.peaks < run.measured_s});
 }
 
 using Clock = std::chrono::steady_clock;
@@ -294,10 +283,11 @@ void conclude(const Scene& scene, const Motion& run, Outcome& outcome) {
   record.cage_revolutions = observer.cage_revolutions();
   record.energy_residual = observer.energy_residual();
   record.static_consistency_error = observer.static_consistency_error();
-  record.static_positions_missed = static_cast<double>(observer.static_positions_missed());
+  record.static_positions_missed = static_cast<double>(observer.ring().positions_missed());
   outcome.quantities = observer.quantities();
   outcome.cage_peak = observer.cage_peak();
-  judge(scene, run.model, run.times, observer, outcome);
+  outcome.reason = find_fault(scene, run.model, run.times, observer, outcome);
+  outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;
   for (std::size_t i = 0; i < run.phases.size(); ++i) add_phase(scene, run, i, outcome);
 }
 
@@ -331,9 +321,8 @@ Outcome complete(const Scene& scene, Outcome outcome) {
 
 }  // namespace
 
-Outcome simulate(const Scene& as_made, const SimulateOptions& options) {
+Outcome simulate(const OperatingScene& scene, const SimulateOptions& options) {
   const Clock::time_point began = Clock::now();
-  const Scene scene = operating_scene(as_made);
   const Jam jam = find_jam(scene);
   if (jam.pocket >= 0 && !scene.allow_interference) return complete(scene, jammed(jam));
   if (!is_quasi_static(scene))

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "src/operation/operating_scene.hpp"
 #include "src/quantities/outcome.hpp"
 #include "src/scene/scene.hpp"
 
@@ -36,6 +37,6 @@ struct SimulateOptions {
 
 /// Simulates one bearing. A jam or a failed integration is a status of the outcome, not an
 /// exception.
-Outcome simulate(const Scene& scene, const SimulateOptions& options = {});
+Outcome simulate(const OperatingScene& scene, const SimulateOptions& options = {});
 
 }  // namespace cagetol

@@ -1,5 +1,5 @@
 // How many runs the stages of a recommendation have, fixed after the pilot: a budget of time
-// becomes a number of runs once, so that clocks decide nothing later.
+// becomes a number of runs once, so that no later decision depends on time.
 //
 // Half of a budget is for the mixture. Where the confirmations will need more, as the pilot's
 // yields tell, the mixture leaves them up to three quarters. A raised budget gives all it adds to

@@ -207,7 +207,7 @@ void measure_rungs(const Study& study, Chart& chart,
 
 /// A roller comes and a roller goes, whatever the bearing's size and speed [s].
 double usual_horizon(const Scene& scene) {
-  const double between = roller_interval(make_bearing_model(operating_scene(scene)));
+  const double between = roller_interval(make_bearing_model(scene));
   return std::isfinite(between) ? between : 2e-3;
 }
 

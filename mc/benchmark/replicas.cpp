@@ -8,7 +8,7 @@
 
 #include "distributions/basics/random_stream.hpp"
 #include "mc/study/sample.hpp"
-#include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 
 namespace cagetol {
 namespace {
@@ -20,8 +20,7 @@ double start_draw(const Study& study, std::uint64_t id, const char* what) {
       uniform(static_cast<std::uint64_t>(study.seed), Purpose::noise, id, stream_address(what), 0));
 }
 
-double pocket_clearance(const Scene& as_made) {
-  const Scene scene = operating_scene(as_made);
+double pocket_clearance(const OperatingScene& scene) {
   double minimum = 1;
   for (long j = 0; j < scene.bearing.roller_count; ++j)
     minimum = std::min(minimum, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));

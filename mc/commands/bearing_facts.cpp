@@ -246,7 +246,7 @@ Json facts_of(const Study& study) {
           {"warnings", operating_warnings(scene)},
           {"strength", strength},
           {"section", section_json(scene)},
-          {"drawing", pocket_drawing_json(operating_scene(scene), 0)}};
+          {"drawing", pocket_drawing_json(scene, 0)}};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "src/cage/table/cage_report.hpp"
 #include "src/input/input_error.hpp"
 #include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 
 namespace cagetol {
 namespace {
@@ -96,7 +97,7 @@ std::variant<CageReport, CageFault> report_of(const Scene& scene, const Scene& s
   CageTables tables(scene);
   try {
     const auto table = tables.of(sample);
-    return cage_report(*tables.of(scene), *table, pocket_deviations(sample.cage, table->cage),
+    return cage_report(*tables.of(scene), *table, pocket_deviations(sample, table->cage),
                        scene.cage.modes, pocket);
   } catch (const UnsolvedCage& problem) {
     throw InputError(
@@ -110,7 +111,7 @@ std::variant<CageReport, CageFault> report_of(const Scene& scene, const Scene& s
 Scene sample_of(const Scene& scene, const CageArguments& options) {
   Scene sample = scene;
   if (options.deviations.empty()) return sample;
-  const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
+  const CageDimensions cage = cage_dimensions(scene);
   deviate_pockets(
       sample.cage, cage,
       read_pocket_deviations(options.deviations, cage.pocket_count, options.decimal_comma));
@@ -132,7 +133,7 @@ int run_cage(const CageArguments& options) {
   if (options.pocket < 0 || options.pocket >= scene.bearing.roller_count)
     throw InputError({}, "--pocket", std::to_string(options.pocket), "the cage has no such pocket",
                      fmt::format("give 0 to {}", scene.bearing.roller_count - 1));
-  const Scene sample = operating_scene(sample_of(scene, options));
+  const OperatingScene sample = sample_of(scene, options);
   Json json{{"kind", "cage"}, {"drawing", pocket_drawing_json(sample, options.pocket)}};
   const char* state = changes_in_operation(scene) ? " in operation (fits, heat, rotation)" : "";
   std::string text = "scene " + scene.name + state + "\n" + clearances_text(json["drawing"]) + "\n";

@@ -66,7 +66,7 @@ Json ring_clearance(const Scene& scene, const PocketClearances& clearances, int 
 
 }  // namespace
 
-Json pocket_drawing_json(const Scene& scene, long pocket) {
+Json pocket_drawing_json(const OperatingScene& scene, long pocket) {
   const CageGeometry& cage = scene.cage;
   const BearingGeometry& bearing = scene.bearing;
   const PocketClearances c = pocket_clearances(scene, pocket);

@@ -15,7 +15,7 @@
 #include "mc/sweep/replay.hpp"
 #include "src/cage/mesh/cage_surface.hpp"
 #include "src/cage/stress/field_recovery.hpp"
-#include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -40,9 +40,9 @@ Json surface_json(const std::string& name, const CageSurface& surface, double ac
   return json;
 }
 
-Json field_json(const CageTable& table, const CageGeometry& geometry, const CagePeak& peak) {
-  const auto deviations = pocket_deviations(geometry, table.cage);
-  const auto recovered = recover_cage(table, deviations, state_of(peak, geometry));
+Json field_json(const CageTable& table, const OperatingScene& scene, const CagePeak& peak) {
+  const auto deviations = pocket_deviations(scene, table.cage);
+  const auto recovered = recover_cage(table, deviations, state_of(peak, scene.cage));
   if (const auto* fault = std::get_if<CageFault>(&recovered))
     throw std::runtime_error(fault->reason);
   const auto& [cage, displacement] = std::get<CageRecovery>(recovered);
@@ -98,7 +98,7 @@ Json peak_json(const std::filesystem::path& sweep_directory, const StudyData& st
             {"pocket", peak.pocket},
             {"stations_MPa", again.outcome.quantities.at(static_cast<std::size_t>(
                                  quantity_index("cage_stress_peak_MPa")))}};
-  json.update(field_json(*options.cage_table, operating_scene(stored.sample.scene).cage, peak));
+  json.update(field_json(*options.cage_table, stored.sample.scene, peak));
   return json;
 }
 

@@ -23,9 +23,6 @@ void add_dump_default_option(CLI::App& app, Chosen& chosen);
 /// --version, likewise.
 void add_version_option(CLI::App& app, Chosen& chosen);
 
-/// --man-page and --completion, hidden from --help.
-void add_manual_options(CLI::App& app, Chosen& chosen);
-
 /// The repeatable option --set dotted.key=value of every command that reads a file.
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
 

@@ -1,5 +1,5 @@
 // cagetol --dump-default scene|study|keys: the defaults as files to start from, and the tables of
-// inputs/README.md.
+// inputs/KEYS.md.
 #include "mc/commands/command.hpp"
 #include "mc/study/key_documentation.hpp"
 

@@ -34,8 +34,7 @@ void write_peak_snapshot(const std::string& file, const Scene& scene, const Cage
                                          : "choose a sample that runs to its end");
   std::optional<CageFault> fault;
   try {
-    fault = write_cage_snapshot(file, *table,
-                                pocket_deviations(operating_scene(scene).cage, table->cage),
+    fault = write_cage_snapshot(file, *table, pocket_deviations(scene, table->cage),
                                 state_of(peak, scene.cage));
   } catch (const std::runtime_error& problem) {
     throw InputError({}, "--snapshot", file, problem.what(), "choose a place that can be written");

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
@@ -39,8 +39,7 @@ std::vector<Rung> climbed(const std::vector<Rung>& steps) {
   return rungs;
 }
 
-double pocket_clearance_um(const Scene& as_made) {
-  const Scene scene = operating_scene(as_made);
+double pocket_clearance_um(const OperatingScene& scene) {
   double minimum = 1;
   for (long j = 0; j < scene.bearing.roller_count; ++j)
     minimum = std::min(minimum, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));

@@ -72,8 +72,7 @@ std::shared_ptr<const CageTable> made_cage_table(const Scene& nominal,
 }
 
 CageTables::CageTables(const Scene& nominal) : nominal_(nominal) {
-  const CageDimensions cage =
-      cage_dimensions(operating_scene(nominal).cage, nominal.bearing.roller_count);
+  const CageDimensions cage = cage_dimensions(nominal);
   const std::vector<PocketDeviation> none(static_cast<std::size_t>(cage.pocket_count));
   if (const auto fault = cage_fault(cage, none))
     throw InputError({}, "cage", "", "the cage without deviations is impossible: " + fault->reason,

@@ -106,7 +106,7 @@ SweepForecast forecast_sweep(const Study& study) {
 
 double forecast_cage_table(const Scene& scene) {
   if (!is_flexible(scene)) return 0;
-  const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
+  const CageDimensions cage = cage_dimensions(scene);
   const MeshCounts n = mesh_counts(cage, scene.cage.mesh_density);
   const auto count = [](long value) { return static_cast<double>(value); };
   const double layer = (2 * count(n.half_bar) + 1) * (2 * count(n.side) + count(n.length) + 1) +

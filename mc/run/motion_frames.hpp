@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mc/run/history_channels.hpp"
+#include "src/operation/operating_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -18,7 +19,7 @@ class MotionFrames {
   static constexpr std::size_t kMost = 360;
 
   /// `scene` in operation (src/operation/operating_clearance.hpp): its cage is the one drawn.
-  explicit MotionFrames(const Scene& scene) : scene_(scene) {}
+  explicit MotionFrames(const OperatingScene& scene) : scene_(scene) {}
 
   /// To be called at every accepted state: keeps 180 in a cage revolution; of a duty over time, or
   /// at standstill, 360 of the whole run. A second run begins anew.
@@ -36,7 +37,7 @@ class MotionFrames {
 
   void begin(const Instant& at);
 
-  Scene scene_;
+  OperatingScene scene_;
   double interval_ = 0, next_time_ = 0;
   std::deque<Frame> frames_;
   nlohmann::ordered_json geometry_;

@@ -9,7 +9,7 @@
 #include "src/cage/solve/unsolved_cage.hpp"
 #include "src/cage/table/cage_check.hpp"
 #include "src/cage/table/scene_cage.hpp"
-#include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 
 namespace cagetol {
 namespace {
@@ -31,7 +31,7 @@ std::shared_ptr<const CageModel> checked_cage(const Scene& scene, const Simulate
 /// solution.
 double cage_error(const Scene& scene, const CageTable& table, const CageModel& model) {
   try {
-    return check_cage_model(table, pocket_deviations(scene.cage, table.cage), model).largest_error;
+    return check_cage_model(table, pocket_deviations(scene, table.cage), model).largest_error;
   } catch (const UnsolvedCage&) {
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -44,7 +44,7 @@ namespace {
 SampleRun run_scene(const Study& study, const Scene& as_drawn, std::uint64_t id,
                     SimulateOptions options,
                     const std::function<void(const Instant&)>& on_instant) {
-  const Scene scene = operating_scene(as_drawn);
+  const OperatingScene scene = as_drawn;
   const HistoryPlan& plan = study.history;
   std::optional<SampleHistory> history;
   if (plan.points > 0) history.emplace(plan, scene);

@@ -5,7 +5,6 @@
 
 #include "mc/study/study_inputs.hpp"
 #include "src/input/unit.hpp"
-#include "src/reading/idle_keys.hpp"
 #include "src/reading/oil_keys.hpp"
 #include "src/reading/scene_keys.hpp"
 
@@ -16,7 +15,7 @@ namespace {
 std::string idle_reason(const Scene& scene, const std::string& key) {
   if (const std::string successor = successor_of(scene, key); !successor.empty())
     return "its successor is " + successor;
-  return why_idle(scene, key);
+  return std::string(why_idle(scene_keys(), *find_key(scene_keys(), key), scene));
 }
 
 /// The entry of the file that gives this range; nullptr where it comes from elsewhere.

@@ -1,4 +1,4 @@
-// The keys of input files as text: files to start from, and the tables of inputs/README.md.
+// The keys of input files as text: files to start from, and the tables of inputs/KEYS.md.
 #pragma once
 
 #include <string>

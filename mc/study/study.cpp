@@ -16,7 +16,7 @@
 #include "mc/study_file/cage_thickness.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
-#include "src/reading/idle_keys.hpp"
+#include "src/reading/idle_notes.hpp"
 #include "src/reading/oil_keys.hpp"
 #include "src/reading/scene_keys.hpp"
 

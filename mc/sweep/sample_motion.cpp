@@ -12,7 +12,7 @@ SampleMotion record_motion(const StoredSample& stored,
   if (is_flexible(stored.study.scene))
     options = CageTables(stored.study.scene).options_of(stored.sample.scene);
   options.stop_requested = stop_requested;
-  SampleMotion motion{{}, MotionFrames(operating_scene(stored.sample.scene))};
+  SampleMotion motion{{}, MotionFrames(stored.sample.scene)};
   const auto record = [&motion](const Instant& at) { motion.frames.record(at); };
   motion.outcome = run_sample(stored.study, stored.sample, options, record).outcome;
   return motion;

@@ -211,7 +211,7 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
             "give the keys of the section, for example " + section.front()};
   // Anything but a number may be nobody's business: this may be some other program's file.
   return {place, leaf.name, leaf.node->is_number() ? value : "", "no such key",
-          "did you mean " + nearest_name(leaf.name, names) + "? inputs/README.md lists every key"};
+          "did you mean " + nearest_name(leaf.name, names) + "? inputs/KEYS.md lists every key"};
 }
 
 bool in_range(const KeyRange& range, double value) {

@@ -1,6 +1,6 @@
 // The keys of an input file as a table. Each key is declared once, with its unit, its range, its
 // meaning and the member of a plain struct that it fills. The reader, --dump-default, --set, error
-// messages and the tables of inputs/README.md are all made from it.
+// messages and the tables of inputs/KEYS.md are all made from it.
 //
 //   const KeyTable<Scene> table = {
 //       {"cage.width_mm", above(0), [](Scene& s) -> auto& { return s.cage.width; },
@@ -68,6 +68,18 @@ struct ChoicePlace {
   std::function<void(T&, const std::string&)> set;
 };
 
+/// A reason for which a key does nothing.
+template <class T>
+struct Idle {
+  /// As told; where `holds` is nullptr the condition itself, which compares the text of a key:
+  /// `cage.model = "rigid"`, `window.settle_time_s is given`.
+  std::string_view why;
+  bool (*holds)(const T&) = nullptr;
+
+  constexpr Idle(const char* text, bool (*condition)(const T&) = nullptr)
+      : why(text), holds(condition) {}
+};
+
 /// One key of an input file that fills a struct of type T.
 template <class T>
 struct Key : KeyInfo {
@@ -77,11 +89,13 @@ struct Key : KeyInfo {
                    std::function<std::string&(T&)>, ChoicePlace<T>, std::function<NumberList&(T&)>,
                    std::function<std::vector<std::string>&(T&)>>;
   Place place;
+  std::vector<Idle<T>> idle;  ///< where it does nothing: the first that holds is the reason told
 
   /// The unit follows from the suffix of the name, the kind from the type that `accessor` returns.
   /// A closed set allows all of its values unless `allowed` lists some.
   template <class Accessor>
-  Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning);
+  Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning,
+      std::vector<Idle<T>> where_idle = {});
 };
 
 template <class T>
@@ -137,6 +151,14 @@ std::vector<double> key_numbers(const Key<T>& key, const T& source);
 /// The value at a key as TOML text: 7.65, "auto", [7.65, 7.66], "rigid", true.
 template <class T>
 std::string key_text(const Key<T>& key, const T& source);
+
+/// Whether "KEY = VALUE" or "KEY is given" (neither "auto" nor an empty list) holds of `source`.
+template <class T>
+bool condition_holds(const KeyTable<T>& table, std::string_view condition, const T& source);
+
+/// Why a key does nothing in `source`; empty if it does something.
+template <class T>
+std::string_view why_idle(const KeyTable<T>& table, const Key<T>& key, const T& source);
 
 /// Inserts the value at a key into a TOML table, in the section that the key belongs to.
 template <class T>

@@ -102,11 +102,13 @@ void insert_numbers(toml::table& table, const std::string& name, const std::vect
 
 template <class T>
 template <class Accessor>
-Key<T>::Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning)
+Key<T>::Key(std::string key_name, KeyRange allowed, Accessor accessor, std::string key_meaning,
+            std::vector<Idle<T>> where_idle)
     : KeyInfo(std::move(key_name),
               key_detail::with_choices<key_detail::PlaceType<T, Accessor>>(std::move(allowed)),
               std::move(key_meaning), key_detail::kind_of<key_detail::PlaceType<T, Accessor>>()),
-      place(key_detail::make_place<T>(std::move(accessor))) {}
+      place(key_detail::make_place<T>(std::move(accessor))),
+      idle(std::move(where_idle)) {}
 
 template <class T>
 const Key<T>* find_key(const KeyTable<T>& table, std::string_view name) {
@@ -216,6 +218,25 @@ std::string dump_keys(const KeyTable<T>& table, const T& source, const std::stri
     previous = key.name;
   }
   return text;
+}
+
+template <class T>
+bool condition_holds(const KeyTable<T>& table, std::string_view condition, const T& source) {
+  const auto text = [&](std::size_t end) {
+    return key_text(*find_key(table, condition.substr(0, end)), source);
+  };
+  if (const std::size_t end = condition.find(" = "); end != std::string_view::npos)
+    return text(end) == condition.substr(end + 3);
+  const std::string value = text(condition.find(' '));
+  return value != "\"auto\"" && value != "[]";
+}
+
+template <class T>
+std::string_view why_idle(const KeyTable<T>& table, const Key<T>& key, const T& source) {
+  for (const Idle<T>& reason : key.idle)
+    if (reason.holds ? reason.holds(source) : condition_holds(table, reason.why, source))
+      return reason.why;
+  return "";
 }
 
 template <class T>

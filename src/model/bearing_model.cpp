@@ -11,7 +11,7 @@
 #include "src/contact_laws/hertz_point.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/model/race_stiffness.hpp"
-#include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/pocket_outline.hpp"
 
@@ -365,8 +365,8 @@ void set_cage(const Scene& scene, BearingModel& m) {
 
 }  // namespace
 
-BearingModel make_bearing_model(const Scene& as_made, std::shared_ptr<const CageModel> flexible) {
-  const Scene scene = operating_scene(as_made);
+BearingModel make_bearing_model(const OperatingScene& scene,
+                                std::shared_ptr<const CageModel> flexible) {
   BearingModel m;
   const auto& b = scene.bearing;
   m.layout.rollers = static_cast<int>(b.roller_count);
@@ -474,9 +474,7 @@ double minimum_static_speed(const BearingModel& m) {
   return minimum;
 }
 
-Jam find_jam(const Scene& as_made) {
-  if (changes_in_operation(as_made)) return find_jam(operating_scene(as_made));
-  const Scene& scene = as_made;
+Jam find_jam(const OperatingScene& scene) {
   Jam worst;
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const double in_width = each(scene.roller.diameter, j) - each(scene.cage.pocket_width, j);

@@ -17,6 +17,7 @@
 #include "src/model/flexible_cage.hpp"
 #include "src/model/raceway_form.hpp"
 #include "src/model/state.hpp"
+#include "src/operation/operating_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -150,7 +151,8 @@ struct BearingModel {
 /// Builds the model of a scene in operation (src/operation/operating_clearance.hpp), with the
 /// elastic modes of `cage` where given. Throws std::domain_error for what cannot be built (the
 /// reader checks scenes before).
-BearingModel make_bearing_model(const Scene& scene, std::shared_ptr<const CageModel> cage = {});
+BearingModel make_bearing_model(const OperatingScene& scene,
+                                std::shared_ptr<const CageModel> cage = {});
 
 /// Mass centre minus geometric centre of the cage in inertial directions (y, z) [m], at the cosine
 /// and sine of its angle.
@@ -186,6 +188,6 @@ struct Jam {
   double interference = 0;  ///< [m], >= 0
 };
 /// The worst jam of the scene in operation.
-Jam find_jam(const Scene& scene);
+Jam find_jam(const OperatingScene& scene);
 
 }  // namespace cagetol

@@ -94,63 +94,6 @@ void add_spin(const Scene& scene, const GrowingSpeeds& speeds, OperatingClearanc
   at.cage_spin = cage_strain(scene, cage_speed);
 }
 
-void scale(std::vector<double>& values, double factor) {
-  for (double& value : values) value *= factor;
-}
-
-/// Volume grows by heat, mass does not.
-void keep_mass(MaterialChoice& material, double heat) {
-  material.density = properties_of(material).density / ((1 + heat) * (1 + heat) * (1 + heat));
-}
-
-void grow_rings(const OperatingClearance& by, double roller_length, BearingGeometry& b) {
-  const auto grown = [&](double clearance, double heat) {
-    return clearance + (roller_length + clearance) * heat - roller_length * by.roller_heat;
-  };
-  if (b.inner_flanges != FlangeSides::none)
-    b.inner_flange_clearance =
-        grown(given_or(b.inner_flange_clearance, b.flange_clearance), by.inner_ring_heat);
-  b.flange_clearance = grown(b.flange_clearance, by.outer_ring_heat);
-  // What stands on a ring moves with its raceway.
-  for (double* diameter : {&b.inner_land_diameter, &b.inner_flange_diameter})
-    *diameter += *diameter * by.inner_ring_heat + by.inner_raceway.total() -
-                 b.inner_raceway_diameter * by.inner_ring_heat;
-  for (double* diameter : {&b.outer_land_diameter, &b.shoulder_diameter})
-    *diameter += *diameter * by.outer_ring_heat + by.outer_raceway.total() -
-                 b.outer_raceway_diameter * by.outer_ring_heat;
-  b.inner_raceway_diameter += by.inner_raceway.total();
-  b.outer_raceway_diameter += by.outer_raceway.total();
-  b.bore_diameter += by.bore.total();
-  b.outside_diameter += by.outside.total();
-  b.width *= 1 + by.inner_ring_heat;
-  keep_mass(b.ring_material, by.inner_ring_heat);
-}
-
-void grow_rollers(const OperatingClearance& by, RollerGeometry& roller) {
-  scale(roller.diameter, 1 + by.roller_heat);
-  for (double& diameter : roller.diameter) diameter += by.roller_spin;
-  roller.length *= 1 + by.roller_heat;
-  keep_mass(roller.material, by.roller_heat);
-}
-
-/// `guide` is the growth of the radius of the ring that guides the cage [m].
-void grow_cage(const OperatingClearance& by, double guide, CageGeometry& cage) {
-  const double every = 1 + by.cage_heat, around = every * (1 + by.cage_spin);
-  const double radius =
-      (cage.guidance == Guidance::inner ? cage.inner_diameter : cage.outer_diameter) / 2;
-  const double outwards = guide - radius * (around - 1);
-  cage.guide_clearance += cage.guidance == Guidance::inner ? -outwards : outwards;
-  for (double* length : {&cage.inner_diameter, &cage.outer_diameter, &cage.retention_inner,
-                         &cage.retention_outer, &cage.face_radius})
-    *length *= around;
-  for (double* length :
-       {&cage.width, &cage.land_offset, &cage.land_width, &cage.edge_radius, &cage.corner_radius})
-    *length *= every;
-  scale(cage.pocket_width, around);
-  scale(cage.pocket_length, every);
-  keep_mass(cage.material, by.cage_heat);
-}
-
 }  // namespace
 
 bool grows_by_rotation(const Scene& scene) {
@@ -184,22 +127,6 @@ OperatingClearance operating_clearance(const Scene& scene) {
   at.cage_heat = heat_of(scene, scene.cage.material, cage_temperature(scene));
   if (grows_by_rotation(scene)) add_spin(scene, speeds, at);
   return at;
-}
-
-Scene operating_scene(const Scene& scene) {
-  if (!changes_in_operation(scene)) return scene;
-  const OperatingClearance by = operating_clearance(scene);
-  Scene hot = scene;
-  grow_rings(by, scene.roller.length, hot.bearing);
-  grow_rollers(by, hot.roller);
-  const bool inner = scene.cage.guidance == Guidance::inner;
-  const double guide = inner
-                           ? inner_land_diameter(hot.bearing) - inner_land_diameter(scene.bearing)
-                           : outer_land_diameter(hot.bearing) - outer_land_diameter(scene.bearing);
-  grow_cage(by, guide / 2, hot.cage);
-  hot.fit.inner_interference = hot.fit.outer_interference = kAuto;
-  hot.temperature.growth = hot.operation.centrifugal_growth = false;
-  return hot;
 }
 
 }  // namespace cagetol

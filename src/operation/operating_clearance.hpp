@@ -48,9 +48,4 @@ bool changes_in_operation(const Scene& scene);
 
 OperatingClearance operating_clearance(const Scene& scene);
 
-/// The scene with its dimensions in operation, and without what would change them again: the
-/// operating scene of an operating scene is itself. Parts keep their mass. Whatever computes
-/// forces, clearances or jams of a bearing begins with it.
-Scene operating_scene(const Scene& scene);
-
 }  // namespace cagetol

@@ -98,7 +98,7 @@ Clearances clearances_of(const Scene& scene, const BearingModel& m) {
 }
 
 /// Clearances of the parts as they are made, and what changes them.
-void add_clearances(const Scene& scene, const Scene& hot, const BearingModel& m,
+void add_clearances(const Scene& scene, const OperatingScene& hot, const BearingModel& m,
                     OperatingPoint& at) {
   at.clearance = clearances_of(hot, m);
   Scene cold = scene;
@@ -193,7 +193,7 @@ void add_clearance_warnings(const Scene& scene, std::vector<std::string>& warnin
 
 OperatingPoint operating_point(const Scene& scene) {
   OperatingPoint at = rated_point(scene);
-  const Scene hot = operating_scene(scene);
+  const OperatingScene hot = scene;
   const BearingModel model = make_bearing_model(hot);
   add_clearances(scene, hot, model, at);
   add_masses(model, at);

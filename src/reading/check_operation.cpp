@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 #include "src/reading/scene_check.hpp"
 #include "src/scene/pocket_clearances.hpp"
 
@@ -58,7 +59,7 @@ void check_strains(const Scene& scene, const SceneCheck& check) {
 void check_in_operation(const Scene& scene, const SceneCheck& check) {
   if (!changes_in_operation(scene)) return;
   check_strains(scene, check);
-  const Scene hot = operating_scene(scene);
+  const OperatingScene hot = scene;
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const auto& b = hot.bearing;
     const double roller = each(hot.roller.diameter, j),

@@ -1,6 +1,6 @@
 // How lubrication.model affects the other keys about oil. "film" brings its own films at every
 // contact: the older keys film.* are then errors that name their successors.
-// Keys of lubrication without effect: idle_keys.hpp.
+// Keys of lubrication without effect: scene_conditions.hpp.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@
 
 namespace cagetol {
 
-/// All keys, in the order of --dump-default and of inputs/README.md.
+/// All keys, in the order of --dump-default and of inputs/KEYS.md.
 const KeyTable<Scene>& scene_keys();
 
 /// A scene with a value for every key: defaults for optional keys, the NU 205 for required ones.

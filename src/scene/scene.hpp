@@ -1,6 +1,6 @@
 // A scene: everything that determines the run of one bearing, in SI units. Plain data, not changed
 // by the physics. The defaults are the reference bearing NU 205 ECP with a machined steel window
-// cage. inputs/README.md lists every key. Above 400 lines: all that a scene holds, in one place.
+// cage. inputs/KEYS.md lists every key. Above 400 lines: all that a scene holds, in one place.
 #pragma once
 
 #include <array>

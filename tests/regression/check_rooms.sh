@@ -16,7 +16,7 @@ src/lubrication: src/contact_laws src/numerics
 src/scene: src/contact_laws src/input
 src/operation: src/scene
 src/reading: src/input src/lubrication src/operation src/scene
-src/cage/mesh: src/scene
+src/cage/mesh: src/operation src/scene
 src/cage/solve: src/cage/mesh
 src/cage/stress: src/cage/mesh src/cage/solve
 src/cage/table: src/cage/mesh src/cage/solve src/cage/stress src/operation src/scene

@@ -27,9 +27,9 @@ for command in check simulate sweep recommend scene; do
   grep -q "$command" "$place/manual" || fail "the manual page leaves out $command"
 done
 completed() { # WORD... : what the completion offers for the last of these words
-  bash -c 'compopt() { :; }; . "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
-           _cagetol cagetol "${@: -1}" "${@: -2:1}"; printf "%s\n" "${COMPREPLY[@]}"' - \
-       "$home/share/bash-completion/completions/cagetol" "$@"
+  bash -c 'compopt() { :; }; . "$1"; program=$2; shift 2; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
+           _cagetol "$program" "${@: -1}" "${@: -2:1}"; printf "%s\n" "${COMPREPLY[@]}"' - \
+       "$home/share/bash-completion/completions/cagetol" "$program" "$@"
 }
 completed cagetol rec | grep -qx recommend || fail "completes no command"
 completed cagetol scene nu208 | grep -qx NU208ECP || fail "completes no designation"

@@ -284,13 +284,14 @@ std::variant<CageMesh, CageFault> make_cage_mesh(const CageDimensions& cage,
   return result;
 }
 
-CageDimensions cage_dimensions(const CageGeometry& geometry, long pocket_count) {
+CageDimensions cage_dimensions(const OperatingScene& scene) {
+  const CageGeometry& geometry = scene.cage;
   const auto mean = [&](const std::vector<double>& values) {
     double sum = 0;
     for (double value : values) sum += value;
     return sum / static_cast<double>(values.size());
   };
-  return {.pocket_count = pocket_count,
+  return {.pocket_count = scene.bearing.roller_count,
           .inner_radius = 0.5 * geometry.inner_diameter,
           .outer_radius = 0.5 * geometry.outer_diameter,
           .width = geometry.width,
@@ -299,8 +300,9 @@ CageDimensions cage_dimensions(const CageGeometry& geometry, long pocket_count) 
           .corner_radius = geometry.corner_radius};
 }
 
-std::vector<PocketDeviation> pocket_deviations(const CageGeometry& geometry,
+std::vector<PocketDeviation> pocket_deviations(const OperatingScene& scene,
                                                const CageDimensions& cage) {
+  const CageGeometry& geometry = scene.cage;
   std::vector<PocketDeviation> deviations(static_cast<std::size_t>(cage.pocket_count));
   for (long j = 0; j < cage.pocket_count; ++j) {
     deviations[static_cast<std::size_t>(j)] = {

@@ -20,6 +20,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/operation/operating_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -139,10 +140,10 @@ std::variant<CageMesh, CageFault> make_cage_mesh(const CageDimensions& cage,
                                                  const MeshCounts& counts);
 
 /// Dimensions of a scene's cage. Its undeviated pocket is the mean of its pockets.
-CageDimensions cage_dimensions(const CageGeometry& geometry, long pocket_count);
+CageDimensions cage_dimensions(const OperatingScene& scene);
 
 /// Deviations of a scene's pockets from the undeviated pocket of `cage`.
-std::vector<PocketDeviation> pocket_deviations(const CageGeometry& geometry,
+std::vector<PocketDeviation> pocket_deviations(const OperatingScene& scene,
                                                const CageDimensions& cage);
 
 /// Sets the pockets of a scene to these deviations from the undeviated pocket of `cage`.

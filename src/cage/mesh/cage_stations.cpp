@@ -40,7 +40,7 @@ double local_coordinate(double value, double low, double high) {
 
 }  // namespace
 
-CageStations cage_stations(const Scene& scene) {
+CageStations cage_stations(const OperatingScene& scene) {
   CageStations stations;
   const CageGeometry& cage = scene.cage;
   double diameter = 0;

@@ -3,8 +3,8 @@
 // Contact points of a pocket, in this order (n bar stations per face):
 //   0 ... n-1           trailing face (u = -S/2), rising x     bar stations at the pitch radius
 //   n ... 2n-1          leading face (u = +S/2), rising x
-//   2n, 2n+1            side ring face at x = -L/2, u = -a and +a    a = end_offset, at the pitch
-//   radius 2n+2, 2n+3          side ring face at x = +L/2, u = -a and +a
+//   2n, 2n+1            side ring face at x = -L/2, u = -a and +a, at the pitch radius
+//   2n+2, 2n+3          side ring face at x = +L/2, u = -a and +a (a = end_offset)
 //   2n+4, 2n+5          guiding surface at x = -+land_offset, middle of the pocket
 //   2n+6, 2n+7          guiding surface at x = -+land_offset, middle of the bar after the pocket
 // Each point has three displacement rows: radial, tangential and axial. e_r and e_t are those at
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "src/cage/mesh/cage_mesh.hpp"
+#include "src/operation/operating_scene.hpp"
 
 namespace cagetol {
 
@@ -33,7 +34,7 @@ struct CageStations {
 
 /// Stations of a scene: bar stations over +-0.4 L_w, end points at 0.8 of the roller radius, lands
 /// at scene.cage.land_offset (auto: middle of the side rings).
-CageStations cage_stations(const Scene& scene);
+CageStations cage_stations(const OperatingScene& scene);
 
 long contact_points(const CageStations& stations);  ///< per pocket
 

@@ -5,13 +5,13 @@
 
 #include "src/cage/mesh/cage_mass.hpp"
 #include "src/cage/table/cage_table_bytes.hpp"
-#include "src/operation/operating_clearance.hpp"
+#include "src/operation/operating_scene.hpp"
 #include "src/scene/materials.hpp"
 
 namespace cagetol {
 namespace {
 
-Material tabulated_material(const Scene& scene) {
+Material tabulated_material(const OperatingScene& scene) {
   Material material = cage_material(scene);
   if (!std::isnan(scene.cage.mass))
     material.density *= scene.cage.mass / cage_mass(scene.cage, scene.bearing.roller_count).mass;
@@ -26,9 +26,8 @@ struct TableInput {
   CageTableOptions options;
 };
 
-TableInput table_input(const Scene& as_made, const GridPoint& point) {
-  const Scene nominal = operating_scene(as_made);
-  return {cage_dimensions(nominal.cage, nominal.bearing.roller_count),
+TableInput table_input(const OperatingScene& nominal, const GridPoint& point) {
+  return {cage_dimensions(nominal),
           tabulated_material(nominal),
           cage_stations(nominal),
           {.density = nominal.cage.mesh_density, .point = point}};
@@ -47,25 +46,25 @@ bool close(double a, double b) {
 
 }  // namespace
 
-GridPoint table_point(const Scene& nominal, const Scene& sample) {
-  const CageDimensions cage =
-      cage_dimensions(operating_scene(nominal).cage, nominal.bearing.roller_count);
-  return nearest_point(cage, pocket_deviations(operating_scene(sample).cage, cage));
+GridPoint table_point(const OperatingScene& nominal, const OperatingScene& sample) {
+  const CageDimensions cage = cage_dimensions(nominal);
+  return nearest_point(cage, pocket_deviations(sample, cage));
 }
 
-std::string scene_cage_table_key(const Scene& nominal, const GridPoint& point) {
+std::string scene_cage_table_key(const OperatingScene& nominal, const GridPoint& point) {
   const TableInput in = table_input(nominal, point);
   return cage_table_key(in.cage, in.material, in.stations, in.options);
 }
 
-std::shared_ptr<const CageTable> make_scene_cage_table(const Scene& nominal, const GridPoint& point,
+std::shared_ptr<const CageTable> make_scene_cage_table(const OperatingScene& nominal,
+                                                       const GridPoint& point,
                                                        const TableProgress& progress) {
   const TableInput in = table_input(nominal, point);
   return std::make_shared<const CageTable>(
       make_cage_table(in.cage, in.material, in.stations, in.options, progress));
 }
 
-std::shared_ptr<const CageTable> scene_cage_table_from_bytes(const Scene& nominal,
+std::shared_ptr<const CageTable> scene_cage_table_from_bytes(const OperatingScene& nominal,
                                                              const GridPoint& point,
                                                              std::string_view bytes) {
   const TableInput in = table_input(nominal, point);
@@ -75,10 +74,9 @@ std::shared_ptr<const CageTable> scene_cage_table_from_bytes(const Scene& nomina
   return std::make_shared<const CageTable>(std::move(table));
 }
 
-std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const Scene& as_made,
-                                                                           const CageTable& table) {
-  const Scene sample = operating_scene(as_made);
-  const CageDimensions cage = cage_dimensions(sample.cage, sample.bearing.roller_count);
+std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(
+    const OperatingScene& sample, const CageTable& table) {
+  const CageDimensions cage = cage_dimensions(sample);
   const Material material = cage_material(sample);
   const bool same = cage.pocket_count == table.cage.pocket_count &&
                     close(cage.width, table.cage.width) &&
@@ -95,7 +93,7 @@ std::variant<std::shared_ptr<const CageModel>, CageFault> scene_cage_model(const
                      fmt::format("bore and outside of the cage deviate together by {:.3g} % of the "
                                  "tabulated thickness, the cage table covers {:g} %",
                                  100 * share, 100 * kThicknessShare)};
-  auto made = make_cage_model(table, pocket_deviations(sample.cage, table.cage),
+  auto made = make_cage_model(table, pocket_deviations(sample, table.cage),
                               {.modes = sample.cage.modes, .bar_modes = sample.cage.bar_modes});
   if (auto* fault = std::get_if<CageFault>(&made)) return std::move(*fault);
   return std::make_shared<const CageModel>(std::move(std::get<CageModel>(made)));

@@ -88,14 +88,15 @@ TEST(NightlyMeshDensity, StressAtTheRootDoesNotConverge) {
 }
 
 TEST(CageReport, DefaultSceneMeetsItsBars) {
-  CageGeometry cage;
+  Scene scene;
+  CageGeometry& cage = scene.cage;
   cage.corner_radius = 0;  // a table in a tenth of the time
   cage.pocket_width = {7.60e-3, 7.68e-3, 7.65e-3, 7.71e-3, 7.66e-3, 7.59e-3, 7.65e-3,
                        7.70e-3, 7.63e-3, 7.66e-3, 7.72e-3, 7.58e-3, 7.62e-3};
-  const CageDimensions dimensions = cage_dimensions(cage, 13);
+  const CageDimensions dimensions = cage_dimensions(scene);
   const CageTable table =
       make_cage_table(dimensions, properties_of(cage.material), {}, {.density = 2});
-  const auto result = cage_report(table, table, pocket_deviations(cage, dimensions), cage.modes);
+  const auto result = cage_report(table, table, pocket_deviations(scene, dimensions), cage.modes);
   const CageReport& report = std::get<CageReport>(result);
   EXPECT_EQ(report.modes.size(), 10U);
   EXPECT_EQ(report.modes[0].family, "in-plane 2");

@@ -577,12 +577,12 @@ TEST(Program, DumpedDefaultsAreValidFiles) {
   }
 }
 
-TEST(Program, TheTablesOfInputsReadmeAreTrue) {
+TEST(Program, TheTablesOfKeysAreTrue) {
   const auto keys = run({"--dump-default", "keys"});
   ASSERT_EQ(keys.code, 0);
-  EXPECT_THAT(read_text_file(shipped("README.md")),
+  EXPECT_THAT(read_text_file(shipped("KEYS.md")),
               testing::EndsWith("<!-- keys -->\n" + keys.output))
-      << "write the output of `cagetol --dump-default keys` below the mark in inputs/README.md";
+      << "write the output of `cagetol --dump-default keys` below the mark in inputs/KEYS.md";
 }
 
 }  // namespace

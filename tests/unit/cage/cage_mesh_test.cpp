@@ -121,12 +121,13 @@ TEST(CageMesh, FaultsNameThePocket) {
 }
 
 TEST(CageMesh, SceneGivesDimensionsAndDeviations) {
-  CageGeometry geometry;
-  geometry.pocket_width = {7.6e-3, 7.7e-3, 7.8e-3};
-  geometry.pocket_pitch = {0, 1e-3, 0};
-  const CageDimensions cage = cage_dimensions(geometry, 3);
+  Scene scene;
+  scene.bearing.roller_count = 3;
+  scene.cage.pocket_width = {7.6e-3, 7.7e-3, 7.8e-3};
+  scene.cage.pocket_pitch = {0, 1e-3, 0};
+  const CageDimensions cage = cage_dimensions(scene);
   EXPECT_NEAR(cage.pocket_width, 7.7e-3, 1e-15);
-  const auto deviations = pocket_deviations(geometry, cage);
+  const auto deviations = pocket_deviations(scene, cage);
   EXPECT_NEAR(deviations[2].width, 0.1e-3, 1e-15);
   EXPECT_NEAR(deviations[1].pitch, 1e-3, 1e-15);
   EXPECT_EQ(deviations[1].length, 0);

@@ -18,7 +18,7 @@ Scene short_scene() {
                      "[window]\nsettle_revolutions = 0.3\nmeasure_revolutions = 1\n", "test"),
                  "test");
   scene.cage.model = CageKind::rigid;
-  return operating_scene(scene);
+  return OperatingScene(scene);
 }
 
 void run(const Scene& scene, MotionFrames& frames) {

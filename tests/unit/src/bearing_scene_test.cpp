@@ -13,7 +13,7 @@
 #include "src/input/toml_file.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/quantities/operating_point.hpp"
-#include "src/reading/idle_keys.hpp"
+#include "src/reading/idle_notes.hpp"
 #include "src/reading/scene_keys.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/pocket_clearances.hpp"

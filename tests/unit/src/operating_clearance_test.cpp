@@ -48,14 +48,39 @@ void expect_same_dimensions(const Scene& a, const Scene& b) {
 TEST(OperatingScene, IsTheSceneItselfByDefault) {
   const Scene scene = shipped_scene("nu205");
   EXPECT_FALSE(changes_in_operation(scene));
-  expect_same_dimensions(operating_scene(scene), scene);
+  expect_same_dimensions(OperatingScene(scene), scene);
 }
 
 TEST(OperatingScene, IsItsOwnOperatingScene) {
-  const Scene hot = operating_scene(fitted_scene());
+  const Scene hot = OperatingScene(fitted_scene());
   EXPECT_FALSE(changes_in_operation(hot));
-  expect_same_dimensions(operating_scene(hot), hot);
+  expect_same_dimensions(OperatingScene(hot), hot);
   EXPECT_NE(hot.bearing.inner_raceway_diameter, fitted_scene().bearing.inner_raceway_diameter);
+}
+
+/// Every length of every part, whatever key gives it.
+TEST(OperatingScene, WarmsEveryLengthOfAPart) {
+  Scene scene;
+  scene.bearing.ring_material = scene.roller.material = scene.cage.material = {"bearing-steel"};
+  scene.temperature.growth = true;
+  scene.temperature.inner_ring = scene.temperature.outer_ring = scene.cage.temperature = 120;
+  int lengths = 0;
+  const auto asked = [](const std::string& name) {
+    return name.ends_with("_mm") && !name.ends_with("_g_mm") &&
+           (name.starts_with("bearing.") || name.starts_with("roller.") ||
+            name.starts_with("cage."));
+  };
+  for (const auto& key : scene_keys())  // a value for what is auto or none
+    if (const double value = asked(key.name) ? key_numbers(key, scene)[0] : 1; !(value > 0))
+      set_key_numbers(key, {4}, scene);
+  const Scene hot = OperatingScene(scene);
+  for (const auto& key : scene_keys()) {
+    if (!asked(key.name)) continue;
+    const double cold = key_numbers(key, scene)[0], warm = key_numbers(key, hot)[0];
+    EXPECT_NEAR(warm / cold, 1 + 12e-6 * 100, 1e-9) << key.name;
+    ++lengths;
+  }
+  EXPECT_GT(lengths, 20);
 }
 
 /// A bearing of one material that is warm all over keeps its shape: every length grows alike.
@@ -67,7 +92,7 @@ TEST(OperatingScene, ScalesABearingThatIsWarmAllOver) {
   scene.cage.retention_outer = 7.3e-3;
   scene.bearing.inner_land_diameter = 33e-3;
   const double factor = 1 + 12e-6 * 100;
-  const Scene hot = operating_scene(scene);
+  const Scene hot = OperatingScene(scene);
   const PocketClearances cold = pocket_clearances(scene, 0), warm = pocket_clearances(hot, 0);
   EXPECT_NEAR(warm.tangential / cold.tangential, factor, 1e-9);
   EXPECT_NEAR(warm.axial / cold.axial, factor, 1e-9);
@@ -148,7 +173,7 @@ TEST(OperatingClearance, IsTheSumOfItsCauses) {
 }
 
 TEST(OperatingClearance, ReachesModelJamsAndPocketClearances) {
-  const Scene scene = fitted_scene(), hot = operating_scene(scene);
+  const Scene scene = fitted_scene(), hot = OperatingScene(scene);
   const BearingModel model = make_bearing_model(scene);
   const OperatingClearance by = operating_clearance(scene);
   EXPECT_NEAR(2 * model.inner_radius, 31.5e-3 - 15e-6 + by.inner_raceway.total(), 1e-15);

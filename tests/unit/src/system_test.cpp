@@ -62,7 +62,7 @@ TEST(System, TellsOfARateThatIsNotFiniteWhereverItStands) {
 
 BearingModel rigid_model(Scene scene) {
   scene.cage.model = CageKind::rigid;
-  return make_bearing_model(operating_scene(scene));
+  return make_bearing_model(OperatingScene(scene));
 }
 
 // What the figures of the reference bearing are measured with, and what makes of other bearings the

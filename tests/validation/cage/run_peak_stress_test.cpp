@@ -47,7 +47,7 @@ std::vector<PeakStress> peaks(Scene scene, const PocketDeviation& all = {}, doub
     states.bar_force.col(static_cast<Eigen::Index>(i)) = force[i];
   }
   return std::get<std::vector<PeakStress>>(
-      compare_peak_stress(*table, pocket_deviations(scene.cage, table->cage), states));
+      compare_peak_stress(*table, pocket_deviations(scene, table->cage), states));
 }
 
 /// Relative errors of the reported peaks, rising.
@@ -141,7 +141,7 @@ Scene wide_pockets() {
 /// Pockets half way from the scene's table to its neighbours in width and length, up (1) or down.
 void expect_half_way_between_tables(const std::vector<std::pair<int, int>>& corners) {
   const Scene scene = wide_pockets();
-  const CageDimensions cage = cage_dimensions(scene.cage, scene.bearing.roller_count);
+  const CageDimensions cage = cage_dimensions(scene);
   const CageDimensions next = cage_at(cage, {1, 1});
   const double width = 0.4999 * (next.pocket_width - cage.pocket_width);
   const double length = 0.4999 * (next.pocket_length - cage.pocket_length);

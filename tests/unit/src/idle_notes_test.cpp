@@ -1,6 +1,6 @@
 // Every key of a scene either changes what is computed or is named as idle, in scenes that differ
 // in what they model.
-#include "src/reading/idle_keys.hpp"
+#include "src/reading/idle_notes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -188,7 +188,7 @@ TEST_P(IdleKeys, AreThoseThatChangeNothing) {
     if (others.empty()) continue;  // a choice of one
     SCOPED_TRACE(key.name + " = " + key_text(key, scene));
     ASSERT_NE(key_text(key, others.front()), key_text(key, scene));
-    const std::string why = why_idle(scene, key.name);
+    const std::string why = std::string(why_idle(scene_keys(), key, scene));
     const bool changed = std::any_of(others.begin(), others.end(), [&](const Scene& other) {
       return !same(before, fingerprint(other));
     });
