@@ -15,6 +15,7 @@
 
 int main(int argc, char** argv) try {
   using namespace cagetol;
+  open_standard_streams();
   require_process_limits();
   avoid_page_faults();
   log_to_stderr();        // stdout is for results alone, whatever the command

@@ -35,8 +35,8 @@ Outcome jammed(const Jam& jam) {
   outcome.pocket = jam.pocket;
   outcome.interference_um = 1e6 * jam.interference;
   outcome.reason = "the roller is " + number(outcome.interference_um) +
-                   " um too large for pocket " + std::to_string(jam.pocket) +
-                   (jam.in_width ? " (width)" : " (length)");
+                   " um too large for pocket " + std::to_string(jam.pocket) + " (" + jam.where +
+                   ")";
   outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
   return outcome;
 }

@@ -57,7 +57,7 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
       if (std::filesystem::exists(study_dir / page))
         fmt::print("report: {}\n", (study_dir / page).string());
   }
-  if (!problem.empty()) fmt::print(stderr, "{}\n", problem);
+  if (!problem.empty()) std::fputs((problem + "\n").c_str(), stderr);
   return kDone;
 }
 

@@ -6,6 +6,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/motion_page.hpp"
 #include "mc/commands/output_path.hpp"
+#include "mc/host/log.hpp"
 #include "mc/sweep/sample_motion.hpp"
 
 namespace cagetol {
@@ -18,7 +19,7 @@ struct AnimateArguments {
 
 int run_animate(const AnimateArguments& options) {
   const StoredSample stored = read_stored_sample(options.directory, options.sample);
-  for (const std::string& note : stored.notes) fmt::print(stderr, "cagetol: {}\n", note);
+  for (const std::string& note : stored.notes) say("cagetol: {}\n", note);
   require_dynamic(stored.sample.scene, "animate", options.directory, "motion");
   const auto [outcome, frames] = record_motion(stored);
   const std::string file = options.file.empty()
@@ -44,7 +45,7 @@ Chosen animate_command(CLI::App& command) {
   auto options = std::make_shared<AnimateArguments>();
   add_result_directory(command, "DIR", options->directory, "Directory of a sweep");
   command.add_option("--sample", options->sample, "Id of the sample")->required();
-  add_output_file(command, "-o,--output", options->file,
+  add_output_file(command, "-o,--output", options->file, "<!DOCTYPE html>",
                   "Write the page to this file (DIR/motion-ID.html)");
   return [options] { return run_animate(*options); };
 }

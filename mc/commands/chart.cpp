@@ -13,6 +13,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/host/file_write.hpp"
+#include "mc/host/log.hpp"
 #include "src/input/input_error.hpp"
 
 namespace cagetol {
@@ -35,8 +36,7 @@ int run_chart(const ChartArguments& options) {
   make_directory(options.directory);
   ChartOptions wanted = options.chart;
   wanted.horizon = 1e-3 * options.horizon_ms;
-  const Chart chart =
-      make_chart(study, wanted, [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
+  const Chart chart = make_chart(study, wanted, [](const std::string& what) { say("{}\n", what); });
   const std::filesystem::path directory = options.directory;
   replace_file(directory / "chart.json", chart_json(chart).dump(1) + "\n");
   replace_file(directory / "chart.csv", chart_csv(chart));

@@ -10,6 +10,7 @@
 
 #include "analysis/report/figure_set.hpp"
 #include "analysis/report/report.hpp"
+#include "mc/host/log.hpp"
 #include "mc/study/study.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/operating_point.hpp"
@@ -74,8 +75,7 @@ std::string draw_beside(const std::filesystem::path& json) {
   const ReportOptions drawing;
   const auto folder = json.parent_path() / "figures";
   const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir, json, folder);
-  if (!figures.problem.empty())
-    fmt::print(stderr, "figures are missing or incomplete: {}\n", figures.problem);
+  if (!figures.problem.empty()) say("figures are missing or incomplete: {}\n", figures.problem);
   return folder.string();
 }
 

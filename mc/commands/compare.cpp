@@ -15,6 +15,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/host/json_number.hpp"
+#include "mc/host/log.hpp"
 #include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
@@ -78,7 +79,7 @@ std::string table_text(const Comparison& comparison, bool all) {
 
 int not_comparable(const CompareArguments& options, const std::string& reason) {
   if (options.json) print(Json{{"comparable", false}, {"reason", reason}}.dump(2) + "\n");
-  fmt::print(stderr, "cagetol: not comparable: {}\n", reason);
+  say("cagetol: not comparable: {}\n", reason);
   return kBadInput;
 }
 

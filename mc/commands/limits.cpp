@@ -168,7 +168,12 @@ int print_limits(const std::string& directory, bool json) {
 
 int run_limits(const LimitsArguments& options) {
   std::string directory = options.file;
-  if (!std::filesystem::is_directory(options.file)) {
+  if (std::filesystem::is_directory(options.file)) {
+    if (!options.settings.empty() || options.samples)
+      throw InputError({}, options.samples ? "--samples" : "--set", options.file,
+                       "the runs of a directory were made with the study's own settings",
+                       "give the study in place of the directory, and -o for its runs");
+  } else {
     if (options.sweep.directory.empty())
       throw InputError({}, "--output", "", "a study is swept into a directory",
                        "give -o DIR, or the directory of a sweep in place of the study");

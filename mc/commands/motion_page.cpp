@@ -1,5 +1,9 @@
 #include "mc/commands/motion_page.hpp"
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 #include "mc/host/file_write.hpp"
 #include "mc/study_file/shipped_file.hpp"
 #include "src/input/input_error.hpp"
@@ -20,10 +24,18 @@ std::string html_text(const std::string& text) {
   return safe;
 }
 
-void replace_all(std::string& text, const std::string& word, const std::string& by) {
-  for (std::size_t at = text.find(word); at != std::string::npos;
-       at = text.find(word, at + by.size()))
-    text.replace(at, word.size(), by);
+/// The page with each word replaced, in one pass: what stands in for a word is not read again.
+std::string filled(std::string_view page,
+                   std::initializer_list<std::pair<std::string_view, std::string>> words) {
+  std::string text;
+  while (!page.empty()) {
+    const auto word = std::find_if(words.begin(), words.end(), [&](const auto& entry) {
+      return page.starts_with(entry.first);
+    });
+    text += word == words.end() ? std::string(page.substr(0, 1)) : word->second;
+    page.remove_prefix(word == words.end() ? 1 : word->first.size());
+  }
+  return text;
 }
 
 }  // namespace
@@ -34,15 +46,12 @@ void write_motion_page(const std::string& file, const std::string& title,
   if (motion.is_null())
     throw InputError({}, "output", file, "the run has no motion to show: it ended before it began",
                      "choose a sample that runs");
-  // A scene's name in the data must not end the script.
-  std::string data = motion.dump();
-  replace_all(data, "</", "<\\/");
-  std::string page = page_part("motion.html");
-  replace_all(page, "TITLE", html_text(title));
-  replace_all(page, "MOTION_CSS", page_part("motion.css"));
-  replace_all(page, "MOTION_JS", page_part("motion.js"));
-  replace_all(page, "MOTION_DATA", data);
-  replace_file(file, page);
+  // A scene's name in the data must not end the script, nor begin a comment of the page.
+  replace_file(file, filled(page_part("motion.html"),
+                            {{"TITLE", html_text(title)},
+                             {"MOTION_CSS", page_part("motion.css")},
+                             {"MOTION_JS", page_part("motion.js")},
+                             {"MOTION_DATA", filled(motion.dump(), {{"<", "\\u003c"}})}}));
 }
 
 }  // namespace cagetol

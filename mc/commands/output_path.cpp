@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 #include <filesystem>
+#include <fstream>
 
 #include "src/input/input_error.hpp"
 
@@ -94,7 +95,8 @@ void check_output_directory(const std::string& option, const std::string& direct
   }
 }
 
-void check_output_file(const std::string& option, const std::string& file) {
+void check_output_file(const std::string& option, const std::string& file,
+                       const std::string& begins) {
   check_name(option, file, kRoomOfSuffix);
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -107,6 +109,14 @@ void check_output_file(const std::string& option, const std::string& file) {
            "make the folder, or choose another place with " + option);
   if (fs::path(file).filename().empty())
     refuse(option, file, "this is a folder, not a file", "give the name of a file to write");
+  std::string head(begins.size(), '\0');
+  std::ifstream existing(file, std::ios::binary);
+  existing.read(head.data(), static_cast<std::streamsize>(head.size()));
+  const std::string name = fs::path(file).filename();
+  const bool of_sweep = name == "study.h5" || name == "report.html";
+  if (existing.gcount() > 0 && (head != begins || of_sweep))
+    refuse(option, file, "there is a file that this command did not write",
+           "choose another name, or remove that file first");
 }
 
 void check_result_directory(const std::string& option, const std::string& directory) {
@@ -135,12 +145,13 @@ CLI::Option* add_output_directory(CLI::App& command, std::string& directory,
 }
 
 CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::string& file,
-                             const std::string& description) {
+                             const std::string& begins, const std::string& description) {
   const std::string option = names.substr(0, names.find(','));
-  return command.add_option(names, file, description)->check([option](const std::string& path) {
-    check_output_file(option, path);
-    return std::string();
-  });
+  return command.add_option(names, file, description)
+      ->check([option, begins](const std::string& path) {
+        check_output_file(option, path, begins);
+        return std::string();
+      });
 }
 
 CLI::Option* add_result_directory(CLI::App& command, const std::string& name,

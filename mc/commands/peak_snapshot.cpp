@@ -11,7 +11,7 @@
 namespace cagetol {
 
 void add_snapshot_option(CLI::App& command, std::string& file) {
-  add_output_file(command, "--snapshot", file,
+  add_output_file(command, "--snapshot", file, "<?xml version=\"1.0\"?>\n<VTKFile",
                   "Write the flexible cage at its largest stress to this VTU file (ParaView)");
 }
 

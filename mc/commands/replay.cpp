@@ -11,6 +11,7 @@
 #include "mc/commands/outcome_text.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/peak_snapshot.hpp"
+#include "mc/host/log.hpp"
 #include "mc/run/cage_cache.hpp"
 #include "mc/run/run_history.hpp"
 #include "mc/run/sample_run.hpp"
@@ -64,10 +65,9 @@ SampleRun run_again(const StoredSample& stored, const std::string& history_file,
 
 int run_replay(const ReplayArguments& options) {
   const StoredSample stored = read_stored_sample(options.directory, options.sample);
-  for (const std::string& note : stored.notes) fmt::print(stderr, "cagetol: {}\n", note);
+  for (const std::string& note : stored.notes) say("cagetol: {}\n", note);
   if (stored.stored && stored.stored->status == Status::poisoned)
-    fmt::print(stderr,
-               "cagetol: this sample ended its process during the sweep and may do so now\n");
+    say("cagetol: this sample ended its process during the sweep and may do so now\n");
 
   const SampleRun again = run_again(stored, options.history, options.snapshot);
   const auto differences =
@@ -92,7 +92,7 @@ Chosen replay_command(CLI::App& command) {
   add_result_directory(command, "DIR", options->directory, "Directory of a sweep");
   command.add_option("--sample", options->sample, "Id of the sample")->required();
   command.add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
-  add_output_file(command, "-o,--output", options->history,
+  add_output_file(command, "-o,--output", options->history, "cagetol sealed HDF5",
                   "Write time histories to this HDF5 file");
   add_snapshot_option(command, options->snapshot);
   return [options] { return run_replay(*options); };

@@ -79,7 +79,7 @@ Chosen simulate_command(CLI::App& command) {
   auto options = std::make_shared<SimulateArguments>();
   command.add_option("SCENE", options->file, "Scene or study file")->required();
   command.add_flag("--json", options->json, "Print status, quantities and run as JSON");
-  add_output_file(command, "-o,--output", options->history,
+  add_output_file(command, "-o,--output", options->history, "cagetol sealed HDF5",
                   "Write time histories to this HDF5 file");
   add_snapshot_option(command, options->snapshot);
   command.add_option("--sample", options->sample, "Sample of the study to run")

@@ -14,6 +14,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/host/file_write.hpp"
+#include "mc/host/log.hpp"
 #include "mc/study_file/shipped_file.hpp"
 
 namespace cagetol {
@@ -37,7 +38,7 @@ int run_stability(const StabilityArguments& options) {
     std::string text;
     for (const auto& [verdict, count] : verdicts)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict);
-    fmt::print(stderr, "{}/{} {}: {}\n", ++done, suite.size(), row.scene, text);
+    say("{}/{} {}: {}\n", ++done, suite.size(), row.scene, text);
   };
   const StabilityMap map = run_stability(suite, options.methods, options.threads, tell);
   const std::filesystem::path directory = options.directory;

@@ -12,7 +12,7 @@
 namespace cagetol {
 namespace {
 
-enum class Want { nothing, memory, threads, files };
+enum class Want { nothing, memory, threads, files, output };
 
 Want want_of(const std::exception& problem) {
   if (dynamic_cast<const std::bad_alloc*>(&problem) != nullptr ||
@@ -28,6 +28,11 @@ Want want_of(const std::exception& problem) {
     case EMFILE:
     case ENFILE:
       return Want::files;
+    case ENOSPC:
+    case EDQUOT:
+    case EPIPE:
+    case EIO:
+      return Want::output;
     default:
       return Want::nothing;
   }
@@ -50,6 +55,9 @@ std::string failure_text(const std::exception& problem) {
              "-u, ulimit -v) or start fewer ranks";
     case Want::files:
       return "too many open files\n  remedy: raise the limit (ulimit -n)";
+    case Want::output:
+      return std::string("cannot write the output: ") + problem.what() +
+             "\n  remedy: free space on the disk or choose another place";
     case Want::nothing:
       break;
   }

@@ -1,4 +1,5 @@
 #include "mc/host/progress.hpp"
+#include "mc/host/log.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -82,9 +83,9 @@ void Progress::print(const Tally& tally, bool last) {
   const std::string text = progress_text(tally, before_, samples_, elapsed_s());
   if (style_ == ProgressStyle::line) {
     width_ = std::max(width_, text.size());
-    fmt::print(stderr, "\r{:<{}}{}", text, width_, last ? "\n" : "");
+    say("\r{:<{}}{}", text, width_, last ? "\n" : "");
   } else {
-    fmt::print(stderr, "{}\n", text);
+    say("{}\n", text);
   }
   std::fflush(stderr);
 }

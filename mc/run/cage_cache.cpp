@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "mc/host/build_info.hpp"
+#include "mc/host/log.hpp"
 #include "mc/host/progress.hpp"
 #include "mc/host/sealed_bytes.hpp"
 #include "mc/ranks/signals.hpp"
@@ -40,10 +41,9 @@ void show_progress(const std::string& what, double share) {
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
   if (!terminal && share > 0) return;
   if (terminal)
-    fmt::print(stderr, "\rmaking {}, once for this cage: {}{}", what, progress_bar(share),
-               share >= 1 ? "\n" : "");
+    say("\rmaking {}, once for this cage: {}{}", what, progress_bar(share), share >= 1 ? "\n" : "");
   else
-    fmt::print(stderr, "making {}, once for this cage\n", what);
+    say("making {}, once for this cage\n", what);
   std::fflush(stderr);
 }
 

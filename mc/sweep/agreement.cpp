@@ -9,6 +9,7 @@
 #include "mc/host/byte_stream.hpp"
 #include "mc/host/failure.hpp"
 #include "mc/host/file_write.hpp"
+#include "mc/host/log.hpp"
 #include "mc/study_file/exit_code.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
@@ -55,7 +56,7 @@ Problem problem_of(const std::function<void()>& work) {
 int agreed(const Team& team, const Problem& problem) {
   const bool well = problem.code == kDone;
   const int first = team.smallest(well ? INT_MAX : team.rank());
-  if (first == team.rank() && !well) fmt::print(stderr, "cagetol: {}\n", problem.text);
+  if (first == team.rank() && !well) say("cagetol: {}\n", problem.text);
   const int code = team.smallest(well ? INT_MAX : problem.code);
   return code == INT_MAX ? kDone : code;
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "mc/host/failure.hpp"
+#include "mc/host/log.hpp"
 #include "mc/ranks/signals.hpp"
 #include "mc/study_file/exit_code.hpp"
 #include "mc/study_file/study_file_error.hpp"
@@ -110,10 +111,10 @@ int run_staged(const MakePlan& make_plan, ProgressStyle progress,
   try {
     code = lead(stages);
   } catch (const WriteError& problem) {
-    fmt::print(stderr, "cagetol: {}\n", problem.what());
+    say("cagetol: {}\n", problem.what());
     code = problem.can_go_on() ? kInterrupted : kBadInput;
   } catch (const std::exception& problem) {
-    fmt::print(stderr, "cagetol: {}\n", ending_text(problem));
+    say("cagetol: {}\n", ending_text(problem));
     code = is_want_of_resources(problem) ? kInterrupted : exit_code_for(problem);
   }
   const int refused = stages.end();

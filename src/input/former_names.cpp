@@ -15,8 +15,6 @@ constexpr auto kFormerNames = std::to_array<FormerName>({
     {"lubrication.land_film_least_um", "", "lubrication.land_film_minimum_um", "", ""},
     {"tolerance.dimension.band_mm", "", "tolerance.dimension.tolerance_width_mm", "", ""},
     {"cage_yield_utilisation", "", "cage_strength_utilisation", "", ""},
-    {"least_load_skf_N", "", "minimum_load_skf_N", "", ""},
-    {"least_load_schaeffler_N", "", "minimum_load_schaeffler_N", "", ""},
     {"model.rollers", "", "", "planar rollers saved no time at the same error", "leave the line out: rollers always tilt, skew and move axially"},
     {"orbit_class", "", "", "it told nothing that limits can use", "use whirl_resting_share, whirl_circling_share or whirl_irregular_share"},
     {"window.measure", "", "", "windows that end by themselves saved a fifth of the time and added noise", "leave it out; window.measure_revolutions is the length of the window"},

@@ -88,7 +88,10 @@ double checked_number(const KeyInfo& key, const toml::node& node, const std::str
   if (!std::isfinite(value))
     throw InputError(place_of(node, file), key.name, shown(node), "not a finite number",
                      "give " + example_of(key) + ", " + range_text(key));
-  if (!in_range(key.range, value)) throw out_of_range(key, shown(node), place_of(node, file));
+  // In SI, too: beyond the range of numbers it would become zero or infinite.
+  const bool kept = value == 0 || std::isnormal(value * key.to_si);
+  if (!kept || !in_range(key.range, value))
+    throw out_of_range(key, shown(node), place_of(node, file));
   return value;
 }
 

@@ -200,6 +200,22 @@ int line_of_broken_parse(std::string_view text) {
   return 0;
 }
 
+/// How a text was saved that is not UTF-8 with usual line ends; empty where it may be.
+std::string other_encoding(std::string_view text) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
+      text.substr(0, 200).find('\0') != std::string_view::npos)
+    return "UTF-16";
+  if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)
+    return "lines that end with CR alone, as on old Macintoshes";
+  std::size_t follow = 0;  // bytes of a character still to come
+  for (const unsigned char c : text) {
+    const bool within = (c & 0xc0) == 0x80;
+    if (within != (follow > 0)) return "Latin-1 or Windows-1252";
+    follow = within ? follow - 1 : c < 0x80 ? 0 : c >= 0xf0 ? 3 : c >= 0xe0 ? 2 : 1;
+  }
+  return "";
+}
+
 InputError not_toml(const std::string& name, int line, const std::string& description) {
   return {{name, line},
           "",
@@ -211,6 +227,9 @@ InputError not_toml(const std::string& name, int line, const std::string& descri
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& name) {
+  if (const std::string as = other_encoding(text); !as.empty())
+    throw InputError({name, 0}, "", "", "the file is not in UTF-8: it looks like " + as,
+                     "save it as UTF-8, with line ends as usual");
   // A dotted key of a million parts would be a table a million deep: no input file needs such
   // lines.
   int line = 1;

@@ -476,12 +476,21 @@ double minimum_static_speed(const BearingModel& m) {
 
 Jam find_jam(const OperatingScene& scene) {
   Jam worst;
+  const auto see = [&worst](long pocket, const char* where, double larger) {
+    if (larger >= 0 && (worst.pocket < 0 || larger > worst.interference))
+      worst = {static_cast<int>(pocket), where, larger};
+  };
+  const double pitch = pitch_radius(scene.bearing);
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
-    const double in_width = each(scene.roller.diameter, j) - each(scene.cage.pocket_width, j);
-    const double in_length = scene.roller.length - each(scene.cage.pocket_length, j);
-    const double larger = std::max(in_width, in_length);
-    if (larger < 0 || (worst.pocket >= 0 && larger <= worst.interference)) continue;
-    worst = {static_cast<int>(j), in_width >= in_length, larger};
+    const double diameter = each(scene.roller.diameter, j),
+                 width = each(scene.cage.pocket_width, j);
+    see(j, "width", diameter - width);
+    see(j, "length", scene.roller.length - each(scene.cage.pocket_length, j));
+    const PocketOutline outline = pocket_outline(scene.cage, pitch, width);
+    for (const int end : {0, 1})
+      if (outline.end[end].lip)
+        see(j, end == 0 ? "lips at the bore" : "lips at the outside",
+            -radial_play(outline, pitch, diameter / 2, end));
   }
   return worst;
 }

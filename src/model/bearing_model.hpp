@@ -183,9 +183,9 @@ double minimum_static_speed(const BearingModel& model);
 
 /// A pocket whose roller does not fit: clearance <= 0.
 struct Jam {
-  int pocket = -1;  ///< -1: none
-  bool in_width = true;
-  double interference = 0;  ///< [m], >= 0
+  int pocket = -1;              ///< -1: none
+  const char* where = "width";  ///< "width", "length", "lips at the bore", "lips at the outside"
+  double interference = 0;      ///< [m], >= 0
 };
 /// The worst jam of the scene in operation.
 Jam find_jam(const OperatingScene& scene);

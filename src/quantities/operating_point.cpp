@@ -156,6 +156,7 @@ void add_load_distribution(const BearingModel& m, OperatingPoint& at) {
 }
 
 std::string rounded(double value, const std::string& unit) {
+  if (value == 0) return "0 " + unit;
   const double step = std::pow(10, std::floor(std::log10(value)) - 2);
   return number_text(value >= 100 ? std::round(value) : std::round(value / step) * step) + " " +
          unit;

@@ -51,7 +51,10 @@ void RingRecorder::record(const ObservedState& at) {
 
 void RingRecorder::compare_with_statics(const ObservedState& at) {
   if (at.t < next_comparison_) return;
-  while (next_comparison_ <= at.t) next_comparison_ += comparison_interval_;
+  while (next_comparison_ <= at.t) {
+    const double next = next_comparison_ + comparison_interval_;
+    next_comparison_ = next > next_comparison_ ? next : std::numeric_limits<double>::infinity();
+  }
   const StateLayout& l = model_.layout;
   const double* angles = at.y + l.position(kAngle, 0);
   std::copy(angles, angles + l.padded(), angles_.begin());

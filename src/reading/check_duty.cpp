@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -48,6 +49,10 @@ void check_rows(const DutyTable& t, const SceneCheck& check) {
                   "give instants that increase, by 1 ns at least");
 }
 
+bool is_whole_turns(double angle) {
+  return std::abs(std::remainder(angle, 2 * std::numbers::pi)) < 1e-9;
+}
+
 void check_period(const DutyTable& t, const SceneCheck& check) {
   if (std::isnan(t.repeat)) return;
   check.require(!t.empty(), "duty.repeat_s", "there is no duty to repeat",
@@ -60,7 +65,9 @@ void check_period(const DutyTable& t, const SceneCheck& check) {
   check.require(!closed || t.time.size() > 1, "duty.repeat_s", "a single instant has no period",
                 "give two instants or leave the period out");
   for (const auto& [key, values] : columns_of(t))
-    check.require(!closed || values.empty() || values[0] == values.values.back(), key,
+    check.require(!closed || values.empty() || values[0] == values.values.back() ||
+                      (&values == &t.direction && is_whole_turns(values.values.back() - values[0])),
+                  key,
                   "the last value differs from the first one, to which a duty that repeats after " +
                       number_text(t.repeat) + " s would jump",
                   "end with the first value, or give a longer duty.repeat_s");
@@ -106,7 +113,8 @@ void check_phases(const Scene& scene, const SceneCheck& check) {
                   "use up to 40 letters, digits, _ and -");
     check.require(seen.insert(name).second, "phase.name", "two phases are called " + name,
                   "give each a name of its own");
-    check.require(p.to[i] > p.from[i], "phase.to_s", "phase " + name + " ends before it begins",
+    check.require(p.to[i] - p.from[i] >= kMinimumSpacing, "phase.to_s",
+                  "phase " + name + " ends before it begins, or within a nanosecond",
                   "give an end after phase.from_s, " + number_text(p.from[i]) + " s");
     check.require(!(p.to[i] > end * (1 + 1e-12)), "phase.to_s",
                   "phase " + name + " ends after the run, " + number_text(end) + " s",

@@ -36,6 +36,15 @@ with h5py.File(os.environ["OUT"] + "/study.h5", "r") as file:
         assert numpy.array_equal(study.quantities[name].to_numpy(), values[()], equal_nan=True), name
         assert study.units[name] == values.attrs["unit"].decode()
 assert len(study.samples) == len(study.ok) >= 4
+# A damaged file is refused before HDF5 opens it.
+flipped = bytearray(open(os.environ["OUT"] + "/study.h5", "rb").read())
+flipped[len(flipped) // 2] ^= 4
+open(os.environ["OUT"] + "/flipped.h5", "wb").write(flipped)
+try:
+    of_notebook["cagetol"].read_study(os.environ["OUT"] + "/flipped.h5")
+    raise SystemExit("a flipped bit was read")
+except ValueError as problem:
+    assert "damaged" in str(problem)
 # Replicates repeat samples, the report's statistics are of the first runs.
 first = study.samples["replicate"] == 0
 torque = next(q for q in report["quantities"] if q["quantity"] == "friction_torque_Nmm")

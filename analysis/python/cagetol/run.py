@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-import h5py
 import pandas
 
+from .sealed import open_sealed
 from .study import text_of
 
 
@@ -19,8 +19,8 @@ class Run:
 
 
 def read_run(path):
-    """Reads run.h5. Throws FileNotFoundError."""
-    with h5py.File(path, "r") as file:
+    """Reads run.h5. Throws FileNotFoundError, and ValueError where the file is damaged."""
+    with open_sealed(path) as file:
         time = pandas.Index(file["time"][()], name="time_s")
         bearing, rollers, units = {}, {}, {}
         for name, data in file.items():

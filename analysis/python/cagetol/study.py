@@ -4,9 +4,10 @@ import json
 import pathlib
 from dataclasses import dataclass
 
-import h5py
 import numpy
 import pandas
+
+from .sealed import open_sealed
 
 STATUS = {0: "ok", 1: "jammed", 2: "failed", 3: "censored", 5: "poisoned"}
 
@@ -92,8 +93,9 @@ def histories_of(file, ids):
 
 
 def read_study(place):
-    """Reads a sweep, or a stage of a recommendation. `place`: its directory or study.h5. Throws FileNotFoundError."""
-    with h5py.File(study_file(place), "r") as file:
+    """Reads a sweep, or a stage of a recommendation. `place`: its directory or study.h5. Throws FileNotFoundError, and ValueError where
+    the file is damaged."""
+    with open_sealed(study_file(place)) as file:
         ids = pandas.Index(file["samples/id"][()], name="sample")
         quantities = file["quantities"]
         return Study(name=text_of(file.attrs["study_name"]),

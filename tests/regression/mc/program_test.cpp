@@ -150,6 +150,49 @@ TEST(Program, PlansBeyondTheMachineAreRefusedWithTheirCounts) {
   EXPECT_THAT(grid.output, HasSubstr("2000000000 rows"));
 }
 
+TEST(Program, ReplacesNoFileThatItDidNotWrite) {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch / "own.toml";
+  std::filesystem::copy_file(shipped("scenes/nu205.toml"), scene);
+  const std::string before = read_text_file(scene);
+  for (const char* option : {"-o", "--snapshot"}) {
+    const auto ended = run({"simulate", scene, option, scene});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_THAT(ended.output, HasSubstr("did not write"));
+  }
+  EXPECT_EQ(read_text_file(scene), before);
+  std::ofstream(scratch / "study.h5") << "cagetol sealed HDF5, version 1\n";
+  EXPECT_EQ(run({"simulate", scene, "-o", scratch / "study.h5"}).code, 2);
+}
+
+TEST(Program, ClosedStreamsLeaveResultsAlone) {
+  const ScratchDirectory scratch;
+  const std::vector<std::pair<std::string, std::function<void()>>> ways = {
+      {"closed",
+       [] {
+         for (const int stream : {0, 1, 2}) ::close(stream);
+       }},
+      {"full", [] { ::dup2(::open("/dev/full", O_WRONLY), 2); }}};
+  for (const auto& [name, prepare] : ways) {
+    const std::string directory = scratch / name;
+    const auto ended =
+        run({"sweep", shipped("studies/nu205.toml"), "-o", directory, "--set", "samples=2", "--set",
+             "scene.cage.model=rigid", "--set", "scene.model.motion=quasi-static", "--set",
+             "limit=[]", "--progress", "plain"},
+            prepare);
+    EXPECT_EQ(ended.code, 0) << name << ended.output;
+    EXPECT_TRUE(std::filesystem::exists(directory + "/study.h5")) << name;
+    EXPECT_EQ(std::filesystem::file_size(directory + "/journal/lock"), 0u) << name;
+  }
+}
+
+TEST(Program, RunsOfADirectoryTakeNoSettings) {
+  const ScratchDirectory scratch;
+  const auto ended = run({"limits", scratch.path(), "--set", "foo.bar=1"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.output, HasSubstr("--set"));
+}
+
 TEST(Program, NamesOfOutputsAreCheckedByEveryCommand) {
   const ScratchDirectory scratch;
   std::ofstream(scratch / "file") << "in the way";

@@ -8,6 +8,7 @@
 
 #include "src/integration/system.hpp"
 #include "src/statics/start_state.hpp"
+#include "src/scene/pocket_outline.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {
@@ -103,17 +104,32 @@ TEST(FindJam, NamesTheWorstPocketAndItsInterference) {
   scene.cage.pocket_width[9] = 7.47e-3;
   Jam jam = find_jam(scene);
   EXPECT_EQ(jam.pocket, 9);
-  EXPECT_TRUE(jam.in_width);
+  EXPECT_STREQ(jam.where, "width");
   EXPECT_NEAR(jam.interference, 30e-6, 1e-12);
   scene.cage.pocket_length[2] = 8.9e-3;
   jam = find_jam(scene);
   EXPECT_EQ(jam.pocket, 2);
-  EXPECT_FALSE(jam.in_width);
+  EXPECT_STREQ(jam.where, "length");
   EXPECT_NEAR(jam.interference, 100e-6, 1e-12);
   // No clearance at all is a jam already.
   Scene exact;
   exact.cage.pocket_width = {7.5e-3};
   EXPECT_EQ(find_jam(exact).pocket, 0);
+}
+
+TEST(FindJam, LipsThatPinchTheRollerAreAJam) {
+  Scene scene;
+  const auto lips = [&](double play) {
+    return retention_width(scene.cage, pitch_radius(scene.bearing), 3.75e-3, 1, play);
+  };
+  const double loose = lips(20e-6), tight = lips(-30e-6);
+  scene.cage.retention_outer = loose;
+  EXPECT_EQ(find_jam(scene).pocket, -1);
+  scene.cage.retention_outer = tight;
+  const Jam jam = find_jam(scene);
+  EXPECT_EQ(jam.pocket, 0);
+  EXPECT_STREQ(jam.where, "lips at the outside");
+  EXPECT_NEAR(jam.interference, 30e-6, 1e-9);
 }
 
 // 2 g mm on a cage of 20 g: 0.1 mm, towards 30 degrees from pocket 0.

@@ -83,6 +83,19 @@ TEST(TomlFile, MalformedInlineTablesAreErrorsToo) {
               HasSubstr("cannot read the value"));
 }
 
+TEST(TomlFile, OtherEncodingsAreNamed) {
+  const auto problem = [](std::string_view text) {
+    return problem_of([&] { parse_toml(text, "t"); });
+  };
+  using std::string_view_literals::operator""sv;
+  EXPECT_THAT(problem("\xff\xfe"
+                      "a\0=\0001\0"sv),
+              HasSubstr("looks like UTF-16"));
+  EXPECT_THAT(problem("name = 'Zylinderrollenlager f\xfcr M\xfchlen'\n"), HasSubstr("Latin-1"));
+  EXPECT_THAT(problem("a = 1\rb = 2\r"), HasSubstr("CR alone"));
+  EXPECT_EQ(problem("name = 'für \u6a5f'\r\n"), "no error");
+}
+
 TEST(TomlFile, BinaryAndHugeNonsense) {
   std::string garbage(4096, '\0');
   for (std::size_t i = 0; i < garbage.size(); ++i)
