@@ -125,23 +125,6 @@ inline bool land_touch(const BearingModel& model, const CageGuide& guide, const 
   return true;
 }
 
-/// What the ring's drive changes by: its surface is dragged along t.
-inline void add_land_drive(const LandTouch& on, const Answer<double>& contact,
-                           const ContactRows& rows, Linearisation& jac) {
-  if (on.ring_surface == 0) return;
-  const auto& [p, rate, v1, v2] = on.touch;
-  const NormalForce<double>& normal = contact.normal;
-  const Friction<double>& fr = contact.friction;
-  const double bend = normal.force * fr.bend, along = fr.ratio * v1;
-  for (std::size_t j = 0; j < rows.border[0].size(); ++j) {
-    const double gn = rows.border[0][j], g1 = rows.border[1][j], g2 = rows.border[2][j];
-    const auto at = static_cast<Eigen::Index>(j);
-    jac.power_velocity[at] += on.ring_surface * (along * normal.damping * gn - contact.drag * g1 -
-                                                 bend * v1 * (v1 * g1 + v2 * g2));
-    jac.power_position[at] += on.ring_surface * along * normal.stiffness * gn;
-  }
-}
-
 /// Derivatives of the forces of a touch.
 inline void add_land_slopes(const BorderState& b, const ModalState& modal, const LandPlace& at,
                             const LandTouch& on, const Answer<double>& contact, ContactRows& rows,
@@ -161,8 +144,9 @@ inline void add_land_slopes(const BorderState& b, const ModalState& modal, const
     rows.border[c][kRingY] = -channels[c][0];
     rows.border[c][kRingZ] = -channels[c][1];
   }
-  add_contact(rows, slopes_of(on.touch, contact), -1, jac);
-  add_land_drive(on, contact, rows, jac);
+  auto forces = channel_forces(on.touch, contact);
+  forces.lost = forces.lost - on.ring_surface * forces.f1;  // which drives the ring
+  add_contact(rows, slopes_of(forces), -1, jac);
   // n and t turn as the cage moves along t: with them the force, and p'.
   const NormalForce<double>& normal = contact.normal;
   const std::vector<double>&gn = rows.border[0], &g1 = rows.border[1], &g2 = rows.border[2];
