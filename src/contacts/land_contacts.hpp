@@ -220,7 +220,7 @@ void land_on_guide(const BearingModel& model, const CageGuide& guide, int land,
   LandForce pressed;
   if (guide.film.on) {
     set_normal(at);
-    guide_film<linear>(guide, b, at.X, at.offset, at.speed, border, pressed.sum, rows, jac, seen);
+    guide_film<linear>(guide, b, at.X, at.offset, at.speed, border, pressed.sum, jac, seen);
   }
   const bool edges = model.land_edge > 0;
   for (int edge = 0; edge < (edges ? 2 : 1); ++edge) {
