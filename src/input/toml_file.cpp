@@ -202,11 +202,13 @@ int line_of_broken_parse(std::string_view text) {
 
 /// How a text was saved that is not UTF-8 with usual line ends; empty where it may be.
 std::string other_encoding(std::string_view text) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
-      text.substr(0, 200).find('\0') != std::string_view::npos)
+  const auto zero = [&](std::size_t i) { return i < text.size() && text[i] == '\0'; };
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || (zero(1) && zero(3)) ||
+      (zero(0) && zero(2)))
     return "UTF-16";
   if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)
     return "lines that end with CR alone, as on old Macintoshes";
+  if (text.find('\0') != std::string_view::npos) return "";  // no text at all
   std::size_t follow = 0;  // bytes of a character still to come
   for (const unsigned char c : text) {
     const bool within = (c & 0xc0) == 0x80;

@@ -87,6 +87,8 @@ constexpr Reason kDry{"lubrication.model = \"none\""};
 constexpr Reason kOutsideUnused{"no result depends on it but by contact.race.approach = \"line\", a fit or the rotation of the outer ring",
     [](const Scene& s) { return !has_line_races(s) && !outer_fit_presses(s) && !outer_grows_by_rotation(s); }};
 constexpr Reason kCatalogue{"rating life and warnings alone depend on it, no simulated result", [](const Scene&) { return true; }};
+constexpr Reason kNoLipsAtRest{"model.motion = \"quasi-static\"",
+    [](const Scene& s) { return is_quasi_static(s) && !given(s.cage.retention_inner) && !given(s.cage.retention_outer); }};
 constexpr Reason kNoEndOil{"no oil at roller ends (lubrication.model, lubrication.end_film)", [](const Scene& s) { return !has_end_film(s); }};
 constexpr Reason kPlaneFlanges{"plane flanges (bearing.outer_flange_angle_deg, bearing.inner_flange_angle_deg)",
     [](const Scene& s) { return !meets_spheres(s, true) && !meets_spheres(s, false); }};

@@ -106,8 +106,8 @@ void add_waviness_keys(KeyTable<Scene>& keys) {
 void add_cage_keys(KeyTable<Scene>& keys) {
   const KeyTable<Scene> table = {
       {"cage.model", any_value(), AT(cage.model), "cage model; rigid: six degrees of freedom; flexible: elastic modes and stress too", {kStatic}},
-      {"cage.inner_diameter_mm", required(above(0)), AT(cage.inner_diameter), "inner diameter of the cage", {kStatic}},
-      {"cage.outer_diameter_mm", required(above(0)), AT(cage.outer_diameter), "outer diameter of the cage", {kStatic}},
+      {"cage.inner_diameter_mm", required(above(0)), AT(cage.inner_diameter), "inner diameter of the cage", {kNoLipsAtRest}},
+      {"cage.outer_diameter_mm", required(above(0)), AT(cage.outer_diameter), "outer diameter of the cage", {kNoLipsAtRest}},
       {"cage.width_mm", required(above(0)), AT(cage.width), "axial width of the cage", {kStatic}},
       {"cage.pocket_width_mm", required(above(0)), AT(cage.pocket_width), "circumferential opening S of a pocket"},
       {"cage.pocket_length_mm", required(above(0)), AT(cage.pocket_length), "axial opening L of a pocket"},
@@ -132,9 +132,9 @@ void add_cage_keys(KeyTable<Scene>& keys) {
       {"cage.land_offset_mm", or_auto(above(0)), AT(cage.land_offset), "guide lands at x = +- this; auto: middle of the side rings", {kStatic}},
       {"cage.land_width_mm", or_auto(at_least(0)), AT(cage.land_width), "axial width of a land, at whose two edges it touches, at the lower one where it is tilted; 0: at its middle; auto: that of the cage's side rings, 0 where races and bars follow the impact law, which lumps a contact at a point", {kStatic}},
       {"cage.face_radius_mm", or_auto(above(0)), AT(cage.face_radius), "radius of the bars' hollow faces in the radial plane, about the rollers' pitch circle; auto: flat faces", {kStatic}},
-      {"cage.retention_width_inner_mm", or_auto(above(0)), AT(cage.retention_inner), "opening of a pocket between lips at the cage's bore; auto: no lips there", {kStatic}},
-      {"cage.retention_width_outer_mm", or_auto(above(0)), AT(cage.retention_outer), "likewise at the cage's outside", {kStatic}},
-      {"cage.edge_radius_mm", above(0), AT(cage.edge_radius), "rounding of the bars' edges and of lips, on which rollers ride that stand beside the faces", {kStatic}},
+      {"cage.retention_width_inner_mm", or_auto(above(0)), AT(cage.retention_inner), "opening of a pocket between lips at the cage's bore; auto: no lips there"},
+      {"cage.retention_width_outer_mm", or_auto(above(0)), AT(cage.retention_outer), "likewise at the cage's outside"},
+      {"cage.edge_radius_mm", above(0), AT(cage.edge_radius), "rounding of the bars' edges and of lips, on which rollers ride that stand beside the faces", {kNoLipsAtRest}},
       {"cage.modes", within(0, kMostElasticModes), AT(cage.modes), "elastic modes of a flexible cage, lowest first", {kStatic, kRigid}},
       {"cage.bar_modes", any_value(), AT(cage.bar_modes), "with them a static mode of every bar: how it deflects under rollers beyond what the elastic modes carry", {kStatic, kRigid}},
       {"cage.mode_damping", or_auto(within(0, 1)), AT(cage.mode_damping), "damping ratio of the elastic modes; auto: half the loss factor of the named material", {kStatic, kRigid}},

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "src/integration/system.hpp"
-#include "src/statics/start_state.hpp"
 #include "src/scene/pocket_outline.hpp"
+#include "src/statics/start_state.hpp"
 #include "tests/support/shipped_scene.hpp"
 
 namespace cagetol {

@@ -37,7 +37,7 @@ std::string problem_of(const std::string& text,
 TEST(SceneKeys, NumbersThatVanishInSIAreOutOfRange) {
   for (const char* line :
        {"lubrication.race_roughness_um = 5e-324\n", "cage.edge_radius_mm = 1e-320\n",
-        "contact.end.stiffness_N_mm_e = 1e308\n"})
+        "lubrication.pressure_viscosity_1_GPa = 1e-315\n"})
     EXPECT_THAT(problem_of(line), HasSubstr("outside the range")) << line;
 }
 
