@@ -10,8 +10,8 @@ namespace cagetol {
 CLI::Option* add_output_directory(CLI::App& command, std::string& directory,
                                   const std::string& description);
 
-/// `names` ("-o,--output"): a file that is written or replaced; not required. Files of the kind that
-/// the command writes begin with `begins`: nothing else is replaced.
+/// `names` ("-o,--output"): a file that is written or replaced; not required. What the command
+/// writes begins with `begins`: no other file is replaced.
 CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::string& file,
                              const std::string& begins, const std::string& description);
 

@@ -209,7 +209,7 @@ std::string other_encoding(std::string_view text) {
   if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)
     return "lines that end with CR alone, as on old Macintoshes";
   if (text.find('\0') != std::string_view::npos) return "";  // no text at all
-  std::size_t follow = 0;  // bytes of a character still to come
+  std::size_t follow = 0;                                    // bytes of a character still to come
   for (const unsigned char c : text) {
     const bool within = (c & 0xc0) == 0x80;
     if (within != (follow > 0)) return "Latin-1 or Windows-1252";
