@@ -9,6 +9,7 @@
 #include "distributions/basics/random_stream.hpp"
 #include "mc/study/sample.hpp"
 #include "src/operation/operating_scene.hpp"
+#include "src/scene/pocket_clearances.hpp"
 
 namespace cagetol {
 namespace {
@@ -20,13 +21,6 @@ double start_draw(const Study& study, std::uint64_t id, const char* what) {
       uniform(static_cast<std::uint64_t>(study.seed), Purpose::noise, id, stream_address(what), 0));
 }
 
-double pocket_clearance(const OperatingScene& scene) {
-  double minimum = 1;
-  for (long j = 0; j < scene.bearing.roller_count; ++j)
-    minimum = std::min(minimum, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));
-  return std::max(minimum, 0.0);
-}
-
 }  // namespace
 
 std::vector<Scene> replica_scenes(const Study& study, int count) {
@@ -36,7 +30,7 @@ std::vector<Scene> replica_scenes(const Study& study, int count) {
   for (int k = 0; k < count; ++k) {
     const auto id = static_cast<std::uint64_t>(k) * rows;  // replicate k of row 0
     Scene scene = sampler.draw(id).scene;
-    const double offset = kOffsetShare * pocket_clearance(scene);
+    const double offset = kOffsetShare * narrowest_tangential(OperatingScene(scene));
     scene.start.cage_offset_y += offset * start_draw(study, id, "replica.cage_offset_y");
     scene.start.cage_offset_z += offset * start_draw(study, id, "replica.cage_offset_z");
     scenes.push_back(std::move(scene));

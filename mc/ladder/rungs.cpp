@@ -8,6 +8,7 @@
 
 #include "src/operation/operating_scene.hpp"
 #include "src/reading/scene_keys.hpp"
+#include "src/scene/pocket_clearances.hpp"
 
 namespace cagetol {
 namespace {
@@ -39,13 +40,6 @@ std::vector<Rung> climbed(const std::vector<Rung>& steps) {
   return rungs;
 }
 
-double pocket_clearance_um(const OperatingScene& scene) {
-  double minimum = 1;
-  for (long j = 0; j < scene.bearing.roller_count; ++j)
-    minimum = std::min(minimum, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));
-  return 1e6 * std::max(minimum, 0.0);
-}
-
 UncertainInput noise_of(const std::string& key, const std::string& unit, const Scene& scene,
                         const Law& law) {
   UncertainInput input;
@@ -58,7 +52,7 @@ UncertainInput noise_of(const std::string& key, const std::string& unit, const S
 
 std::vector<UncertainInput> start_scatter(const Scene& scene) {
   const UncertainInput phase = noise_of("start.cage_phase_deg", "deg", scene, Uniform{0, 360});
-  const Law offset = Normal{0, kOffsetShare * pocket_clearance_um(scene)};
+  const Law offset = Normal{0, kOffsetShare * 1e6 * narrowest_tangential(OperatingScene(scene))};
   return {noise_of("start.cage_offset_y_um", "um", scene, offset),
           noise_of("start.cage_offset_z_um", "um", scene, offset), phase};
 }

@@ -7,7 +7,6 @@
 // flange, radially and tangentially; the force on the ring is the opposite of that on the roller.
 // Both surfaces draw oil past the point at the mean of their tangential speeds beside it,
 //   u = [spin h - theta' h + (w - theta') (r + h)]/2
-// Derivatives by dual numbers; what is left out of them: src/NOTATION.md.
 #pragma once
 
 #include "src/contacts/contact_frame.hpp"
@@ -39,125 +38,83 @@ inline bool flange_in_reach(const Flange& flange, const RollerGroup& roller, con
   return any(reach > flange.clearance - margin);
 }
 
-/// What a point's forces depend on: positions and velocities of the roller (enum Local), and what
-/// counts of the inner ring's motion: sliding along e_r and e_t, axial place and its rate.
-inline constexpr int kFlangeSpeed = kLocalPositions;
-enum { kSlideR = kFlangeSpeed + kLocalVelocities, kSlideT, kRingX, kRingXRate, kFlangeMotions };
-template <bool inner>
-using FlangeSlopes = Dual<Pack, inner ? int{kFlangeMotions} : int{kSlideR}>;
-
-/// A vector of the radial plane in a roller's directions. It stands still in space, so that going
-/// round turns its parts into each other.
-template <class T>
-struct PlaneVector {
-  T r, t;
-};
-template <class T>
-PlaneVector<T> held_still(const RollerPack& q, Pack r, Pack t) {
-  const Pack zero{};
-  return {with_slopes<T>(r, zero, t / q.r), with_slopes<T>(t, zero, -r / q.r)};
-}
-
-/// One point of an end at its flange. T: Pack, or with slopes by the roller's positions, at theta'
-/// and all other rates held.
-template <class T>
+/// One point of an end at its flange, with its rows over the roller's directions.
 struct FlangePoint {
-  Pack turn, lean;          ///< lean: dp/dr over e
-  T motion[kEndVariables];  ///< p, p', both sliding speeds, u
+  double e, xi, h, tau;  ///< end, and place of the point [m]
+  Pack turn, lean;       ///< lean: dp/dr over e
+  Touch<Pack> touch;
+  Pack rate_by[kLocalPositions];  ///< slopes of p'
+  Pack v1_by_t, v2_by_t;          ///< of the sliding speeds with the orbit
+  Pack drawn, drawn_vt, drawn_r;  ///< u, and its slopes by r theta' and, at that theta', by r
 };
-template <class T, bool inner>
-FlangePoint<T> flange_point(const BearingModel& model, const Flange& flange, const FlangeRing& ring,
-                            const RollerPack& q, const EndPoint& point) {
-  const double e = flange.side, h = point.radial, tau = point.tangential,
-               xi = e * model.roller_half_length;
-  PlaneVector<T> a = held_still<T>(q, q.a_r, q.a_t);
-  const PlaneVector<T> b = held_still<T>(q, q.b_r, q.b_t);
-  if constexpr (!std::is_same_v<T, Pack>) a.r.slope[kLar] = a.t.slope[kLat] = splat(1);
-  const T out = variable<T>(q.r, kLr) + h;
-  T place = variable<T>(q.x, kLx) - h * a.r - tau * a.t, along = q.vx - h * b.r - tau * b.t,
-    turn = tau * a.r - h * a.t;
-  T v1 = q.vr + xi * b.r - (q.spin - ring.speed) * tau;
-  T v2 = follow(out, q.vt, q.omega) + xi * b.t + q.spin * h - ring.speed * out;
-  if constexpr (inner) {
-    const PlaneVector<T> B = held_still<T>(q, ring.B_r, ring.B_t),
-                         u = held_still<T>(q, ring.u_r, ring.u_t),
-                         du = held_still<T>(q, ring.du_r, ring.du_t);
-    place += B.r * (out - u.r) + B.t * (tau - u.t) - ring.x;
-    along += B.r * (q.vr - du.r) - B.t * du.t - ring.x_rate;
-    turn += B.t * out - tau * B.r;
-    v1 = v1 - (du.r + ring.speed * u.t);
-    v2 = v2 - (du.t - ring.speed * u.r);
-  }
-  const T drawn = 0.5 * ((q.spin - q.omega) * h + (ring.speed - q.omega) * out);
-  return {value_of(turn),
-          ring.B_r,
-          {e * place - flange.clearance, e * (along + turn * q.omega), v1, v2, drawn}};
-}
-
-/// The same by all that it depends on. By velocities p' has the slopes of p by positions.
 template <bool inner>
-void spread(const FlangePoint<Dual<Pack, kLocalPositions>>& at, const RollerPack& q, double e,
-            double xi, const EndPoint& point, FlangeSlopes<inner> (&by)[kEndVariables]) {
-  const double h = point.radial, v1[] = {1, 0, 0, xi, 0, -point.tangential},
-               v2[] = {0, 1, 0, 0, xi, h};
-  for (int z = 0; z < kEndVariables; ++z) {
-    by[z].value = at.motion[z].value;
-    for (int j = 0; j < kLocalPositions; ++j) by[z].slope[j] = at.motion[z].slope[j];
-  }
-  for (int j = 0; j < kLocalVelocities; ++j) {
-    if (j < kLocalPositions) by[kEndRate].slope[kFlangeSpeed + j] = by[kEndP].slope[j];
-    by[kEndV1].slope[kFlangeSpeed + j] = splat(v1[j]);
-    by[kEndV2].slope[kFlangeSpeed + j] = splat(v2[j]);
-  }
-  by[kEndDrawn].slope[kFlangeSpeed + kLt] = -0.5 * (q.r + 2.0 * h) / q.r;
-  by[kEndDrawn].slope[kFlangeSpeed + kLs] = splat(0.5 * h);
+FlangePoint flange_point(const BearingModel& model, const Flange& flange, const FlangeRing& ring,
+                         const RollerPack& q, const EndPoint& point) {
+  const double e = flange.side, h = point.radial, tau = point.tangential;
+  FlangePoint at{e, e * model.roller_half_length, h, tau, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  at.turn = tau * q.a_r - h * q.a_t;
+  at.rate_by[kLt] = tau * q.b_r - h * q.b_t + q.omega * (tau * q.a_t + h * q.a_r);
+  at.rate_by[kLar] = tau * q.omega;
+  at.rate_by[kLat] = -h * q.omega;
+  at.v1_by_t = at.xi * q.b_t / q.r;
+  at.v2_by_t = -at.xi * q.b_r / q.r;
+  Pack place = q.x - h * q.a_r - tau * q.a_t, along = q.vx - h * q.b_r - tau * q.b_t;
+  at.touch.v1 = q.vr + at.xi * q.b_r - (q.spin - ring.speed) * tau;
+  at.touch.v2 = q.vt + at.xi * q.b_t + q.spin * h - ring.speed * (q.r + h);
   if constexpr (inner) {
-    by[kEndP].slope[kRingX] = by[kEndRate].slope[kRingXRate] = splat(-e);
-    by[kEndV1].slope[kSlideR] = by[kEndV2].slope[kSlideT] = splat(-1);
+    place += ring.B_r * (q.r + h - ring.u_r) + ring.B_t * (tau - ring.u_t) - ring.x;
+    along += ring.B_r * (q.vr - ring.du_r) - ring.B_t * ring.du_t - ring.x_rate;
+    at.turn += ring.B_t * (q.r + h) - ring.B_r * tau;
+    at.lean = ring.B_r;
+    at.rate_by[kLr] = ring.B_t * q.omega;
+    at.rate_by[kLt] += ring.B_t * q.vr - (ring.B_r * (q.r + h) + ring.B_t * tau) * q.omega;
+    at.touch.v1 -= ring.du_r + ring.speed * ring.u_t;
+    at.touch.v2 -= ring.du_t - ring.speed * ring.u_r;
+    at.v1_by_t -= (ring.du_t - ring.speed * ring.u_r) / q.r;
+    at.v2_by_t += (ring.du_r + ring.speed * ring.u_t) / q.r;
   }
+  at.touch.p = e * place - flange.clearance;
+  at.touch.rate = e * (along + at.turn * q.omega);
+  at.rate_by[kLt] /= q.r;
+  for (Pack& slope : at.rate_by) slope *= e;
+  at.drawn = 0.5 * ((q.spin - q.omega) * h + (ring.speed - q.omega) * (q.r + h));
+  at.drawn_vt = -0.5 * (q.r + 2.0 * h) / q.r;
+  at.drawn_r = 0.5 * (ring.speed - q.omega);
+  return at;
 }
 
-/// What the roller's motion changes. `power`: the net power.
-template <class T>
-void add_roller_slopes(const T (&force)[kLocalVelocities], const T& power, const RollerPack& q,
-                       GroupLinear& to) {
-  const Pack* by_velocity = power.slope + kFlangeSpeed;
-  for (int j = 0; j < kLocalVelocities; ++j) {
-    for (int i = 0; i < kLocalVelocities; ++i) {
-      to.velocity[i][j] += force[i].slope[kFlangeSpeed + j];
-      if (j < kLocalPositions) to.position[i][j] += force[i].slope[j];
-    }
-    to.power_velocity[j] += by_velocity[j];
-    if (j < kLocalPositions) to.power_position[j] += power.slope[j];
+/// What the motion of the inner ring changes: slopes of the normal force `by_p`, `by_rate`, of the
+/// forces on the rollers `on_p`, `on_rate`, of the friction by both sliding speeds, and of the lost
+/// power. `drawn`: slopes of the normal force by the roller's velocities by way of u; `held`: by
+/// its positions by way of u and p'.
+struct RingSlopes {
+  Pack by_p, by_rate, lost_p, lost_rate, lost_v1, lost_v2;
+  Pack d11, d12, d22;
+  Pack drawn[kLocalVelocities], held[kLocalPositions];
+  Pack gn[kLocalVelocities], on_p[kLocalVelocities], on_rate[kLocalVelocities];
+};
+/// In the radial plane.
+inline void add_plane_block(const RingSlopes& s, const GroupLinear& g, Linearisation& jac) {
+  add_turned(g, -s.d11, -s.d12, -s.d12, -s.d22, jac.border_velocity, kRingY, kRingY);
+  jac.power_velocity[kRingY] += sum(g.cosine * s.lost_v1 - g.sine * s.lost_v2);
+  jac.power_velocity[kRingZ] += sum(g.sine * s.lost_v1 + g.cosine * s.lost_v2);
+}
+/// Between its axial place and its place in the plane, which a leaning flange ties together.
+inline void add_lean_coupling(const RingSlopes& s, const FlangeRing& ring, const GroupLinear& g,
+                              Mask wet, int slot, Linearisation& jac) {
+  const Pack lean[2] = {select(wet, g.cosine * ring.B_r - g.sine * ring.B_t, Pack{}),
+                        select(wet, g.sine * ring.B_r + g.cosine * ring.B_t, Pack{})};
+  for (const int k : {kRingY, kRingZ}) {
+    const double by_place = sum(lean[k] * s.by_p), by_speed = sum(lean[k] * s.by_rate);
+    jac.border_position(k, slot) -= by_place;
+    jac.border_position(slot, k) -= by_place;
+    jac.border_velocity(k, slot) -= by_speed;
+    jac.border_velocity(slot, k) -= by_speed;
   }
-  // Held still, directions leave out what turns the roller's velocity.
-  to.power_position[kLr] -= q.omega * by_velocity[kLt];
-  to.power_position[kLt] -= q.vr / q.r * by_velocity[kLt] - q.omega * by_velocity[kLr];
 }
-
-/// What the sliding of the inner ring changes, and the force on it in the plane.
-inline void add_plane_slopes(const FlangeSlopes<true> (&force)[kLocalVelocities],
-                             const FlangeSlopes<true>& power, const FlangeSlopes<true>& p, double e,
-                             GroupLinear& g, Linearisation& jac) {
-  const auto by_slide = [&](int i, int k) { return force[i].slope[kSlideR + k]; };
-  add_turned(g, -by_slide(kLr, 0), -by_slide(kLr, 1), -by_slide(kLt, 0), -by_slide(kLt, 1),
-             jac.border_velocity, kRingY, kRingY);
-  const Pack &by_r = power.slope[kSlideR], &by_t = power.slope[kSlideT];
-  jac.power_velocity[kRingY] += sum(g.cosine * by_r - g.sine * by_t);
-  jac.power_velocity[kRingZ] += sum(g.sine * by_r + g.cosine * by_t);
-  for (int i = 0; i < kLocalVelocities; ++i)
-    for (int k = 0; k < 2; ++k) {
-      g.ring.velocity[i][k] += by_slide(i, k);
-      g.ring.to_velocity[k][i] -= force[k].slope[kFlangeSpeed + i];
-      // Left out: what positions change but p.
-      if (i < kLocalPositions) g.ring.to_position[k][i] += e * force[k].slope[kRingX] * p.slope[i];
-    }
-}
-/// Along the axis, where the ring's place is free: with the rollers that touch, and with its place
-/// in the plane, which a leaning flange ties to it.
-inline void add_axial_slopes(const FlangeSlopes<true> (&force)[kLocalVelocities],
-                             const FlangeSlopes<true>& power, const double tilt[2], Mask wet,
-                             int group, int slot, Linearisation& jac) {
+/// Along the axis, where the ring's place is free: with the rollers that touch.
+inline void add_axial_coupling(const RingSlopes& s, double e, Mask wet, int group, int slot,
+                               Linearisation& jac) {
   const auto column = static_cast<std::size_t>(slot - kCageY), packs = column / kLanes + 1;
   const auto lane_of_slot = static_cast<int>(column) % kLanes;
   for (int i = 0; i < kLanes; ++i) {
@@ -165,81 +122,151 @@ inline void add_axial_slopes(const FlangeSlopes<true> (&force)[kLocalVelocities]
     CageCoupling& c = jac.coupling(group * kLanes + i);
     for (int k = 0; k < kLocalVelocities; ++k) {
       const auto at = static_cast<std::size_t>(k) * packs + packs - 1;
-      c.position[column][k] += force[k].slope[kRingX][i];
-      c.velocity[column][k] += force[k].slope[kRingXRate][i];
-      c.to_velocity[at][lane_of_slot] -= force[kLx].slope[kFlangeSpeed + k][i];
-      if (k < kLocalPositions) c.to_position[at][lane_of_slot] -= force[kLx].slope[k][i];
+      c.position[column][k] -= e * s.on_p[k][i];
+      c.velocity[column][k] -= e * s.on_rate[k][i];
+      c.to_velocity[at][lane_of_slot] += e * (s.drawn[k][i] - s.by_rate[i] * s.gn[k][i]);
+      if (k < kLocalPositions)
+        c.to_position[at][lane_of_slot] += e * (s.held[k][i] - s.by_p[i] * s.gn[k][i]);
     }
   }
-  const auto add = [&](int variable, Eigen::MatrixXd& block, Eigen::VectorXd& powers) {
-    const double stiffness = sum(force[kLx].slope[variable]);
-    block(slot, slot) -= stiffness;
-    for (const int k : {kRingY, kRingZ}) {
-      block(k, slot) -= tilt[k] * stiffness;
-      block(slot, k) -= tilt[k] * stiffness;
+  jac.border_position(slot, slot) -= sum(select(wet, s.by_p, Pack{}));
+  jac.border_velocity(slot, slot) -= sum(select(wet, s.by_rate, Pack{}));
+  jac.power_position[slot] += e * sum(select(wet, s.lost_p, Pack{}));
+  jac.power_velocity[slot] += e * sum(select(wet, s.lost_rate, Pack{}));
+}
+
+/// Derivatives of the forces of one point.
+template <bool inner>
+RingSlopes add_flange_slopes(const FlangePoint& at, const EndForces& on, const RollerPack& q,
+                             double ring_speed, GroupLinear& to) {
+  const double e = at.e, xi = at.xi, h = at.h, tau = at.tau;
+  const auto& [p, rate, v1, v2] = at.touch;
+  const auto& normal = on.contact.normal;
+  const auto& fr = on.contact.friction;
+  const EndFilm& film = on.film;
+  const Pack push = e * on.normal, f1 = -on.drag * v1, f2 = -on.drag * v2;
+  const Pack bend = normal.force * fr.bend;
+  const Pack d11 = on.drag + bend * v1 * v1, d12 = bend * v1 * v2, d22 = on.drag + bend * v2 * v2;
+  RingSlopes by_ring{
+      normal.stiffness + film.normal_p,
+      normal.damping + film.normal_rate,
+      {},
+      {},
+      {},
+      {},
+      d11,
+      d12,
+      d22,
+      {},
+      {},
+      {-e * at.lean, -e * at.turn / q.r, splat(-e), splat(e * h), splat(e * tau), Pack{}},
+      {},
+      {}};
+  by_ring.drawn[kLt] = film.normal_speed * at.drawn_vt;
+  by_ring.drawn[kLs] = film.normal_speed * (0.5 * h);
+  for (int j = 0; j < kLocalPositions; ++j) by_ring.held[j] = by_ring.by_rate * at.rate_by[j];
+  by_ring.held[kLr] += film.normal_speed * at.drawn_r;
+  const Pack(&gn)[kLocalVelocities] = by_ring.gn;
+  const double g1[] = {1, 0, 0, xi, 0, -tau}, g2[] = {0, 1, 0, 0, xi, h};
+  auto lost = dissipation_slopes(normal.force, normal.stiffness, normal.damping, fr.ratio, fr.bend,
+                                 v1, v2, normal.elastic, normal.elastic_stiffness, rate);
+  lost.p += film.normal_p * rate + film.drag_p * on.contact.squared;
+  lost.rate += film.normal_rate * rate + film.normal;
+  lost.v1 += 2.0 * film.drag * v1;
+  lost.v2 += 2.0 * film.drag * v2;
+  by_ring.lost_p = lost.p, by_ring.lost_rate = lost.rate;
+  // Its motion in the plane also changes the power that drives it.
+  by_ring.lost_v1 = lost.v1 + ring_speed * ((q.r + h) * d12 - tau * d11);
+  by_ring.lost_v2 = lost.v2 + ring_speed * ((q.r + h) * d22 - tau * d12);
+  // Points and directions turn with the orbit, and so do the forces; add_inertial, which takes
+  // these for held still, does the same again: less that.
+  to.position[kLr][kLt] -= (f2 - push * at.turn / q.r) / q.r;
+  to.position[kLt][kLt] += f1 / q.r;
+  to.position[kLar][kLt] -= (xi * f2 + tau * push) / q.r;
+  to.position[kLat][kLt] += (xi * f1 + h * push) / q.r;
+  const Pack v1_held = at.v1_by_t + q.omega, v2_held = at.v2_by_t - q.vr / q.r;
+  to.power_position[kLr] +=
+      lost.v2 * ring_speed + ring_speed * f2 - rate * film.normal_speed * at.drawn_r;
+  to.power_position[kLt] -= lost.v1 * v1_held + lost.v2 * v2_held;
+  for (int i = 0; i < kLocalVelocities; ++i) {
+    to.power_velocity[i] +=
+        lost.rate * gn[i] - lost.v1 * g1[i] - lost.v2 * g2[i] - rate * by_ring.drawn[i];
+    if (i < kLocalPositions) to.power_position[i] += lost.p * gn[i] - lost.rate * at.rate_by[i];
+    const Pack sliding = v1 * g1[i] + v2 * g2[i], slide = gn[i] - fr.ratio * sliding;
+    const Pack stiffness = slide * normal.stiffness + gn[i] * film.normal_p - film.drag_p * sliding;
+    const Pack damped = slide * normal.damping + gn[i] * film.normal_rate;
+    const Pack w1 = d11 * g1[i] + d12 * g2[i], w2 = d12 * g1[i] + d22 * g2[i];
+    // The ring is driven by the friction that turns the roller about the bearing's axis.
+    const Pack rubs_by_p = stiffness - gn[i] * by_ring.by_p,
+               rubs_by_rate = damped - gn[i] * by_ring.by_rate;
+    const Pack driven = i == kLt ? ring_speed * q.r : splat(i == kLs ? ring_speed : 0);
+    by_ring.on_p[i] = stiffness, by_ring.on_rate[i] = damped;
+    by_ring.lost_p -= driven * rubs_by_p, by_ring.lost_rate -= driven * rubs_by_rate;
+    if constexpr (inner) {
+      to.ring.velocity[i][0] += w1;
+      to.ring.velocity[i][1] += w2;
     }
-    powers[slot] += sum(power.slope[variable]);
-  };
-  add(kRingX, jac.border_position, jac.power_position);
-  add(kRingXRate, jac.border_velocity, jac.power_velocity);
+    for (int j = 0; j < kLocalVelocities; ++j) {
+      const Pack rubs = w1 * g1[j] + w2 * g2[j],
+                 slope = damped * gn[j] + rubs - gn[i] * by_ring.drawn[j];
+      to.velocity[i][j] -= slope;
+      to.power_velocity[j] -= driven * (rubs_by_rate * gn[j] + rubs);
+      if (inner && i < 2) to.ring.to_velocity[i][j] += slope;  // the ring's r, t
+    }
+    for (int j = 0; j < kLocalPositions; ++j) {
+      to.position[i][j] += damped * at.rate_by[j] - stiffness * gn[j];
+      to.power_position[j] += driven * (rubs_by_rate * at.rate_by[j] - rubs_by_p * gn[j]);
+      if (inner && i < 2) to.ring.to_position[i][j] += stiffness * gn[j];
+    }
+    to.position[i][kLr] += gn[i] * film.normal_speed * at.drawn_r - (q.omega - ring_speed) * w2;
+    to.position[i][kLt] -= w1 * at.v1_by_t + w2 * at.v2_by_t;
+    // Held still, directions leave out what turns the roller's velocity.
+    to.power_position[kLr] += driven * ring_speed * w2;
+    to.power_position[kLt] -= driven * (w1 * v1_held + w2 * v2_held);
+  }
+  return by_ring;
 }
 
 /// One flange.
 template <bool linear, bool inner>
 void flange_contact(const BearingModel& model, const Flange& flange, const FlangeRing& ring,
-                    const RollerGroup& roller, const RollerPack& q, const BorderState& b, int group,
-                    RollerLoads& loads, BorderLoads& border, Linearisation* jac,
-                    Observation* seen) {
-  using T = std::conditional_t<linear, FlangeSlopes<inner>, Pack>;
-  using Place = std::conditional_t<linear, Dual<Pack, kLocalPositions>, Pack>;
-  using Law = std::conditional_t<linear, EndSlopes, Pack>;
-  const double e = flange.side, xi = e * model.roller_half_length;
+                    const RollerGroup& roller, const RollerPack& q, int group, RollerLoads& loads,
+                    BorderLoads& border, Linearisation* jac, Observation* seen) {
+  const FlatFilm& oil = flange.film;
   for (const EndPoint& point : flange.points) {
-    const double h = point.radial, tau = point.tangential;
-    const FlangePoint<Place> at = flange_point<Place, inner>(model, flange, ring, q, point);
-    const auto motion = [&](int i) { return value_of(at.motion[i]); };
-    const Touch<Pack> touch{motion(kEndP), motion(kEndRate), motion(kEndV1), motion(kEndV2)};
-    const Mask wet = (touch.p > -flange.film.layer) & (roller.exists > 0.0);
+    const FlangePoint at = flange_point<inner>(model, flange, ring, q, point);
+    const Touch<Pack>& touch = at.touch;
+    const Mask wet = (touch.p > -oil.layer) & (roller.exists > 0.0);
     if (!any(wet)) continue;
-    const EndForces<Law> on = end_forces<Law>(model.flange, model.friction[kFlangePair],
-                                              flange.film, touch, wet, motion(kEndDrawn));
-    T by[kEndVariables] = {};
-    if constexpr (linear) spread<inner>(at, q, e, xi, point, by);
-    const T push = e * composed(on.both.normal, by), f1 = composed(on.both.f1, by),
-            f2 = composed(on.both.f2, by);
-    const T force[kLocalVelocities] = {inner ? f1 - push * at.lean : f1,
-                                       f2 - push * Pack(at.turn / q.r),
-                                       -push,
-                                       xi * f1 + h * push,
-                                       xi * f2 + tau * push,
-                                       h * f2 - tau * f1};
-    for (int i = 0; i < kLocalVelocities; ++i) loads.f[i] += value_of(force[i]);
+    const EndForces on =
+        end_forces<linear>(model.flange, model.friction[kFlangePair], oil, touch, wet, at.drawn);
+    const Pack push = at.e * on.normal, f1 = -on.drag * touch.v1, f2 = -on.drag * touch.v2;
+    loads.f[kLr] += f1;
+    loads.f[kLt] += f2 - push * at.turn / q.r;
+    loads.f[kLx] -= push;
+    loads.f[kLar] += at.xi * f1 + at.h * push;
+    loads.f[kLat] += at.xi * f2 + at.tau * push;
+    loads.f[kLs] += at.h * f2 - at.tau * f1;
     if constexpr (inner) {
-      const Pack pushed = value_of(push), on_r = pushed * ring.B_r - value_of(f1),
-                 on_t = pushed * ring.B_t - value_of(f2);
+      loads.f[kLr] -= push * at.lean;
+      const Pack on_r = push * ring.B_r - f1, on_t = push * ring.B_t - f2;
       border.ring[0] += sum(q.cosine * on_r - q.sine * on_t);
       border.ring[1] += sum(q.sine * on_r + q.cosine * on_t);
-      border.ring_axial += sum(pushed);
+      border.ring_axial += sum(push);
     }
     if constexpr (linear) {
-      observe_end(on, model.flange, flange.film, touch, kFlangeFriction,
+      observe_end(on, model.flange, oil, touch, kFlangeFriction,
                   seen->flange_force.data() + group * kLanes, *seen);
-      const T drive = ring.speed * (Pack(q.r + h - ring.u_r) * f2 - Pack(tau - ring.u_t) * f1),
-              power = drive - composed(on.both.lost, by);
-      seen->drive_power += sum(drive.value);
-      GroupLinear& g = jac->groups[static_cast<std::size_t>(group)];
-      add_roller_slopes(force, power, q, g);
-      g.power_position[kLr] += ring.speed * f2.value;
-      // Points and directions turn with the orbit, and so do the forces; add_inertial, which takes
-      // these for held still, does the same again: less that.
-      g.position[kLr][kLt] -= force[kLt].value / q.r;
-      g.position[kLt][kLt] += f1.value / q.r;
-      g.position[kLar][kLt] -= force[kLat].value / q.r;
-      g.position[kLat][kLt] += force[kLar].value / q.r;
-      if constexpr (inner) add_plane_slopes(force, power, by[kEndP], e, g, *jac);
-      if constexpr (inner)
-        if (model.layout.ring_axial > 0)
-          add_axial_slopes(force, power, b.tilt, wet, group, model.layout.ring_axial_slot(), *jac);
+      const Pack u_r = inner ? ring.u_r : Pack{}, u_t = inner ? ring.u_t : Pack{};
+      seen->drive_power += ring.speed * sum((q.r + at.h - u_r) * f2 - (at.tau - u_t) * f1);
+      GroupLinear& linear_group = jac->groups[static_cast<std::size_t>(group)];
+      const RingSlopes slopes = add_flange_slopes<inner>(at, on, q, ring.speed, linear_group);
+      if constexpr (inner) add_plane_block(slopes, linear_group, *jac);
+      if (inner && model.layout.ring_axial > 0) {
+        const int slot = model.layout.ring_axial_slot();
+        add_axial_coupling(slopes, at.e, wet, group, slot, *jac);
+        add_lean_coupling(slopes, ring, linear_group, wet, slot, *jac);
+      }
     }
   }
 }
@@ -255,11 +282,11 @@ void flange_contacts(const BearingModel& model, const RollerGroup& roller, const
     }
     if (!flange_in_reach(flange, roller, q, b, splat(flange.film.layer))) continue;
     if (flange.inner)
-      flange_contact<linear, true>(model, flange, inner_flange_ring(q, b), roller, q, b, group,
-                                   loads, border, jac, seen);
+      flange_contact<linear, true>(model, flange, inner_flange_ring(q, b), roller, q, group, loads,
+                                   border, jac, seen);
     else
-      flange_contact<linear, false>(model, flange, {b.speed.outer}, roller, q, b, group, loads,
-                                    border, jac, seen);
+      flange_contact<linear, false>(model, flange, {b.speed.outer}, roller, q, group, loads, border,
+                                    jac, seen);
   }
 }
 

@@ -10,7 +10,6 @@
 // normal a little.
 #pragma once
 
-#include <array>
 #include <numbers>
 
 #include "src/contacts/guide_film.hpp"
@@ -96,10 +95,8 @@ struct LandTouch {
   Touch<double> touch;
   BentLand bent;
   double ring_surface, drift;  ///< speed of the ring's surface along t, and axially as it is tilted
-  /// Of normal, t and e_x over the cage at its geometric centre; the normal is turned by the bent
-  /// surface's slope.
-  std::array<std::array<double, kCageRigid>, 3> lever;
-  std::array<double, 3> bent_sign;  ///< how the surface's displacements count
+  double n_A;                  ///< (A x n)_x
+  double py, pz;  ///< dp/d(place of the land): the normal, turned by the surface's slope
 };
 /// False where the land is apart.
 inline bool land_touch(const BearingModel& model, const CageGuide& guide, const BorderState& b,
@@ -119,36 +116,53 @@ inline bool land_touch(const BearingModel& model, const CageGuide& guide, const 
   on.ring_surface = (at.inner ? b.speed.inner : b.speed.outer) * at.side * guide.ring_radius;
   on.drift =
       at.inner ? on.ring_surface * (model.misalignment_y * nz - model.misalignment_z * ny) : 0;
-  const double X = at.X, R = at.R, n_A = b.axis[0] * nz - b.axis[1] * ny;  // n_A: (A x n)_x
-  touch.v1 = at.along + b.phi_rate * R - on.ring_surface + at.side * on.bent.rate[1];
+  on.n_A = b.axis[0] * nz - b.axis[1] * ny;
+  touch.v1 = at.along + b.phi_rate * at.R - on.ring_surface + at.side * on.bent.rate[1];
   touch.v2 = b.cage_rate[2] - (at.inner ? b.ring_axial_rate : 0) + on.bent.rate[2] +
-             R * (b.phi_rate * n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz)) - on.drift;
+             at.R * (b.phi_rate * on.n_A - (b.axis_rate[0] * ny + b.axis_rate[1] * nz)) - on.drift;
   const double lean = at.side * on.bent.slope * at.inverse;
-  const double py = ny - lean * nz, pz = nz + lean * ny;
-  on.lever = {{{-py, -pz, 0, at.side * on.bent.slope, -X * py, -X * pz},
-               {-nz, ny, 0, R, -X * nz, X * ny},
-               {0, 0, 1, R * n_A, -R * ny, -R * nz}}};
-  on.bent_sign = {-at.side, at.side, 1};
+  on.py = ny - lean * nz, on.pz = nz + lean * ny;
   return true;
+}
+
+/// What the ring's drive changes by: its surface is dragged along t.
+inline void add_land_drive(const LandTouch& on, const Answer<double>& contact,
+                           const ContactRows& rows, Linearisation& jac) {
+  if (on.ring_surface == 0) return;
+  const auto& [p, rate, v1, v2] = on.touch;
+  const NormalForce<double>& normal = contact.normal;
+  const Friction<double>& fr = contact.friction;
+  const double bend = normal.force * fr.bend, along = fr.ratio * v1;
+  for (std::size_t j = 0; j < rows.border[0].size(); ++j) {
+    const double gn = rows.border[0][j], g1 = rows.border[1][j], g2 = rows.border[2][j];
+    const auto at = static_cast<Eigen::Index>(j);
+    jac.power_velocity[at] += on.ring_surface * (along * normal.damping * gn - contact.drag * g1 -
+                                                 bend * v1 * (v1 * g1 + v2 * g2));
+    jac.power_position[at] += on.ring_surface * along * normal.stiffness * gn;
+  }
 }
 
 /// Derivatives of the forces of a touch.
 inline void add_land_slopes(const BorderState& b, const ModalState& modal, const LandPlace& at,
                             const LandTouch& on, const Answer<double>& contact, ContactRows& rows,
                             Linearisation& jac) {
-  const double ny = at.n[0], nz = at.n[1], X = at.X;
+  const double ny = at.n[0], nz = at.n[1], X = at.X, R = at.R, side = at.side;
   const auto& [p, rate, v1, v2] = on.touch;
-  for (std::size_t c = 0; c < 3; ++c) {
-    fill_cage_row(on.lever[c].data(), b, rows.border[c]);
+  const double channels[3][kCageRigid] = {
+      {-on.py, -on.pz, 0, side * on.bent.slope, -X * on.py, -X * on.pz},
+      {-nz, ny, 0, R, -X * nz, X * ny},
+      {0, 0, 1, R * on.n_A, -R * ny, -R * nz}};
+  const double modal_sign[3] = {-side, side, 1};
+  for (int c = 0; c < 3; ++c) {
+    fill_cage_row(channels[c], b, rows.border[c]);
     for (int m = 0; m < modal.cage->modes; ++m)
-      rows.border[c][static_cast<std::size_t>(kModes + m)] = on.bent_sign[c] * on.bent.row[c][m];
+      rows.border[c][static_cast<std::size_t>(kModes + m)] = modal_sign[c] * on.bent.row[c][m];
     if (!at.inner) continue;
-    rows.border[c][kRingY] = -on.lever[c][0];
-    rows.border[c][kRingZ] = -on.lever[c][1];
+    rows.border[c][kRingY] = -channels[c][0];
+    rows.border[c][kRingZ] = -channels[c][1];
   }
-  auto forces = channel_forces(on.touch, contact);
-  forces.lost = forces.lost - on.ring_surface * forces.f1;  // which drives the ring
-  add_contact(rows, slopes_of(forces), -1, jac);
+  add_contact(rows, slopes_of(on.touch, contact), -1, jac);
+  add_land_drive(on, contact, rows, jac);
   // n and t turn as the cage moves along t: with them the force, and p'.
   const NormalForce<double>& normal = contact.normal;
   const std::vector<double>&gn = rows.border[0], &g1 = rows.border[1], &g2 = rows.border[2];
@@ -176,18 +190,28 @@ void apply_land_touch(const BearingModel& model, const BorderState& b, const Mod
                       const LandPlace& at, const LandTouch& on, int land, LandForce& pressed,
                       BorderLoads& border, double* modal_force, ContactRows* rows,
                       Linearisation* jac, Observation* seen) {
+  const double ny = at.n[0], nz = at.n[1], X = at.X, R = at.R;
   const Answer<double> contact = answer_to(on.touch, model.land, model.friction[kLandPair]);
   const double push = contact.normal.force, f1 = -contact.drag * on.touch.v1,
-               f2 = -contact.drag * on.touch.v2, force[3] = {push, f1, f2};
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (int k = 0; k < modal.cage->modes; ++k)
-      modal_force[k] += on.bent_sign[c] * force[c] * on.bent.row[c][k];
-    for (std::size_t i = 0; i < kCageRigid; ++i) border.cage[i] += force[c] * on.lever[c][i];
-    for (std::size_t k = 0; k < 2 && at.inner; ++k) border.ring[k] -= force[c] * on.lever[c][k];
+               f2 = -contact.drag * on.touch.v2;
+  const double fy = -push * on.py - f1 * nz, fz = -push * on.pz + f1 * ny;
+  for (int k = 0; k < modal.cage->modes; ++k)
+    modal_force[k] +=
+        at.side * (f1 * on.bent.row[1][k] - push * on.bent.row[0][k]) + f2 * on.bent.row[2][k];
+  border.cage[0] += fy;
+  border.cage[1] += fz;
+  border.cage[2] += f2;
+  border.cage[3] += R * (f1 + f2 * on.n_A) + push * at.side * on.bent.slope;
+  border.cage[4] += X * fy - R * ny * f2;
+  border.cage[5] += X * fz - R * nz * f2;
+  if (at.inner) {
+    border.ring[0] -= fy;
+    border.ring[1] -= fz;
+    border.ring_axial -= f2;
   }
-  if (at.inner) border.ring_axial -= f2;
   if constexpr (linear) {
-    for (std::size_t k = 0; k < 2; ++k) pressed.sum[k] += push * on.lever[0][k];
+    pressed.sum[0] -= push * on.py;
+    pressed.sum[1] -= push * on.pz;
     pressed.touches += push;
     seen->land_touching[land] = seen->land_touching[land] || push > 0;
     account(on.touch, contact, model.land, kLandFriction, *seen);
@@ -212,7 +236,7 @@ void land_on_guide(const BearingModel& model, const CageGuide& guide, int land,
   LandForce pressed;
   if (guide.film.on) {
     set_normal(at);
-    guide_film<linear>(guide, b, at.X, at.offset, at.speed, border, pressed.sum, jac, seen);
+    guide_film<linear>(guide, b, at.X, at.offset, at.speed, border, pressed.sum, rows, jac, seen);
   }
   const bool edges = model.land_edge > 0;
   for (int edge = 0; edge < (edges ? 2 : 1); ++edge) {

@@ -17,13 +17,13 @@ namespace cagetol {
 
 /// Slopes of one lane from the law's derivatives by (p, p', u, |v|^2). `f`: forces of a station;
 /// `travel`: v_c over the speed of the axis.
-inline ContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack v1, Pack v2, Pack rate,
-                                    Pack u, double travel, int lane) {
+inline FilmContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack v1, Pack v2,
+                                        Pack rate, Pack u, double travel, int lane) {
   const int i = lane;
   const double s1 = v1[i], s2 = v2[i], ratio = f.ratio.value[i], roll = f.rolling.value[i];
   const double squared = s1 * s1 + s2 * s2, bend = 2 * f.ratio.slope[3][i];
-  ContactSlopes to;
-  using F = ContactSlopes;
+  FilmContactSlopes to;
+  using F = FilmContactSlopes;
   enum { kN, k1, k2, kC };
   const auto& N = f.at.normal.slope;
   const auto& G = f.ratio.slope;
@@ -165,8 +165,9 @@ void lubricated_pocket(const BearingModel& model, const Face& face, const Roller
         seen->damp(kFilm, sum(steady * rate));
         observe_bar<4>(levers, q, f, b, modal, group, stations, station.points, normal, bar.wet,
                        bar.lead, *rows, *seen, [&](int i) {
-                         add_contact(*rows, film_slopes_of(forces, v1, v2, rate, u, face.travel, i),
-                                     group * kLanes + i, *jac);
+                         add_film_contact(*rows,
+                                          film_slopes_of(forces, v1, v2, rate, u, face.travel, i),
+                                          group * kLanes + i, *jac);
                          if constexpr (Face::kTurns)
                            add_turning_normal(normal, meeting, i, group * kLanes + i, *rows, *jac);
                        });

@@ -56,7 +56,7 @@ inline void add_turning_normal(Pack force, const FaceMeeting& meeting, int lane,
   std::swap(rows.roller[0], rows.roller[3]);
   std::swap(rows.border[0], rows.border[3]);
   ContactSlopes turning{};
-  turning.force[ContactSlopes::kP][0] = -force[lane] * meeting.curvature[lane];
+  turning.stiffness = -force[lane] * meeting.curvature[lane];
   add_contact(rows, turning, roller, jac);
   std::swap(rows.roller[0], rows.roller[3]);
   std::swap(rows.border[0], rows.border[3]);
@@ -97,12 +97,11 @@ void pocket_contacts(const BearingModel& model, const Face& face, const RollerPa
       if (modal.flexible()) push_modes(levers, force, modal, group, point);
       if constexpr (linear) {
         account(touch, contact, model.bar, kPocketFriction, *seen);
-        const auto forces = channel_forces(touch, contact);
         const Mask lead = side == 0 ? Mask{} == 0 : Mask{} != 0;
         observe_bar<Face::kTurns ? 4 : 3>(
             levers, q, f, b, modal, group, stations, points, contact.normal.force, touching, lead,
             *rows, *seen, [&](int i) {
-              add_contact(*rows, slopes_of(forces, i), group * kLanes + i, *jac);
+              add_contact(*rows, slopes_of(touch, contact, i), group * kLanes + i, *jac);
               if constexpr (Face::kTurns)
                 add_turning_normal(contact.normal.force, meeting, i, group * kLanes + i, *rows,
                                    *jac);

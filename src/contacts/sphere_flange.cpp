@@ -39,6 +39,21 @@ Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
   return {a.r * b.t - a.t * b.r, a.t * b.x - a.x * b.t, a.x * b.r - a.r * b.x};
 }
 
+/// Number `i` of a roller's motions: position, then velocity.
+template <class T>
+T motion(Pack value, int i) {
+  if constexpr (std::is_same_v<T, Pack>)
+    return value;
+  else
+    return variable<T>(value, i);
+}
+inline Pack plain(Pack x) {
+  return x;
+}
+inline Pack plain(const Slopes& x) {
+  return x.value;
+}
+
 /// A pack of rollers against the ring of the flange, in directions that stand still.
 template <class T>
 struct Relative {
@@ -47,15 +62,15 @@ struct Relative {
 };
 template <class T>
 Relative<T> relative_motion(const RollerPack& q, const FlangeRing& ring) {
-  const auto speed = [](Pack value, int i) { return variable<T>(value, kLocalPositions + i); };
+  const auto speed = [](Pack value, int i) { return motion<T>(value, kLocalPositions + i); };
   return {
-      variable<T>(q.a_r, kLar),
-      variable<T>(q.a_t, kLat),
+      motion<T>(q.a_r, kLar),
+      motion<T>(q.a_t, kLat),
       speed(q.b_r, kLar),
       speed(q.b_t, kLat),
       speed(q.spin, kLs),
-      {variable<T>(q.x, kLx) - ring.x, variable<T>(q.r, kLr) - ring.u_r,
-       variable<T>(Pack{}, kLt) - ring.u_t},
+      {motion<T>(q.x, kLx) - ring.x, motion<T>(q.r, kLr) - ring.u_r,
+       motion<T>(Pack{}, kLt) - ring.u_t},
       {speed(q.vx, kLx) - ring.x_rate, speed(q.vr, kLr) - ring.du_r, speed(q.vt, kLt) - ring.du_t}};
 }
 
@@ -257,12 +272,12 @@ void add_slopes(const BearingModel& model, bool inner, const RollerPack& q, Mask
 template <class T>
 void add_loads(const Flange& flange, const RollerPack& q, const SphereLoads<T>& on,
                RollerLoads& loads, BorderLoads& border) {
-  for (int i = 0; i < kLocalVelocities; ++i) loads.f[i] += value_of(on.force[i]);
+  for (int i = 0; i < kLocalVelocities; ++i) loads.f[i] += plain(on.force[i]);
   if (!flange.inner) return;
-  const Pack r = value_of(on.force[kLr]), t = value_of(on.force[kLt]);
+  const Pack r = plain(on.force[kLr]), t = plain(on.force[kLt]);
   border.ring[0] -= sum(q.cosine * r - q.sine * t);
   border.ring[1] -= sum(q.sine * r + q.cosine * t);
-  border.ring_axial -= sum(value_of(on.force[kLx]));
+  border.ring_axial -= sum(plain(on.force[kLx]));
 }
 
 void observe(const SphereContact<Slopes>& contact, int group, Observation& seen) {

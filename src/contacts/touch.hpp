@@ -5,7 +5,6 @@
 
 #include "src/model/observation.hpp"
 #include "src/newton/linearisation.hpp"
-#include "src/numerics/dual.hpp"
 
 namespace cagetol {
 
@@ -58,56 +57,20 @@ void account(const Touch<T>& touch, const Answer<T>& on, const NormalLaw& law, M
   seen.elastic_energy += total(on.normal.elastic * max(touch.p, T{})) / (law.exponent + 1);
 }
 
-/// Forces of a touch along its channels [N], and the power that it takes [W]. T: Pack or double, or
-/// with slopes by the variables of ContactSlopes.
-template <class T>
-struct ChannelForces {
-  T normal, f1, f2, lost;
-};
-template <class T, class S>
-ChannelForces<T> channel_forces(const Touch<S>& touch, T normal, T elastic, T drag) {
-  using C = ContactSlopes;
-  const T v1 = variable<T>(touch.v1, C::kV1), v2 = variable<T>(touch.v2, C::kV2), f1 = -drag * v1,
-          f2 = -drag * v2;
-  return {normal, f1, f2,
-          (normal - elastic) * variable<T>(touch.rate, C::kRate) - f1 * v1 - f2 * v2};
+/// What the derivatives need of a touch.
+inline ContactSlopes slopes_of(const Touch<double>& touch, const Answer<double>& on) {
+  return {on.normal.force,   on.normal.stiffness, on.normal.damping,
+          on.friction.ratio, on.friction.bend,    touch.v1,
+          touch.v2,          on.normal.elastic,   on.normal.elastic_stiffness,
+          touch.rate};
 }
-/// An answer with its slopes: normal force, its elastic part, ratio of friction.
-template <class T>
-struct DryForces {
-  T normal, elastic, ratio;
-};
-template <class T, class S>
-DryForces<T> dry_forces(const Touch<S>& touch, const Answer<S>& on) {
-  const NormalForce<S>& normal = on.normal;
-  const Friction<S>& fr = on.friction;
-  return {with_slopes<T>(normal.force, normal.stiffness, normal.damping),
-          with_slopes<T>(normal.elastic, normal.elastic_stiffness),
-          with_slopes<T>(fr.ratio, S{}, S{}, fr.bend * touch.v1, fr.bend * touch.v2)};
-}
-template <class S>
-ChannelForces<Dual<S, 4>> channel_forces(const Touch<S>& touch, const Answer<S>& on) {
-  const auto [normal, elastic, ratio] = dry_forces<Dual<S, 4>>(touch, on);
-  return channel_forces(touch, normal, elastic, ratio * normal);
-}
-
-/// For add_contact; of packs one lane.
-template <class T, int n>
-ContactSlopes slopes_of(const ChannelForces<Dual<T, n>>& on, [[maybe_unused]] int lane = 0) {
-  const auto at = [lane](const T& x) {
-    if constexpr (std::is_same_v<T, Pack>)
-      return x[lane];
-    else
-      return x;
-  };
-  ContactSlopes to;
-  for (int z = 0; z < n; ++z) {
-    to.force[z][0] = at(on.normal.slope[z]);
-    to.force[z][1] = at(on.f1.slope[z]);
-    to.force[z][2] = at(on.f2.slope[z]);
-    to.power[z] = -at(on.lost.slope[z]);
-  }
-  return to;
+/// Of one lane.
+inline ContactSlopes slopes_of(const Touch<Pack>& touch, const Answer<Pack>& on, int lane) {
+  const int i = lane;
+  return {on.normal.force[i],   on.normal.stiffness[i], on.normal.damping[i],
+          on.friction.ratio[i], on.friction.bend[i],    touch.v1[i],
+          touch.v2[i],          on.normal.elastic[i],   on.normal.elastic_stiffness[i],
+          touch.rate[i]};
 }
 
 }  // namespace cagetol

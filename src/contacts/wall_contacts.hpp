@@ -76,11 +76,9 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
         return channel_speed(levers, c, f, q, b, modal, group, point);
       };
       touch.rate = -speed(0), touch.v1 = speed(1), touch.v2 = speed(2);
-      using T = std::conditional_t<linear, EndSlopes, Pack>;
-      const auto forces =
-          end_forces<T>(model.wall, model.friction[kEndPair], model.wall_film, touch, wet);
-      const Pack force[3] = {value_of(forces.both.normal), value_of(forces.both.f1),
-                             value_of(forces.both.f2)};
+      const EndForces forces =
+          end_forces<linear>(model.wall, model.friction[kEndPair], model.wall_film, touch, wet);
+      const Pack force[3] = {forces.normal, -forces.drag * touch.v1, -forces.drag * touch.v2};
       add_channel_forces(levers, force, on);
       if (modal.flexible()) push_modes(levers, force, modal, group, point);
       if constexpr (linear) {
@@ -89,7 +87,11 @@ void wall_contacts(const BearingModel& model, const RollerGroup& roller, const R
         for (int i = 0; i < kLanes; ++i) {
           if (!wet[i]) continue;
           fill_rows<3>(levers, f, b, modal, group, point, i, *rows);
-          add_contact(*rows, slopes_of(forces.both, i), group * kLanes + i, *jac);
+          if (touch.p[i] > 0)
+            add_contact(*rows, slopes_of(touch, forces.contact, i), group * kLanes + i, *jac);
+          if (model.wall_film.on)
+            add_film_contact(*rows, end_film_slopes(forces.film, touch, i), group * kLanes + i,
+                             *jac);
         }
       }
     }

@@ -71,7 +71,7 @@ struct ChoicePlace {
 /// A reason for which a key does nothing.
 template <class T>
 struct Idle {
-  /// As told; where `holds` is nullptr the condition itself, which compares the text of a key:
+  /// For messages. Without `holds` it is the condition itself and compares the text of a key:
   /// `cage.model = "rigid"`, `window.settle_time_s is given`.
   std::string_view why;
   bool (*holds)(const T&) = nullptr;
@@ -89,7 +89,7 @@ struct Key : KeyInfo {
                    std::function<std::string&(T&)>, ChoicePlace<T>, std::function<NumberList&(T&)>,
                    std::function<std::vector<std::string>&(T&)>>;
   Place place;
-  std::vector<Idle<T>> idle;  ///< where it does nothing: the first that holds is the reason told
+  std::vector<Idle<T>> idle;  ///< where it does nothing; the first that holds is named
 
   /// The unit follows from the suffix of the name, the kind from the type that `accessor` returns.
   /// A closed set allows all of its values unless `allowed` lists some.

@@ -63,20 +63,111 @@ CageCoupling& Linearisation::coupling(int roller) {
 
 namespace {
 
-/// Rollers never couple to the ring through the cage.
-int first_of_border(int roller) {
-  return roller < 0 ? 0 : kCageY;
+/// A contact's channels over some directions: e = g_n - ratio (v1 g_1 + v2 g_2), and what F1 and F2
+/// lose to the sliding speeds.
+template <class T>
+struct Mixed {
+  T e, by1, by2;
+};
+
+// One function, as the next: its parts are passes over the same mixed channels in registers.
+template <int packs>
+void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
+                    Linearisation& linear) {
+  linear.cage_touched = true;
+  // F1 = -ratio Q v1, F2 likewise; dQ = k dp + c dp', dp = -g_n P, dp' = -g_n V.
+  const double d11 = s.force * (s.ratio + s.bend * s.v1 * s.v1),
+               d12 = s.force * s.bend * s.v1 * s.v2;
+  const double d22 = s.force * (s.ratio + s.bend * s.v2 * s.v2);
+  const double along1 = s.ratio * s.v1, along2 = s.ratio * s.v2;
+  const auto mixed = [&]<class T>(T gn, T g1, T g2) {
+    return Mixed<T>{gn - along1 * g1 - along2 * g2, d11 * g1 + d12 * g2, d12 * g1 + d22 * g2};
+  };
+  const int first = roller < 0 ? 0 : kCageY;  // rollers never couple to the ring through the cage
+  const int count = static_cast<int>(rows.border[0].size()) - first;
+  const double *bn = rows.border[0].data() + first, *b1 = rows.border[1].data() + first,
+               *b2 = rows.border[2].data() + first;
+  const auto lost = dissipation_slopes(s.force, s.stiffness, s.damping, s.ratio, s.bend, s.v1, s.v2,
+                                       s.elastic, s.elastic_stiffness, s.rate);
+  Mixed<Pack> on_border[packs];
+  for (int p = 0; p < packs; ++p) {
+    const int at = p * kLanes, left = count - at;
+    const Pack gn = load_first(bn + at, left), g1 = load_first(b1 + at, left),
+               g2 = load_first(b2 + at, left);
+    on_border[p] = mixed(gn, g1, g2);
+    double *by_velocity = linear.power_velocity.data() + first + at,
+           *by_position = linear.power_position.data() + first + at;
+    store_first(by_velocity,
+                load_first(by_velocity, left) + (lost.rate * gn - lost.v1 * g1 - lost.v2 * g2),
+                left);
+    store_first(by_position, load_first(by_position, left) + lost.p * gn, left);
+  }
+  // Column by column, as these matrices lie in memory.
+  for (int j = 0; j < count; ++j) {
+    double *velocity = &linear.border_velocity(first, first + j),
+           *position = &linear.border_position(first, first + j);
+    for (int p = 0; p < packs; ++p) {
+      const int at = p * kLanes, left = count - at;
+      const auto& [e, by1, by2] = on_border[p];
+      store_first(
+          velocity + at,
+          load_first(velocity + at, left) - (e * (s.damping * bn[j]) + by1 * b1[j] + by2 * b2[j]),
+          left);
+      store_first(position + at, load_first(position + at, left) - e * (s.stiffness * bn[j]), left);
+    }
+  }
+  if (roller < 0) return;
+  const int lane = roller % kLanes;
+  GroupLinear& group = linear.groups[static_cast<std::size_t>(roller / kLanes)];
+  CageCoupling& coupling = linear.coupling(roller);
+  const double *rn = rows.roller[0], *r1 = rows.roller[1], *r2 = rows.roller[2];
+  const Mixed<Eight> on_roller = mixed(load_eight(rn), load_eight(r1), load_eight(r2));
+  for (int i = 0; i < kLocalVelocities; ++i) {
+    const double e = on_roller.e[i], w1 = on_roller.by1[i], w2 = on_roller.by2[i];
+    for (int j = 0; j < kLocalVelocities; ++j)
+      group.velocity[i][j][lane] -= e * s.damping * rn[j] + w1 * r1[j] + w2 * r2[j];
+    for (int j = 0; j < kLocalPositions; ++j)
+      group.position[i][j][lane] -= e * s.stiffness * rn[j] + w2 * rows.lean[j];
+    group.power_velocity[i][lane] += lost.rate * rn[i] - lost.v1 * r1[i] - lost.v2 * r2[i];
+    if (i < kLocalPositions)
+      group.power_position[i][lane] += lost.p * rn[i] - lost.v2 * rows.lean[i];
+  }
+  for (int j = 0; j < count; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    coupling.velocity[at] -=
+        on_roller.e * (s.damping * bn[j]) + on_roller.by1 * b1[j] + on_roller.by2 * b2[j];
+    coupling.position[at] -= on_roller.e * (s.stiffness * bn[j]);
+  }
+  for (int j = 0; j < kLocalVelocities; ++j)
+    for (int p = 0; p < packs; ++p) {
+      const auto at = static_cast<std::size_t>(j * packs + p);
+      const auto& [e, by1, by2] = on_border[p];
+      coupling.to_velocity[at] -= e * (s.damping * rn[j]) + by1 * r1[j] + by2 * r2[j];
+      if (j < kLocalPositions)
+        coupling.to_position[at] -= e * (s.stiffness * rn[j]) + by2 * rows.lean[j];
+    }
 }
+
+}  // namespace
+
+void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
+                 Linearisation& linear) {
+  const int first = roller < 0 ? 0 : kCageY;
+  with_packs(packs_for(static_cast<int>(rows.border[0].size()) - first),
+             [&]<int packs>() { add_contact_as<packs>(rows, slopes, roller, linear); });
+}
+
+namespace {
 
 /// Forces along the channels, projected on some directions: their change with each variable.
 template <class T>
 struct Projected {
-  T by[ContactSlopes::kVariables];
+  T by[FilmContactSlopes::kVariables];
 };
 template <class T>
-Projected<T> projected(const ContactSlopes& s, const T (&g)[ContactRows::kMostChannels]) {
+Projected<T> projected(const FilmContactSlopes& s, const T (&g)[ContactRows::kMostChannels]) {
   Projected<T> on;
-  for (int z = 0; z < ContactSlopes::kVariables; ++z)
+  for (int z = 0; z < FilmContactSlopes::kVariables; ++z)
     on.by[z] =
         g[0] * s.force[z][0] + g[1] * s.force[z][1] + g[2] * s.force[z][2] + g[3] * s.force[z][3];
   return on;
@@ -84,22 +175,22 @@ Projected<T> projected(const ContactSlopes& s, const T (&g)[ContactRows::kMostCh
 /// Their change with a direction's velocity, whose entries in the channels are `g`.
 template <class T>
 T by_velocity(const Projected<T>& on, const double (&g)[ContactRows::kMostChannels]) {
-  return on.by[ContactSlopes::kV1] * g[1] + on.by[ContactSlopes::kV2] * g[2] +
-         on.by[ContactSlopes::kAxis] * g[3] - on.by[ContactSlopes::kRate] * g[0];
+  return on.by[FilmContactSlopes::kV1] * g[1] + on.by[FilmContactSlopes::kV2] * g[2] +
+         on.by[FilmContactSlopes::kAxis] * g[3] - on.by[FilmContactSlopes::kRate] * g[0];
 }
-double power_by_velocity(const ContactSlopes& s, const double (&g)[ContactRows::kMostChannels]) {
-  return s.power[ContactSlopes::kV1] * g[1] + s.power[ContactSlopes::kV2] * g[2] +
-         s.power[ContactSlopes::kAxis] * g[3] - s.power[ContactSlopes::kRate] * g[0];
+double power_by_velocity(const FilmContactSlopes& s,
+                         const double (&g)[ContactRows::kMostChannels]) {
+  return s.power[FilmContactSlopes::kV1] * g[1] + s.power[FilmContactSlopes::kV2] * g[2] +
+         s.power[FilmContactSlopes::kAxis] * g[3] - s.power[FilmContactSlopes::kRate] * g[0];
 }
 
 template <int packs>
-void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
-                    Linearisation& linear) {
+void add_film_contact_as(const ContactRows& rows, const FilmContactSlopes& s, int roller,
+                         Linearisation& linear) {
   constexpr int channels = ContactRows::kMostChannels;
-  using F = ContactSlopes;
+  using F = FilmContactSlopes;
   linear.cage_touched = true;
-  const int first = first_of_border(roller),
-            count = static_cast<int>(rows.border[0].size()) - first;
+  const int first = kCageY, count = static_cast<int>(rows.border[0].size()) - first;
   const auto of_border = [&](int j, double(&g)[channels]) {
     for (int c = 0; c < channels; ++c) g[c] = rows.border[c][static_cast<std::size_t>(first + j)];
   };
@@ -128,7 +219,6 @@ void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
                   left);
     }
   }
-  if (roller < 0) return;
   const int lane = roller % kLanes;
   GroupLinear& group = linear.groups[static_cast<std::size_t>(roller / kLanes)];
   CageCoupling& coupling = linear.coupling(roller);
@@ -162,10 +252,10 @@ void add_contact_as(const ContactRows& rows, const ContactSlopes& s, int roller,
 
 }  // namespace
 
-void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
-                 Linearisation& linear) {
-  with_packs(packs_for(static_cast<int>(rows.border[0].size()) - first_of_border(roller)),
-             [&]<int packs>() { add_contact_as<packs>(rows, slopes, roller, linear); });
+void add_film_contact(const ContactRows& rows, const FilmContactSlopes& slopes, int roller,
+                      Linearisation& linear) {
+  with_packs(packs_for(static_cast<int>(rows.border[0].size()) - kCageY),
+             [&]<int packs>() { add_film_contact_as<packs>(rows, slopes, roller, linear); });
 }
 
 }  // namespace cagetol

@@ -112,17 +112,42 @@ struct Linearisation {
                         ///< between contacts
 };
 
-/// What a contact's law says at a state: change of its forces along the channels normal, v1, v2 and
-/// axis, and of the net power (what it takes, negative), with p, p', v1, v2 and the speed of the
-/// axis.
+/// What a contact's law says at a state: see NormalForce and Friction.
 struct ContactSlopes {
+  double force, stiffness, damping, ratio, bend, v1, v2;
+  double elastic, elastic_stiffness, rate;  ///< elastic part of the force and its slope; p'
+};
+
+/// Gradient of the dissipated power D = Q ratio v^2 + (Q - K p^e) p' of a contact with respect to
+/// p, p', v1, v2.
+template <class T>
+struct DissipationSlopes {
+  T p, rate, v1, v2;
+};
+template <class T>
+DissipationSlopes<T> dissipation_slopes(T force, T stiffness, T damping, T ratio, T bend, T v1,
+                                        T v2, T elastic, T elastic_stiffness, T rate) {
+  const T speed2 = v1 * v1 + v2 * v2, along = ratio * speed2 + rate;
+  const T slide = force * (2.0 * ratio + bend * speed2);
+  return {along * stiffness - elastic_stiffness * rate, along * damping + force - elastic,
+          slide * v1, slide * v2};
+}
+
+/// Adds one contact. `roller` < 0: border only.
+void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
+                 Linearisation& linear);
+
+/// What an oiled contact's law says at a state: change of its forces along the channels normal, v1,
+/// v2 and axis, and of the net power (what it takes, negative), with p, p', v1, v2 and the speed of
+/// the axis.
+struct FilmContactSlopes {
   enum Variable { kP, kRate, kV1, kV2, kAxis, kVariables };
   double force[kVariables][ContactRows::kMostChannels] = {};
   double power[kVariables] = {};
 };
 
-/// Adds one contact of `roller` with the cage; `roller` < 0: of the cage with a ring.
-void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
-                 Linearisation& linear);
+/// Adds one oiled contact of `roller` with the cage.
+void add_film_contact(const ContactRows& rows, const FilmContactSlopes& slopes, int roller,
+                      Linearisation& linear);
 
 }  // namespace cagetol

@@ -40,40 +40,15 @@ T value_of(const Dual<T, n>& x) {
 template <class T>
 using ValueOf = decltype(value_of(T{}));
 
-/// Variable number `i` of a law; the value alone where D is no dual.
+/// Variable number `i` of a law.
 template <class D, class T>
 D variable(T value, int i) {
-  if constexpr (std::is_same_v<D, T>) {
-    return value;
-  } else {
-    D x{};
-    x.value = value;
-    x.slope[i] = T{} + 1.0;
-    return x;
-  }
-}
-/// A number whose slopes are known; zero those not given. The value alone where D is no dual.
-template <class D, class T, class... S>
-D with_slopes(T value, S... slopes) {
-  if constexpr (std::is_same_v<D, T>)
-    return value;
-  else
-    return {value, {slopes...}};
-}
-
-/// A number by n variables that are themselves numbers D: its slopes by theirs.
-template <class T, int n, int m>
-Dual<T, m> composed(const Dual<T, n>& x, const Dual<T, m> (&of)[n]) {
-  Dual<T, m> y{};
-  y.value = x.value;
-  for (int k = 0; k < n; ++k)
-    for (int i = 0; i < m; ++i) y.slope[i] += x.slope[k] * of[k].slope[i];
-  return y;
-}
-template <class T, int n>
-T composed(T x, const T (&)[n]) {
+  D x{};
+  x.value = value;
+  x.slope[i] = T{} + 1.0;
   return x;
 }
+
 namespace dual_detail {
 /// (f(x), f'(x) x').
 template <class T, int n>

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kInterval = 100e-6;       // of the record that quantiles use, at most [s]
 constexpr double kStressesPerRoller = 19;  // of it between two rollers that pass, at least
-constexpr double kStressAccuracy = 1e-4;   // of it, in shares of the largest so far
+constexpr double kStressAccuracy = 1e-4;   // of a stress, relative to the largest so far
 
 }  // namespace
 

@@ -6,26 +6,30 @@
 
 namespace cagetol {
 
-std::vector<std::string> scene_doubts(const Scene& scene) {
-  std::vector<std::string> doubts;
-  const auto& direction = scene.operation.table.direction.values;
-  const auto turns_back = [](double from, double to) {
-    return std::abs(to - from) > std::numbers::pi * (1 + 1e-12);
-  };
+namespace {
+
+/// A load's direction follows straight lines: steps of more than half a turn go the long way round.
+void add_direction_doubts(const DutyTable& table, std::vector<std::string>& doubts) {
   const auto degrees = [](double angle) {
     return number_text(std::round(angle * 1.8e5 / std::numbers::pi) / 1e3);
   };
-  const auto told = [&](double from, double to) {
+  const auto see = [&](double from, double to) {
+    if (std::abs(to - from) <= std::numbers::pi * (1 + 1e-12)) return;
     doubts.push_back("duty.direction_deg goes from " + degrees(from) + " to " + degrees(to) +
                      ", more than half a turn: for the short way write " +
                      degrees(from + std::remainder(to - from, 2 * std::numbers::pi)));
   };
-  for (std::size_t i = 1; i < direction.size(); ++i)
-    if (turns_back(direction[i - 1], direction[i])) told(direction[i - 1], direction[i]);
-  const auto& table = scene.operation.table;
-  if (!direction.empty() && table.repeat > table.time.values.back() - table.time[0] + 1e-9 &&
-      turns_back(direction.back(), direction.front()))
-    told(direction.back(), direction.front());
+  const auto& direction = table.direction.values;
+  for (std::size_t i = 1; i < direction.size(); ++i) see(direction[i - 1], direction[i]);
+  if (!direction.empty() && table.repeat > table.time.values.back() - table.time[0] + 1e-9)
+    see(direction.back(), direction.front());
+}
+
+}  // namespace
+
+std::vector<std::string> scene_doubts(const Scene& scene) {
+  std::vector<std::string> doubts;
+  add_direction_doubts(scene.operation.table, doubts);
   const double axes = pitch_radius(scene.bearing);
   if (is_quasi_static(scene)) return doubts;
   const PocketOutline outline = pocket_outline(scene.cage, axes, each(scene.cage.pocket_width, 0));

@@ -1,5 +1,7 @@
 #include "src/scene/pocket_clearances.hpp"
 
+#include <algorithm>
+#include <limits>
 #include "src/scene/pocket_outline.hpp"
 
 namespace cagetol {
@@ -24,6 +26,14 @@ PocketClearances pocket_clearances(const Scene& scene, long pocket) {
     guide = given_or(cage.guide_clearance, guide);
   }
   return clearances;
+}
+
+double narrowest_tangential(const Scene& scene) {
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (long j = 0; j < scene.bearing.roller_count; ++j)
+    narrowest =
+        std::min(narrowest, each(scene.cage.pocket_width, j) - each(scene.roller.diameter, j));
+  return std::max(narrowest, 0.0);
 }
 
 }  // namespace cagetol

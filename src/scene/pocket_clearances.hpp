@@ -21,4 +21,7 @@ struct PocketClearances {
 /// where that is given.
 PocketClearances pocket_clearances(const Scene& scene, long pocket);
 
+/// The smallest `tangential` of all pockets, 0 where one overlaps its roller.
+double narrowest_tangential(const Scene& scene);
+
 }  // namespace cagetol

@@ -186,6 +186,16 @@ TEST(Program, ClosedStreamsLeaveResultsAlone) {
   }
 }
 
+TEST(Program, AnUnloadedBearingHasALoadOfZero) {
+  const auto ended = run({"check", shipped("scenes/nu205.toml"), "--set", "load.radial_N=0"});
+  EXPECT_THAT(ended.output, HasSubstr("load.radial_N = 0 N is below the minimum load"));
+}
+
+TEST(Program, AFullDiskUnderStdoutIsNoFault) {
+  const auto ended = run({"quantities"}, [] { ::dup2(::open("/dev/full", O_WRONLY), 1); });
+  EXPECT_EQ(ended.code, 2);
+}
+
 TEST(Program, RunsOfADirectoryTakeNoSettings) {
   const ScratchDirectory scratch;
   const auto ended = run({"limits", scratch.path(), "--set", "foo.bar=1"});

@@ -119,6 +119,18 @@ TEST_F(DutyKeys, RefuseBadTables) {
               HasSubstr("no cage revolution stands for another"));
 }
 
+TEST_F(DutyKeys, NoteDirectionsThatGoTheLongWayRound) {
+  const auto doubts = [&](const std::string& directions) {
+    return scene_doubts(
+        scene_of("[duty]\ntime_s = [0, 1, 2]\ndirection_deg = " + directions + "\nrepeat_s = 3\n"));
+  };
+  EXPECT_THAT(doubts("[0, 120, 180]"), testing::IsEmpty());
+  EXPECT_THAT(doubts("[0, 120, 240]"),
+              testing::ElementsAre(HasSubstr("from 240 to 0, more than half a turn: for the short "
+                                             "way write 360")));
+  EXPECT_THAT(doubts("[350, 10, 200]"), testing::SizeIs(2));
+}
+
 TEST_F(DutyKeys, RefuseBadPhases) {
   const std::string duty = "[duty]\ntime_s = [0, 1]\nradial_N = [1, 2]\n";
   const auto phase = [&](const std::string& rest) { return problem_of(duty + rest); };
