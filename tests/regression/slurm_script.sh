@@ -8,6 +8,7 @@ mkdir bin build
 cat > bin/mpirun <<'EOF'
 #!/usr/bin/env bash
 printf '%s|' "$@" > called
+[ ! -e lost ] || { mkdir -p out/a/journal; cat lost >> out/a/journal/0-1.journal; touch -d 2001-01-01 out/a/journal/*; kill -9 $$; }
 [ ! -e deaf ] || { trap '' USR1; sleep 1; rm deaf; } # ranks that are not up yet
 [ -e mortal ] || trap 'touch drained; exit 75' USR1
 for _ in $(seq 300); do [ -e short ] && exit 0; sleep 0.05; done
@@ -41,6 +42,18 @@ for start in deaf mortal; do
   [ "$start" = mortal ] || [ -e drained ] || fail "the program was not asked again"
   rm -f "$start"
 done
+
+# A host is lost: the job goes on while its starts finish samples, told by the journals and by no clock.
+for found in sample "" sample; do
+  rm -f requeued; printf %s "$found" > lost
+  code=0; bash "$script" sweep a.toml out/a 2>/dev/null || code=$?
+  if [ -n "$found" ]; then
+    [ "$code" -eq 75 ] && [ -e requeued ] || fail "exit code $code: not queued again although a sample was finished"
+  else
+    [ "$code" -eq 137 ] && [ ! -e requeued ] || fail "exit code $code: queued again although nothing was finished"
+  fi
+done
+rm -f lost
 
 rm -f requeued; touch short
 
