@@ -2,7 +2,7 @@
 
 Every number on the pages comes from report.json. The page is one self-contained file. What is missing is named in the last line on
 standard error, and the exit code is 1; the page is written without figures where they cannot be drawn. Without Jinja2 it is 3,
-for a report.json of another version 4, and there is no page.
+for a report.json of another version 4, and there is no page; it is 5 where a page could not be written (a full disk).
 """
 
 import argparse
@@ -73,10 +73,17 @@ def page_of(report, figures, problem):
     return environment.get_template("report.html.j2").render(report=report, parts=page_parts, problem=problem, style=style)
 
 
-def replace(file, text):
+def replace(file, write):
+    """The file whole or not at all: `write` fills a temporary one beside it."""
     temporary = pathlib.Path(str(file) + ".tmp")
-    temporary.write_text(text, encoding="utf-8")
-    os.replace(temporary, file)
+    try:
+        write(temporary)
+        os.replace(temporary, file)
+    except OSError as problem:
+        print(f"{file}: {problem.strerror}", file=sys.stderr)
+        sys.exit(5)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def write_pdf(html, pdf):
@@ -87,7 +94,7 @@ def write_pdf(html, pdf):
         import weasyprint
     except ImportError as missing:
         return f"report.pdf is not written: {missing}; Debian's weasyprint writes it"
-    weasyprint.HTML(filename=html).write_pdf(pdf)
+    replace(pdf, weasyprint.HTML(filename=html).write_pdf)
     return ""
 
 
@@ -114,7 +121,8 @@ def main():
         problems.append(draw(options.figures[0], report, options.report, options.figures[1]))
     problem = "; ".join(filter(None, problems))
     report["motion"] = motion_of(report, pathlib.Path(options.report).parent)
-    replace(options.html, page_of(report, Figures(options.figures and options.figures[1]), problem))
+    page = page_of(report, Figures(options.figures and options.figures[1]), problem)
+    replace(options.html, lambda file: file.write_text(page, encoding="utf-8"))
     if options.pdf:
         problem = "; ".join(filter(None, [problem, write_pdf(options.html, options.pdf)]))
     if problem:

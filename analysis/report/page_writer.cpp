@@ -3,23 +3,30 @@
 #include <fmt/format.h>
 
 #include "analysis/report/python_run.hpp"
+#include "mc/study_file/study_file_error.hpp"
 
 namespace cagetol {
 namespace {
 
 /// Exit code of write_pages.py where Python lacks Jinja2.
 constexpr int kNoPackage = 3;
+/// Where a page could not be written: a full disk.
+constexpr int kNotWritten = 5;
 
 }  // namespace
+
+void remove_pages(const std::filesystem::path& directory) {
+  std::error_code ignored;
+  for (const char* name : {"figures", "report.html", "report.pdf"})
+    std::filesystem::remove_all(directory / name, ignored);
+}
 
 std::string write_pages(const PageWriter& writer, const std::filesystem::path& report_json) {
   const auto directory = report_json.parent_path();
   const auto figures = directory / "figures", html = directory / "report.html",
              pdf = directory / "report.pdf";
   std::error_code ignored;
-  std::filesystem::remove_all(figures, ignored);
   std::filesystem::create_directories(figures, ignored);
-  for (const auto& page : {html, pdf}) std::filesystem::remove(page, ignored);
   std::vector<std::string> arguments = {report_json.string(), html.string()};
   if (writer.figures)
     arguments.insert(arguments.end(), {"--figures", writer.figures_dir.string(), figures.string()});
@@ -27,6 +34,9 @@ std::string write_pages(const PageWriter& writer, const std::filesystem::path& r
   const PythonRun run = run_python(writer.python, writer.pages_dir / "write_pages.py", arguments,
                                    figures / "pages.log");
   if (run.problem.empty()) return {};
+  if (run.code == kNotWritten)
+    throw UnfinishedWrite(directory.string(), "its pages cannot be written: " + run.problem,
+                          "free some space, then run `cagetol report DIR` again");
   if (std::filesystem::exists(html)) return "the report is incomplete: " + run.problem;
   const bool lacks_packages = run.code == kNoPackage || run.code == -1;
   return fmt::format(

@@ -14,9 +14,12 @@ struct PageWriter {
   bool pdf = false;     ///< report.pdf, too
 };
 
-/// Writes report.html (and report.pdf) and figures/ beside `report_json` in place of those that
-/// are there. Returns what went wrong, with the package to install where one is missing; empty when
-/// nothing did. Never throws for want of Python.
+/// Removes the pages of an earlier report, so that none stands beside newer numbers.
+void remove_pages(const std::filesystem::path& directory);
+
+/// Writes report.html (and report.pdf) and figures/ beside `report_json`, each whole or not at all.
+/// Returns what went wrong, with the package to install where one is missing; empty when nothing
+/// did. Never throws for want of Python; throws UnfinishedWrite where the disk is full.
 std::string write_pages(const PageWriter& writer, const std::filesystem::path& report_json);
 
 }  // namespace cagetol

@@ -44,6 +44,7 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
                                   read_assumption_runs(study_dir, confirmations),
                                   options.bearing ? options.bearing(file) : Json());
   const std::string text = report.dump(1) + "\n";
+  remove_pages(study_dir);
   write_text(study_dir / "report.json", text);
   write_csv_tables(study_dir, study, report);
   const std::string problem = write_pages(

@@ -17,12 +17,15 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   std::error_code error;
   if (stream) std::filesystem::rename(temporary, file, error);
   if (stream && !error) return;
-  const std::string reason = error ? error.message() : std::strerror(errno != 0 ? errno : EIO);
+  const int problem = error ? error.value() : errno != 0 ? errno : EIO;
   std::error_code ignored;
   std::filesystem::remove(temporary, ignored);
-  throw StudyFileError(
-      file.string(), "cannot be written: " + reason,
-      "check the directory's permissions and free space, then run `cagetol report DIR` again");
+  const std::string reason = std::string("cannot be written: ") + std::strerror(problem);
+  constexpr const char* kAgain = "then run `cagetol report DIR` again";
+  if (problem == ENOSPC || problem == EDQUOT || problem == EFBIG || problem == EIO)
+    throw UnfinishedWrite(file.string(), reason, std::string("free some space, ") + kAgain);
+  throw StudyFileError(file.string(), reason,
+                       std::string("check the directory's permissions, ") + kAgain);
 }
 
 }  // namespace cagetol

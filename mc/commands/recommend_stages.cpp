@@ -187,6 +187,7 @@ int run_recommend(const std::function<Study()>& read, const MakePlan& make_plan,
   return run_staged(make_plan, options.progress, [&](StagedSweeps& stages) {
     const Study given = read();
     check_study(given);
+    require_no_other(options.directory, "journal", "a sweep");
     require_memory(forecast_sweep(given), ranks_on_this_machine());
     require_disk(forecast_sweep(given), options.directory);
     const auto base = with_fidelity(given, options.directory, stages);

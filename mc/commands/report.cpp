@@ -1,13 +1,10 @@
 // cagetol report: statistics, contributors, tolerance and pictures of a finished sweep.
-#include <cstdio>
 #include <memory>
 
 #include "analysis/report/report.hpp"
 #include "mc/commands/bearing_facts.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/study_file/study_file_error.hpp"
-#include "src/input/printable.hpp"
 
 namespace cagetol {
 
@@ -24,14 +21,7 @@ Chosen report_command(CLI::App& command) {
   command.add_flag("--json", arguments->options.json_to_stdout,
                    "Print report.json on standard output");
   command.add_flag("--pdf", arguments->options.pdf, "Write report.pdf, too (needs weasyprint)");
-  return [arguments] {
-    try {
-      return run_report(arguments->directory, arguments->options);
-    } catch (const StudyFileError& error) {
-      std::fprintf(stderr, "cagetol: %s\n", printable(error.what(), LineBreaks::kept).c_str());
-      return kBadInput;
-    }
-  };
+  return [arguments] { return run_report(arguments->directory, arguments->options); };
 }
 
 }  // namespace cagetol

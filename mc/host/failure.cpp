@@ -65,6 +65,7 @@ std::string failure_text(const std::exception& problem) {
 }
 
 ExitCode exit_code_for(const std::exception& problem) {
+  if (dynamic_cast<const UnfinishedWrite*>(&problem) != nullptr) return kInterrupted;
   const bool known = dynamic_cast<const InputError*>(&problem) != nullptr ||
                      dynamic_cast<const StudyFileError*>(&problem) != nullptr ||
                      dynamic_cast<const WriteError*>(&problem) != nullptr ||

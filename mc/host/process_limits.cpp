@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 #include <string>
 
 #include "src/input/input_error.hpp"
@@ -34,6 +35,7 @@ void require_at_least(rlim_t allowed, std::size_t minimum, rlim_t unit, const st
 }  // namespace
 
 void require_process_limits() {
+  std::signal(SIGXFSZ, SIG_IGN);
   require_at_least(raised(RLIMIT_STACK, kGoodStack), kMinimumStack, 1024, "the stack [kB]", "-s");
   require_at_least(raised(RLIMIT_NOFILE, kGoodFiles), kMinimumFiles, 1, "the number of open files",
                    "-n");

@@ -13,7 +13,8 @@ inline constexpr std::size_t kMinimumFiles = 12, kMinimumFilesOfMpi = 32;
 inline constexpr std::size_t kMinimumSpaceOfMpi = std::size_t{384} << 20;
 
 /// Raises the soft limits on stack and open files as far as the hard ones allow and sense asks.
-/// Throws InputError where they stay too small.
+/// A limit on file size is then met as a failed write, which has a message, not as a signal. Throws
+/// InputError where they stay too small.
 void require_process_limits();
 
 /// To be called before MPI_Init, which ends the process by itself, or never ends, where it gets too

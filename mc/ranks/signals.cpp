@@ -44,10 +44,9 @@ double stop_time() {
 SignalWatch::SignalWatch() {
   if (watches++ > 0) return;
   drain_asked = stop_asked = 0;
-  // SIGXFSZ is ignored so that a file size limit is met as a failed write, which has a message.
-  for (const int number : {SIGUSR1, SIGTERM, SIGINT, SIGXFSZ}) {
+  for (const int number : {SIGUSR1, SIGTERM, SIGINT}) {
     struct sigaction action {};
-    action.sa_handler = number == SIGXFSZ ? SIG_IGN : on_signal;
+    action.sa_handler = on_signal;
     action.sa_flags = SA_RESTART;
     sigemptyset(&action.sa_mask);
     Replaced old{number, {}};

@@ -1,6 +1,7 @@
 #include "mc/study_file/hdf5_reader.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "mc/study_file/study_file_error.hpp"
 
@@ -18,6 +19,23 @@ std::vector<std::size_t> shape_of(hid_t space) {
 
 std::size_t count_of(hid_t space) {
   return static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0));
+}
+
+/// Values that the room a dataset takes in its file cannot hold, even packed as well as HDF5 packs.
+bool holds_less(hid_t dataset, hid_t space) {
+  constexpr double kBestPacking = 1032;  // zlib's largest ratio
+  const H5Handle type(H5Dget_type(dataset), H5Tclose, "read a type");
+  const double announced =
+      static_cast<double>(count_of(space)) * static_cast<double>(H5Tget_size(type));
+  return announced > kBestPacking * static_cast<double>(H5Dget_storage_size(dataset));
+}
+
+bool is_utf8(const std::string& text) {
+  try {
+    return !nlohmann::json(text).dump().empty();
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
 }
 
 H5Kind kind_of(hid_t type) {
@@ -60,14 +78,15 @@ bool read_fixed(hid_t stored, const Read& read, std::vector<std::string>& texts)
   return true;
 }
 
-/// Every text; false where they cannot be read.
+/// Every text; false where they cannot be read or are not UTF-8.
 template <class Read>
 bool read_texts(hid_t type, hid_t space, const Read& read, std::vector<std::string>& texts) {
   if (kind_of(type) != H5Kind::text) return false;
   texts.resize(count_of(space));
   if (texts.empty()) return true;
-  return H5Tis_variable_str(type) > 0 ? read_variable(type, space, read, texts)
-                                      : read_fixed(type, read, texts);
+  return (H5Tis_variable_str(type) > 0 ? read_variable(type, space, read, texts)
+                                       : read_fixed(type, read, texts)) &&
+         std::all_of(texts.begin(), texts.end(), is_utf8);
 }
 
 }  // namespace
@@ -128,10 +147,16 @@ H5Kind Hdf5Reader::kind(const std::string& path) const {
   return kind_of(opened(H5Dget_type(object), H5Tclose, path, "its type cannot be read"));
 }
 
-RealArray Hdf5Reader::reals(const std::string& dataset) const {
-  const H5Handle data =
+std::pair<H5Handle, H5Handle> Hdf5Reader::opened_dataset(const std::string& dataset) const {
+  H5Handle data =
       opened(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose, dataset, "is missing");
-  const H5Handle space = opened(H5Dget_space(data), H5Sclose, dataset, kSpace);
+  H5Handle space = opened(H5Dget_space(data), H5Sclose, dataset, kSpace);
+  if (holds_less(data, space)) fail(dataset, "it announces more values than the file can hold");
+  return {std::move(data), std::move(space)};
+}
+
+RealArray Hdf5Reader::reals(const std::string& dataset) const {
+  const auto [data, space] = opened_dataset(dataset);
   RealArray array;
   array.shape = shape_of(space);
   array.values.resize(count_of(space));
@@ -142,9 +167,7 @@ RealArray Hdf5Reader::reals(const std::string& dataset) const {
 }
 
 std::vector<std::int64_t> Hdf5Reader::integers(const std::string& dataset) const {
-  const H5Handle data =
-      opened(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose, dataset, "is missing");
-  const H5Handle space = opened(H5Dget_space(data), H5Sclose, dataset, kSpace);
+  const auto [data, space] = opened_dataset(dataset);
   std::vector<std::int64_t> values(count_of(space));
   if (!values.empty() &&
       H5Dread(data, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
@@ -153,15 +176,14 @@ std::vector<std::int64_t> Hdf5Reader::integers(const std::string& dataset) const
 }
 
 std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
-  const H5Handle data =
-      opened(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose, dataset, "is missing");
-  const H5Handle space = opened(H5Dget_space(data), H5Sclose, dataset, kSpace);
+  const auto opened_one = opened_dataset(dataset);
+  const hid_t data = opened_one.first, space = opened_one.second;
   const H5Handle type = opened(H5Dget_type(data), H5Tclose, dataset, "its type cannot be read");
   const auto read = [&](hid_t memory, void* buffer) {
     return H5Dread(data, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
   };
   std::vector<std::string> texts;
-  if (!read_texts(type, space, read, texts)) fail(dataset, "its text cannot be read");
+  if (!read_texts(type, space, read, texts)) fail(dataset, "its text cannot be read, or is not UTF-8");
   return texts;
 }
 
@@ -203,7 +225,7 @@ std::string Hdf5Reader::text_attribute(const std::string& object, const std::str
   const auto read = [&](hid_t memory, void* buffer) { return H5Aread(found, memory, buffer); };
   std::vector<std::string> texts;
   if (!read_texts(type, space, read, texts) || texts.empty())
-    fail(object, "its attribute `" + name + "` cannot be read as text");
+    fail(object, "its attribute `" + name + "` cannot be read as text, or is not UTF-8");
   return texts.front();
 }
 

@@ -22,4 +22,11 @@ class StudyFileError : public std::runtime_error {
   std::string reason_;
 };
 
+/// A file of results could not be written for a reason that passes (a full disk): the same command
+/// goes on later.
+class UnfinishedWrite : public StudyFileError {
+ public:
+  using StudyFileError::StudyFileError;
+};
+
 }  // namespace cagetol

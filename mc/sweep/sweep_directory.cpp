@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <sys/file.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -154,9 +156,17 @@ std::vector<std::string> study_differences(const std::string& stored_toml,
   return differences;
 }
 
+void require_no_other(const std::string& directory, const std::string& folder,
+                      const std::string& what) {
+  if (fs::exists(fs::path(directory) / folder))
+    throw InputError({directory, 0}, "", "",
+                     "holds " + what + ": one would hide the other from `report`", kOtherDirectory);
+}
+
 SweepDirectory::SweepDirectory(const std::string& directory, const Study& study,
                                const BuildInfo& build)
     : directory_(directory) {
+  require_no_other(directory, "pilot", "a recommendation");
   make_directory(journal_directory(directory));
   lock();
   remove_stale_parts(directory, std::chrono::seconds(0));  // the lock keeps other machines out
@@ -179,7 +189,11 @@ void SweepDirectory::lock() {
   if (lock_.get() < 0) throw WriteError(path, "create", errno);
   // Ranks of a killed sweep may take a moment to die.
   for (int attempt = 0; ::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0; ++attempt) {
-    if (errno != EWOULDBLOCK && errno != EINTR) return;  // a file system without locks
+    if (errno != EWOULDBLOCK && errno != EINTR)
+      return spdlog::warn(
+          "{}: this file system has no locks ({}): start no second command with this directory while "
+          "one runs",
+          directory_, std::strerror(errno));
     if (attempt == 50)
       throw InputError({directory_, 0}, "", "", "another sweep is writing to this directory",
                        "wait until it ends, or stop it with SIGUSR1");

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "mc/host/log.hpp"
+#include "mc/host/process_limits.hpp"
 #include "mc/sweep/sweep.hpp"
 #include "src/input/input_error.hpp"
 #include "tests/support/standin_study.hpp"
@@ -30,6 +31,7 @@ int main(int argc, char** argv) {
   app.add_flag("--fault", fault);
   CLI11_PARSE(app, argc, argv);
   cagetol::log_to_stderr();
+  cagetol::require_process_limits();
   try {
     return cagetol::run_sweep(
         [&] {

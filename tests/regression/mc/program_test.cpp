@@ -165,6 +165,16 @@ TEST(Program, ReplacesNoFileThatItDidNotWrite) {
   EXPECT_EQ(run({"simulate", scene, "-o", scratch / "study.h5"}).code, 2);
 }
 
+/// A sweep of two equilibria, written to `directory`.
+std::vector<std::string> small_sweep(const std::string& directory) {
+  std::vector<std::string> command = {
+      "sweep", shipped("studies/nu205.toml"), "-o", directory, "--progress", "plain"};
+  for (const char* setting :
+       {"samples=2", "scene.cage.model=rigid", "scene.model.motion=quasi-static", "limit=[]"})
+    command.insert(command.end(), {"--set", setting});
+  return command;
+}
+
 TEST(Program, ClosedStreamsLeaveResultsAlone) {
   const ScratchDirectory scratch;
   const std::vector<std::pair<std::string, std::function<void()>>> ways = {
@@ -175,11 +185,7 @@ TEST(Program, ClosedStreamsLeaveResultsAlone) {
       {"full", [] { ::dup2(::open("/dev/full", O_WRONLY), 2); }}};
   for (const auto& [name, prepare] : ways) {
     const std::string directory = scratch / name;
-    const auto ended =
-        run({"sweep", shipped("studies/nu205.toml"), "-o", directory, "--set", "samples=2", "--set",
-             "scene.cage.model=rigid", "--set", "scene.model.motion=quasi-static", "--set",
-             "limit=[]", "--progress", "plain"},
-            prepare);
+    const auto ended = run(small_sweep(directory), prepare);
     EXPECT_EQ(ended.code, 0) << name << ended.output;
     EXPECT_TRUE(std::filesystem::exists(directory + "/study.h5")) << name;
     EXPECT_EQ(std::filesystem::file_size(directory + "/journal/lock"), 0u) << name;
@@ -194,6 +200,36 @@ TEST(Program, AnUnloadedBearingHasALoadOfZero) {
 TEST(Program, AFullDiskUnderStdoutIsNoFault) {
   const auto ended = run({"quantities"}, [] { ::dup2(::open("/dev/full", O_WRONLY), 1); });
   EXPECT_EQ(ended.code, 2);
+}
+
+TEST(Program, AReportThatDoesNotFitOnTheDiskIsNotDone) {
+  const ScratchDirectory scratch;
+  const std::filesystem::path directory = scratch / "sweep";
+  ASSERT_EQ(run(small_sweep(directory)).code, 0);
+  ASSERT_EQ(run({"report", directory}).code, 0);
+  const auto numbers = std::filesystem::file_size(directory / "report.json");
+  ASSERT_GT(std::filesystem::file_size(directory / "report.html"), numbers + 1000);
+  for (const auto limit : {numbers + 1000, numbers / 2}) {
+    const auto ended = run({"report", directory}, limited(RLIMIT_FSIZE, limit));
+    EXPECT_EQ(ended.code, 75) << ended.output;
+    EXPECT_THAT(ended.output, testing::AllOf(HasSubstr("File too large"), HasSubstr("remedy: ")));
+    EXPECT_FALSE(std::filesystem::exists(directory / "report.html"));
+    for (const auto& entry : std::filesystem::directory_iterator(directory))
+      EXPECT_NE(entry.path().extension(), ".tmp");
+  }
+}
+
+TEST(Program, ADirectoryHoldsASweepOrARecommendation) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(run(small_sweep(scratch / "sweep")).code, 0);
+  std::filesystem::create_directories(scratch / "verdict/pilot");
+  const auto recommend =
+      run({"recommend", shipped("studies/nu205.toml"), "-o", scratch / "sweep"});
+  EXPECT_EQ(recommend.code, 2);
+  EXPECT_THAT(recommend.output, HasSubstr("holds a sweep"));
+  const auto sweep = run(small_sweep(scratch / "verdict"));
+  EXPECT_EQ(sweep.code, 2);
+  EXPECT_THAT(sweep.output, HasSubstr("holds a recommendation"));
 }
 
 TEST(Program, RunsOfADirectoryTakeNoSettings) {

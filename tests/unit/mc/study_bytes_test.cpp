@@ -141,7 +141,28 @@ TEST_F(StudyBytesTest, TheProcessThatReadsHasLimits) {
   const std::string bytes = file_bytes(kSchema1);
   EXPECT_EQ(message(bytes, {}), "no error");
   EXPECT_THAT(message(bytes, {.seconds = -1}), HasSubstr("HDF5 did not end within"));
-  // A dataset of 8 GB that was never written takes no room in the file.
+  // Zeros that are packed well: 64 MB of them in a file of 70 KB.
+  const H5Handle file = make_h5_memory_file();
+  {
+    const hsize_t count = 8 << 20, chunk = 1 << 20;
+    const H5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "make a space");
+    const H5Handle packed(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make a property list");
+    H5Pset_chunk(packed, 1, &chunk);
+    H5Pset_deflate(packed, 9);
+    const H5Handle dataset(
+        H5Dcreate2(file, "zeros", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, packed, H5P_DEFAULT),
+        H5Dclose, "make a dataset");
+    H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+             std::vector<double>(count).data());
+  }
+  const std::string zeros = sealed_h5_image(file).substr(kSealSize);
+  EXPECT_EQ(message(zeros, {}), "no error");
+  EXPECT_THAT(message(zeros, {.memory = 32 << 20}),
+              HasSubstr("HDF5 wants far more memory for it than it can hold"));
+}
+
+/// A dataset of 8 GB that was never written takes no room in the file, sealed or not.
+TEST_F(StudyBytesTest, ADimensionThatTheFileCannotHoldIsRefused) {
   const H5Handle file = make_h5_memory_file();
   {
     const hsize_t count = 1u << 30;
@@ -150,8 +171,27 @@ TEST_F(StudyBytesTest, TheProcessThatReadsHasLimits) {
         H5Dcreate2(file, "vast", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
         H5Dclose, "make a dataset");
   }
-  EXPECT_THAT(message(sealed_h5_image(file).substr(kSealSize), {}),
-              HasSubstr("HDF5 wants far more memory for it than it can hold"));
+  const std::string sealed = sealed_h5_image(file);
+  const auto refused = testing::Throws<StudyFileError>(testing::Property(
+      &StudyFileError::reason, HasSubstr("vast: it announces more values than the file can hold")));
+  const Hdf5Reader reader(sealed, path_);
+  EXPECT_THAT([&] { reader.reals("vast"); }, refused);
+  EXPECT_THAT([&] { reader.integers("vast"); }, refused);
+  EXPECT_THAT([&] { reader.strings("vast"); }, refused);
+  std::ofstream(path_, std::ios::binary) << sealed.substr(kSealSize);
+  EXPECT_THAT(message_of(path_), HasSubstr("announces more values than the file can hold"));
+}
+
+TEST_F(StudyBytesTest, TextThatIsNotUtf8IsRefused) {
+  const H5Handle file = make_h5_memory_file();
+  write_h5(file, "good", std::vector<std::string>{"\u00b5m", ""}, {"-", "texts"});
+  write_h5(file, "bad", std::vector<std::string>{"a", "\xff\xfe"}, {"-", "texts"});
+  write_h5_attribute(file, "bad", "\xc3(");
+  const std::string sealed = sealed_h5_image(file);
+  const Hdf5Reader reader(sealed, path_);
+  EXPECT_EQ(reader.strings("good").size(), 2u);
+  EXPECT_THROW(reader.strings("bad"), StudyFileError);
+  EXPECT_THROW(reader.text_attribute("/", "bad"), StudyFileError);
 }
 
 }  // namespace
