@@ -7,7 +7,7 @@ study=${1:-inputs/studies/nu205.toml}
 case $study in -*) sed -n '2s/^# //p' "$0"; [ "$study" = --help ] && exit 0 || exit 2 ;; esac
 [ -f "$study" ] || { echo "$study: there is no such file; give the path of a study" >&2; exit 2; }
 out=${2:-out/$(basename "$study" .toml)}
-ranks=$(nproc)
+ranks=$(cores)
 progress=plain; [ -t 2 ] && progress=line
 times=
 timed() { # timed NAME COMMAND...: adds the command's seconds to the last line of output

@@ -12,4 +12,4 @@ build all
 which=(--label-exclude nightly --timeout 600)
 [ -n "$nightly" ] && which=(--timeout 14400)
 # One more than cores: tests of ranks, of which one runs at a time, mostly wait.
-exec ctest --test-dir build --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" "${which[@]}"
+exec ctest --test-dir build --output-on-failure --no-tests=error -j "$(($(cores) + 1))" "${which[@]}"

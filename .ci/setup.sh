@@ -36,6 +36,16 @@ figure_packages=(python3 python3-jinja2 python3-matplotlib python3-h5py fonts-de
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev calculix-ccx python3-scipy python3-pandas python3-pip
   python3-setuptools clang-format-14)
 
+# Cores that this process may use, by its affinity and the quota of its control group.
+cores() {
+  local count quota period
+  count=$(nproc)
+  if { read -r quota period < /sys/fs/cgroup/cpu.max; } 2>/dev/null && [ "$quota" != max ] && [ $((quota / period)) -lt "$count" ]; then
+    count=$((quota < period ? 1 : quota / period))
+  fi
+  echo "$count"
+}
+
 # build TARGET...: configures and builds in build/.
 build() {
   cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >build.log 2>&1 ||

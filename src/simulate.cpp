@@ -147,6 +147,15 @@ double seconds_since(Clock::time_point began) {
 }
 
 /// A run in time on its way: bearing, state, method and window.
+/// With a budget of steps some twenty times what runs of shipped scenes take: what needs more
+/// cannot be followed, and is told apart by its steps and not by the clock.
+Integration with_step_budget(Integration keys, const WindowTimes& times) {
+  const double longest = std::max(times.settle, times.longest_settle) + times.measure;
+  keys.step_budget =
+      given_or(keys.step_budget, std::ceil(1e5 * (1 + longest / times.revolution) + 1e6 * longest));
+  return keys;
+}
+
 struct Motion {
   Motion(const Scene& scene, std::shared_ptr<const CageModel> cage)
       : model(make_bearing_model(scene, std::move(cage))),
@@ -159,7 +168,7 @@ struct Motion {
                         Observer(model, scene.phase.from[i], scene.phase.to[i])});
     const std::vector<double> start = start_state(model, scene.start);
     y.assign(start.begin(), start.end());
-    integrator = make_integrator(scene.integration, system, t, y.data());
+    integrator = make_integrator(with_step_budget(scene.integration, times), system, t, y.data());
   }
 
   const BearingModel model;
@@ -271,11 +280,13 @@ void conclude(const Scene& scene, const Motion& run, Outcome& outcome) {
     const bool out_of_budget = run.status == StepStatus::out_of_budget;
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
     outcome.status = out_of_budget ? Status::censored : Status::failed;
-    outcome.reason =
-        out_of_budget ? "step budget of " + std::to_string(scene.integration.step_budget) +
-                            " ran out at t = " + number(run.t) + " s of " + number(run.end) + " s"
-        : run.finite ? run.integrator->failure()
-                     : "a force is not finite at t = " + number(run.t) + " s";
+    outcome.reason = out_of_budget
+                         ? "the budget of " +
+                               number(with_step_budget(scene.integration, run.times).step_budget) +
+                               " steps (integration.step_budget) ran out at t = " + number(run.t) +
+                               " s of " + number(run.end) + " s"
+                     : run.finite ? run.integrator->failure()
+                                  : "a force is not finite at t = " + number(run.t) + " s";
     return;
   }
   const Observer& observer = *run.observer;

@@ -17,6 +17,8 @@ def main(report_file, output_dir):
     matplotlib.use("svg")
     import matplotlib.pyplot as plt
     plt.style.use(str(here / "cagetol.mplstyle"))
+    eastern = sorted({font.name for font in matplotlib.font_manager.fontManager.ttflist if "CJK" in font.name})
+    plt.rcParams["font.family"] = plt.rcParams["font.family"] + eastern[:1]
     import bearing
     import cage
     import centres

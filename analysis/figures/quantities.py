@@ -43,7 +43,7 @@ def limited_quantities(report):
         drawn = {key: limit[key] if limit[key] is not None and reach(entry["histogram"])[0] <= limit[key] <= reach(entry["histogram"])[1]
                  else None for key in ("minimum", "maximum")}
         draw_limits(axis, drawn)
-        words = far + ([roles[limit["quantity"]]] if far and roles.get(limit["quantity"]) == "decides nothing" else [])
+        words = far + ([roles[limit["quantity"]]] if far and roles.get(limit["quantity"]) == "met by enough runs" else [])
         axis.set_title("; ".join(words), fontsize=7.5, color=RED)
         axis.set_xlabel(with_unit(readable(limit["quantity"]), entry["unit"]), fontsize=8)
         axis.set_ylabel("runs", fontsize=8)
@@ -139,7 +139,7 @@ def convergence(report):
 
 def health(report):
     """Steps, energy residual and static consistency error of all runs."""
-    wanted = ["steps", "energy_residual", "static_consistency_error", "wall_s"]
+    wanted = ["steps", "energy_residual", "static_consistency_error"]
     entries = [entry for name in wanted for entry in report["health"] if entry["field"] == name
                and len(entry["histogram"]["counts"]) > 1]
     if not entries:

@@ -32,7 +32,7 @@ def yield_curves(report):
         high = [100 * known(level["yield"]["if_unknown_pass"]) for level in levels]
         lower = [100 * known(level["yield"]["lower_bound"]) for level in levels]
         upper = [100 * known(level["yield"]["upper_bound"]) for level in levels]
-        axis.fill_between(bands, lower, upper, color=BLUE, alpha=0.15, linewidth=0, label="between the bounds")
+        axis.fill_between(tolerances, lower, upper, color=BLUE, alpha=0.15, linewidth=0, label="between the bounds")
         apart = any(abs(a - b) > 0.05 for a, b in zip(low, high))
         axis.plot(tolerances, low, "o-", color=BLUE, label="estimate, runs without result fail" if apart else "estimate")
         if apart:

@@ -3,6 +3,7 @@
 import math
 import pathlib
 import re
+import subprocess
 import sys
 
 from markupsafe import Markup, escape
@@ -40,6 +41,21 @@ def rounded(value):
     if abs(value) < 1e-3 or abs(value) >= 1e7:
         return f"{value:.2e}"
     return fixed(value, decimals_for(abs(value), 3))
+
+
+def fonts_with(character):
+    """Families of this machine's fonts that show a character, as fontconfig lists them."""
+    return subprocess.run(["fc-list", f":charset={ord(character):x}", "family"], capture_output=True, check=True).stdout
+
+
+def without_font(text, fonts=fonts_with):
+    """A warning for characters beyond Latin, Greek and Cyrillic that no font shows; "" where all are shown or nobody can say."""
+    try:
+        missing = [c for c in sorted({c for c in text if ord(c) > 0x52F and c.isalpha()})[:50] if not fonts(c).strip()]
+    except (OSError, subprocess.SubprocessError):
+        return ""
+    return (f"no font here shows {''.join(missing)}: PDF and figures leave such characters out; Debian's fonts-noto-cjk has Chinese, "
+            "Japanese and Korean" if missing else "")
 
 
 def significant(value, digits=4):

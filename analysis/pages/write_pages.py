@@ -116,7 +116,9 @@ def main():
         print(f"{options.report} has report_version {report.get('report_version')}, the pages in {HERE} lay out {REPORT_VERSION}: "
               "program and pages are of different builds; build both anew and run cagetol report DIR", file=sys.stderr)
         return 4
-    problems = []
+    sys.path.insert(0, str(HERE))
+    import page_text
+    problems = [page_text.without_font(json.dumps(report, ensure_ascii=False)) if options.figures or options.pdf else ""]
     if options.figures:
         problems.append(draw(options.figures[0], report, options.report, options.figures[1]))
     problem = "; ".join(filter(None, problems))

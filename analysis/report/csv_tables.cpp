@@ -66,6 +66,19 @@ std::string samples_csv(const StudyData& study) {
   return text;
 }
 
+/// What differs between equal studies: no other table holds it.
+std::string times_csv(const StudyData& study) {
+  std::vector<std::string> header = {"id"};
+  for (const Column& column : study.timing) header.push_back(named(column.name, column.unit));
+  std::string text = line(header);
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    std::vector<std::string> cells = {std::to_string(study.id[i])};
+    for (const Column& column : study.timing) cells.push_back(cell(column.values[i]));
+    text += line(cells);
+  }
+  return text;
+}
+
 void add_estimate(std::vector<std::string>& cells, const Json& estimate) {
   for (const char* key : {"value", "lower", "upper"}) cells.push_back(cell(estimate.at(key)));
 }
@@ -162,6 +175,7 @@ std::string yield_csv(const Json& report) {
 void write_csv_tables(const std::filesystem::path& directory, const StudyData& study,
                       const Json& report) {
   write_text(directory / "samples.csv", samples_csv(study));
+  write_text(directory / "times.csv", times_csv(study));
   write_text(directory / "quantities.csv", quantities_csv(report));
   write_text(directory / "error_budget.csv", error_budget_csv(report));
   write_text(directory / "contributors.csv", contributors_csv(report));

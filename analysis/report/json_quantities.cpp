@@ -226,7 +226,6 @@ Json health_json(const ReportBasis& basis) {
                     {"histogram", histogram_json(column.values)}});
   };
   for (const Column& column : basis.runs.run) add(column);
-  for (const Column& column : basis.runs.timing) add(column);
   return list;
 }
 

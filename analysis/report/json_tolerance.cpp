@@ -164,26 +164,30 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
   else if (unknown_runs_decide(plan, result.yield))
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
-        "judgement, and the yield lies between {} and {}, as they fail or pass. The best is {}.",
+        "judgement, and the yield lies between {} and {}, as they fail or pass. The best of those "
+        "with enough runs "
+        "is {}.",
         result.yield.unknown_runs, result.yield.runs, percent(result.yield.if_unknown_fail),
         percent(result.yield.if_unknown_pass), list_of(widths));
-  else if (result.yield.upper_bound >= plan.target_yield)
+  else if (!result.none_can_meet)
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: the runs are too few. The best "
-        "is {}.",
+        "of those with enough is {}.",
         list_of(widths));
   else
-    text =
-        fmt::format("No candidate tolerance meets the target. The best is {}.{}", list_of(widths),
-                    some_binding ? ""
-                                 : " No difference between the widths studied is significant: "
-                                   "look at the contributors.");
-  text +=
-      fmt::format(" The estimated yield is {}, at least {} with {} confidence{}; the target is {}.",
-                  percent(result.yield.if_unknown_fail), percent(result.yield.lower_bound),
-                  plain_percent(plan.confidence),
-                  result.yield.unknown_runs > 0 ? ", runs without a result counted as failing" : "",
-                  plain_percent(plan.target_yield));
+    text = fmt::format(
+        "No candidate tolerance meets the target. The best of those with enough runs is {}.{}",
+        list_of(widths),
+        some_binding ? ""
+                     : " No difference between the widths studied is significant: "
+                       "look at the contributors.");
+  text += fmt::format(
+      " The estimated yield is {}, at least {}{} with {} confidence{}; the target is {}.",
+      percent(result.yield.if_unknown_fail), percent(result.yield.lower_bound),
+      result.meets_target ? "" : " and at most " + percent(result.yield.upper_bound),
+      plain_percent(plan.confidence),
+      result.yield.unknown_runs > 0 ? ", runs without a result counted as failing" : "",
+      plain_percent(plan.target_yield));
   if (!free.empty())
     text += fmt::format(
         " Not binding within the range studied: {}; the yield holds with it at that width, which "
@@ -205,7 +209,7 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
         basis.study.size(), basis.study.design.samples_planned);
   if (too_few)
     return fmt::format(
-        "No tolerance can be recommended: every candidate has fewer than {:.0f} effective runs. "
+        "No tolerance can be recommended: no combination of candidates has {:.0f} effective runs. "
         "Run more samples, or fewer candidates, in another directory: a directory keeps the "
         "numbers of runs it was begun with (of `recommend`: raise recommend.budget_samples).",
         kMinimumEffectiveRuns);
@@ -223,7 +227,7 @@ const char* status_of(const StudyPlan& plan, const Recommendation& result) {
                   [](const RecommendedTolerance& t) { return t.not_binding; }))
     return "no_tolerance";
   if (result.meets_target) return "recommended";
-  if (result.yield.upper_bound < plan.target_yield) return "none_meets";
+  if (result.none_can_meet) return "none_meets";
   return unknown_runs_decide(plan, result.yield) ? "not_known" : "open";
 }
 

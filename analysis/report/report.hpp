@@ -47,9 +47,9 @@ nlohmann::ordered_json make_report(const StudyData& study,
 std::filesystem::path study_file_in(const std::filesystem::path& directory);
 
 /// Reads DIR/study.h5, or DIR/mixture/study.h5 and the confirmations beside it, and writes
-/// report.json, report.html, samples.csv, quantities.csv, error_budget.csv, contributors.csv,
-/// yield.csv and figures/ beside it. Pages and figures that cannot be made are left out; what is
-/// missing for them is printed. Prints the verdict. Returns kDone; throws StudyFileError.
+/// report.json, report.html, figures/ and the tables of csv_tables.hpp beside it. Pages and figures
+/// that cannot be made are left out; what is missing for them is printed. Prints the verdict.
+/// Returns kDone; throws StudyFileError.
 ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions& options = {});
 
 }  // namespace cagetol

@@ -232,7 +232,7 @@ std::string plan_text(const StudyData& pilot, const CampaignPlan& plan) {
         "\n  fewer than {:.0f} rows for each candidate: some or all will have too few effective "
         "runs to be judged; in another directory recommend.budget_samples = {:.0f} gives them",
         kMinimumEffectiveRuns,
-        2 * runs_of_rows(study, kMinimumEffectiveRuns * candidates) +
+        std::ceil(runs_of_rows(study, kMinimumEffectiveRuns * candidates) / kMinimumMixture) +
             static_cast<double>(pilot.id.size()));
   else if (rows < kFewestEffectiveRuns * candidates)
     text += fmt::format(

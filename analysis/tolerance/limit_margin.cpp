@@ -45,7 +45,7 @@ LimitRole role_of(const StudyData& runs, const LimitMargin& m) {
     if (share < m.missed_lower || share > m.missed_upper) return LimitRole::within_model_error;
   }
   if (m.missed > 0) return m.alone > 0 ? LimitRole::decides : LimitRole::follows;
-  return m.judged >= m.runs_needed ? LimitRole::decides_nothing : LimitRole::open;
+  return m.judged >= m.runs_needed ? LimitRole::met : LimitRole::open;
 }
 
 /// Values of the limited quantity: median and extreme with their margins.
@@ -77,8 +77,8 @@ const char* limit_role_name(LimitRole role) {
       return "decides";
     case LimitRole::follows:
       return "follows other limits";
-    case LimitRole::decides_nothing:
-      return "decides nothing";
+    case LimitRole::met:
+      return "met by enough runs";
     case LimitRole::open:
       return "open";
     case LimitRole::within_model_error:

@@ -8,8 +8,8 @@
 // What a limit does, of n runs with a judgement of which k miss it:
 //   decides          some run misses it and no other limit
 //   follows          runs that miss it miss another limit too: without it the yield is the same
-//   decides nothing  k = 0, and so many runs that at the confidence the share missed is less than
-//                    what the target yield allows (Clopper-Pearson, one-sided)
+//   met by enough runs  k = 0, and so many runs that at the confidence the share missed is less
+//                    than what the target yield allows (Clopper-Pearson, one-sided)
 //   open             k = 0, but too few runs to say so
 //   within the model's error   moved by the known bias of the model, one way or the other, the
 //                    share missed leaves its interval (Clopper-Pearson, two-sided)
@@ -23,7 +23,7 @@
 
 namespace cagetol {
 
-enum class LimitRole { decides, follows, decides_nothing, open, within_model_error };
+enum class LimitRole { decides, follows, met, open, within_model_error };
 const char* limit_role_name(LimitRole role);
 
 struct LimitMargin {
@@ -35,7 +35,7 @@ struct LimitMargin {
   double missed_lower = 0, missed_upper = 0;  ///< of the share missed
   double model_error = 0;                     ///< known bias of the quantity; NaN: not measured
   LimitRole role = LimitRole::open;
-  std::size_t runs_needed = 0;  ///< without a miss, to decide nothing
+  std::size_t runs_needed = 0;  ///< without a miss, to be enough
 };
 
 /// Runs without a miss that bound the share missed by 1 - target: target^n <= 1 - confidence.

@@ -30,13 +30,13 @@ double width_of(const Candidate& candidate, const YieldCurves& curves,
 }
 
 /// Dimensions that are not binding stay at their widest candidate.
-bool eligible(const Candidate& candidate, const Yield& yield, const YieldCurves& curves,
+bool eligible(const Candidate& candidate, const YieldCurves& curves,
               const std::vector<BindingTest>& tests) {
   for (std::size_t d = 0; d < tests.size(); ++d)
     if (tests[d].answer == Binding::not_binding &&
         candidate.tolerance_widths_mm[d] != curves.dimensions[d].levels.back().tolerance_width_mm)
       return false;
-  return yield.ess >= kMinimumEffectiveRuns;
+  return true;
 }
 
 /// Mean of the quantity that breaks ties between centres, over all tolerances at the candidate's
@@ -73,7 +73,9 @@ void choose(const StudyData& runs, const MixtureWeights& mixture, const YieldCur
   double most = 0, best = -1;
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
     const Yield& yield = curves.candidates[k];
-    if (!eligible(plan.candidates[k], yield, curves, tests)) continue;
+    if (!eligible(plan.candidates[k], curves, tests)) continue;
+    result.none_can_meet = result.none_can_meet && yield.upper_bound < plan.target_yield;
+    if (yield.ess < kMinimumEffectiveRuns) continue;
     if (!allowed && yield.pooled) continue;  // nothing is claimed without runs of its own
     result.possible = true;
     const bool meets = allowed ? allowed(k) : yield.lower_bound >= plan.target_yield;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mc/commands/command.hpp"
+#include "mc/commands/judgeable.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/run/forecast.hpp"
 #include "mc/run/jam_shares.hpp"
@@ -104,6 +105,8 @@ std::string summary(const Study& study) {
         "ranges of assumptions: {} alternatives, judged where recommend.assumption_samples is "
         "set\n",
         count);
+  for (const InputError& fault : judgement_faults(study))
+    text += std::string("warning: ") + fault.what() + "\n";
   for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
   text += operating_table(study.scene) + duty_text(study.scene);
   const SweepForecast forecast = forecast_sweep(study);

@@ -1,6 +1,7 @@
 #include "mc/commands/command.hpp"
 
 #include <fmt/format.h>
+#include <sched.h>
 #include <spdlog/spdlog.h>
 
 #include <cerrno>
@@ -11,14 +12,30 @@
 #include "analysis/report/figure_set.hpp"
 #include "analysis/report/report.hpp"
 #include "mc/host/log.hpp"
+#include "mc/ranks/launch.hpp"
+#include "mc/study/operating_points.hpp"
 #include "mc/study/study.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/operating_point.hpp"
 
 namespace cagetol {
 
+/// One process leaves the other cores of the machine, or of a batch system's task, idle.
+void log_idle_cores() {
+  cpu_set_t allowed;
+  if (launch_from_environment().under_mpi || ::sched_getaffinity(0, sizeof allowed, &allowed) != 0)
+    return;
+  if (const int cores = CPU_COUNT(&allowed); cores > 1)
+    spdlog::info("one process on {0} cores: `mpirun -n {0} cagetol ...` runs {0} samples at a time",
+                 cores);
+}
+
 void log_notes(const Study& study, const std::vector<std::string>& notes) {
+  log_idle_cores();
   for (const std::string& warning : operating_warnings(study.scene)) spdlog::warn("{}", warning);
+  for (const OperatingPointPlan& point : study.points)
+    for (const std::string& warning : operating_warnings(at_operating_point(study.scene, point)))
+      spdlog::warn("at {}: {}", point.name, warning);
   for (const std::string& note : notes) spdlog::warn("{}", note);
 }
 

@@ -36,8 +36,8 @@ struct LimitsArguments {
   bool json = false;
 };
 
-/// So many that a limit which none of them misses decides nothing; of a target of less than 95 % as
-/// many as for that.
+/// So many that a limit which none of them misses is met; of a target of less than 95 % as many as
+/// for that.
 long enough_samples(const Study& study) {
   const double target = std::max(0.95, study.tolerance.target_yield);
   return static_cast<long>(runs_without_miss(study.tolerance.confidence, target));
@@ -114,7 +114,7 @@ std::string margin_text(const nlohmann::ordered_json& m) {
   const std::string role = m["role"];
   text += ": " + role;
   if (role == limit_role_name(LimitRole::open))
-    text += fmt::format(" (none of {} runs misses it; {} would say that it decides nothing)",
+    text += fmt::format(" (none of {} runs misses it; {} without a miss would be enough)",
                         m["judged"].get<long>(), m["runs_needed"].get<long>());
   text += fmt::format("\n    median {:.4g}, margin {:.1f} %; extreme {:.4g}, margin {:.1f} %\n",
                       real(m["median"]), 100 * real(m["median_margin"]), real(m["extreme"]),
@@ -211,8 +211,8 @@ Chosen limits_command(CLI::App& command) {
   command
       .add_option(
           "--samples", options->samples,
-          "Runs of that sweep; left out: as many as say of a limit that none of them misses "
-          "that it decides nothing (target 99 %, confidence 95 %: 299)")
+          "Runs of that sweep; left out: so many that a limit which none of them misses is met "
+          "(target 99 %, confidence 95 %: 299)")
       ->check(CLI::Range(2L, 1000000L));
   command.add_flag("--json", options->json, "Print distributions and margins as JSON");
   add_settings_option(command, options->settings);

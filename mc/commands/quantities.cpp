@@ -42,9 +42,8 @@ std::vector<Entry> matching(const std::string& name) {
     names.push_back(entry.name);
   }
   if (found.empty())
-    throw InputError(
-        {}, "NAME", name, "no quantity is called so",
-        "did you mean " + nearest_name(name, names) + "? cagetol quantities lists every one");
+    throw InputError({}, "NAME", name, "no quantity is called so",
+                     suggestion(name, names, "cagetol quantities lists every one"));
   return found;
 }
 

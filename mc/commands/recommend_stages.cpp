@@ -10,6 +10,7 @@
 #include "analysis/tolerance/campaign.hpp"
 #include "mc/commands/assumption_stages.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/judgeable.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/stage_study.hpp"
 #include "mc/run/forecast.hpp"
@@ -21,31 +22,14 @@ namespace cagetol {
 namespace {
 
 void check_study(const Study& study) {
-  const auto refuse = [](const char* key, const std::string& value, const char* why,
-                         const char* remedy) { throw InputError({}, key, value, why, remedy); };
   if (study.limits.empty())
-    refuse("limit", "", "the study has no limits: there is nothing to judge a tolerance by",
-           "add [[limit]] with quantity, max, source and cage_revolutions");
+    throw InputError({}, "limit", "",
+                     "the study has no limits: there is nothing to judge a tolerance by",
+                     "add [[limit]] with quantity, max, source and cage_revolutions");
   if (study.candidates.empty())
-    refuse("tolerance.dimension", "", "the study has no candidate tolerances",
-           "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
-  if (study.design != DesignKind::random && study.design != DesignKind::lhs &&
-      study.design != DesignKind::sobol)
-    refuse("design", design_name(study.design), "this design does not sample tolerances",
-           "use random, lhs or sobol");
-  if (study.tolerance.target_yield >= 1)
-    refuse("tolerance.target_yield", number_text(study.tolerance.target_yield),
-           "a yield of 1 cannot be confirmed by any number of runs", "give less, such as 0.999");
-  const ConfirmationRules rules{study.tolerance.target_yield, study.tolerance.confidence,
-                                static_cast<std::size_t>(study.recommend.attempts)};
-  const auto pilot = static_cast<std::size_t>(
-      std::ceil(static_cast<double>(study.recommend.pilot_samples) * (1 + study.extra_replicates)));
-  const std::size_t minimum = minimum_budget(rules, study.extra_replicates, pilot);
-  if (study.recommend.budget_samples > 0 &&
-      static_cast<std::size_t>(study.recommend.budget_samples) < minimum)
-    refuse("recommend.budget_samples", std::to_string(study.recommend.budget_samples),
-           "so few runs cannot confirm any tolerance, even if none of them fails",
-           fmt::format("give {} or more", minimum).c_str());
+    throw InputError({}, "tolerance.dimension", "", "the study has no candidate tolerances",
+                     "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
+  for (const InputError& fault : judgement_faults(study)) throw fault;
 }
 
 CampaignSettings campaign_settings(const Study& study) {

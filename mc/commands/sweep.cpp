@@ -8,6 +8,7 @@
 
 #include "mc/commands/cage_peak.hpp"
 #include "mc/commands/command.hpp"
+#include "mc/commands/judgeable.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/study_motion.hpp"
@@ -28,7 +29,10 @@ struct SweepArguments {
 
 Study read_with_notes(const SweepArguments& options) {
   Study study = read_study(options.file, options.settings);
-  if (launch_from_environment().rank == 0) log_notes(study, sweep_notes(study));
+  if (launch_from_environment().rank == 0) {
+    log_notes(study, sweep_notes(study));
+    for (const InputError& fault : judgement_faults(study)) spdlog::warn("{}", fault.what());
+  }
   return study;
 }
 

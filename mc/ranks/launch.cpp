@@ -36,6 +36,32 @@ bool is_launcher(pid_t process) {
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 
+pid_t parent_of(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/status");
+  for (std::string word; file >> word;)
+    if (pid_t parent = 0; word == "PPid:" && file >> parent) return parent;
+  return 0;
+}
+
+bool has_mpi(pid_t process) {
+  std::ifstream maps("/proc/" + std::to_string(process) + "/maps");
+  for (std::string line; std::getline(maps, line);)
+    if (line.find("/libmpi.") != std::string::npos) return true;
+  return false;
+}
+
+/// A rank that starts a program hands it its own place, which MPI gives to one process only.
+void refuse_place_of_parent() {
+  for (pid_t above = ::getppid(); above > 1 && !is_launcher(above); above = parent_of(above))
+    if (has_mpi(above))
+      throw InputError({}, "", "",
+                       fmt::format("process {}, which started this one, is itself a rank of MPI "
+                                   "(OMPI_*, PMIX_* in the environment)",
+                                   above),
+                       "start it from outside MPI, or without these variables: env -i "
+                       "PATH=\"$PATH\" HOME=\"$HOME\" cagetol ...");
+}
+
 /// Whether the process has ended within so many milliseconds.
 bool has_ended(int process, int milliseconds) {
   pollfd end{process, POLLIN, 0};
@@ -47,6 +73,7 @@ bool has_ended(int process, int milliseconds) {
 Launch launch_from_environment() {
   const auto slurm_tasks = environment_number({"SLURM_STEP_NUM_TASKS"});
   if (const auto rank = environment_number({"OMPI_COMM_WORLD_RANK"})) {
+    refuse_place_of_parent();
     if (std::getenv("PMIX_NAMESPACE") == nullptr)
       throw InputError({}, "OMPI_COMM_WORLD_RANK", std::to_string(*rank),
                        "mpirun's variable PMIX_NAMESPACE is missing beside it, so that MPI cannot "

@@ -12,7 +12,7 @@ struct Launch {
 };
 
 /// Throws InputError where srun started several tasks without a way for Open MPI to join them:
-/// each would be a sweep of its own.
+/// each would be a sweep of its own; and where another rank of MPI started this process.
 Launch launch_from_environment();
 
 /// Throws InputError when the place that MPI gave this process is not the announced one.

@@ -90,9 +90,9 @@ const LawForm& form_of(const toml::table& table, const std::string& key, const s
   const auto name = node->value<std::string>();
   for (const auto& form : stated_forms())
     if (name == form.name) return form;
-  throw InputError(place_of(*node, file), key + ".law", shown(*node), "there is no such law",
-                   (name ? "did you mean " + nearest_name(*name, names) + "? " : std::string()) +
-                       "laws are: " + fmt::format("{}", fmt::join(names, ", ")));
+  throw InputError(
+      place_of(*node, file), key + ".law", shown(*node), "there is no such law",
+      suggestion(name.value_or(""), names, fmt::format("laws are: {}", fmt::join(names, ", "))));
 }
 
 // The parameter's key under the law's full name, so that messages name it whole.
@@ -149,8 +149,8 @@ void read_parameters(const toml::table& table, const LawForm& form, const std::s
     if (std::find(names.begin(), names.end(), parameter) == names.end())
       throw InputError(place_of(node, file), key + "." + parameter, shown(node),
                        "the law \"" + form.name + "\" has no such parameter",
-                       "did you mean " + nearest_name(parameter, names) +
-                           "? its parameters are: " + fmt::format("{}", fmt::join(names, ", ")));
+                       suggestion(parameter, names,
+                                  fmt::format("its parameters are: {}", fmt::join(names, ", "))));
     const auto* array = node.as_array();
     read_key(named_below(*find_key(parameter_keys(), parameter), key), node, file,
              array ? array->size() : 1, parameters);

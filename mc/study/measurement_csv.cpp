@@ -81,8 +81,7 @@ std::string known_columns(const std::vector<std::string>& headings, const std::s
   constexpr std::size_t most = 12;
   std::vector<std::string> names;
   for (const std::string& heading : headings) names.push_back(excerpt(heading, kLongestName));
-  std::string text = "did you mean '" + nearest_name(excerpt(wanted, kLongestName), names) +
-                     "'? the columns are: ";
+  std::string text = suggestion(excerpt(wanted, kLongestName), names, "the columns are: ");
   const auto shown = std::min(most, names.size());
   text +=
       fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<long>(shown), ", "));

@@ -187,13 +187,11 @@ std::vector<std::string> model_notes(const Study& study) {
   };
   std::vector<std::string> notes = scene_doubts(study.scene);
   for (const std::string& idle : idle_notes(study.scene, varies)) notes.push_back(idle);
-  if (!is_quasi_static(study.scene)) return notes;
-  notes.push_back(
-      "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the cage "
-      "and a film of scene.film.model are not (scene.model.motion)");
-  for (const auto& limit : study.limits)
-    if (!quantity_named(limit.quantity).need.met(study.scene))
-      notes.push_back("limit on " + limit.quantity + ": a quasi-static run does not define it");
+  if (is_quasi_static(study.scene))
+    notes.emplace_back(
+        "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the "
+        "cage "
+        "and a film of scene.film.model are not (scene.model.motion)");
   return notes;
 }
 
@@ -223,6 +221,11 @@ std::vector<std::string> study_notes(const Study& study) {
           " cage revolutions, the window measures " + number_text(measured) + " (scene.window." +
           (in_part ? "peak_revolutions" : "measure_revolutions") + ")");
   }
+  if (!study.correlations.empty() &&
+      (study.design == DesignKind::lhs || study.design == DesignKind::sobol))
+    notes.push_back(std::string("design = \"") + design_name(study.design) +
+                    "\": of two correlated inputs the second is drawn given the first and fills no "
+                    "strata of its own");
   if (const double share = is_flexible(study.scene) ? thickness_scatter(study) : 0; share > 0)
     notes.push_back(thickness_note(share));
   for (const std::string& idle : idle_range_notes(study)) notes.push_back(idle);

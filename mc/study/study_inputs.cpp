@@ -57,10 +57,10 @@ void read_scopes(const toml::table& table, const std::string& file, UncertainInp
     const std::string scope(name.str());
     if (scope == "nominal") continue;
     if (std::find(kScopes.begin(), kScopes.end(), scope) == kScopes.end())
-      throw InputError(place_of(node, file), input.key + "." + scope, shown(node),
-                       "a distribution has no such part",
-                       "did you mean " + nearest_name(scope, kScopes) +
-                           "? parts are nominal, lot, pocket, noise, or a law");
+      throw InputError(
+          place_of(node, file), input.key + "." + scope, shown(node),
+          "a distribution has no such part",
+          suggestion(scope, kScopes, "parts are nominal, lot, pocket, noise, or a law"));
     if (const auto* law = node.as_table(); law && law->contains("nominal"))
       throw InputError(place_of(node, file), input.key + "." + scope, shown(node),
                        "the nominal value stands inside a law",
@@ -286,16 +286,21 @@ std::vector<Correlation> read_correlations(const toml::table& root, const std::s
         number_value(info_of(correlation_keys(), "correlation.rho"), *rho, file)};
     for (const auto& name : {correlation.first, correlation.second})
       if (find_input_scope(inputs, name).input < 0)
-        throw InputError(place_of(*between, file), "correlation.between", shown(*between),
-                         "the study has no uncertain input \"" + name + "\"",
-                         names.empty() ? "give the scene distributions first"
-                                       : "did you mean " + nearest_name(name, names) + "?");
+        throw InputError(
+            place_of(*between, file), "correlation.between", shown(*between),
+            "the study has no uncertain input \"" + name + "\"",
+            names.empty() ? "give the scene distributions first" : suggestion(name, names));
     const auto first = find_input_scope(inputs, correlation.first);
     const auto second = find_input_scope(inputs, correlation.second);
     if (first.pocket != second.pocket || first.input == second.input)
       throw InputError(place_of(*between, file), "correlation.between", shown(*between),
                        "a correlation joins two different inputs of the same scope",
                        "name two keys, both with :lot or both with :pocket");
+    for (const Correlation& other : correlations)
+      if (const auto pair = std::minmax(correlation.first, correlation.second);
+          pair == std::minmax(other.first, other.second))
+        throw InputError(place_of(*between, file), "correlation.between", shown(*between),
+                         "these two inputs have a correlation already", "keep one of the two");
     correlations.push_back(std::move(correlation));
   }
   return correlations;

@@ -8,6 +8,7 @@
 #include "mc/study/study_inputs.hpp"
 #include "mc/study/study_keys.hpp"
 #include "src/input/former_names.hpp"
+#include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 
@@ -73,6 +74,9 @@ std::vector<std::string> candidate_names(const toml::node* node, const toml::tab
                        "this is neither an ISO 286 grade nor a tolerance",
                        "give a grade like \"IT9\" or a full width in mm above 0");
     names.push_back(grade ? *text : number_text(*width));
+    if (std::find(names.begin(), names.end() - 1, names.back()) != names.end() - 1)
+      throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
+                       "this candidate is named twice", "name each once");
   }
   return names;
 }
@@ -157,6 +161,17 @@ double nominal_mm(const UncertainInput& input) {
   return from_si(to_si(mean, unit_of(input.key).to_si), 1e-3);
 }
 
+/// A tolerance wider than the size itself is one in other units.
+void require_narrower(double width, const UncertainInput& input, const SourcePlace& place,
+                      const std::string& key) {
+  const double size = nominal_mm(input);
+  if (size <= 0 || width <= size) return;
+  throw InputError(
+      place, "tolerance.dimension." + key, number_text(width),
+      "this tolerance is wider than the size itself, " + number_text(size) + " mm",
+      "widths are in mm: " + number_text(width) + " um are " + number_text(width / 1000));
+}
+
 // A table of costs says nothing beyond its ends.
 void check_costs(const std::vector<ToleranceDimension>& dimensions,
                  const std::vector<Candidate>& candidates, const SourcePlace& place) {
@@ -195,16 +210,29 @@ InputError no_such_quantity(const toml::node& node, const std::string& key,
                       former_remedy(*former));
   std::vector<std::string> names;
   for (const auto& known : quantity_table()) names.emplace_back(known.key);
-  return InputError(
-      place_of(node, file), key, shown(node), "there is no such quantity of interest",
-      "did you mean " + nearest_name(quantity, names) + "? `cagetol quantities` lists them all");
+  for (const OperatingRow& row : operating_rows())
+    if (quantity == row.key)
+      return InputError(place_of(node, file), key, shown(node),
+                        "this belongs to the operating point: no run changes it",
+                        "read it in `cagetol check`, and leave the limit out");
+  return InputError(place_of(node, file), key, shown(node), "there is no such quantity of interest",
+                    suggestion(quantity, names, "`cagetol quantities` lists them all"));
 }
 
 std::vector<Limit> read_limits(const toml::table& root, const std::string& file,
                                const std::vector<std::string>& labels) {
   std::vector<Limit> limits;
-  for (const auto* entry : table_entries(root, "limit", limit_keys(), file))
+  for (const auto* entry : table_entries(root, "limit", limit_keys(), file)) {
     limits.push_back(read_limit(*entry, file, labels));
+    for (auto other = limits.begin(); other + 1 != limits.end(); ++other)
+      if (const Limit& own = limits.back();
+          other->quantity == own.quantity &&
+          ((other->maximum && own.maximum) || (other->minimum && own.minimum)))
+        throw InputError(place_of(*entry, file), "limit.quantity", own.quantity,
+                         "another limit gives this quantity a value on the same side",
+                         "keep one of the two, or name the operating point of each "
+                         "(quantity = \"KEY@POINT\")");
+  }
   return limits;
 }
 
@@ -234,7 +262,9 @@ std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const s
       throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
                        "this is no length of the scene that varies by lot or pocket in this study",
                        names.empty() ? "give the key a distribution below [scene]"
-                                     : "did you mean " + nearest_name(dimension.key, names) + "?");
+                                     : suggestion(dimension.key, names));
+    require_narrower(dimension.tolerance_width_mm, *input, place_of(*width, file),
+                     "tolerance_width_mm");
     for (const auto& other : dimensions)
       if (other.key == dimension.key)
         throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
@@ -287,6 +317,7 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
         } else {
           width = std::stod(name);
         }
+        require_narrower(width, *find_input(study.inputs, dimension.key), place, "candidates");
         candidate.grades.push_back(grade_number(name) ? name : "");
         candidate.tolerance_widths_mm.push_back(width);
         candidate.scales.push_back(width / dimension.tolerance_width_mm);

@@ -183,7 +183,8 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
     return H5Dread(data, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
   };
   std::vector<std::string> texts;
-  if (!read_texts(type, space, read, texts)) fail(dataset, "its text cannot be read, or is not UTF-8");
+  if (!read_texts(type, space, read, texts))
+    fail(dataset, "its text cannot be read, or is not UTF-8");
   return texts;
 }
 

@@ -191,7 +191,8 @@ void SweepDirectory::lock() {
   for (int attempt = 0; ::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0; ++attempt) {
     if (errno != EWOULDBLOCK && errno != EINTR)
       return spdlog::warn(
-          "{}: this file system has no locks ({}): start no second command with this directory while "
+          "{}: this file system has no locks ({}): start no second command with this directory "
+          "while "
           "one runs",
           directory_, std::strerror(errno));
     if (attempt == 50)

@@ -42,8 +42,8 @@ class SweepDirectory {
   std::vector<StoredOutcome> only_in_study_file_;
 };
 
-/// A directory holds a sweep or a recommendation, never both. Throws InputError where `folder`, which
-/// the other kind makes, is in `directory`; `what` names that kind.
+/// A directory holds a sweep or a recommendation, never both. Throws InputError where `folder`,
+/// which the other kind makes, is in `directory`; `what` names that kind.
 void require_no_other(const std::string& directory, const std::string& folder,
                       const std::string& what);
 

@@ -1,5 +1,7 @@
 #include "src/input/key_table.hpp"
 
+#include <fmt/format.h>
+
 #include "src/input/former_names.hpp"
 #include "src/input/printable.hpp"
 
@@ -71,6 +73,10 @@ std::string example_of(const KeyInfo& key) {
 }
 
 InputError wrong_type(const KeyInfo& key, const toml::node& node, const std::string& file) {
+  if (const auto number = node.value_exact<double>();
+      key.kind == KeyKind::integer && number && *number == std::round(*number))
+    return {place_of(node, file), key.name, shown(node), "a whole number has no point or exponent",
+            fmt::format("write {:.0f}", *number)};
   return {place_of(node, file), key.name, shown(node),
           std::string("this is ") + type_name(node) + ", expected " + example_of(key),
           "give " + example_of(key) + " (" + key.meaning + ")"};
@@ -171,6 +177,18 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return nearest;
 }
 
+std::string suggestion(std::string_view name, const std::vector<std::string>& known,
+                       const std::string& more) {
+  const std::string nearest = nearest_name(name, known);
+  const std::string_view asked = name.substr(0, 200);
+  const std::size_t apart = std::min(edit_distance(asked, nearest),
+                                     edit_distance(asked, nearest.substr(0, asked.size())));
+  const bool is_near =
+      nearest.starts_with(name) || apart <= std::max<std::size_t>(2, name.size() / 2);
+  if (is_near) return "did you mean " + nearest + "?" + (more.empty() ? "" : " " + more);
+  return more.empty() ? "choose from " + joined(known) : more;
+}
+
 InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
                        const std::vector<KeyInfo>& known) {
   const auto place = place_of(*leaf.node, file);
@@ -214,7 +232,7 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
             "give the keys of the section, for example " + section.front()};
   // Anything but a number may be nobody's business: this may be some other program's file.
   return {place, leaf.name, leaf.node->is_number() ? value : "", "no such key",
-          "did you mean " + nearest_name(leaf.name, names) + "? inputs/KEYS.md lists every key"};
+          suggestion(leaf.name, names, "inputs/KEYS.md lists every key")};
 }
 
 bool in_range(const KeyRange& range, double value) {

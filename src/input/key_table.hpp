@@ -110,6 +110,9 @@ std::vector<KeyInfo> key_infos(const KeyTable<T>& table);
 
 /// The known name nearest to `name` by edit distance, for "did you mean".
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
+/// "did you mean X?" where a known name is near, and `more`; without both "choose from" them all.
+std::string suggestion(std::string_view name, const std::vector<std::string>& known,
+                       const std::string& more = {});
 
 /// The error for an unknown key. If only the unit is wrong it names the right one and converts the
 /// value, otherwise it names the nearest key.

@@ -6,8 +6,10 @@
 #include <numbers>
 
 #include "src/input/unit.hpp"
+#include "src/lubrication/lubricant.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/load_rating.hpp"
+#include "src/scene/materials.hpp"
 #include "src/scene/pocket_clearances.hpp"
 #include "src/statics/start_state.hpp"
 #include "src/statics/static_equilibrium.hpp"
@@ -190,6 +192,41 @@ void add_clearance_warnings(const Scene& scene, std::vector<std::string>& warnin
         "fit.outer_interference_um");
 }
 
+/// What makers of bearings, cages and oils do not allow, or nobody has measured.
+void add_makers_warnings(const Scene& scene, std::vector<std::string>& warnings) {
+  constexpr double kMostMisaligned = 4 * pi / 10800;  // 4', SKF, cylindrical roller bearings
+  constexpr double kMostAxial = 0.5;                  // of the radial load: SKF, flanged rings
+  constexpr double kThickest = 7500;  // an oil bath that still wets its bearing [mm2/s]
+  const double misaligned = std::hypot(scene.bearing.misalignment_y, scene.bearing.misalignment_z);
+  if (misaligned > kMostMisaligned)
+    warnings.push_back("the rings are misaligned by " + rounded(1e3 * misaligned, "mrad") +
+                       ": makers allow 4 minutes of arc, 1.16 mrad, at most");
+  const AxialLoads axial = axial_loads(scene.operation);
+  const double pushed = std::max(-axial.minimum, axial.greatest);
+  if (const double radial = largest_radial_load(scene.operation); pushed > kMostAxial * radial)
+    warnings.push_back("an axial load of " + rounded(pushed, "N") + " on a radial one of " +
+                       rounded(radial, "N") + ": flanges take half the radial load at most (SKF)");
+  const auto& modulus = material_named(scene.cage.material.name).young;
+  if (const double hot = cage_temperature(scene); !modulus.empty() && hot > modulus.back()[0])
+    warnings.push_back("the cage is at " + rounded(hot, "degC") + "; of " +
+                       scene.cage.material.name + " nothing is known above " +
+                       rounded(modulus.back()[0], "degC") + ": the values there are taken");
+  if (scene.discretisation.race_slices < 2)
+    warnings.push_back(
+        "discretisation.race_slices = 1: a slice takes no moment, nothing holds the "
+        "rollers against tilting");
+  if (!is_lubricated(scene)) return;
+  const Lubrication& oil = scene.lubrication;
+  const Oil& named = lubricant_named(oil.lubricant).oil;
+  const double viscosity =
+      kinematic_viscosity(viscosity_curve(given_or(oil.viscosity_40, named.viscosity_40),
+                                          given_or(oil.viscosity_100, named.viscosity_100)),
+                          oil.temperature);
+  if (std::isnan(oil.viscosity) && viscosity > kThickest)
+    warnings.push_back("at " + number_text(oil.temperature) + " degC the oil has " +
+                       rounded(viscosity, "mm2/s") + " and hardly flows: such a run takes long");
+}
+
 }  // namespace
 
 OperatingPoint operating_point(const Scene& scene) {
@@ -291,6 +328,7 @@ std::vector<std::string> operating_warnings(const Scene& scene) {
         ": bearings of aircraft engines, the fastest in service, reach some 3 "
         "million");
   add_clearance_warnings(scene, warnings);
+  add_makers_warnings(scene, warnings);
   if (at.speed == 0) return warnings;
   if (at.load < at.minimum_load_skf)
     warnings.push_back(load + " is below the minimum load by SKF's rule, " +

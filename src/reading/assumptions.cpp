@@ -49,7 +49,7 @@ void refuse_other_keys(const toml::table& entry, const std::string& file) {
   for (const auto& [name, value] : entry)
     if (std::find(known.begin(), known.end(), name.str()) == known.end())
       throw InputError(place_of(value, file), "assumption." + std::string(name.str()), shown(value),
-                       "no such key", "did you mean " + nearest_name(name.str(), known) + "?");
+                       "no such key", suggestion(name.str(), known));
 }
 
 std::string key_of(const toml::node& entry) {

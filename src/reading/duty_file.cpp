@@ -56,9 +56,8 @@ Column find_column(std::string_view heading, const SourcePlace& place) {
                        "write " + names.back() + " in the header");
     return {key, unit->to_si / wanted.to_si, {}};
   }
-  throw InputError(
-      place, "duty.file", shown, "no column of a duty has this name",
-      "did you mean " + nearest_name(shown, names) + "? Columns are " + known_headings());
+  throw InputError(place, "duty.file", shown, "no column of a duty has this name",
+                   suggestion(shown, names, "columns are " + known_headings()));
 }
 
 double value_of(std::string_view field, const Column& column, const SourcePlace& place) {
@@ -159,7 +158,7 @@ void read_phases(const toml::node& node, const std::string& file, Phases& phases
     for (const auto& [key, value] : *entry)
       if (std::find(known.begin(), known.end(), key.str()) == known.end())
         throw InputError(place_of(value, file), "phase." + std::string(key.str()), shown(value),
-                         "no such key", "did you mean " + nearest_name(key.str(), known) + "?");
+                         "no such key", suggestion(key.str(), known));
     const auto number = [&](const char* name) {
       const Key<Scene>& key = *find_key(scene_keys(), std::string("phase.") + name);
       return number_value(key, *entry->get(name), file);

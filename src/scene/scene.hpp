@@ -265,11 +265,11 @@ struct Discretisation {
 
 struct Integration {
   IntegrationMethod method = IntegrationMethod::rodasp;
-  double tolerance = 0.001;     ///< multiple of the error scales (error_units in system.hpp)
-  double max_step = kAuto;      ///< [s]
-  long max_order = 2;           ///< highest order of cvode_bdf
-  long step_budget = 20000000;  ///< attempted steps before the run is censored
-  double wall_budget = 0;       ///< wall-clock limit, 0: none; a run beyond it is not_run [s]
+  double tolerance = 0.001;    ///< multiple of the error scales (error_units in system.hpp)
+  double max_step = kAuto;     ///< [s]
+  long max_order = 2;          ///< highest order of cvode_bdf
+  double step_budget = kAuto;  ///< attempted steps before the run is censored
+  double wall_budget = 0;      ///< wall-clock limit, 0: none; a run beyond it is not_run [s]
 };
 
 struct Watch {

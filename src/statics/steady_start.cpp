@@ -15,7 +15,7 @@ namespace {
 constexpr std::initializer_list<double> kShares = {1.01, 1,    0.99, 0.97, 0.93, 0.85, 0.72,
                                                    0.55, 0.38, 0.22, 0.1,  0.03, 0};
 constexpr std::initializer_list<double> kFaster = {1.01, 1.03, 1.1, 1.3, 1.6, 2, 2.6};
-constexpr double kSpeedWithin = 1e-5;  ///< share of the speed without slip
+constexpr double kSpeedWithin = 1e-6;  ///< share of the speed without slip
 constexpr int kMostTrials = 40;
 
 }  // namespace

@@ -145,6 +145,15 @@ TEST_F(TroubleTest, JournalsRemovedDuringASweepAreMissedAtItsEnd) {
   expect_whole();
 }
 
+TEST_F(TroubleTest, ARankOfMpiCannotStartASweep) {
+  std::vector<std::string> command = standin(directory_);
+  command.insert(command.begin(), CAGETOL_BINARY_DIR "/mpi_parent");
+  const Ended ended = run(with_mpirun(1, command));
+  EXPECT_EQ(ended.code, 2) << ended.output;
+  EXPECT_THAT(ended.output, AllOf(HasSubstr("is itself a rank of MPI"), HasSubstr("remedy: ")));
+  EXPECT_EQ(run(command).code, 0);  // MPI without a launcher has no place to hand on
+}
+
 TEST_F(TroubleTest, AnUnusableDirectoryIsBadInput) {
   std::ofstream(scratch_ / "file") << "in the way";
   for (const std::string& place : {scratch_ / "file", scratch_ / "file/below"}) {

@@ -223,8 +223,7 @@ TEST(Program, ADirectoryHoldsASweepOrARecommendation) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run(small_sweep(scratch / "sweep")).code, 0);
   std::filesystem::create_directories(scratch / "verdict/pilot");
-  const auto recommend =
-      run({"recommend", shipped("studies/nu205.toml"), "-o", scratch / "sweep"});
+  const auto recommend = run({"recommend", shipped("studies/nu205.toml"), "-o", scratch / "sweep"});
   EXPECT_EQ(recommend.code, 2);
   EXPECT_THAT(recommend.output, HasSubstr("holds a sweep"));
   const auto sweep = run(small_sweep(scratch / "verdict"));

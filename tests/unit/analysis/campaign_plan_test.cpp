@@ -65,7 +65,8 @@ TEST(PlanCampaign, TurnsHoursIntoRuns) {
               HasSubstr("2 attempts at 97.5 % confidence each, from 72 runs for one to 3550"));
 }
 
-// Widths alone borrow from no other dimension: 30 rows each, twice that in all, and the pilot.
+// Widths alone borrow from no other dimension: 30 rows each, which a quarter of the budget behind the
+// pilot affords whatever the confirmations want.
 TEST(PlanCampaign, SaysWhatJudgesEveryCandidateOfOneDimension) {
   StudyData pilot = tolerance_standin(100, 3, {kPrintedWidth}, 0.95, widest_pocket);
   pilot.timing = {{"wall_s", "s", "", std::vector<double>(100, 2.0)}};
@@ -74,7 +75,8 @@ TEST(PlanCampaign, SaysWhatJudgesEveryCandidateOfOneDimension) {
   plan.mixture_rows = rows - 1;
   EXPECT_THAT(
       plan_text(pilot, plan),
-      HasSubstr("recommend.budget_samples = " + std::to_string(2 * rows + 100) + " gives them"));
+      HasSubstr("recommend.budget_samples = " + std::to_string(4 * rows + 100) + " gives them"));
+  EXPECT_GE(plan_campaign(pilot, {.budget_samples = 4 * rows + 100}, 480, 1).mixture_rows, rows);
   plan.mixture_rows = rows;
   EXPECT_THAT(plan_text(pilot, plan), Not(HasSubstr("budget_samples")));
 }

@@ -63,8 +63,7 @@ TEST(LimitMargins, SayWhichLimitDecides) {
 TEST(LimitMargins, WithoutAMissNeedRunsToSaySo) {
   EXPECT_EQ(runs_without_miss(0.95, 0.95), 59u);
   EXPECT_EQ(runs_without_miss(0.95, 0.99), 299u);
-  EXPECT_EQ(limit_margins(counted_runs(59, {at_most("a", 60)}))[0].role,
-            LimitRole::decides_nothing);
+  EXPECT_EQ(limit_margins(counted_runs(59, {at_most("a", 60)}))[0].role, LimitRole::met);
   const LimitMargin few = limit_margins(counted_runs(58, {at_most("a", 60)}))[0];
   EXPECT_EQ(few.role, LimitRole::open);
   EXPECT_EQ(few.runs_needed, 59u);
@@ -77,7 +76,7 @@ TEST(LimitMargins, JudgeTheModelWhereItsErrorMovesTheShare) {
   EXPECT_EQ(limit_margins(runs, {10})[0].role, LimitRole::within_model_error);
   EXPECT_EQ(limit_margins(runs, {std::nan("")})[0].role, LimitRole::decides);
   const StudyData far = counted_runs(100, {at_most("a", 110)});
-  EXPECT_EQ(limit_margins(far, {5})[0].role, LimitRole::decides_nothing);
+  EXPECT_EQ(limit_margins(far, {5})[0].role, LimitRole::met);
   EXPECT_EQ(limit_margins(far, {20})[0].role, LimitRole::within_model_error);
 }
 

@@ -11,6 +11,12 @@ import page_parts  # noqa: E402
 
 
 class PageText(unittest.TestCase):
+    def test_characters_without_a_font_are_named(self):
+        latin_only = lambda c: b""  # noqa: E731
+        self.assertEqual(page_text.without_font("NU 205, 5 µm ≥ Ø, Δ", latin_only), "")
+        self.assertRegex(page_text.without_font("轴承 NU 205", latin_only), "no font here shows 承轴: .*fonts-noto-cjk")
+        self.assertEqual(page_text.without_font("轴承", lambda c: b"Noto Sans CJK"), "")
+
     def test_numbers_are_rounded_sensibly(self):
         self.assertEqual(page_text.rounded(1234), "1234")
         self.assertEqual(page_text.rounded(0.0123456), "0.0123")

@@ -63,7 +63,7 @@ TEST_F(Report, WritesEverythingInOnePage) {
   EXPECT_GE(
       std::distance(std::sregex_iterator(html.begin(), html.end(), figure), std::sregex_iterator()),
       9);
-  EXPECT_FALSE(std::filesystem::exists(directory_ / "figures" / "draw.log"));
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "figures" / "pages.log"));
   EXPECT_THAT(printed_, testing::HasSubstr("Recommended: pocket width"));
 }
 
@@ -286,6 +286,18 @@ TEST_F(Report, TablesHaveALineForEveryRow) {
   EXPECT_EQ(lines("quantities.csv"), 1 + 5);
   EXPECT_EQ(lines("yield.csv"), 1 + 2 + 1 + 6 + 8);
   EXPECT_GT(lines("contributors.csv"), 20);
+}
+
+TEST_F(Report, TimesMoveNothingButTheirOwnTable) {
+  StudyData study = make_synthetic_study({.rows = 40});
+  const auto written = [&](const char* name) {
+    report_on(study, kNoPython);
+    return page_text(directory_ / name);
+  };
+  const std::string report = written("report.json"), times = written("times.csv");
+  for (double& seconds : study.timing.at(0).values) seconds *= 1.7;
+  EXPECT_EQ(written("report.json"), report);
+  EXPECT_NE(written("times.csv"), times);
 }
 
 TEST_F(Report, DirectoryWithoutStudyIsNamed) {

@@ -448,12 +448,6 @@ TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
   EXPECT_TRUE(model_notes(study_of("samples = 5\n[scene]\n" + squareness)).empty());
   const std::string free = "samples = 5\n[scene]\nmodel.ring_tilt = 'free'\n";
   EXPECT_TRUE(model_notes(study_of(free)).empty());
-  const auto limits = study_notes(
-      study_of("samples = 5\n[[limit]]\nquantity = 'pocket_force_peak_N'\nmax = 1\nsource = 's'\n"
-               "[[limit]]\nquantity = 'ring_displacement_mean_um'\nmax = 1\nsource = 's'\n"
-               "[scene]\nmodel.motion = 'quasi-static'\n"));
-  EXPECT_THAT(limits, testing::Contains(HasSubstr("limit on pocket_force_peak_N: a quasi-static")));
-  EXPECT_THAT(limits, Not(testing::Contains(HasSubstr("limit on ring_displacement_mean_um"))));
 }
 
 TEST_F(StudyFile, ADynamicStudyMustSayWhetherThereIsOil) {

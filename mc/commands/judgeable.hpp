@@ -1,0 +1,15 @@
+// What of a study cannot be judged: one list for `check`, `sweep` and `recommend`.
+#pragma once
+
+#include <vector>
+
+#include "mc/study/study.hpp"
+#include "src/input/input_error.hpp"
+
+namespace cagetol {
+
+/// Limits on what the scene does not define; where tolerances are asked for, designs, targets and
+/// budgets that can confirm none. `recommend` refuses a study for the first, others warn of all.
+std::vector<InputError> judgement_faults(const Study& study);
+
+}  // namespace cagetol
