@@ -17,9 +17,7 @@ declare -A sources=(
   [study_file]="mc/sweep/stored_study.cpp mc/study_file/file_seal.cpp mc/study_file/hdf5_reader.cpp"
   [study_data]="analysis/study/study_data.cpp analysis/study/study_plan.cpp mc/study_file/hdf5_reader.cpp"
   [cage_table]="src/cage/table/cage_table_bytes.cpp")
-all=(scene study resolved settings csv journal)
-[ -e mc/study_file/file_seal.cpp ] && all+=(study_file study_data)
-[ -e src/cage/table/cage_table_bytes.cpp ] && all+=(cage_table)
+all=(scene study resolved settings csv journal study_file study_data cage_table)
 for tool in clang++-14 llvm-profdata-14 llvm-cov-14; do
   command -v $tool >/dev/null || { echo "$tool is missing: apt-get install clang-14 libclang-rt-14-dev llvm-14" >&2; exit 2; }
 done
