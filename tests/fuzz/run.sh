@@ -7,17 +7,20 @@ set -u
 cd "$(dirname "$0")/../.." || exit 2
 runs=${1:-1000000}; shift
 build=${CAGETOL_FUZZ_BUILD:-build-fuzz}
-declare -A share=([scene]=10 [study]=3 [resolved]=3 [settings]=2 [csv]=40 [journal]=22 [study_file]=5 [study_data]=5 [cage_table]=10)
+declare -A share=([scene]=13 [duty]=13 [study]=3 [resolved]=3 [settings]=2 [csv]=30 [journal]=20 [study_file]=3 [study_data]=3
+                  [cage_table]=10)
 # The sources whose coverage is printed.
 declare -A sources=(
   [scene]="src/input/toml_file.cpp src/input/key_table.cpp src/reading/scene_keys.cpp src/reading/check_scene.cpp src/reading/oil_keys.cpp"
-  [study]="mc/study/study.cpp mc/study/study_inputs.cpp mc/study/study_layers.cpp mc/study/study_limits.cpp mc/study/law_reader.cpp"
+  [duty]="src/reading/duty_file.cpp src/reading/check_duty.cpp src/input/csv_records.cpp"
+  [study]="mc/study/study.cpp mc/study/study_inputs.cpp mc/study/study_layers.cpp mc/study/study_limits.cpp mc/study/law_reader.cpp
+           mc/study/operating_points.cpp mc/study/tolerance_filling.cpp"
   [resolved]="mc/study/study.cpp mc/study/resolved_study.cpp" [settings]="src/input/toml_file.cpp mc/study/study_layers.cpp"
   [csv]="src/input/csv_records.cpp src/input/csv_heading.cpp mc/study/measurement_csv.cpp" [journal]="mc/sweep/journal.cpp mc/host/byte_stream.hpp"
   [study_file]="mc/sweep/stored_study.cpp mc/study_file/file_seal.cpp mc/study_file/hdf5_reader.cpp"
   [study_data]="analysis/study/study_data.cpp analysis/study/study_plan.cpp mc/study_file/hdf5_reader.cpp"
   [cage_table]="src/cage/table/cage_table_bytes.cpp")
-all=(scene study resolved settings csv journal study_file study_data cage_table)
+all=(scene duty study resolved settings csv journal study_file study_data cage_table)
 for tool in clang++-14 llvm-profdata-14 llvm-cov-14; do
   command -v $tool >/dev/null || { echo "$tool is missing: apt-get install clang-14 libclang-rt-14-dev llvm-14" >&2; exit 2; }
 done
@@ -35,7 +38,8 @@ for reader in "${readers[@]}"; do
   while [ "$had" -lt "$wanted" ]; do
     round=$((wanted - had < 20000 ? wanted - had : 20000))
     LLVM_PROFILE_FILE="$folder/profile/%m.profraw" nice "$build/fuzz_$reader" -runs=$round -seed=$((had + 1)) -timeout=20 \
-      -rss_limit_mb=2048 -max_len=20000 -len_control=10 -artifact_prefix="$folder/found/" -print_final_stats=1 "$corpus" >"$folder/log" 2>&1
+      -rss_limit_mb=2048 -max_len=20000 -len_control=10 -dict=tests/fuzz/numbers.dict -artifact_prefix="$folder/found/" \
+      -print_final_stats=1 "$corpus" >"$folder/log" 2>&1
     code=$?
     executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")
     had=$((had + ${executed:-0})); echo $had >"$done_file"

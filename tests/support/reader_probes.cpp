@@ -12,8 +12,10 @@
 #include "mc/study/measurement_csv.hpp"
 #include "mc/study/sample.hpp"
 #include "mc/study/study.hpp"
+#include "mc/study/tolerance_filling.hpp"
 #include "mc/sweep/journal.hpp"
 #include "src/input/toml_file.hpp"
+#include "src/reading/idle_notes.hpp"
 #include "src/reading/scene_keys.hpp"
 #include "tests/support/probe_folder.hpp"
 #include "tests/support/shipped_input.hpp"
@@ -55,19 +57,88 @@ bool read_or_refused(const Read& read) {
   }
 }
 
-bool read_scene_bytes(std::string_view bytes) {
-  return read_or_refused([&] { read_scene(parse_toml(bytes, "fuzz.toml"), "fuzz.toml"); });
-}
-std::vector<std::string> scene_seeds() {
-  return {read_text_file(shipped("scenes/nu205.toml")),
-          read_text_file(shipped("scenes/speed-z16-skew.toml")),
-          read_text_file(shipped("scenes/nu205-paper.toml"))};
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
 }
 
-void draw_some(const Study& study) {
+/// A shipped file without its comments, which would take most edits and do nothing.
+std::string bare(const std::string& path) {
+  std::istringstream lines(read_text_file(shipped(path)));
+  std::string text;
+  for (std::string line; std::getline(lines, line);)
+    if (line = line.substr(0, line.find("#")); !line.empty())
+      text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  return text;
+}
+
+/// A duty over time with phases, keys of scenes.
+constexpr const char* kDuty =
+    "[duty]\ntime_s = [0, 0.02, 0.1]\ninner_rpm = [0, 6000, 0]\nradial_N = [500, 2000, 500]\n"
+    "direction_deg = [0, 90, 360]\nrepeat_s = 0.1\n"
+    "[[phase]]\nname = 'braking'\nfrom_s = 0.03\nto_s = 0.09\n"
+    "[[phase]]\nname = 'start'\nfrom_s = 0\nto_s = 0.02\n";
+
+/// Reads a scene and all that is said of it.
+void read_whole_scene(const toml::table& root, const std::string& file) {
+  const Scene scene = read_scene(root, file);
+  scene_doubts(scene);
+  idle_notes(scene);
+}
+
+bool read_scene_bytes(std::string_view bytes) {
+  return read_or_refused([&] { read_whole_scene(parse_toml(bytes, "fuzz.toml"), "fuzz.toml"); });
+}
+std::vector<std::string> scene_seeds() {
+  std::vector<std::string> seeds;
+  for (const char* name : {"nu205", "speed-z16-skew", "nu205-paper", "nj308-axial", "nu208-planet"})
+    seeds.push_back(bare("scenes/" + std::string(name) + ".toml"));
+  const std::string guided = replaced(seeds[0], "guidance = \"outer\"", "guidance = \"roller\"");
+  for (const char* pockets : {"retention_width_outer_mm = 6.8", "face_radius_mm = 3.83"})
+    seeds.push_back(replaced(guided, "[cage]", "[cage]\n" + std::string(pockets)));
+  seeds.push_back(seeds[0] + kDuty);
+  return seeds;
+}
+
+/// What a scene adds to the NU 205, and the CSV of its duty.
+bool read_duty_bytes(std::string_view bytes) {
+  static const toml::table nu205 = read_toml(shipped("scenes/nu205.toml"));
+  const auto parts = parts_of(bytes, 2);
+  probe_folder().write("duty.csv", parts[1]);
+  const std::string file = (probe_folder().path() / "scene.toml").string();
+  return read_or_refused([&] {
+    toml::table scene = nu205;
+    merge_tables(scene, parse_toml(parts[0], file), is_distribution);
+    read_whole_scene(scene, file);
+  });
+}
+std::vector<std::string> duty_seeds() {
+  const std::string file = "[duty]\nfile = 'duty.csv'\n";
+  const std::string phase = "[[phase]]\nname = 'start'\nfrom_s = 0\nto_s = 0.05\n";
+  return {
+      file + phase + kNextPart + "# measured\ntime_ms,radial_kN,inner_rpm\n0,1.5,0\n100,2,3e3\n",
+      file + "repeat_s = 2\n" + kNextPart + "time_s;direction_deg;outer_rpm\n0;0;+1\n1;360;-2.5\n",
+      file + "[model]\nring_tilt = 'free'\n" + kNextPart +
+          "moment_y_N_m\ttime_s\tmoment_z_N_m\r\n1\t0\t-1\r\n",
+      kDuty};
+}
+
+/// Draws of a study, and all that is said of it. Its own text must give it again.
+void use(const Study& study) {
   const Sampler sampler(study);
   sampler.draw(0);
   sampler.draw(sample_count(study) - 1);
+  study_notes(study);
+  tolerance_warnings(study);
+  tolerance_notes(study);
+  try {
+    if (read_resolved_study(study.resolved_toml, "again").resolved_toml == study.resolved_toml)
+      return;
+  } catch (const InputError& problem) {
+    throw std::logic_error(std::string("its own text is refused: ") + problem.what());
+  }
+  throw std::logic_error("its own text gives another study");
 }
 
 /// A study, its scene and its measurements.
@@ -76,33 +147,31 @@ bool read_study_bytes(std::string_view bytes) {
   probe_folder().write("scene.toml", parts[1]);
   probe_folder().write("parts.csv", parts[2]);
   const std::string study = probe_folder().write("study.toml", parts[0]);
-  return read_or_refused([&] { draw_some(read_study(study)); });
-}
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
+  return read_or_refused([&] { use(read_study(study)); });
 }
 std::vector<std::string> study_seeds() {
   std::vector<std::string> seeds;
-  for (const char* name : {"nu205", "nu205-measured", "nu205-slip", "paper-width"}) {
-    std::string study = read_text_file(shipped("studies/" + std::string(name) + ".toml"));
+  for (const char* name : {"nu205", "nu205-measured", "nu205-slip", "paper-width", "nu205-duty",
+                           "nu205-fit", "nu205-centre", "axial", "own-bearing", "spindle"}) {
+    std::string study = bare("studies/" + std::string(name) + ".toml");
     const auto scene = study.find("../scenes/") + 10;
     const std::string scene_file = study.substr(scene, study.find('"', scene) - scene);
     study = replaced(study, "../scenes/" + scene_file, "scene.toml");
     study = replaced(study, "../measurements/pockets-synthetic.csv", "parts.csv");
-    seeds.push_back(study + kNextPart + read_text_file(shipped("scenes/" + scene_file)) +
-                    kNextPart + read_text_file(shipped("measurements/pockets-synthetic.csv")));
+    const std::string duty = name == std::string("nu205-slip") ? kDuty : "";
+    seeds.push_back(study + kNextPart + bare("scenes/" + scene_file) + duty + kNextPart +
+                    bare("measurements/pockets-synthetic.csv"));
   }
   return seeds;
 }
 
 bool read_resolved_bytes(std::string_view bytes) {
-  return read_or_refused([&] { draw_some(read_resolved_study(std::string(bytes), "fuzz.toml")); });
+  return read_or_refused([&] { use(read_resolved_study(std::string(bytes), "fuzz.toml")); });
 }
 std::vector<std::string> resolved_seeds() {
   std::vector<std::string> seeds;
-  for (const char* name : {"studies/nu205.toml", "studies/paper-length.toml"})
+  for (const char* name :
+       {"studies/nu205.toml", "studies/paper-length.toml", "studies/nu205-duty.toml"})
     seeds.push_back(read_study(shipped(name)).resolved_toml);
   return seeds;
 }
@@ -118,9 +187,13 @@ bool read_setting_bytes(std::string_view bytes) {
   return read_or_refused([&] { read_study(study, settings); });
 }
 std::vector<std::string> setting_seeds() {
-  return {"load.radial_N=3000\nscene.speed.inner_rpm=3000\n", "samples=16\ndesign=sobol\n",
+  return {"load.radial_N=3000\nscene.speed.inner_rpm=3000\n",
+          "samples=16\ndesign=sobol\n",
           "scene.cage.pocket_pitch_mrad={ law = 'normal', sigma = 0.1 }\n",
           "limit=[{ quantity = 'cage_slip_ratio', max = 0.1, source = 'x' }]\n",
+          "operating_point=[{ name = 'idle', weight = 2, 'speed.inner_rpm' = 250 }]\n",
+          "duty.time_s=[0, 1]\nduty.radial_N=[1, 2]\n"
+          "phase=[{ name = 'a', from_s = 0, to_s = 1 }]\n",
           "tolerance.target_yield=0.9\nname=\"a text\"\nhistory.points=10\n"};
 }
 
@@ -212,6 +285,7 @@ const std::vector<ReaderProbe>& reader_probes() {
   static const std::vector<ReaderProbe> probes = [] {
     std::vector<ReaderProbe> all = {
         {"scene", read_scene_bytes, scene_seeds},
+        {"duty", read_duty_bytes, duty_seeds},
         {"study", read_study_bytes, study_seeds},
         {"resolved", read_resolved_bytes, resolved_seeds},
         {"settings", read_setting_bytes, setting_seeds},
