@@ -238,136 +238,191 @@ void RollerOrbit::collect(std::size_t pack, Pack r, Pack s, Pack x, double (&on_
 // Upwind differences of first order are stable, however stiff traction is. Newton's method for all
 // angles at once; where traction saturates its slope is too small, so that it would jump to and fro
 // across the steep middle. With a steeper one, of the last move, the sum of all misses cannot grow:
-// the system is monotone. One function: an iteration with the many numbers that it carries along.
+// the system is monotone.
+struct RollerOrbit::Search {
+  explicit Search(RollerOrbit& of)
+      : orbit(of),
+        packs(of.r_.size()),
+        way(of.speed_ < 0 || (of.speed_ == 0 && of.speeds_.inner < 0) ? -1 : 1),
+        inertia(std::abs(of.speed_) * of.roller_.polar[0] * kAngles / (2 * std::numbers::pi)),
+        spin_probe(kSpinProbe * of.rolling_) {}
+
+  /// The n-th angle along the cage's turning.
+  std::size_t angle(int n) const {
+    return static_cast<std::size_t>((way > 0 ? n : -n) & (kAngles - 1));
+  }
+  double miss_now();
+  void steepen();
+  void keep();
+  void linearise(bool better);
+  void move_ring();
+  double turn_spins();
+  void move();
+
+  RollerOrbit& orbit;
+  const std::size_t packs;
+  const int way;
+  const double inertia, spin_probe;
+  std::vector<Forces> now = std::vector<Forces>(packs), from_forces;
+  std::vector<Pack> dr = std::vector<Pack>(packs), response = dr, by_place = dr, stiff = dr,
+                    inner = dr, by_ring = dr, from_r, from_s, from_x;
+  std::vector<double> spin = std::vector<double>(kAngles), miss = spin, from_miss = spin,
+                      change = spin, steep = spin;
+  double pushed[2] = {0, 0}, last_pushed[2] = {0, 0}, du[2] = {0, 0};
+  double stiffness[3] = {0, 0, 0};       ///< of the rollers against the ring: yy, yz, zz
+  double turned = kNone, moved = kNone;  ///< by the last move
+};
+
+/// The sum of what moments miss at the present spins.
+double RollerOrbit::Search::miss_now() {
+  for (std::size_t k = 0; k < packs; ++k) {
+    now[k] = orbit.forces(k, orbit.r_[k], orbit.s_[k], orbit.x_[k]);
+    store(spin.data() + k * kLanes, orbit.s_[k]);
+    store(miss.data() + k * kLanes, now[k].moment);
+  }
+  double misses = 0;
+  for (int n = 0; n < kAngles; ++n) {
+    const std::size_t i = angle(n);
+    miss[i] -= inertia * (spin[i] - spin[angle(n - 1)]);
+    misses += std::abs(miss[i]);
+  }
+  return misses;
+}
+
+/// Slopes at least as steep as the last move found them.
+void RollerOrbit::Search::steepen() {
+  for (std::size_t k = 0; k < packs; ++k)
+    for (int i = 0; i < kLanes; ++i) {
+      const auto n = k * kLanes + static_cast<std::size_t>(i);
+      if (std::abs(change[n]) < spin_probe) continue;
+      const double secant = (from_forces[k].moment[i] - now[k].moment[i]) / change[n];
+      steep[n] = std::max(steep[n], secant);
+    }
+}
+
+/// The state from which the next move starts.
+void RollerOrbit::Search::keep() {
+  from_forces = now;
+  from_r = orbit.r_;
+  from_s = orbit.s_;
+  from_x = orbit.x_;
+}
+
+/// Slopes of all forces; `better`: the steepest ones seen may be forgotten a little.
+void RollerOrbit::Search::linearise(bool better) {
+  pushed[0] = orbit.load_.y;
+  pushed[1] = orbit.load_.z;
+  stiffness[0] = stiffness[2] = kOrbitSpring;
+  stiffness[1] = 0;
+  for (std::size_t k = 0; k < packs; ++k) {
+    const Forces& f = now[k];
+    const Pack cosine = orbit.cosine_[k], sine = orbit.sine_[k];
+    Pack near = orbit.x_[k];
+    const Forces out = orbit.forces(k, orbit.r_[k] + kPlaceProbe, orbit.s_[k], near);
+    near = orbit.x_[k];
+    const Forces fast = orbit.forces(k, orbit.r_[k], orbit.s_[k] + spin_probe, near);
+    stiff[k] = max((f.radial - out.radial) / kPlaceProbe, splat(kOrbitSpring));
+    inner[k] = max((f.inner - out.inner) / kPlaceProbe, Pack{});
+    response[k] = (fast.radial - f.radial) / spin_probe / stiff[k];
+    by_place[k] = (out.moment - f.moment) / kPlaceProbe;
+    by_ring[k] = (f.inner_moment - out.inner_moment) / kPlaceProbe;
+    const Pack slope = (f.moment - fast.moment) / spin_probe - by_place[k] * response[k];
+    double* const at = steep.data() + k * kLanes;
+    store(at, max(slope, max((better ? kForget : 1.0) * load(at), splat(1e-12))));
+    pushed[0] -= orbit.share_ * sum(cosine * f.inner);
+    pushed[1] -= orbit.share_ * sum(sine * f.inner);
+    const Pack both = inner[k] * max(1.0 - inner[k] / stiff[k], Pack{});
+    stiffness[0] += orbit.share_ * sum(both * cosine * cosine);
+    stiffness[1] += orbit.share_ * sum(both * cosine * sine);
+    stiffness[2] += orbit.share_ * sum(both * sine * sine);
+  }
+}
+
+/// How far the ring moves, and what moments miss with rollers that follow it.
+void RollerOrbit::Search::move_ring() {
+  const double det = stiffness[0] * stiffness[2] - stiffness[1] * stiffness[1];
+  du[0] = (stiffness[2] * pushed[0] - stiffness[1] * pushed[1]) / det;
+  du[1] = (stiffness[0] * pushed[1] - stiffness[1] * pushed[0]) / det;
+  moved = std::hypot(du[0], du[1]);
+  // Spins follow the ring and change what it bears: where that turns round, half as far.
+  if (pushed[0] * last_pushed[0] + pushed[1] * last_pushed[1] < 0)
+    for (double& d : du) d /= 2;
+  std::copy(pushed, pushed + 2, last_pushed);
+  if (moved > kOrbitMove)
+    for (double& d : du) d *= kOrbitMove / moved;
+  for (std::size_t k = 0; k < packs; ++k) {
+    const Pack along = orbit.cosine_[k] * du[0] + orbit.sine_[k] * du[1];
+    dr[k] = (now[k].radial + inner[k] * along) / stiff[k];
+    store(from_miss.data() + k * kLanes,
+          load(miss.data() + k * kLanes) + by_place[k] * dr[k] + by_ring[k] * along);
+  }
+}
+
+/// Changes of all spins; the largest. Cyclic: what the last angle changes the first one starts from.
+double RollerOrbit::Search::turn_spins() {
+  double carried = 1, last = 0;
+  for (int n = 0; n < kAngles; ++n) {
+    const std::size_t i = angle(n);
+    carried *= inertia / (inertia + steep[i]);
+    last = (from_miss[i] + inertia * last) / (inertia + steep[i]);
+  }
+  last /= 1 - carried;
+  const double turn_most = kLargestTurn * orbit.rolling_;
+  double most = 0;
+  for (int n = 0; n < kAngles; ++n) {
+    const std::size_t i = angle(n);
+    last = (from_miss[i] + inertia * last) / (inertia + steep[i]);
+    most = std::max(most, std::abs(last));
+    change[i] = last = std::clamp(last, -turn_most, turn_most);
+  }
+  return most;
+}
+
+void RollerOrbit::Search::move() {
+  for (std::size_t k = 0; k < packs; ++k) {
+    const Pack ds = load(change.data() + k * kLanes), along = dr[k] + response[k] * ds;
+    orbit.s_[k] = from_s[k] + ds;
+    orbit.r_[k] = from_r[k] + min(max(along, splat(-kOrbitMove)), splat(kOrbitMove));
+    orbit.x_[k] = from_x[k];
+  }
+}
+
 bool RollerOrbit::solve(double w) {
   speed_ = w;
-  const std::size_t packs = r_.size();
-  const int way = w < 0 || (w == 0 && speeds_.inner < 0) ? -1 : 1;
-  const auto index = [&](int n) {
-    return static_cast<std::size_t>((way > 0 ? n : -n) & (kAngles - 1));
-  };
-  const double inertia = std::abs(w) * roller_.polar[0] * kAngles / (2 * std::numbers::pi),
-               spin_probe = kSpinProbe * rolling_, turn_most = kLargestTurn * rolling_;
-  std::vector<Forces> now(packs), from_forces;
-  std::vector<Pack> dr(packs), response(packs), by_place(packs), from_r, from_s, from_x;
-  std::vector<double> spin(kAngles), miss(kAngles), from_miss(kAngles), change(kAngles, 0.0),
-      steep(kAngles, 0.0);
-  double du[2] = {0, 0}, last_pushed[2] = {0, 0};
-  double before = kNone;                 // sum of misses before the last move
-  double turned = kNone, moved = kNone;  // by the last move
+  Search search(*this);
+  double before = kNone;  // sum of misses before the last move
   int tries = 0;
-  // Cyclic: what the last angle changes the first one starts from.
-  const auto turn_spins = [&] {
-    double carried = 1, last = 0;
-    for (int n = 0; n < kAngles; ++n) {
-      const std::size_t i = index(n);
-      carried *= inertia / (inertia + steep[i]);
-      last = (from_miss[i] + inertia * last) / (inertia + steep[i]);
-    }
-    last /= 1 - carried;
-    double most = 0;
-    for (int n = 0; n < kAngles; ++n) {
-      const std::size_t i = index(n);
-      last = (from_miss[i] + inertia * last) / (inertia + steep[i]);
-      most = std::max(most, std::abs(last));
-      change[i] = last = std::clamp(last, -turn_most, turn_most);
-    }
-    return most;
-  };
-  const auto move = [&] {
-    for (std::size_t k = 0; k < packs; ++k) {
-      const Pack ds = load(change.data() + k * kLanes), along = dr[k] + response[k] * ds;
-      s_[k] = from_s[k] + ds;
-      r_[k] = from_r[k] + min(max(along, splat(-kOrbitMove)), splat(kOrbitMove));
-      x_[k] = from_x[k];
-    }
-  };
   for (int iteration = 0; iteration < kOrbitIterations; ++iteration, ++iterations_) {
-    for (std::size_t k = 0; k < packs; ++k) {
-      now[k] = forces(k, r_[k], s_[k], x_[k]);
-      store(spin.data() + k * kLanes, s_[k]);
-      store(miss.data() + k * kLanes, now[k].moment);
-    }
-    double misses = 0;
-    for (int n = 0; n < kAngles; ++n) {
-      const std::size_t i = index(n);
-      miss[i] -= inertia * (spin[i] - spin[index(n - 1)]);
-      misses += std::abs(miss[i]);
-    }
+    const double misses = search.miss_now();
     if (!std::isfinite(misses)) return false;
-    if (iteration > 0)
-      for (std::size_t k = 0; k < packs; ++k)
-        for (int i = 0; i < kLanes; ++i) {
-          const auto n = k * kLanes + static_cast<std::size_t>(i);
-          if (std::abs(change[n]) < kSpinProbe * rolling_) continue;
-          const double secant = (from_forces[k].moment[i] - now[k].moment[i]) / change[n];
-          steep[n] = std::max(steep[n], secant);
-        }
+    if (iteration > 0) search.steepen();
     if (misses > kGrowth * before && tries < kMostTries) {
       ++tries;
-      turn_spins();
-      move();
+      search.turn_spins();
+      search.move();
       continue;
     }
     tries = 0;
     const bool better = misses < kProgress * before;
     before = std::max(misses, kMissWithin);
-    from_forces = now;
-    from_r = r_;
-    from_s = s_;
-    from_x = x_;
-    double pushed[2] = {load_.y, load_.z}, K[3] = {kOrbitSpring, 0, kOrbitSpring};
-    std::vector<Pack> stiff(packs), inner(packs), by_ring(packs);
-    for (std::size_t k = 0; k < packs; ++k) {
-      const Forces& f = now[k];
-      Pack near = x_[k];
-      const Forces out = forces(k, r_[k] + kPlaceProbe, s_[k], near);
-      near = x_[k];
-      const Forces fast = forces(k, r_[k], s_[k] + spin_probe, near);
-      stiff[k] = max((f.radial - out.radial) / kPlaceProbe, splat(kOrbitSpring));
-      inner[k] = max((f.inner - out.inner) / kPlaceProbe, Pack{});
-      response[k] = (fast.radial - f.radial) / spin_probe / stiff[k];
-      by_place[k] = (out.moment - f.moment) / kPlaceProbe;
-      by_ring[k] = (f.inner_moment - out.inner_moment) / kPlaceProbe;
-      const Pack slope = (f.moment - fast.moment) / spin_probe - by_place[k] * response[k];
-      double* const at = steep.data() + k * kLanes;
-      store(at, max(slope, max((better ? kForget : 1.0) * load(at), splat(1e-12))));
-      pushed[0] -= share_ * sum(cosine_[k] * f.inner);
-      pushed[1] -= share_ * sum(sine_[k] * f.inner);
-      const Pack both = inner[k] * max(1.0 - inner[k] / stiff[k], Pack{});
-      K[0] += share_ * sum(both * cosine_[k] * cosine_[k]);
-      K[1] += share_ * sum(both * cosine_[k] * sine_[k]);
-      K[2] += share_ * sum(both * sine_[k] * sine_[k]);
-    }
-    const double det = K[0] * K[2] - K[1] * K[1];
-    du[0] = (K[2] * pushed[0] - K[1] * pushed[1]) / det;
-    du[1] = (K[0] * pushed[1] - K[1] * pushed[0]) / det;
-    moved = std::hypot(du[0], du[1]);
-    // Spins follow the ring and change what it bears: where that turns round, half as far.
-    if (pushed[0] * last_pushed[0] + pushed[1] * last_pushed[1] < 0)
-      for (double& d : du) d /= 2;
-    std::copy(pushed, pushed + 2, last_pushed);
-    if (moved > kOrbitMove)
-      for (double& d : du) d *= kOrbitMove / moved;
-    for (std::size_t k = 0; k < packs; ++k) {
-      const Pack along = cosine_[k] * du[0] + sine_[k] * du[1];
-      dr[k] = (now[k].radial + inner[k] * along) / stiff[k];
-      store(from_miss.data() + k * kLanes,
-            load(miss.data() + k * kLanes) + by_place[k] * dr[k] + by_ring[k] * along);
-    }
-    turned = turn_spins();
-    for (std::size_t k = 0; k < packs; ++k)
-      moved = std::max(moved, largest(abs(dr[k] + response[k] * load(change.data() + k * kLanes))));
-    if (!std::isfinite(turned) || !std::isfinite(moved)) return false;
-    if (turned < kSpinWithin * rolling_ && moved < kPlaceWithin) {
+    search.keep();
+    search.linearise(better);
+    search.move_ring();
+    search.turned = search.turn_spins();
+    for (std::size_t k = 0; k < search.packs; ++k)
+      search.moved = std::max(
+          search.moved, largest(abs(search.dr[k] +
+                                    search.response[k] * load(search.change.data() + k * kLanes))));
+    if (!std::isfinite(search.turned) || !std::isfinite(search.moved)) return false;
+    if (search.turned < kSpinWithin * rolling_ && search.moved < kPlaceWithin) {
       finish();
       return true;
     }
-    for (int d = 0; d < 2; ++d) ring_[d] += du[d];
-    move();
+    for (int d = 0; d < 2; ++d) ring_[d] += search.du[d];
+    search.move();
   }
   finish();
-  return turned < 10 * kSpinWithin * rolling_ && moved < 10 * kPlaceWithin;
+  return search.turned < 10 * kSpinWithin * rolling_ && search.moved < 10 * kPlaceWithin;
 }
 
 void RollerOrbit::finish() {

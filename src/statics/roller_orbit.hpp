@@ -42,6 +42,7 @@ class RollerOrbit {
 
  private:
   struct Forces;
+  struct Search;
   /// Of one pack of angles; `x` is moved to where the bars bear what they must.
   Forces forces(std::size_t pack, Pack r, Pack s, Pack& x) const;
   void balance_pocket(Pack need, Pack s, Pack& x) const;
