@@ -68,7 +68,8 @@ std::vector<std::string> candidate_names(const toml::node* node, const toml::tab
     const auto text = element.value<std::string>();
     const auto width = element.value<double>();
     const bool grade = text && grade_number(*text);
-    const bool usable = element.is_number() && width && std::isfinite(*width) && *width > 0;
+    // std::stod, which reads the name again, takes subnormal numbers for errors.
+    const bool usable = element.is_number() && width && std::isnormal(*width) && *width > 0;
     if (!grade && !usable)
       throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
                        "this is neither an ISO 286 grade nor a tolerance",

@@ -358,6 +358,11 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
        {"study.toml:6: tolerance.dimension.candidates = -0.1",
         "neither an ISO 286 grade nor a tolerance"}},
       {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
+               "0.1\ncandidates = [5e-324]\n",
+       {"study.toml:6: tolerance.dimension.candidates",
+        "neither an ISO 286 grade nor a tolerance"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
                "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_um = "
                "100\ncandidates = ['IT9']\n",
        {"study.toml:5: tolerance.dimension.tolerance_width_um = 100: wrong unit",
