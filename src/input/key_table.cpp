@@ -94,10 +94,7 @@ double checked_number(const KeyInfo& key, const toml::node& node, const std::str
   if (!std::isfinite(value))
     throw InputError(place_of(node, file), key.name, shown(node), "not a finite number",
                      "give " + example_of(key) + ", " + range_text(key));
-  // In SI, too: beyond the range of numbers it would become zero or infinite.
-  const bool kept = value == 0 || std::isnormal(value * key.to_si);
-  if (!kept || !in_range(key.range, value))
-    throw out_of_range(key, shown(node), place_of(node, file));
+  if (!may_be(key, value)) throw out_of_range(key, shown(node), place_of(node, file));
   return value;
 }
 
@@ -238,6 +235,12 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
 bool in_range(const KeyRange& range, double value) {
   if (!std::isfinite(value) || value > range.maximum) return false;
   return range.open_minimum ? value > range.minimum : value >= range.minimum;
+}
+
+bool may_be(const KeyInfo& key, double value) {
+  const double si = to_si(value, key.to_si);
+  const bool kept = value == 0 || (std::isnormal(si) && std::isfinite(from_si(si, key.to_si)));
+  return kept && in_range(key.range, value);
 }
 
 std::string range_text(const KeyInfo& key) {

@@ -80,6 +80,7 @@ TEST_F(DutyKeys, RefuseBadFilesWithTheirLineAndARemedy) {
               AllOf(HasSubstr(csv + ":2: duty.inner_rpm = nan"), HasSubstr("finite")));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,fast\n")), HasSubstr("fast"));
   EXPECT_THAT(problem_of(with_csv("time_s,radial_N\n0,-1\n")), HasSubstr("at least 0 N"));
+  EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1e-320\n")), HasSubstr("outside the range"));
   EXPECT_THAT(problem_of(with_csv("time_s,iner_rpm\n0,1\n")),
               AllOf(HasSubstr(":1: "), HasSubstr("did you mean inner_rpm")));
   EXPECT_THAT(problem_of(with_csv("time_s,inner\n0,1\n")), HasSubstr("write inner_rpm"));

@@ -34,10 +34,11 @@ std::string problem_of(const std::string& text,
   return "no error";
 }
 
-TEST(SceneKeys, NumbersThatVanishInSIAreOutOfRange) {
+TEST(SceneKeys, NumbersThatVanishInSIOrOnTheWayBackAreOutOfRange) {
   for (const char* line :
        {"lubrication.race_roughness_um = 5e-324\n", "cage.edge_radius_mm = 1e-320\n",
-        "lubrication.pressure_viscosity_1_GPa = 1e-315\n"})
+        "lubrication.pressure_viscosity_1_GPa = 1e-315\n",
+        "lubrication.pocket_layer_um = 1.7976931348623157e308\n"})
     EXPECT_THAT(problem_of(line), HasSubstr("outside the range")) << line;
 }
 
