@@ -43,17 +43,16 @@ pid_t parent_of(pid_t process) {
   return 0;
 }
 
-bool has_mpi(pid_t process) {
-  std::ifstream maps("/proc/" + std::to_string(process) + "/maps");
-  for (std::string line; std::getline(maps, line);)
-    if (line.find("/libmpi.") != std::string::npos) return true;
-  return false;
+bool holds(pid_t process, const char* file, const char* text) {
+  std::ifstream stream("/proc/" + std::to_string(process) + "/" + file);
+  const std::string all{std::istreambuf_iterator<char>(stream), {}};
+  return all.find(text) != std::string::npos;
 }
 
 /// A rank that starts a program hands it its own place, which MPI gives to one process only.
 void refuse_place_of_parent() {
   for (pid_t above = ::getppid(); above > 1 && !is_launcher(above); above = parent_of(above))
-    if (has_mpi(above))
+    if (holds(above, "environ", "OMPI_COMM_WORLD_RANK=") && holds(above, "maps", "/libmpi."))
       throw InputError({}, "", "",
                        fmt::format("process {}, which started this one, is itself a rank of MPI "
                                    "(OMPI_*, PMIX_* in the environment)",
@@ -73,13 +72,13 @@ bool has_ended(int process, int milliseconds) {
 Launch launch_from_environment() {
   const auto slurm_tasks = environment_number({"SLURM_STEP_NUM_TASKS"});
   if (const auto rank = environment_number({"OMPI_COMM_WORLD_RANK"})) {
-    refuse_place_of_parent();
     if (std::getenv("PMIX_NAMESPACE") == nullptr)
       throw InputError({}, "OMPI_COMM_WORLD_RANK", std::to_string(*rank),
                        "mpirun's variable PMIX_NAMESPACE is missing beside it, so that MPI cannot "
                        "find the other ranks",
                        "leave mpirun's variables (OMPI_*, PMIX_*) in the environment of its "
                        "processes, or take all of them out for a run of its own");
+    refuse_place_of_parent();
     return {*rank, environment_number({"OMPI_COMM_WORLD_SIZE"}).value_or(0), true};
   }
   if (const auto rank = environment_number({"PMIX_RANK"}))
