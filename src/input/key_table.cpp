@@ -350,8 +350,12 @@ std::string quoted(const std::string& text) {
 }
 
 std::string numbers_text(const std::vector<double>& values) {
-  const auto text = [](double value) {
-    return std::isnan(value) ? std::string("\"auto\"") : number_text(value);
+  const auto text = [](double value) -> std::string {
+    if (std::isnan(value)) return "\"auto\"";
+    const std::string digits = number_text(value);
+    // TOML takes digits alone for an integer, which has 64 bits.
+    const bool long_integer = std::abs(value) > 9e18 && digits.find('e') == std::string::npos;
+    return digits + (long_integer ? ".0" : "");
   };
   if (values.size() == 1) return text(values[0]);
   std::string list = "[";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -147,6 +148,14 @@ double unit_value(double si, double factor) {
     std::snprintf(text.data(), text.size(), "%.*g", digits, direct);
     const double candidate = std::strtod(text.data(), nullptr);
     if (to_si(candidate, factor) == si) return candidate;
+  }
+  // The last of 17 digits may be off by the rounding both ways.
+  double below = direct, above = direct;
+  for (int step = 0; step < 4; ++step) {
+    below = std::nextafter(below, -std::numeric_limits<double>::infinity());
+    above = std::nextafter(above, std::numeric_limits<double>::infinity());
+    for (const double candidate : {below, above})
+      if (to_si(candidate, factor) == si) return candidate;
   }
   return direct;
 }

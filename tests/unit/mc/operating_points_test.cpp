@@ -87,6 +87,13 @@ TEST_F(OperatingPoints, ALimitWithoutLabelIsOneAtEachPoint) {
   EXPECT_DOUBLE_EQ(at_operating_point(again.scene, again.points[0]).operation.radial_load, 1000);
 }
 
+TEST_F(OperatingPoints, ALoadOfMoreDigitsThanAnIntegerHasIsReadAgain) {
+  const Study study =
+      study_of(std::string(kScene) +
+               "[[operating_point]]\nname = 'a'\n\"load.radial_N\" = 9223372036854775807\n");
+  EXPECT_EQ(at_operating_point(study.scene, study.points[0]).operation.radial_load, 0x1p63);
+}
+
 TEST_F(OperatingPoints, ASampleIsTheDrawnBearingAtEachPoint) {
   const Study study = study_of(std::string(kScene) + kPoints);
   const Sample sample = draw_sample(study, 1);

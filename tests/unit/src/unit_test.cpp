@@ -54,5 +54,17 @@ TEST(Unit, ConversionIsWithinOneRounding) {
   }
 }
 
+TEST(Unit, TheValueInItsUnitGivesTheSameBitsInSI) {
+  EXPECT_EQ(to_si(unit_value(to_si(13.387664401253275, 1e-3), 1e-3), 1e-3),
+            to_si(13.387664401253275, 1e-3));
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> exponent(-12, 12);
+  for (int i = 0; i < 20000; ++i)
+    for (const double factor : {1e-3, 1e-6, 1e9, 0.10471975511965977}) {
+      const double si = to_si(std::pow(10, exponent(random)), factor);
+      EXPECT_EQ(to_si(unit_value(si, factor), factor), si);
+    }
+}
+
 }  // namespace
 }  // namespace cagetol
