@@ -147,15 +147,6 @@ double seconds_since(Clock::time_point began) {
 }
 
 /// A run in time on its way: bearing, state, method and window.
-/// With a budget of steps some twenty times what runs of shipped scenes take: what needs more
-/// cannot be followed, and is told apart by its steps and not by the clock.
-Integration with_step_budget(Integration keys, const WindowTimes& times) {
-  const double longest = std::max(times.settle, times.longest_settle) + times.measure;
-  keys.step_budget =
-      given_or(keys.step_budget, std::ceil(1e5 * (1 + longest / times.revolution) + 1e6 * longest));
-  return keys;
-}
-
 struct Motion {
   Motion(const Scene& scene, std::shared_ptr<const CageModel> cage)
       : model(make_bearing_model(scene, std::move(cage))),
@@ -168,7 +159,15 @@ struct Motion {
                         Observer(model, scene.phase.from[i], scene.phase.to[i])});
     const std::vector<double> start = start_state(model, scene.start);
     y.assign(start.begin(), start.end());
-    integrator = make_integrator(with_step_budget(scene.integration, times), system, t, y.data());
+    integrator = make_integrator(scene.integration, system, t, y.data());
+    set_step_budget(scene.integration);
+  }
+
+  /// What is given; otherwise some twenty times what shipped scenes take to the end of the window:
+  /// a run that needs more cannot be followed, and ends at the same step on any machine.
+  void set_step_budget(const Integration& keys) {
+    system.step_budget =
+        given_or(keys.step_budget, std::ceil(1e5 * (1 + end / times.revolution) + 1e6 * end));
   }
 
   const BearingModel model;
@@ -193,6 +192,7 @@ void extend_window(const Scene& scene, const SimulateOptions& options, Motion& r
   if (run.end > times.longest_settle || find_drift(scene, run.model, *run.observer).empty()) return;
   times.settle = run.end;
   run.end += times.measure;
+  run.set_step_budget(scene.integration);
   run.observer.emplace(run.model, times);
   run.observer->record(run.t, run.y.data(), run.system);
   if (options.on_window) options.on_window(times.settle);
@@ -281,8 +281,7 @@ void conclude(const Scene& scene, const Motion& run, Outcome& outcome) {
     outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
     outcome.status = out_of_budget ? Status::censored : Status::failed;
     outcome.reason = out_of_budget
-                         ? "the budget of " +
-                               number(with_step_budget(scene.integration, run.times).step_budget) +
+                         ? "the budget of " + number(run.system.step_budget) +
                                " steps (integration.step_budget) ran out at t = " + number(run.t) +
                                " s of " + number(run.end) + " s"
                      : run.finite ? run.integrator->failure()

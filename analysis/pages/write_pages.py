@@ -56,7 +56,6 @@ def motion_of(report, directory):
 
 def page_of(report, figures, problem):
     import jinja2
-    sys.path.insert(0, str(HERE))
     import page_parts
     import page_text
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True,

@@ -9,7 +9,7 @@
 namespace cagetol {
 
 /// samples.csv: one line a sample, with outcome, features of the cage and quantities. times.csv:
-/// what each took of the clock, which differs where all else is equal.
+/// the wall-clock time of each, which differs between equal studies.
 /// quantities.csv, error_budget.csv, contributors.csv and yield.csv: the tables of report.json.
 /// Throws StudyFileError when a file cannot be written.
 void write_csv_tables(const std::filesystem::path& directory, const StudyData& study,

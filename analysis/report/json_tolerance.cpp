@@ -165,8 +165,7 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
         "judgement, and the yield lies between {} and {}, as they fail or pass. The best of those "
-        "with enough runs "
-        "is {}.",
+        "with enough runs is {}.",
         result.yield.unknown_runs, result.yield.runs, percent(result.yield.if_unknown_fail),
         percent(result.yield.if_unknown_pass), list_of(widths));
   else if (!result.none_can_meet)

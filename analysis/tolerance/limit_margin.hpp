@@ -6,13 +6,13 @@
 // the quantity's unit. The extreme run is the one with the smallest margin.
 //
 // What a limit does, of n runs with a judgement of which k miss it:
-//   decides          some run misses it and no other limit
-//   follows          runs that miss it miss another limit too: without it the yield is the same
-//   met by enough runs  k = 0, and so many runs that at the confidence the share missed is less
-//                    than what the target yield allows (Clopper-Pearson, one-sided)
-//   open             k = 0, but too few runs to say so
+//   decides              some run misses it and no other limit
+//   follows              runs that miss it miss another limit too: without it the yield is the same
+//   met by enough runs   k = 0, and so many runs that at the confidence the share missed is less
+//                        than what the target yield allows (Clopper-Pearson, one-sided)
+//   open                 k = 0, but too few runs to say so
 //   within the model's error   moved by the known bias of the model, one way or the other, the
-//                    share missed leaves its interval (Clopper-Pearson, two-sided)
+//                        share missed leaves its interval (Clopper-Pearson, two-sided)
 // The last one comes before the others. Intervals take runs for independent.
 #pragma once
 

@@ -43,7 +43,7 @@ struct StepEffect {
 struct Recommendation {
   bool possible = false;  ///< the study has candidates with enough effective runs
   bool meets_target = false;
-  bool none_can_meet = true;  ///< of no candidate, whatever its runs, the upper bound does
+  bool none_can_meet = true;  ///< every candidate's upper bound misses the target
   std::size_t candidate =
       0;  ///< the recommended combination, or the best where none meets the target
   std::vector<RecommendedTolerance> tolerances;

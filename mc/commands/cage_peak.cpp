@@ -25,7 +25,7 @@ constexpr double kDegree = std::numbers::pi / 180, kMillimetre = 1e-3, kMPa = 1e
 
 /// A number in its unit with four digits: enough to draw.
 double drawn(double value, double unit) {
-  return std::stod(fmt::format("{:.4g}", value / unit));
+  return std::strtod(fmt::format("{:.4g}", value / unit).c_str(), nullptr);
 }
 
 Json surface_json(const std::string& name, const CageSurface& surface, double across_unit,

@@ -19,6 +19,7 @@
 #include "src/quantities/operating_point.hpp"
 
 namespace cagetol {
+namespace {
 
 /// One process leaves the other cores of the machine, or of a batch system's task, idle.
 void log_idle_cores() {
@@ -29,6 +30,8 @@ void log_idle_cores() {
     spdlog::info("one process on {0} cores: `mpirun -n {0} cagetol ...` runs {0} samples at a time",
                  cores);
 }
+
+}  // namespace
 
 void log_notes(const Study& study, const std::vector<std::string>& notes) {
   log_idle_cores();

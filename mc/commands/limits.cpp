@@ -36,8 +36,7 @@ struct LimitsArguments {
   bool json = false;
 };
 
-/// So many that a limit which none of them misses is met; of a target of less than 95 % as many as
-/// for that.
+/// Runs that settle a limit when none of them misses it; for a target below 95 % as many as for 95 %.
 long enough_samples(const Study& study) {
   const double target = std::max(0.95, study.tolerance.target_yield);
   return static_cast<long>(runs_without_miss(study.tolerance.confidence, target));
@@ -209,10 +208,9 @@ Chosen limits_command(CLI::App& command) {
                        "Directory of the sweep at nominal scatter; an earlier one goes on")
       ->required(false);
   command
-      .add_option(
-          "--samples", options->samples,
-          "Runs of that sweep; left out: so many that a limit which none of them misses is met "
-          "(target 99 %, confidence 95 %: 299)")
+      .add_option("--samples", options->samples,
+                  "Runs of that sweep; left out: enough to settle a limit that none of them misses "
+                  "(target 99 %, confidence 95 %: 299)")
       ->check(CLI::Range(2L, 1000000L));
   command.add_flag("--json", options->json, "Print distributions and margins as JSON");
   add_settings_option(command, options->settings);

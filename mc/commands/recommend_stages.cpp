@@ -29,7 +29,8 @@ void check_study(const Study& study) {
   if (study.candidates.empty())
     throw InputError({}, "tolerance.dimension", "", "the study has no candidate tolerances",
                      "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
-  for (const InputError& fault : judgement_faults(study)) throw fault;
+  if (const std::vector<InputError> faults = judgement_faults(study); !faults.empty())
+    throw faults.front();
 }
 
 CampaignSettings campaign_settings(const Study& study) {

@@ -17,7 +17,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 /// A number with so many digits as a picture shows.
 nlohmann::ordered_json drawn(double value, int digits = 4) {
   if (!std::isfinite(value)) return nullptr;
-  return std::stod(fmt::format("{:.{}g}", value, digits));
+  return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 
 double interval_of(const Scene& scene, const BearingModel& model) {

@@ -147,7 +147,7 @@ H5Kind Hdf5Reader::kind(const std::string& path) const {
   return kind_of(opened(H5Dget_type(object), H5Tclose, path, "its type cannot be read"));
 }
 
-std::pair<H5Handle, H5Handle> Hdf5Reader::opened_dataset(const std::string& dataset) const {
+Hdf5Reader::Dataset Hdf5Reader::opened_dataset(const std::string& dataset) const {
   H5Handle data =
       opened(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose, dataset, "is missing");
   H5Handle space = opened(H5Dget_space(data), H5Sclose, dataset, kSpace);
@@ -156,34 +156,34 @@ std::pair<H5Handle, H5Handle> Hdf5Reader::opened_dataset(const std::string& data
 }
 
 RealArray Hdf5Reader::reals(const std::string& dataset) const {
-  const auto [data, space] = opened_dataset(dataset);
+  const Dataset found = opened_dataset(dataset);
   RealArray array;
-  array.shape = shape_of(space);
-  array.values.resize(count_of(space));
-  if (!array.values.empty() &&
-      H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) < 0)
+  array.shape = shape_of(found.space);
+  array.values.resize(count_of(found.space));
+  if (!array.values.empty() && H5Dread(found.data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                       array.values.data()) < 0)
     fail(dataset, "its numbers cannot be read");
   return array;
 }
 
 std::vector<std::int64_t> Hdf5Reader::integers(const std::string& dataset) const {
-  const auto [data, space] = opened_dataset(dataset);
-  std::vector<std::int64_t> values(count_of(space));
+  const Dataset found = opened_dataset(dataset);
+  std::vector<std::int64_t> values(count_of(found.space));
   if (!values.empty() &&
-      H5Dread(data, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+      H5Dread(found.data, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     fail(dataset, "its whole numbers cannot be read");
   return values;
 }
 
 std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
-  const auto opened_one = opened_dataset(dataset);
-  const hid_t data = opened_one.first, space = opened_one.second;
-  const H5Handle type = opened(H5Dget_type(data), H5Tclose, dataset, "its type cannot be read");
+  const Dataset found = opened_dataset(dataset);
+  const H5Handle type =
+      opened(H5Dget_type(found.data), H5Tclose, dataset, "its type cannot be read");
   const auto read = [&](hid_t memory, void* buffer) {
-    return H5Dread(data, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+    return H5Dread(found.data, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
   };
   std::vector<std::string> texts;
-  if (!read_texts(type, space, read, texts))
+  if (!read_texts(type, found.space, read, texts))
     fail(dataset, "its text cannot be read, or is not UTF-8");
   return texts;
 }

@@ -51,8 +51,11 @@ class Hdf5Reader {
 
   H5Handle opened(hid_t id, H5Handle::Close close, const std::string& object,
                   const std::string& problem) const;
-  /// A dataset and its space. Refuses one that announces more than the file can hold.
-  std::pair<H5Handle, H5Handle> opened_dataset(const std::string& dataset) const;
+  struct Dataset {
+    H5Handle data, space;
+  };
+  /// Refuses one that announces more than the file can hold.
+  Dataset opened_dataset(const std::string& dataset) const;
   H5Handle attribute(const std::string& object, const std::string& name) const;
 
   H5Quiet quiet_;

@@ -192,8 +192,7 @@ void SweepDirectory::lock() {
     if (errno != EWOULDBLOCK && errno != EINTR)
       return spdlog::warn(
           "{}: this file system has no locks ({}): start no second command with this directory "
-          "while "
-          "one runs",
+          "while one runs",
           directory_, std::strerror(errno));
     if (attempt == 50)
       throw InputError({directory_, 0}, "", "", "another sweep is writing to this directory",

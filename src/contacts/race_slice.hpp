@@ -15,6 +15,7 @@
 //   axis force along t      F_c = F_r 2 R/R_slice        R reduced radius, F_r rolling resistance
 //   surface force along x   F_2 = -ratio v_2
 //   normal force            Q along n
+// Above 400 lines: one slice, its loads beside their derivatives.
 #pragma once
 
 #include "src/contact_laws/film_contact.hpp"

@@ -1,3 +1,4 @@
+// Above 400 lines: one kind of key after another, read, checked and written alike.
 #include "src/input/key_table.hpp"
 
 #include <fmt/format.h>
@@ -73,8 +74,9 @@ std::string example_of(const KeyInfo& key) {
 }
 
 InputError wrong_type(const KeyInfo& key, const toml::node& node, const std::string& file) {
-  if (const auto number = node.value_exact<double>();
-      key.kind == KeyKind::integer && number && *number == std::round(*number))
+  if (const auto number = node.value_exact<double>(); key.kind == KeyKind::integer && number &&
+                                                      *number == std::round(*number) &&
+                                                      std::abs(*number) < 1e15)
     return {place_of(node, file), key.name, shown(node), "a whole number has no point or exponent",
             fmt::format("write {:.0f}", *number)};
   return {place_of(node, file), key.name, shown(node),
@@ -94,7 +96,7 @@ double checked_number(const KeyInfo& key, const toml::node& node, const std::str
   if (!std::isfinite(value))
     throw InputError(place_of(node, file), key.name, shown(node), "not a finite number",
                      "give " + example_of(key) + ", " + range_text(key));
-  if (!may_be(key, value)) throw out_of_range(key, shown(node), place_of(node, file));
+  if (!allows(key, value)) throw out_of_range(key, shown(node), place_of(node, file));
   return value;
 }
 
@@ -237,7 +239,7 @@ bool in_range(const KeyRange& range, double value) {
   return range.open_minimum ? value > range.minimum : value >= range.minimum;
 }
 
-bool may_be(const KeyInfo& key, double value) {
+bool allows(const KeyInfo& key, double value) {
   const double si = to_si(value, key.to_si);
   const bool kept = value == 0 || (std::isnormal(si) && std::isfinite(from_si(si, key.to_si)));
   return kept && in_range(key.range, value);

@@ -134,7 +134,7 @@ std::string text_value(const KeyInfo& key, const toml::node& node, const std::st
 /// Whether a number given in the key's unit lies in the key's range. NaN and infinities never do.
 bool in_range(const KeyRange& range, double value);
 /// Likewise, and neither in SI nor back in the key's unit would it become zero or infinite.
-bool may_be(const KeyInfo& key, double value);
+bool allows(const KeyInfo& key, double value);
 /// The range in words: "above 0 mm", "0 to 1".
 std::string range_text(const KeyInfo& key);
 

@@ -103,7 +103,7 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
   if (driven) system.rates_by_time(t, y, time_rates_.data());
   bool rejected = false;
   for (;;) {
-    if (system.counts.steps + system.counts.rejected >= keys_.step_budget)
+    if (system.counts.steps + system.counts.rejected >= system.step_budget)
       return StepStatus::out_of_budget;
     const bool last = t + h >= t_end;
     if (last) h = t_end - t;

@@ -204,7 +204,7 @@ class SundialsIntegrator : public Integrator {
     problem_.system = &system;
     const double before = t;
     if (reached_ <= t) {
-      if (system.counts.steps + system.counts.rejected >= problem_.keys.step_budget)
+      if (system.counts.steps + system.counts.rejected >= system.step_budget)
         return StepStatus::out_of_budget;
       const long fails_before = fails();
       // CV_ONE_STEP and ARK_ONE_STEP are the same number.

@@ -2,6 +2,8 @@
 // state and the counts of what was evaluated. Scratch of one run: not shared between runs.
 #pragma once
 
+#include <limits>
+
 #include "src/dynamics/forces.hpp"
 #include "src/numerics/pack_vector.hpp"
 
@@ -47,6 +49,8 @@ struct System {
   Linearisation linear;
   Observation seen;
   Counts counts;
+  /// Attempted steps after which no more are taken.
+  double step_budget = std::numeric_limits<double>::infinity();
 };
 
 /// Error scale of each state component: error_units, of angles and rates divided by their lever

@@ -71,7 +71,7 @@ double value_of(std::string_view field, const Column& column, const SourcePlace&
     throw InputError(place, key, shown, "not a finite number",
                      "give a number in each field, with a decimal point");
   value *= column.factor;
-  if (!may_be(*column.key, value))
+  if (!allows(*column.key, value))
     throw InputError(place, key, shown, "outside the range of this column",
                      "give values " + range_text(*column.key));
   return value;

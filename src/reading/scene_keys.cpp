@@ -304,7 +304,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"integration.tolerance", above(0, 10), AT(integration.tolerance), "error tolerance, multiple of the error scales: D_we/7500, 0.001 of the fastest raceway surface's speed but at least 1 cm/s, and these over lever arms (1 um and 1 cm/s for the NU 205)", {kStatic}},
       {"integration.max_step_us", or_auto(above(0)), AT(integration.max_step), "largest step; auto: 50 us, and at steady speeds a fortieth of the time between two rollers that pass, if that is more", {kStatic}},
       {"integration.max_order", within(1, 5), AT(integration.max_order), "highest order of cvode-bdf", {kStatic, kNoOrder}},
-      {"integration.step_budget", or_auto(within(1, 1e12)), AT(integration.step_budget), "attempted steps after which a run is censored; auto: 100000 for each turn of the cage, and a million for each second", {kStatic}},
+      {"integration.step_budget", or_auto(within(1, 1e12)), AT(integration.step_budget), "attempted steps after which a run is censored; auto: 100000, as many for each turn of the cage, and a million for each second, to the end of the window", {kStatic}},
       {"integration.wall_budget_s", at_least(0), AT(integration.wall_budget), "wall-clock limit of a run, which then counts as not run; 0: none", {kStatic}},
       {"watch.static_consistency_max", above(0), AT(watch.static_consistency_max), "largest static consistency error; a run that exceeds it by more than its window leaves open has failed"},
       {"watch.energy_residual_max", above(0), AT(watch.energy_residual_max), "largest relative energy residual; a run that exceeds it by more than its steps leave open has failed"},

@@ -1,3 +1,4 @@
+// Above 400 lines: the steps of one search, which share its state.
 #include "src/statics/roller_orbit.hpp"
 
 #include <algorithm>

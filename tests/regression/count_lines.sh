@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Counts code lines, which are neither blank nor comments alone, of each language in each room:
 #   count_lines.sh SOURCE_DIR [--write]
-# Compares them with most_lines.txt, so that growth shows in a diff; --write writes that file anew.
+# Compares them with most_lines.txt, so that growth shows in a diff; --write writes that file anew,
+# rounded up to hundreds.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$1" || exit 2
@@ -30,7 +31,7 @@ counted() {
 }
 now=$(counted)
 if [ "${2:-}" = --write ]; then
-  echo "$now" > "$limits"
+  echo "$now" | awk '{print $1, $2, 100 * int(($3 + 99) / 100)}' > "$limits"
   exit 0
 fi
 status=0

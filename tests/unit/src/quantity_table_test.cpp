@@ -81,7 +81,7 @@ TEST(QuantityTable, ExtremesAreThoseThatSayPeakOrQuantileOrThinnest) {
     const std::string definition = row.definition;
     bool says = false;
     for (const char* word : {"largest value", "largest sliding", "largest acceleration", "quantile",
-                             "largest von Mises", "thinnest", "peak"})
+                             "largest von Mises", "thinnest", "smallest", "peak"})
       says |= definition.find(word) != std::string::npos;
     EXPECT_EQ(is_extreme(row.kind), says) << row.key;
   }

@@ -1,4 +1,5 @@
 // What depends on the length of a run's window.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,6 +38,16 @@ TEST(Window, PeaksOfTheSameRevolutionsAreTheSameInALongerWindow) {
       EXPECT_EQ(value_of(brief, row.key), value_of(longer, row.key)) << row.key;
     }
   EXPECT_NE(value_of(brief, "pocket_force_rms_N"), value_of(longer, "pocket_force_rms_N"));
+}
+
+TEST(Window, ARunThatNeedsTooManyStepsIsCensored) {
+  Scene scene = shipped_scene("speed-z16");
+  scene.integration.max_step = 1e-15;
+  scene.window = {.settle_revolutions = 0, .measure_revolutions = 1e-6, .peak_revolutions = 1};
+  const Outcome outcome = simulate(scene);
+  EXPECT_EQ(outcome.status, Status::censored);
+  EXPECT_EQ(outcome.run.steps, 1e5 + 1);
+  EXPECT_THAT(outcome.reason, testing::HasSubstr("(integration.step_budget)"));
 }
 
 TEST(Window, ADriftingMotionSettlesLongerAndThenFails) {
