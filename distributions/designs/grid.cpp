@@ -27,7 +27,8 @@ Grid::Grid(const DesignSpec& spec)
 
 std::uint64_t Grid::complete_rows(const DesignSpec& spec) {
   require(spec.grid_levels.size() == group_count(spec), "a grid of ", group_count(spec),
-          " groups needs as many numbers of levels, not ", spec.grid_levels.size());
+          " groups needs as many numbers of levels, not ", spec.grid_levels.size(),
+          "; give grid_levels = [5] for all groups, or one number for each");
   std::uint64_t rows = 1;
   for (const std::uint64_t levels : spec.grid_levels) {
     require(levels >= 1,

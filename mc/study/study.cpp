@@ -34,15 +34,15 @@ const toml::table& scene_table(const toml::table& root, const std::string& file)
 }
 
 std::vector<long> read_grid_levels(const toml::node& node, const std::string& file) {
-  const auto* array = node.as_array();
+  const toml::array alone{node.value_exact<std::int64_t>().value_or(0)};
+  const auto& array = node.is_array() ? *node.as_array() : alone;
   std::vector<long> levels;
-  if (array)
-    for (const auto& element : *array)
-      if (element.is_integer() && element.as_integer()->get() >= 1)
-        levels.push_back(element.as_integer()->get());
-  if (!array || array->empty() || levels.size() != array->size())
+  for (const auto& element : array)
+    if (element.is_integer() && element.as_integer()->get() >= 1)
+      levels.push_back(element.as_integer()->get());
+  if (array.empty() || levels.size() != array.size())
     throw InputError(place_of(node, file), "grid_levels", shown(node),
-                     "expected an array of whole numbers above 0",
+                     "expected whole numbers above 0",
                      "give one number of levels for each group of inputs (`cagetol check` lists "
                      "the groups), or a single one for all");
   return levels;

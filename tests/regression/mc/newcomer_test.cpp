@@ -40,6 +40,7 @@ const std::vector<Mistake>& mistakes() {
       {"seed=-1", "give a value from 0 to"},
       // Choices.
       {"design='latin'", "nearest: lhs"},
+      {"design='grid'", "give grid_levels = [5] for all groups, or one number for each"},
       {"lubrication.lubricant='VG68'", "nearest: iso-vg-68", 2, true},
       {"cage.material='PA66'", "nearest: pa66-gf25", 2, true},
       // Distributions and correlations.
@@ -47,12 +48,13 @@ const std::vector<Mistake>& mistakes() {
       {kWidth + "{nominal=7.65,lot={law='normal',sigma_um=9}}", "did you mean sigma?"},
       {kWidth + "{nominal=7.65,lot={law='normal',sigma=-0.009}}", "give a value at least 0"},
       {kWidth + "{nominal=7.65,lot={law='normal',sigma=9}}", "narrow the laws"},
+      {kWidth + "{nominal=7.65,lot={law='uniform',lower=0.1,upper=-0.1}}", "exchange them"},
       {kWidth + "{nominal=7.65,cage={law='normal',sigma=0.009}}", "parts are nominal, lot, pocket, noise, or a law"},
       {kWidth + "{nominal=7.4}", "give a pocket width above the roller diameter"},
       {kWidth + "7650", "pockets this wide leave no bar between them"},
       {"correlation=[{between=['cage.pocket_width_mm','cage.pocket_length_mm'],rho=0.5}]", "did you mean cage.pocket_width_mm:lot?"},
       {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:pocket'],rho=0.5}]", "both with :lot or both with :pocket"},
-      {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:lot'],rho=1}]", "inputs that move as one are one input"},
+      {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:lot'],rho=1}]", "give -0.999 to 0.999: inputs that move as one are one input"},
       {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:lot'],rho=0.5},"
        "{between=['cage.pocket_length_mm:lot','cage.pocket_width_mm:lot'],rho=0.4}]", "have a correlation already"},
       // Tolerances and targets.

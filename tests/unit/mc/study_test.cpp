@@ -232,6 +232,8 @@ TEST_F(StudyFile, RowsBeyondTheRangeAreRefusedWithTheirCount) {
       problem_of("design = 'grid'\ngrid_levels = [2000000000]\n" + inputs),
       HasSubstr("study.toml:2: grid_levels = [ 2000000000 ]: design \"grid\" has 2000000000 "
                 "rows; a study has at most 1000000000"));
+  EXPECT_EQ(study_of("design = 'grid'\ngrid_levels = 2\n" + inputs).grid_levels,
+            std::vector<long>{2});
   // In range, and resolved to a study that can be read again.
   for (const char* design : {"random", "pick-freeze", "morris"}) {
     const Study study =
