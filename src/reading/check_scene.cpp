@@ -29,8 +29,8 @@ void check_rings(const Scene& scene, const SceneCheck& check) {
                                  check.with_value("bearing.outer_raceway_diameter_mm") + ", " +
                                  check.with_value("bearing.internal_clearance_um");
     check.require(std::abs(clearance) < diameter / 10, "roller.diameter_mm",
-                  "the rollers do not fill the gap between the raceways: " +
-                      number_text(std::round(clearance * 1e9) / 1e6) +
+                  std::string("the rollers do not ") + (clearance < 0 ? "fit" : "fill the gap") +
+                      " between the raceways: " + number_text(std::round(clearance * 1e9) / 1e6) +
                       " mm of diametral clearance (" + raceways + ")",
                   "give raceways with outer - inner = 2 roller diameters, and the clearance as "
                   "bearing.internal_clearance_um");
@@ -167,10 +167,10 @@ void check_outline(const Scene& scene, const SceneCheck& check) {
   const double out = (outer_land_diameter(scene.bearing) - cage.outer_diameter) / 2,
                in = (cage.inner_diameter - inner_land_diameter(scene.bearing)) / 2;
   check.require(play > 0 && play < std::min(out, in), "cage.guidance",
-                "rollers let the cage go by " + in_mm(play) +
-                    " before its pockets touch them in the radial plane, and the rings stop it "
-                    "at " +
-                    in_mm(std::min(out, in)),
+                (std::isinf(play) ? "rollers never hold the cage"
+                                  : "rollers let the cage go by " + in_mm(play) +
+                                        " before its pockets touch them") +
+                    " in the radial plane, and the rings stop it at " + in_mm(std::min(out, in)),
                 "narrow the pockets at bore or outside (cage.retention_width_*, or a smaller "
                 "cage.face_radius_mm), or guide the cage by a ring");
 }

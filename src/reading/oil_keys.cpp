@@ -29,8 +29,8 @@ InputError no_word_of_oil(const std::string& who, const std::string& file) {
           who +
               " whether there is oil in the bearing: friction, slip and pocket forces depend on it "
               "more than on any tolerance",
-          "give lubrication.model = \"film\" for a bearing with oil, or \"none\" for a dry one as "
-          "before (in a study below [scene], or in the scene file that its scene.file names)"};
+          "give lubrication.model = \"film\" for a bearing with oil, or \"none\" for a dry one "
+          "(in a study below [scene], or in the scene file that its scene.file names)"};
 }
 
 std::string successor_of(const Scene& scene, std::string_view key) {

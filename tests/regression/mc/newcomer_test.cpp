@@ -33,7 +33,7 @@ const std::vector<Mistake>& mistakes() {
       {"load.radial_kN=1", "write load.radial_N = 1000  (1 kN = 1000 N)", 2, true},
       {"speed.inner=6000", "write speed.inner_rpm, in rpm", 2, true},
       {"lubrication.temperature_C=343", "give a value from -60 to 250 degC", 2, true},
-      {"roller.diameter_mm=7500", "the rollers do not fill the gap between the raceways", 2, true},
+      {"roller.diameter_mm=7500", "the rollers do not fit between the raceways", 2, true},
       {"bearing.roller_count=13.5", "a whole number, from 3 to 64", 2, true},
       {"samples=1e6", "write 1000000"},
       {"samples=0", "give a value from 1 to 1e+09"},

@@ -50,7 +50,7 @@ TEST(OilKeys, ADynamicSceneMustSayWhetherThereIsOil) {
       AllOf(HasSubstr("t.toml: lubrication.model: a dynamic scene must say whether there is "
                       "oil in the bearing"),
             HasSubstr("remedy: give lubrication.model = \"film\" for a bearing with oil, or "
-                      "\"none\" for a dry one as before"),
+                      "\"none\" for a dry one (in"),
             HasSubstr("below [scene]")));
   EXPECT_THAT(problem([] { without_oil("model.motion = 'dynamic'\n"); }),
               HasSubstr("a dynamic scene must say"));

@@ -138,6 +138,11 @@ TEST(PocketOutline, ChecksRefuseWhatHoldsNoRoller) {
                 s.cage.retention_outer = 7.2e-3;
               }),
               HasSubstr("the rings stop it"));
+  EXPECT_THAT(problem([](Scene& s) {
+                s.cage.guidance = Guidance::roller;
+                s.cage.retention_outer = 7.6e-3;
+              }),
+              HasSubstr("rollers never hold the cage"));
   EXPECT_EQ(problem([](Scene& s) {
               s.cage.guidance = Guidance::roller;
               s.cage.retention_outer = retention_width(s.cage, kPitch, kRoller, 1, 80e-6);
