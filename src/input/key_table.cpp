@@ -165,8 +165,9 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   std::size_t smallest = std::numeric_limits<std::size_t>::max();
   const std::string_view compared = name.substr(0, 200);
   for (const auto& candidate : known) {
-    // What it begins is nearer than what it resembles.
-    const bool begun = !name.empty() && candidate.starts_with(name);
+    // What it begins or ends is nearer than what it resembles.
+    const bool begun =
+        !name.empty() && (candidate.starts_with(name) || last_part(candidate) == name);
     const std::size_t distance = begun ? 0 : edit_distance(compared, candidate);
     if (distance < smallest) {
       smallest = distance;
@@ -182,8 +183,8 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& kn
   const std::string_view asked = name.substr(0, 200);
   const std::size_t apart = std::min(edit_distance(asked, nearest),
                                      edit_distance(asked, nearest.substr(0, asked.size())));
-  const bool is_near =
-      nearest.starts_with(name) || apart <= std::max<std::size_t>(2, name.size() / 2);
+  const bool is_near = nearest.starts_with(name) || last_part(nearest) == name ||
+                       apart <= std::max<std::size_t>(2, name.size() / 2);
   if (is_near) return "did you mean " + nearest + "?" + (more.empty() ? "" : " " + more);
   return more.empty() ? "choose from " + joined(known) : more;
 }
@@ -226,6 +227,13 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
             "write " + key.name + " = " + in_wanted(*number) + "  (1 " + given.text + " = " +
                 in_wanted(1) + " " + wanted.text + ")"};
   }
+  // Longer endings are misspelt words.
+  if (const auto cut = leaf.name.rfind('_');
+      cut != std::string::npos && cut + 5 >= leaf.name.size())
+    for (const auto& key : known)
+      if (key.unit != "-" && without_unit(key.name) == leaf.name.substr(0, cut))
+        return {place, leaf.name, value, "the unit " + leaf.name.substr(cut + 1) + " is not known",
+                "convert the value and write " + key.name + ", in " + key.unit};
   if (!section.empty())
     return {place, leaf.name, value, "this is a section, not a key",
             "give the keys of the section, for example " + section.front()};

@@ -30,6 +30,8 @@ const std::vector<Mistake>& mistakes() {
       {"scene.cage.pocket_width=7.65", "write cage.pocket_width_mm, in mm"},
       {"scene.cage.pocket_width_um=7650", "write cage.pocket_width_mm = 7.65  (1 um = 0.001 mm)"},
       {"scene.cage.pocket_widht_mm=7.65", "did you mean cage.pocket_width_mm?"},
+      {"operating_point=[{name='a',radial_N=200}]", "did you mean load.radial_N?"},
+      {"cage.pocket_width_in=0.3", "the unit in is not known"},
       {"load.radial_kN=1", "write load.radial_N = 1000  (1 kN = 1000 N)", 2, true},
       {"speed.inner=6000", "write speed.inner_rpm, in rpm", 2, true},
       {"lubrication.temperature_C=343", "give a value from -60 to 250 degC", 2, true},
