@@ -24,8 +24,10 @@ namespace {
 
 std::string law_text(const std::optional<Law>& law, const char* scope, const std::string& unit) {
   if (!law) return "";
-  return fmt::format("    {:<7}{}, mean {:.6g}, standard deviation {:.6g} {}\n", scope,
-                     law_name(*law), mean(*law), standard_deviation(*law), unit);
+  const double deviation = standard_deviation(*law), middle = mean(*law);
+  return fmt::format("    {:<6} {}, mean {:.6g}, standard deviation {:.6g} {}\n", scope,
+                     law_name(*law), std::abs(middle) < 1e-9 * deviation ? 0 : middle, deviation,
+                     unit);
 }
 
 std::string nominal_text(const UncertainInput& input) {
@@ -64,7 +66,7 @@ std::string jams_text(const Study& study) {
     most = std::max(most, share);
   }
   if (most > 0)
-    text += fmt::format("  up to {:.2g} % of a candidate's cages jam by their dimensions alone\n",
+    text += fmt::format("  up to {:.3g} % of a candidate's cages jam by their dimensions alone\n",
                         100 * most);
   if (over > 0)
     text += fmt::format(

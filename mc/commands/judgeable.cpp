@@ -39,7 +39,7 @@ std::vector<InputError> judgement_faults(const Study& study) {
     if (!may_be_negative(quantity_named(limit.quantity)) && limit.maximum < 0)
       faults.emplace_back(SourcePlace{}, "limit.max", number_text(*limit.maximum),
                           limit.quantity + " is never negative: no run meets this limit",
-                          "give a larger one");
+                          "give 0 or more");
     if (!is_defined(study, limit))
       faults.emplace_back(SourcePlace{}, "limit.quantity", limit.quantity,
                           "runs of this scene give it no value: it needs " +

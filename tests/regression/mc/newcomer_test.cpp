@@ -59,6 +59,8 @@ const std::vector<Mistake>& mistakes() {
       {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:lot'],rho=1}]", "give -0.999 to 0.999: inputs that move as one are one input"},
       {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:lot'],rho=0.5},"
        "{between=['cage.pocket_length_mm:lot','cage.pocket_width_mm:lot'],rho=0.4}]", "have a correlation already"},
+      {"seed=5", "from cage to cage normal, mean 0, standard deviation 0.009 mm", 0},
+      {"cage.pocket_pitch_mrad={pocket={law='empirical',values=[1,2,3,5,8,13],centred=true}}", "empirical, mean 0, standard", 0},
       // Tolerances and targets.
       {kDimension + "[90,150]}]", "widths are in mm: 90 um are 0.09"},
       {kDimension + "['0,01']}]", "give a grade like \"IT9\" or a full width in mm"},
@@ -77,7 +79,7 @@ const std::vector<Mistake>& mistakes() {
       {"limit=[{quantity='life_L10_h',min=1000,source='a'}]", "this belongs to the operating point"},
       {"limit=[{quantity='cage_stress_peak_MPa',max=100}]", "the limit does not say where it comes from"},
       {"limit=[{quantity='cage_stress_peak_MPa',source='a'}]", "add min = ..., max = ..., or both"},
-      {"limit=[{quantity='cage_stress_peak_MPa',max=-1,source='a'}]", "is never negative: no run meets this limit", 0},
+      {"limit=[{quantity='cage_stress_peak_MPa',max=-1,source='a'}]", "is never negative: no run meets this limit\n  remedy: give 0 or more", 0},
       {"limit=[{quantity='cage_stress_peak_MPa',max=100,source='a'},{quantity='cage_stress_peak_MPa',max=90,source='b'}]", "keep one of the two"},
       {"scene.cage.model='rigid'", "runs of this scene give it no value: it needs cage.model = \"flexible\"", 0},
       // Bearings that nobody would run.
