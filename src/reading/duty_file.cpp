@@ -47,17 +47,21 @@ Column find_column(std::string_view heading, const SourcePlace& place) {
   std::vector<std::string> names;
   for (const auto* key : column_keys()) {
     names.push_back(heading_of(*key));
-    if (std::string(without_unit(names.back())) != given.name) continue;
+    const std::string stem(without_unit(names.back()));
+    if (given.name != stem && !(given.unit.empty() && given.name.starts_with(stem + "_"))) continue;
     const Unit* unit = find_unit(given.unit);
     const Unit& wanted = unit_of(key->name);
     if (!unit || unit->dimension != wanted.dimension)
       throw InputError(place, "duty.file", shown,
-                       "this column needs a unit of a " + wanted.dimension,
-                       "write " + names.back() + " in the header");
+                       "this heading ends in no unit of a " + wanted.dimension + " that is known",
+                       "convert the column where needed, and write " + names.back());
     return {key, unit->to_si / wanted.to_si, {}};
   }
+  const std::string all = "columns are " + known_headings();
+  if (std::string_view("+-.0123456789").find(shown[0]) != std::string_view::npos)
+    throw InputError(place, "duty.file", shown, "the first line must name the columns", all);
   throw InputError(place, "duty.file", shown, "no column of a duty has this name",
-                   suggestion(shown, names, "columns are " + known_headings()));
+                   suggestion(shown, names, all));
 }
 
 double value_of(std::string_view field, const Column& column, const SourcePlace& place) {
@@ -68,7 +72,7 @@ double value_of(std::string_view field, const Column& column, const SourcePlace&
   const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
   if (result.ec != std::errc{} || result.ptr != field.data() + field.size() ||
       !std::isfinite(value))
-    throw InputError(place, key, shown, "not a finite number",
+    throw InputError(place, key, shown, field.empty() ? "empty" : "not a finite number",
                      "give a number in each field, with a decimal point");
   value *= column.factor;
   if (!allows(*column.key, value))
@@ -127,9 +131,11 @@ void read_duty_file(const toml::node& node, const std::string& file, DutyTable& 
       Column& column = columns[k];
       column.values.push_back(value_of(trimmed_field(fields[k]), column, records.place()));
       if (column.key->name != "duty.time_s") continue;
-      if (!(column.values.back() > last))
+      if (const double time = column.values.back(); !(time > last))
         throw InputError(records.place(), "duty.time_s", std::string(trimmed_field(fields[k])),
-                         "times must increase from line to line", "sort the lines by time");
+                         "times must increase from line to line",
+                         time < last ? "sort the lines by time"
+                                     : "a step needs two different times, 1 ns apart or more");
       last = column.values.back();
     }
     ++rows;

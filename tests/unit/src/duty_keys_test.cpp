@@ -84,6 +84,16 @@ TEST_F(DutyKeys, RefuseBadFilesWithTheirLineAndARemedy) {
   EXPECT_THAT(problem_of(with_csv("time_s,iner_rpm\n0,1\n")),
               AllOf(HasSubstr(":1: "), HasSubstr("did you mean inner_rpm")));
   EXPECT_THAT(problem_of(with_csv("time_s,inner\n0,1\n")), HasSubstr("write inner_rpm"));
+  for (const char* heading : {"radial_lbf", "radial [lbf]", "radial_rpm"})
+    EXPECT_THAT(problem_of(with_csv("time_s," + std::string(heading) + "\n0,1\n")),
+                AllOf(HasSubstr("ends in no unit of a force"), HasSubstr("write radial_N")));
+  EXPECT_THAT(problem_of(with_csv("time_min,inner_rpm\n0,1\n")), HasSubstr("write time_s"));
+  EXPECT_THAT(problem_of(with_csv("0,1\n1,2\n")),
+              HasSubstr("duty.file = 0: the first line must name the columns"));
+  EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1\n0,2\n")),
+              HasSubstr("a step needs two different times"));
+  EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1\n1,\n")),
+              HasSubstr("cycle.csv:3: duty.inner_rpm: empty"));
   EXPECT_THAT(problem_of(with_csv("inner_rpm\n1\n")), HasSubstr("no column tells the time"));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0\n")), HasSubstr("1 fields"));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1\n") + "time_s = [0]\n"),
