@@ -22,6 +22,10 @@ namespace cagetol {
 namespace {
 
 void check_study(const Study& study) {
+  if (study.limits.empty() && study.candidates.empty())
+    throw InputError({}, "STUDY", study.name, "this has no limits and no candidate tolerances",
+                     "where it is a scene, name it in a study: file = \"...\" below [scene], then "
+                     "[[limit]] and [[tolerance.dimension]], as in inputs/studies/nu205.toml");
   if (study.limits.empty())
     throw InputError({}, "limit", "",
                      "the study has no limits: there is nothing to judge a tolerance by",

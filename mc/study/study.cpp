@@ -30,6 +30,10 @@ const toml::table& scene_table(const toml::table& root, const std::string& file)
   if (!scene->is_table())
     throw InputError(place_of(*scene, file), "scene", shown(*scene), "this is a section, not a key",
                      "write [scene] and below it file = \"...\"");
+  for (const auto& [key, node] : *scene->as_table())
+    if (const std::string name(key.str()); is_study_section(name))
+      throw InputError(place_of(node, file), name, "", "this is a key of a study, not of a scene",
+                       "write it in the study, outside of [scene]; scene.file names a scene");
   return *scene->as_table();
 }
 
@@ -66,6 +70,14 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
       study.grid_levels = read_grid_levels(*leaf.node, file);
     } else if (const auto* key = find_key(study_keys(), leaf.name)) {
       read_key(*key, *leaf.node, file, 1, study);
+    } else if (const auto section = leaf.name.substr(0, leaf.name.find('.'));
+               is_scene_section(section)) {
+      std::string of_study;
+      for (const auto& [name, node] : root)
+        if (is_study_section(std::string(name.str()))) of_study = name.str();
+      throw InputError(place_of(*leaf.node, file), leaf.name, "",
+                       "this is a key of a scene, and " + of_study + " makes the file a study",
+                       "write scene." + leaf.name + ", or [scene." + section + "] above it");
     } else {
       auto known = key_infos(study_keys());
       for (const char* list : {"grid_levels", "scene", "limit", "correlation",

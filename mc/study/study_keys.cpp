@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/reading/scene_keys.hpp"
+
 namespace cagetol {
 
 // clang-format off
@@ -96,6 +98,11 @@ bool is_study_section(const std::string& name) {
   return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
     return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;
   });
+}
+
+bool is_scene_section(const std::string& name) {
+  return std::any_of(scene_keys().begin(), scene_keys().end(),
+                     [&](const auto& key) { return key.name.starts_with(name + "."); });
 }
 
 }  // namespace cagetol

@@ -22,5 +22,7 @@ const std::vector<KeyInfo>& operating_point_keys();
 /// Whether `name` is the first part of a key of a study file ("tolerance", "limit", "scene", ...),
 /// `name` itself apart: scenes have that too.
 bool is_study_section(const std::string& name);
+/// Likewise of a scene.
+bool is_scene_section(const std::string& name);
 
 }  // namespace cagetol

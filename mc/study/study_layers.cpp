@@ -14,12 +14,6 @@ std::string first_part(const std::string& key) {
   return key.substr(0, key.find('.'));
 }
 
-bool is_scene_section(const std::string& name) {
-  return std::any_of(scene_keys().begin(), scene_keys().end(), [&](const auto& key) {
-    return key.name != "name" && first_part(key.name) == name;
-  });
-}
-
 bool is_study(const toml::table& root) {
   return std::any_of(root.begin(), root.end(), [](const auto& item) {
     return is_study_section(std::string(item.first.str()));

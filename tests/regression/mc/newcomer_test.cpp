@@ -109,5 +109,20 @@ TEST(Newcomer, EveryMistakeIsNamed) {
   }
 }
 
+TEST(Newcomer, EveryCommandSaysWhatItTakes) {
+  const ScratchDirectory scratch;
+  const std::string study = shipped("studies/nu205.toml"), scene = shipped("scenes/nu205.toml"),
+                    out = scratch / "out";
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"recommend", scene, "-o", out}, "this has no limits and no candidate tolerances"},
+  };
+  for (auto [words, message] : cases) {
+    words.insert(words.begin(), CAGETOL_BINARY_DIR "/cagetol");
+    Process process(words);
+    EXPECT_EQ(process.wait(), 2) << process.output();
+    EXPECT_THAT(process.output(), testing::HasSubstr(message));
+  }
+}
+
 }  // namespace
 }  // namespace cagetol

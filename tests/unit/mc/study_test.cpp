@@ -255,6 +255,7 @@ TEST_F(StudyFile, ReplicatesGoThroughTheRowsAgain) {
 TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
   write("parts.csv", "# synthetic\npart,width_mm,length_mm\n1,0.01,0.02\n2,wide,0.03\n");
   write("other.toml", "[cage]\npocket_widht_mm = 7.7\n");
+  write("parts.toml", "seed = 4\n[scene.cage]\nwidth_mm = 13\n");
   const std::string width = "[scene.cage]\npocket_width_mm = ";
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
       {"smaples = 10\nseed = 1\n",
@@ -268,6 +269,11 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
       {"samples = 4\n[scene]\nfile = 7\n",
        {"study.toml:3: scene.file = 7", "not the name of a file"}},
       {"samples = 4\nscene = 7\n", {"study.toml:2: scene = 7", "section"}},
+      {"samples = 4\n[cage]\nwidth_mm = 13\n",
+       {"study.toml:3: cage.width_mm: this is a key of a scene, and samples makes the file a study",
+        "write scene.cage.width_mm, or [scene.cage]"}},
+      {"[scene]\nsamples = 4\n", {"study.toml:2: samples: this is a key of a study"}},
+      {"[scene]\nfile = 'parts.toml'\n", {"parts.toml:", "this is a key of a study"}},
       {"samples = 4\n[scene]\nfile = 'other.toml'\n",
        {"other.toml:2: cage.pocket_widht_mm = 7.7", "did you mean cage.pocket_width_mm"}},
       {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = -0.01 } }\n",
