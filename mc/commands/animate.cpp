@@ -44,7 +44,9 @@ Chosen animate_command(CLI::App& command) {
       "  cagetol animate out/nu205 --sample 17 -o sample17.html");
   auto options = std::make_shared<AnimateArguments>();
   add_result_directory(command, "DIR", options->directory, "Directory of a sweep");
-  command.add_option("--sample", options->sample, "Id of the sample")->required();
+  command.add_option("--sample", options->sample, "Id of the sample")
+      ->required()
+      ->check(CLI::Range(0L, kMostSamples));
   add_output_file(command, "-o,--output", options->file, "<!DOCTYPE html>",
                   "Write the page to this file (DIR/motion-ID.html)");
   return [options] { return run_animate(*options); };

@@ -58,7 +58,8 @@ void add_progress_option(CLI::App& command, ProgressStyle& style) {
   command
       .add_option("--progress", style,
                   "line: one line that rewrites itself; plain: for logs; auto: line on a terminal")
-      ->transform(CLI::CheckedTransformer(styles))
+      ->transform(CLI::Transformer(styles))
+      ->transform(CLI::IsMember(styles))  // runs before the other
       ->type_name("auto|line|plain|off")
       ->option_text("auto|line|plain|off");
 }

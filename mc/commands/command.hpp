@@ -23,6 +23,9 @@ void add_dump_default_option(CLI::App& app, Chosen& chosen);
 /// --version, likewise.
 void add_version_option(CLI::App& app, Chosen& chosen);
 
+/// Beyond the ids of all samples: -1 would become 18446744073709551615.
+constexpr long kMostSamples = 9999999999;
+
 /// The repeatable option --set dotted.key=value of every command that reads a file.
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
 

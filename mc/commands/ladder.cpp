@@ -78,7 +78,7 @@ Chosen ladder_command(CLI::App& command) {
       .add_option("--budget", options->ladder.budget_share,
                   "Largest shift allowed, in standard errors of the study (of 1000 runs for a "
                   "scene)")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1e-6, 1e6))
       ->capture_default_str();
   auto* separate = command.add_flag("--separate", options->separate,
                                     "Take one thing at a time away from the highest rung");

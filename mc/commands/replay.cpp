@@ -90,7 +90,9 @@ Chosen replay_command(CLI::App& command) {
       "  cagetol replay out/nu205 --sample 17 -o out/run17.h5");
   auto options = std::make_shared<ReplayArguments>();
   add_result_directory(command, "DIR", options->directory, "Directory of a sweep");
-  command.add_option("--sample", options->sample, "Id of the sample")->required();
+  command.add_option("--sample", options->sample, "Id of the sample")
+      ->required()
+      ->check(CLI::Range(0L, kMostSamples));
   command.add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
   add_output_file(command, "-o,--output", options->history, "cagetol sealed HDF5",
                   "Write time histories to this HDF5 file");

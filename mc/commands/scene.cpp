@@ -110,14 +110,16 @@ Chosen scene_command(CLI::App& command) {
   command.add_option("--guidance", options->guidance, "What guides the cage; left out: outer")
       ->check(CLI::IsMember(choice_texts<Guidance>()));
   command.add_option("--clearance", options->clearance, "Class of internal clearance (ISO 5753-1)")
-      ->check(CLI::IsMember(choice_texts<ClearanceClass>()))
+      ->transform(CLI::IsMember(choice_texts<ClearanceClass>(), CLI::ignore_case))
       ->capture_default_str();
   command
       .add_option("--lubricant", options->lubricant,
                   fmt::format("Oil; left out: {}", kUsualLubricant))
       ->check(CLI::IsMember(lubricants()));
-  command.add_option("--temperature", options->temperature,
-                     fmt::format("Of the oil [degC]; left out: {:g}", kUsualTemperature));
+  command
+      .add_option("--temperature", options->temperature,
+                  fmt::format("Of the oil [degC]; left out: {:g}", kUsualTemperature))
+      ->check(CLI::Range(-60.0, 250.0));
   command.add_option("--load", options->load, "Radial load [N]; left out: 0.1 C");
   command.add_option("--speed", options->rpm,
                      "Speed of the inner ring [r/min]; left out: half the limiting speed");

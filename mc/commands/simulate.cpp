@@ -83,6 +83,7 @@ Chosen simulate_command(CLI::App& command) {
                   "Write time histories to this HDF5 file");
   add_snapshot_option(command, options->snapshot);
   command.add_option("--sample", options->sample, "Sample of the study to run")
+      ->check(CLI::Range(0L, kMostSamples))
       ->capture_default_str();
   add_settings_option(command, options->settings);
   return [options] { return run_simulate(*options); };

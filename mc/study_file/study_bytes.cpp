@@ -32,6 +32,12 @@ class OpenFile {
 };
 
 [[noreturn]] void cannot_open(const std::string& name, int error) {
+  const auto directory = std::filesystem::path(name).parent_path();
+  if (error == ENOENT && std::filesystem::exists(directory / "pilot"))
+    throw StudyFileError(name, "there is no such file: this is a recommendation",
+                         "name the directory of one of its stages, such as " +
+                             (directory / "mixture").string() + " or " +
+                             (directory / "confirm-1").string());
   if (error == ENOENT)
     throw StudyFileError(
         name, "there is no such file",

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -115,13 +116,23 @@ TEST(Newcomer, EveryCommandSaysWhatItTakes) {
                     out = scratch / "out";
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"recommend", scene, "-o", out}, "this has no limits and no candidate tolerances"},
+      {{"replay", scratch.path(), "--sample", "1"}, scratch / "mixture"},
+      {{"limits", scratch.path()}, "this is a recommendation"},
+      {{"limits", out}, "no such file or directory"},
+      {{"simulate", study, "--sample", "-1"}, "-1 not in range 0 to 9999999999"},
+      {{"ladder", scene, "-o", out, "--budget", "0"}, "not in range 0.000001 to 1000000"},
+      {{"sweep", study, "-o", out, "--progress", "on"}, "on not in {auto,line,off,plain}"},
+      {{"scene", "NU208", "--temperature", "343"}, "--temperature: Value 343 not in range -60"},
   };
+  std::filesystem::create_directory(scratch / "pilot");
   for (auto [words, message] : cases) {
     words.insert(words.begin(), CAGETOL_BINARY_DIR "/cagetol");
     Process process(words);
     EXPECT_EQ(process.wait(), 2) << process.output();
     EXPECT_THAT(process.output(), testing::HasSubstr(message));
   }
+  EXPECT_EQ(Process({CAGETOL_BINARY_DIR "/cagetol", "scene", "NU208", "--clearance", "c3"}).wait(),
+            0);
 }
 
 }  // namespace
