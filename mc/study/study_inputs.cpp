@@ -6,6 +6,7 @@
 #include <set>
 
 #include "mc/study/study_keys.hpp"
+#include "mc/study_file/named_law.hpp"
 #include "src/cage/table/scene_cage.hpp"
 #include "src/input/unit.hpp"
 #include "src/reading/scene_keys.hpp"
@@ -56,11 +57,17 @@ void read_scopes(const toml::table& table, const std::string& file, UncertainInp
   for (const auto& [name, node] : table) {
     const std::string scope(name.str());
     if (scope == "nominal") continue;
-    if (std::find(kScopes.begin(), kScopes.end(), scope) == kScopes.end())
+    if (std::find(kScopes.begin(), kScopes.end(), scope) == kScopes.end()) {
+      const auto law = std::find_if(law_forms().begin(), law_forms().end(), [&](const auto& form) {
+        return std::count(form.required.begin(), form.required.end(), scope) > 0;
+      });
       throw InputError(
           place_of(node, file), input.key + "." + scope, shown(node),
           "a distribution has no such part",
-          suggestion(scope, kScopes, "parts are nominal, lot, pocket, noise, or a law"));
+          law != law_forms().end()
+              ? "add law = \"" + law->name + "\""
+              : suggestion(scope, kScopes, "parts are nominal, lot, pocket, noise, or a law"));
+    }
     if (const auto* law = node.as_table(); law && law->contains("nominal"))
       throw InputError(place_of(node, file), input.key + "." + scope, shown(node),
                        "the nominal value stands inside a law",

@@ -11,6 +11,7 @@
 #include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {
@@ -59,10 +60,13 @@ const UncertainInput* find_input(const std::vector<UncertainInput>& inputs,
 std::vector<std::string> candidate_names(const toml::node* node, const toml::table& entry,
                                          const std::string& file) {
   const auto* array = node ? node->as_array() : nullptr;
+  const bool single = node && !array;
   if (!array || array->empty())
-    throw InputError(place_of(node ? *node : entry, file), "tolerance.dimension.candidates",
-                     node ? shown(*node) : "", "there are no candidate tolerances",
-                     "give candidates = [\"IT9\", \"IT10\"] or full widths in mm, [0.05, 0.1]");
+    throw InputError(
+        place_of(node ? *node : entry, file), "tolerance.dimension.candidates",
+        node ? shown(*node) : "", single ? "this is no array" : "there are no candidate tolerances",
+        single ? "write candidates = [" + shown(*node) + "]"
+               : "give candidates = [\"IT9\", \"IT10\"] or full widths in mm, [0.05, 0.1]");
   std::vector<std::string> names;
   for (const auto& element : *array) {
     const auto text = element.value<std::string>();
@@ -70,10 +74,14 @@ std::vector<std::string> candidate_names(const toml::node* node, const toml::tab
     const bool grade = text && grade_number(*text);
     // std::stod, which reads the name again, takes subnormal numbers for errors.
     const bool usable = element.is_number() && width && std::isnormal(*width) && *width > 0;
+    const std::string meant =
+        text ? "IT" + text->substr(std::min(text->find_first_of("0123456789"), text->size())) : "";
     if (!grade && !usable)
       throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
                        "this is neither an ISO 286 grade nor a tolerance",
-                       "give a grade like \"IT9\" or a full width in mm above 0");
+                       grade_number(meant)
+                           ? "did you mean \"" + meant + "\"?"
+                           : "give a grade like \"IT9\" or a full width in mm above 0");
     names.push_back(grade ? *text : number_text(*width));
     if (std::find(names.begin(), names.end() - 1, names.back()) != names.end() - 1)
       throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
@@ -262,8 +270,10 @@ std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const s
     if (!scalable)
       throw InputError(place_of(*key, file), "tolerance.dimension.key", shown(*key),
                        "this is no length of the scene that varies by lot or pocket in this study",
-                       names.empty() ? "give the key a distribution below [scene]"
-                                     : suggestion(dimension.key, names));
+                       find_key(scene_keys(), dimension.key) || names.empty()
+                           ? "give the key a law below [scene]; --set " + dimension.key +
+                                 ".nominal=... keeps a law that a plain number takes away"
+                           : suggestion(dimension.key, names));
     require_narrower(dimension.tolerance_width_mm, *input, place_of(*width, file),
                      "tolerance_width_mm");
     for (const auto& other : dimensions)

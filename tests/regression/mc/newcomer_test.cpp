@@ -51,6 +51,7 @@ const std::vector<Mistake>& mistakes() {
       {kWidth + "{nominal=7.65,lot={law='normal',sigma_um=9}}", "did you mean sigma?"},
       {kWidth + "{nominal=7.65,lot={law='normal',sigma=-0.009}}", "give a value at least 0"},
       {kWidth + "{nominal=7.65,lot={law='normal',sigma=9}}", "narrow the laws"},
+      {kWidth + "{nominal=7.65,sigma=0.009}", "add law = \"normal\""},
       {kWidth + "{nominal=7.65,lot={law='uniform',lower=0.1,upper=-0.1}}", "exchange them"},
       {kWidth + "{nominal=7.65,cage={law='normal',sigma=0.009}}", "parts are nominal, lot, pocket, noise, or a law"},
       {kWidth + "{nominal=7.4}", "give a pocket width above the roller diameter"},
@@ -64,6 +65,10 @@ const std::vector<Mistake>& mistakes() {
       {"cage.pocket_pitch_mrad={pocket={law='empirical',values=[1,2,3,5,8,13],centred=true}}", "empirical, mean 0, standard", 0},
       // Tolerances and targets.
       {kDimension + "[90,150]}]", "widths are in mm: 90 um are 0.09"},
+      {kDimension + "'IT9'}]", "write candidates = ['IT9']"},
+      {kDimension + "['it 9']}]", "did you mean \"IT9\"?"},
+      {kDimension + "['9']}]", "did you mean \"IT9\"?"},
+      {kWidth + "7.65", "--set cage.pocket_width_mm.nominal=... keeps a law"},
       {kDimension + "['0,01']}]", "give a grade like \"IT9\" or a full width in mm"},
       {kDimension + "['IT19']}]", "choose from IT5 to IT14"},
       {kDimension + "['IT9','IT9']}]", "this candidate is named twice"},
