@@ -57,7 +57,7 @@ Matrix correlation_matrix(std::size_t dimensions, std::span<const CorrelatedPair
             "; name two different inputs");
     require(
         std::abs(rho) < 1, "rho = ", rho,
-        " is not within -1 < rho < 1; give -0.999 to 0.999: inputs that move as one are one input");
+        " is not within -1 < rho < 1; give 0.999 at most: inputs that move as one are one input");
     require(gsl_matrix_get(matrix.get(), first, second) == 0, "the correlation of coordinates ",
             first, " and ", second, " is given twice; keep one");
     gsl_matrix_set(matrix.get(), first, second, rho);
@@ -81,9 +81,8 @@ double smallest_eigenvalue(const gsl_matrix* matrix) {
 }  // namespace
 
 double normal_correlation(const Law& first, const Law& second, double rho) {
-  require(
-      std::abs(rho) < 1, "rho = ", rho,
-      " is not within -1 < rho < 1; give -0.999 to 0.999: inputs that move as one are one input");
+  require(std::abs(rho) < 1, "rho = ", rho,
+          " is not within -1 < rho < 1; give 0.999 at most: inputs that move as one are one input");
   if (rho == 0 || standard_deviation(first) == 0 || standard_deviation(second) == 0) return rho;
   const bool both_normal =
       (std::holds_alternative<Normal>(first) || std::holds_alternative<Capability>(first)) &&

@@ -10,8 +10,7 @@ namespace cagetol {
 void check(const Uniform& law) {
   require(std::isfinite(law.lower) && std::isfinite(law.upper) && law.lower < law.upper,
           "lower = ", law.lower, " and upper = ", law.upper,
-          " are not two finite numbers in ascending order; exchange them, or leave the law out for "
-          "a plain number");
+          " are not two finite numbers in ascending order; exchange them, or give a plain number");
 }
 
 double quantile(const Uniform& law, double p) {

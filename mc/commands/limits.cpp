@@ -174,8 +174,7 @@ int run_limits(const LimitsArguments& options) {
                        "give the study in place of the directory, and -o for its runs");
   } else {
     if (!std::filesystem::exists(options.file))
-      throw InputError({options.file, 0}, "", "", "no such file or directory",
-                       "give a study and -o DIR, or the directory of a sweep");
+      throw InputError({options.file, 0}, "", "", "no such file or directory", "check the path");
     if (options.sweep.directory.empty())
       throw InputError({}, "--output", "", "a study is swept into a directory",
                        "give -o DIR, or the directory of a sweep in place of the study");

@@ -22,14 +22,11 @@ namespace cagetol {
 namespace {
 
 void check_study(const Study& study) {
-  if (study.limits.empty() && study.candidates.empty())
-    throw InputError({}, "STUDY", study.name, "this has no limits and no candidate tolerances",
-                     "where it is a scene, name it in a study: file = \"...\" below [scene], then "
-                     "[[limit]] and [[tolerance.dimension]], as in inputs/studies/nu205.toml");
   if (study.limits.empty())
-    throw InputError({}, "limit", "",
-                     "the study has no limits: there is nothing to judge a tolerance by",
-                     "add [[limit]] with quantity, max, source and cage_revolutions");
+    throw InputError(
+        {}, "limit", "", "the study has no limits: there is nothing to judge a tolerance by",
+        "add [[limit]] with quantity, max, source and cage_revolutions; where this is a "
+        "scene, name it in a study: [scene] with file = \"...\"");
   if (study.candidates.empty())
     throw InputError({}, "tolerance.dimension", "", "the study has no candidate tolerances",
                      "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");

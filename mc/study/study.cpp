@@ -70,14 +70,10 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
       study.grid_levels = read_grid_levels(*leaf.node, file);
     } else if (const auto* key = find_key(study_keys(), leaf.name)) {
       read_key(*key, *leaf.node, file, 1, study);
-    } else if (const auto section = leaf.name.substr(0, leaf.name.find('.'));
-               is_scene_section(section)) {
-      std::string of_study;
-      for (const auto& [name, node] : root)
-        if (is_study_section(std::string(name.str()))) of_study = name.str();
-      throw InputError(place_of(*leaf.node, file), leaf.name, "",
-                       "this is a key of a scene, and " + of_study + " makes the file a study",
-                       "write scene." + leaf.name + ", or [scene." + section + "] above it");
+    } else if (is_scene_section(leaf.name.substr(0, leaf.name.find('.')))) {
+      throw InputError(place_of(*leaf.node, file), leaf.name, "", "this is a key of a scene",
+                       "in a study write scene." + leaf.name +
+                           ", or its section as [scene.SECTION]; a scene has no keys like samples");
     } else {
       auto known = key_infos(study_keys());
       for (const char* list : {"grid_levels", "scene", "limit", "correlation",

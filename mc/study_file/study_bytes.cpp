@@ -32,12 +32,10 @@ class OpenFile {
 };
 
 [[noreturn]] void cannot_open(const std::string& name, int error) {
-  const auto directory = std::filesystem::path(name).parent_path();
-  if (error == ENOENT && std::filesystem::exists(directory / "pilot"))
+  const auto stage = std::filesystem::path(name).parent_path() / "mixture";
+  if (error == ENOENT && std::filesystem::exists(stage))
     throw StudyFileError(name, "there is no such file: this is a recommendation",
-                         "name the directory of one of its stages, such as " +
-                             (directory / "mixture").string() + " or " +
-                             (directory / "confirm-1").string());
+                         "name the directory of a stage, such as " + stage.string());
   if (error == ENOENT)
     throw StudyFileError(
         name, "there is no such file",

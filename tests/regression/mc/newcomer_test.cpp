@@ -58,7 +58,7 @@ const std::vector<Mistake>& mistakes() {
       {kWidth + "7650", "pockets this wide leave no bar between them"},
       {"correlation=[{between=['cage.pocket_width_mm','cage.pocket_length_mm'],rho=0.5}]", "did you mean cage.pocket_width_mm:lot?"},
       {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:pocket'],rho=0.5}]", "both with :lot or both with :pocket"},
-      {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:lot'],rho=1}]", "give -0.999 to 0.999: inputs that move as one are one input"},
+      {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:lot'],rho=1}]", "give 0.999 at most: inputs that move as one are one input"},
       {"correlation=[{between=['cage.pocket_width_mm:lot','cage.pocket_length_mm:lot'],rho=0.5},"
        "{between=['cage.pocket_length_mm:lot','cage.pocket_width_mm:lot'],rho=0.4}]", "have a correlation already"},
       {"seed=5", "from cage to cage normal, mean 0, standard deviation 0.009 mm", 0},
@@ -120,7 +120,7 @@ TEST(Newcomer, EveryCommandSaysWhatItTakes) {
   const std::string study = shipped("studies/nu205.toml"), scene = shipped("scenes/nu205.toml"),
                     out = scratch / "out";
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"recommend", scene, "-o", out}, "this has no limits and no candidate tolerances"},
+      {{"recommend", scene, "-o", out}, "where this is a scene, name it in a study"},
       {{"replay", scratch.path(), "--sample", "1"}, scratch / "mixture"},
       {{"limits", scratch.path()}, "this is a recommendation"},
       {{"limits", out}, "no such file or directory"},
@@ -129,7 +129,7 @@ TEST(Newcomer, EveryCommandSaysWhatItTakes) {
       {{"sweep", study, "-o", out, "--progress", "on"}, "on not in {auto,line,off,plain}"},
       {{"scene", "NU208", "--temperature", "343"}, "--temperature: Value 343 not in range -60"},
   };
-  std::filesystem::create_directory(scratch / "pilot");
+  std::filesystem::create_directory(scratch / "mixture");
   for (auto [words, message] : cases) {
     words.insert(words.begin(), CAGETOL_BINARY_DIR "/cagetol");
     Process process(words);
