@@ -18,6 +18,7 @@
 #include "mc/study/study.hpp"
 #include "mc/study/tolerance_filling.hpp"
 #include "src/quantities/operating_point.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {
@@ -109,7 +110,10 @@ std::string summary(const Study& study) {
         count);
   for (const InputError& fault : judgement_faults(study))
     text += std::string("warning: ") + fault.what() + "\n";
-  for (const auto& note : study_notes(study)) text += "note: " + note + "\n";
+  const auto doubts = scene_doubts(study.scene);
+  for (const auto& note : study_notes(study))
+    text +=
+        (std::count(doubts.begin(), doubts.end(), note) > 0 ? "warning: " : "note: ") + note + "\n";
   text += operating_table(study.scene) + duty_text(study.scene);
   const SweepForecast forecast = forecast_sweep(study);
   if (const std::string points = operating_points_text(study); !points.empty())

@@ -1,7 +1,9 @@
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "src/reading/scene_check.hpp"
+#include "src/scene/pocket_clearances.hpp"
 #include "src/scene/pocket_outline.hpp"
 
 namespace cagetol {
@@ -25,13 +27,51 @@ void add_direction_doubts(const DutyTable& table, std::vector<std::string>& doub
     see(direction.back(), direction.front());
 }
 
+/// Values that their own assumption excludes.
+void add_range_doubts(const Scene& scene, std::vector<std::string>& doubts) {
+  for (const Assumption& assumed : scene.assumptions)
+    if (assumed.has_range())
+      for (const double value : key_numbers(*find_key(scene_keys(), assumed.key), scene))
+        if (value < assumed.low || value > assumed.high)
+          doubts.push_back(assumed.key + " = " + number_text(value) +
+                           " lies outside the range of its assumption, " +
+                           number_text(assumed.low) + " to " + number_text(assumed.high));
+}
+
+/// Sizes far from those of bearings: in another unit, say, or of another bearing.
+void add_size_doubts(const Scene& scene, std::vector<std::string>& doubts) {
+  const BearingGeometry& b = scene.bearing;
+  const Lubrication& oil = scene.lubrication;
+  const double clearance = b.outer_raceway_diameter - b.inner_raceway_diameter -
+                           2 * each(scene.roller.diameter, 0) + b.internal_clearance;
+  const PocketClearances of_cage = pocket_clearances(scene, 0);
+  const int guide = scene.cage.guidance == Guidance::inner ? 0 : 1;
+  const double guided = of_cage.ring[guide], other = of_cage.ring[1 - guide];
+  const std::pair<bool, std::string> sizes[] = {
+      {clearance > 0.005 * b.outside_diameter,
+       "an internal clearance of " + in_um(clearance) + ", above 0.5 % of the outside diameter"},
+      {is_lubricated(scene) && (oil.race_roughness > 20e-6 || oil.pocket_roughness > 20e-6),
+       "lubrication.race_roughness_um or pocket_roughness_um is above 20 um"},
+      {guided > 4 * of_cage.by_diameters[guide],
+       "cage.guide_clearance_mm = " + number_text(unit_value(guided, 1e-3)) +
+           ": the diameters leave " + in_mm(of_cage.by_diameters[guide])},
+      {scene.cage.guidance != Guidance::roller && 4 * other < guided,
+       "the ring that does not guide the cage stops it first, at " + in_mm(other) + " instead of " +
+           in_mm(guided) + " (cage.guidance)"},
+      {scene.cage.width > b.width, "the cage is wider than the bearing, " + in_mm(b.width)}};
+  for (const auto& [holds, text] : sizes)
+    if (holds) doubts.push_back(text);
+}
+
 }  // namespace
 
 std::vector<std::string> scene_doubts(const Scene& scene) {
   std::vector<std::string> doubts;
   add_direction_doubts(scene.operation.table, doubts);
+  add_range_doubts(scene, doubts);
   const double axes = pitch_radius(scene.bearing);
   if (is_quasi_static(scene)) return doubts;
+  add_size_doubts(scene, doubts);
   const PocketOutline outline = pocket_outline(scene.cage, axes, each(scene.cage.pocket_width, 0));
   const auto beside = [&](const OutlineEnd& end, double past) {
     return !outline.curved && !end.lip && past > 0;

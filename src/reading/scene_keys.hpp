@@ -37,7 +37,8 @@ bool is_label(std::string_view text);
 /// is too small is an outcome (jammed).
 void check_scene(const Scene& scene, const std::string& file, const toml::table* root = nullptr);
 
-/// What the model takes more simply than this scene's geometry has it, one sentence each.
+/// What is probably not meant, one sentence each: sizes far from those of bearings, values that
+/// their own assumption excludes, and what the model takes more simply than the scene's geometry.
 std::vector<std::string> scene_doubts(const Scene& scene);
 
 }  // namespace cagetol

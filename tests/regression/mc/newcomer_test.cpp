@@ -89,6 +89,12 @@ const std::vector<Mistake>& mistakes() {
       {"limit=[{quantity='cage_stress_peak_MPa',max=100,source='a'},{quantity='cage_stress_peak_MPa',max=90,source='b'}]", "keep one of the two"},
       {"scene.cage.model='rigid'", "runs of this scene give it no value: it needs cage.model = \"flexible\"", 0},
       // Bearings that nobody would run.
+      {"cage.guide_clearance_mm=200", "warning: cage.guide_clearance_mm = 200: the diameters leave 0.2 mm", 0, true},
+      {"cage.guidance='inner'", "warning: the ring that does not guide the cage stops it first, at 0.2 mm", 0, true},
+      {"cage.width_mm=30", "warning: the cage is wider than the bearing, 15 mm", 0, true},
+      {"bearing.internal_clearance_um=700", "warning: an internal clearance of 700 um", 0, true},
+      {"lubrication.race_roughness_um=500", "warning: lubrication.race_roughness_um or pocket_roughness_um is above 20 um", 0, true},
+      {"assumption=[{key='bearing.internal_clearance_um',note='x',low=50,high=60}]", "warning: bearing.internal_clearance_um = 30 lies outside the range of its assumption, 50 to 60", 0, true},
       {"load.radial_N=1000000", "races and rollers yield (ISO 76)", 0, true},
       {"load.radial_N=0", "rollers and cage may skid", 0, true},
       {"load.axial_N=900", "an NJ has both outside and one inside", 2, true},
