@@ -333,6 +333,8 @@ Outcome complete(const Scene& scene, Outcome outcome) {
 
 Outcome simulate(const OperatingScene& scene, const SimulateOptions& options) {
   const Clock::time_point began = Clock::now();
+  if (needs_temperature(scene.temperature) && !is_quasi_static(scene))
+    throw std::logic_error("simulate: with_temperature_found() comes first");
   const Jam jam = find_jam(scene);
   if (jam.pocket >= 0 && !scene.allow_interference) return complete(scene, jammed(jam));
   if (!is_quasi_static(scene))

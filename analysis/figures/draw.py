@@ -26,13 +26,14 @@ def main(report_file, output_dir):
     import engine
     import error_budget
     import fidelity
+    import heat
     import pocket
     import quantities
     import response
     import tolerance
 
     of_report = {
-        "bearing": bearing.bearing,
+        "bearing": bearing.bearing, "heat": heat.heat,
         "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
         "jam_curves": tolerance.jam_curves,
         "centre_curves": centres.centre_curves, "centre_map": centres.centre_map,

@@ -13,9 +13,11 @@
 #include "mc/sweep/stored_study.hpp"
 #include "src/input/unit.hpp"
 #include "src/lubrication/lubricant.hpp"
+#include "src/operation/heat_shed.hpp"
 #include "src/operation/operating_clearance.hpp"
 #include "src/quantities/operating_point.hpp"
 #include "src/scene/materials.hpp"
+#include "src/scene/oil_supply.hpp"
 
 namespace cagetol {
 namespace {
@@ -134,9 +136,47 @@ Json oil_group(const Scene& scene, const OperatingPoint& at) {
         "mm²/s");
   else
     entries.value("dynamic viscosity", 1e3 * oil.viscosity, "mPa s");
+  const OilLayers layers = oil_layers(oil);
+  const auto layer = [&](const char* name, double gap) {
+    std::isfinite(gap) ? entries.value(name, 1e6 * gap, "µm") : entries.text(name, "flooded");
+  };
+  entries.text("supply", spelled(oil_supply(oil)));
+  layer("oil in the inlets of the inner race up to a gap of", layers.inner);
+  layer("likewise of the outer race", layers.outer);
   return entries.value("film at the inner race", 1e6 * at.film, "µm")
       .value("film over roughness", at.lambda, "-")
       .titled("Lubricant");
+}
+
+/// Power that the nominal bearing sheds by each path, and what more warmth around it does; null
+/// where temperatures are given.
+Json heat_json(const Scene& scene) {
+  const Temperatures& t = scene.temperature;
+  if (!t.balance || std::isnan(t.found)) return {};
+  const HeatShed whole = heat_shed(scene);
+  Scene still = scene;
+  still.temperature.oil_flow = 0;
+  const double housing = heat_shed(still).at(t.found);
+  return {{"temperature_C", t.found},
+          {"ambient_C", t.ambient},
+          {"housing_W", housing},
+          {"oil_W", whole.at(t.found) - housing},
+          {"warmer_by_10_K_of_ambient_K", 10 * heat_shed(still).slope / t.found_slope}};
+}
+
+Json heat_group(const Scene& scene) {
+  const Json heat = heat_json(scene);
+  Entries entries;
+  if (heat.is_null()) {
+    entries.text("temperatures", "given, not found from the heat");
+  } else {
+    entries.value("oil and outer ring, found", heat["temperature_C"], "°C")
+        .value("ambient", heat["ambient_C"], "°C")
+        .value("shed by the housing", heat["housing_W"], "W")
+        .value("taken along by oil", heat["oil_W"], "W")
+        .value("10 K more around it warm it by", heat["warmer_by_10_K_of_ambient_K"], "K");
+  }
+  return entries.titled("Heat");
 }
 
 /// What a run of this scene models, a sentence for each part.
@@ -239,7 +279,8 @@ Json facts_of(const Study& study) {
   return {{"name", scene.name},
           {"groups",
            {bearing_group(scene, at), load_group(scene, at), clearance_group(scene, at),
-            cage_group(scene, at), oil_group(scene, at)}},
+            cage_group(scene, at), oil_group(scene, at), heat_group(scene)}},
+          {"heat", heat_json(scene)},
           {"model", model_sentences(scene)},
           {"points", points_json(study)},
           {"dimensions", dimensions_json(study)},

@@ -121,6 +121,7 @@ std::string summary(const Study& study) {
   for (const OperatingPointPlan& point : study.points)
     for (const std::string& warning : operating_warnings(at_operating_point(study.scene, point)))
       text += "warning: at " + point.name + ": " + warning + "\n";
+  for (const std::string& doubt : heat_doubts(study)) text += "warning: " + doubt + "\n";
   if (forecast.samples > 1) text += "a sweep of " + forecast_text(forecast) + "\n";
   if (const double cage = forecast_cage_table(study.scene); cage > 0)
     text += fmt::format("making a table of the flexible cage takes about {:.2g} GB of memory\n",

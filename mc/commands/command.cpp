@@ -15,6 +15,7 @@
 #include "mc/ranks/launch.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study.hpp"
+#include "src/heat_balance.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/operating_point.hpp"
 
@@ -33,8 +34,21 @@ void log_idle_cores() {
 
 }  // namespace
 
+std::vector<std::string> heat_doubts(const Study& study) {
+  std::vector<std::string> doubts;
+  const auto add = [&](const Scene& scene, const std::string& where) {
+    if (const std::string doubt = temperature_doubt(scene); !doubt.empty())
+      doubts.push_back(where + doubt);
+  };
+  if (study.points.empty()) add(study.scene, "");
+  for (const OperatingPointPlan& point : study.points)
+    add(at_operating_point(study.scene, point), "at " + point.name + ": ");
+  return doubts;
+}
+
 void log_notes(const Study& study, const std::vector<std::string>& notes) {
   log_idle_cores();
+  for (const std::string& doubt : heat_doubts(study)) spdlog::warn("{}", doubt);
   for (const std::string& warning : operating_warnings(study.scene)) spdlog::warn("{}", warning);
   for (const OperatingPointPlan& point : study.points)
     for (const std::string& warning : operating_warnings(at_operating_point(study.scene, point)))

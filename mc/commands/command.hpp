@@ -29,6 +29,9 @@ constexpr long kMostSamples = 9999999999;
 /// The repeatable option --set dotted.key=value of every command that reads a file.
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings);
 
+/// Where a given temperature cannot be held, a sentence each; runs each point for a moment.
+std::vector<std::string> heat_doubts(const Study& study);
+
 /// What is worth knowing of a study before it is swept: notes and warnings, as log lines.
 void log_notes(const Study& study, const std::vector<std::string>& notes);
 

@@ -118,7 +118,7 @@ Chosen scene_command(CLI::App& command) {
       ->check(CLI::IsMember(lubricants()));
   command
       .add_option("--temperature", options->temperature,
-                  fmt::format("Of the oil [degC]; left out: {:g}", kUsualTemperature))
+                  "Of the oil [degC]; left out: found from the heat that the bearing loses")
       ->check(CLI::Range(-60.0, 250.0));
   command.add_option("--load", options->load, "Radial load [N]; left out: 0.1 C");
   command.add_option("--speed", options->rpm,

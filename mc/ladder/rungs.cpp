@@ -8,6 +8,7 @@
 
 #include "src/operation/operating_scene.hpp"
 #include "src/reading/scene_keys.hpp"
+#include "src/scene/oil_supply.hpp"
 #include "src/scene/pocket_clearances.hpp"
 
 namespace cagetol {
@@ -125,6 +126,13 @@ std::vector<Rung> separate_rungs(const Scene& scene) {
     without(on.pocket_film, "no-pocket-film", "dry pocket bars", "pocket_film");
     without(on.end_film, "no-end-film", "dry roller ends", "end_film");
     without(on.land_film, "no-land-film", "dry guide lands", "land_film");
+    if (const OilLayers oil = oil_layers(on);
+        std::isfinite(std::min({oil.inner, oil.outer, oil.land})))
+      less.push_back(
+          {"flooded",
+           "races and guide lands full of oil",
+           {"lubrication.race_layer_um='flooded'", "lubrication.outer_layer_um='flooded'",
+            "lubrication.land_layer_um='flooded'"}});
     without(on.churning, "no-churning", "no drag of oil and air", "churning");
   }
   if (has_free_ring_tilt(scene)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mc/study/operating_points.hpp"
 #include "mc/study/study_inputs.hpp"
 #include "src/input/unit.hpp"
 #include "src/reading/oil_keys.hpp"
@@ -59,6 +60,7 @@ void apply_alternative(const Alternative& alternative, Study& study) {
   set_key_numbers(*find_key(scene_keys(), alternative.key), values, study.scene);
   for (UncertainInput& input : study.inputs)
     if (input.key == alternative.key) input.nominal = values;
+  forget_temperatures(study);
 }
 
 void check_assumption_ranges(const Study& study, const toml::table& scene,

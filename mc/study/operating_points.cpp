@@ -10,11 +10,13 @@
 
 #include "mc/study/study_inputs.hpp"
 #include "mc/study/study_keys.hpp"
+#include "src/heat_balance.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quantities/window_times.hpp"
 #include "src/reading/scene_keys.hpp"
+#include "src/scene/materials.hpp"
 #include "src/simulate.hpp"
 
 namespace cagetol {
@@ -25,14 +27,21 @@ constexpr std::size_t kMostPoints = 50;
 
 /// Whether an operating point may set the key: what the bearing is stays the same at all points.
 bool is_about_operation(const std::string& key) {
-  static const std::vector<std::string> sections = {
-      "load.", "speed.", "duty.", "phase.", "window.", "environment.", "start.", "lubrication."};
+  static const std::vector<std::string> sections = {"load.",  "speed.",       "duty.",
+                                                    "phase.", "window.",      "environment.",
+                                                    "start.", "lubrication.", "temperature."};
   static const std::set<std::string> fixed = {"speed.centrifugal_growth", "lubrication.model",
-                                              "lubrication.temperature_C",
+                                              "temperature.growth", "temperature.reference_C",
                                               "window.history_interval_us"};
   return !fixed.contains(key) &&
          std::any_of(sections.begin(), sections.end(),
                      [&](const std::string& section) { return key.starts_with(section); });
+}
+
+/// Whether the heat balance writes the key.
+bool is_found_temperature(const std::string& key) {
+  return key.starts_with("temperature.found_") || key == "lubrication.temperature_C" ||
+         key == "temperature.inner_ring_C" || key == "temperature.outer_ring_C";
 }
 
 toml::table value_table(const std::string& text) {
@@ -71,10 +80,9 @@ OperatingPointPlan read_point(const toml::table& entry, const std::string& file,
     };
     if (!is_about_operation(leaf.name) || leaf.name == "duty.file")
       throw refuse(
-          "an operating point changes load, speed, duty, the oil's viscosity, window and "
+          "an operating point changes load, speed, duty, oil, temperatures, window and "
           "surroundings, nothing that the bearing is",
-          "set it below [scene]; a duty in its columns (duty.time_s ...); for a colder or warmer "
-          "oil give lubrication.viscosity_Pa_s");
+          "set it below [scene]; a duty in its columns (duty.time_s ...)");
     if (std::any_of(study.inputs.begin(), study.inputs.end(),
                     [&](const UncertainInput& input) { return input.key == leaf.name; }))
       throw refuse("this key varies in the study", "leave it out here, or give it one value there");
@@ -108,6 +116,17 @@ void check_points(const std::vector<OperatingPointPlan>& points, const toml::nod
   if (is_flexible(study.scene) && study.scene.operation.centrifugal_growth)
     refuse("a flexible cage that grows by rotation is another one at every speed",
            "set speed.centrifugal_growth = false, or cage.model = \"rigid\"");
+  const auto warms = [&](const OperatingPointPlan& point) {
+    return cage_temperature(at_operating_point(study.scene, point)) !=
+           cage_temperature(study.scene);
+  };
+  if (is_flexible(study.scene) &&
+      (study.scene.temperature.growth || softens(study.scene.cage.material)) &&
+      (study.scene.temperature.balance || std::any_of(points.begin(), points.end(), warms)) &&
+      std::isnan(study.scene.cage.temperature))
+    refuse(
+        "a flexible cage that grows or softens with its temperature is another one at every point",
+        "give scene.cage.temperature_C, or set cage.model = \"rigid\"");
 }
 
 /// The point with the largest value of a quantity; -1: none has one.
@@ -203,6 +222,35 @@ toml::table operating_point_table(const OperatingPointPlan& point) {
     });
   }
   return entry;
+}
+
+void find_temperatures(Study& study) {
+  study.scene = with_temperature_found(study.scene);
+  for (OperatingPointPlan& point : study.points) {
+    const auto gives = [&](const std::string& key) {
+      return std::any_of(point.settings.begin(), point.settings.end(),
+                         [&](const auto& setting) { return setting.first == key; });
+    };
+    Scene scene = at_operating_point(study.scene, point);
+    if (!study.scene.temperature.balance && !scene.temperature.balance) continue;
+    if (!scene.temperature.balance) {  // rings as warm as the oil that the point gives
+      scene.temperature.inner_ring = scene.temperature.outer_ring = kAuto;
+    } else if (!gives("temperature.found_C")) {  // what was found of the scene is of another load
+      scene.temperature.found = kAuto;
+      scene = with_temperature_found(scene);
+    }
+    for (const Key<Scene>& key : scene_keys())
+      if (is_found_temperature(key.name) && !gives(key.name))
+        point.settings.emplace_back(key.name, key_text(key, scene));
+  }
+}
+
+void forget_temperatures(Study& study) {
+  if (!study.scene.temperature.balance) return;
+  study.scene.temperature.found = kAuto;
+  for (OperatingPointPlan& point : study.points)
+    std::erase_if(point.settings,
+                  [](const auto& setting) { return is_found_temperature(setting.first); });
 }
 
 Scene at_operating_point(Scene scene, const OperatingPointPlan& point) {

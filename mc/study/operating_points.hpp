@@ -26,6 +26,12 @@ std::vector<OperatingPointPlan> read_operating_points(const toml::table& root,
                                                       const std::string& file, const Study& study);
 toml::table operating_point_table(const OperatingPointPlan& point);
 
+/// Finds the temperatures of the scene and of each point where temperature.balance asks for it
+/// (src/heat_balance.hpp).
+void find_temperatures(Study& study);
+/// They are to be found again: something changed that they depend on.
+void forget_temperatures(Study& study);
+
 /// The scene at the point.
 Scene at_operating_point(Scene scene, const OperatingPointPlan& point);
 

@@ -155,6 +155,7 @@ Study study_of(toml::table root, const std::string& file) {
   check_history(study, root, file);
   complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
+  find_temperatures(study);
   resolve(study);
   return study;
 }

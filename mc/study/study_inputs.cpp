@@ -140,9 +140,10 @@ std::vector<UncertainInput> read_inputs(const toml::table& scene, const std::str
     input.unit = key.unit;
     input.per_pocket = key.kind == KeyKind::numbers;
     input.nominal = key_numbers(key, nominal);
-    if (std::isnan(input.nominal[0]))
+    if (!std::isfinite(input.nominal[0]))
       throw InputError(place_of(table, file), key.name, shown(table),
-                       "the nominal value is \"auto\"; nothing can be added to that",
+                       "the nominal value is " + key_detail::numbers_text(input.nominal) +
+                           "; nothing can be added to that",
                        "add nominal = ... with a number");
     if (table.contains("law"))
       read_bare_law(table, file, input, measurements);

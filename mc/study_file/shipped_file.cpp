@@ -6,7 +6,7 @@ std::filesystem::path shipped_file(const std::string& path) {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
   const auto installed = program.parent_path().parent_path() / "share/cagetol" / path;
-  if (!error && std::filesystem::exists(installed, error)) return installed;
+  if (!error && !program.string().starts_with(CAGETOL_BINARY_DIR "/")) return installed;
   return std::filesystem::path(CAGETOL_SOURCE_DIR) / path;
 }
 

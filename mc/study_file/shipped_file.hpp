@@ -6,9 +6,9 @@
 
 namespace cagetol {
 
-/// Where `path` (relative to the project's root, "analysis/figures") is: below ../share/cagetol as
-/// seen from the program, wherever an installed one was moved to; else in the tree that it was
-/// built from.
+/// Where `path` (relative to the project's root, "analysis/figures") is: of a program that still
+/// stands where it was built, in the tree that it was built from; else below ../share/cagetol as
+/// seen from it, wherever it was moved to.
 std::filesystem::path shipped_file(const std::string& path);
 
 }  // namespace cagetol

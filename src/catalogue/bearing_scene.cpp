@@ -8,6 +8,7 @@
 #include "src/input/input_error.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/input/unit.hpp"
+#include "src/operation/heat_shed.hpp"
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
@@ -201,22 +202,35 @@ void write_cage(const SceneRequest& asked, const DesignedBearing& bearing, Scene
 void write_oil(const SceneRequest& asked, SceneText& out) {
   out.section("lubrication");
   out.word("model", "film", "an oiled bearing; \"none\" makes a dry one");
-  const double temperature = asked.temperature.value_or(kUsualTemperature);
   out.word("lubricant", asked.lubricant.value_or(kUsualLubricant),
            asked.lubricant ? kAsked : "assumption");
-  out.number("temperature_C", temperature, asked.temperature ? kAsked : "assumption");
+  if (asked.temperature) out.number("temperature_C", *asked.temperature, kAsked);
+  out.word("supply", "circulation", "assumption; or \"bath\", \"oil-air\", \"grease\"");
   out.assume("lubrication.lubricant",
              "thicker oil brings more torque and more slip under light "
              "load");
-  out.assume("lubrication.temperature_C",
-             "of the oil in the bearing; a colder one has thicker oil. The range: 30 K less to "
-             "30 K more",
-             std::max(temperature - 30, kColdest), std::min(temperature + 30, kHottest));
+  if (asked.temperature)
+    out.assume("lubrication.temperature_C",
+               "of the oil in the bearing; a colder one has thicker oil. The range: 30 K less to "
+               "30 K more",
+               std::max(*asked.temperature - 30, kColdest),
+               std::min(*asked.temperature + 30, kHottest));
+  out.assume("lubrication.supply",
+             "how oil comes to the bearing: it sets the layers and the oil share below, where "
+             "they are not given");
   out.assume("lubrication.race_layer_um",
-             "20 um; rolling resistance and slip depend on it. The range: from starved to an oil "
-             "bath",
+             "20 um of circulating oil; rolling resistance and slip depend on it. The range: from "
+             "starved to an oil bath",
              5, 50);
-  out.assume("lubrication.pocket_layer_um", "20 um; likewise", 5, 50);
+  out.assume("lubrication.outer_layer_um",
+             "200 um: oil is thrown there; at speed most of the torque depends on it. The range: "
+             "from what the inner race has to flooded",
+             20, 1000);
+  out.assume("lubrication.pocket_layer_um", "20 um; as at the inner race", 5, 50);
+  out.assume("lubrication.land_layer_um",
+             "200 um between lands and their ring, which drags the cage along or back. The range: "
+             "likewise",
+             20, 1000);
   out.assume("lubrication.race_roughness_um",
              "0.2 um, ground races. The range: from superfinished to ground", 0.05, 0.4);
   out.assume("lubrication.pocket_roughness_um",
@@ -228,6 +242,24 @@ void write_oil(const SceneRequest& asked, SceneText& out) {
              "friction of steel in mineral oil",
              0.06, 0.12);
   out.assume("friction.dynamic_coefficient", "0.06 of full sliding", 0.03, 0.07);
+}
+
+/// Oil and rings as warm as the heat makes them that the bearing loses.
+void write_heat(const CatalogueRow& row, SceneText& out) {
+  out.section("temperature");
+  out.flag("balance", "found before all runs; or false and lubrication.temperature_C");
+  out.number("ambient_C", 20, "assumption");
+  out.assume("temperature.ambient_C",
+             "what the bearing sheds its heat to. The range: from a cold to a warm housing", 0, 60);
+  Scene size;
+  size.bearing.width = row.width;
+  size.bearing.bore_diameter = row.bore;
+  size.bearing.outside_diameter = row.outside;
+  const double standard = heat_shed(size).slope;
+  out.assume("temperature.conductance_W_K",
+             number_text(few_digits(standard)) +
+                 " W/K by ISO 15312. The range: from a housing of half to one of twice the heat",
+             few_digits(standard / 2), few_digits(2 * standard));
 }
 
 void write_operation(const SceneRequest& asked, const CatalogueRow& row, SceneText& out) {
@@ -266,6 +298,7 @@ std::string bearing_scene(const SceneRequest& request) {
   write_rollers(bearing, out);
   write_cage(request, bearing, out);
   write_oil(request, out);
+  if (!request.temperature) write_heat(*bearing.row, out);
   write_operation(request, row, out);
   const std::string name = "scene of " + row.designation;
   read_scene(parse_toml(out.str(), name), name);

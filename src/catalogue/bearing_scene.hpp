@@ -12,7 +12,6 @@
 namespace cagetol {
 
 inline constexpr const char* kUsualLubricant = "iso-vg-68";
-inline constexpr double kUsualTemperature = 70;  // [degC]
 
 /// What is asked for beside the designation.
 struct SceneRequest {
@@ -21,7 +20,7 @@ struct SceneRequest {
   std::optional<Guidance> guidance = {};  ///< none: that of cage_rule()
   ClearanceClass clearance = ClearanceClass::CN;
   std::optional<std::string> lubricant = {};  ///< none: kUsualLubricant
-  std::optional<double> temperature = {};     ///< of the oil; none: kUsualTemperature [degC]
+  std::optional<double> temperature = {};     ///< of the oil; none: found [degC]
   std::optional<double> load = {};            ///< radial; none: 0.1 C [N]
   std::optional<double> speed = {};  ///< of the inner ring; none: half the limiting speed [rad/s]
   CageKind model = CageKind::flexible;

@@ -13,6 +13,7 @@ class SceneText {
   /// `source` stands behind the value: where it is from.
   void number(const std::string& key, double value, const std::string& source);
   void word(const std::string& key, const std::string& value, const std::string& source);
+  void flag(const std::string& key, const std::string& source) { line(key, "true", source); }
   /// An [[assumption]] entry, written after all sections.
   void assume(const std::string& key, const std::string& note);
   void assume(const std::string& key, const std::string& note, double low, double high);

@@ -56,7 +56,7 @@ void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
   totals.energy_by_spin += energy.slope[2] * one * u.by_spin;
   seen.damp(kFilm, sum((steady - storing.value) * m.rate));
   const Pack thickness =
-      select(on.normal > model.film_watch, value_of(f.at.state.thickness), splat(kNoFilm));
+      select(on.normal > model.film_watch, value_of(f.at.oil.thickness), splat(kNoFilm));
   seen.thinnest_film = std::min(seen.thinnest_film, smallest(thickness));
   if constexpr (wavy) observe_wavy_load(*form, on, on.normal, totals);
   add_slice_slopes<moving, tilting, wavy>(

@@ -52,6 +52,11 @@ std::string unit_behind(const KeyInfo& key) {
   return key.unit == "-" ? "" : " " + key.unit;
 }
 
+std::string words_of(const KeyRange& range) {
+  return std::string(range.may_be_auto ? " or \"auto\"" : "") +
+         (range.may_be_flooded ? " or \"flooded\"" : "");
+}
+
 std::string example_of(const KeyInfo& key) {
   switch (key.kind) {
     case KeyKind::boolean:
@@ -69,7 +74,7 @@ std::string example_of(const KeyInfo& key) {
       return "an array of texts in quotes";
     default:
       return (key.unit == "-" ? std::string("a plain number") : "a number in " + key.unit) +
-             (key.range.may_be_auto ? " or \"auto\"" : "");
+             words_of(key.range);
   }
 }
 
@@ -100,8 +105,12 @@ double checked_number(const KeyInfo& key, const toml::node& node, const std::str
   return value;
 }
 
-bool is_auto(const KeyInfo& key, const toml::node& node) {
-  return key.range.may_be_auto && node.value<std::string>() == std::optional<std::string>("auto");
+/// What a word in place of a number stands for, where the key allows it.
+std::optional<double> word_value(const KeyInfo& key, const toml::node& node) {
+  const auto word = node.value<std::string>();
+  if (key.range.may_be_auto && word == "auto") return std::numeric_limits<double>::quiet_NaN();
+  if (key.range.may_be_flooded && word == "flooded") return kInfinity;
+  return {};
 }
 
 }  // namespace
@@ -139,6 +148,11 @@ KeyRange one_of(std::vector<std::string> choices) {
 
 KeyRange or_auto(KeyRange range) {
   range.may_be_auto = true;
+  return range;
+}
+
+KeyRange or_flooded(KeyRange range) {
+  range.may_be_flooded = true;
   return range;
 }
 
@@ -270,11 +284,11 @@ std::string range_text(const KeyInfo& key) {
   } else {
     text = "any";
   }
-  return text + (range.may_be_auto ? " or \"auto\"" : "");
+  return text + words_of(range);
 }
 
 double number_value(const KeyInfo& key, const toml::node& node, const std::string& file) {
-  if (is_auto(key, node)) return std::numeric_limits<double>::quiet_NaN();
+  if (const auto word = word_value(key, node)) return *word;
   return checked_number(key, node, file);
 }
 
@@ -361,7 +375,7 @@ std::string quoted(const std::string& text) {
 
 std::string numbers_text(const std::vector<double>& values) {
   const auto text = [](double value) -> std::string {
-    if (std::isnan(value)) return "\"auto\"";
+    if (!std::isfinite(value)) return std::isnan(value) ? "\"auto\"" : "\"flooded\"";
     const std::string digits = number_text(value);
     // TOML takes digits alone for an integer, which has 64 bits.
     const bool long_integer = std::abs(value) > 9e18 && digits.find('e') == std::string::npos;
@@ -429,8 +443,8 @@ std::pair<toml::table*, std::string> section_of(toml::table& root, const std::st
 void insert_numbers(toml::table& table, const std::string& name,
                     const std::vector<double>& values) {
   if (values.size() == 1) {
-    if (std::isnan(values[0]))
-      table.insert_or_assign(name, "auto");
+    if (!std::isfinite(values[0]))
+      table.insert_or_assign(name, std::isnan(values[0]) ? "auto" : "flooded");
     else
       table.insert_or_assign(name, values[0]);
     return;

@@ -34,7 +34,8 @@ struct KeyRange {
   bool open_minimum = false;  ///< the minimum itself is not allowed
   /// "auto" is allowed: computed from the rest of the scene, stored as NaN.
   bool may_be_auto = false;
-  bool required = false;  ///< the key has no default and must be given
+  bool may_be_flooded = false;  ///< "flooded" is allowed: oil without end, stored as infinity
+  bool required = false;        ///< the key has no default and must be given
   /// The key must be given if another key has this value, for example "model.motion = \"dynamic\"".
   /// Empty: no such condition.
   std::string required_where;
@@ -46,6 +47,7 @@ KeyRange at_least(double minimum);
 KeyRange within(double minimum, double maximum);
 KeyRange one_of(std::vector<std::string> choices);
 KeyRange or_auto(KeyRange range);
+KeyRange or_flooded(KeyRange range);
 KeyRange required(KeyRange range);
 KeyRange required_where(std::string condition, KeyRange range);
 

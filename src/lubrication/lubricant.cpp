@@ -9,6 +9,9 @@ namespace {
 constexpr double kZeroCelsius = 273.15;  ///< [K]
 constexpr double kExpansion = 0.00065;   ///< of the density [1/K]
 
+constexpr BaseStock kMineral{0.9904, 0.1390, 0.06}, kPolyalphaolefin{0.7382, 0.1335},
+    kEster{0.6605, 0.1360}, kPolyglycol{0.5489, 0.1485};
+
 }  // namespace
 
 ViscosityCurve viscosity_curve(double viscosity_40, double viscosity_100) {
@@ -35,6 +38,10 @@ double oil_density(double density_15, double temperature) {
   return density_15 * (1 - kExpansion * (temperature - 15));
 }
 
+double pressure_viscosity(const Oil& oil, double nu) {
+  return oil.stock ? oil.stock->s * std::pow(nu, oil.stock->t) * 1e-8 : oil.pressure_viscosity;
+}
+
 const std::vector<LubricantPreset>& lubricant_presets() {
   // Mineral oils of viscosity index 95 to 100: viscosities at 100 degC as data sheets give them.
   static const std::vector<LubricantPreset> presets = {
@@ -51,6 +58,20 @@ const std::vector<LubricantPreset>& lubricant_presets() {
       {"iso-vg-460", {460, 30.4, 900, 2.3e-8}},
       // Polyol ester of 5 mm2/s at 100 degC (MIL-PRF-23699 asks for 4.9 to 5.4, and 23 at 40 degC).
       {"ester-turbine-oil", {25.5, 5.1, 995, 1.2e-8}},
+      // Polyalphaolefins, polyol esters and polyglycols as data sheets of gear and bearing oils have
+      // them.
+      {"pao-vg-32", {32, 6.3, 850, 0, kPolyalphaolefin}},
+      {"pao-vg-68", {68, 11.6, 860, 0, kPolyalphaolefin}},
+      {"pao-vg-150", {150, 21.1, 860, 0, kPolyalphaolefin}},
+      {"ester-vg-32", {32, 5.7, 985, 0, kEster}},
+      {"ester-vg-68", {68, 9.5, 980, 0, kEster}},
+      {"pag-vg-100", {100, 19, 1050, 0, kPolyglycol}},
+      {"pag-vg-220", {220, 41, 1050, 0, kPolyglycol}},
+      // Base oils of greases of bearing makers: lithium soap and polyurea in mineral oil, lithium soap
+      // in polyalphaolefin.
+      {"grease-lithium-mineral", {110, 11, 890, 0, kMineral}},
+      {"grease-polyurea-mineral", {96, 10.5, 890, 0, kMineral}},
+      {"grease-lithium-pao", {18, 4.5, 840, 0, kPolyalphaolefin}},
   };
   return presets;
 }

@@ -10,6 +10,7 @@
 // D341; thermal expansion of mineral oil 0.00065 1/K.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,16 +35,31 @@ double viscosity_fall(const ViscosityCurve& curve, double temperature);
 /// Density [kg/m3] at `temperature` [degC] from that at 15 degC.
 double oil_density(double density_15, double temperature);
 
-/// An oil as a catalogue describes it. Pressure-viscosity coefficients scatter by a quarter between
-/// oils of one grade; see `LubricantPreset` for the values that names stand for.
+/// What a base stock makes of pressure: alpha = s nu^t 1e-8 1/Pa, nu in mm2/s where the film forms
+/// (Gold and others 2001, as public programs give it), and the largest shear stress over pressure.
+/// FEUP's friction of full films of synthetic oils is some 0.6 of that of mineral ones; a limiting
+/// ratio of 0.035 (0.025 to 0.05) for them is an assumption.
+struct BaseStock {
+  double s, t;
+  double limiting_shear = 0.035;
+};
+
+/// An oil, or the base oil of a grease, as a catalogue describes it. Pressure-viscosity
+/// coefficients scatter by a quarter between oils of one grade.
 struct Oil {
   double viscosity_40 = 68, viscosity_100 = 8.7;  ///< [mm2/s]
   double density_15 = 870;                        ///< [kg/m3]
-  double pressure_viscosity = 1.8e-8;             ///< alpha [1/Pa]
+  double pressure_viscosity = 1.8e-8;             ///< alpha where there is no `stock` [1/Pa]
+  std::optional<BaseStock> stock = {};
+
+  double limiting_shear() const { return stock ? stock->limiting_shear : 0.06; }
 };
 
-/// A named oil: ISO VG 10 to 320 as mineral oils of viscosity index about 95, and an ester for gas
-/// turbines.
+/// alpha [1/Pa] at the kinematic viscosity `nu` [mm2/s].
+double pressure_viscosity(const Oil& oil, double nu);
+
+/// A named oil: ISO VG 10 to 460 as mineral oils of viscosity index about 95, synthetic ones, an
+/// ester for gas turbines, and greases.
 struct LubricantPreset {
   std::string name;
   Oil oil;

@@ -4,7 +4,7 @@
 //
 //   Q   = L max(0, q_f + q_w chi d delta/dt)            normal force [N]
 //   q_f = (s + sqrt(s^2 + 4 q_w^2))/2,   s squeeze      (line_film.hpp), with dh/dt = h_g dg/dt
-//   q_w = q (1 - (1 - W) (h_I/h)^4)                     W the layer's factor of the wedge
+//   q_w = q times what the layer leaves of it           (oil_layer.hpp)
 //   d delta/dt = -(1 - h_g) dg/dt                       approach of the bodies
 //   F_t = -ratio du                                     traction at the load as it acts
 //   F_r = f L (u/u_s) R                                 rolling force, along u
@@ -17,6 +17,8 @@
 // good and the rest is stored in the bodies (elastic_store) or exchanged with the film, which is
 // not conservative: its thickness follows u.
 #pragma once
+
+#include <cmath>
 
 #include "src/lubrication/oil_layer.hpp"
 #include "src/lubrication/rolling_resistance.hpp"
@@ -56,15 +58,21 @@ LineSpeed<T> line_speed(const LubricatedLine& law, T u) {
   return at;
 }
 
+/// Steady film of a load per length `q` > 0 [m].
+inline double loaded_film(const LubricatedLine& law, double q, double speed) {
+  const double h = film_thickness(law.film, q, speed), rigid = law.film.rigid * speed / (q * h);
+  return law.starved ? layered(h, std::pow(rigid, 4), 0.0, law.layer).thickness : h;
+}
+
 /// The normal force alone, and what traction and rolling need of it.
 template <class T>
 struct LineNormal {
-  T normal;  ///< Q >= 0 [N]
-  T acting;  ///< Q/L [N/m]
-  T steady;  ///< q_w L [N]
-  T film;    ///< q_f L [N]
-  SteadyFilm<T> state;
-  OilFactors<T> oil;
+  T normal;             ///< Q >= 0 [N]
+  T acting;             ///< Q/L [N/m]
+  T steady;             ///< q_w L [N]
+  T film;               ///< q_f L [N]
+  SteadyFilm<T> state;  ///< as if flooded
+  LayeredFilm<T> oil;
 };
 
 /// `gap` of the undeformed bodies and its `rate` [m], [m/s].
@@ -73,12 +81,12 @@ LineNormal<T> line_normal(const LubricatedLine& law, const LineSpeed<T>& speed, 
   LineNormal<T> n;
   n.state = steady_film(speed.film, gap);
   const SteadyFilm<T>& at = n.state;
-  n.oil = law.starved ? oil_factors(at.thickness * (1 / law.layer)) : flooded<T>();
-  const T steady = law.starved ? at.load * (1.0 - (1.0 - n.oil.wedge) * at.rigidity) : at.load;
+  n.oil = law.starved ? layered(at.thickness, at.rigidity, gap, law.layer) : flooded(at.thickness);
+  const T steady = at.load * n.oil.load;
   T film = steady;
   if (law.squeeze)
-    film =
-        film_load(steady, n.oil.squeeze * squeeze_load(law.film, at.thickness, at.opening * rate));
+    film = film_load(steady,
+                     n.oil.of.squeeze * squeeze_load(law.film, at.thickness, at.opening * rate));
   n.acting = max(film - steady * law.chi * (1.0 - at.opening) * rate, T{});
   n.normal = law.length * n.acting;
   n.steady = law.length * steady;
@@ -115,12 +123,13 @@ LineForces<T> line_forces(const LubricatedLine& law, const LineSpeed<T>& speed, 
   const LineNormal<T>& n = forces.at;
   // A contact that carries nothing slides without traction: the law's load must stay above zero.
   const T load = max(n.acting, T{} + 1e-6);
-  forces.ratio = law.shears ? law.length * traction_ratio(law.traction, law.boundary, load,
-                                                          n.state.thickness, squared, n.oil.couette)
-                            : law.length * friction(law.boundary, squared).ratio * n.acting;
+  forces.ratio = law.shears
+                     ? law.length * traction_ratio(law.traction, law.boundary, load,
+                                                   n.oil.thickness, squared, n.oil.of.couette)
+                     : law.length * friction(law.boundary, squared).ratio * n.acting;
   forces.rolling = T{};
   if (law.rolls)
-    forces.rolling = law.length * n.oil.rolling * speed.direction *
+    forces.rolling = law.length * n.oil.of.rolling * speed.direction *
                      rolling_resistance(speed.rolling, n.state.load, n.state.log_load);
   return forces;
 }

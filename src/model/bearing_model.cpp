@@ -11,8 +11,10 @@
 #include "src/contact_laws/hertz_point.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/model/race_stiffness.hpp"
+#include "src/operation/heat_shed.hpp"
 #include "src/operation/operating_scene.hpp"
 #include "src/scene/materials.hpp"
+#include "src/scene/oil_supply.hpp"
 #include "src/scene/pocket_outline.hpp"
 
 namespace cagetol {
@@ -128,15 +130,18 @@ double segment_area(double radius, double height) {
 /// Oil of a scene at its operating temperature.
 struct OperatingOil {
   double viscosity, pressure_viscosity, fall, density;  ///< [Pa s], [1/Pa], beta [1/K], [kg/m3]
+  double limiting_shear;                                ///< Lambda
 };
 OperatingOil operating_oil(const Lubrication& l) {
   const Oil& named = lubricant_named(l.lubricant).oil;
   const ViscosityCurve curve = viscosity_curve(given_or(l.viscosity_40, named.viscosity_40),
                                                given_or(l.viscosity_100, named.viscosity_100));
-  const double density = oil_density(given_or(l.density, named.density_15), l.temperature);
-  return {given_or(l.viscosity, 1e-6 * kinematic_viscosity(curve, l.temperature) * density),
-          given_or(l.pressure_viscosity, named.pressure_viscosity),
-          viscosity_fall(curve, l.temperature), density};
+  const double density = oil_density(given_or(l.density, named.density_15), l.temperature),
+               nu = kinematic_viscosity(curve, l.temperature);
+  return {given_or(l.viscosity, 1e-6 * nu * density),
+          given_or(l.pressure_viscosity, pressure_viscosity(named, nu)),
+          viscosity_fall(curve, l.temperature), density,
+          given_or(l.limiting_shear, named.limiting_shear())};
 }
 
 /// Film of one of `slices` slices or stations of a roller of `length`; `radius` reduced,
@@ -159,7 +164,7 @@ LubricatedLine line_of(const Scene& scene, const ContactParameters& contact,
   line.rolling = make_rolling_resistance(oil.viscosity, oil.pressure_viscosity, radius, modulus,
                                          l.inlet_heating, oil.fall, l.conductivity);
   line.traction = make_traction(oil.viscosity, oil.pressure_viscosity, radius, modulus,
-                                l.eyring_stress, l.limiting_shear, roughness);
+                                l.eyring_stress, oil.limiting_shear, roughness);
   line.boundary = boundary;
   return line;
 }
@@ -259,13 +264,20 @@ void set_guides(const Scene& scene, BearingModel& m) {
                 turned * radius * radius,
                 turned,
                 m.guide_clearance,
-                l.land_film_minimum};
+                l.land_film_minimum,
+                oil_layers(l).land};
   guide.touching_at -= l.land_film_minimum;
 }
 
 /// E' of rollers and bars [Pa].
 double bar_modulus(const Scene& scene) {
   return effective_modulus(roller_material(scene), cage_material(scene));
+}
+
+HeatAccount heat_account(const Scene& scene) {
+  const Temperatures& t = scene.temperature;
+  if (!t.balance || std::isnan(t.found)) return {};
+  return {true, t.found, t.found_power, t.found_slope, heat_shed(scene).slope};
 }
 
 /// Fills the model with oil. To be called when its geometry is there.
@@ -276,18 +288,20 @@ void lubricate(const Scene& scene, BearingModel& m) {
   const Contacts& contact = scene.contact;
   const OperatingOil oil = operating_oil(l);
   const double roller = m.nominal_diameter / 2, length = scene.roller.length;
-  const auto race = [&](double curvature) {
-    return line_of(scene, contact.race, oil, m.friction[kRacePair],
-                   effective_modulus(roller_material(scene), ring_material(scene)),
-                   race_stiffness_modulus(scene), 1 / (1 / roller + curvature),
-                   given_or(contact.race.roughness, l.race_roughness), length,
-                   static_cast<long>(m.race_slices.size()));
+  const OilLayers layers = oil_layers(l);
+  const auto race = [&](double curvature, double layer) {
+    LubricatedLine line = line_of(scene, contact.race, oil, m.friction[kRacePair],
+                                  effective_modulus(roller_material(scene), ring_material(scene)),
+                                  race_stiffness_modulus(scene), 1 / (1 / roller + curvature),
+                                  given_or(contact.race.roughness, l.race_roughness), length,
+                                  static_cast<long>(m.race_slices.size()));
+    line.starved = std::isfinite(layer);
+    line.layer = layer;
+    return line;
   };
   m.lubricated = true;
-  m.inner_line = race(1 / m.inner_radius);
-  m.inner_line.starved = true;
-  m.inner_line.layer = l.race_layer;
-  m.outer_line = race(-1 / m.outer_radius);
+  m.inner_line = race(1 / m.inner_radius, layers.inner);
+  m.outer_line = race(-1 / m.outer_radius, layers.outer);
   m.film_watch = kWatchedShare * std::max(largest_load(m.duty), 1.0) /
                  static_cast<double>(m.race_slices.size());
   m.oiled_bars = l.pocket_film;
@@ -298,14 +312,14 @@ void lubricate(const Scene& scene, BearingModel& m) {
                                   given_or(contact.bar.roughness, l.pocket_roughness), length,
                                   static_cast<long>(m.bar_stations.size()));
     line.starved = true;
-    line.layer = l.pocket_layer;
+    line.layer = layers.pocket;
     return line;
   };
   m.bar_line = pocket(m.curved_faces ? -1 / cage.face_radius : 0);
   m.edge_line = pocket(1 / cage.edge_radius);
   if (l.end_film) {
     const auto flat = [&](const ContactParameters& of, double area, bool squeeze) {
-      return make_flat_film(oil.viscosity, area, l.pocket_layer,
+      return make_flat_film(oil.viscosity, area, layers.pocket,
                             given_or(of.roughness, l.pocket_roughness), 2, squeeze);
     };
     const double face = pi * roller * roller,
@@ -324,11 +338,11 @@ void lubricate(const Scene& scene, BearingModel& m) {
                      minimum = 0.1e-6;  // growth may take the point to the end of a face
         const Traction traction =
             make_traction(oil.viscosity, oil.pressure_viscosity, flange.sphere.radius,
-                          m.race_modulus, l.eyring_stress, l.limiting_shear,
+                          m.race_modulus, l.eyring_stress, oil.limiting_shear,
                           given_or(contact.flange.roughness, l.pocket_roughness));
         flange.sphere.film = make_point_film(
             sphere_contact(scene, m, flange.inner), traction, std::max(pad, minimum),
-            std::min(l.pocket_layer, std::max(gap, minimum)), l.film_traction);
+            std::min(layers.pocket, std::max(gap, minimum)), l.film_traction);
         continue;
       }
       flange.film =
@@ -339,7 +353,7 @@ void lubricate(const Scene& scene, BearingModel& m) {
   if (!l.churning) return;
   Churning& c = m.churning;
   c.on = true;
-  c.fluid = free_space_fluid(l.oil_share, oil.density, oil.viscosity);
+  c.fluid = free_space_fluid(layers.share, oil.density, oil.viscosity);
   c.roller = 0.5 * c.fluid.density * l.roller_drag * m.nominal_diameter * length;
   c.carried_along = l.carried_along;
   c.inner_radius = cage.inner_diameter / 2;
@@ -433,6 +447,7 @@ BearingModel make_bearing_model(const OperatingScene& scene,
   const auto& o = scene.operation;
   m.duty = make_duty(o);
   m.first_axial_load = first_axial_load(o);
+  m.heat = heat_account(scene);
   if (is_lubricated(scene)) lubricate(scene, m);
   m.gravity = o.gravity * std::cos(o.shaft_inclination);
   m.gravity_axial = o.gravity * std::sin(o.shaft_inclination);

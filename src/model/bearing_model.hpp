@@ -96,6 +96,13 @@ struct CageGuide {
   ShortBearing film;                        ///< of one land
 };
 
+/// From the power of a run to its temperature (src/operation/heat_shed.hpp).
+struct HeatAccount {
+  bool on = false;
+  double found = 0, power = 0, slope = 1;  ///< of the nominal bearing [degC], [W], [W/K]
+  double shed_slope = 0;                   ///< heat shed for each kelvin more [W/K]
+};
+
 struct BearingModel {
   StateLayout layout;
   std::vector<RollerGroup> groups;
@@ -144,6 +151,7 @@ struct BearingModel {
   double first_axial_load = 0;            ///< by whose side rollers start [N]
   double gravity = 0, gravity_axial = 0;  ///< along -z, along -x [m/s^2]
 
+  HeatAccount heat;
   double pitch_radius = 0;      ///< (F + E)/4 of the actual raceways [m]
   double nominal_diameter = 0;  ///< roller diameter, mean of all [m]
 };

@@ -70,6 +70,8 @@ OperatingPoint rated_point(const Scene& scene) {
   at.load = mean.load;
   at.largest_load = largest_load(duty);
   at.speed = std::abs(duty.speed.inner - duty.speed.outer);
+  at.temperature = scene.temperature.balance ? scene.temperature.found : kUnset;
+  at.heat = scene.temperature.balance ? scene.temperature.found_power : kUnset;
   at.life = rating_life(at.dynamic_rating, at.load);
   at.life_time = 2 * pi * at.life / mean.speed;
   at.minimum_load_schaeffler = minimum_load_schaeffler(at.static_rating);
@@ -153,7 +155,7 @@ void add_load_distribution(const BearingModel& m, OperatingPoint& at) {
   at.race_pressure = race_pressure(m, inner, outer);
   at.load_zone = 2 * pi * static_cast<double>(loaded) / (kPositionsPerPitch * m.layout.rollers);
   if (!m.lubricated || !(inner > 0)) return;
-  at.film = film_thickness(m.inner_line.film, inner / slice_length(m), film_speed(at.entrainment));
+  at.film = loaded_film(m.inner_line, inner / slice_length(m), film_speed(at.entrainment));
   at.lambda = at.film / m.inner_line.traction.roughness;
 }
 
@@ -258,6 +260,8 @@ const std::vector<OperatingRow>& operating_rows() {
       {"load_zone_deg", "deg", "angle within which rollers carry more than 1 % of the load, likewise", [](At p) { return p.load_zone / (pi / 180); }},
       {"film_um", "um", "oil film at the heaviest slice of the inner race, rolling without slip", [](At p) { return 1e6 * p.film; }},
       {"lambda_ratio", "-", "the same film over the composite roughness of the races", [](At p) { return p.lambda; }},
+      {"balanced_temperature_C", "degC", "temperature of oil and outer ring at which the nominal bearing sheds what it loses; under temperature.balance", [](At p) { return p.temperature; }},
+      {"balanced_heat_W", "W", "that power", [](At p) { return p.heat; }},
       {"speed_factor_mm_min", "mm/min", "n d_m, n the speed of one ring against the other, d_m the diameter of the rollers' pitch circle", [](At p) { return 1e3 * p.pitch_diameter * p.speed / kRpm; }},
       {"cage_speed_rpm", "rpm", "kinematic speed of the cage", [](At p) { return p.cage_speed / kRpm; }},
       {"roller_speed_rpm", "rpm", "kinematic speed of a roller about its axis, relative to the cage, positive against the inner ring's sense", [](At p) { return p.roller_speed / kRpm; }},

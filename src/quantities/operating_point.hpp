@@ -6,8 +6,8 @@
 // at positions over one pitch. Kinematics: rollers that roll without slip,
 //   w_c = w_i R_i/(R_i + R_o),   w_r = (w_i - w_c) R_i/R_roller,   u = |w_i - w_c| R_i
 // w_i, w_c speeds of inner ring and cage, w_r of a roller about its axis relative to the cage, u
-// entrainment speed at the inner race. Film: film_thickness() of lubrication/line_film.hpp at the
-// heaviest slice of the inner race.
+// entrainment speed at the inner race. Film: loaded_film() of lubrication/lubricated_line.hpp at
+// the heaviest slice of the inner race.
 #pragma once
 
 #include <string>
@@ -41,6 +41,7 @@ struct OperatingPoint {
   double film;           ///< at the heaviest slice of the inner race [m]
   double lambda;         ///< film over composite roughness of the races
 
+  double temperature, heat;   ///< of outer ring and oil, power shed there: of a balance [degC], [W]
   double pitch_diameter;      ///< d_m [m]
   double speed;               ///< of one ring against the other, under a duty the largest [rad/s]
   double limiting_speed;      ///< [rad/s]

@@ -71,6 +71,11 @@ void PowerRecorder::write(const Turning& turning, double duration, QuantityValue
   q[quantity_row("power_squeeze_W")] = lost(kSqueeze);
   q[quantity_row("power_damping_W")] = lost(kDamping);
   q[quantity_row("power_film_W")] = lost(kFilm);
+  const HeatAccount& heat = model_.heat;
+  const double warmer =
+      heat.on ? (dissipation_.mean() - heat.power) / heat.slope : kNoValue;  // [K]
+  q[quantity_row("operating_temperature_C")] = heat.found + warmer;
+  q[quantity_row("heat_shed_W")] = heat.power + heat.shed_slope * warmer;
   const double apart = turning.between_rings();
   q[quantity_row("friction_torque_Nmm")] = apart != 0 ? 1e3 * drive_.mean() / apart : 0;
 }

@@ -33,6 +33,7 @@ const Need tilting{"model.motion = \"dynamic\"; model.ring_tilt = \"free\"", [](
 const Need flexible{"cage.model = \"flexible\"", is_flexible};
 const Need film{"model.motion = \"dynamic\"; lubrication.model = \"film\" or a film.model; loaded contacts", [](const Scene& s) { return moves(s) && (is_lubricated(s) || s.film.model != FilmModel::none); }, Given::perhaps};
 const Need oil{"model.motion = \"dynamic\"; lubrication.model = \"film\"; loaded contacts", [](const Scene& s) { return moves(s) && is_lubricated(s); }, Given::perhaps};
+const Need heat{"model.motion = \"dynamic\"; temperature.balance", [](const Scene& s) { return moves(s) && s.temperature.balance; }};
 const Need extrapolated{"model.motion = \"dynamic\"; window.extrapolate_revolutions; at least 5 revolutions measured", extrapolates, Given::perhaps};
 const Need extrapolated_stress{"cage.model = \"flexible\"; window.extrapolate_revolutions; at least 5 revolutions measured", [](const Scene& s) { return extrapolates(s) && is_flexible(s); }, Given::perhaps};
 }  // namespace need

@@ -14,7 +14,7 @@ namespace cagetol {
 
 namespace need {
 extern const Need any, motion, loaded, turning, turning_loaded, whole_turns, tilting, flexible,
-    film, oil, extrapolated, extrapolated_stress;
+    film, oil, heat, extrapolated, extrapolated_stress;
 }
 namespace bound {
 extern const Bound finite, not_negative, share, slip, circle, lean, whirl, axial, ring_place,
@@ -199,6 +199,12 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "mean torque that drives the inner ring; under a duty over time the mean power of the drive "
      "over the mean speed of one ring against the other: negative where parts that slow down drive "
      "the ring"},
+    {"operating_temperature_C", "degC", Kind::power, need::heat, bound::finite, "limit on heat",
+     "temperature of outer ring and oil at which the bearing would shed the power that it loses, "
+     "by "
+     "the slopes at the nominal bearing's; the run itself has that of the nominal bearing"},
+    {"heat_shed_W", "W", Kind::power, need::heat, bound::finite, "limit on heat",
+     "heat that the bearing sheds there"},
     {"cage_stress_peak_MPa", "MPa", Kind::peak, need::flexible, bound::stress,
      "stress of the cage, ranking of cages",
      "largest von Mises stress of a flexible cage over its stress stations and every accepted "

@@ -16,7 +16,7 @@ const char* const kBoth = "give low and high, both in the unit of the key, or le
 KeyInfo end_of(const KeyInfo& key, const char* end) {
   KeyInfo info = key;
   info.name = std::string("assumption.") + end;
-  info.range.may_be_auto = false;
+  info.range.may_be_auto = info.range.may_be_flooded = false;
   info.kind = KeyKind::number;
   info.meaning = key.name + ": " + key.meaning;
   return info;

@@ -33,6 +33,19 @@ InputError no_word_of_oil(const std::string& who, const std::string& file) {
           "(in a study below [scene], or in the scene file that its scene.file names)"};
 }
 
+void refuse_given_temperatures(const Scene& scene, const toml::table& root,
+                               const std::string& file) {
+  // What the program writes has all keys.
+  if (!scene.temperature.balance || find_node(root, "temperature.found_C")) return;
+  for (const char* key : {"lubrication.temperature_C", "cage.temperature_C",
+                          "temperature.inner_ring_C", "temperature.outer_ring_C",
+                          "temperature.rollers_C", "temperature.shaft_C", "temperature.housing_C"})
+    if (const auto* node = find_node(root, key); node && node->is_number())
+      throw InputError(place_of(*node, file), key, shown(*node),
+                       "temperature.balance = true finds the temperatures of oil and parts",
+                       "leave this key out, or set temperature.balance = false");
+}
+
 std::string successor_of(const Scene& scene, std::string_view key) {
   if (is_lubricated(scene))
     for (const Replaced& replaced : kReplaced)

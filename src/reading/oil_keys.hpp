@@ -16,6 +16,11 @@ namespace cagetol {
 /// dynamic scene must say".
 InputError no_word_of_oil(const std::string& who, const std::string& file);
 
+/// Throws InputError for a temperature that a file gives beside temperature.balance = true, which
+/// finds it.
+void refuse_given_temperatures(const Scene& scene, const toml::table& root,
+                               const std::string& file);
+
 /// The successor of `key` if the lubrication.model of `scene` does not allow it; empty if it does.
 std::string successor_of(const Scene& scene, std::string_view key);
 

@@ -79,6 +79,7 @@ bool oil_warms_cage(const Scene& s) {
 // clang-format off
 constinit const Reason kStatic{"model.motion = \"quasi-static\""};
 constinit const Reason kNoGrowth{"temperature.growth = false"};
+constinit const Reason kNoBalance{"temperature.balance = false"};
 constinit const Reason kRigid{"cage.model = \"rigid\""};
 constinit const Reason kDry{"lubrication.model = \"none\""};
 

@@ -8,8 +8,8 @@
 namespace cagetol::idle {
 
 using Reason = Idle<Scene>;
-extern const Reason kStatic, kNoGrowth, kRigid, kDry, kOutsideUnused, kCatalogue, kNoLipsAtRest,
-    kNoEndOil, kPlaneFlanges, kHertzFlanges, kRingModuliUnused, kRollerModuliUnused,
+extern const Reason kStatic, kNoGrowth, kNoBalance, kRigid, kDry, kOutsideUnused, kCatalogue,
+    kNoLipsAtRest, kNoEndOil, kPlaneFlanges, kHertzFlanges, kRingModuliUnused, kRollerModuliUnused,
     kCagePoissonUnused, kCageModulusUnused, kWidthUnused, kRingDensityUnused, kCageDensityUnused,
     kCageTemperatureUnused, kOilTemperatureUnused, kRingMaterialUnused, kRollerMaterialUnused,
     kCageMaterialUnused, kShaftLoose, kHousingLoose, kShaftMaterialUnused, kHousingMaterialUnused,

@@ -171,6 +171,15 @@ void add_clearance_keys(KeyTable<Scene>& keys) {
       {"temperature.rollers_C", or_auto(within(-60, 250)), AT(temperature.rollers), "temperature of the rollers; auto: mean of both rings (the cage has cage.temperature_C)", {kNoGrowth}},
       {"temperature.shaft_C", or_auto(within(-60, 250)), AT(temperature.shaft), "temperature of the shaft; auto: that of the inner ring", {kNoGrowth, kShaftLoose}},
       {"temperature.housing_C", or_auto(within(-60, 250)), AT(temperature.housing), "temperature of the housing; auto: that of the outer ring", {kNoGrowth, kHousingLoose}},
+      {"temperature.balance", any_value(), AT(temperature.balance), "the temperature of oil and outer ring is that at which the nominal bearing sheds what it loses (ISO 15312 and the oil that flows through), found by short runs before all others; false: temperatures are given", {kStatic}},
+      {"temperature.ambient_C", within(-60, 250), AT(temperature.ambient), "temperature of what the bearing sheds its heat to", {kStatic, kNoBalance}},
+      {"temperature.conductance_W_K", or_auto(above(0)), AT(temperature.conductance), "heat shed for each kelvin of the outer ring above ambient; auto: of ISO 15312, 0.016 W/mm2 over pi B (d + D) at 50 K", {kStatic, kNoBalance}},
+      {"temperature.oil_flow_l_min", at_least(0), AT(temperature.oil_flow), "oil that flows through the bearing and takes heat along", {kStatic, kNoBalance}},
+      {"temperature.oil_inlet_C", or_auto(within(-60, 250)), AT(temperature.oil_inlet), "temperature at which that oil comes; auto: temperature.ambient_C", {kStatic, kNoBalance, "temperature.oil_flow_l_min = 0"}},
+      {"temperature.inner_above_K", within(-50, 100), AT(temperature.inner_above), "how much warmer than outer ring and oil the inner ring is", {kStatic, kNoBalance, kNoGrowth}},
+      {"temperature.found_C", or_auto(within(-60, 250)), AT(temperature.found), "written by the program: the temperature found, of outer ring and oil", {kStatic, kNoBalance}},
+      {"temperature.found_power_W", or_auto(any_value()), AT(temperature.found_power), "written by the program: the power that the nominal bearing loses there", {kStatic, kNoBalance}},
+      {"temperature.found_slope_W_K", or_auto(any_value()), AT(temperature.found_slope), "written by the program: how much more it sheds than it loses a kelvin above", {kStatic, kNoBalance}},
   };
   keys.insert(keys.end(), table.begin(), table.end());
 }
@@ -234,11 +243,14 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"lubrication.pressure_viscosity_1_GPa", or_auto(above(0)), AT(lubrication.pressure_viscosity), "pressure-viscosity coefficient; auto: of the named lubricant", {kDry}},
       {"lubrication.conductivity_W_m_K", above(0), AT(lubrication.conductivity), "thermal conductivity of the oil", {kStatic, kDry, kColdInlet}},
       {"lubrication.eyring_stress_MPa", above(0), AT(lubrication.eyring_stress), "shear stress at which the oil ceases to be Newtonian", {kStatic, kDry, "lubrication.film_traction = false"}},
-      {"lubrication.limiting_shear_ratio", above(0), AT(lubrication.limiting_shear), "largest shear stress of the oil over the mean contact pressure", {kStatic, kDry, "lubrication.film_traction = false"}},
+      {"lubrication.limiting_shear_ratio", or_auto(above(0)), AT(lubrication.limiting_shear), "largest shear stress of the oil over the mean contact pressure; auto: of the named lubricant", {kStatic, kDry, "lubrication.film_traction = false"}},
       {"lubrication.race_roughness_um", above(0), AT(lubrication.race_roughness), "composite rms roughness of roller and race", {kStatic, kDry}},
-      {"lubrication.race_layer_um", above(0), AT(lubrication.race_layer), "thickness of all oil in the gap at the inner race; the outer race is flooded", {kDry}},
+      {"lubrication.supply", any_value(), AT(lubrication.supply), "how oil comes to the bearing, for layers and oil share that are left to auto; auto: \"grease\" for lubricants called grease, else \"circulation\"", {kDry}},
+      {"lubrication.race_layer_um", or_auto(or_flooded(above(0))), AT(lubrication.race_layer), "gap up to which oil fills the inlets of the inner race; auto: of the supply", {kDry}},
+      {"lubrication.outer_layer_um", or_auto(or_flooded(above(0))), AT(lubrication.outer_layer), "gap up to which oil fills the inlets of the outer race; auto: of the supply", {kDry}},
+      {"lubrication.land_layer_um", or_auto(or_flooded(above(0))), AT(lubrication.land_layer), "gap up to which oil fills that between guide lands and their ring; auto: of the supply", {kStatic, R"(cage.guidance = "roller")", "lubrication.land_film = false", kDry}},
       {"lubrication.pocket_roughness_um", above(0), AT(lubrication.pocket_roughness), "composite rms roughness of roller and pocket", {kStatic, kDry}},
-      {"lubrication.pocket_layer_um", above(0), AT(lubrication.pocket_layer), "thickness of all oil in the gap between roller and pocket, at bars and ends, and at flanges", {kStatic, kDry}},
+      {"lubrication.pocket_layer_um", or_auto(above(0)), AT(lubrication.pocket_layer), "gap up to which oil fills that between roller and pocket, at bars and ends, and at flanges; auto: of the supply", {kStatic, kDry}},
       {"lubrication.squeeze", any_value(), AT(lubrication.squeeze), "films resist the approach of the surfaces", {kDry}},
       {"lubrication.rolling_resistance", any_value(), AT(lubrication.rolling_resistance), "hydrodynamic rolling resistance of the races", {kStatic, kDry}},
       {"lubrication.inlet_heating", any_value(), AT(lubrication.inlet_heating), "shear heating in the inlet lowers the rolling resistance", {kStatic, kDry, "lubrication.rolling_resistance = false"}},
@@ -246,7 +258,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"lubrication.pocket_film", any_value(), AT(lubrication.pocket_film), "oil between rollers and the bars of their pockets", {kStatic, kDry}},
       {"lubrication.end_film", any_value(), AT(lubrication.end_film), "oil between roller ends and pockets or flanges", {kStatic, kDry}},
       {"lubrication.churning", any_value(), AT(lubrication.churning), "drag of the oil and air in the free space on rollers and cage", {kStatic, kDry}},
-      {"lubrication.oil_share", within(0, 1), AT(lubrication.oil_share), "share of the free space that is oil: some 0.02 under mist or jet, 0.1 to 0.3 in a bath; in the literature a constant to be calibrated", {kStatic, kDry, "lubrication.churning = false"}},
+      {"lubrication.oil_share", or_auto(within(0, 1)), AT(lubrication.oil_share), "share of the free space that is oil: some 0.02 under mist or jet, 0.1 to 0.3 in a bath; in the literature a constant to be calibrated; auto: of the supply", {kStatic, kDry, "lubrication.churning = false"}},
       {"lubrication.roller_drag", at_least(0), AT(lubrication.roller_drag), "drag coefficient of a roller across its axis", {kStatic, kDry, "lubrication.churning = false"}},
       {"lubrication.carried_along", within(0, 1), AT(lubrication.carried_along), "share of the cage's speed at which the oil and air turn", {kStatic, kDry, "lubrication.churning = false"}},
       {"lubrication.land_film", any_value(), AT(lubrication.land_film), "oil film between the lands of a guided cage and their ring (Ocvirk, half of it in suction left out)", {kStatic, R"(cage.guidance = "roller")", kDry}},
@@ -433,6 +445,7 @@ Scene read_scene(const toml::table& root, const std::string& file) {
     read_duty_file(*find_node(root, "duty.file"), file, scene.operation.table);
   refuse_missing(given, scene, file);
   refuse_replaced_keys(scene, root, file);
+  refuse_given_temperatures(scene, root, file);
   check_scene(scene, file, &root);
   return scene;
 }

@@ -78,6 +78,16 @@ constexpr auto spellings(LubricationModel) {
   return std::array{Spelling{none, "none"}, Spelling{film, "film"}};
 }
 
+/// How oil comes to a bearing, for layers and oil share that a scene leaves open
+/// (src/lubrication/oil_supply.hpp).
+enum class OilSupply { automatic, bath, circulation, oil_air, grease };
+constexpr auto spellings(OilSupply) {
+  using enum OilSupply;
+  return std::array{Spelling{automatic, "auto"}, Spelling{bath, "bath"},
+                    Spelling{circulation, "circulation"}, Spelling{oil_air, "oil-air"},
+                    Spelling{grease, "grease"}};
+}
+
 /// State from which a run starts (src/statics/start_state.hpp).
 enum class StartState { automatic, steady, equilibrium, centred };
 constexpr auto spellings(StartState) {

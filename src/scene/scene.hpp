@@ -106,7 +106,22 @@ struct Temperatures {
   bool growth = false;    ///< false: parts have the dimensions that the scene gives
   double reference = 20;  ///< at which they have these
   double inner_ring = kAuto, outer_ring = kAuto, rollers = kAuto, shaft = kAuto, housing = kAuto;
+  /// Those of oil and rings are found from the heat that the bearing makes and sheds.
+  bool balance = false;
+  double ambient = 20;         ///< of what the bearing sheds heat to [degC]
+  double conductance = kAuto;  ///< kAuto: of ISO 15312 [W/K]
+  double oil_flow = 0;         ///< through the bearing [m^3/s]
+  double oil_inlet = kAuto;    ///< of that oil; kAuto: ambient [degC]
+  double inner_above = 5;      ///< inner ring above outer ring and oil [K]
+  /// What was found of the nominal bearing: of outer ring and oil [degC], the power lost there [W],
+  /// and how much more is shed than lost a kelvin above [W/K]. kAuto: not yet.
+  double found = kAuto, found_power = kAuto, found_slope = kAuto;
 };
+
+/// Whether its temperature is still to be found.
+inline bool needs_temperature(const Temperatures& t) {
+  return t.balance && std::isnan(t.found);
+}
 
 /// Modes a flexible cage can have, elastic ones and those of its bars: bounds scratch on the stack.
 inline constexpr int kMostModes = 62;
@@ -178,17 +193,21 @@ struct Lubrication {
   double pressure_viscosity = kAuto;    ///< alpha [1/Pa]
   double conductivity = 0.14;           ///< k [W/(m K)]
   double eyring_stress = 5e6;           ///< tau_E [Pa]
-  double limiting_shear = 0.06;         ///< Lambda
+  double limiting_shear = kAuto;        ///< Lambda
   double race_roughness = 0.2e-6;       ///< composite, rms [m]
-  double race_layer = 20e-6;            ///< oil layer at the inner race [m]
-  double pocket_roughness = 0.5e-6;     ///< composite, rms [m]
-  double pocket_layer = 20e-6;          ///< oil layer at bars and ends of pockets [m]
+  /// For kAuto of the layers and oil_share below.
+  OilSupply supply = OilSupply::automatic;
+  double race_layer = kAuto;         ///< oil layer at the inner race; infinite: flooded [m]
+  double outer_layer = kAuto;        ///< likewise at the outer race [m]
+  double land_layer = kAuto;         ///< likewise between guide lands and their ring [m]
+  double pocket_roughness = 0.5e-6;  ///< composite, rms [m]
+  double pocket_layer = kAuto;       ///< likewise at bars and ends of pockets [m]
   bool squeeze = true, rolling_resistance = true, inlet_heating = true;
   bool film_traction = true;  ///< false: sliding contacts have the friction of a dry bearing
   bool pocket_film = true;    ///< film between rollers and pocket bars
   bool end_film = true;       ///< film at roller ends, against pockets and flanges
   bool churning = true;
-  double oil_share = 0.02;          ///< volume fraction of oil in the free space
+  double oil_share = kAuto;         ///< volume fraction of oil in the free space
   double roller_drag = 1;           ///< C_d of a roller in its orbit
   double carried_along = 0.5;       ///< speed of oil and air over the cage's speed
   bool land_film = true;            ///< short-bearing film at the lands of a guided cage

@@ -59,6 +59,7 @@ constexpr const char* kOtherKeys[] = {
     "contact.race.restitution",      "contact.bar.restitution",
     "friction.static_coefficient",   "friction.dynamic_coefficient",
     "lubrication.temperature_C",     "lubrication.pocket_layer_um",
+    "lubrication.outer_layer_um",    "lubrication.land_layer_um",
     "lubrication.race_roughness_um", "lubrication.pocket_roughness_um",
     "lubrication.oil_share",         "environment.gravity_m_s2"};
 

@@ -14,7 +14,7 @@ src/numerics:
 src/contact_laws: src/input src/numerics
 src/lubrication: src/contact_laws src/numerics
 src/scene: src/contact_laws src/input
-src/operation: src/scene
+src/operation: src/lubrication src/scene
 src/reading: src/input src/lubrication src/operation src/scene
 src/cage/mesh: src/operation src/scene
 src/cage/solve: src/cage/mesh
@@ -27,7 +27,7 @@ src/dynamics: $model src/newton src/contacts
 src/statics: $model src/newton src/contacts
 src/integration: $model src/newton src/dynamics
 src/quantities: $model src/integration src/statics
-src/catalogue: src/input src/scene src/reading src/quantities
+src/catalogue: src/input src/scene src/reading src/operation src/quantities
 src: $run
 distributions/basics:
 distributions/laws: distributions/basics

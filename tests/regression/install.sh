@@ -22,6 +22,12 @@ echo 'raise SystemExit("drawn by the moved one")' >"$home/share/cagetol/analysis
 grep -rq 'drawn by the moved one' "$place/log" "$place/out/figures/draw.log" 2>/dev/null || fail "draws with other scripts than its own"
 "$(dirname "$0")/check_documents.sh" "$home/share/doc/cagetol" || fail "its documents are not whole"
 
+# Without its scripts it says where they should be, and takes no others.
+mv "$home/share/cagetol" "$home/away"
+"$program" report "$place/out" >"$place/log" 2>&1 || true
+grep -q "share/cagetol" "$place/log" || fail "does not say that its scripts are missing: $(cat "$place/log")"
+mv "$home/away" "$home/share/cagetol"
+
 man -l "$home/share/man/man1/cagetol.1" >"$place/manual" 2>/dev/null || cp "$home/share/man/man1/cagetol.1" "$place/manual"
 for command in check simulate sweep recommend scene; do
   grep -q "$command" "$place/manual" || fail "the manual page leaves out $command"

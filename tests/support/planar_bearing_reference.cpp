@@ -17,13 +17,12 @@ constexpr double kSlowest = 0.01;  // u0 [m/s]
 struct OilShare {
   double wedge = 1, squeeze = 1, rolling = 1, couette = 1;
 };
-OilShare oil_share(double h, double layer) {
-  if (layer == 0) return {};
-  const double x = h / layer;
+OilShare oil_share(double x) {
   if (x >= 1) return {0, 0, 0, 0};
   const double z = std::min(1.0, (1 - x) / 0.2);
-  return {std::pow(1 - x, 2.3), std::pow(1 - std::pow(x, 1.5), 1.6),
-          std::pow(1 - std::sqrt(x), 2.1), std::sqrt(1 - std::sqrt(x)) * z * z * (3 - 2 * z)};
+  const double more = std::pow(x, 1.5), across = 1 - std::sqrt(x);
+  return {(1 - x) * (1 - x) * (1 - 0.3 * x), std::pow(1 - more, 1.5) * (1 - 0.1 * more),
+          across * across * (1 - 0.8 * more), std::sqrt(across) * z * z * (3 - 2 * z)};
 }
 
 /// Film thickness of a load per length q = e^y, and what belongs to it.
@@ -148,7 +147,7 @@ PlanarContact inner_race_contact(const PlanarBearing& b) {
 }
 PlanarContact outer_race_contact(const PlanarBearing& b) {
   const double R = b.roller_radius * b.outer_radius / (b.outer_radius - b.roller_radius);
-  return make_contact(b, R, b.race_modulus, b.oil.race_roughness, 0);
+  return make_contact(b, R, b.race_modulus, b.oil.race_roughness, b.oil.outer_layer);
 }
 PlanarContact bar_contact(const PlanarBearing& b) {
   return make_contact(b, b.roller_radius, b.bar_modulus, b.oil.pocket_roughness,
@@ -166,8 +165,15 @@ PlanarContactForces contact_forces(const PlanarContact& c, double gap, double ra
   const Film film = law.at(y);
   const double h = film.h, share = std::pow(film.rigid / h, 4);
   const double opening = 1 + 0.9 * film.delta / film.slope;  // dh/dg = 1 + d delta/dg
-  const OilShare oil = oil_share(h, c.layer);
-  const double steady = q * (1 - (1 - oil.wedge) * share);
+  OilShare oil;
+  double steady = q, thin = h;
+  if (c.layer > 0) {
+    const double filled = (1 - share) * h / c.layer;
+    thin = h * (share + (1 - share) / (1 + filled * std::sqrt(filled / (filled + 0.045))));
+    const double z = std::clamp(2 - 2 * gap / c.layer, 0.0, 1.0), near = z * z * (3 - 2 * z);
+    oil = oil_share(1 - (1 - thin / c.layer) * near);
+    steady = q * (share * oil.wedge + (1 - share) * near);
+  }
   const double drag =
       oil.squeeze * 3 * std::sqrt(2.0) * pi * c.viscosity * std::pow(c.radius / h, 1.5) * opening;
   const double s = -drag * rate, root = std::sqrt(s * s + 4 * steady * steady);
@@ -177,9 +183,9 @@ PlanarContactForces contact_forces(const PlanarContact& c, double gap, double ra
   f.normal = L * acting;
   f.steady = L * steady;
   f.film = L * pressed;
-  f.thickness = h;
+  f.thickness = thin;
   if (acting > 0) {
-    const Traction2 t = sliding_traction(c, acting, h, sliding, oil.couette);
+    const Traction2 t = sliding_traction(c, acting, thin, sliding, oil.couette);
     f.traction = L * t.force;
     f.slope = L * t.slope;
   }

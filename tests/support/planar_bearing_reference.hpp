@@ -13,10 +13,10 @@
 namespace cagetol {
 
 struct PlanarOil {
-  double viscosity = 0.02, pressure_viscosity = 1.8e-8;       ///< eta [Pa s], alpha [1/Pa]
-  double eyring = 5e6, limiting = 0.06;                       ///< tau_E [Pa], Lambda
-  double race_roughness = 0.2e-6, pocket_roughness = 0.2e-6;  ///< composite, rms [m]
-  double race_layer = 20e-6, pocket_layer = 20e-6;            ///< of oil in the gap [m]
+  double viscosity = 0.02, pressure_viscosity = 1.8e-8;              ///< eta [Pa s], alpha [1/Pa]
+  double eyring = 5e6, limiting = 0.06;                              ///< tau_E [Pa], Lambda
+  double race_roughness = 0.2e-6, pocket_roughness = 0.2e-6;         ///< composite, rms [m]
+  double race_layer = 20e-6, outer_layer = 0, pocket_layer = 20e-6;  ///< gaps with oil; 0: all [m]
 };
 
 /// Adams' friction of asperities: mu_s at v_s, mu_d from v_d on.

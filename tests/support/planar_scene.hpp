@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "src/model/state.hpp"
 #include "src/scene/scene.hpp"
@@ -38,6 +39,8 @@ inline Scene planar_scene(const PlanarBearing& bearing) {
   oil.race_roughness = bearing.oil.race_roughness;
   oil.pocket_roughness = bearing.oil.pocket_roughness;
   oil.race_layer = bearing.oil.race_layer;
+  oil.outer_layer = bearing.oil.outer_layer > 0 ? bearing.oil.outer_layer
+                                                : std::numeric_limits<double>::infinity();
   oil.pocket_layer = bearing.oil.pocket_layer;
   oil.inlet_heating = oil.churning = oil.land_film = false;
   return scene;

@@ -89,7 +89,7 @@ TEST_F(Fidelity, ASettledLimitTakesTheCheapestRungAndThePilotsRuns) {
 
 TEST_F(Fidelity, ALimitThatTheReferenceLeavesOpenTakesTheHighestRung) {
   const Ended ended =
-      sweep("auto", {"limit=[{quantity='cage_slip_ratio', max=0.0003, source='test'}]"});
+      sweep("auto", {"limit=[{quantity='cage_slip_ratio', max=0.0078, source='test'}]"});
   ASSERT_EQ(ended.code, 0) << ended.output;
   EXPECT_THAT(ended.output,
               HasSubstr("fidelity: full, the highest rung: a first look at 3 samples finds no "

@@ -68,7 +68,7 @@ void climb(const std::string& scene, const std::string& revolutions,
 class Ladders : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(, Ladders, testing::Values("bore10-small"));
 TEST_P(Ladders, FitTheBearing) {
-  climb(GetParam(), "0.05", "0.1");
+  climb(GetParam(), "0.1", "0.1");
 }
 
 class NightlyLadders : public testing::TestWithParam<const char*> {};

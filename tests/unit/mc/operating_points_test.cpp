@@ -70,6 +70,46 @@ std::vector<std::string> limited(const Study& study) {
   return names;
 }
 
+const char* const kWarm = R"(samples = 2
+[scene.window]
+settle_time_s = 2e-3
+measure_time_s = 1e-2
+[scene.cage]
+model = "rigid"
+[scene.temperature]
+balance = true
+found_C = "auto"
+[[operating_point]]
+name = "rated"
+[[operating_point]]
+name = "fast"
+speed.inner_rpm = 12000
+[[operating_point]]
+name = "cold-start"
+temperature.balance = false
+lubrication.temperature_C = 20
+)";
+
+TEST_F(OperatingPoints, EachIsAsWarmAsItsHeatMakesIt) {
+  const Study study = study_of(kWarm);
+  const auto at = [&](std::size_t k) { return at_operating_point(study.scene, study.points[k]); };
+  EXPECT_EQ(at(0).lubrication.temperature, study.scene.lubrication.temperature);
+  EXPECT_GT(at(1).lubrication.temperature, at(0).lubrication.temperature + 20);
+  EXPECT_EQ(at(1).temperature.found, at(1).lubrication.temperature);
+  EXPECT_EQ(at(2).lubrication.temperature, 20);
+  EXPECT_FALSE(at(2).temperature.balance);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(simulate(at(k)).status, Status::ok) << study.points[k].name;
+  // What was found is part of the study: reading it again finds nothing anew.
+  EXPECT_EQ(read_resolved_study(study.resolved_toml, "again").hash, study.hash);
+  Study forgotten = study;
+  forgotten.scene.temperature.ambient = 50;
+  forget_temperatures(forgotten);
+  find_temperatures(forgotten);
+  EXPECT_GT(at_operating_point(forgotten.scene, forgotten.points[1]).temperature.found,
+            at(1).temperature.found + 5);
+}
+
 TEST_F(OperatingPoints, ALimitWithoutLabelIsOneAtEachPoint) {
   const Study study =
       study_of(std::string(kScene) + kPoints +

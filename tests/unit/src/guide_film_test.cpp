@@ -1,7 +1,9 @@
 // The guide film: Reynolds' equation by quadrature, Ocvirk's and Petroff's closed forms, limits,
 // derivatives, and a run.
 #include <gtest/gtest.h>
+
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -25,15 +27,28 @@ const ShortBearing kBearing{true,
                             kClearance,
                             1e-6};
 
-/// Force on the journal from the pressure itself: parabola over the width, no suction.
-void integrated(const double D[2], const double V[2], double force[2]) {
-  force[0] = force[1] = 0;
+/// Gaps up to which oil fills the bearing: all of it, more than it, most and little of it [m].
+constexpr double kLayers[] = {std::numeric_limits<double>::infinity(), 0.5e-3, 0.25e-3, 50e-6};
+ShortBearing filled_up_to(double layer) {
+  ShortBearing bearing = kBearing;
+  bearing.layer = layer;
+  return bearing;
+}
+
+/// Force on the journal from the pressure itself: parabola over the width, no suction, a meniscus.
+/// The last one: torque over the difference of spins.
+void integrated(const double D[2], const double V[2], double layer, double force[3]) {
+  force[0] = force[1] = force[2] = 0;
   const int points = 200000;
   for (int i = 0; i < points; ++i) {
     const double angle = 2 * pi * (i + 0.5) / points, y = std::cos(angle), z = std::sin(angle);
     const double h = kClearance - D[0] * y - D[1] * z, closing = V[0] * y + V[1] * z;
+    if (h >= layer) continue;
+    force[2] += kViscosity * kGuideRadius * kGuideRadius * kGuideRadius * kWidth *
+                (1 / h - 1 / layer) * 2 * pi / points;
     if (closing <= 0) continue;
-    const double at_middle = 12 * kViscosity * closing / (h * h * h) * kWidth * kWidth / 8;
+    const double oil = (1 - h / layer) * (1 - h / layer);
+    const double at_middle = 12 * kViscosity * closing * oil / (h * h * h) * kWidth * kWidth / 8;
     const double strip = 2.0 / 3 * at_middle * kWidth * kGuideRadius * 2 * pi / points;
     force[0] -= strip * y;
     force[1] -= strip * z;
@@ -48,10 +63,12 @@ TEST(GuideFilm, ForceIsTheIntegralOfThePressure) {
                  angle = pi * unit(engine);
     const double D[2] = {size * std::cos(angle), size * std::sin(angle)},
                  V[2] = {0.1 * unit(engine), 0.1 * unit(engine)};
-    double expected[2];
-    integrated(D, V, expected);
-    const auto film = short_bearing_film(kBearing, D, V);
+    const double layer = kLayers[k % 4];
+    double expected[3];
+    integrated(D, V, layer, expected);
+    const auto film = short_bearing_film(filled_up_to(layer), D, V);
     const double scale = std::hypot(expected[0], expected[1]);
+    EXPECT_NEAR(film.torque, expected[2], 1e-6 * expected[2]) << k;
     EXPECT_NEAR(film.force[0], expected[0], 1e-8 * scale) << k;
     EXPECT_NEAR(film.force[1], expected[1], 1e-8 * scale) << k;
   }
@@ -93,7 +110,8 @@ TEST(GuideFilm, DerivativesAreThoseOfDifferences) {
                  angle = pi * unit(engine);
     const double D[2] = {size * std::cos(angle), size * std::sin(angle)},
                  V[2] = {0.1 * unit(engine), 0.1 * unit(engine)};
-    const auto film = short_bearing_film(kBearing, D, V);
+    const ShortBearing bearing = filled_up_to(kLayers[k % 4]);
+    const auto film = short_bearing_film(bearing, D, V);
     double damping = 0, stiffness = 0;
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
@@ -105,7 +123,7 @@ TEST(GuideFilm, DerivativesAreThoseOfDifferences) {
         double D2[2] = {D[0], D[1]}, V2[2] = {V[0], V[1]};
         D2[j] += place;
         V2[j] += speed;
-        return short_bearing_film(kBearing, D2, V2);
+        return short_bearing_film(bearing, D2, V2);
       };
       const double step = 1e-4 * std::max(kClearance - size, kBearing.minimum), faster = 1e-6;
       const auto up = moved(step, 0), down = moved(-step, 0), fast = moved(0, faster),

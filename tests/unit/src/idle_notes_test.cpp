@@ -153,14 +153,14 @@ std::vector<Scene> altered(const Key<Scene>& key, const Scene& from) {
 
 /// Keys whose work this test does not see: titles, watches, budgets, what is written, the choice of
 /// an elastic cage, whose finite elements take too long here, and of equilibria the pockets, which
-/// may only jam.
+/// may only jam; and a heat balance, which runs the bearing itself.
 bool elsewhere(const Scene& scene, const std::string& key) {
   if (is_quasi_static(scene) && (key == "cage.pocket_width_mm" || key == "cage.pocket_length_mm"))
     return true;
   static const std::set<std::string> names = {
       "name",       "integration.step_budget", "integration.wall_budget_s",
       "cage.model", "cage.allow_interference", "window.history_interval_us",
-      "duty.file"};
+      "duty.file",  "temperature.balance"};
   return names.count(key) || key.starts_with("watch.");
 }
 

@@ -48,6 +48,20 @@ TEST(Lubricant, RefusesViscositiesThatDoNotFall) {
   EXPECT_THROW(viscosity_curve(68, std::nan("")), std::domain_error);
 }
 
+TEST(Lubricant, BaseStocksThickenUnderPressureAsGoldMeasured) {
+  // alpha = s nu^t, in 1e-8 1/Pa, by hand at 20 mm2/s.
+  const auto at_20 = [](const char* name) {
+    return pressure_viscosity(lubricant_named(name).oil, 20);
+  };
+  EXPECT_NEAR(at_20("grease-lithium-mineral"), 1.502e-8, 2e-11);
+  EXPECT_NEAR(at_20("pao-vg-68"), 1.101e-8, 2e-11);
+  EXPECT_NEAR(at_20("ester-vg-68"), 0.993e-8, 2e-11);
+  EXPECT_NEAR(at_20("pag-vg-220"), 0.856e-8, 2e-11);
+  EXPECT_EQ(at_20("iso-vg-68"), 1.8e-8);  // given, not by its stock
+  EXPECT_EQ(lubricant_named("pao-vg-68").oil.limiting_shear(), 0.035);
+  EXPECT_EQ(lubricant_named("iso-vg-68").oil.limiting_shear(), 0.06);
+}
+
 TEST(Lubricant, PresetsAreInTheirIsoGrade) {
   // ISO 3448: the viscosity at 40 degC within 10 % of the grade's number.
   int grades = 0;

@@ -10,6 +10,7 @@
 #include "src/lubrication/lubricant.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/reading/scene_keys.hpp"
+#include "src/scene/oil_supply.hpp"
 #include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_scene.hpp"
 
@@ -158,6 +159,27 @@ TEST(OilKeys, OilMustThinAndFlow) {
   EXPECT_EQ(problem_of("lubrication.viscosity_40_mm2_s = 5\n"), "no error");  // dry
 }
 
+TEST(OilSupply, FillsWhatIsNotGiven) {
+  const auto layers_of = [](const std::string& text) {
+    return oil_layers(scene_of(kFilm + text).lubrication);
+  };
+  EXPECT_EQ(layers_of("").outer, 200e-6);  // a circulation
+  EXPECT_EQ(layers_of("lubrication.lubricant = 'grease-lithium-mineral'\n").outer, 50e-6);
+  const OilLayers air =
+      layers_of("lubrication.supply = 'oil-air'\nlubrication.outer_layer_um = 7\n");
+  EXPECT_EQ(air.outer, 7e-6);
+  EXPECT_EQ(air.inner, 5e-6);
+  const OilLayers bath =
+      layers_of("lubrication.supply = 'bath'\nlubrication.race_layer_um = 'flooded'\n");
+  EXPECT_TRUE(std::isinf(bath.outer) && std::isinf(bath.inner) && std::isinf(bath.land));
+  EXPECT_GT(bath.share, layers_of("").share);
+  EXPECT_THAT(problem_of(kFilm + "lubrication.pocket_layer_um = 'flooded'\n"),
+              HasSubstr("lubrication.pocket_layer_um"));
+  const Scene scene = scene_of(kFilm + "lubrication.outer_layer_um = 'flooded'\n");
+  EXPECT_EQ(key_text(*find_key(scene_keys(), "lubrication.outer_layer_um"), scene), "\"flooded\"");
+  EXPECT_FALSE(make_bearing_model(scene).outer_line.starved);
+}
+
 ShortBearing guide_film_of(const std::string& text) {
   return make_bearing_model(scene_of(text)).guides[0].film;
 }
@@ -171,8 +193,9 @@ TEST(LandFilm, LiesBetweenLandAndRingInTheOilOfTheBearing) {
                                            "lubrication.land_film_minimum_um = 3\n");
   EXPECT_TRUE(thick.on);
   EXPECT_NEAR(thick.pressure / (viscosity * radius * std::pow(width, 3)), 1, 1e-9);
-  EXPECT_NEAR(thick.torque / (2 * pi * viscosity * std::pow(radius, 3) * width), 1, 1e-9);
-  EXPECT_NEAR(thick.axial / (2 * pi * viscosity * radius * width), 1, 1e-9);
+  EXPECT_NEAR(thick.torque / (2 * std::numbers::pi * viscosity * std::pow(radius, 3) * width), 1,
+              1e-9);
+  EXPECT_NEAR(thick.axial / (2 * std::numbers::pi * viscosity * radius * width), 1, 1e-9);
   EXPECT_NEAR(thick.clearance, 0.2e-3, 1e-12);
   EXPECT_NEAR(thick.minimum, 3e-6, 1e-15);
   // VG 68 at 70 degC: 0.01688 Pa s. The film is proportional to it.

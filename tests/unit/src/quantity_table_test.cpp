@@ -95,7 +95,9 @@ TEST(QuantityTable, KindsAreThoseThatKeysSay) {
     EXPECT_EQ(row.kind == Kind::minimum, says("_min_")) << key;
     EXPECT_EQ(row.kind == Kind::estimate, says("_extrapolated_")) << key;
     EXPECT_EQ(row.kind == Kind::place, key.ends_with("_pocket") || key.ends_with("_station"));
-    EXPECT_EQ(row.kind == Kind::power, says("power_") || says("torque")) << key;
+    EXPECT_EQ(row.kind == Kind::power,
+              says("power_") || says("torque") || says("heat_") || says("_temperature"))
+        << key;
     if (says("_p95") || says("_p99") || says("_utilisation") || key.ends_with("_peak_N")) {
       EXPECT_EQ(row.kind, Kind::peak) << key;
     }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
+#include "src/heat_balance.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/shipped_scene.hpp"
 
@@ -21,7 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ShippedBearings,
                          });
 
 TEST_P(ShippedBearings, Run) {
-  Scene scene = shipped_scene(GetParam());
+  Scene scene = with_temperature_found(shipped_scene(GetParam()));
   EXPECT_EQ(scene.name, GetParam());
   scene.cage.model = CageKind::rigid;
   scene.window.settle_revolutions = 0.5;

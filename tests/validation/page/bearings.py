@@ -1,4 +1,4 @@
-"""The six bearings of the page: scene, makers' data, and the working point at which they are judged."""
+"""The bearings of the page: scene, makers' data, and the working point at which they are judged."""
 
 import tomllib
 from dataclasses import dataclass, field
@@ -27,6 +27,7 @@ class Bearing:
     C0: float = 0
     factor: float = rating.STANDARD_FACTOR
     settings: dict = field(default_factory=dict)  # of every run
+    at: tuple = ()             # load and speed at which it is judged, where they are not the scene's
     # Viscosities at 40 and 100 degC [mm2/s], degC, alpha [1/Pa] of the oil named in the scene, as in the program.
     oil: tuple = ((68, 8.7), 70, 1.8e-8)
 
@@ -36,11 +37,11 @@ class Bearing:
 
     @property
     def load(self):
-        return float(self.file["load"]["radial_N"])
+        return float(self.at[0] if self.at else self.file["load"]["radial_N"])
 
     @property
     def rpm(self):
-        return float(self.file["speed"]["inner_rpm"])
+        return float(self.at[1] if self.at else self.file["speed"]["inner_rpm"])
 
     @property
     def dynamic_viscosity(self):
@@ -114,6 +115,11 @@ NU2226 = Bearing("NU 2226", scene_of("nu2226"), "22", 20, 1.8, (15000, 30000, 61
 NU2322 = Bearing("NU 2322", scene_of("nu2322"), "23", 100, 1.8, (15000, 30000, 60000, 120000), (225, 450, 900, 1800),
                  3000, 780000, 900000, rating.EXPLORER_FACTOR)
 # Not in a catalogue: factors of series 2; those of series 10 give 616 and 1236 in place of 600 and 1250 N mm.
-AERO = Bearing("118 mm aero", scene_of("aero118"), "2", 5, 1.8, (500, 1000, 2000, 5000, 10000),
+AERO = Bearing("118 mm aero", scene_of("aero118"), "2", 5, 2.5, (500, 1000, 2000, 5000, 10000),
                (5000, 10000, 15000, 20000), oil=((25.5, 5.1), 100, 1.2e-8))
-BEARINGS = (NU205, NU208, NU226, NU2226, NU2322, AERO)
+# At the point at which it is judged: 10 mm2/s at 850 kg/m3.
+N1014 = Bearing("N 1014", ROOT / "inputs/scenes/n1014-spindle.toml", "10", 10, 2.5, (500, 1000, 2000, 4000),
+                (5000, 10000, 15000), settings={"lubrication.viscosity_Pa_s": 0.0085, "temperature.balance": False,
+                          "lubrication.temperature_C": 45}, at=(1000, 15000),
+                oil=((15, 3.4), 45, 1.6e-8))
+BEARINGS = (NU205, NU208, NU226, NU2226, NU2322, N1014, AERO)

@@ -26,7 +26,7 @@ VISCOSITY = 20         # kinematic, at the temperature of the oil [mm2/s]
 DENSITY = 839          # of the scene's oil at that temperature [kg/m3]
 BAR = 1.8
 SETTINGS = {"lubrication.viscosity_Pa_s": 1e-6 * VISCOSITY * DENSITY,
-            "window.settle_revolutions": 1.0, "window.measure_revolutions": 2.0}
+            "temperature.balance": False, "window.settle_revolutions": 1.0, "window.measure_revolutions": 2.0}
 MAKES = ("steel-sheet", "steel-machined", "brass-machined", "polyamide", "peek-machined")
 SIZES = ("NU 202 ECP", "NU 1030 ML")
 QUICK = {"cage.model": "rigid", "window.settle_revolutions": 0.5, "window.measure_revolutions": 1.0}

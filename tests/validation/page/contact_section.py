@@ -45,12 +45,13 @@ def contact_section(page, program, quick):
                     + [signed_percent(max((f / d - 1 for f, d in zip(found, due)), key=abs), 2)])
     page.table(["load, N", "h, um"] + [f"mu at {du:g} m/s" for du in SLIDING] + ["largest difference, %"], rows)
     page.add("### Rolling share of a run against the sum over static loads", "",
-             "NU 205, 6000 r/min, oil layers off (10 mm) and inlet heating off. Sum: 2 f u over both races, mean over",
+             "NU 205, 6000 r/min, all gaps flooded (pockets: 10 mm) and inlet heating off. Sum: 2 f u over both races, mean over",
              "roller angles; unloaded rollers press on the outer race by their centrifugal force. N mm.", "")
     rows = []
     for load in ((1000,) if quick else SUM_LOADS):
         run = program.run(NU205.scene, NU205.settings | {
-            "load.radial_N": load, "lubrication.race_layer_um": 10000, "lubrication.pocket_layer_um": 10000,
+            "load.radial_N": load, "lubrication.race_layer_um": "flooded", "lubrication.outer_layer_um": "flooded",
+            "lubrication.land_layer_um": "flooded", "lubrication.pocket_layer_um": 10000,
             "lubrication.inlet_heating": False})
         page.note_failure(f"rolling share, NU 205, {load:g} N", run)
         ours = 1e3 * run["power_rolling_W"] / (NU205.rpm * pi / 30)

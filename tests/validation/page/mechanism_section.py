@@ -11,7 +11,7 @@ SWITCHES = ("churning", "rolling_resistance", "inlet_heating", "film_traction", 
 
 def rolling_by_race(page, program, quick):
     page.add("### Rolling resistance without slip, by race", "",
-             "Sum of 2 f u over the static load distribution with inlet heating and without an oil layer",
+             "Sum of 2 f u over the static load distribution with inlet heating and all inlets flooded",
              "(`page/static_rolling.py`), beside what rolling resistance takes in the run, N mm. A run that slips",
              "entrains less oil.", "")
     rows = []
@@ -53,5 +53,5 @@ def mechanism_section(page, program, quick):
     page.add("At the aero bearing's speed centrifugal force presses every roller on the outer race, loaded or",
              "not, and all of them pay rolling resistance there; the makers' models know the radial load alone.",
              "With the drag of the free space on the rollers this brakes more than the traction of the few",
-             "loaded inner contacts drives: it skids, and sliding adds to the torque. The outer race is flooded",
-             "in the model and rollers stand in the stream with their whole length: both may well be too much.", "")
+             "loaded inner contacts drives: it skids, and sliding adds to the torque. Rollers stand in the stream",
+             "with their whole length, which may well be too much.", "")

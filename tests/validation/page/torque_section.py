@@ -46,7 +46,7 @@ def along(bearing, runs, over_load):
 
 
 def draw(found, over_load):
-    figure, axes = pyplot.subplots(2, 3, figsize=(1.3 * WIDTH, 5.2))
+    figure, axes = pyplot.subplots(2, 4, figsize=(1.6 * WIDTH, 5.2))
     for axis, (bearing, runs) in zip(axes.flat, found.items()):
         place, *torques = zip(*along(bearing, runs, over_load))
         for torque, style, label in zip(torques, ("o-", "s--", "^:"), ("cagetol", "SKF", "Palmgren")):
@@ -57,6 +57,7 @@ def draw(found, over_load):
         axis.set_title(f"{bearing.title}, " + (f"{bearing.rpm:g} r/min" if over_load else f"{bearing.load:g} N"))
     for row in axes:
         row[0].set_ylabel("torque [N mm]")
+    axes[1][3].axis("off")
     axes[0][0].legend()
     return figure
 
@@ -74,7 +75,7 @@ def exponents(page, found):
         rows.append(cells)
     page.table(["bearing", "of load: program", "SKF", "Palmgren", "of speed: program", "SKF", "Palmgren"], rows)
     page.add("SKF's model lowers rolling resistance at speed by heating of the inlet and by a factor for",
-             "starvation, and has boundary friction at low speed; here the outer race stays flooded, and mixed",
+             "starvation, and has boundary friction at low speed; here a meniscus cuts the inlets short, and mixed",
              "friction at low speed hardly counts.", "")
 
 

@@ -17,12 +17,14 @@ from approach_section import approach_section
 from clearance_section import clearance_section
 from contact_section import contact_section
 from film_section import film_section
+from heat_section import heat_section
 from load_section import distributions, ratings
 from mechanism_section import mechanism_section
 from program import Program
 from report import ROOT, Page, table
 from results import RESULTS, stamp, write_results
 from skid_section import skid_section
+from supply_section import supply_section
 from torque_section import torque_section
 from unbacked_section import unbacked_section
 
@@ -53,7 +55,7 @@ def main():
     program = Program(options.program, cache, SHORT if options.quick else None)
     out = cache / "quick" if options.quick else ROOT / "tests"
     page = Page(cache / ("quick" if options.quick else "") / "VALIDATION.md", out / "figures")
-    sections = (torque_section, mechanism_section, skid_section, film_section, ratings, distributions,
+    sections = (torque_section, supply_section, heat_section, mechanism_section, skid_section, film_section, ratings, distributions,
                 approach_section, contact_section, clearance_section, unbacked_section)
     for section in sections:
         section(page, program, options.quick)
