@@ -141,8 +141,8 @@ Json oil_group(const Scene& scene, const OperatingPoint& at) {
     std::isfinite(gap) ? entries.value(name, 1e6 * gap, "µm") : entries.text(name, "flooded");
   };
   entries.text("supply", spelled(oil_supply(oil)));
-  layer("oil in the inlets of the inner race up to a gap of", layers.inner);
-  layer("likewise of the outer race", layers.outer);
+  layer("oil at the inner race up to a gap of", layers.inner);
+  layer("oil at the outer race up to a gap of", layers.outer);
   return entries.value("film at the inner race", 1e6 * at.film, "µm")
       .value("film over roughness", at.lambda, "-")
       .titled("Lubricant");
@@ -164,18 +164,13 @@ Json heat_json(const Scene& scene) {
           {"warmer_by_10_K_of_ambient_K", 10 * heat_shed(still).slope / t.found_slope}};
 }
 
-Json heat_group(const Scene& scene) {
-  const Json heat = heat_json(scene);
+Json heat_group(const Json& heat) {
   Entries entries;
-  if (heat.is_null()) {
-    entries.text("temperatures", "given, not found from the heat");
-  } else {
-    entries.value("oil and outer ring, found", heat["temperature_C"], "°C")
-        .value("ambient", heat["ambient_C"], "°C")
-        .value("shed by the housing", heat["housing_W"], "W")
-        .value("taken along by oil", heat["oil_W"], "W")
-        .value("10 K more around it warm it by", heat["warmer_by_10_K_of_ambient_K"], "K");
-  }
+  entries.value("oil and outer ring, found", heat["temperature_C"], "°C")
+      .value("ambient", heat["ambient_C"], "°C")
+      .value("shed by the housing", heat["housing_W"], "W")
+      .value("taken along by oil", heat["oil_W"], "W")
+      .value("10 K more around it warm it by", heat["warmer_by_10_K_of_ambient_K"], "K");
   return entries.titled("Heat");
 }
 
@@ -276,11 +271,13 @@ Json facts_of(const Study& study) {
     const Strength of_cage = cage_strength(scene);
     strength = {{"fatigue_MPa", 1e-6 * of_cage.fatigue}, {"yield_MPa", 1e-6 * of_cage.yield}};
   }
+  Json groups = {bearing_group(scene, at), load_group(scene, at), clearance_group(scene, at),
+                 cage_group(scene, at), oil_group(scene, at)};
+  const Json heat = heat_json(scene);
+  if (!heat.is_null()) groups.push_back(heat_group(heat));
   return {{"name", scene.name},
-          {"groups",
-           {bearing_group(scene, at), load_group(scene, at), clearance_group(scene, at),
-            cage_group(scene, at), oil_group(scene, at), heat_group(scene)}},
-          {"heat", heat_json(scene)},
+          {"groups", groups},
+          {"heat", heat},
           {"model", model_sentences(scene)},
           {"points", points_json(study)},
           {"dimensions", dimensions_json(study)},
