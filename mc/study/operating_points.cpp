@@ -246,11 +246,11 @@ void find_temperatures(Study& study) {
 }
 
 void forget_temperatures(Study& study) {
-  if (!study.scene.temperature.balance) return;
   study.scene.temperature.found = kAuto;
   for (OperatingPointPlan& point : study.points)
-    std::erase_if(point.settings,
-                  [](const auto& setting) { return is_found_temperature(setting.first); });
+    if (at_operating_point(study.scene, point).temperature.balance)  // others give theirs
+      std::erase_if(point.settings,
+                    [](const auto& setting) { return is_found_temperature(setting.first); });
 }
 
 Scene at_operating_point(Scene scene, const OperatingPointPlan& point) {

@@ -120,7 +120,7 @@ inline ShortBearingFilm short_bearing_film(const ShortBearing& law, const double
   }
   const double eps = seen / c, root = std::sqrt(1 - eps * eps);
   const double A = V[0] * n[0] + V[1] * n[1], B = n[0] * V[1] - n[1] * V[0];
-  // Oil presses from a right angle before V to one behind it, where it fills the gap.
+  // Pressure rises over the half circle around the direction of V, as far as oil fills the gap.
   constexpr double pi = std::numbers::pi;
   const bool flooded = !(law.layer < c * (1 + eps));
   const double dry = 1 / law.layer,

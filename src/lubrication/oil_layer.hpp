@@ -15,7 +15,7 @@
 //
 // Sources: Grubin's inlet of an elastic line contact cut at the meniscus, whose integral h' follows
 // within 3 %; for the factors Reynolds' equation of a cylinder against a plane with the same
-// meniscus, within 0.01 (Couette 0.02), the elastic inlet's rolling force within 0.07
+// meniscus, within 0.01 (Couette 0.02), the elastic inlet's rolling force within 0.08
 // (tests/unit/src/oil_layer_test.cpp).
 #pragma once
 

@@ -108,6 +108,7 @@ TEST_F(OperatingPoints, EachIsAsWarmAsItsHeatMakesIt) {
   find_temperatures(forgotten);
   EXPECT_GT(at_operating_point(forgotten.scene, forgotten.points[1]).temperature.found,
             at(1).temperature.found + 5);
+  EXPECT_EQ(at_operating_point(forgotten.scene, forgotten.points[2]).lubrication.temperature, 20);
 }
 
 TEST_F(OperatingPoints, ALimitWithoutLabelIsOneAtEachPoint) {

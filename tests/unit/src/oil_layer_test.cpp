@@ -60,20 +60,27 @@ TEST(OilLayer, DerivativesAgreeWithDifferences) {
 /// close to the contact; x scales with h_c^(2/3), so h_c^(-4/3) times the integral is constant.
 struct GrubinInlet {
   double layer, left;
+  double rolling;  ///< share of the flooded inlet's rolling force, the integral of (h - h_c)/h^2
 };
 GrubinInlet grubin_inlet(double ratio) {
-  const auto integral = [](double end) {  // s = t^2, Simpson
+  const auto integral = [](double end, int power) {  // of s^1.5/(1 + s^1.5)^power, s = t^2, Simpson
     constexpr int n = 200000;
     const double step = std::sqrt(end) / n;
     double sum = 0;
     for (int i = 0; i <= n; ++i) {
-      const double t = i * step, h = 1 + t * t * t;
-      sum += (i == 0 || i == n ? 1 : i % 2 == 1 ? 4 : 2) * 2 * t * t * t * t / (h * h * h);
+      const double t = i * step;
+      sum += (i == 0 || i == n ? 1
+              : i % 2 == 1     ? 4
+                               : 2) *
+             2 * t * t * t * t / std::pow(1 + t * t * t, power);
     }
     return sum * step / 3;
   };
-  const double left = std::pow(integral(std::pow(ratio - 1, 2.0 / 3)) / integral(1e4), 0.75);
-  return {ratio * left, left};
+  const double end = std::pow(ratio - 1, 2.0 / 3);
+  const double left = std::pow(integral(end, 3) / integral(1e4, 3), 0.75);
+  // Beyond 1e6 the flooded inlet's integral of s^-1.5 is 2/sqrt(1e6).
+  const double whole = integral(1e6, 2) + 2e-3;
+  return {ratio * left, left, integral(end, 2) / whole * std::pow(left, -1.0 / 3)};
 }
 
 TEST(OilLayer, AnElasticFilmIsNoThickerThanItsMeniscusLetsItBe) {
@@ -84,6 +91,7 @@ TEST(OilLayer, AnElasticFilmIsNoThickerThanItsMeniscusLetsItBe) {
     EXPECT_NEAR(film.thickness / (inlet.left * flooded), 1, 0.035) << ratio;
     EXPECT_LT(film.thickness, inlet.layer * flooded);
     EXPECT_EQ(film.load, 1);
+    EXPECT_NEAR(oil_factors(1 / ratio).rolling, inlet.rolling, 0.08) << ratio;
   }
 }
 
