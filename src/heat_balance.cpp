@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "src/input/input_error.hpp"
 #include "src/operation/heat_shed.hpp"
@@ -62,20 +64,40 @@ double crossing(const HeatShed& shed, double from, double power, double fall) {
   return low;
 }
 
+/// Mean of the losses that were found near a temperature, moved there by their `fall`: those of a
+/// few turns scatter by percents.
+double mean_near(double temperature, const std::vector<std::pair<double, double>>& runs,
+                 double fall) {
+  double sum = 0, count = 0;
+  for (const auto& [at, lost] : runs)
+    if (std::abs(at - temperature) <= kFarApart)
+      sum += lost * std::exp(-fall * (temperature - at)), ++count;
+  return sum / count;
+}
+
+/// Whether the oil of its runs has a temperature that nothing has balanced.
+bool gives_temperature(const Scene& scene) {
+  return !scene.temperature.balance && !is_quasi_static(scene) && is_lubricated(scene);
+}
+
 double rounded(const std::string& digits) {
   return std::strtod(digits.c_str(), nullptr);
 }
 
 }  // namespace
 
-Scene with_temperature_found(const Scene& scene) {
+Scene with_temperature_found(const Scene& scene, double first) {
   if (!needs_temperature(scene.temperature) || is_quasi_static(scene)) return scene;
   const HeatShed shed = heat_shed(scene);
-  double T = shed.zero + kFirstRise, fall = kUsualFall, power = 0, before = 0, before_power = 0;
+  double T = given_or(first, shed.zero + kFirstRise), fall = kUsualFall;
+  double power = 0, before = 0, before_power = 0;
+  std::vector<std::pair<double, double>> runs;  // temperatures and losses
   for (int run = 1;; ++run) {
     power = power_at(scene, T, kSteps);
     if (run > 1 && std::abs(T - before) > kFarApart)
       fall = -std::log(std::max(power, 1e-9) / std::max(before_power, 1e-9)) / (T - before);
+    runs.emplace_back(T, power);
+    power = mean_near(T, runs, std::max(fall, 0.0));
     const double apart = std::abs(power - shed.at(T));
     if (apart <= kAgreement * power + 1e-3 || (run == kMostRuns && apart <= kSettled * power))
       break;
@@ -113,16 +135,18 @@ Scene with_temperature_found(const Scene& scene) {
 }
 
 std::string temperature_doubt(const Scene& scene) {
-  const double T = scene.lubrication.temperature;
-  if (scene.temperature.balance || is_quasi_static(scene) || !is_lubricated(scene)) return "";
-  const HeatShed shed = heat_shed(scene);
-  double power = 0;
+  if (!gives_temperature(scene)) return "";
   try {
-    power = power_at(scene, T, kStepsOfDoubt);
+    return temperature_doubt(scene, power_at(scene, scene.lubrication.temperature, kStepsOfDoubt));
   } catch (const InputError&) {
     return "";
   }
-  if (power <= kDoubted * shed.at(T)) return "";
+}
+
+std::string temperature_doubt(const Scene& scene, double power) {
+  const double T = scene.lubrication.temperature;
+  const HeatShed shed = heat_shed(scene);
+  if (!gives_temperature(scene) || !(power > kDoubted * shed.at(T))) return "";
   return fmt::format(
       "at {:.4g} degC the bearing loses {:.3g} W and sheds {:.3g} W (ISO 15312, {:.4g} degC "
       "ambient): it will be warmer; temperature.balance = true finds how warm",

@@ -137,7 +137,7 @@ std::string find_fault(const Scene& scene, const BearingModel& model, const Wind
            ": rollers tumble; raise discretisation.race_slices to at least 3, a single "
            "slice rights no tilted roller";
   return find_impossible({scene, model, times.settle, times.settle + run.measured_s,
-                          outcome.quantities, times.peaks < run.measured_s});
+                          outcome.quantities, times.peak_turns < run.cage_revolutions});
 }
 
 using Clock = std::chrono::steady_clock;
@@ -153,7 +153,7 @@ struct Motion {
         times(window_times(scene, model)),
         system(model),
         observer(std::in_place, model, times),
-        end(times.settle + times.measure) {
+        end(times.settle + times.longest) {
     for (std::size_t i = 0; i < scene.phase.name.size(); ++i)
       phases.push_back({scene.phase.from[i], scene.phase.to[i],
                         Observer(model, scene.phase.from[i], scene.phase.to[i])});
@@ -178,9 +178,14 @@ struct Motion {
     double from, to;  ///< [s]
     Observer observer;
   };
+  /// Whether the window has ended: a cage that does not skid makes its turns in it.
+  bool has_ended() const {
+    return t >= end || (t >= times.settle + times.measure && observer->has_turned());
+  }
+
   std::vector<Phase> phases;
   PackVector y;
-  double t = 0, end;  ///< now, and end of the window [s]
+  double t = 0, end;  ///< now, and where the window ends at the latest [s]
   std::unique_ptr<Integrator> integrator;
   StepStatus status = StepStatus::accepted;
   bool finite = true;
@@ -189,9 +194,9 @@ struct Motion {
 /// At the end of the window: settles longer where the motion drifts.
 void extend_window(const Scene& scene, const SimulateOptions& options, Motion& run) {
   WindowTimes& times = run.times;
-  if (run.end > times.longest_settle || find_drift(scene, run.model, *run.observer).empty()) return;
-  times.settle = run.end;
-  run.end += times.measure;
+  if (run.t > times.longest_settle || find_drift(scene, run.model, *run.observer).empty()) return;
+  times.settle = run.t;
+  run.end = run.t + times.longest;
   run.set_step_budget(scene.integration);
   run.observer.emplace(run.model, times);
   run.observer->record(run.t, run.y.data(), run.system);
@@ -212,10 +217,7 @@ constexpr double kSame = 1e-10;
 /// Where the next step ends at the latest: a bound of the window or of a phase, a corner of the
 /// duty.
 double next_stop(const Motion& run) {
-  const double settle = run.times.settle, peaks_end = settle + run.times.peaks;
-  double stop = run.t < settle      ? settle
-                : run.t < peaks_end ? std::min(peaks_end, run.end)
-                                    : run.end;
+  double stop = run.t < run.times.settle ? run.times.settle : run.end;
   if (!run.model.duty.over_time()) return stop;
   std::vector<double> due = {stop, next_corner(run.model.duty, run.t)};
   for (const Motion::Phase& phase : run.phases)
@@ -241,9 +243,9 @@ std::string integrate(const Scene& scene, const SimulateOptions& options, Clock:
   run.finite = run.system.linearise_at(run.t, run.y.data());
   for (long n = 0; run.finite && run.status == StepStatus::accepted; ++n) {
     record(run);
-    if (run.t >= run.end) extend_window(scene, options, run);
+    if (run.has_ended()) extend_window(scene, options, run);
     if (options.on_state) options.on_state(run.t, run.y.data(), run.system);
-    if (run.t >= run.end) break;
+    if (run.has_ended()) break;
     if (n % kStepsBetweenQuestions == 0)
       if (std::string reason = stop_reason(scene, options, began); !reason.empty()) return reason;
     run.status = run.integrator->step(run.system, run.t, run.y.data(), next_stop(run));
@@ -289,7 +291,8 @@ void conclude(const Scene& scene, const Motion& run, Outcome& outcome) {
     return;
   }
   const Observer& observer = *run.observer;
-  record.measured_s = run.end - run.times.settle;
+  record.measured_s = run.t - run.times.settle;
+  record.windows_cut = observer.has_turned() ? 0 : 1;
   record.cage_revolutions = observer.cage_revolutions();
   record.energy_residual = observer.energy_residual();
   record.static_consistency_error = observer.static_consistency_error();

@@ -30,6 +30,7 @@ def main(report_file, output_dir):
     import pocket
     import quantities
     import response
+    import rig
     import tolerance
 
     of_report = {
@@ -46,7 +47,8 @@ def main(report_file, output_dir):
         **response.figures(),
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
-                 "ladder": {"ladder": fidelity.ladder}, "cage": {"pocket": pocket.pocket}}
+                 "ladder": {"ladder": fidelity.ladder}, "cage": {"pocket": pocket.pocket},
+                 "rig": {"rig": rig.rig}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
     figures = of_engine.get(report.get("kind"), of_report)

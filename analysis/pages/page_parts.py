@@ -4,7 +4,7 @@ Above 400 lines: one short function for each table or list of a page."""
 
 import math
 
-from page_text import (code, general, is_number, joined, percent_interval, pockets_alike, readable, rounded, scene_items,
+from page_text import (code, general, is_number, joined, percent_interval, plain, pockets_alike, readable, rounded, scene_items,
                        unit_suffix, value_text)
 
 
@@ -82,9 +82,16 @@ def front_ranges(report):
     return [entry for entry in assumed_ranges(report) if entry["key"] != GRAVITY or entry["value"] != 9.81 or decides]
 
 
+def used_value(entry, name="value"):
+    """"200 µm" of an assumption as runs take it; "auto: 200 µm" where the scene leaves it open."""
+    value = entry[name]
+    text = plain(value) + unit_suffix(UNITS.get(entry["unit"], entry["unit"])) if is_number(value) else value_text(value)
+    return "auto" if value is None else f"auto: {text}" if entry.get("automatic") else text
+
+
 def range_entries(ranges):
     """"20 (5 to 50) µm" of each assumption."""
-    value = lambda entry: general(entry["value"]) if is_number(entry["value"]) else "auto"
+    value = lambda entry: general(entry["value"]) if is_number(entry["value"]) else entry["value"] or "auto"
     return [(entry["name"], f"{value(entry)} ({general(entry['low'])} to {general(entry['high'])}){unit_suffix(entry['unit'])}")
             for entry in ranges]
 
@@ -197,7 +204,8 @@ def bearing_warnings(bearing):
     return warnings[:MOST_WARNINGS], warnings[MOST_WARNINGS:]
 
 
-UNITS = {"um": "µm", "C": "°C", "mrad": "mrad", "mm": "mm", "N": "N", "rpm": "r/min", "deg": "deg", "MPa": "MPa", "GPa": "GPa"}
+UNITS = {"um": "µm", "C": "°C", "mrad": "mrad", "mm": "mm", "N": "N", "rpm": "r/min", "deg": "deg", "MPa": "MPa", "GPa": "GPa",
+         "degC": "°C", "m/s^2": "m/s²"}  # by the ends of keys, and as report.json has them
 
 
 def unit_of_key(key):
@@ -445,10 +453,12 @@ def worst_samples(report):
 
 
 def assumption_rows(report):
-    """Key, reason and range of each stated assumption."""
+    """Key, reason, value and range of each stated assumption."""
     ranges = {entry["key"]: entry for entry in assumed_ranges(report)}
     rows = stated_assumptions(report["assumptions"]["stated"])
+    used = (report["bearing"] or {}).get("assumed", {})
     for row in rows:
+        row["used"] = used_value(used[row["key"]]) if row["key"] in used else ""
         known = ranges.get(row["key"])
         if known and not row["range"]:
             row["range"] = f"{value_text(known['low'])} to {value_text(known['high'])}"

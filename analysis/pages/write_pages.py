@@ -1,4 +1,4 @@
-"""Lays report.json out: write_pages.py REPORT_JSON REPORT_HTML [--figures SCRIPTS OUTPUT_DIR] [--pdf REPORT_PDF].
+"""Lays report.json, or rig.json, out: write_pages.py REPORT_JSON REPORT_HTML [--figures SCRIPTS OUTPUT_DIR] [--pdf REPORT_PDF].
 
 Every number on the pages comes from report.json. The page is one self-contained file. What is missing is named in the last line on
 standard error, and the exit code is 1; the page is written without figures where they cannot be drawn. Without Jinja2 it is 3,
@@ -69,7 +69,8 @@ def page_of(report, figures, problem):
     if report.get("motion"):
         style += (HERE / "motion.css").read_text(encoding="utf-8")
         environment.globals["motion_script"] = (HERE / "motion.js").read_text(encoding="utf-8")
-    return environment.get_template("report.html.j2").render(report=report, parts=page_parts, problem=problem, style=style)
+    page = environment.get_template(f"{report.get('kind', 'report')}.html.j2")
+    return page.render(report=report, parts=page_parts, problem=problem, style=style)
 
 
 def replace(file, write):

@@ -128,7 +128,7 @@ Json alternative_json(const AssumptionPlan& plan, const AssumedValue& alternativ
           {"quantities", quantities}};
 }
 
-/// Each assumption once, with its value in the study; null where that is "auto".
+/// Each assumption once, with its value in the study; null where that is no number.
 Json ranges_json(const AssumptionPlan& plan) {
   Json list = Json::array();
   for (const AssumedValue& each : plan.alternatives)
@@ -176,6 +176,15 @@ std::string statement_of(const AssumptionRuns& runs, const AssumptionVerdicts& v
 }
 
 }  // namespace
+
+void add_used_values(const Json& bearing, const char* list, const char* name, Json& chapter) {
+  const Json assumed = bearing.is_object() ? bearing.value("assumed", Json::object()) : Json();
+  for (Json& entry : chapter.is_null() ? chapter : chapter[list]) {
+    const auto used = assumed.find(entry["key"].get<std::string>());
+    if (used == assumed.end() || !entry[name].is_null()) continue;
+    entry[name] = (*used)["value"], entry["automatic"] = (*used)["automatic"];
+  }
+}
 
 Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
                               const std::optional<AssumptionRuns>& runs, Json& verdict) {

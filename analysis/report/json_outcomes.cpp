@@ -85,6 +85,11 @@ Json outcomes_json(const ReportBasis& basis) {
   outcomes["failed_share"] =
       basis.study.size() > 0 ? lost / static_cast<double>(basis.study.size()) : 0.0;
   outcomes["allowed_failure_share"] = basis.study.plan.allowed_failure_share;
+  outcomes["windows_cut"] = 0;
+  for (const Column& column : basis.study.run)
+    if (column.name == "windows_cut")
+      outcomes["windows_cut"] = std::count_if(column.values.begin(), column.values.end(),
+                                              [](double windows) { return windows > 0; });
   const auto ok = static_cast<double>(
       std::count(basis.runs.status.begin(), basis.runs.status.end(), RunStatus::ok));
   outcomes["success_share"] =

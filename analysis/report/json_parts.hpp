@@ -59,6 +59,10 @@ Json cage_json(const ReportBasis& basis, const Json& peak);
 /// null where the study is no grid.
 Json response_json(const ReportBasis& basis);
 
+/// Gives each entry of a chapter's `list` of assumptions whose value `name` is null the one that
+/// runs take (`assumed` of the bearing), and `automatic`: whether the scene leaves it to auto.
+void add_used_values(const Json& bearing, const char* list, const char* name, Json& chapter);
+
 /// Yield curves, binding tests and recommendation, and the verdict drawn from them.
 struct TolerancePart {
   Json tolerance, verdict;

@@ -7,7 +7,7 @@
 namespace cagetol {
 namespace {
 
-/// Assumptions that have a range, with their value in the scene; null where that is "auto".
+/// Assumptions that have a range, with their value in the scene; null where that is no number.
 Json ranged_json(const Json& stated, const Json& scene) {
   Json list = Json::array();
   if (!stated.is_array()) return list;

@@ -23,7 +23,8 @@ void remove_pages(const std::filesystem::path& directory) {
 
 std::string write_pages(const PageWriter& writer, const std::filesystem::path& report_json) {
   const auto directory = report_json.parent_path();
-  const auto figures = directory / "figures", html = directory / "report.html",
+  const auto figures = directory / "figures",
+             html = std::filesystem::path(report_json).replace_extension(".html"),
              pdf = directory / "report.pdf";
   std::error_code ignored;
   std::filesystem::create_directories(figures, ignored);
@@ -39,11 +40,13 @@ std::string write_pages(const PageWriter& writer, const std::filesystem::path& r
                           "free some space, then run `cagetol report DIR` again");
   if (std::filesystem::exists(html)) return "the report is incomplete: " + run.problem;
   const bool lacks_packages = run.code == kNoPackage || run.code == -1;
-  return fmt::format(
-      "report.html is not written: {}{}. report.json and the CSV tables are complete", run.problem,
-      lacks_packages ? "; install Debian's python3, python3-jinja2 and, for figures, "
-                       "python3-matplotlib"
-                     : "");
+  return fmt::format("{} is not written: {}{}. {} and the CSV tables are complete",
+                     html.filename().string(), run.problem,
+                     lacks_packages
+                         ? "; install Debian's python3, python3-jinja2 and, for figures, "
+                           "python3-matplotlib"
+                         : "",
+                     report_json.filename().string());
 }
 
 }  // namespace cagetol

@@ -17,7 +17,8 @@ struct PageWriter {
 /// Removes the pages of an earlier report, so that none stands beside newer numbers.
 void remove_pages(const std::filesystem::path& directory);
 
-/// Writes report.html (and report.pdf) and figures/ beside `report_json`, each whole or not at all.
+/// Writes report.html (and report.pdf) and figures/ beside `report_json`, each whole or not at all;
+/// beside rig.json of `cagetol rig` its rig.html.
 /// Returns what went wrong, with the package to install where one is missing; empty when nothing
 /// did. Never throws for want of Python; throws UnfinishedWrite where the disk is full.
 std::string write_pages(const PageWriter& writer, const std::filesystem::path& report_json);

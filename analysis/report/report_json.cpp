@@ -28,6 +28,8 @@ nlohmann::ordered_json make_report(const StudyData& study,
   Json confirmation = confirmation_json(basis, confirmations, tolerance);
   add_limits_of_size(bearing, tolerance.tolerance);
   Json assumed = assumption_verdicts_json(basis, confirmations, assumptions, tolerance.verdict);
+  add_used_values(bearing, "ranges", "value", assumed);
+  add_used_values(bearing, "alternatives", "nominal", assumed);
   Json wider = passed_over_json(basis, tolerance.passed_over);
   Json report;
   report["report_version"] = 3;
@@ -53,6 +55,7 @@ nlohmann::ordered_json make_report(const StudyData& study,
   report["intervals"] = {{"confidence", basis.confidence}, {"method", resampling.description()}};
   report["fidelity"] = fidelity_json(study);
   report["assumptions"] = assumptions_json(study);
+  add_used_values(bearing, "ranged", "value", report["assumptions"]);
   report["provenance"] = provenance_json(study);
   finish_verdict(basis, report);
   return report;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,13 +12,17 @@
 #include "mc/study/study.hpp"
 #include "mc/study/tolerance_filling.hpp"
 #include "mc/sweep/stored_study.hpp"
+#include "src/heat_balance.hpp"
 #include "src/input/unit.hpp"
 #include "src/lubrication/lubricant.hpp"
 #include "src/operation/heat_shed.hpp"
 #include "src/operation/operating_clearance.hpp"
 #include "src/quantities/operating_point.hpp"
+#include "src/quantities/quantity_labels.hpp"
+#include "src/reading/scene_keys.hpp"
 #include "src/scene/materials.hpp"
 #include "src/scene/oil_supply.hpp"
+#include "src/scene/pocket_clearances.hpp"
 
 namespace cagetol {
 namespace {
@@ -87,6 +92,20 @@ Json load_group(const Scene& scene, const OperatingPoint& at) {
       .value("largest pressure", 1e-6 * at.race_pressure, "MPa")
       .value("load zone", at.load_zone * 180 / std::numbers::pi, "deg")
       .titled("Load and speed");
+}
+
+/// Without slip, and with the mean slip of the runs where that is known.
+Json order_group(const OperatingPoint& at, double slip) {
+  Entries entries;
+  for (const OperatingRow& row : operating_rows()) {
+    if (!is_order(row) || !std::isfinite(row.value(at))) continue;
+    std::string name = row.key, text = fmt::format("{:.5g}", row.value(at));
+    std::ranges::replace(name, '_', ' ');
+    if (std::isfinite(slip))
+      text += fmt::format(", with slip {:.5g}", row.value(with_slip(at, slip)));
+    entries.text(name, text);
+  }
+  return entries.titled("Multiples of the shaft's speed");
 }
 
 Json clearance_group(const Scene& scene, const OperatingPoint& at) {
@@ -233,19 +252,62 @@ Json section_json(const Scene& scene) {
             {"pocket_length_mm", mm(scene.cage.pocket_length.front())}}}};
 }
 
-Json points_json(const Study& study) {
+/// Mean of a quantity over the samples, at the operating point `label` where one is named; NaN: not
+/// known.
+double mean_of(const std::string& quantity, const Study& study, const OutcomesById& outcomes,
+               const std::string& label = "") {
+  const int row = labelled_index(labelled_name(quantity, label), quantity_labels(study));
+  double sum = 0, count = 0;
+  for (const auto& [id, outcome] : outcomes)
+    if (outcome.status == Status::ok && id < static_cast<std::uint64_t>(study.samples))
+      sum += outcome.quantities.at(static_cast<std::size_t>(row)), ++count;
+  return sum / count;
+}
+
+std::vector<std::string> warnings_of(const Scene& scene, double power) {
+  std::vector<std::string> warnings = operating_warnings(scene);
+  if (const std::string doubt = temperature_doubt(scene, power); !doubt.empty())
+    warnings.insert(warnings.begin(), doubt);
+  return warnings;
+}
+
+/// Values of assumptions as runs take them. Of those left to auto it knows oil, guide clearance and
+/// conductance; others are left out.
+Json assumed_json(const Scene& scene) {
+  Scene used = scene;
+  Lubrication& oil = used.lubrication;
+  const OilLayers layers = oil_layers(oil);
+  oil.race_layer = layers.inner, oil.outer_layer = layers.outer, oil.oil_share = layers.share;
+  oil.pocket_layer = layers.pocket, oil.land_layer = layers.land, oil.supply = oil_supply(oil);
+  used.cage.guide_clearance =
+      pocket_clearances(scene, 0).ring[scene.cage.guidance == Guidance::outer];
+  used.temperature.conductance =
+      heat_shed(scene).slope - scene.temperature.oil_flow * oil_heat_capacity(scene);
+  Json list = Json::object();
+  for (const Assumption& assumed : scene.assumptions) {
+    const Key<Scene>& key = *find_key(scene_keys(), assumed.key);
+    const Json value = Json::parse(key_text(key, used), nullptr, false);
+    if (!value.is_discarded() && value != "auto")
+      list[key.name] = {
+          {"value", value}, {"unit", key.unit}, {"automatic", key_text(key, scene) == "\"auto\""}};
+  }
+  return list;
+}
+
+Json points_json(const Study& study, const OutcomesById& outcomes) {
   Json list = Json::array();
   for (const OperatingPointPlan& plan : study.points) {
     const Scene scene = at_operating_point(study.scene, plan);
     const OperatingPoint at = operating_point(scene);
     const auto known = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
-    list.push_back({{"name", plan.name},
-                    {"weight", plan.weight},
-                    {"radial_load_N", scene.operation.radial_load},
-                    {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
-                    {"speed_factor_mm_min", known(1e3 * at.pitch_diameter * at.speed / kRpm)},
-                    {"load_ratio", known(at.dynamic_rating / at.load)},
-                    {"warnings", operating_warnings(scene)}});
+    list.push_back(
+        {{"name", plan.name},
+         {"weight", plan.weight},
+         {"radial_load_N", scene.operation.radial_load},
+         {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
+         {"speed_factor_mm_min", known(1e3 * at.pitch_diameter * at.speed / kRpm)},
+         {"load_ratio", known(at.dynamic_rating / at.load)},
+         {"warnings", warnings_of(scene, mean_of("power_loss_W", study, outcomes, plan.name))}});
   }
   return list;
 }
@@ -263,7 +325,7 @@ Json dimensions_json(const Study& study) {
   return list;
 }
 
-Json facts_of(const Study& study) {
+Json facts_of(const Study& study, const OutcomesById& outcomes) {
   const Scene& scene = study.scene;
   const OperatingPoint at = operating_point(scene);
   Json strength;
@@ -271,20 +333,27 @@ Json facts_of(const Study& study) {
     const Strength of_cage = cage_strength(scene);
     strength = {{"fatigue_MPa", 1e-6 * of_cage.fatigue}, {"yield_MPa", 1e-6 * of_cage.yield}};
   }
-  Json groups = {bearing_group(scene, at), load_group(scene, at), clearance_group(scene, at),
-                 cage_group(scene, at), oil_group(scene, at)};
+  Json groups = {bearing_group(scene, at),
+                 load_group(scene, at),
+                 order_group(at, mean_of("cage_slip_ratio", study, outcomes)),
+                 clearance_group(scene, at),
+                 cage_group(scene, at),
+                 oil_group(scene, at)};
   const Json heat = heat_json(scene);
   if (!heat.is_null()) groups.push_back(heat_group(heat));
-  return {{"name", scene.name},
-          {"groups", groups},
-          {"heat", heat},
-          {"model", model_sentences(scene)},
-          {"points", points_json(study)},
-          {"dimensions", dimensions_json(study)},
-          {"warnings", operating_warnings(scene)},
-          {"strength", strength},
-          {"section", section_json(scene)},
-          {"drawing", pocket_drawing_json(scene, 0)}};
+  return {
+      {"name", scene.name},
+      {"groups", groups},
+      {"heat", heat},
+      {"model", model_sentences(scene)},
+      {"points", points_json(study, outcomes)},
+      {"assumed", assumed_json(scene)},
+      {"dimensions", dimensions_json(study)},
+      {"warnings",
+       warnings_of(scene, study.points.empty() ? mean_of("power_loss_W", study, outcomes) : kAuto)},
+      {"strength", strength},
+      {"section", section_json(scene)},
+      {"drawing", pocket_drawing_json(scene, 0)}};
 }
 
 }  // namespace
@@ -292,7 +361,7 @@ Json facts_of(const Study& study) {
 Json bearing_facts(const std::filesystem::path& study_file) {
   try {
     const StudyFile file = read_study_file(study_file);
-    return facts_of(read_resolved_study(file.study_toml, study_file));
+    return facts_of(read_resolved_study(file.study_toml, study_file), file.outcomes);
   } catch (const std::exception& problem) {
     return {{"problem", problem.what()}};
   }

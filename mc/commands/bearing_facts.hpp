@@ -9,8 +9,9 @@
 namespace cagetol {
 
 /// {groups: [{title, entries: [{name, text} or {name, value, unit}]}], model: [sentence], points,
-/// warnings, strength, section, drawing} of the nominal scene; `section` has what a drawing of the
-/// bearing needs, in mm, `drawing` is pocket_drawing_json() of pocket 0.
+/// assumed: {KEY: {value, unit, automatic}}, warnings, strength, section, drawing} of the nominal
+/// scene; `section` has what a drawing of the bearing needs, in mm, `drawing` is
+/// pocket_drawing_json() of pocket 0. Warnings of heat judge the mean power of the samples.
 /// {problem: why} where this program cannot read the study that the file stores.
 Json bearing_facts(const std::filesystem::path& study_file);
 

@@ -135,7 +135,8 @@ int run_cage(const CageArguments& options) {
                      fmt::format("give 0 to {}", scene.bearing.roller_count - 1));
   const OperatingScene sample = sample_of(scene, options);
   Json json{{"kind", "cage"}, {"drawing", pocket_drawing_json(sample, options.pocket)}};
-  const char* state = changes_in_operation(scene) ? " in operation (fits, heat, rotation)" : "";
+  const char* state =
+      changes_in_operation(scene) ? " in operation (fits, heat, moisture, rotation)" : "";
   std::string text = "scene " + scene.name + state + "\n" + clearances_text(json["drawing"]) + "\n";
   if (is_flexible(scene)) {
     const CageReport report = flexible_report(scene, sample, options);

@@ -37,8 +37,7 @@ Json radial_clearance(const Scene& scene, const PocketClearances& clearances, lo
                       int end) {
   const double pitch = pitch_radius(scene.bearing),
                roller = each(scene.roller.diameter, pocket) / 2;
-  const OutlineEnd at =
-      pocket_outline(scene.cage, pitch, each(scene.cage.pocket_width, pocket)).end[end];
+  const OutlineEnd at = pocket_outline(scene.cage, pitch, pocket).end[end];
   const double away = std::hypot(at.offset, at.height - pitch);
   return clearance(end == 0 ? "radial_inner" : "radial_outer",
                    end == 0
@@ -101,8 +100,8 @@ Json pocket_drawing_json(const OperatingScene& scene, long pocket) {
             {"flange_distance_mm", mm(scene.roller.length + bearing.flange_clearance)},
             {"pocket_width_mm", mm(width)},
             {"pocket_length_mm", mm(length)},
-            {"lip_inner_mm", mm(cage.retention_inner)},
-            {"lip_outer_mm", mm(cage.retention_outer)},
+            {"lip_inner_mm", mm(each(cage.retention_inner, pocket))},
+            {"lip_outer_mm", mm(each(cage.retention_outer, pocket))},
             {"lean_rad", each(cage.pocket_squareness, pocket)}}}};
 }
 

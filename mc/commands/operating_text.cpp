@@ -11,7 +11,6 @@
 #include "mc/host/json_number.hpp"
 #include "src/input/unit.hpp"
 #include "src/model/bearing_model.hpp"
-#include "src/quantities/operating_point.hpp"
 #include "src/quantities/window_times.hpp"
 
 namespace cagetol {
@@ -73,14 +72,22 @@ std::string operating_table(const Scene& scene) {
   return text;
 }
 
-nlohmann::ordered_json operating_json(const Scene& scene) {
-  auto values = nlohmann::ordered_json::object(), units = nlohmann::ordered_json::object();
+nlohmann::ordered_json operating_json(const Scene& scene, double slip) {
+  auto values = nlohmann::ordered_json::object(), units = values, slipping = values;
   const OperatingPoint at = operating_point(scene);
   for (const OperatingRow& row : operating_rows()) {
     values[row.key] = json_number(row.value(at));
     units[row.key] = row.unit;
+    if (is_order(row)) slipping[row.key] = json_number(row.value(with_slip(at, slip)));
   }
-  return {{"warnings", operating_warnings(scene)}, {"values", values}, {"units", units}};
+  return {{"warnings", operating_warnings(scene)},
+          {"values", values},
+          {"units", units},
+          {"with_slip", slipping}};
+}
+
+bool is_order(const OperatingRow& row) {
+  return std::string_view(row.key).ends_with("_order");
 }
 
 }  // namespace cagetol

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "src/quantities/operating_point.hpp"
 #include "src/scene/scene.hpp"
 
 namespace cagetol {
@@ -15,7 +16,11 @@ std::string operating_table(const Scene& scene);
 /// table, the oscillation, settling and measuring. Empty where operation is constant.
 std::string duty_text(const Scene& scene);
 
-/// {"warnings": [text], "values": {key: number or null}, "units": {key: unit}}.
-nlohmann::ordered_json operating_json(const Scene& scene);
+/// {"warnings": [text], "values": {key: number or null}, "units": {key: unit}, "with_slip":
+/// the orders again at this slip of the cage}.
+nlohmann::ordered_json operating_json(const Scene& scene, double slip);
+
+/// Whether the row is a multiple of the shaft's speed, which slip changes.
+bool is_order(const OperatingRow& row);
 
 }  // namespace cagetol

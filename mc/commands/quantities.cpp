@@ -91,7 +91,7 @@ Chosen quantities_command(CLI::App& command) {
     bool json = false;
   };
   command.footer(
-      "Examples:\n  cagetol quantities\n  cagetol quantities orbit_slip_ratio --json\n"
+      "Examples:\n  cagetol quantities\n  cagetol quantities driving_slip_ratio --json\n"
       "  cagetol quantities pocket_force");
   auto options = std::make_shared<Options>();
   command.add_option("NAME", options->name, "A quantity, or a part of names");

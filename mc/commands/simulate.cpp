@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "analysis/study/estimate.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/commands/outcome_text.hpp"
@@ -14,6 +15,7 @@
 #include "mc/study/sample.hpp"
 #include "mc/study/study.hpp"
 #include "src/input/input_error.hpp"
+#include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
 namespace {
@@ -36,7 +38,9 @@ std::string table_text(const Study& study, const Scene& scene, const Outcome& ou
 
 std::string json_text(const Scene& scene, const Outcome& outcome) {
   nlohmann::ordered_json json = outcome_json(outcome);
-  json["operating_point"] = operating_json(scene);
+  const auto slip = static_cast<std::size_t>(quantity_index("cage_slip_ratio"));
+  json["operating_point"] = operating_json(
+      scene, slip < outcome.quantities.size() ? outcome.quantities[slip] : kUndefined);
   return json.dump(2) + "\n";
 }
 

@@ -18,6 +18,7 @@ Chosen quantities_command(CLI::App& command);
 Chosen recommend_command(CLI::App& command);
 Chosen replay_command(CLI::App& command);
 Chosen report_command(CLI::App& command);
+Chosen rig_command(CLI::App& command);
 Chosen scene_command(CLI::App& command);
 Chosen simulate_command(CLI::App& command);
 Chosen stability_command(CLI::App& command);
@@ -45,6 +46,7 @@ const std::vector<Subcommand> kSubcommands = {
     {kStudy, "limits", "Show how quantities scatter, how far their limits are, and which limits decide", "limits inputs/studies/nu205.toml -o out/nu205-limits", limits_command},
     {kResults, "report", "Write report.html, report.json and CSV tables from DIR/study.h5", "report out/nu205", report_command},
     {kResults, "compare", "Say whether any statistic of a study has changed between two sweeps", "compare out/yesterday out/today", compare_command},
+    {kResults, "rig", "Hold the model against a rig: measured slip of the cage beside runs of each load and speed", "rig inputs/scenes/nu205.toml rig.csv -o out/rig", rig_command},
     {kResults, "replay", "Run one sample of a sweep again and compare it to the bit with what is stored", "replay out/nu205 --sample 17", replay_command},
     {kResults, "animate", "Write a page that plays the motion of one sample of a sweep", "animate out/nu205 --sample 17", animate_command},
     {kResults, "quantities", "List the quantities of interest: unit, definition, what they need, use", "quantities pocket_force", quantities_command},

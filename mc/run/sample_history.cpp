@@ -36,7 +36,7 @@ SampleHistory::SampleHistory(const HistoryPlan& plan, const Scene& scene)
       values_(points_ * history_columns().size(), std::numeric_limits<double>::quiet_NaN()) {}
 
 double SampleHistory::instant(std::size_t i) const {
-  // The last instant is the end of the run itself, without rounding.
+  // The last instant is that end without rounding.
   const double length = window_->measure;
   return window_->settle +
          (i + 1 == points_ ? length

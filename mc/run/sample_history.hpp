@@ -1,5 +1,6 @@
 // The decimated history that a sweep keeps of each sample (study key history.points): of equally
-// spaced instants that end with the measuring window the first accepted state at or after each.
+// spaced instants that end with the measuring window, as long as it is without slip, the first
+// accepted state at or after each.
 #pragma once
 
 #include <optional>

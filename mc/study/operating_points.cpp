@@ -145,8 +145,8 @@ long largest_of(const std::vector<Outcome>& outcomes, const std::string& key) {
 void add_run(const RunRecord& from, RunRecord& to) {
   for (double RunRecord::*sum :
        {&RunRecord::simulated_s, &RunRecord::measured_s, &RunRecord::cage_revolutions,
-        &RunRecord::steps, &RunRecord::rejected_steps, &RunRecord::rhs_evaluations,
-        &RunRecord::jacobian_evaluations, &RunRecord::factorisations,
+        &RunRecord::windows_cut, &RunRecord::steps, &RunRecord::rejected_steps,
+        &RunRecord::rhs_evaluations, &RunRecord::jacobian_evaluations, &RunRecord::factorisations,
         &RunRecord::static_positions_missed, &RunRecord::wall_s})
     to.*sum += from.*sum;
   for (double RunRecord::*largest :
@@ -243,6 +243,18 @@ void find_temperatures(Study& study) {
       if (is_found_temperature(key.name) && !gives(key.name))
         point.settings.emplace_back(key.name, key_text(key, scene));
   }
+}
+
+void find_whirl_clearance(Study& study) {
+  double& clearance = study.scene.window.whirl_clearance;
+  const Need& whirl = quantity_named("whirl_ratio").need;
+  const bool measured =
+      whirl.met(study.scene) ||
+      std::any_of(study.points.begin(), study.points.end(), [&](const OperatingPointPlan& point) {
+        return whirl.met(at_operating_point(study.scene, point));
+      });
+  if (measured && std::isnan(clearance))
+    clearance = whirl_clearance(make_bearing_model(OperatingScene(study.scene)));
 }
 
 void forget_temperatures(Study& study) {

@@ -29,6 +29,8 @@ toml::table operating_point_table(const OperatingPointPlan& point);
 /// Finds the temperatures of the scene and of each point where temperature.balance asks for it
 /// (src/heat_balance.hpp).
 void find_temperatures(Study& study);
+/// Writes window.whirl_clearance_um of the nominal bearing where some run measures whirl.
+void find_whirl_clearance(Study& study);
 /// They are to be found again: something changed that they depend on.
 void forget_temperatures(Study& study);
 

@@ -156,6 +156,7 @@ Study study_of(toml::table root, const std::string& file) {
   complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
   find_temperatures(study);
+  find_whirl_clearance(study);
   resolve(study);
   return study;
 }

@@ -198,8 +198,8 @@ double thickness_scatter(const Study& study) {
 
 void check_flexible_cage(const Study& study, const toml::table& scene, const std::string& file) {
   static const std::set<std::string> tabulated = {
-      "cage.width_mm", "cage.land_offset_mm", "cage.young_GPa",    "cage.poisson",
-      "cage.mass_kg",  "cage.density_kg_m3",  "cage.temperature_C"};
+      "cage.width_mm", "cage.land_offset_mm", "cage.young_GPa",     "cage.poisson",
+      "cage.mass_kg",  "cage.density_kg_m3",  "cage.temperature_C", "cage.swelling_percent"};
   if (!is_flexible(study.scene)) return;
   if (const double share = thickness_scatter(study); share > kThicknessShare) {
     const bool outside = find_node(scene, kCageOutside) &&

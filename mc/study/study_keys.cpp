@@ -84,7 +84,7 @@ const std::vector<KeyInfo>& operating_point_keys() {
   static const std::vector<KeyInfo> keys = {
       {"operating_point.name", any_value(), "name of an operating point at which every sample runs; its quantities are QUANTITY@NAME", KeyKind::text},
       {"operating_point.weight", above(0, 1e12), "share of the time in service, relative to the other points, for mean powers and friction torque; left out: 1", KeyKind::number},
-      {"operating_point.KEY", any_value(), "any scene key of load, speed, duty, phase, window, start, environment or lubrication (not lubrication.model, lubrication.temperature_C and speed.centrifugal_growth) with its value at the point", KeyKind::number},
+      {"operating_point.KEY", any_value(), "any scene key of load, speed, duty, phase, window, start, environment, lubrication or temperature (not lubrication.model, speed.centrifugal_growth, temperature.growth and temperature.reference_C) with its value at the point", KeyKind::number},
   };
   return keys;
 }

@@ -45,6 +45,7 @@ void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
   totals.normal_t += on.normal * m.n_t;
   totals.drive += (on.rolling - on.ratio * m.v1) * race.surface() + on.f2 * m.drift;
   const Pack film = value_of(f.at.film) * one, steady = value_of(f.at.steady) * one;
+  totals.rubbing += on.ratio * squared;
   seen.rub(kRaceSliding, sum(on.ratio * squared));
   seen.rub(kRollingResistance, sum(2.0 * on.rolling * u.speed));
   seen.damp(kSqueeze, sum((film - steady) * m.rate));

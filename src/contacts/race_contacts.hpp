@@ -48,6 +48,7 @@ inline void observe_slice(const BearingModel& model, const RaceSide& race, const
   totals.normal_r += normal.elastic * m.n_r;
   totals.normal_t += normal.elastic * m.n_t;
   totals.drive += on.f1 * race.surface() + on.f2 * m.drift;
+  totals.rubbing += on.ratio * squared;
   seen.rub(kRaceSliding, sum(on.ratio * squared));
   seen.damp(kDamping, sum((normal.force - normal.elastic) * m.rate));
   if (race.film.on) {

@@ -69,6 +69,7 @@ struct RaceTotals {
   Pack normal{};                ///< [N]
   Pack heaviest{};              ///< largest normal force of a slice [N]
   Pack sliding{};               ///< normal force times sliding speed [W]
+  Pack rubbing{};               ///< power of sliding [W]
   Pack normal_r{}, normal_t{};  ///< of the elastic force on the rollers [N]
   Pack drive{};                 ///< power of the turning race [W]
   /// Derivatives of the bodies' elastic energy by the speeds that make the film: it changes with

@@ -92,6 +92,7 @@ void finish_inner_race(Pass& pass, const RaceTotals& on, RingTilt& tilt, Shared&
   seen.inner_slice = std::max(seen.inner_slice, largest(on.heaviest));
   store(seen.inner_sliding.data() + pass.group * kLanes,
         select(on.normal > 0.0, on.sliding / max(on.normal, splat(1e-300)), Pack{}));
+  store(seen.inner_rubbing.data() + pass.group * kLanes, on.rubbing);
   seen.ring_elastic_y -= sum(q.cosine * on.normal_r - q.sine * on.normal_t);
   seen.ring_elastic_z -= sum(q.sine * on.normal_r + q.cosine * on.normal_t);
   seen.drive_power += sum(on.drive);

@@ -295,7 +295,7 @@ double number_value(const KeyInfo& key, const toml::node& node, const std::strin
 std::vector<double> numbers_value(const KeyInfo& key, const toml::node& node,
                                   const std::string& file, std::size_t count) {
   const auto* array = node.as_array();
-  if (!array) return {checked_number(key, node, file)};
+  if (!array) return {number_value(key, node, file)};
   if (array->size() != count)
     throw InputError(place_of(node, file), key.name, shown(node),
                      "an array of " + std::to_string(array->size()) + " values, but there are " +

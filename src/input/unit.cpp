@@ -52,6 +52,7 @@ const std::vector<Unit>& units() {
       {"N", "N", "force", 1},
       {"C", "degC", "temperature", 1},
       {"K", "K", "temperature difference", 1},
+      {"percent", "%", "share", 0.01},
       {"W", "W", "power", 1},
       {"kg", "kg", "mass", 1},
       {"g", "g", "mass", 1e-3},

@@ -57,20 +57,25 @@ const std::vector<LubricantPreset>& lubricant_presets() {
       {"iso-vg-320", {320, 24.0, 895, 2.2e-8}},
       {"iso-vg-460", {460, 30.4, 900, 2.3e-8}},
       // Polyol ester of 5 mm2/s at 100 degC (MIL-PRF-23699 asks for 4.9 to 5.4, and 23 at 40 degC).
+      // Mobil Jet Oil II has 27.6, 5.1 and 1003.5 (ExxonMobil's data sheet as others quote it).
       {"ester-turbine-oil", {25.5, 5.1, 995, 1.2e-8}},
-      // Polyalphaolefins, polyol esters and polyglycols as data sheets of gear and bearing oils have
-      // them.
+      // ExxonMobil, Mobil SHC 624, 626 and 629 (product page, October 2013): these viscosities.
       {"pao-vg-32", {32, 6.3, 850, 0, kPolyalphaolefin}},
       {"pao-vg-68", {68, 11.6, 860, 0, kPolyalphaolefin}},
       {"pao-vg-150", {150, 21.1, 860, 0, kPolyalphaolefin}},
+      // ExxonMobil, Mobil EAL Arctic 32 and 68, polyol esters (product page, September 2014): 34.2
+      // and 5.8, 68 and 8.7 mm2/s.
       {"ester-vg-32", {32, 5.7, 985, 0, kEster}},
       {"ester-vg-68", {68, 9.5, 980, 0, kEster}},
+      // No maker's sheet was at hand. The viscosity index of the second is 240; lists of equivalent
+      // oils give 220 (Mobil Glygoyle 220) to 235 (Shell Omala S4 WE 220).
       {"pag-vg-100", {100, 19, 1050, 0, kPolyglycol}},
       {"pag-vg-220", {220, 41, 1050, 0, kPolyglycol}},
-      // Base oils of greases of bearing makers: lithium soap and polyurea in mineral oil, lithium soap
-      // in polyalphaolefin.
+      // Base oils of greases. Polyurea: ExxonMobil, Mobil Polyrex EM (product page, September
+      // 2014). Of lithium soap in mineral oil and in polyalphaolefin no maker's sheet was at hand:
+      // typical of greases of bearing makers.
       {"grease-lithium-mineral", {110, 11, 890, 0, kMineral}},
-      {"grease-polyurea-mineral", {96, 10.5, 890, 0, kMineral}},
+      {"grease-polyurea-mineral", {115, 12.2, 890, 0, kMineral}},
       {"grease-lithium-pao", {18, 4.5, 840, 0, kPolyalphaolefin}},
   };
   return presets;

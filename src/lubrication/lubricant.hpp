@@ -59,7 +59,8 @@ struct Oil {
 double pressure_viscosity(const Oil& oil, double nu);
 
 /// A named oil: ISO VG 10 to 460 as mineral oils of viscosity index about 95, synthetic ones, an
-/// ester for gas turbines, and greases.
+/// ester for gas turbines, and greases. lubricant.cpp names the makers' sheets that viscosities
+/// agree with; densities of synthetic oils are typical ones.
 struct LubricantPreset {
   std::string name;
   Oil oil;

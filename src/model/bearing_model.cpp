@@ -94,9 +94,7 @@ RollerGroup make_group(const Scene& scene, int group) {
     g.half_width[lane] = each(scene.cage.pocket_width, k) / 2;
     g.half_length[lane] = each(scene.cage.pocket_length, k) / 2;
     g.squareness[lane] = each(scene.cage.pocket_squareness, k);
-    set_outline(
-        pocket_outline(scene.cage, pitch_radius(scene.bearing), each(scene.cage.pocket_width, k)),
-        radius, lane, g);
+    set_outline(pocket_outline(scene.cage, pitch_radius(scene.bearing), k), radius, lane, g);
   }
   return g;
 }
@@ -497,11 +495,10 @@ Jam find_jam(const OperatingScene& scene) {
   };
   const double pitch = pitch_radius(scene.bearing);
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
-    const double diameter = each(scene.roller.diameter, j),
-                 width = each(scene.cage.pocket_width, j);
-    see(j, "width", diameter - width);
+    const double diameter = each(scene.roller.diameter, j);
+    see(j, "width", diameter - each(scene.cage.pocket_width, j));
     see(j, "length", scene.roller.length - each(scene.cage.pocket_length, j));
-    const PocketOutline outline = pocket_outline(scene.cage, pitch, width);
+    const PocketOutline outline = pocket_outline(scene.cage, pitch, j);
     for (const int end : {0, 1})
       if (outline.end[end].lip)
         see(j, end == 0 ? "lips at the bore" : "lips at the outside",

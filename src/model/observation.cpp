@@ -8,14 +8,14 @@ namespace cagetol {
 
 Observation::Observation(const BearingModel& model)
     : bar_force(Eigen::VectorXd::Zero(2 * model.flexible.stations * model.layout.rollers)) {
-  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force,
-                  &wall_force, &flange_force})
+  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &inner_rubbing, &leading_force,
+                  &trailing_force, &wall_force, &flange_force})
     v->assign(static_cast<std::size_t>(model.layout.padded()), 0.0);
 }
 
 void Observation::clear() {
-  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &leading_force, &trailing_force,
-                  &wall_force, &flange_force})
+  for (auto* v : {&inner_force, &outer_force, &inner_sliding, &inner_rubbing, &leading_force,
+                  &trailing_force, &wall_force, &flange_force})
     std::fill(v->begin(), v->end(), 0.0);
   bar_force.setZero();
   land_force[0] = land_force[1] = 0;

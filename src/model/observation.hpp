@@ -41,6 +41,7 @@ struct Observation {
   PackVector inner_force;    ///< normal force on the inner race, all slices [N]
   PackVector outer_force;    ///< on the outer race [N]
   PackVector inner_sliding;  ///< force-weighted mean sliding speed at the inner race [m/s]
+  PackVector inner_rubbing;  ///< power of sliding at the inner race [W]
   PackVector leading_force,
       trailing_force;       ///< on the pocket's bars ahead of and behind the roller [N]
   PackVector wall_force;    ///< on both side ring faces of the pocket [N]

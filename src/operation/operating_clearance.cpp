@@ -104,7 +104,7 @@ bool grows_by_rotation(const Scene& scene) {
 bool changes_in_operation(const Scene& scene) {
   return given_or(scene.fit.inner_interference, 0) != 0 ||
          given_or(scene.fit.outer_interference, 0) != 0 || scene.temperature.growth ||
-         grows_by_rotation(scene);
+         scene.cage.swelling != 0 || grows_by_rotation(scene);
 }
 
 OperatingClearance operating_clearance(const Scene& scene) {
@@ -124,7 +124,8 @@ OperatingClearance operating_clearance(const Scene& scene) {
   at.inner_ring_heat = inner.outside.heat;
   at.outer_ring_heat = outer.inside.heat;
   at.roller_heat = heat_of(scene, scene.roller.material, parts.rollers);
-  at.cage_heat = heat_of(scene, scene.cage.material, cage_temperature(scene));
+  at.cage_growth =
+      heat_of(scene, scene.cage.material, cage_temperature(scene)) + scene.cage.swelling;
   if (grows_by_rotation(scene)) add_spin(scene, speeds, at);
   return at;
 }

@@ -10,9 +10,9 @@ void scale(std::vector<double>& values, double factor) {
   for (double& value : values) value *= factor;
 }
 
-/// Volume grows by heat, mass does not.
-void keep_mass(MaterialChoice& material, double heat) {
-  material.density = properties_of(material).density / ((1 + heat) * (1 + heat) * (1 + heat));
+/// Volume grows by heat and moisture, mass does not.
+void keep_mass(MaterialChoice& material, double g) {
+  material.density = properties_of(material).density / ((1 + g) * (1 + g) * (1 + g));
 }
 
 void grow_rings(const OperatingClearance& by, double roller_length, BearingGeometry& b) {
@@ -48,20 +48,20 @@ void grow_rollers(const OperatingClearance& by, RollerGeometry& roller) {
 
 /// `guide` is the growth of the radius of the ring that guides the cage [m].
 void grow_cage(const OperatingClearance& by, double guide, CageGeometry& cage) {
-  const double every = 1 + by.cage_heat, around = every * (1 + by.cage_spin);
+  const double every = 1 + by.cage_growth, around = every * (1 + by.cage_spin);
   const double radius =
       (cage.guidance == Guidance::inner ? cage.inner_diameter : cage.outer_diameter) / 2;
   const double outwards = guide - radius * (around - 1);
   cage.guide_clearance += cage.guidance == Guidance::inner ? -outwards : outwards;
-  for (double* length : {&cage.inner_diameter, &cage.outer_diameter, &cage.retention_inner,
-                         &cage.retention_outer, &cage.face_radius})
+  for (double* length : {&cage.inner_diameter, &cage.outer_diameter, &cage.face_radius})
     *length *= around;
   for (double* length :
        {&cage.width, &cage.land_offset, &cage.land_width, &cage.edge_radius, &cage.corner_radius})
     *length *= every;
-  scale(cage.pocket_width, around);
+  for (auto* lengths : {&cage.pocket_width, &cage.retention_inner, &cage.retention_outer})
+    scale(*lengths, around);
   scale(cage.pocket_length, every);
-  keep_mass(cage.material, by.cage_heat);
+  keep_mass(cage.material, by.cage_growth);
 }
 
 }  // namespace
@@ -75,6 +75,7 @@ OperatingScene::OperatingScene(const Scene& as_made) : Scene(as_made) {
   grow_cage(by, (land(bearing) - land(as_made.bearing)) / 2, cage);
   fit.inner_interference = fit.outer_interference = kAuto;
   temperature.growth = operation.centrifugal_growth = false;
+  cage.swelling = 0;
 }
 
 }  // namespace cagetol

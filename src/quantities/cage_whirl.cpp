@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace cagetol {
 
@@ -35,9 +36,6 @@ void CageWhirl::record(double t, const Seen& seen) {
     const double step = t - time_;
     all_.add(step, last_, seen);
     revolution_.add(step, last_, seen);
-    const auto square = [](double x) { return x * x; };
-    speed_square_ += step / 2 * (square(last_.speed) + square(seen.speed));
-    spin_square_ += step / 2 * (square(last_.cage_speed) + square(seen.cage_speed));
   }
   started_ = true;
   time_ = t;
@@ -57,17 +55,18 @@ void CageWhirl::end_revolution() {
   revolution_ = {};
 }
 
-double CageWhirl::speed_ratio_squared() const {
-  return speed_square_ / spin_square_;
-}
-
 std::array<double, kOrbitClasses> CageWhirl::shares() const {
   double all = 0;
   for (const long count : revolutions_) all += static_cast<double>(count);
+  // What rocks to and fro turns, too, within a revolution.
+  const bool winds = std::abs(all_.turned) > 2 * std::numbers::pi;
+  const auto circling = static_cast<std::size_t>(OrbitClass::circling),
+             irregular = static_cast<std::size_t>(OrbitClass::irregular);
   std::array<double, kOrbitClasses> shares{};
   for (std::size_t k = 0; k < shares.size(); ++k)
     shares[k] = all > 0 ? static_cast<double>(revolutions_[k]) / all
                         : std::numeric_limits<double>::quiet_NaN();
+  if (!winds) shares[irregular] += std::exchange(shares[circling], 0 * shares[circling]);
   return shares;
 }
 

@@ -1,5 +1,5 @@
-// How steady the cage's centre is: its scatter about its own mean place, the energy of its motion,
-// and which kind of orbit it runs in each revolution of the cage.
+// How steady the cage's centre is: its scatter about its own mean place, and which kind
+// of orbit it runs in each revolution of the cage.
 //
 // The distance of the centre from the middle does not tell: a cage that rests on its guide keeps it
 // at the clearance as well as one that whirls around.
@@ -16,8 +16,8 @@ namespace cagetol {
 /// The bounds are ours.
 enum class OrbitClass : std::size_t {
   resting,   ///< rms distance from its mean place below kRestingScatter of the clearance
-  circling,  ///< goes round the middle by more than kCirclingTurns, its radius scatters by less
-             ///< than kCirclingScatter of its mean
+  circling,  ///< goes round the middle by more than kCirclingTurns, in a window in which it goes
+             ///< round once at least; its radius scatters by less than kCirclingScatter of its mean
   irregular  ///< all else
 };
 inline constexpr std::size_t kOrbitClasses = 3;
@@ -26,9 +26,7 @@ inline constexpr double kRestingScatter = 0.25, kCirclingTurns = 0.1, kCirclingS
 class CageWhirl {
  public:
   struct Seen {
-    double y = 0, z = 0;    ///< centre of the cage [m]
-    double speed = 0;       ///< of that centre [m/s]
-    double cage_speed = 0;  ///< rotation [rad/s]
+    double y = 0, z = 0;  ///< centre of the cage [m]
   };
   explicit CageWhirl(double clearance) : clearance_(clearance) {}
 
@@ -38,8 +36,6 @@ class CageWhirl {
 
   /// Rms distance of the centre from its mean place over the clearance, over all states.
   double scatter() const { return all_.scatter() / clearance_; }
-  /// Mean square of the centre's speed over that of the rotation [m^2].
-  double speed_ratio_squared() const;
   /// Shares of the complete revolutions, NaN where there is none.
   std::array<double, kOrbitClasses> shares() const;
 
@@ -58,7 +54,6 @@ class CageWhirl {
   double time_ = 0;
   Seen last_;
   Orbit all_, revolution_;
-  double speed_square_ = 0, spin_square_ = 0;
   std::array<long, kOrbitClasses> revolutions_{};
 };
 

@@ -66,6 +66,9 @@ void ForceRecorder::write(const Turning& turning, double duration, double extrap
   force(force_rows("pocket"), pocket_.all(), pocket_impacts_);
   force(force_rows("guide"), guide_, guide_impacts_);
   force(force_rows("end"), end_.all(), end_impacts_);
+  const double spin = turning.cage_speed();
+  q[quantity_row("guide_force_unbalance_g_mm")] =
+      turning.turns() ? 1e6 * guide_.mean() / (spin * spin) : kNoValue;
   const double per_turn = turning.turns() ? duration / revolutions : kNoValue;
   const Series::Sums pressed = pocket_.sums();
   q[quantity_row("pocket_impulse_N_s")] = pressed.integral() / pressed.weight * per_turn;

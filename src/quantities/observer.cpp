@@ -25,7 +25,7 @@ bool should_be_stationary(const BearingModel& m, double begin, double end) {
 Observer::Observer(const BearingModel& model, double begin, double end)
     : model_(model),
       begin_(begin),
-      end_(end),
+      last_(begin),
       rollers_count_(model.layout.rollers),
       clock_(begin, std::min(kRecordInterval, roller_interval(model) / kRecordsPerRoller)),
       turning_(model),
@@ -40,9 +40,10 @@ Observer::Observer(const BearingModel& model, double begin, double end)
 
 Observer::Observer(const BearingModel& model, const WindowTimes& times)
     : Observer(model, times.settle, times.settle + times.measure) {
-  turning_.set_revolution(times.revolution);
+  turns_ = times.turns;
+  peak_turns_ = times.peak_turns;
   extrapolate_ = times.extrapolate;
-  if (times.peaks < times.measure) peaks_end_ = begin_ + times.peaks;
+  whirl_.follow(times);
 }
 
 const CagePeak& Observer::cage_peak() const {
@@ -59,6 +60,7 @@ void Observer::end_revolution() {
 
 void Observer::record(double t, const double* y, const System& system) {
   const ObservedState at(model_, t, y, system, clock_.advance(t));
+  last_ = t;
   whirl_.record(at);
   turning_.record(at, whirl_.turned());
   rollers_.record(at);
@@ -69,8 +71,8 @@ void Observer::record(double t, const double* y, const System& system) {
   if (stationarity_)
     stationarity_->record(t, {at.v[kCagePhi], at.moving, at.seen.drive_power + at.seen.load_power,
                               at.seen.friction_power + at.seen.damping_power});
-  if (turning_.has_ended(static_cast<double>(ended_revolutions_ + 1), begin_, t)) end_revolution();
-  if (t >= peaks_end_ && extremes_.empty()) {
+  if (turning_.has_ended(static_cast<double>(ended_revolutions_ + 1))) end_revolution();
+  if (turning_.has_ended(peak_turns_) && extremes_.empty()) {
     extremes_ = quantities_so_far();
     if (stress_) extreme_peak_ = stress_->peak();
   }
@@ -84,7 +86,7 @@ std::vector<double> Observer::quantities() const {
 }
 
 std::vector<double> Observer::quantities_so_far() const {
-  const double duration = end_ - begin_;
+  const double duration = last_ - begin_;
   QuantityValues q;
   turning_.write(q);
   whirl_.write(turning_, duration, q);

@@ -20,7 +20,7 @@ namespace cagetol {
 
 class Observer {
  public:
-  /// The window is [begin, end] in seconds.
+  /// The window is [begin, end] in seconds; one that counts turns of the cage may last longer.
   Observer(const BearingModel& model, double begin, double end);
   /// The first window that a run has after settling.
   Observer(const BearingModel& model, const WindowTimes& times);
@@ -47,6 +47,8 @@ class Observer {
   const std::optional<Stationarity>& stationarity() const { return stationarity_; }
   /// Revolutions of the cage within the window.
   double cage_revolutions() const { return turning_.revolutions(); }
+  /// Whether the cage has made the turns that the window measures.
+  bool has_turned() const { return turning_.has_ended(turns_); }
   /// State of the largest stress; empty for a rigid cage.
   const CagePeak& cage_peak() const;
 
@@ -56,9 +58,10 @@ class Observer {
   std::vector<double> quantities_so_far() const;
 
   const BearingModel& model_;
-  double begin_, end_;
-  double peaks_end_ = std::numeric_limits<double>::infinity();  ///< where peaks end [s]
-  double extrapolate_ = kNoValue;                               ///< [revolutions]; NaN: off
+  double begin_, last_;  ///< time of the window's beginning and of the last state [s]
+  double turns_ = 0;     ///< of the cage that are measured
+  double peak_turns_ = std::numeric_limits<double>::infinity();  ///< where peaks end
+  double extrapolate_ = kNoValue;                                ///< [revolutions]; NaN: off
   int rollers_count_;
   StepClock clock_;
   Turning turning_;

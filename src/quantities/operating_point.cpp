@@ -107,6 +107,7 @@ void add_clearances(const Scene& scene, const OperatingScene& hot, const Bearing
   at.clearance = clearances_of(hot, m);
   Scene cold = scene;
   cold.fit = {};
+  cold.cage.swelling = 0;
   cold.temperature.growth = cold.operation.centrifugal_growth = false;
   at.made_clearance =
       changes_in_operation(scene) ? clearances_of(cold, make_bearing_model(cold)) : at.clearance;
@@ -126,6 +127,9 @@ void add_masses(const BearingModel& m, OperatingPoint& at) {
 }
 
 void add_kinematics(const BearingModel& m, OperatingPoint& at) {
+  at.rollers = static_cast<double>(m.layout.rollers);
+  at.inner_speed = m.duty.speed.inner;
+  at.outer_speed = m.duty.speed.outer;
   at.cage_speed = kinematic_cage_speed(m, m.duty.speed);
   const double rolling = (m.duty.speed.inner - at.cage_speed) * m.inner_radius;
   at.roller_speed = 2 * rolling / m.nominal_diameter;
@@ -242,6 +246,15 @@ OperatingPoint operating_point(const Scene& scene) {
   return at;
 }
 
+double cage_order(const OperatingPoint& at) {
+  return (at.cage_speed - at.outer_speed) / (at.inner_speed - at.outer_speed);
+}
+
+OperatingPoint with_slip(OperatingPoint at, double slip) {
+  at.cage_speed *= 1 - slip;
+  return at;
+}
+
 // clang-format off
 const std::vector<OperatingRow>& operating_rows() {
   using At = const OperatingPoint&;
@@ -264,6 +277,9 @@ const std::vector<OperatingRow>& operating_rows() {
       {"balanced_heat_W", "W", "that power", [](At p) { return p.heat; }},
       {"speed_factor_mm_min", "mm/min", "n d_m, n the speed of one ring against the other, d_m the diameter of the rollers' pitch circle", [](At p) { return 1e3 * p.pitch_diameter * p.speed / kRpm; }},
       {"cage_speed_rpm", "rpm", "kinematic speed of the cage", [](At p) { return p.cage_speed / kRpm; }},
+      {"cage_order", "-", "that speed without slip, against the outer ring, over the speed of the inner ring against the outer one", [](At p) { return cage_order(p); }},
+      {"inner_passing_order", "-", "rollers that pass a point of the inner ring in a turn of one ring against the other, without slip", [](At p) { return p.rollers * (1 - cage_order(p)); }},
+      {"outer_passing_order", "-", "likewise a point of the outer ring", [](At p) { return p.rollers * cage_order(p); }},
       {"roller_speed_rpm", "rpm", "kinematic speed of a roller about its axis, relative to the cage, positive against the inner ring's sense", [](At p) { return p.roller_speed / kRpm; }},
       {"roller_spin_rpm", "rpm", "the same seen from outside, positive in the inner ring's sense", [](At p) { return p.roller_spin / kRpm; }},
       {"entrainment_speed_m_s", "m/s", "speed at which the inner race and a roller carry oil into their contact", [](At p) { return p.entrainment; }},

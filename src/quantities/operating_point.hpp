@@ -41,21 +41,34 @@ struct OperatingPoint {
   double film;           ///< at the heaviest slice of the inner race [m]
   double lambda;         ///< film over composite roughness of the races
 
-  double temperature, heat;   ///< of outer ring and oil, power shed there: of a balance [degC], [W]
-  double pitch_diameter;      ///< d_m [m]
-  double speed;               ///< of one ring against the other, under a duty the largest [rad/s]
-  double limiting_speed;      ///< [rad/s]
-  double cage_speed;          ///< w_c [rad/s]
-  double roller_speed;        ///< w_r, relative to the cage [rad/s]
-  double roller_spin;         ///< w_c - w_r, seen from outside [rad/s]
-  double entrainment;         ///< u [m/s]
-  Clearances clearance;       ///< in operation (src/operation/operating_clearance.hpp)
-  Clearances made_clearance;  ///< as the scene gives the parts, cold and not mounted
+  double temperature, heat;  ///< of outer ring and oil, power shed there: of a balance [degC], [W]
+  double pitch_diameter;     ///< d_m [m]
+  double speed;              ///< of one ring against the other, under a duty the largest [rad/s]
+  double limiting_speed;     ///< [rad/s]
+  double inner_speed, outer_speed;  ///< w_i, w_o of the rings [rad/s]
+  double cage_speed;                ///< w_c [rad/s]
+  double roller_speed;              ///< w_r, relative to the cage [rad/s]
+  double roller_spin;               ///< w_c - w_r, seen from outside [rad/s]
+  double entrainment;               ///< u [m/s]
+  Clearances clearance;             ///< in operation (src/operation/operating_clearance.hpp)
+  Clearances made_clearance;        ///< as the scene gives the parts, cold and not mounted
   Growth inner_change, outer_change,
       roller_change;  ///< of the internal clearance, by each part [m]
   FitState inner_fit, outer_fit;
   double cage_mass, roller_mass;  ///< [kg]
+  double rollers;                 ///< Z
 };
+
+/// Speed of the cage in multiples of the speed of one ring against the other; of the shaft's where
+/// the outer ring stands still, and without slip (1 - D/d_m)/2 there, D and d_m diameters of a
+/// roller and of the pitch circle:
+///   (w_c - w_o)/(w_i - w_o)
+/// In these multiples Z (1 - cage_order) rollers pass a point of the inner ring, Z cage_order one
+/// of the outer ring. Not finite where no ring turns against the other.
+double cage_order(const OperatingPoint& at);
+
+/// The same point with a cage that slips: w_c (1 - slip).
+OperatingPoint with_slip(OperatingPoint at, double slip);
 
 /// Load distribution and film are NaN where no equilibrium is found.
 OperatingPoint operating_point(const Scene& scene);

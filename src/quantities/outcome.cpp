@@ -25,6 +25,10 @@ const std::vector<RunField>& run_fields() {
       {"simulated_s", "s", "length of the run, settling included"},
       {"measured_s", "s", "length of the measuring window; quasi-static: 0"},
       {"cage_revolutions", "1", "revolutions of the cage in the measuring window"},
+      {"windows_cut", "1",
+       "windows that ended before the cage, which skids, had made window.measure_revolutions "
+       "turns: "
+       "at three times as many without slip"},
       {"steps", "1", "accepted integration steps; quasi-static: positions"},
       {"rejected_steps", "1", "steps tried and rejected"},
       {"rhs_evaluations", "1", "evaluations of all forces"},
@@ -51,6 +55,7 @@ std::vector<double> run_values(const RunRecord& r) {
   return {r.simulated_s,
           r.measured_s,
           r.cage_revolutions,
+          r.windows_cut,
           r.steps,
           r.rejected_steps,
           r.rhs_evaluations,

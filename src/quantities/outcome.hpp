@@ -26,6 +26,7 @@ struct RunRecord {
   double simulated_s = 0;
   double measured_s = 0;        ///< length of the measuring window
   double cage_revolutions = 0;  ///< revolutions of the cage in the measuring window
+  double windows_cut = 0;       ///< windows that ended before the cage had made its turns
   double steps = 0;
   double rejected_steps = 0;
   double rhs_evaluations = 0;

@@ -9,7 +9,7 @@
 
 namespace cagetol {
 
-/// "orbit_slip_ratio" and "braking" of "orbit_slip_ratio@braking"; no label: empty.
+/// "cage_slip_ratio" and "braking" of "cage_slip_ratio@braking"; no label: empty.
 struct LabelledKey {
   std::string key, label;
 };

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "src/quantities/quantity_rows.hpp"
+#include "src/scene/whirl_window.hpp"
 
 namespace cagetol {
 namespace {
@@ -19,6 +20,10 @@ bool extrapolates(const Scene& s) {
          s.window.measure_revolutions >= kPeakRevolutions;
 }
 
+bool measures_whirl(const Scene& s) {
+  return turns(s) && !changes_over_time(s.operation) && is_whirl_window(s);
+}
+
 }  // namespace
 
 // clang-format off
@@ -29,6 +34,7 @@ const Need loaded{"model.motion = \"dynamic\"; loaded contacts", moves, Given::p
 const Need turning{"model.motion = \"dynamic\"; speed.inner_rpm not zero", turns, Given::where_the_cage_turns};
 const Need turning_loaded{"model.motion = \"dynamic\"; speed.inner_rpm not zero; loaded contacts", turns, Given::perhaps};
 const Need whole_turns{"model.motion = \"dynamic\"; at least one whole cage revolution measured", [](const Scene& s) { return turns(s) && s.window.measure_revolutions >= 1; }, Given::perhaps};
+const Need whirl{"model.motion = \"dynamic\"; window.measure_revolutions of 20 or more, of 40 or more where a load turns", measures_whirl, Given::perhaps};
 const Need tilting{"model.motion = \"dynamic\"; model.ring_tilt = \"free\"", [](const Scene& s) { return moves(s) && has_free_ring_tilt(s); }};
 const Need flexible{"cage.model = \"flexible\"", is_flexible};
 const Need film{"model.motion = \"dynamic\"; lubrication.model = \"film\" or a film.model; loaded contacts", [](const Scene& s) { return moves(s) && (is_lubricated(s) || s.film.model != FilmModel::none); }, Given::perhaps};

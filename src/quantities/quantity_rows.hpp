@@ -13,8 +13,8 @@
 namespace cagetol {
 
 namespace need {
-extern const Need any, motion, loaded, turning, turning_loaded, whole_turns, tilting, flexible,
-    film, oil, heat, extrapolated, extrapolated_stress;
+extern const Need any, motion, loaded, turning, turning_loaded, whole_turns, whirl, tilting,
+    flexible, film, oil, heat, extrapolated, extrapolated_stress;
 }
 namespace bound {
 extern const Bound finite, not_negative, share, slip, circle, lean, whirl, axial, ring_place,
@@ -27,13 +27,10 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "1 - w_c/w_k: w_c mean speed of the cage, w_k = w_i R_i/(R_i + R_o) its speed without slip, R "
      "radii of the raceways in operation; no value at standstill; under a duty over time both are "
      "means, counted along the turning of rolling without slip"},
-    {"orbit_slip_ratio", "-", Kind::mean, need::turning, bound::finite, "limit against skidding",
-     "the same with the mean orbital rate of all rollers in place of w_c, over the whole turns of "
-     "the cage in the window"},
-    {"orbit_slip_ratio_loaded", "-", Kind::mean, need::turning_loaded, bound::finite,
-     "skidding of the rollers that drive the cage",
-     "the same with the mean orbital rate of rollers weighted by their inner-race force: the slip "
-     "of those that drive, which a cage that hangs off centre does not touch"},
+    {"driving_slip_ratio", "-", Kind::mean, need::turning_loaded, bound::finite,
+     "limit against skidding",
+     "the same with the mean orbital rate of rollers, weighted by their inner-race force, in place "
+     "of w_c: the slip of those that drive, which a cage that hangs off centre does not touch"},
     {"roller_slip_ratio_loaded", "-", Kind::mean, need::turning_loaded, bound::slip,
      "comparison with published slip",
      "mean of 1 - |w_s - theta'|/w_kin over rollers whose inner-race force exceeds 1 % of the "
@@ -47,6 +44,9 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "smearing and wear of races",
      "largest sliding speed at loaded inner-race contacts over every accepted step, and where they "
      "come to bear load or cease to"},
+    {"race_friction_peak_W", "W", Kind::peak, need::motion, bound::not_negative,
+     "smearing of races",
+     "largest value of a roller's power of sliding on the inner race over every accepted step"},
     {"whirl_radius_ratio_mean", "-", Kind::mean, need::motion, bound::whirl,
      "how far the cage uses up its guide clearance; cage stability",
      "mean radius of the cage centre over the radial guide clearance", "whirl_radius_ratio_peak"},
@@ -56,21 +56,29 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"whirl_radius_ratio_peak", "-", Kind::peak, need::motion, bound::whirl,
      "how far the cage uses up its guide clearance; cage stability",
      "largest value of the same ratio over every accepted step"},
-    {"whirl_speed_deviation_ratio", "-", Kind::mean, need::turning, bound::not_negative,
-     "cage stability as the literature measures it",
-     "standard deviation over mean of the cage centre's speed; a measure of stability in the "
-     "literature, smaller for steadier motion, but small for a regular circular whirl, too "
-     "(Machines 2022, 10, 768: there the forces must decide)"},
     {"whirl_frequency_ratio", "-", Kind::mean, need::turning, bound::finite,
      "sense and rate of whirl",
      "mean angular rate of the cage centre's orbit about the middle over the mean cage speed: "
      "positive forward, negative backward, near zero where the centre stays on one side"},
-    {"whirl_scatter_ratio", "-", Kind::mean, need::motion, bound::whirl, "limit on cage stability",
+    {"whirl_ratio", "-", Kind::mean, need::whirl, bound::not_negative, "limit on cage stability",
+     "rms amplitude of the cage centre's motion at beyond 1.5 of the cage's speed, forward and "
+     "backward, over the least of guide clearance and half the pockets' clearance of the nominal "
+     "bearing (window.whirl_clearance_um); a place at rest and what turns with the cage or with a "
+     "turning load are taken off by least squares, and the rest is taken through a Hann window. "
+     "Above 0.5 the cage whirls"},
+    {"whirl_load_line_ratio", "-", Kind::mean, need::whirl, bound::not_negative,
+     "whether whirl can be told from a turning load",
+     "the part of whirl_ratio within two lines of the spectrum about the speed of a turning load"},
+    {"whirl_circling_ratio", "-", Kind::mean, need::whirl, bound::not_negative,
+     "a cage that circles at its own speed: its unbalance, or nothing that holds it",
+     "the same amplitude at 0.8 to 1.2 of the cage's speed, forward, over the same clearance"},
+    {"whirl_strongest_speed_ratio", "-", Kind::mean, need::whirl, bound::finite,
+     "sense and rate of whirl",
+     "speed at which the spectrum of whirl_ratio is largest, over the cage's: negative backward"},
+    {"whirl_scatter_ratio", "-", Kind::mean, need::motion, bound::whirl,
+     "how far the cage's centre moves; stability of dry cages",
      "rms distance of the cage centre from its mean place over the radial guide clearance: near "
      "zero where it rests, on its guide or anywhere, near one where it circles along the guide"},
-    {"whirl_energy_ratio", "-", Kind::mean, need::turning, bound::not_negative,
-     "cage stability as the literature measures it",
-     "mean kinetic energy of the cage's centre over that of the cage's rotation"},
     {"whirl_resting_share", "-", Kind::mean, need::whole_turns, bound::share,
      "kind of the cage's motion, for comparison with tests",
      "share of the whole cage revolutions in which the centre rests (rms distance from its mean "
@@ -114,6 +122,10 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "load and wear of lands", "99 % quantile over time of the same force", "guide_force_peak_N"},
     {"guide_force_peak_N", "N", Kind::peak, need::motion, bound::not_negative,
      "load and wear of lands", "largest value of the same force over every accepted step"},
+    {"guide_force_unbalance_g_mm", "g mm", Kind::mean, need::turning, bound::not_negative,
+     "unbalance that a cage may have",
+     "unbalance of the cage whose centrifugal force at the cage's mean speed equals the mean guide "
+     "force: a cage with more turns round its guide with its own unbalance"},
     {"guide_impacts_per_revolution", "1/rev", Kind::mean, need::motion, bound::not_negative,
      "rattle; how often contacts open", "closings of land contacts per cage revolution"},
     {"end_force_rms_N", "N", Kind::mean, need::motion, bound::not_negative,

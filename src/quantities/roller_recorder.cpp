@@ -52,6 +52,7 @@ void RollerRecorder::record(const ObservedState& at) {
       spun_loaded_.add(k, splat(std::abs(rolling)), loaded, step);
       carried_rolling_.add(k, carried * std::abs(at.rolling), here, step);
     }
+    rubbing_ = std::max(rubbing_, largest(select(here, force(seen.inner_rubbing), Pack{})));
     sliding_.add_above(k, force(seen.inner_sliding), carried, threshold, here, step);
   }
 }
@@ -60,7 +61,7 @@ void RollerRecorder::write(const Turning& turning, QuantityValues& q) const {
   const bool over_time = turning.over_time(), turns = turning.turns();
   const double carried = carried_.all().mean();
   const double rolling = over_time ? carried_rolling_.all().mean() / carried : turning.rolling();
-  q[quantity_row("orbit_slip_ratio_loaded")] =
+  q[quantity_row("driving_slip_ratio")] =
       turns && carried > 0 ? 1 - carried_orbit_.all().mean() / carried / rolling : kNoValue;
   const auto of_rolling = [&](double slip, const auto& spun) {
     return !over_time ? slip : turns ? slip / spun() : kNoValue;
@@ -72,6 +73,7 @@ void RollerRecorder::write(const Turning& turning, QuantityValues& q) const {
   const Series sliding = sliding_.all(), skew = skew_.all(), speeds = speed_.all();
   q[quantity_row("race_sliding_speed_rms")] = sliding.rms();
   q[quantity_row("race_sliding_speed_peak")] = sliding.peak();
+  q[quantity_row("race_friction_peak_W")] = rubbing_;
   q[quantity_row("roller_load_peak_N")] = load_;
   q[quantity_row("race_pressure_peak_MPa")] =
       1e-6 * race_pressure(model_, inner_slice_, outer_slice_);

@@ -24,6 +24,7 @@ class RollerRecorder {
   RollerSeries spun_loaded_;        ///< likewise, of loaded rollers
   RollerSeries carried_rolling_;    ///< force times speed of the cage without slip
   double thinnest_film_ = kNoFilm;  ///< [m]
+  double rubbing_ = 0;              ///< largest power of sliding [W]
   double load_ = 0, inner_slice_ = 0, outer_slice_ = 0;  ///< largest at the races [N]
   double largest_lean_squared_ = 0;
 };

@@ -51,8 +51,8 @@ void Stationarity::record(double t, const Seen& now) {
     double to = begin_ + static_cast<double>(index + 1) * part_;
     // Rounding may put the end of a part into it.
     if (to <= from) to = begin_ + static_cast<double>(++index + 1) * part_;
-    index = std::min(index, parts_.size() - 1);
-    if (index + 1 == kDriftBlocks || to > t) to = t;
+    to = std::min(to, t);
+    if (parts_.size() <= index) parts_.resize(index + 1);
     const double middle = ((from + to) / 2 - time_) / (t - time_);
     for (const auto of : {&Seen::cage_speed, &Seen::energy, &Seen::drive, &Seen::loss})
       parts_[index].*of += (to - from) * (last_.*of + middle * (now.*of - last_.*of));
@@ -64,8 +64,17 @@ void Stationarity::record(double t, const Seen& now) {
 }
 
 Stationarity::Means Stationarity::means(double Seen::*of) const {
+  // Parts lie in the blocks by their share; the last one reaches to the end of the window.
   Means values{};
-  for (std::size_t i = 0; i < kDriftBlocks; ++i) values[i] = parts_[i].*of * kBlocks / length_;
+  const double block = length() / kBlocks;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const double from = part_ * static_cast<double>(p), to = std::min(from + part_, length());
+    for (std::size_t i = 0; i < kDriftBlocks; ++i) {
+      const double start = block * static_cast<double>(i),
+                   inside = std::min(to, start + block) - std::max(from, start);
+      if (inside > 0) values[i] += parts_[p].*of * inside / (to - from) / block;
+    }
+  }
   return values;
 }
 
@@ -100,7 +109,7 @@ std::string Stationarity::find_drift(const DriftBounds& bounds) const {
   if (energy.exceeds(share * all.energy))
     return "the energy of motion changes by " + percent(energy.value / all.energy) +
            " over the window, more than " + percent(share) + " and than chance";
-  const double lost = std::abs(all.loss) * length_;
+  const double lost = std::abs(all.loss) * length();
   if (energy.exceeds(bounds.power_surplus_max * lost))
     return "drive and load give " + number(all.drive) + " W, " + number(all.loss) +
            " W are dissipated: the energy of motion changes by " + percent(energy.value / lost) +

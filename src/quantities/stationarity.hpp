@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace cagetol {
 
@@ -40,9 +41,9 @@ class Stationarity {
     double loss = 0;        ///< dissipated power [W]
   };
 
-  /// The window [s].
+  /// The window from its beginning to its expected end [s]; it may last longer.
   Stationarity(double begin, double end)
-      : begin_(begin), length_(end - begin), part_(length_ / static_cast<double>(kDriftBlocks)) {}
+      : begin_(begin), part_((end - begin) / (kPartsOfABlock * kDriftBlocks)) {}
 
   /// Records the state at time t inside the window.
   void record(double t, const Seen& seen);
@@ -55,13 +56,15 @@ class Stationarity {
 
  private:
   using Means = std::array<double, kDriftBlocks>;
+  static constexpr int kPartsOfABlock = 8;  ///< in a window of the expected length
   Means means(double Seen::*of) const;
+  double length() const { return time_ - begin_; }
 
-  double begin_, length_, part_;
+  double begin_, part_;
   bool started_ = false;
   double time_ = 0;  ///< of the last state [s]
   Seen last_;
-  std::array<Seen, kDriftBlocks> parts_{};  ///< integrals
+  std::vector<Seen> parts_;  ///< integrals
 };
 
 }  // namespace cagetol

@@ -8,6 +8,8 @@
 namespace cagetol {
 namespace {
 
+constexpr double kLongestWindow = 3;  // of a cage that skids, over its length without slip
+
 WindowTimes times_of_duty(const Scene& scene, const Duty& duty) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN(),
                    never = std::numeric_limits<double>::infinity();
@@ -26,10 +28,19 @@ WindowTimes times_of_duty(const Scene& scene, const Duty& duty) {
   else if (period == 0)
     end = duty.course.rows().back().time;
   const double measure = given_or(scene.window.measure_time, end - settle);
-  return {settle, measure, measure, never, none, 0};
+  return {settle, measure, measure, 0, never, none, never, none, 0};
 }
 
 }  // namespace
+
+double whirl_clearance(const BearingModel& model) {
+  double minimum = model.guide_clearance;
+  for (int j = 0; j < model.layout.rollers; ++j) {
+    const RollerGroup& group = model.groups[static_cast<std::size_t>(j / kLanes)];
+    minimum = std::min(minimum, group.half_width[j % kLanes] - group.radius[j % kLanes]);
+  }
+  return std::max(minimum, 0.0);
+}
 
 WindowTimes window_times(const Scene& scene, const BearingModel& model) {
   if (model.duty.over_time()) return times_of_duty(scene, model.duty);
@@ -38,13 +49,14 @@ WindowTimes window_times(const Scene& scene, const BearingModel& model) {
   const Window& w = scene.window;
   const double settle =
       std::isnan(w.settle_time) ? w.settle_revolutions * revolution : w.settle_time;
-  const double measure =
-      std::isnan(w.measure_time) ? w.measure_revolutions * revolution : w.measure_time;
-  const double peaks =
-      std::isnan(w.peak_revolutions) ? measure : std::min(w.peak_revolutions * revolution, measure);
+  const bool by_turns = std::isnan(w.measure_time);
+  const double measure = by_turns ? w.measure_revolutions * revolution : w.measure_time;
   return {settle,
           measure,
-          peaks,
+          by_turns ? kLongestWindow * measure : measure,
+          by_turns ? w.measure_revolutions : 0,
+          given_or(w.peak_revolutions, std::numeric_limits<double>::infinity()),
+          given_or(w.whirl_clearance, whirl_clearance(model)),
           revolution,
           w.extrapolate_revolutions,
           w.longest_settle_revolutions * revolution};

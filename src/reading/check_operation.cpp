@@ -4,6 +4,7 @@
 #include "src/operation/operating_clearance.hpp"
 #include "src/operation/operating_scene.hpp"
 #include "src/reading/scene_check.hpp"
+#include "src/scene/materials.hpp"
 #include "src/scene/pocket_clearances.hpp"
 
 namespace cagetol {
@@ -66,13 +67,12 @@ void check_in_operation(const Scene& scene, const SceneCheck& check) {
                  clearance = b.outer_raceway_diameter - b.inner_raceway_diameter - 2 * roller +
                              b.internal_clearance;
     check.require(std::abs(clearance) < roller / 10, "bearing.internal_clearance_um",
-                  "in operation (fits, temperatures, centrifugal growth) it becomes " +
-                      in_um(clearance) + ", more than a tenth of the roller's diameter",
+                  "in operation (fits, heat, moisture, rotation) it becomes " + in_um(clearance) +
+                      ", more than a tenth of the roller's diameter",
                   "correct fits and temperatures");
   }
   const auto say = [](const std::string& what, double clearance) {
-    return "in operation (fits, temperatures, centrifugal growth) " + what + ", by " +
-           in_um(-clearance);
+    return "in operation (fits, heat, moisture, rotation) " + what + ", by " + in_um(-clearance);
   };
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
     const PocketClearances left = pocket_clearances(hot, j);
@@ -128,6 +128,10 @@ void check_waviness(const Scene& scene, const SceneCheck& check) {
 
 void check_operation(const Scene& scene, const SceneCheck& check) {
   check_fits(scene, check);
+  check.require(
+      scene.cage.swelling == 0 || is_polymer(scene.cage.material), "cage.swelling_percent",
+      "a cage of this material takes up no water (" + check.with_value("cage.material") + ")",
+      "set 0, or name a polymer as its material; moduli and strengths may be given");
   check_waviness(scene, check);
   check_in_operation(scene, check);
 }

@@ -120,10 +120,10 @@ void check_outline(const Scene& scene, const SceneCheck& check) {
   const double pitch = pitch_radius(scene.bearing);
   const std::string retention[2] = {"cage.retention_width_inner_mm",
                                     "cage.retention_width_outer_mm"};
-  const double widths[2] = {cage.retention_inner, cage.retention_outer};
+  const std::vector<double>* widths[2] = {&cage.retention_inner, &cage.retention_outer};
   const bool curved = !std::isnan(cage.face_radius);
   for (const int end : {0, 1})
-    check.require(!curved || std::isnan(widths[end]), retention[end],
+    check.require(!curved || std::isnan(widths[end]->front()), retention[end],
                   "curved faces hold the rollers by their own ends (" +
                       check.with_value("cage.face_radius_mm") + ")",
                   "give either lips or a face radius");
@@ -139,10 +139,10 @@ void check_outline(const Scene& scene, const SceneCheck& check) {
                   pocket + "the face is not wider than the roller (" +
                       check.with_value("roller.diameter_mm") + ")",
                   "give more than the roller's radius");
-    const PocketOutline outline = pocket_outline(cage, pitch, width);
+    const PocketOutline outline = pocket_outline(cage, pitch, j);
     for (const int end : {0, 1}) {
-      if (std::isnan(widths[end])) continue;
-      check.require(widths[end] < width, retention[end],
+      if (!outline.end[end].lip) continue;
+      check.require(each(*widths[end], j) < width, retention[end],
                     pocket + "lips narrow a pocket, and this is not narrower than the pocket (" +
                         check.with_value("cage.pocket_width_mm") + ")",
                     "give less than the pocket's width");

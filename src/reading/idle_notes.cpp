@@ -15,8 +15,8 @@ std::vector<std::string> idle_notes(const Scene& scene,
   for (const auto& key : scene_keys()) {
     const std::string why(why_idle(scene_keys(), key, scene));
     if (why.empty()) continue;
-    const bool told = why != idle::kCatalogue.why && !key.range.required &&
-                      key_text(key, scene) != key_text(key, plain);
+    const bool told = why != idle::kCatalogue.why && why != idle::kTemperatureFound.why &&
+                      !key.range.required && key_text(key, scene) != key_text(key, plain);
     if (!told && !(varies && varies(key.name))) continue;
     const auto known = std::find_if(keys_by_reason.begin(), keys_by_reason.end(),
                                     [&](const auto& entry) { return entry.first == why; });

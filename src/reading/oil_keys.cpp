@@ -40,7 +40,7 @@ void refuse_given_temperatures(const Scene& scene, const toml::table& root,
   for (const char* key : {"lubrication.temperature_C", "cage.temperature_C",
                           "temperature.inner_ring_C", "temperature.outer_ring_C",
                           "temperature.rollers_C", "temperature.shaft_C", "temperature.housing_C"})
-    if (const auto* node = find_node(root, key); node && node->is_number())
+    if (const auto* node = find_node(root, key); node && !node->is_string())
       throw InputError(place_of(*node, file), key, shown(*node),
                        "temperature.balance = true finds the temperatures of oil and parts",
                        "leave this key out, or set temperature.balance = false");

@@ -16,8 +16,8 @@ namespace cagetol {
 /// dynamic scene must say".
 InputError no_word_of_oil(const std::string& who, const std::string& file);
 
-/// Throws InputError for a temperature that a file gives beside temperature.balance = true, which
-/// finds it.
+/// Throws InputError for a temperature, or a distribution of one, that a file gives beside
+/// temperature.balance = true, which finds it.
 void refuse_given_temperatures(const Scene& scene, const toml::table& root,
                                const std::string& file);
 

@@ -4,6 +4,7 @@
 
 #include "src/operation/operating_clearance.hpp"
 #include "src/scene/materials.hpp"
+#include "src/scene/whirl_window.hpp"
 
 namespace cagetol::idle {
 namespace {
@@ -87,7 +88,7 @@ constinit const Reason kOutsideUnused{"no result depends on it but by contact.ra
     [](const Scene& s) { return !has_line_races(s) && !outer_fit_presses(s) && !outer_grows_by_rotation(s); }};
 constinit const Reason kCatalogue{"rating life and warnings alone depend on it, no simulated result", [](const Scene&) { return true; }};
 constinit const Reason kNoLipsAtRest{"model.motion = \"quasi-static\"",
-    [](const Scene& s) { return is_quasi_static(s) && !given(s.cage.retention_inner) && !given(s.cage.retention_outer); }};
+    [](const Scene& s) { return is_quasi_static(s) && !given(s.cage.retention_inner[0]) && !given(s.cage.retention_outer[0]); }};
 constinit const Reason kNoEndOil{"no oil at roller ends (lubrication.model, lubrication.end_film)", [](const Scene& s) { return !has_end_film(s); }};
 constinit const Reason kPlaneFlanges{"plane flanges (bearing.outer_flange_angle_deg, bearing.inner_flange_angle_deg)",
     [](const Scene& s) { return !meets_spheres(s, true) && !meets_spheres(s, false); }};
@@ -111,6 +112,7 @@ constinit const Reason kCageTemperatureUnused{"no modulus, strength or dimension
     [](const Scene& s) { return !cage_softens(s) && !s.temperature.growth; }};
 constinit const Reason kOilTemperatureUnused{"lubrication.model = \"none\"",
     [](const Scene& s) { return !is_lubricated(s) && !oil_warms_rings(s) && !oil_warms_cage(s); }};
+constinit const Reason kTemperatureFound{"temperature.balance = true finds it", [](const Scene& s) { return s.temperature.balance && !is_quasi_static(s); }};
 constinit const Reason kRingMaterialUnused{"all properties of the rings' material are given",
     [](const Scene& s) { return all_given(s, s.bearing.ring_material); }};
 constinit const Reason kRollerMaterialUnused{"all properties of the rollers' material are given",
@@ -140,6 +142,8 @@ constinit const Reason kNoRadialLoad{"no radial load", [](const Scene& s) { retu
 constinit const Reason kNoDuty{"no duty to repeat", [](const Scene& s) { return s.operation.table.empty(); }};
 constinit const Reason kOverTime{"a duty over time has its window in seconds or from its phases",
     [](const Scene& s) { return changes_over_time(s.operation); }};
+constinit const Reason kNoWhirl{"the window is too short to tell whirl (20 revolutions, 40 under a load that turns)",
+    [](const Scene& s) { return !is_whirl_window(s); }};
 constinit const Reason kNoTurningLoad{"no load turns (load.rotating_N, load.unbalance_g_mm)",
     [](const Scene& s) { return s.operation.rotating_load == 0 && s.operation.unbalance == 0; }};
 constinit const Reason kNoOrder{"only cvode-bdf has an order to choose", [](const Scene& s) { return s.integration.method != IntegrationMethod::cvode_bdf; }};

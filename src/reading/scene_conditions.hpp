@@ -11,9 +11,10 @@ using Reason = Idle<Scene>;
 extern const Reason kStatic, kNoGrowth, kNoBalance, kRigid, kDry, kOutsideUnused, kCatalogue,
     kNoLipsAtRest, kNoEndOil, kPlaneFlanges, kHertzFlanges, kRingModuliUnused, kRollerModuliUnused,
     kCagePoissonUnused, kCageModulusUnused, kWidthUnused, kRingDensityUnused, kCageDensityUnused,
-    kCageTemperatureUnused, kOilTemperatureUnused, kRingMaterialUnused, kRollerMaterialUnused,
-    kCageMaterialUnused, kShaftLoose, kHousingLoose, kShaftMaterialUnused, kHousingMaterialUnused,
-    kShaftDensityUnused, kHousingDensityUnused, kNoRingTurns, kLubricated, kColdInlet, kNoRamp,
-    kNoDirection, kNoRadialLoad, kNoDuty, kOverTime, kNoTurningLoad, kNoOrder;
+    kCageTemperatureUnused, kOilTemperatureUnused, kTemperatureFound, kRingMaterialUnused,
+    kRollerMaterialUnused, kCageMaterialUnused, kShaftLoose, kHousingLoose, kShaftMaterialUnused,
+    kHousingMaterialUnused, kShaftDensityUnused, kHousingDensityUnused, kNoRingTurns, kLubricated,
+    kColdInlet, kNoRamp, kNoDirection, kNoRadialLoad, kNoDuty, kOverTime, kNoWhirl, kNoTurningLoad,
+    kNoOrder;
 
 }  // namespace cagetol::idle

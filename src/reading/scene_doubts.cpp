@@ -72,7 +72,7 @@ std::vector<std::string> scene_doubts(const Scene& scene) {
   const double axes = pitch_radius(scene.bearing);
   if (is_quasi_static(scene)) return doubts;
   add_size_doubts(scene, doubts);
-  const PocketOutline outline = pocket_outline(scene.cage, axes, each(scene.cage.pocket_width, 0));
+  const PocketOutline outline = pocket_outline(scene.cage, axes, 0);
   const auto beside = [&](const OutlineEnd& end, double past) {
     return !outline.curved && !end.lip && past > 0;
   };

@@ -127,8 +127,12 @@ double expansion_of(const MaterialChoice& material) {
   return given_or(material.expansion, material_named(material.name).expansion);
 }
 
+bool is_polymer(const MaterialChoice& material) {
+  return !material_named(material.name).young.empty();
+}
+
 bool softens(const MaterialChoice& material) {
-  return std::isnan(material.young) && !material_named(material.name).young.empty();
+  return std::isnan(material.young) && is_polymer(material);
 }
 
 double cage_temperature(const Scene& scene) {

@@ -35,6 +35,9 @@ Material properties_of(const MaterialChoice& material, double temperature = 20);
 /// Linear thermal expansion, given or of the named material [1/K].
 double expansion_of(const MaterialChoice& material);
 
+/// Whether the named material is a polymer, which takes up water.
+bool is_polymer(const MaterialChoice& material);
+
 /// Whether its modulus depends on the temperature.
 bool softens(const MaterialChoice& material);
 

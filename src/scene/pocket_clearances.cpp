@@ -11,7 +11,7 @@ PocketClearances pocket_clearances(const Scene& scene, long pocket) {
   const double diameter = each(scene.roller.diameter, pocket),
                width = each(cage.pocket_width, pocket);
   const double pitch = pitch_radius(scene.bearing);
-  const PocketOutline outline = pocket_outline(cage, pitch, width);
+  const PocketOutline outline = pocket_outline(cage, pitch, pocket);
   PocketClearances clearances;
   clearances.tangential = width - diameter;
   clearances.axial = each(cage.pocket_length, pocket) - scene.roller.length;

@@ -31,7 +31,8 @@ void place_curved_end(const PocketOutline& outline, double surface, double inwar
 
 }  // namespace
 
-PocketOutline pocket_outline(const CageGeometry& cage, double pitch_radius, double pocket_width) {
+PocketOutline pocket_outline(const CageGeometry& cage, double pitch_radius, long pocket) {
+  const double pocket_width = each(cage.pocket_width, pocket);
   PocketOutline outline;
   outline.curved = !std::isnan(cage.face_radius);
   outline.edge_radius = cage.edge_radius;
@@ -41,7 +42,8 @@ PocketOutline pocket_outline(const CageGeometry& cage, double pitch_radius, doub
     outline.face_offset = pocket_width / 2 - cage.face_radius;
   }
   const double surface[2] = {cage.inner_diameter / 2, cage.outer_diameter / 2};
-  const double retention[2] = {cage.retention_inner, cage.retention_outer};
+  const double retention[2] = {each(cage.retention_inner, pocket),
+                               each(cage.retention_outer, pocket)};
   for (int k = 0; k < 2; ++k) {
     OutlineEnd& end = outline.end[k];
     const double inward = k == 0 ? 1 : -1;
@@ -58,8 +60,8 @@ PocketOutline pocket_outline(const CageGeometry& cage, double pitch_radius, doub
 }
 
 bool has_shaped_pockets(const CageGeometry& cage) {
-  return !std::isnan(cage.face_radius) || !std::isnan(cage.retention_inner) ||
-         !std::isnan(cage.retention_outer);
+  return !std::isnan(cage.face_radius) || !std::isnan(cage.retention_inner[0]) ||
+         !std::isnan(cage.retention_outer[0]);
 }
 
 double radial_play(const PocketOutline& outline, double pitch_radius, double roller_radius,
@@ -75,9 +77,9 @@ double retention_width(CageGeometry cage, double pitch_radius, double roller_rad
                        double play) {
   double narrow = 0, wide = 2 * roller_radius;  // play grows with the opening
   const auto missing = [&](double width) {
-    (end == 0 ? cage.retention_inner : cage.retention_outer) = width;
+    (end == 0 ? cage.retention_inner : cage.retention_outer) = {width};
     return play -
-           radial_play(pocket_outline(cage, pitch_radius, width), pitch_radius, roller_radius, end);
+           radial_play(pocket_outline(cage, pitch_radius, 0), pitch_radius, roller_radius, end);
   };
   if (!(missing(narrow) > 0 && missing(wide) < 0)) return std::nan("");
   for (int k = 0; k < 50; ++k) {
@@ -90,8 +92,7 @@ double retention_width(CageGeometry cage, double pitch_radius, double roller_rad
 double roller_guide_clearance(const Scene& scene, double pitch_radius) {
   double minimum = std::numeric_limits<double>::infinity();
   for (long j = 0; j < scene.bearing.roller_count; ++j) {
-    const PocketOutline outline =
-        pocket_outline(scene.cage, pitch_radius, each(scene.cage.pocket_width, j));
+    const PocketOutline outline = pocket_outline(scene.cage, pitch_radius, j);
     for (const int end : {0, 1})
       minimum = std::min(
           minimum, radial_play(outline, pitch_radius, each(scene.roller.diameter, j) / 2, end));

@@ -26,8 +26,8 @@ struct PocketOutline {
   OutlineEnd end[2];
 };
 
-/// Of a pocket of `pocket_width`, whose rollers run at `pitch_radius` [m].
-PocketOutline pocket_outline(const CageGeometry& cage, double pitch_radius, double pocket_width);
+/// Of a pocket whose roller runs at `pitch_radius` [m].
+PocketOutline pocket_outline(const CageGeometry& cage, double pitch_radius, long pocket);
 
 /// Whether pockets have lips or curved faces.
 bool has_shaped_pockets(const CageGeometry& cage);

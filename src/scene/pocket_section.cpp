@@ -60,7 +60,7 @@ void append(DrawnLine& line, const DrawnLine& more) {
 DrawnLine bar_section(const Scene& scene, long pocket, int side) {
   const CageGeometry& cage = scene.cage;
   const double width = each(cage.pocket_width, pocket);
-  const PocketOutline outline = pocket_outline(cage, pitch_radius(scene.bearing), width);
+  const PocketOutline outline = pocket_outline(cage, pitch_radius(scene.bearing), pocket);
   const double surface[2] = {cage.inner_diameter / 2, cage.outer_diameter / 2};
   DrawnLine line = rounding(outline, 0, width / 2, surface[0]);
   std::reverse(line.across.begin(), line.across.end());

@@ -141,6 +141,7 @@ struct CageGeometry {
   std::vector<double> pocket_squareness = {0};
   MaterialChoice material{"steel-q235"};
   double temperature = kAuto;   ///< kAuto: that of the oil [degC]
+  double swelling = 0;          ///< by moisture, of every length since it was measured
   double yield_stress = kAuto;  ///< kAuto: of the named material at its temperature [Pa]
   double tensile_strength = kAuto, fatigue_strength = kAuto;  ///< likewise [Pa]
   double mass = kAuto;                                        ///< [kg]
@@ -154,16 +155,16 @@ struct CageGeometry {
   double land_offset = kAuto;      ///< lands at x = +-land_offset [m]
   double land_width = kAuto;       ///< axial, of one land [m]
   double face_radius = kAuto;      ///< of the bars' faces in the radial plane; kAuto: flat [m]
-  double retention_inner = kAuto,
-         retention_outer = kAuto;  ///< pocket opening between lips; kAuto: no lips [m]
-  double edge_radius = 0.2e-3;     ///< of the bars' edges and lips [m]
-  long mesh_density = 4;           ///< finite elements through the thickness of a flexible cage
-  double corner_radius = 0.5e-3;   ///< of the pockets' corners [m]
-  long modes = 10;                 ///< number of elastic modes of a flexible cage
-  bool bar_modes = true;        ///< and a static mode of every bar (src/cage/table/bar_modes.hpp)
-  double mode_damping = kAuto;  ///< damping ratio of elastic modes; kAuto: half the loss factor
-  bool centrifugal = true;      ///< centrifugal loading of the elastic modes
-  bool coriolis = true;         ///< Coriolis coupling of the elastic modes
+  /// Opening of pocket j between lips at the bore, at the outside; kAuto: no lips [m].
+  std::vector<double> retention_inner = {kAuto}, retention_outer = {kAuto};
+  double edge_radius = 0.2e-3;    ///< of the bars' edges and lips [m]
+  long mesh_density = 4;          ///< finite elements through the thickness of a flexible cage
+  double corner_radius = 0.5e-3;  ///< of the pockets' corners [m]
+  long modes = 10;                ///< number of elastic modes of a flexible cage
+  bool bar_modes = true;          ///< and a static mode of every bar (src/cage/table/bar_modes.hpp)
+  double mode_damping = kAuto;    ///< damping ratio of elastic modes; kAuto: half the loss factor
+  bool centrifugal = true;        ///< centrifugal loading of the elastic modes
+  bool coriolis = true;           ///< Coriolis coupling of the elastic modes
 };
 
 struct Contacts {
@@ -273,6 +274,7 @@ struct Window {
   double peak_revolutions = kAuto;         ///< over which peaks are taken; kAuto: whole window
   double extrapolate_revolutions = kAuto;  ///< to which peaks are extrapolated; kAuto: to none
   double longest_settle_revolutions = 60;  ///< limit of settling for lubricated bearings that drift
+  double whirl_clearance = kAuto;          ///< over which whirl is taken; kAuto: of this scene [m]
   double settle_time = kAuto;              ///< overrides settle_revolutions [s]
   double measure_time = kAuto;             ///< overrides measure_revolutions [s]
 };

@@ -30,6 +30,9 @@ OperatingPoint operating_point(const Scene&) {
 JamShares jam_shares(const Study&) {
   return {};
 }
+double whirl_clearance(const BearingModel&) {
+  return 0;
+}
 WindowTimes window_times(const Scene&, const BearingModel&) {
   return {};
 }

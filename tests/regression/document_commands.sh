@@ -21,6 +21,7 @@ shorter() {
     *" limits "*) echo "--samples 6 $window $coarse" ;;
     *" ladder "*--refine*) echo "--samples 2" ;;
     *" ladder "*) echo "--samples 3 --set cage.mesh_density=2 --set cage.corner_radius_mm=0 $window" ;;
+    *" rig "*) echo "--starts 3 --starts-only ${window//scene./}" ;;
     *" cage "*) echo "--set cage.mesh_density=1 --set cage.corner_radius_mm=0" ;;
     *" simulate "*) echo "${window//scene./} ${coarse//scene./}" ;;
     *" compare "*) echo "|| [ \$? -eq 1 ]" ;; # so few pairs resolve no bias, which ends with 1
@@ -34,6 +35,7 @@ for document in "$source/README.md" "$source/docs/guide.md"; do
 done
 mapfile -t lines < <(commands_of "${documents[@]}" | awk '!seen[$0]++')
 cd "$out"
+printf 'radial_N,speed_rpm,cage_order\n1000,500,0.3990\n' >nu206-rig.csv # as the guide has it
 for line in "${lines[@]}"; do
   echo "+ $line"
   bash -c "$line $(shorter "$line")" </dev/null >log/last 2>&1 || { cat log/last; echo "failed: $line" >&2; exit 1; }

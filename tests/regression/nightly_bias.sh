@@ -6,7 +6,7 @@
 # bias.json beside the sweeps, made a result by tests/validation/page/bias_results.py.
 set -eu
 source=$1 program=$2 out=$3 samples=${4:-12000} seed=${5:-960} minutes=${6:-0} more=("${@:7}")
-judged=cage_stress_rms_MPa,cage_stress_peak_MPa,orbit_slip_ratio,friction_torque_Nmm,pocket_force_rms_N
+judged=cage_stress_rms_MPa,cage_stress_peak_MPa,driving_slip_ratio,friction_torque_Nmm,pocket_force_rms_N
 cd "$source"
 . .ci/setup.sh
 build=$(sha256sum "$program"); out=$out/${build:0:12}-$samples-$seed # sweeps go on by the same build only

@@ -117,8 +117,12 @@ void shape_pockets(Outline outline, Scene& scene) {
   cage.edge_radius = 0.3e-3;
   if (outline == Outline::curved) cage.face_radius = diameter / 2 + 0.2e-3;
   if (outline == Outline::lips) {
-    cage.retention_outer = 0.92 * diameter;
-    cage.retention_inner = 0.9 * diameter;
+    cage.retention_outer.clear();
+    cage.retention_inner.clear();
+    for (long j = 0; j < scene.bearing.roller_count; ++j) {  // of each pocket its own
+      cage.retention_outer.push_back((0.92 - 0.002 * static_cast<double>(j % 3)) * diameter);
+      cage.retention_inner.push_back((0.9 - 0.002 * static_cast<double>(j % 4)) * diameter);
+    }
   }
 }
 

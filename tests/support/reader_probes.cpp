@@ -151,8 +151,9 @@ bool read_study_bytes(std::string_view bytes) {
 }
 std::vector<std::string> study_seeds() {
   std::vector<std::string> seeds;
-  for (const char* name : {"nu205", "nu205-measured", "nu205-slip", "paper-width", "nu205-duty",
-                           "nu205-fit", "nu205-centre", "axial", "own-bearing", "spindle"}) {
+  for (const char* name :
+       {"nu205", "nu205-measured", "nu205-slip", "paper-width", "nu205-duty", "nu205-fit",
+        "nu205-centre", "axial", "own-bearing", "own-bearing-lips", "spindle"}) {
     std::string study = bare("studies/" + std::string(name) + ".toml");
     const auto scene = study.find("../scenes/") + 10;
     const std::string scene_file = study.substr(scene, study.find('"', scene) - scene);

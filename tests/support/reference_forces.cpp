@@ -339,7 +339,7 @@ class Bearing {
     for (const int end : {0, 1}) {
       const double out = end == 0 ? -1 : 1,
                    surface = (end == 0 ? c.inner_diameter : c.outer_diameter) / 2,
-                   lips = end == 0 ? c.retention_inner : c.retention_outer;
+                   lips = each(end == 0 ? c.retention_inner : c.retention_outer, j);
       if (!curved) {
         const double opening = std::isnan(lips) ? half : lips / 2;
         const double height = std::sqrt(surface * surface - opening * opening) - out * r;
@@ -430,9 +430,9 @@ class Bearing {
     const auto surface = [&](double diameter) {
       return std::sqrt(diameter * diameter / 4 - half * half);
     };
-    if (std::isnan(c.retention_inner) && height <= surface(c.inner_diameter) + c.edge_radius)
+    if (std::isnan(c.retention_inner[0]) && height <= surface(c.inner_diameter) + c.edge_radius)
       return;
-    if (std::isnan(c.retention_outer) && height >= surface(c.outer_diameter) - c.edge_radius)
+    if (std::isnan(c.retention_outer[0]) && height >= surface(c.outer_diameter) - c.edge_radius)
       return;
     const double lean = cage_axis_.dot(e_T) + squareness;
     rub(s * (D.dot(e_T) - lean * X) + roller.radius - half, s * roller.radius * e_T, e_R,

@@ -60,7 +60,7 @@ TEST(CageCommand, ShowsClearancesInOperation) {
                     warm = printed_by_cage(scratch.path(), {"--set", "temperature.growth=true",
                                                             "--set", "cage.temperature_C=220"});
   EXPECT_THAT(cold, Not(HasSubstr("in operation")));
-  EXPECT_THAT(warm, HasSubstr("scene nu205 in operation (fits, heat, rotation)"));
+  EXPECT_THAT(warm, HasSubstr("scene nu205 in operation (fits, heat, moisture, rotation)"));
   // 7.65 mm * 12e-6/K * 200 K less 7.5 mm * 12e-6/K * 50 K
   EXPECT_THAT(warm, HasSubstr(" 0.1639"));
 }

@@ -157,7 +157,7 @@ Ending ending_of(const Settings& settings) {
 
 TEST(LegalScenes, EndWithAnOutcomeOrAreRefused) {
   int ran = 0;
-  for (unsigned seed = 1; seed <= 24; ++seed)
+  for (unsigned seed = 1; seed <= 30; ++seed)
     ran += ending_of(random_settings(seed)) != Ending::refused;
   EXPECT_GT(ran, 8);
 }

@@ -228,6 +228,36 @@ TEST(Program, AReportThatDoesNotFitOnTheDiskIsNotDone) {
   }
 }
 
+TEST(Program, AReportNamesATemperatureThatIsNotHeldAndTheLayersOfTheSupply) {
+  const ScratchDirectory scratch;
+  std::vector<std::string> command = {"sweep", shipped("studies/nu205.toml"), "-o", scratch / "s"};
+  for (const char* setting :
+       {"samples=2", "scene.cage.model=rigid", "limit=[]", "lubrication.temperature_C=40",
+        "window.settle_revolutions=0.2", "window.measure_revolutions=0.5",
+        "window.longest_settle_revolutions=0", "watch.static_consistency_max=10",
+        "watch.cage_drift_max=10", "watch.power_surplus_max=10",
+        "operating_point=[{name=\"hot\", \"lubrication.temperature_C\"=100}, {name=\"cold\"}]"})
+    command.insert(command.end(), {"--set", setting});
+  const auto swept = run(command);
+  ASSERT_EQ(swept.code, 0) << swept.output;
+  ASSERT_EQ(run({"report", scratch / "s"}).code, 0);
+  std::ifstream stream(scratch / "s/report.json");
+  const auto bearing = nlohmann::json::parse(stream).at("bearing");
+  const StudyData study = read_study_data(scratch / "s/study.h5");
+  const auto& power = find_quantity(study, "power_loss_W@cold")->values;
+  char loses[100];
+  std::snprintf(loses, sizeof loses, "at 40 degC the bearing loses %.3g W and sheds 23.2 W",
+                (power.at(0) + power.at(1)) / 2);
+  EXPECT_THAT(bearing.at("points").at(1).at("warnings").dump(), HasSubstr(loses));
+  EXPECT_THAT(bearing.at("points").at(0).at("warnings").dump(), Not(HasSubstr("sheds")));
+  EXPECT_THAT(bearing.at("warnings").dump(), Not(HasSubstr("sheds")));
+  const auto& assumed = bearing.at("assumed");
+  EXPECT_EQ(assumed.at("lubrication.outer_layer_um").dump(),
+            R"({"automatic":true,"unit":"um","value":200})");
+  EXPECT_EQ(assumed.at("lubrication.race_layer_um").at("automatic"), false);
+  EXPECT_NEAR(assumed.at("cage.guide_clearance_mm").at("value").get<double>(), 0.2, 1e-9);
+}
+
 TEST(Program, ADirectoryHoldsASweepOrARecommendation) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run(small_sweep(scratch / "sweep")).code, 0);
@@ -254,13 +284,10 @@ TEST(Program, NamesOfOutputsAreCheckedByEveryCommand) {
   ASSERT_EQ(::mkfifo((scratch / "device").c_str(), 0600), 0);
   const std::string study = shipped("studies/nu205.toml"), scene = shipped("scenes/nu205.toml");
   const std::vector<std::vector<std::string>> commands = {
-      {"sweep", study},
-      {"recommend", study},
-      {"ladder", study},
-      {"chart", scene},
-      {"stability", "--fast"},
-      {"simulate", scene},
-      {"replay", scratch.path(), "--sample", "1"}};
+      {"sweep", study},    {"recommend", study},
+      {"ladder", study},   {"rig", scene, "rig.csv"},
+      {"chart", scene},    {"stability", "--fast"},
+      {"simulate", scene}, {"replay", scratch.path(), "--sample", "1"}};
   const std::vector<std::pair<std::string, std::string>> names = {
       {"", "the name is empty"},
       {"  ", "the name is blank"},
@@ -420,7 +447,8 @@ TEST(Program, ChecksEveryShippedFile) {
         "scenes/nu205-paper-tight.toml", "scenes/speed-z16.toml", "scenes/speed-z16-skew.toml",
         "studies/nu205.toml", "studies/nu205-centre.toml", "studies/nu205-slip.toml",
         "studies/nu205-displacement.toml", "studies/nu205-fit.toml", "studies/nu205-measured.toml",
-        "studies/nightly.toml", "studies/nu205-duty.toml"}) {
+        "studies/nightly.toml", "studies/nu205-duty.toml", "studies/own-bearing-lips.toml",
+        "scenes/nu2206-moulded.toml"}) {
     const auto ended = run({"check", shipped(path)});
     EXPECT_EQ(ended.code, 0) << path << ended.output;
     EXPECT_THAT(ended.output, HasSubstr("no mistakes found"));

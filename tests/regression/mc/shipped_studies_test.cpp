@@ -13,7 +13,8 @@ namespace {
 
 class ShortStudies : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(, ShortStudies,
-                         testing::Values("gearbox", "spindle", "axial", "main-shaft"));
+                         testing::Values("gearbox", "spindle", "axial", "main-shaft",
+                                         "own-bearing-lips"));
 
 TEST_P(ShortStudies, Run) {
   const ScratchDirectory scratch;

@@ -65,9 +65,10 @@ class AssumptionReport : public testing::Test {
     write(runs, alternative_directory(plan, plan.alternatives[k]));
   }
 
-  nlohmann::json report() const {
+  nlohmann::json report(const nlohmann::ordered_json& bearing = {}) const {
     testing::internal::CaptureStdout();
-    run_report(scratch_.path(), {.figures = false});
+    run_report(scratch_.path(),
+               {.bearing = [&](const fs::path&) { return bearing; }, .figures = false});
     testing::internal::GetCapturedStdout();
     std::ifstream stream(scratch_ / "report.json");
     return nlohmann::json::parse(stream);
@@ -107,6 +108,21 @@ TEST_F(AssumptionReport, TheVerdictSaysUnderWhichAlternativesItHolds) {
                             Not(testing::ContainsRegex(">-?nan"))));
 }
 
+TEST_F(AssumptionReport, ShowsWhatRunsTakeWhereTheSceneSaysAuto) {
+  const AssumptionPlan plan = write_plan(200);
+  for (const std::size_t k : {0, 2}) write_alternative(plan, k, fresh_runs(200, 0, 50));
+  const auto json = report(
+      {{"points", nlohmann::json::array()},
+       {"assumed",
+        {{"lubrication.race_layer_um", {{"value", 7}, {"unit", "um"}, {"automatic", false}}},
+         {"cage.guide_clearance_mm", {{"value", 0.21}, {"unit", "mm"}, {"automatic", true}}}}}});
+  const auto& verdicts = json.at("assumption_verdicts");
+  EXPECT_EQ(verdicts.at("alternatives").at(0).at("nominal"), 20);  // as it was run
+  EXPECT_EQ(verdicts.at("alternatives").at(1).at("nominal"), 0.21);
+  EXPECT_EQ(verdicts.at("ranges").at(1).at("value"), 0.21);
+  EXPECT_THAT(page(), AllOf(HasSubstr(">20 µm<"), HasSubstr(">auto: 0.21 mm<")));
+}
+
 TEST_F(AssumptionReport, RunsOfOtherCagesAreNoPairs) {
   const AssumptionPlan plan = write_plan(200);
   StudyData other = fresh_runs(200, 0, 50);
@@ -140,6 +156,14 @@ TEST(AssumptionTable, ShowsRanges) {
       {{"key", "lubrication.race_layer_um"}, {"note", "why"}, {"low", 5}, {"high", 50}},
       {{"key", "cage.width_mm"}, {"note", "why"}}};
   EXPECT_THAT(page_of(make_report(study)), HasSubstr(">5 to 50<"));
+  const nlohmann::ordered_json flooded = {
+      {"points", nlohmann::json::array()},
+      {"assumed",
+       {{"lubrication.race_layer_um",
+         {{"value", "flooded"}, {"unit", "um"}, {"automatic", true}}}}}};
+  const auto report = make_report(study, {}, "DIR", {}, {}, {}, flooded);
+  EXPECT_EQ(report.at("assumptions").at("ranged").at(0).at("value"), "flooded");
+  EXPECT_THAT(page_of(report), AllOf(HasSubstr(">auto: flooded<"), HasSubstr("flooded (5 to 50)")));
 }
 
 TEST(AssumptionPlan, IsReadAsWrittenAndSaysWhatItTakes) {

@@ -149,6 +149,26 @@ TEST_F(AssumptionRanges, KeysThatDoNothingAreNotJudged) {
                                           "lubrication.race_layer_um")));
 }
 
+TEST_F(AssumptionRanges, ATemperatureThatABalanceFindsIsNotJudged) {
+  const std::string range = entry("lubrication.temperature_C", "low = 40\nhigh = 100");
+  EXPECT_EQ(alternatives_of(read(range)).size(), 2u);
+  const Study balanced =
+      read(range, std::string("[scene.temperature]\nbalance = true\n") + kTolerance);
+  // As the program writes it once it is found: read again, and without another word.
+  const Study found = changed_study(balanced, [](Study& study) {
+    study.scene.temperature.found = study.scene.lubrication.temperature = 61.25;
+  });
+  for (const Study& study : {balanced, read_resolved_study(found.resolved_toml, "again")}) {
+    EXPECT_TRUE(alternatives_of(study).empty());
+    EXPECT_THAT(study_notes(study),
+                testing::Contains(HasSubstr("do nothing (temperature.balance = true finds it): "
+                                            "lubrication.temperature_C")));
+    EXPECT_THAT(study_notes(study),
+                testing::Not(testing::Contains(HasSubstr("without effect (temperature.balance"))));
+  }
+  EXPECT_EQ(found.scene.lubrication.temperature, 61.25);
+}
+
 TEST_F(AssumptionRanges, BadRangesAreRefusedWithPlaceReasonAndRemedy) {
   const std::string key = "lubrication.race_layer_um";
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {

@@ -321,6 +321,9 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
       {"samples = 1\n[scene.cage]\nmodel = 'flexible'\nwidth_mm = { nominal = 14, lot = { law = "
        "'normal', sigma = 0.01 } }",
        {"study.toml:4: cage.width_mm", "tabulated once", "set cage.model = \"rigid\""}},
+      {"samples = 1\n[scene.cage]\nmodel = 'flexible'\nmaterial = 'pa66-gf25'\nswelling_percent = "
+       "{ nominal = 0.1, lot = { law = 'normal', sigma = 0.02 } }",
+       {"study.toml:5: cage.swelling_percent", "tabulated once"}},
       {"samples = 1\n[scene.temperature]\ngrowth = true\nreference_C = { nominal = 20, noise = { "
        "law "
        "= 'normal', sigma = 1 } }\n[scene.cage]\nmodel = 'flexible'",

@@ -123,9 +123,9 @@ TEST(FindJam, LipsThatPinchTheRollerAreAJam) {
     return retention_width(scene.cage, pitch_radius(scene.bearing), 3.75e-3, 1, play);
   };
   const double loose = lips(20e-6), tight = lips(-30e-6);
-  scene.cage.retention_outer = loose;
+  scene.cage.retention_outer = {loose};
   EXPECT_EQ(find_jam(scene).pocket, -1);
-  scene.cage.retention_outer = tight;
+  scene.cage.retention_outer = {tight};
   const Jam jam = find_jam(scene);
   EXPECT_EQ(jam.pocket, 0);
   EXPECT_STREQ(jam.where, "lips at the outside");

@@ -74,6 +74,15 @@ TEST(HeatBalance, ShedsWhatItLoses) {
   }
 }
 
+TEST(HeatBalance, FindsTheSameWhereverItBegins) {
+  const Temperatures cold = with_temperature_found(balanced_scene(), 40).temperature;
+  const Temperatures hot = with_temperature_found(balanced_scene(), 100).temperature;
+  // Both agree with what is shed within 2 % of the power.
+  EXPECT_NEAR(cold.found, hot.found, 2 * 0.02 * cold.found_power / cold.found_slope);
+  EXPECT_NEAR(cold.found_power, hot.found_power, 2 * 0.02 * cold.found_power);
+  EXPECT_NE(std::pair(cold.found, cold.found_slope), std::pair(hot.found, hot.found_slope));
+}
+
 TEST(HeatBalance, WarmsTheRingsWhereTheyGrow) {
   Scene scene = balanced_scene();
   scene.temperature.growth = true;
@@ -88,6 +97,17 @@ TEST(HeatBalance, LeavesGivenTemperaturesAlone) {
   scene.temperature.balance = false;
   EXPECT_EQ(with_temperature_found(scene).lubrication.temperature, 70);
   EXPECT_TRUE(std::isnan(value_of(simulate(scene), "operating_temperature_C")));
+}
+
+TEST(HeatBalance, APowerThatIsNotShedIsNamed) {
+  Scene scene = balanced_scene();
+  scene.temperature.balance = false;  // 70 degC given, 58 W shed
+  EXPECT_EQ(temperature_doubt(scene, 60), "");
+  EXPECT_EQ(temperature_doubt(scene, std::nan("")), "");
+  EXPECT_THAT(temperature_doubt(scene, 80),
+              testing::HasSubstr("at 70 degC the bearing loses 80 W and sheds 58.1 W"));
+  scene.temperature.balance = true;
+  EXPECT_EQ(temperature_doubt(scene, 80), "");
 }
 
 TEST(HeatBalance, RefusesABearingThatCannotShedItsPower) {
@@ -108,12 +128,16 @@ TEST(HeatBalance, RefusesATemperatureThatIsGivenBesideIt) {
   std::ifstream file(path);
   std::string text(std::istreambuf_iterator<char>(file), {});
   text += "\n[temperature]\nbalance = true\n";
-  try {
-    read_scene(parse_toml(text, "scene.toml"), "scene.toml");
-    FAIL();
-  } catch (const InputError& refused) {
-    EXPECT_THAT(refused.what(), testing::HasSubstr("lubrication.temperature_C"));
-  }
+  std::string scattered = text;
+  const std::string given = "temperature_C = 70";
+  scattered.replace(scattered.find(given), given.size(),
+                    "temperature_C = { nominal = 70, lot = { law = 'normal', sigma = 5 } }");
+  for (const std::string& each : {text, scattered}) try {
+      read_scene(parse_toml(each, "scene.toml"), "scene.toml");
+      FAIL();
+    } catch (const InputError& refused) {
+      EXPECT_THAT(refused.what(), testing::HasSubstr("lubrication.temperature_C"));
+    }
 }
 
 }  // namespace

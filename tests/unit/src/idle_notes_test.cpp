@@ -38,7 +38,7 @@ std::vector<double> fingerprint(const Scene& scene) {
   if (is_quasi_static(scene)) return print;
   const BearingModel model = make_bearing_model(scene);
   const WindowTimes times = window_times(scene, model);
-  for (const double time : {times.settle, times.measure, times.peaks, times.extrapolate})
+  for (const double time : {times.settle, times.measure, times.peak_turns, times.extrapolate})
     print.push_back(time);
   if (is_lubricated(scene)) print.push_back(times.longest_settle);
   print.push_back(scene.integration.max_step);
@@ -235,8 +235,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"rollers_guide",
              [](Scene& s) {
                s.cage.guidance = Guidance::roller;
-               s.cage.retention_outer =
-                   retention_width(s.cage, pitch_radius(s.bearing), 3.75e-3, 1, 0.1e-3);
+               s.cage.retention_outer = {
+                   retention_width(s.cage, pitch_radius(s.bearing), 3.75e-3, 1, 0.1e-3)};
              }},
         Case{"sphere_ends",
              [](Scene& s) {

@@ -11,6 +11,7 @@
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/operating_point.hpp"
 #include "src/reading/scene_keys.hpp"
+#include "src/scene/materials.hpp"
 #include "src/scene/pocket_clearances.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/reference_scene.hpp"
@@ -92,7 +93,7 @@ TEST(OperatingScene, ScalesABearingThatIsWarmAllOver) {
   scene.bearing.ring_material = scene.roller.material = scene.cage.material = {"bearing-steel"};
   scene.temperature.growth = true;
   scene.temperature.inner_ring = scene.temperature.outer_ring = scene.cage.temperature = 120;
-  scene.cage.retention_outer = 7.3e-3;
+  scene.cage.retention_outer = {7.3e-3};
   scene.bearing.inner_land_diameter = 33e-3;
   const double factor = 1 + 12e-6 * 100;
   const Scene hot = OperatingScene(scene);
@@ -106,6 +107,43 @@ TEST(OperatingScene, ScalesABearingThatIsWarmAllOver) {
   EXPECT_NEAR(hot.bearing.outside_diameter / 52e-3, factor, 1e-12);
   const Growth clearance = operating_clearance(scene).internal(7.5e-3);
   EXPECT_NEAR(clearance.heat, (46.5e-3 - 31.5e-3 - 15e-3) * (factor - 1), 1e-15);
+}
+
+/// Moisture makes of a cage what heat of the same strain does, and adds to it.
+TEST(OperatingScene, SwellsACageAsHeatOfTheSameStrainDoes) {
+  Scene wet;
+  wet.cage.material = {"pa66-gf25"};  // 30e-6/K
+  wet.cage.guide_clearance = 0.25e-3;
+  wet.cage.retention_outer = {7.3e-3};
+  Scene warm = wet, both = wet;
+  wet.cage.swelling = 0.002;
+  both.cage.swelling = 0.001;
+  for (Scene* scene : {&warm, &both}) {
+    scene->temperature.growth = true;
+    scene->temperature.inner_ring = scene->temperature.outer_ring = 20;
+  }
+  warm.cage.temperature = 20 + 0.002 / 30e-6;
+  both.cage.temperature = 20 + 0.001 / 30e-6;
+  EXPECT_TRUE(changes_in_operation(wet));
+  const Scene swollen = OperatingScene(wet);
+  EXPECT_FALSE(changes_in_operation(swollen));
+  EXPECT_NEAR(swollen.cage.pocket_width[0], 7.65e-3 * 1.002, 1e-12);
+  EXPECT_NEAR(swollen.cage.guide_clearance, 0.25e-3 - 0.002 * 21.7e-3, 1e-12);
+  for (const Scene* scene : {&warm, &both}) {
+    const Scene hot = OperatingScene(*scene);
+    const PocketClearances a = pocket_clearances(hot, 0), b = pocket_clearances(swollen, 0);
+    EXPECT_NEAR(a.tangential, b.tangential, 1e-12);
+    EXPECT_NEAR(a.axial, b.axial, 1e-12);
+    for (const int k : {0, 1}) EXPECT_NEAR(a.ring[k], b.ring[k], 1e-12);
+    EXPECT_NEAR(a.radial[1], b.radial[1], 1e-12);
+    EXPECT_NEAR(cage_material(hot).density, cage_material(swollen).density, 1e-9);
+    for (const auto& key : scene_keys()) {
+      if (!key.name.starts_with("cage.") || !key.name.ends_with("_mm")) continue;
+      EXPECT_THAT(key_numbers(key, hot)[0],
+                  testing::NanSensitiveDoubleNear(key_numbers(key, swollen)[0], 1e-9))
+          << key.name;
+    }
+  }
 }
 
 TEST(OperatingScene, KeepsMasses) {
@@ -143,7 +181,7 @@ TEST(OperatingClearance, TakesTheTemperatureOfTheNextPartWhereNoneIsGiven) {
   const OperatingClearance oil = operating_clearance(scene);
   EXPECT_NEAR(oil.inner_ring_heat, 12e-6 * 50, 1e-15);
   EXPECT_NEAR(oil.outer_ring_heat, 12e-6 * 50, 1e-15);
-  EXPECT_NEAR(oil.cage_heat, 12e-6 * 50, 1e-15);
+  EXPECT_NEAR(oil.cage_growth, 12e-6 * 50, 1e-15);
   scene.temperature.inner_ring = 90;
   scene.temperature.reference = 25;
   scene.fit.inner_interference = 10e-6;
@@ -317,6 +355,11 @@ TEST(OperatingClearance, RefusesWhatDoesNotTurn) {
   // 30e-6 * 230 K of 21.7 mm are 150 um, the outer ring stays.
   EXPECT_THAT(operating_problem(warm + "cage.temperature_C = 250\ncage.material = \"pa66-gf25\"\n"
                                        "cage.outer_diameter_mm = 43.6\n"),
+              HasSubstr("the cage seizes in the outer ring"));
+  EXPECT_THAT(operating_problem("cage.swelling_percent = 0.2\n"), HasSubstr("takes up no water"));
+  const std::string wet = "cage.material = \"pa66-gf25\"\ncage.swelling_percent = ";
+  EXPECT_EQ(operating_problem(wet + "0.2\n"), "no error");
+  EXPECT_THAT(operating_problem(wet + "3\ncage.outer_diameter_mm = 43.6\n"),
               HasSubstr("the cage seizes in the outer ring"));
   EXPECT_THAT(operating_problem(warm + "temperature.rollers_C = 250\n"
                                        "bearing.flange_clearance_mm = 0.01\n"),

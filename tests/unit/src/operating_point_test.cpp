@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <vector>
@@ -165,6 +166,27 @@ TEST(OperatingRows, HaveKeysOfTheirOwn) {
     EXPECT_EQ(std::isfinite(row.value(at)), !unknown) << key;
     EXPECT_EQ(quantity_index(row.key), -1) << row.key;
   }
+}
+
+TEST(CageOrder, IsThatOfRollingLessTheSlip) {
+  Scene scene = shipped_scene("nu205");
+  scene.bearing.internal_clearance = 0;
+  const OperatingPoint at = operating_point(scene);
+  const double rolling = (1 - 7.5 / 39) / 2;
+  EXPECT_NEAR(cage_order(at), rolling, 1e-12);
+  EXPECT_NEAR(cage_order(with_slip(at, 0.1)), 0.9 * rolling, 1e-12);
+  std::map<std::string, double> rows;
+  for (const OperatingRow& row : operating_rows()) rows[row.key] = row.value(at);
+  EXPECT_NEAR(rows["outer_passing_order"], 13 * rolling, 1e-11);
+  EXPECT_NEAR(rows["inner_passing_order"], 13 * (1 + 7.5 / 39) / 2, 1e-11);
+  // Only how fast one ring turns against the other counts, whichever turns; slip is of the cage as
+  // it stands in the room.
+  std::swap(scene.operation.inner_speed, scene.operation.outer_speed);
+  const OperatingPoint turned = operating_point(scene);
+  EXPECT_NEAR(cage_order(turned), rolling, 1e-12);
+  EXPECT_NEAR(cage_order(with_slip(turned, 0.1)), 1 - 0.9 * (1 - rolling), 1e-12);
+  scene.operation.inner_speed = scene.operation.outer_speed;
+  EXPECT_FALSE(std::isfinite(cage_order(operating_point(scene))));
 }
 
 TEST(OperatingWarnings, NameLoadAndSpeedBeyondTheBearing) {

@@ -40,7 +40,7 @@ TEST(Operation, ReversedSpeedsMirrorTheMotion) {
     scene.operation.outer_speed *= -1;
     const Outcome back = simulate(scene);
     for (const char* key :
-         {"cage_slip_ratio", "orbit_slip_ratio", "roller_slip_ratio_loaded", "power_loss_W",
+         {"cage_slip_ratio", "driving_slip_ratio", "roller_slip_ratio_loaded", "power_loss_W",
           "whirl_radius_ratio_mean", "ring_displacement_mean_um", "guide_force_rms_N"}) {
       const double value = quantity(there, key);
       EXPECT_NEAR(quantity(back, key), value, 1e-4 * std::abs(value)) << key << ", " << outer_too;
@@ -100,7 +100,7 @@ TEST(Operation, AnOuterRingAloneDrivesTheCageAtItsRollingSpeed) {
   const double due =
       scene.operation.outer_speed * m.outer_radius / (m.inner_radius + m.outer_radius);
   EXPECT_DOUBLE_EQ(kinematic_cage_speed(m, m.duty.speed), due);
-  EXPECT_NEAR(quantity(outcome, "orbit_slip_ratio"), 0, 3e-3);
+  EXPECT_NEAR(quantity(outcome, "driving_slip_ratio"), 0, 3e-3);
   EXPECT_NEAR(quantity(outcome, "cage_slip_ratio"), 0, 5e-3);
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "src/contacts/pocket_face.hpp"
+#include "src/model/bearing_model.hpp"
+#include "src/scene/pocket_clearances.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/shipped_scene.hpp"
 
@@ -19,14 +21,14 @@ constexpr double kPitch = 19.5e-3, kRoller = 3.75e-3, kPocket = 7.65e-3;
 
 CageGeometry with_lips(double inner, double outer) {
   CageGeometry cage;
-  cage.retention_inner = inner;
-  cage.retention_outer = outer;
+  cage.retention_inner = {inner};
+  cage.retention_outer = {outer};
   return cage;
 }
 
 TEST(PocketOutline, FlatFacesEndARoundingBelowTheCagesSurfaces) {
   const CageGeometry cage;
-  const PocketOutline outline = pocket_outline(cage, kPitch, kPocket);
+  const PocketOutline outline = pocket_outline(cage, kPitch, 0);
   const double half = kPocket / 2, r = cage.edge_radius;
   EXPECT_DOUBLE_EQ(outline.end[0].height, std::sqrt(18.5e-3 * 18.5e-3 - half * half) + r);
   EXPECT_DOUBLE_EQ(outline.end[1].height, std::sqrt(21.7e-3 * 21.7e-3 - half * half) - r);
@@ -38,7 +40,7 @@ TEST(PocketOutline, FlatFacesEndARoundingBelowTheCagesSurfaces) {
 TEST(PocketOutline, SharpLipsHoldTheRollerByTheChord) {
   CageGeometry cage = with_lips(6.4e-3, 6.8e-3);
   cage.edge_radius = 1e-12;
-  const PocketOutline outline = pocket_outline(cage, kPitch, kPocket);
+  const PocketOutline outline = pocket_outline(cage, kPitch, 0);
   const auto chord = [](double opening) {
     return std::sqrt(kRoller * kRoller - opening * opening / 4);
   };
@@ -56,15 +58,31 @@ TEST(PocketOutline, SuggestsTheOpeningForAPlay) {
   for (const int end : {0, 1}) {
     const double width = retention_width(cage, kPitch, kRoller, end, 80e-6);
     const CageGeometry lips = with_lips(end == 0 ? width : NAN, end == 1 ? width : NAN);
-    EXPECT_NEAR(radial_play(pocket_outline(lips, kPitch, width), kPitch, kRoller, end), 80e-6,
-                1e-12);
+    EXPECT_NEAR(radial_play(pocket_outline(lips, kPitch, 0), kPitch, kRoller, end), 80e-6, 1e-12);
   }
+}
+
+TEST(PocketOutline, EachPocketHasItsOwnLips) {
+  Scene scene = shipped_scene("nu205");
+  const auto count = static_cast<std::size_t>(scene.bearing.roller_count);
+  const double loose = retention_width(scene.cage, kPitch, kRoller, 1, 90e-6),
+               tight = retention_width(scene.cage, kPitch, kRoller, 1, 50e-6),
+               pinching = retention_width(scene.cage, kPitch, kRoller, 1, -5e-6);
+  scene.cage.retention_outer.assign(count, loose);
+  EXPECT_NEAR(roller_guide_clearance(scene, kPitch), 90e-6, 1e-12);
+  scene.cage.retention_outer[3] = tight;
+  EXPECT_NEAR(roller_guide_clearance(scene, kPitch), 50e-6, 1e-12);
+  EXPECT_NEAR(pocket_clearances(scene, 3).radial[1], 50e-6, 1e-12);
+  EXPECT_NEAR(pocket_clearances(scene, 4).radial[1], 90e-6, 1e-12);
+  EXPECT_EQ(find_jam(scene).pocket, -1);
+  scene.cage.retention_outer[5] = pinching;
+  EXPECT_EQ(find_jam(scene).pocket, 5);
 }
 
 TEST(PocketOutline, RoundingsOfCurvedFacesTouchFaceAndSurface) {
   CageGeometry cage;
   cage.face_radius = 3.9e-3;
-  const PocketOutline outline = pocket_outline(cage, kPitch, kPocket);
+  const PocketOutline outline = pocket_outline(cage, kPitch, 0);
   const double surface[2] = {18.5e-3, 21.7e-3};
   for (const int k : {0, 1}) {
     const OutlineEnd& end = outline.end[k];
@@ -123,29 +141,29 @@ TEST(PocketOutline, ChecksRefuseWhatHoldsNoRoller) {
   };
   EXPECT_THAT(problem([](Scene& s) { s.cage.guidance = Guidance::roller; }),
               HasSubstr("flat parallel pocket faces"));
-  EXPECT_THAT(problem([](Scene& s) { s.cage.retention_outer = 7.7e-3; }),
+  EXPECT_THAT(problem([](Scene& s) { s.cage.retention_outer = {7.7e-3}; }),
               HasSubstr("not narrower than the pocket"));
-  EXPECT_THAT(problem([](Scene& s) { s.cage.retention_outer = 5e-3; }), HasSubstr("pinch"));
+  EXPECT_THAT(problem([](Scene& s) { s.cage.retention_outer = {5e-3}; }), HasSubstr("pinch"));
   EXPECT_THAT(problem([](Scene& s) { s.cage.face_radius = 3.8e-3; }), HasSubstr("more hollow"));
   EXPECT_THAT(problem([](Scene& s) {
                 s.cage.face_radius = 4e-3;
-                s.cage.retention_outer = 7e-3;
+                s.cage.retention_outer = {7e-3};
               }),
               HasSubstr("either lips or a face radius"));
   // Rings that stop the cage first.
   EXPECT_THAT(problem([](Scene& s) {
                 s.cage.guidance = Guidance::roller;
-                s.cage.retention_outer = 7.2e-3;
+                s.cage.retention_outer = {7.2e-3};
               }),
               HasSubstr("the rings stop it"));
   EXPECT_THAT(problem([](Scene& s) {
                 s.cage.guidance = Guidance::roller;
-                s.cage.retention_outer = 7.6e-3;
+                s.cage.retention_outer = {7.6e-3};
               }),
               HasSubstr("rollers never hold the cage"));
   EXPECT_EQ(problem([](Scene& s) {
               s.cage.guidance = Guidance::roller;
-              s.cage.retention_outer = retention_width(s.cage, kPitch, kRoller, 1, 80e-6);
+              s.cage.retention_outer = {retention_width(s.cage, kPitch, kRoller, 1, 80e-6)};
             }),
             "none");
 }

@@ -41,7 +41,7 @@ TEST(PocketSection, BarsKeepToTheCage) {
       if (!std::isnan(face_radius) && !std::isnan(lips)) continue;
       Scene scene = shipped_scene("nu205");
       scene.cage.face_radius = face_radius;
-      scene.cage.retention_inner = scene.cage.retention_outer = lips;
+      scene.cage.retention_inner = scene.cage.retention_outer = {lips};
       for (const int side : {-1, 1}) {
         const DrawnLine bar = bar_section(scene, 0, side);
         EXPECT_EQ(bar.across.front(), bar.across.back());
@@ -70,7 +70,7 @@ TEST(PocketSection, LipsTouchTheRollerThatHasMovedByItsPlay) {
   for (const int end : {0, 1}) {
     Scene scene = shipped_scene("nu205");
     const double width = retention_width(scene.cage, kPitchRadius, kRollerRadius, end, 80e-6);
-    (end == 0 ? scene.cage.retention_inner : scene.cage.retention_outer) = width;
+    (end == 0 ? scene.cage.retention_inner : scene.cage.retention_outer) = {width};
     DrawnLine bar = bar_section(scene, 0, 1);
     EXPECT_GT(gap_to_roller(bar), 20e-6);
     for (double& up : bar.up) up += (end == 0 ? 1 : -1) * 80e-6;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "src/quantities/quantity_table.hpp"
+#include "src/quantities/window_times.hpp"
 #include "src/simulate.hpp"
 #include "tests/support/shipped_scene.hpp"
 
@@ -40,6 +41,39 @@ TEST(Window, PeaksOfTheSameRevolutionsAreTheSameInALongerWindow) {
   EXPECT_NE(value_of(brief, "pocket_force_rms_N"), value_of(longer, "pocket_force_rms_N"));
 }
 
+// At 40 N the cage skids by more than a fifth, at 1 N by nearly all.
+TEST(Window, CountsTurnsThatTheCageMakesUpToThreeTimesItsLength) {
+  Scene scene = quick_scene();
+  scene.operation.radial_load = 40;
+  const double length = 2 * window_times(scene, make_bearing_model(scene)).revolution;
+  const Outcome skids = simulate(scene);
+  ASSERT_EQ(skids.status, Status::ok) << skids.reason;
+  EXPECT_NEAR(skids.run.cage_revolutions, 2, 0.01);
+  EXPECT_EQ(skids.run.windows_cut, 0);
+  EXPECT_GT(skids.run.measured_s, 1.25 * length);
+  EXPECT_NEAR(skids.run.measured_s * (1 - value_of(skids, "cage_slip_ratio")), length,
+              0.01 * length);
+  scene.operation.radial_load = 1;
+  scene.operation.inner_speed *= 3;
+  const Outcome stands = simulate(scene);
+  ASSERT_EQ(stands.status, Status::ok) << stands.reason;
+  EXPECT_LT(stands.run.cage_revolutions, 1.9);
+  EXPECT_EQ(stands.run.windows_cut, 1);
+  EXPECT_NEAR(stands.run.measured_s, length, 1e-9);  // three times a third
+}
+
+// Below twenty turns nothing tells whirl.
+TEST(Window, WhirlNeedsTwentyTurns) {
+  Scene scene = quick_scene();
+  scene.window = {.settle_revolutions = 1, .measure_revolutions = 19.5};
+  EXPECT_TRUE(std::isnan(value_of(simulate(scene), "whirl_ratio")));
+  scene.window.measure_revolutions = 20;
+  const Outcome outcome = simulate(scene);
+  EXPECT_LT(value_of(outcome, "whirl_ratio"), 0.5);
+  scene.window.whirl_clearance = 2 * whirl_clearance(make_bearing_model(scene));
+  EXPECT_DOUBLE_EQ(value_of(simulate(scene), "whirl_ratio"), value_of(outcome, "whirl_ratio") / 2);
+}
+
 TEST(Window, ARunThatNeedsTooManyStepsIsCensored) {
   Scene scene = shipped_scene("speed-z16");
   scene.integration.max_step = 1e-15;
@@ -53,12 +87,14 @@ TEST(Window, ARunThatNeedsTooManyStepsIsCensored) {
 TEST(Window, ADriftingMotionSettlesLongerAndThenFails) {
   Scene scene = quick_scene();
   scene.operation.radial_load = 0;
+  scene.operation.inner_speed *= 2;
   scene.start.state = StartState::equilibrium;
   scene.window.longest_settle_revolutions = 5;
   const Outcome drifting = simulate(scene);
   EXPECT_EQ(drifting.status, Status::failed);
   EXPECT_TRUE(drifting.reason.starts_with("not stationary after")) << drifting.reason;
-  EXPECT_GT(drifting.run.simulated_s, 2.5 * drifting.run.measured_s);  // the window began anew
+  const double settle = window_times(scene, make_bearing_model(scene)).settle;
+  EXPECT_GT(drifting.run.simulated_s - drifting.run.measured_s, 2 * settle);  // it began anew
 }
 
 }  // namespace

@@ -108,6 +108,7 @@ NU205 = Bearing("NU 205", ROOT / "inputs/scenes/nu205.toml", "2", 23, 1.6,
                 settings={"lubrication.viscosity_Pa_s": 0.02})
 NU208 = Bearing("NU 208", scene_of("nu208"), "2", 20, 1.8, (1500, 3000, 6000, 12000), (1500, 3000, 6000, 9000),
                 9500, 62000, 53000, rating.EXPLORER_FACTOR)
+NU215 = Bearing("NU 215", scene_of("nu215"), "2", 20, 1.8, (), (), 5600, 150000, 156000, rating.EXPLORER_FACTOR)  # slip alone
 NU226 = Bearing("NU 226", scene_of("nu226"), "2", 20, 1.8, (10000, 20000, 41500, 83000), (425, 850, 1700, 2550),
                 3200, 415000, 455000, rating.EXPLORER_FACTOR)
 NU2226 = Bearing("NU 2226", scene_of("nu2226"), "22", 20, 1.8, (15000, 30000, 61000, 122000), (425, 850, 1700, 2550),

@@ -11,7 +11,7 @@ from program import Program
 from report import ROOT
 from results import RESULTS, stamp, write_results
 
-JUDGED = ("cage_stress_rms_MPa", "cage_stress_peak_MPa", "orbit_slip_ratio", "friction_torque_Nmm", "pocket_force_rms_N")
+JUDGED = ("cage_stress_rms_MPa", "cage_stress_peak_MPa", "driving_slip_ratio", "friction_torque_Nmm", "pocket_force_rms_N")
 
 
 def row_of(found):

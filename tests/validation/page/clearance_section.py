@@ -14,7 +14,7 @@ STARTS = 5
 MUCH = 1.3  # ratio of peaks between starts that is looked into
 LONG_SETTLING = 30  # cage revolutions
 QUANTITIES = (("peak bar force, N", "pocket_force_peak_N", 1), ("rms bar force, N", "pocket_force_rms_N", 1),
-              ("slip, %", "orbit_slip_ratio", 100), ("torque, N mm", "friction_torque_Nmm", 1))
+              ("slip, %", "driving_slip_ratio", 100), ("torque, N mm", "friction_torque_Nmm", 1))
 
 
 def measured(page, program, half, starts, more=()):
@@ -80,7 +80,7 @@ def several_motions(page, program, by_half, starts):
         late = measured(page, program, half, starts, {"window.settle_revolutions": LONG_SETTLING})
         for name, of in (("2", values), (f"{LONG_SETTLING}", late)):
             rows.append([f"{half:g}", name, ", ".join(number(p) for p in of["pocket_force_peak_N"]),
-                         ", ".join(number(s) for s in of["orbit_slip_ratio"])])
+                         ", ".join(number(s) for s in of["driving_slip_ratio"])])
     page.add("### One cage, several motions", "",
              f"Clearances at which the largest peak of the starts is {MUCH:g} times the least or more, again after",
              f"{LONG_SETTLING} turns of settling. What then differs between starts lasts: the motion of such a cage depends",
@@ -98,7 +98,7 @@ def judge(page, by_half):
     def means(key):
         return {half: mean(v[key]) for half, v in by_half.items() if v[key]}
 
-    peak, slip, torque = (means(k) for k in ("pocket_force_peak_N", "orbit_slip_ratio", "friction_torque_Nmm"))
+    peak, slip, torque = (means(k) for k in ("pocket_force_peak_N", "driving_slip_ratio", "friction_torque_Nmm"))
     best = min(peak, key=peak.get)
     page.bar("pocket clearance", "least peak bar force at 10 to 40 um", f"{best:g} um",
              10 <= best <= 40)

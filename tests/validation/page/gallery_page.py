@@ -78,7 +78,7 @@ def facts(scene):
 def results(run):
     """Main results, one a line."""
     said = [f"friction torque **{number(run['friction_torque_Nmm'])} N mm**, {number(run['power_loss_W'])} W",
-            f"slip of the rollers' orbit {percent(run['orbit_slip_ratio'])} %",
+            f"slip of the rollers that drive {percent(run['driving_slip_ratio'])} %",
             f"largest race pressure {number(run['race_pressure_peak_MPa'])} MPa"]
     if run["lambda_min_ratio"] > 0:
         said.append(f"smallest film over roughness {number(run['lambda_min_ratio'])}")

@@ -21,7 +21,7 @@ def rolling_by_race(page, program, quick):
         cold = sum(static_rolling(b, b.load))
         rows.append([b.title, f"{b.load:g}", f"{b.rpm:g}", number(rolling_kinematics(b, b.rpm)[2]),
                      number(centrifugal_force(b, b.rpm)), number(inner), number(outer), number(cold),
-                     number(1e3 * run["power_rolling_W"] / (b.rpm * pi / 30)), percent(run["orbit_slip_ratio"])])
+                     number(1e3 * run["power_rolling_W"] / (b.rpm * pi / 30)), percent(run["driving_slip_ratio"])])
     page.table(["bearing", "load, N", "r/min", "u, m/s", "centrifugal force of a roller, N", "inner race", "outer race",
                 "both, isothermal", "run", "slip of the run, %"], rows)
 
@@ -39,7 +39,7 @@ def one_off_at_a_time(page, program):
         if page.note_failure(f"{AERO.title}, {name}", run):
             rows.append([name, run.status] + ["-"] * len(names))
             continue
-        rows.append([name, percent(run["orbit_slip_ratio"]), number(run["friction_torque_Nmm"])]
+        rows.append([name, percent(run["driving_slip_ratio"]), number(run["friction_torque_Nmm"])]
                     + [number(1e3 * run[f"power_{key}_W"] / (AERO.rpm * pi / 30)) for key in keys])
     page.table(["", "slip, %", *names], rows)
 

@@ -18,7 +18,7 @@ from results import RESULTS, stamp, write_results
 SCENES = ("nu208-brass", "bore10-small", "nu2322-gearbox", "n1014-spindle", "aero118-outer")
 WINDOW = {"window.settle_revolutions": 0.5, "window.measure_revolutions": 1.0}
 WITHIN = 0.05  # of the mean
-QUANTITIES = {"displacement": "ring_displacement_mean_um", "torque": "friction_torque_Nmm", "slip": "orbit_slip_ratio",
+QUANTITIES = {"displacement": "ring_displacement_mean_um", "torque": "friction_torque_Nmm", "slip": "driving_slip_ratio",
               "pocket force, rms": "pocket_force_rms_N", "stress, rms": "cage_stress_rms_MPa"}
 SHIFTS = {"rigid-5: pocket force": ("pocket_force_rms_N", ("rigid-5",)),
           "flexible-6, bars: stress": ("cage_stress_rms_MPa", ("flexible-6", "bars"))}

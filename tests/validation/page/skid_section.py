@@ -6,7 +6,7 @@ from statistics import mean, stdev
 
 from matplotlib import pyplot
 
-from bearings import NU205, NU208
+from bearings import NU205, NU208, NU215
 from report import WIDTH, logarithmic, number, percent, signed_percent
 from torque_models import SERIES, ntn_minimum_load, schaeffler_minimum_load, skf_minimum_load
 
@@ -15,6 +15,9 @@ SPEEDS = {NU205: (3000, 6000, 12000), NU208: (3000, 6000, 9000)}
 LOADS = {NU205: (20, 50, 100, 130, 160, 200, 300, 450, 1000), NU208: (50, 100, 200, 300, 450, 700, 1000, 2000)}
 START_LOADS = (60, 80, 100, 120, 140, 160, 180)  # around a tenth at 6000 r/min
 STARTS = 20
+LOADED_SPEEDS = (1000, 3000, 5000)  # NU 215
+LOADED_SHARES = (0.25, 0.5, 1, 2, 4)  # of SKF's minimum load
+LOADED_MOST = 0.04  # slip at that load, by published tests of this bearing
 HISTORY_LOADS = (50, 150, 300, 1000)
 LONG_SETTLING = 50  # cage revolutions
 
@@ -38,13 +41,13 @@ def start_of(bearing, draw):
 
 
 def slip_over_load(page, program, bearing, speeds, loads):
-    """{speed: {load: orbit slip}}"""
+    """{speed: {load: slip of the rollers that drive}}"""
     found = {}
     for rpm in speeds:
         for load in loads:
             run = program.run(bearing.scene, bearing.settings | {"load.radial_N": load, "speed.inner_rpm": rpm})
             if not page.note_failure(f"slip, {bearing.title}, {load:g} N, {rpm:g} r/min", run):
-                found.setdefault(rpm, {})[load] = run["orbit_slip_ratio"]
+                found.setdefault(rpm, {})[load] = run["driving_slip_ratio"]
     return found
 
 
@@ -59,7 +62,7 @@ def draw_slip(found):
         logarithmic(axis, (20, 50, 100, 200, 500, 1000, 2000))
         axis.set_xlim(0.9 * LOADS[bearing][0], 1.1 * LOADS[bearing][-1])
         axis.set_xlabel("load [N]")
-        axis.set_ylabel("slip of the rollers' orbit [%]")
+        axis.set_ylabel("slip of the driving rollers [%]")
         axis.set_title(f"{bearing.title} (dotted: SKF's minimum load)")
         axis.legend()
     return figure
@@ -71,7 +74,7 @@ def over_load_and_speed(page, program, quick):
     for bearing in ((NU205,) if quick else SPEEDS):
         speeds, loads = ((6000,), (160,)) if quick else (SPEEDS[bearing], LOADS[bearing])
         found[bearing] = slip_over_load(page, program, bearing, speeds, loads)
-        page.add(f"### {bearing.title}: slip of the rollers' orbit (`orbit_slip_ratio`), %", "")
+        page.add(f"### {bearing.title}: slip of the rollers that drive (`driving_slip_ratio`), %", "")
         page.table(["r/min"] + [f"{load:g} N" for load in loads],
                    [[f"{rpm:g}"] + [percent(found[bearing].get(rpm, {}).get(load, float("nan")), 3) for load in loads]
                     for rpm in speeds])
@@ -107,7 +110,7 @@ def over_starts(page, program, quick):
             run = program.run(NU205.scene, NU205.settings | start | {"load.radial_N": load})
             if page.note_failure(f"start {k}, NU 205, {load:g} N", run):
                 continue
-            slips.append(run["orbit_slip_ratio"])
+            slips.append(run["driving_slip_ratio"])
             torques.append(run["friction_torque_Nmm"])
             per_start[k][load] = slips[-1]
         means[load] = mean(slips)
@@ -126,6 +129,25 @@ def over_starts(page, program, quick):
              f"{number(tenth)} N", tenth is not None and 120 <= tenth <= 230)
 
 
+def at_least_loads(page, program, quick):
+    page.add("### NU 215: slip of the rollers that drive at SKF's minimum load, %", "")
+    rows, at_least, falls = [], [], True
+    for rpm in LOADED_SPEEDS[:1] if quick else LOADED_SPEEDS:
+        least = skf_minimum_load(SERIES[NU215.series], NU215.bore, NU215.outside, rpm, NU215.reference_rpm)
+        slips = []
+        for share in LOADED_SHARES:
+            run = program.run(NU215.scene, NU215.settings | {"load.radial_N": round(share * least), "speed.inner_rpm": rpm})
+            page.note_failure(f"slip, NU 215, {share * least:.0f} N, {rpm} r/min", run)
+            slips.append(run["driving_slip_ratio"])
+        at_least.append(slips[LOADED_SHARES.index(1)])
+        falls &= all(a > b for a, b in zip(slips, slips[1:]))
+        rows.append([f"{rpm}", f"{least:.0f}"] + [percent(slip, 3) for slip in slips])
+    page.table(["r/min", "minimum load, N"] + [f"{share:g} of it" for share in LOADED_SHARES], rows)
+    page.bar("slip, NU 215, at SKF's minimum load", f"at most {percent(LOADED_MOST)} %", percent(max(at_least)) + " %",
+             max(at_least) <= LOADED_MOST)
+    page.bar("slip, NU 215", "falls with load", "falls" if falls else "does not", falls)
+
+
 def from_two_states(page, program, quick):
     page.add("### NU 205, 6000 r/min: is the state reached the only one?", "",
              "From pure rolling, and from 30 % slip: there the inner ring turns at 4200 r/min at the start, all else",
@@ -140,7 +162,7 @@ def from_two_states(page, program, quick):
                 for more in ({}, rolling, slipping)]
         for name, run in zip(("steady start", "from rolling", "from 30 % slip"), runs):
             page.note_failure(f"{name}, NU 205, {load:g} N", run)
-        speed = [1 - run["orbit_slip_ratio"] for run in runs]
+        speed = [1 - run["driving_slip_ratio"] for run in runs]
         apart = abs(speed[2] / speed[1] - 1)
         worst = max(worst, apart)
         torque = [run["friction_torque_Nmm"] for run in runs]
@@ -156,4 +178,5 @@ def skid_section(page, program, quick):
     page.heading("Skidding against the makers' minimum loads")
     over_load_and_speed(page, program, quick)
     over_starts(page, program, quick)
+    at_least_loads(page, program, quick)
     from_two_states(page, program, quick)

@@ -102,7 +102,7 @@ def torque_section(page, program, quick):
                 page.bar(f"torque, {bearing.title}, {load:g} N, {rpm:g} r/min",
                          f"within a factor of {bar:g} of the nearer model", number(factor), factor <= bar)
             rows.append([number(load), number(rpm), number(torque), number(skf), number(palmgren), number(ratio),
-                         f"{bar:g}: {verdict(factor <= bar)}" if bar else "-", percent(run["orbit_slip_ratio"])]
+                         f"{bar:g}: {verdict(factor <= bar)}" if bar else "-", percent(run["driving_slip_ratio"])]
                         + [percent(s) for s in shares(run)])
         page.add(f"### {bearing.title}", "")
         page.table(["load, N", "r/min", "torque", "SKF", "Palmgren", "ratio", "bar", "slip, %"]

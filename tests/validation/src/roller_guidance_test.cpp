@@ -50,8 +50,8 @@ inner_rpm = 6000
   if (oiled) scene.lubrication.model = LubricationModel::film;
   scene.cage.guidance = Guidance::roller;
   const double pitch = pitch_radius(scene.bearing), roller = scene.roller.diameter[0] / 2;
-  scene.cage.retention_inner = retention_width(scene.cage, pitch, roller, 0, kPlay);
-  scene.cage.retention_outer = retention_width(scene.cage, pitch, roller, 1, kPlay);
+  scene.cage.retention_inner = {retention_width(scene.cage, pitch, roller, 0, kPlay)};
+  scene.cage.retention_outer = {retention_width(scene.cage, pitch, roller, 1, kPlay)};
   return scene;
 }
 
@@ -59,7 +59,7 @@ inner_rpm = 6000
 Scene moulded(bool oiled) {
   Scene scene = nu208(oiled);
   scene.cage.material = {"pa66-gf25"};
-  scene.cage.retention_inner = scene.cage.retention_outer = kAuto;
+  scene.cage.retention_inner = scene.cage.retention_outer = {kAuto};
   scene.cage.face_radius = 5.75e-3;
   return scene;
 }
