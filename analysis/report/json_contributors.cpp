@@ -49,17 +49,18 @@ std::vector<Output> outputs_of(const ReportBasis& basis) {
   return outputs;
 }
 
-Json rank_json(const StudyDesign& design, const Feature& feature, const Output& output) {
+Json rank_json(const StudyData& runs, const Feature& feature, const Output& output) {
   try {
-    return number(rank_share(design, feature.values, output.values));
+    return number(rank_share(runs, feature.values, output.values));
   } catch (const Refused&) {
     return Json();
   }
 }
 
-Json response_json(const Feature& feature, const Output& output) {
+Json response_json(const Feature& feature, const Output& output, const Lots& lots) {
   Json points = Json::array();
-  for (const ResponsePoint& point : response_curve(feature.values, output.values, kResponsePoints))
+  for (const ResponsePoint& point :
+       response_curve(feature.values, output.values, kResponsePoints, lots))
     points.push_back({{"feature", number(point.feature)},
                       {"mean", number(point.mean)},
                       {"standard_error", number(point.standard_error)}});
@@ -147,10 +148,12 @@ Json groups_json(const ReportBasis& basis, const std::vector<Output>& outputs) {
 Json contributors_json(const ReportBasis& basis) {
   const auto features = cage_features(basis.runs);
   const auto outputs = outputs_of(basis);
+  const Lots lots = lots_of(basis.resampling);
   std::vector<Binning> binnings;
   Json feature_list = Json::array();
   for (const Feature& feature : features) {
-    binnings.push_back(make_binning(feature.values));
+    binnings.push_back(
+        make_binning(feature.values, bin_count(independent_values(feature.values, lots))));
     feature_list.push_back({{"name", feature.name},
                             {"input", feature.input},
                             {"unit", feature.unit},
@@ -167,7 +170,7 @@ Json contributors_json(const ReportBasis& basis) {
           binned_share_estimate(binnings[f], output.values, basis.resampling, basis.confidence);
       Json entry = to_json(share);
       entry["feature"] = features[f].name;
-      entry["rank_estimate"] = rank_json(basis.study.design, features[f], output);
+      entry["rank_estimate"] = rank_json(basis.runs, features[f], output);
       shares.push_back(std::move(entry));
       if (share.value > largest) largest = share.value, top = f;
     }
@@ -178,7 +181,7 @@ Json contributors_json(const ReportBasis& basis) {
     if (!features.empty())
       entry["response"] = {{"feature", features[top].name},
                            {"unit", features[top].unit},
-                           {"points", response_json(features[top], output)}};
+                           {"points", response_json(features[top], output, lots)}};
     matrix.push_back(std::move(entry));
   }
   return {{"features", feature_list},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "analysis/statistics/order_statistics.hpp"
 
@@ -15,7 +17,7 @@ constexpr double kFewestForLine = 4;
 
 /// Weighted sums over a class: feature less the class' mean (x), output (y).
 struct Sums {
-  double count = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  double count = 0, x = 0, y = 0, xx = 0, xy = 0, slope = 0;
 
   void add(double dx, double dy, double w) {
     count += w;
@@ -23,23 +25,14 @@ struct Sums {
     y += w * dy;
     xx += w * dx * dx;
     xy += w * dx * dy;
-    yy += w * dy * dy;
   }
+  double spread() const { return xx - x * x / count; }
 };
 
-/// Scatter of the output around the straight line of its class, and the parameters that it took.
-struct Residual {
-  double squares = 0, parameters = 1;
+/// What the runs of one lot have in one class.
+struct Part {
+  double count = 0, x = 0, weight = 0;
 };
-Residual residual_of(const Sums& sums) {
-  Residual residual{sums.yy - sums.y * sums.y / sums.count, 1};
-  const double xx = sums.xx - sums.x * sums.x / sums.count;
-  const double xy = sums.xy - sums.x * sums.y / sums.count;
-  if (sums.count < kFewestForLine || !(xx > 1e-9 * sums.xx)) return residual;
-  residual.squares = std::max(residual.squares - xy * xy / xx, 0.0);
-  residual.parameters = 2;
-  return residual;
-}
 
 }  // namespace
 
@@ -47,6 +40,13 @@ std::size_t bin_count(std::size_t runs) {
   const double half_root = 0.5 * std::sqrt(static_cast<double>(runs));
   return std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(half_root)), 4,
                                  kMostBins / 2);
+}
+
+std::size_t independent_values(std::span<const double> feature, const Lots& lots) {
+  std::set<std::pair<std::size_t, double>> distinct;
+  for (std::size_t i = 0; i < feature.size(); ++i)
+    distinct.emplace(lots.count > 0 ? lots.of[i] : i, feature[i]);
+  return distinct.size();
 }
 
 Binning make_binning(std::span<const double> feature, std::size_t bins) {
@@ -82,25 +82,50 @@ Binning make_binning(std::span<const double> feature, std::size_t bins) {
 }
 
 double binned_share(const Binning& binning, std::span<const double> output,
-                    std::span<const double> weights) {
+                    std::span<const double> weights, const Lots& lots) {
   std::array<Sums, kMostBins> sums{};
-  Sums all;
+  std::vector<Part> parts(binning.bins * lots.count);
+  double squares = 0, runs = 0;
   for (std::size_t i = 0; i < output.size(); ++i) {
     const double w = weights[i];
     if (w == 0 || std::isnan(output[i])) continue;
-    sums[binning.bin_of[i]].add(binning.offset[i], output[i], w);
-    all.add(0, output[i], w);
+    const std::size_t bin = binning.bin_of[i];
+    sums[bin].add(binning.offset[i], output[i], w);
+    squares += w * output[i] * output[i];
+    runs += w;
+    if (lots.count == 0) continue;
+    Part& part = parts[bin * lots.count + lots.of[i]];
+    part.count += 1;
+    part.x += binning.offset[i];
+    part.weight = w;
   }
-  double within = 0, used = 0;
+  double used = 0, shared = 0;  // traces of the fit and of its blocks of lots
   for (std::size_t bin = 0; bin < binning.bins; ++bin) {
-    if (sums[bin].count == 0) continue;
-    const Residual residual = residual_of(sums[bin]);
-    within += residual.squares;
-    used += residual.parameters;
+    Sums& at = sums[bin];
+    if (at.count == 0) continue;
+    double same = lots.count == 0 ? at.count : 0, tilt = 0;
+    for (std::size_t lot = 0; lot < lots.count; ++lot) {
+      const Part& part = parts[bin * lots.count + lot];
+      same += part.weight * part.count * part.count;
+      tilt += part.weight * std::pow(part.x - part.count * at.x / at.count, 2);
+    }
+    used += 1;
+    shared += same / at.count;
+    // A line takes at least four independent runs.
+    if (at.count * at.count < kFewestForLine * same || !(at.spread() > 1e-9 * at.xx)) continue;
+    at.slope = (at.xy - at.x * at.y / at.count) / at.spread();
+    used += 1;
+    shared += lots.count == 0 ? 1 : tilt / at.spread();
   }
-  const double whole = all.yy - all.y * all.y / all.count;
-  if (!(whole > 1e-12 * all.yy) || all.count - used < 1) return kUndefined;
-  return 1 - within / (all.count - used) / (whole / (all.count - 1));
+  std::vector<double> residual(output.size(), kUndefined);
+  for (std::size_t i = 0; i < output.size(); ++i) {
+    const Sums& at = sums[binning.bin_of[i]];
+    if (weights[i] == 0) continue;
+    residual[i] = output[i] - at.y / at.count - at.slope * (binning.offset[i] - at.x / at.count);
+  }
+  const double whole = whole_variance(output, weights, lots);
+  if (!(whole > 1e-12 * squares / runs)) return kUndefined;
+  return 1 - residual_variance(residual, weights, lots, used, shared) / whole;
 }
 
 Estimate binned_share_estimate(const Binning& binning, std::span<const double> output,
@@ -114,12 +139,13 @@ Estimate binned_share_estimate(const Binning& binning, std::span<const double> o
   for (double& y : centred) y -= mean;
 
   double excess = 0, count = 0;
+  const Lots lots = lots_of(resampling);
   const std::vector<double> ones(output.size(), 1.0);
-  const double value = binned_share(binning, centred, ones);
+  const double value = binned_share(binning, centred, ones, lots);
   bool at_value = true;  // the first call is the estimate itself, the others are resamples
   Estimate estimate = resampling.estimate(
       [&](std::span<const double> weights) {
-        const double share = binned_share(binning, centred, weights);
+        const double share = binned_share(binning, centred, weights, lots);
         if (!at_value && !std::isnan(share)) excess += share - value, count += 1;
         at_value = false;
         return share;
@@ -132,10 +158,11 @@ Estimate binned_share_estimate(const Binning& binning, std::span<const double> o
 }
 
 std::vector<ResponsePoint> response_curve(std::span<const double> feature,
-                                          std::span<const double> output, std::size_t bins) {
+                                          std::span<const double> output, std::size_t bins,
+                                          const Lots& lots) {
   const Binning binning = make_binning(feature, bins);
   std::vector<ResponsePoint> points(binning.bins);
-  std::vector<double> count(binning.bins), squares(binning.bins);
+  std::vector<double> count(binning.bins), squares(binning.bins), groups(binning.bins);
   for (std::size_t i = 0; i < output.size(); ++i) {
     if (std::isnan(output[i])) continue;
     const std::size_t bin = binning.bin_of[i];
@@ -147,14 +174,20 @@ std::vector<ResponsePoint> response_curve(std::span<const double> feature,
     points[bin].feature /= count[bin];
     points[bin].mean /= count[bin];
   }
+  std::map<std::pair<std::size_t, std::size_t>, double> sums;  // of a class and a lot
   for (std::size_t i = 0; i < output.size(); ++i) {
     if (std::isnan(output[i])) continue;
     const std::size_t bin = binning.bin_of[i];
-    squares[bin] += (output[i] - points[bin].mean) * (output[i] - points[bin].mean);
+    sums[{bin, lots.count > 0 ? lots.of[i] : i}] += output[i] - points[bin].mean;
+  }
+  for (const auto& [where, sum] : sums) {
+    squares[where.first] += sum * sum;
+    groups[where.first] += 1;
   }
   for (std::size_t bin = 0; bin < binning.bins; ++bin)
-    points[bin].standard_error =
-        count[bin] > 1 ? std::sqrt(squares[bin] / (count[bin] - 1) / count[bin]) : kUndefined;
+    if (groups[bin] > 1)
+      points[bin].standard_error =
+          std::sqrt(squares[bin] * groups[bin] / (groups[bin] - 1)) / count[bin];
   return points;
 }
 

@@ -11,15 +11,19 @@
 //
 //   S = 1 - (SSW / (W - P)) / (SST / (W - 1)),   W the number of runs, SSW the scatter around lines
 //
+// Runs of one lot have the deviation of the lot in common. Both mean squares are then those of
+// statistics/lot_variance.hpp: a feature of lots has as many independent values as there are lots.
+//
 // Its mean is zero for an X without effect; it can be slightly negative. A class of fewer than
-// four runs, or of one value of X, has its mean instead of a line. What is curved within a class
-// is still lost, so M grows with N: M = sqrt(N) / 2, within 4 .. 32.
+// four lots, or of one value of X, has its mean instead of a line. What is curved within a class
+// is still lost, so M grows with N: M = sqrt(N) / 2, within 4 .. 32, N the
+// number of independent values.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "analysis/statistics/resampling.hpp"
+#include "analysis/statistics/lot_variance.hpp"
 
 namespace cagetol {
 
@@ -32,6 +36,9 @@ struct Binning {
 
 std::size_t bin_count(std::size_t runs);
 
+/// Values of the feature, those that are the same for all runs of a lot counted once a lot.
+std::size_t independent_values(std::span<const double> feature, const Lots& lots);
+
 /// `bins` classes with equal numbers of samples; equal values are in the same class. 0:
 /// bin_count().
 Binning make_binning(std::span<const double> feature, std::size_t bins = 0);
@@ -39,7 +46,7 @@ Binning make_binning(std::span<const double> feature, std::size_t bins = 0);
 /// The share from weighted runs, without samples whose output is NaN. NaN if the output does not
 /// vary.
 double binned_share(const Binning& binning, std::span<const double> output,
-                    std::span<const double> weights);
+                    std::span<const double> weights, const Lots& lots = {});
 
 /// The share with its interval. Resamples contain repeated runs, so their shares are too large; the
 /// interval is shifted by the mean excess over the estimate.
@@ -47,11 +54,12 @@ Estimate binned_share_estimate(const Binning& binning, std::span<const double> o
                                const Resampling& resampling, double confidence);
 
 /// Mean of the output in each class with its standard error, and the mean feature value of the
-/// class.
+/// class. The standard error is that of the sums over lots.
 struct ResponsePoint {
-  double feature = 0, mean = 0, standard_error = 0;
+  double feature = 0, mean = 0, standard_error = kUndefined;
 };
 std::vector<ResponsePoint> response_curve(std::span<const double> feature,
-                                          std::span<const double> output, std::size_t bins);
+                                          std::span<const double> output, std::size_t bins,
+                                          const Lots& lots = {});
 
 }  // namespace cagetol

@@ -3,20 +3,23 @@
 #include <cmath>
 
 #include "analysis/statistics/order_statistics.hpp"
+#include "analysis/statistics/resampling.hpp"
 #include "analysis/study/estimate.hpp"
 #include "analysis/study/refused.hpp"
 
 namespace cagetol {
 
-double rank_share(const StudyDesign& design, std::span<const double> feature,
+double rank_share(const StudyData& runs, std::span<const double> feature,
                   std::span<const double> output) {
-  if (design.kind != "random")
-    throw Refused("the rank estimator is refused on a `" + design.kind +
-                  "` design: it needs independent rows, and fails on scrambled Sobol' points at "
-                  "any number of runs");
+  require_independent_runs(runs, "the rank estimator");
   std::vector<double> in_order;
-  for (const std::size_t i : ascending_order(feature))
-    if (!std::isnan(output[i])) in_order.push_back(output[i]);
+  double before = kUndefined;
+  for (const std::size_t i : ascending_order(feature)) {
+    if (std::isnan(output[i])) continue;
+    if (feature[i] == before) throw Refused("the rank estimator refused: equal values");
+    before = feature[i];
+    in_order.push_back(output[i]);
+  }
   const auto count = static_cast<double>(in_order.size());
   if (in_order.size() < 2) return kUndefined;
   double mean = 0;

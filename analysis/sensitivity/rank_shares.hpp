@@ -13,8 +13,9 @@
 
 namespace cagetol {
 
-/// Throws Refused for all designs except `random`.
-double rank_share(const StudyDesign& design, std::span<const double> feature,
+/// Throws Refused unless runs are independent and no value of the feature occurs twice: the order of
+/// equal values is arbitrary.
+double rank_share(const StudyData& runs, std::span<const double> feature,
                   std::span<const double> output);
 
 }  // namespace cagetol

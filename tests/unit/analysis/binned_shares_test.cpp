@@ -187,6 +187,76 @@ TEST(NightlyBinnedShares, IntervalsCoverNormalInputs) {
     }
 }
 
+/// Cages in lots: Y = sqrt(share) X + what the lot does else + what the cage does else. X is a
+/// feature of the lot, or half of it of the cage.
+struct InLots {
+  std::vector<double> feature, output;
+};
+InLots draw_in_lots(std::size_t cages_per_lot, bool of_lot, double share, int repeat) {
+  InLots drawn;
+  const auto normal = [](RandomStream& stream) { return gsl_cdf_ugaussian_Pinv(stream.next()); };
+  double shared = 0, lot_effect = 0;
+  for (std::size_t i = 0; i < 200; ++i) {
+    RandomStream stream(9000 + static_cast<std::uint64_t>(repeat), Purpose::lot, i);
+    const double own = normal(stream), cage_effect = normal(stream);
+    if (i % cages_per_lot == 0) shared = normal(stream), lot_effect = normal(stream);
+    drawn.feature.push_back(of_lot ? shared : std::sqrt(0.5) * (shared + own));
+    drawn.output.push_back(std::sqrt(share) * drawn.feature.back() +
+                           std::sqrt(0.5 * (1 - share)) * (lot_effect + cage_effect));
+  }
+  return drawn;
+}
+
+/// Mean estimate and the percentage of 300 repeats whose interval holds the share.
+std::pair<double, double> lot_coverage(std::size_t cages_per_lot, bool of_lot, double share) {
+  double mean = 0, held = 0;
+  for (int repeat = 0; repeat < 300; ++repeat) {
+    const InLots drawn = draw_in_lots(cages_per_lot, of_lot, share, repeat);
+    const Resampling resampling(
+        plain_study(200, "random", static_cast<std::int64_t>(cages_per_lot), repeat + 1), 200);
+    const std::size_t bins = bin_count(of_lot ? 200 / cages_per_lot : 200);
+    const Estimate estimate =
+        binned_share_estimate(make_binning(drawn.feature, bins), drawn.output, resampling, 0.95);
+    mean += estimate.value / 300;
+    held += (estimate.lower <= share && share <= estimate.upper) / 3.0;
+  }
+  return {mean, held};
+}
+
+TEST(BinnedShares, NullFeaturesOfLotsHaveNoShare) {
+  for (const std::size_t cages : {1, 2, 5, 10, 20})
+    for (const bool of_lot : {true, false}) {
+      const auto [mean, held] = lot_coverage(cages, of_lot, 0);
+      EXPECT_NEAR(mean, 0, 0.03) << cages << " " << of_lot;
+      EXPECT_GE(held, 91.5) << cages << " " << of_lot;
+    }
+}
+
+TEST(BinnedShares, OfFeaturesOfLotsAreHeldWhereLotsAreMany) {
+  for (const std::size_t cages : {1, 2, 5}) {
+    const auto [mean, held] = lot_coverage(cages, true, 0.3);
+    EXPECT_NEAR(mean, 0.3, 0.03) << cages;
+    EXPECT_GE(held, 91) << cages;
+  }
+}
+
+TEST(BinnedShares, IndependentValuesOfLots) {
+  const std::vector<std::size_t> lot{0, 0, 1, 1};
+  const std::vector<double> shared{5, 5, 5, 5}, own{1, 2, 3, 3};
+  EXPECT_EQ(independent_values(shared, {2, lot}), 2u);
+  EXPECT_EQ(independent_values(own, {2, lot}), 3u);
+  EXPECT_EQ(independent_values(shared, {}), 4u);
+}
+
+TEST(ResponseCurve, StandardErrorOfLots) {
+  // Two lots of 50 runs alike: two values, whose mean has the standard error 1.
+  std::vector<std::size_t> lot;
+  std::vector<double> feature(100, 3.0), output;
+  for (std::size_t i = 0; i < 100; ++i) lot.push_back(i / 50), output.push_back(i < 50 ? 0 : 2);
+  EXPECT_NEAR(response_curve(feature, output, 1, {2, lot})[0].standard_error, 1, 1e-12);
+  EXPECT_NEAR(response_curve(feature, output, 1)[0].standard_error, std::sqrt(1 / 99.0), 1e-12);
+}
+
 TEST(ResponseCurve, FollowsTheFunction) {
   const Drawn drawn = draw(3000, 2, 15, [](const auto& u) { return u[0] * u[0]; });
   const auto points = response_curve(drawn.inputs[0], drawn.output, 10);
@@ -197,19 +267,23 @@ TEST(ResponseCurve, FollowsTheFunction) {
 
 TEST(RankShares, AgreeOnIndependentRows) {
   const Drawn drawn = draw(8192, 3, 16, ishigami);
-  StudyDesign design;
-  design.kind = "random";
   for (std::size_t d = 0; d < 3; ++d)
-    EXPECT_NEAR(rank_share(design, drawn.inputs[d], drawn.output), kIshigami[d], 0.04) << d;
+    EXPECT_NEAR(rank_share(plain_study(8192), drawn.inputs[d], drawn.output), kIshigami[d], 0.04)
+        << d;
 }
 
 TEST(RankShares, RefusedOnScrambledSobolPoints) {
   const Drawn drawn = draw(64, 1, 17, [](const auto& u) { return u[0]; });
   for (const char* kind : {"sobol", "lhs", "grid", "pick-freeze"}) {
-    StudyDesign design;
-    design.kind = kind;
-    EXPECT_THROW(rank_share(design, drawn.inputs[0], drawn.output), Refused) << kind;
+    EXPECT_THROW(rank_share(plain_study(64, kind), drawn.inputs[0], drawn.output), Refused) << kind;
   }
+}
+
+TEST(RankShares, RefusedOnLotsAndOnEqualValues) {
+  Drawn drawn = draw(64, 1, 17, [](const auto& u) { return u[0]; });
+  EXPECT_THROW(rank_share(plain_study(64, "random", 4), drawn.inputs[0], drawn.output), Refused);
+  drawn.inputs[0][7] = drawn.inputs[0][40];
+  EXPECT_THROW(rank_share(plain_study(64), drawn.inputs[0], drawn.output), Refused);
 }
 
 }  // namespace

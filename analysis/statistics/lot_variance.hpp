@@ -1,0 +1,37 @@
+// Variance of a run around a fit, from runs that share lots.
+//
+// The residual of a run is that of its lot plus its own, with the variances b and w (one-way random
+// effects; Searle, Casella & McCulloch 1992, Variance Components, ch. 3). With H the matrix of the
+// fit, W runs, P = tr(H) and R the sum of H over all pairs of runs of one lot, the mean residual
+// scatter is
+//
+//   E[SS] = w (W - P) + b (W - R)
+//
+// and w is the mean square of residuals within lots. A fit to a feature of lots has R = n P for n
+// runs a lot: only lots give it degrees of freedom. With one run a lot w + b = SS / (W - P).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analysis/statistics/resampling.hpp"
+
+namespace cagetol {
+
+/// Lots of several runs; count 0: every run is a lot of its own.
+struct Lots {
+  std::size_t count = 0;
+  std::span<const std::size_t> of;
+};
+Lots lots_of(const Resampling& resampling);
+
+/// w + b. Runs of weight 0 or with a NaN are left out; the runs of a lot have one weight, and count
+/// as lots of their own as often as it says. `traces`: P and R. NaN if lots are too few.
+double residual_variance(std::span<const double> residuals, std::span<const double> weights,
+                         const Lots& lots, double fitted, double fitted_in_lots);
+
+/// Of a run around the mean.
+double whole_variance(std::span<const double> values, std::span<const double> weights,
+                      const Lots& lots);
+
+}  // namespace cagetol
