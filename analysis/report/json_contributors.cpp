@@ -118,7 +118,7 @@ Json groups_json(const ReportBasis& basis, const std::vector<Output>& outputs) {
         const double noise =
             column == nullptr
                 ? 0.0
-                : noise_share(basis.study, column->values, basis.confidence, 0).share.value;
+                : noise_share(basis.study, column->values, basis.confidence).share.value;
         const bool corrected = column != nullptr && !std::isnan(noise);
         entry["corrected_for_noise"] = corrected;
         for (const GroupShares& group :

@@ -18,7 +18,6 @@ namespace {
 constexpr double kMeanPrecision = 0.02, kQuantilePrecision = 0.05;
 constexpr std::size_t kFewestForLook = 32;
 constexpr std::size_t kResamplesOfLook = 300;
-constexpr std::size_t kResamplesOfNoise = 500;
 
 const Limit* limit_of(const StudyPlan& plan, const std::string& quantity) {
   for (const Limit& limit : plan.limits)
@@ -102,8 +101,7 @@ Json quantities_json(const ReportBasis& basis) {
     const Summary summary =
         summarise(basis.runs, column.values, basis.resampling, basis.confidence);
     const NoiseShare noise =
-        noise_share(basis.study, find_quantity(basis.study, column.name)->values, basis.confidence,
-                    kResamplesOfNoise);
+        noise_share(basis.study, find_quantity(basis.study, column.name)->values, basis.confidence);
     const Limit* limit = limit_of(basis.study.plan, column.name);
     Json entry{
         {"quantity", column.name}, {"unit", column.unit}, {"definition", column.description}};

@@ -123,9 +123,9 @@ double binned_share(const Binning& binning, std::span<const double> output,
     if (weights[i] == 0) continue;
     residual[i] = output[i] - at.y / at.count - at.slope * (binning.offset[i] - at.x / at.count);
   }
-  const double whole = whole_variance(output, weights, lots);
+  const double whole = run_variance(output, weights, lots).whole();
   if (!(whole > 1e-12 * squares / runs)) return kUndefined;
-  return 1 - residual_variance(residual, weights, lots, used, shared) / whole;
+  return 1 - residual_variance(residual, weights, lots, used, shared).whole() / whole;
 }
 
 Estimate binned_share_estimate(const Binning& binning, std::span<const double> output,

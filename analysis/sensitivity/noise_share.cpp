@@ -1,12 +1,12 @@
 #include "analysis/sensitivity/noise_share.hpp"
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "analysis/statistics/order_statistics.hpp"
-#include "analysis/statistics/summary.hpp"
-#include "distributions/basics/random_stream.hpp"
+#include "analysis/statistics/lot_variance.hpp"
 
 namespace cagetol {
 namespace {
@@ -15,76 +15,86 @@ namespace {
 constexpr std::size_t kFewestRows = 8;
 
 struct Row {
-  double first = kUndefined;       ///< value of the first run
-  double square = 0, freedom = 0;  ///< sum of squares within the row
+  double first = kUndefined;              ///< value of the first run
+  double runs = 0, mean = 0, square = 0;  ///< sum of squares within the row
+  std::int64_t lot = 0;
 };
 
 std::vector<Row> rows_of(const StudyData& study, std::span<const double> output) {
-  std::map<std::int64_t, std::vector<double>> values;
-  std::map<std::int64_t, double> first;
+  std::map<std::int64_t, Row> rows;
   for (std::size_t i = 0; i < study.size(); ++i) {
     if (std::isnan(output[i])) continue;
-    values[study.row[i]].push_back(output[i]);
-    if (study.replicate[i] == 0) first[study.row[i]] = output[i];
+    Row& row = rows[study.row[i]];
+    if (study.replicate[i] == 0) row.first = output[i];
+    row.lot = study.lot[i];
+    const double step = output[i] - row.mean;
+    row.mean += step / ++row.runs;
+    row.square += step * (output[i] - row.mean);
   }
-  std::vector<Row> rows;
-  for (const auto& [number, runs] : values) {
-    Row row;
-    const auto found = first.find(number);
-    if (found != first.end()) row.first = found->second;
-    double mean = 0;
-    for (const double y : runs) mean += y / static_cast<double>(runs.size());
-    for (const double y : runs) row.square += (y - mean) * (y - mean);
-    row.freedom = static_cast<double>(runs.size()) - 1;
-    rows.push_back(row);
-  }
-  return rows;
+  std::vector<Row> list;
+  for (const auto& [number, row] : rows) list.push_back(row);
+  return list;
 }
 
-double within_variance(const std::vector<Row>& rows, std::span<const double> weights) {
-  double square = 0, freedom = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    square += weights[i] * rows[i].square;
-    freedom += weights[i] * rows[i].freedom;
+/// H(share) times s_w^2.
+double between(const std::vector<Row>& rows, double share) {
+  double sum = 0, sum_mean = 0, square = 0;
+  const double centre = rows.front().mean;
+  for (const Row& row : rows) {
+    const double u = row.runs * share / (share + row.runs * (1 - share)), y = row.mean - centre;
+    sum += u;
+    sum_mean += u * y;
+    square += u * y * y;
   }
-  return freedom > 0 ? square / freedom : kUndefined;
+  return (square - sum_mean * sum_mean / sum) / static_cast<double>(rows.size() - 1);
 }
 
-double share_of(const std::vector<Row>& rows, std::span<const double> firsts,
-                std::span<const double> weights) {
-  const double whole = weighted_standard_deviation(firsts, weights);
-  if (!(whole > 0)) return kUndefined;
-  const double share = within_variance(rows, weights) / (whole * whole);
-  return std::isnan(share) ? share : std::min(share, 1.0);
+/// Share at which between() is `wanted`, 1 if it is less everywhere.
+double share_at(const std::vector<Row>& rows, double wanted) {
+  double low = 0, high = 1;
+  for (int halving = 0; halving < 50; ++halving) {
+    const double middle = (low + high) / 2;
+    (between(rows, middle) < wanted ? low : high) = middle;
+  }
+  return high;
 }
 
 }  // namespace
 
-NoiseShare noise_share(const StudyData& study, std::span<const double> output, double confidence,
-                       std::size_t resamples) {
+NoiseShare noise_share(const StudyData& study, std::span<const double> output, double confidence) {
   const auto rows = rows_of(study, output);
   NoiseShare noise;
   std::vector<double> firsts;
+  std::vector<std::size_t> lot_of;
+  std::map<std::int64_t, std::size_t> lots;
+  double square = 0, freedom = 0;
   for (const Row& row : rows) {
-    noise.rows += row.freedom > 0;
+    noise.rows += row.runs > 1;
+    square += row.square;
+    freedom += row.runs - 1;
     firsts.push_back(row.first);
+    lot_of.push_back(lots.try_emplace(row.lot, lots.size()).first->second);
   }
   if (noise.rows < kFewestRows) return noise;
-  std::vector<double> weights(rows.size(), 1.0);
-  noise.share.value = share_of(rows, firsts, weights);
-  noise.standard_deviation = std::sqrt(within_variance(rows, weights));
-  std::vector<double> results;
-  for (std::size_t b = 0; b < resamples; ++b) {
-    RandomStream stream(static_cast<std::uint64_t>(study.provenance.seed), Purpose::bootstrap, b,
-                        stream_address("noise"));
-    std::fill(weights.begin(), weights.end(), 0.0);
-    for (std::size_t i = 0; i < rows.size(); ++i) weights[stream.next_index(rows.size())] += 1;
-    results.push_back(share_of(rows, firsts, weights));
-  }
-  const std::vector<double> equal(results.size(), 1.0);
-  const auto order = ascending_order(results);
-  noise.share.lower = weighted_quantile(results, order, equal, 0.5 * (1 - confidence));
-  noise.share.upper = weighted_quantile(results, order, equal, 0.5 * (1 + confidence));
+  const std::vector<double> equal(rows.size(), 1.0);
+  const auto count = static_cast<double>(rows.size()), lot_count = static_cast<double>(lots.size());
+  const RunVariance variance =
+      run_variance(firsts, equal, lots.size() < rows.size() ? Lots{lots.size(), lot_of} : Lots{});
+  const double within = square / freedom, whole = variance.whole();
+  if (!(whole > 0)) return noise;
+  noise.standard_deviation = std::sqrt(within);
+  noise.share.value = std::min(within / whole, 1.0);
+  const double correlation = std::clamp(variance.of_lots / whole, 0.0, 1.0);
+  const double rows_freedom =
+      (count - 1) / (1 + (count / lot_count - 1) * correlation * correlation);
+  // Between rows of common lots the mean square falls short of the whole variance.
+  const double shortfall = run_variance(firsts, equal, {}).whole() / whole;
+  const auto end = [&](double probability) {
+    return share_at(rows,
+                    within * shortfall * gsl_cdf_fdist_Pinv(probability, rows_freedom, freedom));
+  };
+  noise.share.lower = end(0.5 * (1 - confidence));
+  noise.share.upper = end(0.5 * (1 + confidence));
   return noise;
 }
 

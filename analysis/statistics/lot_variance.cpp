@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "analysis/study/estimate.hpp"
-
 namespace cagetol {
 
 Lots lots_of(const Resampling& resampling) {
@@ -11,8 +9,8 @@ Lots lots_of(const Resampling& resampling) {
   return resampling.lots() < of.size() ? Lots{resampling.lots(), of} : Lots{};
 }
 
-double residual_variance(std::span<const double> residuals, std::span<const double> weights,
-                         const Lots& lots, double fitted, double fitted_in_lots) {
+RunVariance residual_variance(std::span<const double> residuals, std::span<const double> weights,
+                              const Lots& lots, double fitted, double fitted_in_lots) {
   struct Lot {
     double weight = 0, runs = 0, sum = 0;
   };
@@ -36,11 +34,12 @@ double residual_variance(std::span<const double> residuals, std::span<const doub
   }
   within = lots.count > 0 && freedom > 0 ? within / freedom : 0;
   const double left = runs - fitted_in_lots;
-  return left < 1 ? kUndefined : within + (squares - within * (runs - fitted)) / left;
+  if (left < 1) return {};
+  return {within, (squares - within * (runs - fitted)) / left};
 }
 
-double whole_variance(std::span<const double> values, std::span<const double> weights,
-                      const Lots& lots) {
+RunVariance run_variance(std::span<const double> values, std::span<const double> weights,
+                         const Lots& lots) {
   std::vector<double> centred(values.begin(), values.end()), of_lot(lots.count);
   double sum = 0, runs = 0, in_lots = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {

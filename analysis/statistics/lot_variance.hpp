@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "analysis/statistics/resampling.hpp"
+#include "analysis/study/estimate.hpp"
 
 namespace cagetol {
 
@@ -25,13 +26,20 @@ struct Lots {
 };
 Lots lots_of(const Resampling& resampling);
 
-/// w + b. Runs of weight 0 or with a NaN are left out; the runs of a lot have one weight, and count
-/// as lots of their own as often as it says. `traces`: P and R. NaN if lots are too few.
-double residual_variance(std::span<const double> residuals, std::span<const double> weights,
-                         const Lots& lots, double fitted, double fitted_in_lots);
+struct RunVariance {
+  double in_lots = kUndefined;  ///< w; 0 with one run a lot
+  double of_lots = kUndefined;  ///< b; w + b with one run a lot
 
-/// Of a run around the mean.
-double whole_variance(std::span<const double> values, std::span<const double> weights,
-                      const Lots& lots);
+  double whole() const { return in_lots + of_lots; }
+};
+
+/// Runs of weight 0 or with a NaN are left out; the runs of a lot have one weight, and count as lots
+/// of their own as often as it says. `fitted`: P, `fitted_in_lots`: R. NaN if lots are too few.
+RunVariance residual_variance(std::span<const double> residuals, std::span<const double> weights,
+                              const Lots& lots, double fitted, double fitted_in_lots);
+
+/// Around the mean.
+RunVariance run_variance(std::span<const double> values, std::span<const double> weights,
+                         const Lots& lots);
 
 }  // namespace cagetol

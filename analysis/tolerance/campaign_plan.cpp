@@ -66,8 +66,7 @@ std::string noise_text(const StudyData& pilot) {
   for (const Limit& limit : pilot.plan.limits) {
     const Column* column = find_quantity(pilot, limit.quantity);
     if (column == nullptr) continue;
-    const NoiseShare noise =
-        noise_share(pilot, column->values, pilot.plan.confidence, kUsualResamples);
+    const NoiseShare noise = noise_share(pilot, column->values, pilot.plan.confidence);
     if (!(noise.share.value > 0)) continue;
     text += fmt::format(
         "\n  noise owns {:.0f} % of the variance of {} ({:.0f} to {:.0f} %): no design lowers the "

@@ -1,6 +1,7 @@
 #include "analysis/sensitivity/pick_freeze.hpp"
 
 #include <gmock/gmock.h>
+#include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -138,13 +139,62 @@ TEST(NoiseShare, VarianceWithinRowsOverTheWhole) {
         noise(1, Purpose::noise, static_cast<std::uint64_t>(id));
     outputs.push_back(3 * cage.next() + noise.next());
   }
-  const NoiseShare noise = noise_share(study, outputs, 0.95, 200);
+  const NoiseShare noise = noise_share(study, outputs, 0.95);
   EXPECT_EQ(noise.rows, 400u);
   EXPECT_NEAR(noise.share.value, 0.1, 0.02);
   EXPECT_NEAR(noise.standard_deviation, std::sqrt(1.0 / 12), 0.02);
   EXPECT_LT(noise.share.lower, 0.1);
   EXPECT_GT(noise.share.upper, 0.1);
-  EXPECT_EQ(noise_share(plain_study(5), std::vector<double>(5, 1.0), 0.95, 10).rows, 0u);
+  EXPECT_EQ(noise_share(plain_study(5), std::vector<double>(5, 1.0), 0.95).rows, 0u);
+}
+
+/// Percentage of 4000 studies of `rows` rows, `pairs` of them run twice, whose interval holds the
+/// noise share; half of the rest of the variance is that of lots, where they have several rows.
+double noise_coverage(double share, std::int64_t rows, std::int64_t pairs, std::int64_t in_lot) {
+  double held = 0;
+  StudyData study = plain_study(rows, "random", in_lot);
+  for (std::int64_t row = 0; row < pairs; ++row) {
+    study.id.push_back(rows + row);
+    study.row.push_back(row * rows / pairs);
+    study.lot.push_back(study.row.back() / in_lot);
+    study.replicate.push_back(1);
+  }
+  const double lot_part = in_lot > 1 ? 0.5 : 0;
+  for (std::uint64_t repeat = 0; repeat < 4000; ++repeat) {
+    std::vector<double> lot, cage, outputs;
+    RandomStream stream(41, Purpose::noise, repeat);
+    const auto normal = [&] { return gsl_cdf_ugaussian_Pinv(stream.next()); };
+    for (std::int64_t row = 0; row < rows; ++row) {
+      if (row % in_lot == 0) lot.push_back(normal());
+      cage.push_back(std::sqrt(lot_part) * lot.back() + std::sqrt(1 - lot_part) * normal());
+    }
+    for (const std::int64_t row : study.row)
+      outputs.push_back(std::sqrt(1 - share) * cage[static_cast<std::size_t>(row)] +
+                        std::sqrt(share) * normal());
+    const Estimate estimate = noise_share(study, outputs, 0.95).share;
+    held += (estimate.lower <= share && share <= estimate.upper) / 40.0;
+  }
+  return held;
+}
+
+TEST(NoiseShare, IntervalsCoverTheTruth) {
+  for (const double share : {0.05, 0.3, 0.6, 0.9})
+    for (const std::int64_t pairs : {8, 15, 40}) {
+      const double held = noise_coverage(share, 100, pairs, 1);
+      EXPECT_GE(held, 93.5) << share << " " << pairs;
+      EXPECT_LE(held, 96.5) << share << " " << pairs;
+      RecordProperty("held", std::to_string(held));
+    }
+  EXPECT_NEAR(noise_coverage(0.3, 15, 15, 1), 95, 1.5);
+}
+
+TEST(NoiseShare, IntervalsCoverTheTruthInLots) {
+  for (const double share : {0.05, 0.3, 0.6})
+    for (const std::int64_t in_lot : {2, 5}) {
+      const double held = noise_coverage(share, 100, 15, in_lot);
+      EXPECT_GE(held, 93) << share << " " << in_lot;
+      EXPECT_LE(held, 97) << share << " " << in_lot;
+    }
 }
 
 TEST(NoiseShare, IsAtMostOne) {
@@ -156,7 +206,7 @@ TEST(NoiseShare, IsAtMostOne) {
     study.replicate[i] = static_cast<std::int64_t>(i % 2);
     outputs.push_back(i % 2 == 0 ? static_cast<double>(i % 4) : 9.0 - static_cast<double>(i % 3));
   }
-  const NoiseShare noise = noise_share(study, outputs, 0.95, 200);
+  const NoiseShare noise = noise_share(study, outputs, 0.95);
   EXPECT_EQ(noise.share.value, 1);
   EXPECT_LE(noise.share.upper, 1);
 }
