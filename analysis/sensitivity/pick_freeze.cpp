@@ -1,5 +1,6 @@
 #include "analysis/sensitivity/pick_freeze.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -56,19 +57,28 @@ struct Pair {
 /// Shares of the group in block `block`, each base counted as often as `times` says.
 Pair shares(const std::vector<Base>& bases, std::span<const double> times, std::size_t block,
             double noise_share) {
-  double count = 0, sum = 0, squares = 0, total = 0, rest = 0;
+  struct Moments {
+    double sum = 0, squares = 0;
+    void add(double y, double w) { sum += w * y, squares += w * y * y; }
+    double variance(double count) const { return squares / count - std::pow(sum / count, 2); }
+  } a, b, ab;
+  double count = 0, total = 0, with_ab = 0, with_a = 0;
   for (std::size_t i = 0; i < bases.size(); ++i) {
-    const double a = bases[i][0], b = bases[i][1], ab = bases[i][block], w = times[i];
+    const double ya = bases[i][0], yb = bases[i][1], yab = bases[i][block], w = times[i];
     count += w;
-    sum += w * (a + b);
-    squares += w * (a * a + b * b);
-    total += w * (a - ab) * (a - ab);
-    rest += w * (b - ab) * (b - ab);
+    a.add(ya, w), b.add(yb, w), ab.add(yab, w);
+    total += w * (ya - yab) * (ya - yab);
+    with_ab += w * yb * yab;
+    with_a += w * yb * ya;
   }
-  const double mean = sum / (2 * count);
-  const double variance = squares / (2 * count) - mean * mean;
-  if (!(variance > 0)) return {kUndefined, kUndefined};
-  return {1 - rest / (2 * count * variance), total / (2 * count * variance) - noise_share};
+  const Moments ends{a.sum + b.sum, a.squares + b.squares};
+  const Moments same{b.sum + ab.sum, b.squares + ab.squares};
+  const double variance = ends.variance(2 * count), of_same = same.variance(2 * count);
+  if (!(variance > 0 && of_same > 0)) return {kUndefined, kUndefined};
+  const double raw = total / (2 * count * variance), factor = std::clamp(1 - raw, 0.0, 1.0);
+  // The means of A, B and AB differ by chance: products are taken around them.
+  const double first = with_ab - factor * with_a - b.sum * (ab.sum - factor * a.sum) / count;
+  return {first / count / of_same, raw - noise_share};
 }
 
 /// A shift of the output changes nothing but the digits that are lost.
