@@ -1,10 +1,13 @@
 #include "src/quantities/peak_extrapolation.hpp"
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 namespace cagetol {
 namespace {
@@ -12,8 +15,9 @@ namespace {
 constexpr double kMinimumShape = -1, kMostShape = 0.5;
 constexpr std::array<int, 3> kPoints = {33, 25, 25};  // of the grid: mu, log sigma, xi
 constexpr std::size_t kEnoughLaws = 500;              // on the grid
-constexpr double kFlat = 1e-6;                        // |xi| below which the law is Gumbel's
-constexpr double kNegligible = 1e-6;                  // weight relative to the largest
+constexpr std::array<double, 7> kCorrelations = {0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9};  // r
+constexpr double kFlat = 1e-6;        // |xi| below which the law is Gumbel's
+constexpr double kNegligible = 1e-6;  // weight relative to the largest
 
 struct Range {
   double low, high;
@@ -21,10 +25,11 @@ struct Range {
 };
 using Box = std::array<Range, 3>;  // mu, log sigma, xi
 
-/// A law and how likely it is.
+/// A law, the number of independent blocks of the longer time, and how likely it is.
 struct Law {
-  double mu, sigma, xi, weight;
+  double mu, sigma, xi, blocks, weight;
 };
+using BlocksOf = std::array<double, kCorrelations.size()>;  // by r
 
 /// -log G(x); infinite below a lower end, zero above an upper one.
 double minus_log_below(const Law& law, double x) {
@@ -35,27 +40,54 @@ double minus_log_below(const Law& law, double x) {
   return std::pow(inside, -1 / law.xi);
 }
 
-double log_likelihood(const Law& law, const std::vector<double>& maxima) {
-  double sum = 0;
+/// Standard normal score of a value below which a maximum lies with the probability exp(-t).
+double normal_score(double t) {
+  return t < 0.7 ? gsl_cdf_ugaussian_Qinv(-std::expm1(-t))
+                 : gsl_cdf_ugaussian_Pinv(std::exp(-std::min(t, 700.0)));
+}
+
+/// Of maxima with this law, of which successive ones are correlated by any of kCorrelations; sets
+/// its number of blocks.
+double log_likelihood(Law& law, const std::vector<double>& maxima, const BlocksOf& blocks) {
+  double sum = 0, squares = 0, products = 0, before = 0;
   for (const double x : maxima) {
     const double z = (x - law.mu) / law.sigma, inside = 1 + law.xi * z;
     if (inside <= 0) return -std::numeric_limits<double>::infinity();
     const double steps = std::abs(law.xi) < kFlat ? z : std::log(inside) / law.xi;
-    sum -= std::log(law.sigma) + (1 + law.xi) * steps + std::exp(-steps);
+    const double exceeded = std::exp(-steps);
+    sum -= std::log(law.sigma) + (1 + law.xi) * steps + exceeded;
+    const double score = normal_score(exceeded);
+    squares += score * score;
+    products += score * before;
+    before = score;
   }
-  return sum;
+  const double first = normal_score(minus_log_below(law, maxima.front()));
+  const double inner = 2 * squares - first * first - before * before;  // of both ends of each pair
+  const auto pairs = static_cast<double>(maxima.size() - 1);
+  double likely = 0;
+  law.blocks = 0;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const double r = kCorrelations[k], rest = 1 - r * r;
+    const double one =
+        std::exp(-0.5 * pairs * std::log(rest) - (r * r * inner - 2 * r * products) / (2 * rest));
+    likely += one;
+    law.blocks += one * blocks[k];
+  }
+  law.blocks /= likely;
+  return sum + std::log(likely);
 }
 
 /// The laws on a grid over `box` with their weights, the largest of which is 1.
-std::vector<Law> laws_of(const std::vector<double>& maxima, const Box& box) {
+std::vector<Law> laws_of(const std::vector<double>& maxima, const Box& box,
+                         const BlocksOf& blocks) {
   std::vector<Law> laws;
   double most = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < kPoints[0]; ++i)
     for (int j = 0; j < kPoints[1]; ++j)
       for (int k = 0; k < kPoints[2]; ++k) {
         Law law{box[0].at(i, kPoints[0]), std::exp(box[1].at(j, kPoints[1])),
-                box[2].at(k, kPoints[2]), 0};
-        law.weight = log_likelihood(law, maxima);
+                box[2].at(k, kPoints[2]), 0, 0};
+        law.weight = log_likelihood(law, maxima, blocks);
         if (!std::isfinite(law.weight)) continue;
         most = std::max(most, law.weight);
         laws.push_back(law);
@@ -97,17 +129,24 @@ ExtrapolatedPeak extrapolate_peak(const std::vector<double>& maxima, double bloc
 
   Box box{Range{mean - 2.5 * spread, mean + 2.5 * spread},
           Range{std::log(spread) - 2, std::log(spread) + 2}, Range{kMinimumShape, kMostShape}};
-  std::vector<Law> laws = laws_of(maxima, box);
+  BlocksOf independent;
+  const double level = normal_score(1 / blocks) / std::numbers::sqrt2;
+  for (std::size_t k = 0; k < independent.size(); ++k) {
+    const double r = kCorrelations[k], a = std::sqrt((1 - r) / (1 + r));
+    const double share = std::erf(a * level) / std::erf(level);
+    independent[k] = std::max(blocks * share, std::min(blocks, 1.0));
+  }
+  std::vector<Law> laws = laws_of(maxima, box, independent);
   // The grid is refined around the likely laws: once for few blocks, more often for many.
   for (int pass = 0; pass == 0 || (pass < 4 && laws.size() < kEnoughLaws); ++pass) {
     box = narrowed(box, laws);
-    laws = laws_of(maxima, box);
+    laws = laws_of(maxima, box, independent);
   }
   double weight = 0;
   for (const Law& law : laws) weight += law.weight;
   const auto below = [&](double x) {
     double sum = 0;
-    for (const Law& law : laws) sum += law.weight * std::exp(-blocks * minus_log_below(law, x));
+    for (const Law& law : laws) sum += law.weight * std::exp(-law.blocks * minus_log_below(law, x));
     return sum / weight;
   };
   const auto quantile = [&](double p) {

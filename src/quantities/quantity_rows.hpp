@@ -256,7 +256,8 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"pocket_force_peak_extrapolated_N", "N", Kind::estimate, need::extrapolated,
      bound::not_negative, "limit on a peak over more revolutions than a run measures",
      "median of the largest pocket_force_peak_N in window.extrapolate_revolutions cage "
-     "revolutions, from the largest values of the single revolutions of this run"},
+     "revolutions, from the largest values of the single revolutions of this run, which may be "
+     "correlated"},
     {"pocket_force_peak_extrapolated_low_N", "N", Kind::estimate, need::extrapolated,
      bound::not_negative, "limit on a peak over more revolutions than a run measures",
      "lower end of the 95 % interval of that peak"},
@@ -266,7 +267,7 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"guide_force_peak_extrapolated_N", "N", Kind::estimate, need::extrapolated,
      bound::not_negative, "limit on a peak over more revolutions than a run measures",
      "median of the largest guide_force_peak_N in window.extrapolate_revolutions cage revolutions, "
-     "from the largest values of the single revolutions of this run"},
+     "from the largest values of the single revolutions of this run, which may be correlated"},
     {"guide_force_peak_extrapolated_low_N", "N", Kind::estimate, need::extrapolated,
      bound::not_negative, "limit on a peak over more revolutions than a run measures",
      "lower end of the 95 % interval of that peak"},
@@ -276,7 +277,8 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"cage_stress_peak_extrapolated_MPa", "MPa", Kind::estimate, need::extrapolated_stress,
      bound::not_negative, "limit on a peak over more revolutions than a run measures",
      "median of the largest cage_stress_peak_MPa in window.extrapolate_revolutions cage "
-     "revolutions, from the largest values of the single revolutions of this run"},
+     "revolutions, from the largest values of the single revolutions of this run, which may be "
+     "correlated"},
     {"cage_stress_peak_extrapolated_low_MPa", "MPa", Kind::estimate, need::extrapolated_stress,
      bound::not_negative, "limit on a peak over more revolutions than a run measures",
      "lower end of the 95 % interval of that peak"},

@@ -1,7 +1,9 @@
 // Extrapolated peaks: laws of known quantiles, and what they must not depend on.
 #include "src/quantities/peak_extrapolation.hpp"
 
+#include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -25,13 +27,28 @@ std::vector<double> draw_blocks(std::mt19937_64& random, double xi, int count) {
   return maxima;
 }
 
-/// Share of draws whose largest of thirty times as many blocks lies in the interval.
-double coverage(double xi, int count, int draws) {
+/// Maxima of that law whose normal scores are a first-order autoregression.
+std::vector<double> draw_alike(std::mt19937_64& random, double xi, double correlation, int count) {
+  std::normal_distribution<double> normal;
+  std::vector<double> maxima;
+  double score = normal(random);
+  for (int n = 0; n < count; ++n) {
+    const double below = -std::log1p(-gsl_cdf_ugaussian_Q(score));
+    maxima.push_back(20 + 3 * (xi == 0 ? -std::log(below) : (std::pow(below, -xi) - 1) / xi));
+    score = correlation * score + std::sqrt(1 - correlation * correlation) * normal(random);
+  }
+  return maxima;
+}
+
+/// Share of draws whose largest of the thirty times as many blocks that follow lies in the interval.
+double coverage(double xi, int count, int draws, double correlation = 0) {
   std::mt19937_64 random(11);
   int inside = 0;
   for (int n = 0; n < draws; ++n) {
-    const ExtrapolatedPeak peak = extrapolate_peak(draw_blocks(random, xi, count), 30.0 * count);
-    const double largest = draw_largest(random, xi, 30.0 * count);
+    const auto maxima = draw_alike(random, xi, correlation, 31 * count);
+    const auto seen = maxima.begin() + count;
+    const ExtrapolatedPeak peak = extrapolate_peak({maxima.begin(), seen}, 30.0 * count);
+    const double largest = *std::max_element(seen, maxima.end());
     inside += largest >= peak.low && largest <= peak.high;
   }
   return inside / static_cast<double>(draws);
@@ -41,6 +58,21 @@ double coverage(double xi, int count, int draws) {
 TEST(PeakExtrapolation, IntervalsCoverTheLargestOfLongerTimes) {
   for (const double xi : {-0.3, 0.0})
     for (const int count : {6, 20}) EXPECT_GE(coverage(xi, count, 60), 0.84) << xi << " " << count;
+}
+
+// Taken for independent, such blocks give intervals that hold 80 %.
+TEST(PeakExtrapolation, IntervalsCoverWhereRevolutionsAreAlike) {
+  EXPECT_GE(coverage(-0.2, 60, 100, 0.8), 0.9);
+}
+
+TEST(NightlyPeakExtrapolation, IntervalsCoverWhereRevolutionsAreAlike) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1 to run";
+  for (const double correlation : {0.0, 0.5, 0.8})
+    for (const int count : {12, 30, 100}) {
+      const double covered = coverage(-0.1, count, 500, correlation);
+      RecordProperty("coverage", std::to_string(covered));
+      EXPECT_GE(covered, 0.92) << correlation << " " << count;
+    }
 }
 
 TEST(NightlyPeakExtrapolation, IntervalsCover95PercentOfTheLargestOfLongerTimes) {
