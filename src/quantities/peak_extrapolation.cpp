@@ -29,7 +29,6 @@ using Box = std::array<Range, 3>;  // mu, log sigma, xi
 struct Law {
   double mu, sigma, xi, blocks, weight;
 };
-using BlocksOf = std::array<double, kCorrelations.size()>;  // by r
 
 /// -log G(x); infinite below a lower end, zero above an upper one.
 double minus_log_below(const Law& law, double x) {
@@ -48,7 +47,7 @@ double normal_score(double t) {
 
 /// Of maxima with this law, of which successive ones are correlated by any of kCorrelations; sets
 /// its number of blocks.
-double log_likelihood(Law& law, const std::vector<double>& maxima, const BlocksOf& blocks) {
+double log_likelihood(Law& law, const std::vector<double>& maxima, double blocks) {
   double sum = 0, squares = 0, products = 0, before = 0;
   for (const double x : maxima) {
     const double z = (x - law.mu) / law.sigma, inside = 1 + law.xi * z;
@@ -64,22 +63,24 @@ double log_likelihood(Law& law, const std::vector<double>& maxima, const BlocksO
   const double first = normal_score(minus_log_below(law, maxima.front()));
   const double inner = 2 * squares - first * first - before * before;  // of both ends of each pair
   const auto pairs = static_cast<double>(maxima.size() - 1);
-  double likely = 0;
-  law.blocks = 0;
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const double r = kCorrelations[k], rest = 1 - r * r;
-    const double one =
-        std::exp(-0.5 * pairs * std::log(rest) - (r * r * inner - 2 * r * products) / (2 * rest));
-    likely += one;
-    law.blocks += one * blocks[k];
+  const double level = normal_score(1 / blocks) / std::numbers::sqrt2;
+  double most = 0, likely = 0, independent = 0;
+  for (const double r : kCorrelations) {
+    const double rest = 1 - r * r, exponent = (r * r * inner - 2 * r * products) / (2 * rest),
+                 weight = -0.5 * pairs * std::log(rest) - exponent,
+                 share = std::erf(std::sqrt((1 - r) / (1 + r)) * level) / std::erf(level);
+    const double before_it = std::exp(most - std::max(most, weight));
+    most = std::max(most, weight);
+    likely = likely * before_it + std::exp(weight - most);
+    independent = independent * before_it +
+                  std::exp(weight - most) * std::max(blocks * share, std::min(blocks, 1.0));
   }
-  law.blocks /= likely;
-  return sum + std::log(likely);
+  law.blocks = independent / likely;
+  return sum + most + std::log(likely);
 }
 
 /// The laws on a grid over `box` with their weights, the largest of which is 1.
-std::vector<Law> laws_of(const std::vector<double>& maxima, const Box& box,
-                         const BlocksOf& blocks) {
+std::vector<Law> laws_of(const std::vector<double>& maxima, const Box& box, double blocks) {
   std::vector<Law> laws;
   double most = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < kPoints[0]; ++i)
@@ -129,18 +130,11 @@ ExtrapolatedPeak extrapolate_peak(const std::vector<double>& maxima, double bloc
 
   Box box{Range{mean - 2.5 * spread, mean + 2.5 * spread},
           Range{std::log(spread) - 2, std::log(spread) + 2}, Range{kMinimumShape, kMostShape}};
-  BlocksOf independent;
-  const double level = normal_score(1 / blocks) / std::numbers::sqrt2;
-  for (std::size_t k = 0; k < independent.size(); ++k) {
-    const double r = kCorrelations[k], a = std::sqrt((1 - r) / (1 + r));
-    const double share = std::erf(a * level) / std::erf(level);
-    independent[k] = std::max(blocks * share, std::min(blocks, 1.0));
-  }
-  std::vector<Law> laws = laws_of(maxima, box, independent);
+  std::vector<Law> laws = laws_of(maxima, box, blocks);
   // The grid is refined around the likely laws: once for few blocks, more often for many.
   for (int pass = 0; pass == 0 || (pass < 4 && laws.size() < kEnoughLaws); ++pass) {
     box = narrowed(box, laws);
-    laws = laws_of(maxima, box, independent);
+    laws = laws_of(maxima, box, blocks);
   }
   double weight = 0;
   for (const Law& law : laws) weight += law.weight;

@@ -99,6 +99,14 @@ TEST(PeakExtrapolation, OfManyBlocksIsThatOfTheirLaw) {
   EXPECT_NEAR(peak.high, quantile(0.975), 0.8);
 }
 
+TEST(PeakExtrapolation, OfManyBlocksThatAreAlikeIsFinite) {
+  std::mt19937_64 random(5);
+  const ExtrapolatedPeak peak = extrapolate_peak(draw_alike(random, -0.2, 0.9, 2000), 100);
+  EXPECT_LT(peak.low, peak.median);
+  EXPECT_LT(peak.median, peak.high);
+  EXPECT_LT(peak.high, 35);  // the law ends there
+}
+
 TEST(PeakExtrapolation, FollowsShiftAndScaleOfItsValues) {
   std::mt19937_64 random(3);
   auto maxima = draw_blocks(random, -0.1, 8);
