@@ -210,7 +210,8 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
       {"runs_each", plan.runs},
       {"confirming_runs", plan.confirming},
       {"settling_runs", plan.settling > 0 ? Json(plan.settling) : Json()},
-      {"runs_in_all", plan.alternatives.size() * (plan.runs > 0 ? plan.runs : plan.confirming)},
+      {"runs_in_all",
+       plan.alternatives.size() * (plan.runs > 0 ? plan.runs : automatic_runs(plan))},
       {"command", alternatives.empty() && plan.attempt > 0
                       ? Json("cagetol recommend STUDY -o DIR --set "
                              "recommend.assumption_samples=auto")

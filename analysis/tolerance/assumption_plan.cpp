@@ -2,11 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/tolerance/campaign_plan.hpp"
 
 namespace cagetol {
+
+std::size_t automatic_runs(const AssumptionPlan& plan) {
+  const bool settles = plan.settling > 0 && plan.settling <= kMostOfAuto * plan.confirming;
+  return settles ? std::max(plan.settling, plan.confirming) : plan.confirming;
+}
 
 std::string alternative_directory(const AssumptionPlan& plan, const AssumedValue& alternative) {
   return fmt::format("assume-{}-{}/{}-{}", plan.attempt, plan.runs, alternative.key,
@@ -24,7 +30,8 @@ std::string assumption_plan_text(const AssumptionPlan& plan) {
                        runs * count,
                        duration_text(plan.seconds_per_run * static_cast<double>(runs * count)));
   };
-  const std::string settling =
+  const std::size_t automatic = automatic_runs(plan);
+  std::string settling =
       plan.settling > 0
           ? fmt::format(". One whose yield is that of confirm-{} is settled by about {} runs",
                         plan.attempt, plan.settling)
@@ -32,9 +39,12 @@ std::string assumption_plan_text(const AssumptionPlan& plan) {
   if (plan.runs > 0)
     return fmt::format("assumptions: {}, on the cages of confirm-{}{}", cost(plan.runs),
                        plan.attempt, settling);
+  if (automatic > plan.confirming)
+    settling += fmt::format(". assumption_samples={} settles those that never fail, by {}",
+                            plan.confirming, cost(plan.confirming));
   return "assumptions: their ranges are not judged. The same command with --set "
          "recommend.assumption_samples=auto does it, " +
-         cost(plan.confirming) + settling;
+         cost(automatic) + settling;
 }
 
 nlohmann::ordered_json to_json(const AssumptionPlan& plan) {

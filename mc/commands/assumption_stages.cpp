@@ -45,11 +45,12 @@ AssumptionPlan plan_assumptions(const Study& base, const std::vector<Alternative
   assumptions.attempt = 1 + surest_attempt(judged);
   const Confirmation& attempt = judged[assumptions.attempt - 1];
   const double confidence = attempt_confidence(rules);
-  assumptions.settling =
-      settling_runs(attempt.yield.if_unknown_fail, rules.target_yield, confidence, confidence);
+  const auto count = static_cast<double>(std::max<std::size_t>(alternatives.size(), 1));
+  assumptions.settling = settling_runs(attempt.yield.if_unknown_fail, rules.target_yield,
+                                       confidence, 1 - (1 - confidence) / count);
   const double wanted = base.recommend.assumption_samples;
-  assumptions.runs =
-      std::isnan(wanted) ? assumptions.confirming : static_cast<std::size_t>(std::ceil(wanted));
+  assumptions.runs = std::isnan(wanted) ? automatic_runs(assumptions)
+                                        : static_cast<std::size_t>(std::ceil(wanted));
   return assumptions;
 }
 

@@ -31,7 +31,7 @@ const KeyTable<Study>& study_keys() {
       {"recommend.confirm_samples", within(0, 1e9), AT(recommend.confirm_samples), "most runs of one confirmation; 0: as many as its estimated yield needs and the budget affords; without a budget `samples` runs an attempt on average, or twice as many as can confirm at all, where that is more"},
       {"recommend.budget_samples", within(0, 1e9), AT(recommend.budget_samples), "runs of all stages together, may be raised in the same directory; 0: the mixture has `samples` rows"},
       {"recommend.budget_h", at_least(0), AT(recommend.budget_time), "wall-clock time of all stages together, by the pilot's time of a run, may be raised in the same directory; 0: no such budget"},
-      {"recommend.assumption_samples", or_auto(within(0, 1e9)), AT(recommend.assumption_samples), "after the confirmation: runs under each end of each range of an [[assumption]], beyond any budget; may be set and raised in the same directory; auto: as many as confirm the target if none fails; 0: none"},
+      {"recommend.assumption_samples", or_auto(within(0, 1e9)), AT(recommend.assumption_samples), "after the confirmation: runs under each end of each range of an [[assumption]], beyond any budget; may be set and raised in the same directory; auto: as many as settle an alternative whose yield is that of the attempt, up to 100 times as many as confirm the target if none fails, else these; 0: none"},
   };
   return keys;
 }

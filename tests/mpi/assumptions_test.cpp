@@ -142,28 +142,28 @@ TEST_F(AssumptionStages, AreRunLaterAndMoreOftenInTheSameDirectory) {
   const Ended decided = run(recommend("out", "0"));
   ASSERT_EQ(decided.code, 0) << decided.output;
   EXPECT_THAT(decided.output,
-              HasSubstr("--set recommend.assumption_samples=auto does it, 36 runs"));
+              HasSubstr("--set recommend.assumption_samples=auto does it, 114 runs"));
   const auto written = fs::last_write_time(file("out", "confirm-1"));
   ASSERT_EQ(run(recommend("out", "auto")).code, 0);
-  EXPECT_EQ(read_study_file(file("out", stages("36")[3])).outcomes.size(), 36u);
-  const Ended more = run(recommend("out", "80"));
+  EXPECT_EQ(read_study_file(file("out", stages("114")[3])).outcomes.size(), 114u);
+  const Ended more = run(recommend("out", "200"));
   ASSERT_EQ(more.code, 0) << more.output;
-  EXPECT_THAT(more.output, HasSubstr("36 of 80 samples are already done"));
+  EXPECT_THAT(more.output, HasSubstr("114 of 200 samples are already done"));
   EXPECT_EQ(fs::last_write_time(file("out", "confirm-1")), written);
-  ASSERT_EQ(run(recommend("fresh", "80")).code, 0);
-  expect_same("fresh", "out", "80");
+  ASSERT_EQ(run(recommend("fresh", "200")).code, 0);
+  expect_same("fresh", "out", "200");
   // A plain command afterwards leaves what is judged.
   const Ended plain = run(recommend("out", "0", {"--ms", "100000"}));
   EXPECT_EQ(plain.code, 0) << plain.output;
   EXPECT_THAT(plain.output, Not(HasSubstr("assumptions:")));
   // Another range is another alternative, no other study.
   const Ended ranged = run(recommend(
-      "out", "80",
+      "out", "200",
       {"--set",
        "assumption=[{key='lubrication.race_layer_um', note='does nothing to the formula', "
        "low=20, high=40}]"}));
   EXPECT_EQ(ranged.code, 0) << ranged.output;
-  EXPECT_TRUE(fs::exists(file("out", "assume-1-80/lubrication.race_layer_um-40")));
+  EXPECT_TRUE(fs::exists(file("out", "assume-1-200/lubrication.race_layer_um-40")));
 }
 
 TEST_F(AssumptionStages, AreThoseOfTheSurestAttemptWhereNothingIsConfirmed) {

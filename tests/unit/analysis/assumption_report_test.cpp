@@ -144,7 +144,7 @@ TEST_F(AssumptionReport, RangesThatNobodyJudgedAreNamed) {
   EXPECT_EQ(json.at("assumption_verdicts").at("judged"), 0);
   EXPECT_THAT(json.at("verdict").at("statement").get<std::string>(),
               HasSubstr("Not judged under the 3 alternatives"));
-  EXPECT_THAT(page(), HasSubstr("recommend.assumption_samples=auto does it, 72 runs"));
+  EXPECT_THAT(page(), HasSubstr("recommend.assumption_samples=auto does it, 150 runs"));
   EXPECT_THAT(page(), HasSubstr("Assumptions that nobody has judged"));
   fs::remove(scratch_ / "assumptions.json");
   EXPECT_TRUE(report().at("assumption_verdicts").is_null());

@@ -10,6 +10,7 @@
 
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/study/refused.hpp"
+#include "analysis/tolerance/assumption_plan.hpp"
 #include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
 #include "tests/support/tolerance_standin.hpp"
@@ -121,6 +122,49 @@ TEST(SettlingRuns, SettleWithTheWantedPower) {
   }
   EXPECT_GE(settled, 0.86 * 400);
   EXPECT_LE(settled, 0.95 * 400);
+}
+
+/// Share of 300 alternatives with this yield that the automatic number of runs settles, planned from
+/// the yield of an attempt of 400 runs.
+double settled_automatically(double yield, double attempt_yield) {
+  const ConfirmationRules rules{0.9, 0.95, 1, 0};
+  AssumptionPlan plan;
+  plan.confirming = confirming_runs(0, rules);
+  plan.settling = settling_runs(attempt_yield, 0.9, 0.95, 0.95);
+  const auto count = static_cast<std::int64_t>(automatic_runs(plan));
+  double settled = 0;
+  for (int seed = 1; seed <= 300; ++seed) {
+    const StudyData runs = cages(count, seed, yield);
+    settled += judge_assumptions(runs, {runs}, rules).alternatives[0].answer !=
+               AssumptionAnswer::not_resolved;
+  }
+  return settled / 300;
+}
+
+TEST(SettlingRuns, AreTheAutomaticNumber) {
+  // 29 runs, which confirm if none fails, settle 0.94^29 = 17 %.
+  EXPECT_GE(settled_automatically(0.94, 0.94), 0.86);
+  EXPECT_GE(settled_automatically(0.99, 0.99), 0.86);
+  EXPECT_GE(settled_automatically(0.85, 0.85), 0.86);
+  AssumptionPlan plan;
+  plan.confirming = 29;
+  for (const auto& [settling, automatic] :
+       {std::pair{0u, 29u}, {20u, 29u}, {400u, 400u}, {2900u, 2900u}, {2901u, 29u}}) {
+    plan.settling = settling;
+    EXPECT_EQ(automatic_runs(plan), automatic);
+  }
+}
+
+TEST(SettlingRuns, TheSmallNumberIsOnOffer) {
+  AssumptionPlan plan;
+  plan.attempt = 1;
+  plan.confirming = 29;
+  plan.settling = 400;
+  plan.alternatives.resize(2);
+  const std::string text = assumption_plan_text(plan);
+  EXPECT_THAT(text, testing::HasSubstr("auto does it, 400 runs under each of 2 alternatives"));
+  EXPECT_THAT(
+      text, testing::HasSubstr("assumption_samples=29 settles those that never fail, by 29 runs"));
 }
 
 /// The widest pocket that this share of the cages keeps, in mm.
