@@ -341,7 +341,8 @@ def noise_text(report, name):
 def contributor_groups(report):
     """What decides first, then the other quantities."""
     first = ["meets all limits", "jams"] + limited_names(report)
-    rows = [{"output": output["output"], "strongest": strongest(output), "noise": noise_text(report, output["output"])}
+    rows = [{"output": output["output"], "strongest": strongest(output), "unexplained": percent_interval(output["not_explained"]),
+             "noise": noise_text(report, output["output"])}
             for output in report["contributors"]["outputs"] if not bookkeeping(report, output["output"])]
     deciding = sorted((row for row in rows if row["output"] in first), key=lambda row: first.index(row["output"]))
     others = [row for row in rows if row["output"] not in first and row["strongest"] and not labelled(row["output"])]

@@ -127,13 +127,17 @@ std::string error_budget_csv(const Json& report) {
 
 std::string contributors_csv(const Json& report) {
   std::string text = "output,feature,share,share_lower,share_upper,rank_estimate\n";
-  for (const Json& output : report["contributors"]["outputs"])
-    for (const Json& share : output["shares"]) {
-      std::vector<std::string> cells = {cell(output["output"]), cell(share["feature"])};
+  for (const Json& output : report["contributors"]["outputs"]) {
+    const auto add = [&](const std::string& feature, const Json& share, const Json& rank) {
+      std::vector<std::string> cells = {cell(output["output"]), feature};
       add_estimate(cells, share);
-      cells.push_back(cell(share["rank_estimate"]));
+      cells.push_back(cell(rank));
       text += line(cells);
-    }
+    };
+    for (const Json& share : output["shares"])
+      add(cell(share["feature"]), share, share["rank_estimate"]);
+    add("not explained by any feature", output["not_explained"], Json());
+  }
   return text;
 }
 

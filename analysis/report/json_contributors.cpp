@@ -1,4 +1,6 @@
 // Which features of a cage drive which quantity.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,7 @@
 #include "analysis/sensitivity/noise_share.hpp"
 #include "analysis/sensitivity/pick_freeze.hpp"
 #include "analysis/sensitivity/rank_shares.hpp"
+#include "analysis/sensitivity/unexplained_share.hpp"
 #include "analysis/study/refused.hpp"
 
 namespace cagetol {
@@ -57,10 +60,11 @@ Json rank_json(const StudyData& runs, const Feature& feature, const Output& outp
   }
 }
 
-Json response_json(const Feature& feature, const Output& output, const Lots& lots) {
+Json response_json(const Feature& feature, const Output& output,
+                   const std::vector<std::size_t>& lot_of) {
   Json points = Json::array();
   for (const ResponsePoint& point :
-       response_curve(feature.values, output.values, kResponsePoints, lots))
+       response_curve(feature.values, output.values, kResponsePoints, lot_of))
     points.push_back({{"feature", number(point.feature)},
                       {"mean", number(point.mean)},
                       {"standard_error", number(point.standard_error)}});
@@ -143,17 +147,23 @@ Json groups_json(const ReportBasis& basis, const std::vector<Output>& outputs) {
   return result;
 }
 
+/// Whose scatter the shares are of.
+std::string variance_of(const StudyData& runs) {
+  const bool mixed = std::ranges::any_of(runs.candidate, [](auto k) { return k >= 0; });
+  const char* drawn = mixed ? "their tolerances drawn from all candidates" : "drawn by their laws";
+  return fmt::format("one run of each of {} cages, {}", runs.size(),
+                     rows_follow_laws(runs) ? drawn : "at levels that the design sets");
+}
+
 }  // namespace
 
 Json contributors_json(const ReportBasis& basis) {
   const auto features = cage_features(basis.runs);
   const auto outputs = outputs_of(basis);
-  const Lots lots = lots_of(basis.resampling);
   std::vector<Binning> binnings;
   Json feature_list = Json::array();
   for (const Feature& feature : features) {
-    binnings.push_back(
-        make_binning(feature.values, bin_count(independent_values(feature.values, lots))));
+    binnings.push_back(make_binning(feature.values, 0, basis.resampling.lot_of()));
     feature_list.push_back({{"name", feature.name},
                             {"input", feature.input},
                             {"unit", feature.unit},
@@ -177,14 +187,18 @@ Json contributors_json(const ReportBasis& basis) {
     Json entry{{"output", output.name},
                {"unit", output.unit},
                {"definition", output.definition},
-               {"shares", shares}};
+               {"shares", shares},
+               {"not_explained", to_json(unexplained_share(features, output.values,
+                                                           basis.resampling, basis.confidence))}};
     if (!features.empty())
-      entry["response"] = {{"feature", features[top].name},
-                           {"unit", features[top].unit},
-                           {"points", response_json(features[top], output, lots)}};
+      entry["response"] = {
+          {"feature", features[top].name},
+          {"unit", features[top].unit},
+          {"points", response_json(features[top], output, basis.resampling.lot_of())}};
     matrix.push_back(std::move(entry));
   }
   return {{"features", feature_list},
+          {"variance_of", variance_of(basis.runs)},
           {"outputs", matrix},
           {"pockets", pockets_json(basis, outputs)},
           {"groups", groups_json(basis, outputs)}};

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
+#include "analysis/statistics/lot_variance.hpp"
 #include "analysis/statistics/order_statistics.hpp"
 
 namespace cagetol {
@@ -15,43 +17,29 @@ constexpr std::size_t kMostBins = 64;
 /// A line through fewer points of a class leaves too little to judge its scatter by.
 constexpr double kFewestForLine = 4;
 
-/// Weighted sums over a class: feature less the class' mean (x), output (y).
+/// Weighted sums over a class: feature less the class' mean (x), output (y), and those of the
+/// products with mates of the lot.
 struct Sums {
-  double count = 0, x = 0, y = 0, xx = 0, xy = 0, slope = 0;
-
-  void add(double dx, double dy, double w) {
-    count += w;
-    x += w * dx;
-    y += w * dy;
-    xx += w * dx * dx;
-    xy += w * dx * dy;
-  }
-  double spread() const { return xx - x * x / count; }
-};
-
-/// What the runs of one lot have in one class.
-struct Part {
-  double count = 0, x = 0, weight = 0;
+  double count = 0, x = 0, y = 0, xx = 0, xy = 0, mates = 0, mates_xx = 0, slope = 0;
 };
 
 }  // namespace
 
-std::size_t bin_count(std::size_t runs) {
-  const double half_root = 0.5 * std::sqrt(static_cast<double>(runs));
+std::size_t bin_count(std::size_t values) {
+  const double half_root = 0.5 * std::sqrt(static_cast<double>(values));
   return std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(half_root)), 4,
                                  kMostBins / 2);
 }
 
-std::size_t independent_values(std::span<const double> feature, const Lots& lots) {
-  std::set<std::pair<std::size_t, double>> distinct;
-  for (std::size_t i = 0; i < feature.size(); ++i)
-    distinct.emplace(lots.count > 0 ? lots.of[i] : i, feature[i]);
-  return distinct.size();
-}
-
-Binning make_binning(std::span<const double> feature, std::size_t bins) {
-  if (bins == 0) bins = bin_count(feature.size());
-  Binning binning{0, std::vector<std::size_t>(feature.size(), 0), {}};
+Binning make_binning(std::span<const double> feature, std::size_t bins,
+                     std::vector<std::size_t> lot_of) {
+  lot_of.resize(feature.size());
+  if (lot_of == std::vector<std::size_t>(feature.size()))
+    std::iota(lot_of.begin(), lot_of.end(), 0);
+  std::set<std::pair<std::size_t, double>> values;
+  for (std::size_t i = 0; i < feature.size(); ++i) values.emplace(lot_of[i], feature[i]);
+  if (bins == 0) bins = bin_count(values.size());
+  Binning binning{0, std::vector<std::size_t>(feature.size(), 0), {}, lot_of, {}};
   const auto order = ascending_order(feature);
   std::size_t current = 0;
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
@@ -78,54 +66,54 @@ Binning make_binning(std::span<const double> feature, std::size_t bins) {
     const std::size_t bin = binning.bin_of[i];
     binning.offset[i] = feature[i] - sum[bin] / count[bin];
   }
+  std::map<std::pair<std::size_t, std::size_t>, Binning::Mates> mates;
+  const auto mates_of = [&](std::size_t i) -> auto& {
+    return mates[{binning.bin_of[i], lot_of[i]}];
+  };
+  for (const std::size_t i : order) mates_of(i).runs += 1, mates_of(i).offset += binning.offset[i];
+  for (std::size_t i = 0; i < feature.size(); ++i) binning.mates.push_back(mates_of(i));
   return binning;
 }
 
 double binned_share(const Binning& binning, std::span<const double> output,
-                    std::span<const double> weights, const Lots& lots) {
+                    std::span<const double> weights) {
   std::array<Sums, kMostBins> sums{};
-  std::vector<Part> parts(binning.bins * lots.count);
   double squares = 0, runs = 0;
   for (std::size_t i = 0; i < output.size(); ++i) {
-    const double w = weights[i];
-    if (w == 0 || std::isnan(output[i])) continue;
-    const std::size_t bin = binning.bin_of[i];
-    sums[bin].add(binning.offset[i], output[i], w);
-    squares += w * output[i] * output[i];
+    const double w = weights[i], x = binning.offset[i], y = output[i];
+    if (w == 0 || std::isnan(y)) continue;
+    Sums& at = sums[binning.bin_of[i]];
+    at.count += w;
+    at.x += w * x;
+    at.y += w * y;
+    at.xx += w * x * x;
+    at.xy += w * x * y;
+    at.mates += w * binning.mates[i].runs;
+    at.mates_xx += w * x * binning.mates[i].offset;
+    squares += w * y * y;
     runs += w;
-    if (lots.count == 0) continue;
-    Part& part = parts[bin * lots.count + lots.of[i]];
-    part.count += 1;
-    part.x += binning.offset[i];
-    part.weight = w;
   }
-  double used = 0, shared = 0;  // traces of the fit and of its blocks of lots
+  double used = 0, shared = 0;  // P and R of lot_variance.hpp
   for (std::size_t bin = 0; bin < binning.bins; ++bin) {
     Sums& at = sums[bin];
     if (at.count == 0) continue;
-    double same = lots.count == 0 ? at.count : 0, tilt = 0;
-    for (std::size_t lot = 0; lot < lots.count; ++lot) {
-      const Part& part = parts[bin * lots.count + lot];
-      same += part.weight * part.count * part.count;
-      tilt += part.weight * std::pow(part.x - part.count * at.x / at.count, 2);
-    }
     used += 1;
-    shared += same / at.count;
-    // A line takes at least four independent runs.
-    if (at.count * at.count < kFewestForLine * same || !(at.spread() > 1e-9 * at.xx)) continue;
-    at.slope = (at.xy - at.x * at.y / at.count) / at.spread();
+    shared += at.mates / at.count;
+    const double spread = at.xx - at.x * at.x / at.count;
+    // As many lots as a line takes.
+    if (at.count * at.count < kFewestForLine * at.mates || !(spread > 1e-9 * at.xx)) continue;
+    at.slope = (at.xy - at.x * at.y / at.count) / spread;
     used += 1;
-    shared += lots.count == 0 ? 1 : tilt / at.spread();
+    shared += at.mates_xx / at.xx;
   }
-  std::vector<double> residual(output.size(), kUndefined);
+  std::vector<double> residual(output.size());
   for (std::size_t i = 0; i < output.size(); ++i) {
     const Sums& at = sums[binning.bin_of[i]];
-    if (weights[i] == 0) continue;
     residual[i] = output[i] - at.y / at.count - at.slope * (binning.offset[i] - at.x / at.count);
   }
-  const double whole = run_variance(output, weights, lots).whole();
+  const double whole = lot_variance(output, weights, binning.lot_of).whole();
   if (!(whole > 1e-12 * squares / runs)) return kUndefined;
-  return 1 - residual_variance(residual, weights, lots, used, shared).whole() / whole;
+  return 1 - residual_variance(residual, weights, binning.lot_of, used, shared).whole() / whole;
 }
 
 Estimate binned_share_estimate(const Binning& binning, std::span<const double> output,
@@ -139,13 +127,12 @@ Estimate binned_share_estimate(const Binning& binning, std::span<const double> o
   for (double& y : centred) y -= mean;
 
   double excess = 0, count = 0;
-  const Lots lots = lots_of(resampling);
   const std::vector<double> ones(output.size(), 1.0);
-  const double value = binned_share(binning, centred, ones, lots);
+  const double value = binned_share(binning, centred, ones);
   bool at_value = true;  // the first call is the estimate itself, the others are resamples
   Estimate estimate = resampling.estimate(
       [&](std::span<const double> weights) {
-        const double share = binned_share(binning, centred, weights, lots);
+        const double share = binned_share(binning, centred, weights);
         if (!at_value && !std::isnan(share)) excess += share - value, count += 1;
         at_value = false;
         return share;
@@ -159,8 +146,8 @@ Estimate binned_share_estimate(const Binning& binning, std::span<const double> o
 
 std::vector<ResponsePoint> response_curve(std::span<const double> feature,
                                           std::span<const double> output, std::size_t bins,
-                                          const Lots& lots) {
-  const Binning binning = make_binning(feature, bins);
+                                          std::vector<std::size_t> lot_of) {
+  const Binning binning = make_binning(feature, bins, std::move(lot_of));
   std::vector<ResponsePoint> points(binning.bins);
   std::vector<double> count(binning.bins), squares(binning.bins), groups(binning.bins);
   for (std::size_t i = 0; i < output.size(); ++i) {
@@ -178,7 +165,7 @@ std::vector<ResponsePoint> response_curve(std::span<const double> feature,
   for (std::size_t i = 0; i < output.size(); ++i) {
     if (std::isnan(output[i])) continue;
     const std::size_t bin = binning.bin_of[i];
-    sums[{bin, lots.count > 0 ? lots.of[i] : i}] += output[i] - points[bin].mean;
+    sums[{bin, binning.lot_of[i]}] += output[i] - points[bin].mean;
   }
   for (const auto& [where, sum] : sums) {
     squares[where.first] += sum * sum;

@@ -23,7 +23,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/statistics/lot_variance.hpp"
+#include "analysis/statistics/resampling.hpp"
 
 namespace cagetol {
 
@@ -32,21 +32,26 @@ struct Binning {
   std::size_t bins = 0;
   std::vector<std::size_t> bin_of;
   std::vector<double> offset;  ///< feature less the mean of its class
+  std::vector<std::size_t> lot_of;
+  /// Runs of its lot in its class, itself included, and the sum of their offsets.
+  struct Mates {
+    double runs = 0, offset = 0;
+  };
+  std::vector<Mates> mates;
 };
 
-std::size_t bin_count(std::size_t runs);
+/// Classes for so many independent values.
+std::size_t bin_count(std::size_t values);
 
-/// Values of the feature, those that are the same for all runs of a lot counted once a lot.
-std::size_t independent_values(std::span<const double> feature, const Lots& lots);
-
-/// `bins` classes with equal numbers of samples; equal values are in the same class. 0:
-/// bin_count().
-Binning make_binning(std::span<const double> feature, std::size_t bins = 0);
+/// `bins` classes with equal numbers of samples; equal values are in the same class. 0: bin_count()
+/// of the values, those that a lot has several times counted once. No lots: each run has its own.
+Binning make_binning(std::span<const double> feature, std::size_t bins = 0,
+                     std::vector<std::size_t> lot_of = {});
 
 /// The share from weighted runs, without samples whose output is NaN. NaN if the output does not
 /// vary.
 double binned_share(const Binning& binning, std::span<const double> output,
-                    std::span<const double> weights, const Lots& lots = {});
+                    std::span<const double> weights);
 
 /// The share with its interval. Resamples contain repeated runs, so their shares are too large; the
 /// interval is shifted by the mean excess over the estimate.
@@ -60,6 +65,6 @@ struct ResponsePoint {
 };
 std::vector<ResponsePoint> response_curve(std::span<const double> feature,
                                           std::span<const double> output, std::size_t bins,
-                                          const Lots& lots = {});
+                                          std::vector<std::size_t> lot_of = {});
 
 }  // namespace cagetol

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/statistics/lot_variance.hpp"
+#include "analysis/statistics/summary.hpp"
 
 namespace cagetol {
 namespace {
@@ -20,8 +21,10 @@ struct Row {
   std::int64_t lot = 0;
 };
 
-std::vector<Row> rows_of(const StudyData& study, std::span<const double> output) {
-  std::map<std::int64_t, Row> rows;
+using Rows = std::map<std::int64_t, Row>;
+
+Rows rows_of(const StudyData& study, std::span<const double> output) {
+  Rows rows;
   for (std::size_t i = 0; i < study.size(); ++i) {
     if (std::isnan(output[i])) continue;
     Row& row = rows[study.row[i]];
@@ -31,16 +34,14 @@ std::vector<Row> rows_of(const StudyData& study, std::span<const double> output)
     row.mean += step / ++row.runs;
     row.square += step * (output[i] - row.mean);
   }
-  std::vector<Row> list;
-  for (const auto& [number, row] : rows) list.push_back(row);
-  return list;
+  return rows;
 }
 
 /// H(share) times s_w^2.
-double between(const std::vector<Row>& rows, double share) {
+double between(const Rows& rows, double share) {
   double sum = 0, sum_mean = 0, square = 0;
-  const double centre = rows.front().mean;
-  for (const Row& row : rows) {
+  const double centre = rows.begin()->second.mean;
+  for (const auto& [number, row] : rows) {
     const double u = row.runs * share / (share + row.runs * (1 - share)), y = row.mean - centre;
     sum += u;
     sum_mean += u * y;
@@ -50,7 +51,7 @@ double between(const std::vector<Row>& rows, double share) {
 }
 
 /// Share at which between() is `wanted`, 1 if it is less everywhere.
-double share_at(const std::vector<Row>& rows, double wanted) {
+double share_at(const Rows& rows, double wanted) {
   double low = 0, high = 1;
   for (int halving = 0; halving < 50; ++halving) {
     const double middle = (low + high) / 2;
@@ -68,7 +69,7 @@ NoiseShare noise_share(const StudyData& study, std::span<const double> output, d
   std::vector<std::size_t> lot_of;
   std::map<std::int64_t, std::size_t> lots;
   double square = 0, freedom = 0;
-  for (const Row& row : rows) {
+  for (const auto& [number, row] : rows) {
     noise.rows += row.runs > 1;
     square += row.square;
     freedom += row.runs - 1;
@@ -78,17 +79,17 @@ NoiseShare noise_share(const StudyData& study, std::span<const double> output, d
   if (noise.rows < kFewestRows) return noise;
   const std::vector<double> equal(rows.size(), 1.0);
   const auto count = static_cast<double>(rows.size()), lot_count = static_cast<double>(lots.size());
-  const RunVariance variance =
-      run_variance(firsts, equal, lots.size() < rows.size() ? Lots{lots.size(), lot_of} : Lots{});
+  const LotVariance variance = lot_variance(firsts, equal, lot_of);
   const double within = square / freedom, whole = variance.whole();
   if (!(whole > 0)) return noise;
   noise.standard_deviation = std::sqrt(within);
   noise.share.value = std::min(within / whole, 1.0);
-  const double correlation = std::clamp(variance.of_lots / whole, 0.0, 1.0);
-  const double rows_freedom =
-      (count - 1) / (1 + (count / lot_count - 1) * correlation * correlation);
+  // With one row a lot the correlation has no weight.
+  const double correlation = std::clamp(variance.of_lots / whole, 0.0, 1.0),
+               more = count / lot_count - 1, common = more * correlation * correlation;
+  const double rows_freedom = (count - 1) / (1 + common);
   // Between rows of common lots the mean square falls short of the whole variance.
-  const double shortfall = run_variance(firsts, equal, {}).whole() / whole;
+  const double shortfall = std::pow(weighted_standard_deviation(firsts, equal), 2) / whole;
   const auto end = [&](double probability) {
     return share_at(rows,
                     within * shortfall * gsl_cdf_fdist_Pinv(probability, rows_freedom, freedom));

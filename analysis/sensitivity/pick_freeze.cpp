@@ -57,28 +57,25 @@ struct Pair {
 /// Shares of the group in block `block`, each base counted as often as `times` says.
 Pair shares(const std::vector<Base>& bases, std::span<const double> times, std::size_t block,
             double noise_share) {
-  struct Moments {
-    double sum = 0, squares = 0;
-    void add(double y, double w) { sum += w * y, squares += w * y * y; }
-    double variance(double count) const { return squares / count - std::pow(sum / count, 2); }
-  } a, b, ab;
-  double count = 0, total = 0, with_ab = 0, with_a = 0;
+  double count = 0, sum_b = 0, sum_ab = 0, sum_a = 0, squares = 0, total = 0, with_ab = 0,
+         with_a = 0;
   for (std::size_t i = 0; i < bases.size(); ++i) {
-    const double ya = bases[i][0], yb = bases[i][1], yab = bases[i][block], w = times[i];
+    const double a = bases[i][0], b = bases[i][1], ab = bases[i][block], w = times[i];
     count += w;
-    a.add(ya, w), b.add(yb, w), ab.add(yab, w);
-    total += w * (ya - yab) * (ya - yab);
-    with_ab += w * yb * yab;
-    with_a += w * yb * ya;
+    sum_a += w * a;
+    sum_b += w * b;
+    sum_ab += w * ab;
+    squares += w * (b * b + ab * ab);
+    total += w * (a - ab) * (a - ab);
+    with_ab += w * b * ab;
+    with_a += w * b * a;
   }
-  const Moments ends{a.sum + b.sum, a.squares + b.squares};
-  const Moments same{b.sum + ab.sum, b.squares + ab.squares};
-  const double variance = ends.variance(2 * count), of_same = same.variance(2 * count);
-  if (!(variance > 0 && of_same > 0)) return {kUndefined, kUndefined};
+  const double variance = squares / (2 * count) - std::pow((sum_b + sum_ab) / (2 * count), 2);
+  if (!(variance > 0)) return {kUndefined, kUndefined};
   const double raw = total / (2 * count * variance), factor = std::clamp(1 - raw, 0.0, 1.0);
   // The means of A, B and AB differ by chance: products are taken around them.
-  const double first = with_ab - factor * with_a - b.sum * (ab.sum - factor * a.sum) / count;
-  return {first / count / of_same, raw - noise_share};
+  const double first = with_ab - factor * with_a - sum_b * (sum_ab - factor * sum_a) / count;
+  return {first / count / variance, raw - noise_share};
 }
 
 /// A shift of the output changes nothing but the digits that are lost.

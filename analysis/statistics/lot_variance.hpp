@@ -14,32 +14,26 @@
 #include <span>
 #include <vector>
 
-#include "analysis/statistics/resampling.hpp"
 #include "analysis/study/estimate.hpp"
 
 namespace cagetol {
 
-/// Lots of several runs; count 0: every run is a lot of its own.
-struct Lots {
-  std::size_t count = 0;
-  std::span<const std::size_t> of;
-};
-Lots lots_of(const Resampling& resampling);
-
-struct RunVariance {
-  double in_lots = kUndefined;  ///< w; 0 with one run a lot
-  double of_lots = kUndefined;  ///< b; w + b with one run a lot
+struct LotVariance {
+  double in_lots = 0;           ///< w; 0 with one run a lot
+  double of_lots = kUndefined;  ///< b, or w + b with one run a lot; NaN if lots are too few
 
   double whole() const { return in_lots + of_lots; }
 };
 
-/// Runs of weight 0 or with a NaN are left out; the runs of a lot have one weight, and count as lots
-/// of their own as often as it says. `fitted`: P, `fitted_in_lots`: R. NaN if lots are too few.
-RunVariance residual_variance(std::span<const double> residuals, std::span<const double> weights,
-                              const Lots& lots, double fitted, double fitted_in_lots);
+/// Runs of weight 0 or with a NaN are left out. The runs of a lot, numbered below the number of
+/// runs, have one weight, and count as lots of their own as often as it says. `fitted`: P,
+/// `fitted_in_lots`: R.
+LotVariance residual_variance(std::span<const double> residuals, std::span<const double> weights,
+                              std::span<const std::size_t> lot_of, double fitted,
+                              double fitted_in_lots);
 
 /// Around the mean.
-RunVariance run_variance(std::span<const double> values, std::span<const double> weights,
-                         const Lots& lots);
+LotVariance lot_variance(std::span<const double> values, std::span<const double> weights,
+                         std::span<const std::size_t> lot_of);
 
 }  // namespace cagetol

@@ -214,9 +214,8 @@ std::pair<double, double> lot_coverage(std::size_t cages_per_lot, bool of_lot, d
     const InLots drawn = draw_in_lots(cages_per_lot, of_lot, share, repeat);
     const Resampling resampling(
         plain_study(200, "random", static_cast<std::int64_t>(cages_per_lot), repeat + 1), 200);
-    const std::size_t bins = bin_count(of_lot ? 200 / cages_per_lot : 200);
-    const Estimate estimate =
-        binned_share_estimate(make_binning(drawn.feature, bins), drawn.output, resampling, 0.95);
+    const Estimate estimate = binned_share_estimate(
+        make_binning(drawn.feature, 0, resampling.lot_of()), drawn.output, resampling, 0.95);
     mean += estimate.value / 300;
     held += (estimate.lower <= share && share <= estimate.upper) / 3.0;
   }
@@ -240,12 +239,16 @@ TEST(BinnedShares, OfFeaturesOfLotsAreHeldWhereLotsAreMany) {
   }
 }
 
-TEST(BinnedShares, IndependentValuesOfLots) {
-  const std::vector<std::size_t> lot{0, 0, 1, 1};
-  const std::vector<double> shared{5, 5, 5, 5}, own{1, 2, 3, 3};
-  EXPECT_EQ(independent_values(shared, {2, lot}), 2u);
-  EXPECT_EQ(independent_values(own, {2, lot}), 3u);
-  EXPECT_EQ(independent_values(shared, {}), 4u);
+TEST(Binning, CountsTheValuesOfALotOnce) {
+  std::vector<std::size_t> lot;
+  std::vector<double> shared, own;
+  for (std::size_t i = 0; i < 400; ++i) {
+    lot.push_back(i / 4);
+    shared.push_back(static_cast<double>(i / 4));
+    own.push_back(static_cast<double>(i));
+  }
+  EXPECT_EQ(make_binning(shared, 0, lot).bins, bin_count(100));
+  EXPECT_EQ(make_binning(own, 0, lot).bins, bin_count(400));
 }
 
 TEST(ResponseCurve, StandardErrorOfLots) {
@@ -253,7 +256,7 @@ TEST(ResponseCurve, StandardErrorOfLots) {
   std::vector<std::size_t> lot;
   std::vector<double> feature(100, 3.0), output;
   for (std::size_t i = 0; i < 100; ++i) lot.push_back(i / 50), output.push_back(i < 50 ? 0 : 2);
-  EXPECT_NEAR(response_curve(feature, output, 1, {2, lot})[0].standard_error, 1, 1e-12);
+  EXPECT_NEAR(response_curve(feature, output, 1, lot)[0].standard_error, 1, 1e-12);
   EXPECT_NEAR(response_curve(feature, output, 1)[0].standard_error, std::sqrt(1 / 99.0), 1e-12);
 }
 

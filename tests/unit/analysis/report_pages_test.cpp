@@ -180,6 +180,8 @@ TEST(ReportPages, LimitedQuantitiesComeFirstAndLabelsAreNoContributors) {
   const std::string drives = text_of(section_of(page, "contributors")),
                     statistics = text_of(section_of(page, "quantities"));
   EXPECT_THAT(drives, Not(HasSubstr("stress peak station")));
+  EXPECT_THAT(drives, HasSubstr("not explained by any feature"));
+  EXPECT_THAT(drives, HasSubstr("variance over one run of each of"));
   EXPECT_LT(drives.find("cage stress peak"), drives.find("cage slip ratio"));
   EXPECT_LT(statistics.find("whirl radius ratio p95"), statistics.find("cage slip ratio"));
   const std::size_t same = statistics.find("The same in every run");

@@ -192,13 +192,24 @@ TEST_F(Report, ContributorsAreFound) {
     for (const auto& share : output.at("shares"))
       if (share.at("value").is_number() && share.at("value") > largest)
         largest = share.at("value"), best = share.at("feature");
+    const auto& rest = output.at("not_explained");
     if (output.at("output") == "whirl_radius_ratio_p95") {
       EXPECT_EQ(best, "pocket width: from cage to cage");
+      // Noise of 0.02 beside 0.006 times the lot's deviation.
+      for (const auto& quantity : report.at("quantities"))
+        if (quantity.at("quantity") == output.at("output")) {
+          const double sigma = quantity.at("statistics").at("standard_deviation").at("value");
+          EXPECT_NEAR(rest.at("value"), std::pow(0.02 / sigma, 2), 0.02);
+          EXPECT_LT(rest.at("lower"), std::pow(0.02 / sigma, 2));
+          EXPECT_GT(rest.at("upper"), std::pow(0.02 / sigma, 2));
+        }
     } else if (output.at("output") == "cage_slip_ratio") {
       EXPECT_EQ(best, "pocket squareness: within-cage scatter");
     }
   }
-  const auto pockets = make_report(study).at("contributors").at("pockets");
+  EXPECT_EQ(report.at("contributors").at("variance_of"),
+            "one run of each of 1000 cages, their tolerances drawn from all candidates");
+  const auto pockets = report.at("contributors").at("pockets");
   ASSERT_EQ(pockets.size(),
             1u);  // pocket 4 drives the pocket force, and no other pocket stands out anywhere
   EXPECT_EQ(pockets[0].at("output"), "pocket_force_peak_N");
