@@ -14,12 +14,13 @@ namespace {
 
 /// Of five features, two of the lot and three of the cage, three drive the output: straight lines and
 /// a parabola. Half of the rest is that of the lot.
-struct Drawn {
+struct FittedCages {
   std::vector<Feature> features = std::vector<Feature>(5);
   std::vector<double> output;
 };
-Drawn draw(std::size_t runs, std::size_t cages_per_lot, double unexplained, int repeat) {
-  Drawn drawn;
+FittedCages draw_fitted(std::size_t runs, std::size_t cages_per_lot, double unexplained,
+                        int repeat) {
+  FittedCages drawn;
   std::vector<double> lot(3);
   for (std::size_t i = 0; i < runs; ++i) {
     RandomStream stream(300 + static_cast<std::uint64_t>(repeat), Purpose::lot, i);
@@ -38,10 +39,11 @@ Drawn draw(std::size_t runs, std::size_t cages_per_lot, double unexplained, int 
 }
 
 /// Mean estimate, and the percentage of 400 repeats whose interval holds the share.
-std::pair<double, double> coverage(std::size_t runs, std::size_t cages_per_lot, double share) {
+std::pair<double, double> unexplained_coverage(std::size_t runs, std::size_t cages_per_lot,
+                                               double share) {
   double mean = 0, held = 0;
   for (int repeat = 0; repeat < 400; ++repeat) {
-    const Drawn drawn = draw(runs, cages_per_lot, share, repeat);
+    const FittedCages drawn = draw_fitted(runs, cages_per_lot, share, repeat);
     const Resampling resampling(plain_study(static_cast<std::int64_t>(runs), "random",
                                             static_cast<std::int64_t>(cages_per_lot), repeat + 1),
                                 2);
@@ -55,7 +57,7 @@ std::pair<double, double> coverage(std::size_t runs, std::size_t cages_per_lot, 
 TEST(UnexplainedShare, IntervalsCoverTheTruth) {
   for (const double share : {0.15, 0.5, 0.85, 1.0})
     for (const std::size_t cages : {1, 5}) {
-      const auto [mean, held] = coverage(300, cages, share);
+      const auto [mean, held] = unexplained_coverage(300, cages, share);
 
       EXPECT_NEAR(mean, share, 0.04) << share << " " << cages;
       EXPECT_GE(held, 90) << share << " " << cages;
@@ -63,7 +65,7 @@ TEST(UnexplainedShare, IntervalsCoverTheTruth) {
 }
 
 TEST(UnexplainedShare, RunsWithoutValueAreLeftOut) {
-  Drawn drawn = draw(600, 1, 0.5, 0);
+  FittedCages drawn = draw_fitted(600, 1, 0.5, 0);
   for (std::size_t i = 0; i < 600; i += 3) drawn.output[i] = NAN;
   const Resampling resampling(plain_study(600), 2);
   const double share = unexplained_share(drawn.features, drawn.output, resampling, 0.95).value;
@@ -71,7 +73,7 @@ TEST(UnexplainedShare, RunsWithoutValueAreLeftOut) {
 }
 
 TEST(UnexplainedShare, FewRunsLeaveItUndefined) {
-  const Drawn drawn = draw(8, 1, 0.5, 0);
+  const FittedCages drawn = draw_fitted(8, 1, 0.5, 0);
   const Resampling resampling(plain_study(8), 2);
   EXPECT_TRUE(std::isnan(unexplained_share(drawn.features, drawn.output, resampling, 0.95).value));
 }
