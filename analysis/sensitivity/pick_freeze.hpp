@@ -9,9 +9,9 @@
 // correlated with f(B) f(AB_g); 1 - T_g, the correlation of f(A) and f(AB_g), takes most of the
 // scatter out. Without the factor this is the estimator of Saltelli et al. 2010,
 // doi:10.1016/j.cpc.2009.09.018, without f(A) that of Janon et al. 2014, doi:10.1051/ps/2013040,
-// whose Var Y, that of f(B) and f(AB_g) together, is used for both. A share near zero has the standard error
-// sqrt((1 - (1 - T_g)^2) / N) from N bases, less than from either and from 1 - E[(f(B) -
-// f(AB_g))^2] / (2 Var Y).
+// whose Var Y, that of f(B) and f(AB_g) together, is used for both. A share near zero has the
+// standard error sqrt((1 - (1 - T_g)^2) / N) from N bases, less than from either and from
+// 1 - E[(f(B) - f(AB_g))^2] / (2 Var Y).
 //
 // Each row has its own noise. Shares refer to the whole variance, noise included. T_g contains the
 // noise share in addition; it is subtracted if replicates give it.
