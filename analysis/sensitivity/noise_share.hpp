@@ -7,9 +7,9 @@
 //
 //   u_i = n_i s / (s + n_i (1 - s)),   H(s) = sum_i u_i (mean_i - mean)^2 / (rows - 1) / s_w^2
 //
-// H(s) of the true share follows F with rows - 1 and sum_i (n_i - 1) degrees of freedom, exactly for
-// normal scatter; it grows with s. The interval is where H(s) lies between quantiles of F. Rows of
-// common lots have fewer degrees of freedom, (rows - 1) / (1 + (rows a lot - 1) r^2) for their
+// H(s) of the true share follows F with rows - 1 and sum_i (n_i - 1) degrees of freedom, exactly
+// for normal scatter; it grows with s. The interval is where H(s) lies between quantiles of F. Rows
+// of common lots have fewer degrees of freedom, (rows - 1) / (1 + (rows a lot - 1) r^2) for their
 // correlation r (Satterthwaite).
 #pragma once
 

@@ -13,8 +13,8 @@
 
 namespace cagetol {
 
-/// Throws Refused unless runs are independent and no value of the feature occurs twice: the order of
-/// equal values is arbitrary.
+/// Throws Refused unless runs are independent and no value of the feature occurs twice: the order
+/// of equal values is arbitrary.
 double rank_share(const StudyData& runs, std::span<const double> feature,
                   std::span<const double> output);
 

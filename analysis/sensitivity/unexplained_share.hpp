@@ -5,9 +5,9 @@
 //
 //   U = residual variance / whole variance, both of statistics/lot_variance.hpp
 //
-// Steps and interactions of features count as unexplained. The interval is that of log U by its influence
-// function r_i^2 / mean(r^2) - d_i^2 / mean(d^2), summed over lots, r_i the residuals and d_i the
-// deviations from the mean, with Student's t.
+// Steps and interactions of features count as unexplained. The interval is that of log U by its
+// influence function r_i^2 / mean(r^2) - d_i^2 / mean(d^2), summed over lots, r_i the residuals and
+// d_i the deviations from the mean, with Student's t.
 #pragma once
 
 #include <span>

@@ -32,8 +32,8 @@ struct AssumptionPlan {
 /// More runs than this many times `confirming` are only run where they are asked for by number.
 inline constexpr std::size_t kMostOfAuto = 100;
 
-/// Runs under each alternative for "auto": those that settle it, within kMostOfAuto; else those that
-/// confirm if none fails.
+/// Runs under each alternative for "auto": those that settle it, within kMostOfAuto; else those
+/// that confirm if none fails.
 std::size_t automatic_runs(const AssumptionPlan& plan);
 
 /// Name of the directory of an alternative's runs: "assume-1-300/lubrication.pocket_layer_um-5".

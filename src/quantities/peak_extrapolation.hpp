@@ -7,16 +7,16 @@
 //   G(x) = exp(-(1 + xi (x - mu)/sigma)^(-1/xi))
 //
 // so that the largest of N independent blocks has the distribution G^N. Successive maxima may be
-// alike: their normal scores z = Phi^-1(G(x)) are a first-order autoregression of correlation r (Joe
-// 2014, Dependence Modeling with Copulas, sec. 3.14). Correlated blocks tell less of the law, and
-// N of them have the largest value of fewer, from P(z' > u | z > u) of far u = Phi^-1(1 - 1/N):
+// alike: their normal scores z = Phi^-1(G(x)) are a first-order autoregression of correlation r
+// (Joe 2014, Dependence Modeling with Copulas, sec. 3.14). Correlated blocks tell less of the law,
+// and N of them have the largest value of fewer, from P(z' > u | z > u) of far u = Phi^-1(1 - 1/N):
 //
 //   N' = N erf(a u / sqrt(2)) / erf(u / sqrt(2)),   a = sqrt((1 - r) / (1 + r))
 //
 // Few blocks do not tell xi, which decides what a long time brings, nor r; no single value is taken
 // for them. mu, log sigma, xi in [-1, 0.5] (bounded likelihood, finite variance) and r in [0, 0.9]
-// are equally likely beforehand; their likelihood given the blocks weighs G^N', and the quantiles of
-// that mixture are the result:
+// are equally likely beforehand; their likelihood given the blocks weighs G^N', and the quantiles
+// of that mixture are the result:
 //
 //   P(largest of N blocks < x) = sum of w(mu, sigma, xi, r) G(x; mu, sigma, xi)^N'(r)
 //
