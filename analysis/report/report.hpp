@@ -15,6 +15,9 @@
 
 namespace cagetol {
 
+/// Of report.json and rig.json: what the pages lay out (analysis/pages/write_pages.py).
+inline constexpr int kReportVersion = 3;
+
 struct ReportOptions {
   /// Python scripts that draw from report.json, and those that lay it out.
   std::filesystem::path figures_dir = shipped_file("analysis/figures"),

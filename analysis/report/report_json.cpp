@@ -32,7 +32,7 @@ nlohmann::ordered_json make_report(const StudyData& study,
   add_used_values(bearing, "alternatives", "nominal", assumed);
   Json wider = passed_over_json(basis, tolerance.passed_over);
   Json report;
-  report["report_version"] = 3;
+  report["report_version"] = kReportVersion;
   report["verdict"] = std::move(tolerance.verdict);
   report["margins"] = margins_json(basis, confirmations, refining_ladder);
   report["passed_over"] = std::move(wider);

@@ -16,8 +16,8 @@
 //
 // Its mean is zero for an X without effect; it can be slightly negative. A class of fewer than
 // four lots, or of one value of X, has its mean instead of a line. What is curved within a class
-// is still lost, so M grows with N: M = sqrt(N) / 2, within 4 .. 32, N the
-// number of independent values.
+// is still lost, so M grows with the number N of independent values: M = sqrt(N) / 2,
+// within 4 .. 32.
 #pragma once
 
 #include <span>

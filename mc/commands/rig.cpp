@@ -80,7 +80,7 @@ int run_rig(const RigArguments& options) {
     const Study given = read_rig_scene(options);
     const auto ends = options.starts_only ? std::vector<Alternative>() : alternatives_of(given);
     Json rig = {{"kind", "rig"},
-                {"report_version", 3},
+                {"report_version", kReportVersion},
                 {"scene", given.name},
                 {"file", std::filesystem::path(options.measured).filename().string()},
                 {"starts", options.starts},

@@ -253,8 +253,9 @@ void find_whirl_clearance(Study& study) {
       std::any_of(study.points.begin(), study.points.end(), [&](const OperatingPointPlan& point) {
         return whirl.met(at_operating_point(study.scene, point));
       });
-  if (measured && std::isnan(clearance))
-    clearance = whirl_clearance(make_bearing_model(OperatingScene(study.scene)));
+  if (!measured || !std::isnan(clearance)) return;
+  const double left = whirl_clearance(make_bearing_model(OperatingScene(study.scene)));
+  if (left > 0) clearance = left;
 }
 
 void forget_temperatures(Study& study) {

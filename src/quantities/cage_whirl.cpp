@@ -58,7 +58,7 @@ void CageWhirl::end_revolution() {
 std::array<double, kOrbitClasses> CageWhirl::shares() const {
   double all = 0;
   for (const long count : revolutions_) all += static_cast<double>(count);
-  // What rocks to and fro turns, too, within a revolution.
+  // A centre that rocks to and fro goes some way round within a revolution, and comes back.
   const bool winds = std::abs(all_.turned) > 2 * std::numbers::pi;
   const auto circling = static_cast<std::size_t>(OrbitClass::circling),
              irregular = static_cast<std::size_t>(OrbitClass::irregular);

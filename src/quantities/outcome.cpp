@@ -26,9 +26,8 @@ const std::vector<RunField>& run_fields() {
       {"measured_s", "s", "length of the measuring window; quasi-static: 0"},
       {"cage_revolutions", "1", "revolutions of the cage in the measuring window"},
       {"windows_cut", "1",
-       "windows that ended before the cage, which skids, had made window.measure_revolutions "
-       "turns: "
-       "at three times as many without slip"},
+       "windows that ended, at three times window.measure_revolutions without slip, before the "
+       "cage, which skids, had made so many turns"},
       {"steps", "1", "accepted integration steps; quasi-static: positions"},
       {"rejected_steps", "1", "steps tried and rejected"},
       {"rhs_evaluations", "1", "evaluations of all forces"},

@@ -213,8 +213,7 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "the ring"},
     {"operating_temperature_C", "degC", Kind::power, need::heat, bound::finite, "limit on heat",
      "temperature of outer ring and oil at which the bearing would shed the power that it loses, "
-     "by "
-     "the slopes at the nominal bearing's; the run itself has that of the nominal bearing"},
+     "by the slopes at the nominal bearing's; the run itself has that of the nominal bearing"},
     {"heat_shed_W", "W", Kind::power, need::heat, bound::finite, "limit on heat",
      "heat that the bearing sheds there"},
     {"cage_stress_peak_MPa", "MPa", Kind::peak, need::flexible, bound::stress,

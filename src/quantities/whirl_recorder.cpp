@@ -62,7 +62,7 @@ void WhirlRecorder::write_path(const Turning& turning, QuantityValues& q) const 
                             : duty.load_turns()                    ? duty.speed.inner
                                                                    : 0,
                turns = load_speed != 0 ? kWhirlTurnsBesideLoad : kWhirlTurns;
-  const bool known = path_ && turning.has_ended(turns);
+  const bool known = path_ && clearance_ > 0 && turning.has_ended(turns);
   const CentreMotion motion =
       known ? path_->motion(load_speed) : CentreMotion{kNoValue, kNoValue, kNoValue, kNoValue};
   q[quantity_row("whirl_ratio")] = motion.whirl / clearance_;

@@ -21,10 +21,10 @@ class WhirlRecorder {
   void end_revolution() { whirl_.end_revolution(); }
   /// `duration` of the window [s].
   void write(const Turning& turning, double duration, QuantityValues& q) const;
-  void write_path(const Turning& turning, QuantityValues& q) const;
   double turned() const { return turned_; }  ///< by the centre, about the middle [rad]
 
  private:
+  void write_path(const Turning& turning, QuantityValues& q) const;
   const BearingModel& model_;
   StepSeries radius_{kPeak | kQuantiles}, axial_, lean_y_, lean_z_;
   CageWhirl whirl_;

@@ -18,7 +18,7 @@ struct WindowTimes {
 };
 
 /// Least of the radial guide clearance and half the clearances of pockets [m]: what confines the
-/// cage's centre.
+/// cage's centre; 0 where nothing is left.
 double whirl_clearance(const BearingModel& model);
 
 /// Of settling, cage revolutions are converted to time with the kinematic cage speed; a window

@@ -145,7 +145,7 @@ constinit const Reason kOverTime{"a duty over time has its window in seconds or 
 constinit const Reason kNoWhirl{"the window is too short to tell whirl (20 revolutions, 40 under a load that turns)",
     [](const Scene& s) { return !is_whirl_window(s); }};
 constinit const Reason kNoTurningLoad{"no load turns (load.rotating_N, load.unbalance_g_mm)",
-    [](const Scene& s) { return s.operation.rotating_load == 0 && s.operation.unbalance == 0; }};
+    [](const Scene& s) { return !load_turns(s); }};
 constinit const Reason kNoOrder{"only cvode-bdf has an order to choose", [](const Scene& s) { return s.integration.method != IntegrationMethod::cvode_bdf; }};
 // clang-format on
 

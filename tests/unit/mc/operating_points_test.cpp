@@ -231,6 +231,22 @@ TEST_F(OperatingPoints, RefuseWhatIsNoOperationOfTheBearing) {
   EXPECT_THAT(problem_of(point + "[history]\npoints = 5\n"), HasSubstr("history.points"));
 }
 
+// Whirl of all samples is over the clearance of the nominal bearing.
+TEST_F(OperatingPoints, WhereOneMeasuresWhirlTheStudySaysOverWhat) {
+  const std::string base = "samples = 2\n[scene.cage]\npocket_width_mm = { nominal = ",
+                    scatter = ", lot = { law = 'normal', sigma = 0.009 } }\n",
+                    long_window =
+                        "[[operating_point]]\nname = 'a'\nwindow.measure_revolutions = 20\n",
+                    brief = "[[operating_point]]\nname = 'a'\nwindow.measure_revolutions = 19\n";
+  const auto over = [&](const std::string& width, const std::string& point) {
+    return study_of(base + width + scatter + point).scene.window.whirl_clearance;
+  };
+  EXPECT_NEAR(over("7.65", long_window), 75e-6, 1e-12);
+  EXPECT_NEAR(over("8.0", long_window), 200e-6, 1e-12);  // the guide's
+  EXPECT_TRUE(std::isnan(over("7.65", brief)));
+  EXPECT_TRUE(std::isnan(over("7.5", "allow_interference = true\n" + long_window)));
+}
+
 TEST_F(OperatingPoints, SayWhatTheyCost) {
   const Study study = study_of(std::string(kScene) + kPoints);
   EXPECT_THAT(

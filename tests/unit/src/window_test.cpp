@@ -74,6 +74,17 @@ TEST(Window, WhirlNeedsTwentyTurns) {
   EXPECT_DOUBLE_EQ(value_of(simulate(scene), "whirl_ratio"), value_of(outcome, "whirl_ratio") / 2);
 }
 
+// A pocket as wide as its roller leaves nothing to take whirl over.
+TEST(Window, WhirlOverNoClearanceHasNoValue) {
+  Scene scene = quick_scene();
+  scene.cage.pocket_width = scene.roller.diameter;
+  scene.allow_interference = true;
+  scene.window = {.settle_revolutions = 1, .measure_revolutions = 20};
+  const Outcome outcome = simulate(scene);
+  EXPECT_EQ(outcome.status, Status::ok) << outcome.reason;
+  EXPECT_TRUE(std::isnan(value_of(outcome, "whirl_ratio")));
+}
+
 TEST(Window, ARunThatNeedsTooManyStepsIsCensored) {
   Scene scene = shipped_scene("speed-z16");
   scene.integration.max_step = 1e-15;

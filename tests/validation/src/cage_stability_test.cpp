@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <numbers>
@@ -157,27 +158,24 @@ Scene turning_load(double faster) {
   std::swap(scene.operation.radial_load, scene.operation.rotating_load);  // 1 kN
   return scene;
 }
-/// Preloaded all round; of both pockets whirl is over the clearance of the wider.
-Scene vertical(double pocket_clearance) {
-  Scene scene = oiled(4);
-  scene.operation.shaft_inclination = std::numbers::pi / 2;
-  scene.operation.radial_load = 0;
-  scene.bearing.internal_clearance = -10e-6;
-  scene.window.whirl_clearance = 0.075e-3;
-  scene.cage.pocket_width = {scene.roller.diameter.front() + pocket_clearance};
-  return scene;
-}
-/// The same of a bearing whose inner ring guides the cage.
-Scene inner_guided(double pocket_clearance) {
-  Scene scene = shipped_scene("aero118-inner");
-  scene.integration.tolerance = 0.002;
+/// On a vertical shaft, preloaded all round. Whirl is over half of `widest`, the larger pocket
+/// clearance of the pair.
+Scene uniform(Scene scene, double internal_clearance, double pocket_clearance, double widest) {
   scene.cage.model = CageKind::rigid;
   scene.operation.shaft_inclination = std::numbers::pi / 2;
   scene.operation.radial_load = 0;
-  scene.bearing.internal_clearance = -110e-6;
-  scene.window.whirl_clearance = 0.1e-3;
+  scene.bearing.internal_clearance = internal_clearance;
+  scene.window.whirl_clearance = widest / 2;
   scene.cage.pocket_width = {scene.roller.diameter.front() + pocket_clearance};
   return scene;
+}
+Scene vertical(double pocket_clearance) {
+  return uniform(oiled(4), -10e-6, pocket_clearance, 0.15e-3);
+}
+Scene inner_guided(double pocket_clearance) {
+  Scene scene = shipped_scene("aero118-inner");
+  scene.integration.tolerance = 0.002;
+  return uniform(std::move(scene), -110e-6, pocket_clearance, 0.2e-3);
 }
 
 /// A scene in oil and what its cage does from small and from large starts; neighbours differ in one
@@ -210,9 +208,8 @@ Scene started(const OiledScene& oiled, int n, int starts, double from) {
   scene.start.cage_offset_y = from * clearance * std::cos(angle);
   scene.start.cage_offset_z = from * clearance * std::sin(angle);
   scene.start.cage_phase = 0.31 * n;
-  const bool load_turns = scene.operation.rotating_load != 0 || scene.operation.unbalance != 0;
   scene.window.settle_revolutions = 40;
-  scene.window.measure_revolutions = load_turns ? kWhirlTurnsBesideLoad : kWhirlTurns;
+  scene.window.measure_revolutions = load_turns(scene) ? kWhirlTurnsBesideLoad : kWhirlTurns;
   return scene;
 }
 
@@ -284,6 +281,11 @@ int called_right(const OiledScene& oiled, int starts) {
     const std::string called =
         whirl_class(quantity(outcome, "whirl_ratio"), quantity(outcome, "whirl_load_line_ratio"),
                     quantity(outcome, "whirl_circling_ratio"));
+    if (n < 2)
+      std::printf("%s, %s start: %s, whirl %.2f, circling %.2f, speed %.1f\n", oiled.name,
+                  small ? "small" : "large", called.c_str(), quantity(outcome, "whirl_ratio"),
+                  quantity(outcome, "whirl_circling_ratio"),
+                  quantity(outcome, "whirl_strongest_speed_ratio"));
     right += called == (small ? oiled.from_small : oiled.from_large);
   }
   return right;
