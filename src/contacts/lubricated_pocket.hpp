@@ -17,8 +17,9 @@ namespace cagetol {
 
 /// Slopes of one lane from the law's derivatives by (p, p', u, |v|^2). `f`: forces of a station;
 /// `travel`: v_c over the speed of the axis.
-inline FilmContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack v1, Pack v2,
-                                        Pack rate, Pack u, double travel, int lane) {
+template <class Forces>
+FilmContactSlopes film_slopes_of(const Forces& f, Pack v1, Pack v2, Pack rate, Pack u,
+                                 double travel, int lane) {
   const int i = lane;
   const double s1 = v1[i], s2 = v2[i], ratio = f.ratio.value[i], roll = f.rolling.value[i];
   const double squared = s1 * s1 + s2 * s2, bend = 2 * f.ratio.slope[3][i];
@@ -27,7 +28,8 @@ inline FilmContactSlopes film_slopes_of(const LineForces<Dual<Pack, 4>>& f, Pack
   enum { kN, k1, k2, kC };
   const auto& N = f.at.normal.slope;
   const auto& G = f.ratio.slope;
-  const auto& R = f.rolling.slope;
+  const Dual<Pack, 4> rolling = f.rolling;
+  const auto& R = rolling.slope;
   double by_u[ContactRows::kMostChannels], power_u = 0;
   for (int z = 0; z < 3; ++z) {  // p, p', u
     double* by = z < 2 ? to.force[z] : by_u;
@@ -92,24 +94,25 @@ inline ChosenBar choose_bar(const OiledStation& station, bool apart, int side) {
   return {false, 0, station.oiled[0] | station.oiled[1], ~station.oiled[1]};
 }
 
-/// Forces of the oil at the chosen bars, T = Dual<Pack, 4> by (p, p', u, |v|^2) or Pack.
-template <class T>
-LineForces<T> oil_forces(const LubricatedLine& law, Mask wet, Pack p, Pack rate, Pack u,
-                         Pack squared) {
+/// Forces of the oil at the chosen bars, with derivatives by (p, p', u, |v|^2) or without.
+template <bool linear>
+auto oil_forces(const LubricatedLine& law, Mask wet, Pack p, Pack rate, Pack u, Pack squared) {
   // Lanes without oil take part with an open gap, whose forces are set to nothing.
   const Pack place = select(wet, p, splat(-0.5 * law.layer)), one = select(wet, splat(1.0), Pack{});
-  LineForces<T> forces;
-  if constexpr (std::is_same_v<T, Pack>)
-    forces = line_forces<T>(law, line_speed<T>(law, u), -place, -rate, squared);
+  const auto forces = [&](auto depth, auto rising, auto along, auto of_sliding) {
+    auto f = line_forces(law, line_speed(law, along), -depth, -rising, of_sliding);
+    f.at.normal = f.at.normal * one;
+    f.at.film = f.at.film * one;
+    f.at.steady = f.at.steady * one;
+    f.ratio = f.ratio * one;
+    f.rolling = f.rolling * one;
+    return f;
+  };
+  if constexpr (linear)
+    return forces(variable<0, 4>(place), variable<1, 4>(rate), variable<2, 4>(u),
+                  variable<3, 4>(squared));
   else
-    forces = line_forces<T>(law, line_speed<T>(law, variable<T>(u, 2)), -variable<T>(place, 0),
-                            -variable<T>(rate, 1), variable<T>(squared, 3));
-  forces.at.normal = forces.at.normal * one;
-  forces.at.film = forces.at.film * one;
-  forces.at.steady = forces.at.steady * one;
-  forces.ratio = forces.ratio * one;
-  forces.rolling = forces.rolling * one;
-  return forces;
+    return forces(place, rate, u, squared);
 }
 
 template <bool linear, class Face>
@@ -144,8 +147,7 @@ void lubricated_pocket(const BearingModel& model, const Face& face, const Roller
       const Pack rate = -speed(0), v1 = speed(1), v2 = speed(2),
                  u = 0.5 * v1 - face.travel * speed(3);
       const Pack squared = v1 * v1 + v2 * v2;
-      using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
-      const LineForces<D> forces = oil_forces<D>(face.line, bar.wet, meeting.p, rate, u, squared);
+      const auto forces = oil_forces<linear>(face.line, bar.wet, meeting.p, rate, u, squared);
       const Pack normal = value_of(forces.at.normal), ratio = value_of(forces.ratio),
                  roll = value_of(forces.rolling);
       const Pack force[4] = {normal, -ratio * v1 - roll, -ratio * v2, face.travel * (2.0 * roll)};

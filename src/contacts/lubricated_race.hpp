@@ -9,33 +9,33 @@
 
 namespace cagetol {
 
-/// Forces of the oil at one slice, T = Dual<Pack, 4> by z or Pack; nothing in lanes without oil.
-template <class T>
-LineForces<T> oil_forces(const LubricatedLine& law, const LineSpeed<T>& speed, Mask wet,
-                         const SliceMotion& m) {
+/// Forces of the oil at one slice, with derivatives by z or without; nothing in lanes without oil.
+template <bool linear, class U>
+auto oil_forces(const LubricatedLine& law, const LineSpeed<U>& speed, Mask wet,
+                const SliceMotion& m) {
   // Lanes without a contact take part with an open gap.
   const Pack p = select(wet, m.p, splat(law.starved ? -0.5 * law.layer : -1e-5));
   const Pack squared = m.v1 * m.v1 + m.v2 * m.v2, one = select(wet, splat(1.0), Pack{});
-  LineForces<T> f;
-  if constexpr (std::is_same_v<T, Pack>)
-    f = line_forces<T>(law, speed, -p, -m.rate, squared);
+  const auto forces = [&](auto depth, auto rate, auto of_sliding) {
+    auto f = line_forces(law, speed, -depth, -rate, of_sliding);
+    f.at.normal = f.at.normal * one;
+    f.ratio = f.ratio * one;
+    f.rolling = f.rolling * one;
+    return f;
+  };
+  if constexpr (linear)
+    return forces(variable<0, 4>(p), variable<1, 4>(m.rate), variable<3, 4>(squared));
   else
-    f = line_forces<T>(law, speed, -variable<T>(p, 0), -variable<T>(m.rate, 1),
-                       variable<T>(squared, 3));
-  f.at.normal = f.at.normal * one;
-  f.ratio = f.ratio * one;
-  f.rolling = f.rolling * one;
-  return f;
+    return forces(p, m.rate, squared);
 }
 
 /// Powers, energy and sums of one slice, and its derivatives.
-template <bool moving, bool tilting, bool wavy>
+template <bool moving, bool tilting, bool wavy, class Forces>
 void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
                            const RollerPack& q, const RaceSide& race, const SliceMotion& m,
-                           const SliceForces& on, const LineForces<Dual<Pack, 4>>& f,
-                           const Entrainment& u, Pack axis_share, Mask wet, GroupLinear& jac,
-                           Observation& seen, RaceTotals& totals, RingTilt* tilt, WavyRace* form) {
-  using D = Dual<Pack, 4>;
+                           const SliceForces& on, const Forces& f, const Entrainment& u,
+                           Pack axis_share, Mask wet, GroupLinear& jac, Observation& seen,
+                           RaceTotals& totals, RingTilt* tilt, WavyRace* form) {
   const Pack p = select(wet, m.p, splat(law.starved ? -0.5 * law.layer : -1e-5));
   const Pack squared = m.v1 * m.v1 + m.v2 * m.v2, one = select(wet, splat(1.0), Pack{});
   totals.normal += on.normal;
@@ -50,8 +50,8 @@ void linearise_oiled_slice(const BearingModel& model, const LubricatedLine& law,
   seen.rub(kRollingResistance, sum(2.0 * on.rolling * u.speed));
   seen.damp(kSqueeze, sum((film - steady) * m.rate));
   seen.damp(kDamping, sum((on.normal - film) * m.rate));
-  const auto [energy, pushing] = elastic_store(law, f.at, variable<D>(p, 0));
-  const D storing = pushing * one;
+  const auto [energy, pushing] = elastic_store(law, f.at, variable<0, 4>(p));
+  const auto storing = pushing * one;
   seen.elastic_energy += sum(energy.value * one);
   totals.energy_by_vt += energy.slope[2] * one * u.by_vt;
   totals.energy_by_spin += energy.slope[2] * one * u.by_spin;
@@ -73,12 +73,12 @@ void lubricated_race(const BearingModel& model, const LubricatedLine& law,
   const Entrainment u = entrainment(race, roller, q);
   // 2 R/R_roller: with that of the race it adds up to two, so that the forces of a pair vanish.
   const Pack axis_share = 2.0 * race.radius / (race.radius + race.sign * roller.radius);
-  using D = std::conditional_t<linear, Dual<Pack, 4>, Pack>;
-  LineSpeed<D> speed;
-  if constexpr (linear)
-    speed = line_speed<D>(law, variable<D>(u.speed, 2));
-  else
-    speed = line_speed<Pack>(law, u.speed);
+  const auto speed = [&] {
+    if constexpr (linear)
+      return line_speed(law, variable<2, 4>(u.speed));
+    else
+      return line_speed(law, u.speed);
+  }();
   [[maybe_unused]] WavyRace form;
   if constexpr (wavy) form = wavy_race(q, race);
   for (const Slice& slice : model.race_slices) {
@@ -89,7 +89,7 @@ void lubricated_race(const BearingModel& model, const LubricatedLine& law,
     if (!any(wet)) continue;
     SliceMotion m = slice_motion<moving, tilting>(slice, gap, roller, q, race, tilt);
     if constexpr (wavy) m.rate += form.rate;
-    const LineForces<D> f = oil_forces<D>(law, speed, wet, m);
+    const auto f = oil_forces<linear>(law, speed, wet, m);
     const SliceForces on =
         slice_forces(m, value_of(f.at.normal), value_of(f.ratio), value_of(f.rolling), axis_share);
     add_slice_loads<moving, tilting>(q, race, m, on, loads, tilt);

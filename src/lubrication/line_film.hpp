@@ -184,9 +184,10 @@ FilmScale<T> film_scale(const LineFilm& film, T speed) {
 }
 
 /// `gap` [m], any.
-template <class T>
-SteadyFilm<T> steady_film(const FilmScale<T>& scale, T gap) {
+template <class U, class G>
+auto steady_film(const FilmScale<U>& scale, G gap) {
   using namespace line_film_detail;
+  using T = decltype(gap * scale.inverse);
   using V = ValueOf<T>;
   const T g = gap * scale.inverse;
   const V g0 = value_of(g), D = value_of(scale.depth), C = value_of(scale.soft);
@@ -246,18 +247,18 @@ SteadyFilm<T> steady_film(const FilmScale<T>& scale, T gap) {
 }
 
 /// s at film thickness `h`, which opens at `rate` = dh/dt [N/m].
-template <class T>
-T squeeze_load(const LineFilm& film, T h, T rate) {
-  const T inverse = inverse_root(h);
+template <class H, class R>
+auto squeeze_load(const LineFilm& film, H h, R rate) {
+  const H inverse = inverse_root(h);
   return -film.squeeze * rate * inverse * inverse * inverse;
 }
 
 /// q_f of the steady load and the squeeze, both after the layer's factors. Where both vanish the
 /// root's slope stays finite.
-template <class T>
-T film_load(T steady, T squeeze) {
+template <class Q, class S>
+auto film_load(Q steady, S squeeze) {
   constexpr double kLeast = 1e-16;  // [N2/m2]
-  const T square = squeeze * squeeze + 4.0 * steady * steady + kLeast;
+  const auto square = squeeze * squeeze + 4.0 * steady * steady + kLeast;
   return 0.5 * (squeeze + square * inverse_root(square));
 }
 

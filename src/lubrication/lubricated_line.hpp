@@ -64,25 +64,28 @@ inline double loaded_film(const LubricatedLine& law, double q, double speed) {
   return law.starved ? layered(h, std::pow(rigid, 4), 0.0, law.layer).thickness : h;
 }
 
-/// The normal force alone, and what traction and rolling need of it.
-template <class T>
+/// The normal force alone, and what traction and rolling need of it. S: what depends on gap and
+/// speed, T: on the gap's rate, too.
+template <class S, class T = S>
 struct LineNormal {
   T normal;             ///< Q >= 0 [N]
   T acting;             ///< Q/L [N/m]
-  T steady;             ///< q_w L [N]
+  S steady;             ///< q_w L [N]
   T film;               ///< q_f L [N]
-  SteadyFilm<T> state;  ///< as if flooded
-  LayeredFilm<T> oil;
+  SteadyFilm<S> state;  ///< as if flooded
+  LayeredFilm<S> oil;
 };
 
 /// `gap` of the undeformed bodies and its `rate` [m], [m/s].
-template <class T>
-LineNormal<T> line_normal(const LubricatedLine& law, const LineSpeed<T>& speed, T gap, T rate) {
-  LineNormal<T> n;
+template <class U, class G, class R>
+auto line_normal(const LubricatedLine& law, const LineSpeed<U>& speed, G gap, R rate) {
+  using S = decltype(gap * speed.film.inverse);
+  using T = decltype(gap * speed.film.inverse * rate);
+  LineNormal<S, T> n;
   n.state = steady_film(speed.film, gap);
-  const SteadyFilm<T>& at = n.state;
+  const SteadyFilm<S>& at = n.state;
   n.oil = law.starved ? layered(at.thickness, at.rigidity, gap, law.layer) : flooded(at.thickness);
-  const T steady = at.load * n.oil.load;
+  const S steady = at.load * n.oil.load;
   T film = steady;
   if (law.squeeze)
     film = film_load(steady,
@@ -101,33 +104,35 @@ struct ElasticStore {
   T force;   ///< -d(energy)/d(gap) [N]
 };
 /// `depth` = -gap.
-template <class T>
-ElasticStore<T> elastic_store(const LubricatedLine& law, const LineNormal<T>& n, T depth) {
-  const T q = law.length * n.state.load;
+template <class S, class T, class G>
+ElasticStore<S> elastic_store(const LubricatedLine& law, const LineNormal<S, T>& n, G depth) {
+  const S q = law.length * n.state.load;
   return {(0.9 / 1.9) * q * (n.state.thickness + depth), q * (1.0 - n.state.opening)};
 }
 
-template <class T>
+template <class S, class T = S, class A = T>
 struct LineForces {
-  LineNormal<T> at;
-  T ratio;    ///< traction over sliding speed [N s/m]
-  T rolling;  ///< F_r, signed as u: on each surface against its motion [N]
+  LineNormal<S, T> at;
+  A ratio;    ///< traction over sliding speed [N s/m]
+  S rolling;  ///< F_r, signed as u: on each surface against its motion [N]
 };
 
 /// `squared` = |du|^2.
-template <class T>
-LineForces<T> line_forces(const LubricatedLine& law, const LineSpeed<T>& speed, T gap, T rate,
-                          T squared) {
-  LineForces<T> forces;
+template <class U, class G, class R, class V>
+auto line_forces(const LubricatedLine& law, const LineSpeed<U>& speed, G gap, R rate, V squared) {
+  using S = decltype(gap * speed.film.inverse);
+  using T = decltype(gap * speed.film.inverse * rate);
+  LineForces<S, T, decltype(T{} * squared)> forces;
   forces.at = line_normal(law, speed, gap, rate);
-  const LineNormal<T>& n = forces.at;
+  const LineNormal<S, T>& n = forces.at;
   // A contact that carries nothing slides without traction: the law's load must stay above zero.
   const T load = max(n.acting, T{} + 1e-6);
-  forces.ratio = law.shears
-                     ? law.length * traction_ratio(law.traction, law.boundary, load,
-                                                   n.oil.thickness, squared, n.oil.of.couette)
-                     : law.length * friction(law.boundary, squared).ratio * n.acting;
-  forces.rolling = T{};
+  if (law.shears)
+    forces.ratio = law.length * traction_ratio(law.traction, law.boundary, load, n.oil.thickness,
+                                               squared, n.oil.of.couette);
+  else
+    forces.ratio = law.length * friction(law.boundary, squared).ratio * n.acting;
+  forces.rolling = S{};
   if (law.rolls)
     forces.rolling = law.length * n.oil.of.rolling * speed.direction *
                      rolling_resistance(speed.rolling, n.state.load, n.state.log_load);

@@ -62,14 +62,14 @@ LayeredFilm<T> flooded(T thickness) {
 }
 
 /// `thickness` and `rigidity` = (h_I/h)^4 of the flooded film, `gap` of the undeformed bodies [m].
-template <class T>
-LayeredFilm<T> layered(T thickness, T rigidity, T gap, double layer) {
+template <class T, class G>
+LayeredFilm<T> layered(T thickness, T rigidity, G gap, double layer) {
   const T x = thickness * (1 / layer), elasticity = 1.0 - rigidity;
   const T y = x * elasticity + 1e-12;
   const T thinner = reciprocal(1.0 + y * (y * inverse_root(y * (y + 0.045))));
   const T left = rigidity + elasticity * thinner;
-  const T z = max(min(2.0 - gap * (2 / layer), T{} + 1.0), T{});
-  const T near = z * z * (3.0 - 2.0 * z);
+  const G z = max(min(2.0 - gap * (2 / layer), G{} + 1.0), G{});
+  const G near = z * z * (3.0 - 2.0 * z);
   LayeredFilm<T> film;
   film.thickness = thickness * left;
   film.of = oil_factors(1.0 - (1.0 - x * left) * near);

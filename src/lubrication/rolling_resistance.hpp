@@ -76,8 +76,8 @@ T inverse_cube_root(T x) {
 }
 
 /// f [N/m]. `load` = q_w > 0 with `log_load` = log2 of it.
-template <class T>
-T rolling_resistance(const RollingScale<T>& scale, T load, T log_load) {
+template <class U, class T>
+T rolling_resistance(const RollingScale<U>& scale, T load, T log_load) {
   const T elastic = exp2(scale.power * log_load + scale.elastic);
   const T rigid = scale.rigid * (load * inverse_root(load));
   // Scaled by the smaller of the two: neither cube may leave the range of numbers.

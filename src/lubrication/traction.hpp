@@ -56,28 +56,31 @@ T inverse_sinh_ratio(T square) {
 }  // namespace traction_detail
 
 /// F/|du| [N s/m2]. `load` > 0, `squared` = |du|^2, `couette` = c.
-template <class T>
-T traction_ratio(const Traction& law, const FrictionLaw& boundary, T load, T h, T squared,
-                 T couette) {
+template <class L, class H, class V, class C>
+auto traction_ratio(const Traction& law, const FrictionLaw& boundary, L load, H h, V squared,
+                    C couette) {
   constexpr double kPerNatural = 1 / std::numbers::ln2;
-  const T by_load = inverse_root(load), by_gap = inverse_root(h);
-  const T root = load * by_load, width = law.width * root;
-  const T barus = (law.pressure_viscosity / law.width) * root, part = barus * (1.0 / 15);
-  const T p2 = part * part, p4 = p2 * p2;
-  const T exponent = barus * inverse_root(inverse_root(inverse_root(1.0 + p4 * p4)));
-  const T shear = law.viscosity * exp2(exponent * kPerNatural) * by_gap * by_gap;  // eta_p/h
-  const T newtonian = shear * (1 / law.eyring);
-  const T ratio =
+  const L by_load = inverse_root(load);
+  const H by_gap = inverse_root(h);
+  const L root = load * by_load, width = law.width * root;
+  const L barus = (law.pressure_viscosity / law.width) * root, part = barus * (1.0 / 15);
+  const L p2 = part * part, p4 = p2 * p2;
+  const L exponent = barus * inverse_root(inverse_root(inverse_root(1.0 + p4 * p4)));
+  const auto shear = law.viscosity * exp2(exponent * kPerNatural) * by_gap * by_gap;  // eta_p/h
+  const auto newtonian = shear * (1 / law.eyring);
+  const auto ratio =
       shear * traction_detail::inverse_sinh_ratio(newtonian * newtonian * squared);  // tau/|du|
-  const T limit = ratio * by_load * (law.width / law.limiting);  // over Lambda p
-  const T film = ratio * inverse_root(1.0 + limit * limit * squared);
-  const T inlet = (2.849 * law.viscosity * std::sqrt(law.radius)) * by_gap * couette;
-  const T oil = width * film + inlet, lambda = h * (1 / law.roughness);
+  const auto limit = ratio * by_load * (law.width / law.limiting);  // over Lambda p
+  const auto film = ratio * inverse_root(1.0 + limit * limit * squared);
+  const auto inlet = (2.849 * law.viscosity * std::sqrt(law.radius)) * by_gap * couette;
+  const auto oil = width * film + inlet;
+  const H lambda = h * (1 / law.roughness);
   const auto rough = lambda < kSmooth;
   if (!any(rough)) return oil;
-  const T asperities =
-      exp2(power(select(rough, lambda, T{} + 1.0), 1.2) * (-1.8 * kPerNatural));  // 1 - phi
-  const T with = (1.0 - asperities) * oil + asperities * friction(boundary, squared).ratio * load;
+  const H asperities =
+      exp2(power(select(rough, lambda, H{} + 1.0), 1.2) * (-1.8 * kPerNatural));  // 1 - phi
+  const auto with =
+      (1.0 - asperities) * oil + asperities * friction(boundary, squared).ratio * load;
   return select(rough, with, oil);
 }
 
