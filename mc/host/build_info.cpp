@@ -7,14 +7,16 @@
 #include <sundials/sundials_version.h>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <fstream>
-#include <sstream>
 
 #include "cagetol_build.hpp"
 
 namespace cagetol {
 namespace {
+
+constexpr std::uint64_t kHashStart = 0xcbf29ce484222325u, kHashFactor = 0x100000001b3u;  // FNV-1a
 
 std::string hdf5_version() {
   unsigned major = 0, minor = 0, release = 0;
@@ -28,18 +30,21 @@ std::string sundials_version() {
   return text.data();
 }
 
+/// By words and in blocks: every command waits for it.
 std::string program_hash() {
   std::ifstream file("/proc/self/exe", std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return text_hash(bytes.str());
+  std::array<std::uint64_t, 8192> block{};
+  std::uint64_t hash = kHashStart;
+  while (file.read(reinterpret_cast<char*>(block.data()), sizeof block) || file.gcount() > 0)
+    for (const std::uint64_t word : block) hash = std::rotl((hash ^ word) * kHashFactor, 29);
+  return fmt::format("{:016x}", hash);
 }
 
 }  // namespace
 
 std::string text_hash(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const unsigned char byte : text) hash = (hash ^ byte) * 0x100000001b3u;
+  std::uint64_t hash = kHashStart;
+  for (const unsigned char byte : text) hash = (hash ^ byte) * kHashFactor;
   return fmt::format("{:016x}", hash);
 }
 

@@ -136,16 +136,17 @@ void lubricated_pocket(const BearingModel& model, const Face& face, const Roller
       const Pack s = select(bar.lead, splat(1.0), splat(-1.0));
       const FaceMeeting meeting = face.choose(bar.lead, station.bar[0], station.bar[1]);
       const PocketLevers levers = face.levers(at, s, meeting);
-      const auto speed = [&](int c) {
-        const Pack rigid = rigid_speed(levers, c, f, q, b);
-        if (!modal.flexible()) return rigid;
+      const auto bent = [&](int c) {
         const auto moved = [&](int which) {
           return bent_speed(levers, c, modal, group, station.points[which]);
         };
-        return rigid + (apart ? moved(side) : select(bar.lead, moved(0), moved(1)));
+        if (!modal.flexible()) return Pack{};
+        return apart ? moved(side) : select(bar.lead, moved(0), moved(1));
       };
-      const Pack rate = -speed(0), v1 = speed(1), v2 = speed(2),
-                 u = 0.5 * v1 - face.travel * speed(3);
+      const Pack along = bent(1);  // of the surface as of the axis: what bends is the cage
+      const auto speed = [&](int c, Pack moved) { return rigid_speed(levers, c, f, q, b) + moved; };
+      const Pack rate = -speed(0, bent(0)), v1 = speed(1, along), v2 = speed(2, bent(2)),
+                 u = 0.5 * v1 - face.travel * speed(3, along);
       const Pack squared = v1 * v1 + v2 * v2;
       const auto forces = oil_forces<linear>(face.line, bar.wet, meeting.p, rate, u, squared);
       const Pack normal = value_of(forces.at.normal), ratio = value_of(forces.ratio),

@@ -5,8 +5,8 @@
 //   (a, a') (b, b')   = (a b, a' b + a b')
 //   f((a, a'))        = (f(a), f'(a) a')
 //
-// A number may say at compile time which of the variables it depends on at all: slopes by the others
-// are zero and never computed, so that a law pays for what it couples.
+// A number may say at compile time which variables it depends on at all: slopes by the others are
+// zero and never computed, so that a law pays for what it couples.
 //
 // Comparisons look at values alone. select() chooses values and derivatives together, so a law that
 // is C1 where its branches meet has continuous derivatives here. Source: Griewank and Walther,

@@ -7,9 +7,10 @@
 namespace cagetol {
 namespace {
 
-constexpr double kInterval = 100e-6;       // of the record that quantiles use, at most [s]
-constexpr double kStressesPerRoller = 19;  // of it between two rollers that pass, at least
-constexpr double kStressAccuracy = 1e-4;   // of a stress, relative to the largest so far
+// Of the record that rms and quantiles use, at most [s], and so many between two rollers that pass,
+// at least. Peaks and fatigue have instants of their own.
+constexpr double kInterval = 200e-6, kStressesPerRoller = 9.5;
+constexpr double kStressAccuracy = 1e-4;  // of a stress, relative to the largest so far
 
 }  // namespace
 
