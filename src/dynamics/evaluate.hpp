@@ -294,7 +294,10 @@ void evaluate(const BearingModel& m, double t, const double* y, double* rate, Li
   land_contacts<linear>(m, b, modal, border, on_modes, linear ? &jac->scratch : nullptr, jac, seen);
   if (lubricated && m.churning.on) churn_cage<linear>(m.churning, b, border, jac, seen);
   store_border_rates(m, t, b, border, on_modes, y, rate);
-  if constexpr (linear) finish_border<tilting, lubricated>(t, y, rate, all);
+  if constexpr (linear) {
+    jac->add_films();
+    finish_border<tilting, lubricated>(t, y, rate, all);
+  }
 }
 
 /// The one that suits a model; a dry bearing pays nothing for what oil would do.

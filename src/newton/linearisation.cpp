@@ -17,6 +17,8 @@ Linearisation::Linearisation(const StateLayout& layout)
     row.assign(static_cast<std::size_t>(kCageY + layout.coupled()), 0.0);
   const auto columns = static_cast<std::size_t>(layout.coupled());
   const auto packs = static_cast<std::size_t>(packs_for(layout.coupled()));
+  film_position.resize(columns * packs);
+  film_velocity.resize(columns * packs);
   for (auto& c : couplings) {
     c.position.resize(columns);
     c.velocity.resize(columns);
@@ -46,6 +48,24 @@ void Linearisation::clear() {
   for (int i = 0; i < coupled; ++i)
     slot[static_cast<std::size_t>(couplings[static_cast<std::size_t>(i)].roller)] = -1;
   coupled = 0;
+}
+
+void Linearisation::add_films() {
+  if (!films) return;
+  const auto columns = static_cast<int>(couplings.front().position.size());
+  const std::size_t packs = film_position.size() / static_cast<std::size_t>(columns);
+  const auto add = [&](std::vector<Pack>& from, Eigen::MatrixXd& to) {
+    for (int j = 0; j < columns; ++j) {
+      const auto* column =
+          reinterpret_cast<const double*>(from.data() + static_cast<std::size_t>(j) * packs);
+      to.col(kCageY + j).segment(kCageY, columns) +=
+          Eigen::Map<const Eigen::VectorXd>(column, columns);
+    }
+    std::fill(from.begin(), from.end(), Pack{});
+  };
+  add(film_position, border_position);
+  add(film_velocity, border_velocity);
+  films = false;
 }
 
 CageCoupling& Linearisation::coupling(int roller) {
@@ -178,8 +198,8 @@ T by_velocity(const Projected<T>& on, const double (&g)[ContactRows::kMostChanne
   return on.by[FilmContactSlopes::kV1] * g[1] + on.by[FilmContactSlopes::kV2] * g[2] +
          on.by[FilmContactSlopes::kAxis] * g[3] - on.by[FilmContactSlopes::kRate] * g[0];
 }
-double power_by_velocity(const FilmContactSlopes& s,
-                         const double (&g)[ContactRows::kMostChannels]) {
+template <class T>
+T power_by_velocity(const FilmContactSlopes& s, const T (&g)[ContactRows::kMostChannels]) {
   return s.power[FilmContactSlopes::kV1] * g[1] + s.power[FilmContactSlopes::kV2] * g[2] +
          s.power[FilmContactSlopes::kAxis] * g[3] - s.power[FilmContactSlopes::kRate] * g[0];
 }
@@ -189,7 +209,7 @@ void add_film_contact_as(const ContactRows& rows, const FilmContactSlopes& s, in
                          Linearisation& linear) {
   constexpr int channels = ContactRows::kMostChannels;
   using F = FilmContactSlopes;
-  linear.cage_touched = true;
+  linear.cage_touched = linear.films = true;
   const int first = kCageY, count = static_cast<int>(rows.border[0].size()) - first;
   const auto of_border = [&](int j, double(&g)[channels]) {
     for (int c = 0; c < channels; ++c) g[c] = rows.border[c][static_cast<std::size_t>(first + j)];
@@ -199,24 +219,23 @@ void add_film_contact_as(const ContactRows& rows, const FilmContactSlopes& s, in
   };
   Projected<Pack> on_border[packs];
   for (int p = 0; p < packs; ++p) {
+    const int at = first + p * kLanes, left = count - p * kLanes;
     Pack g[channels];
-    for (int c = 0; c < channels; ++c)
-      g[c] = load_first(rows.border[c].data() + first + p * kLanes, count - p * kLanes);
+    for (int c = 0; c < channels; ++c) g[c] = load_first(rows.border[c].data() + at, left);
     on_border[p] = projected(s, g);
+    double *by_speed = linear.power_velocity.data() + at,
+           *by_place = linear.power_position.data() + at;
+    store_first(by_speed, load_first(by_speed, left) + power_by_velocity(s, g), left);
+    store_first(by_place, load_first(by_place, left) - s.power[F::kP] * g[0], left);
   }
   for (int j = 0; j < count; ++j) {
     double g[channels];
     of_border(j, g);
-    linear.power_velocity[first + j] += power_by_velocity(s, g);
-    linear.power_position[first + j] -= s.power[F::kP] * g[0];
-    double *velocity = &linear.border_velocity(first, first + j),
-           *position = &linear.border_position(first, first + j);
+    Pack *velocity = linear.film_velocity.data() + j * packs,
+         *position = linear.film_position.data() + j * packs;
     for (int p = 0; p < packs; ++p) {
-      const int at = p * kLanes, left = count - at;
-      store_first(velocity + at, load_first(velocity + at, left) + by_velocity(on_border[p], g),
-                  left);
-      store_first(position + at, load_first(position + at, left) - on_border[p].by[F::kP] * g[0],
-                  left);
+      velocity[p] += by_velocity(on_border[p], g);
+      position[p] -= on_border[p].by[F::kP] * g[0];
     }
   }
   const int lane = roller % kLanes;

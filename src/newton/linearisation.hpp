@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/model/state.hpp"
+#include "src/numerics/kernel.hpp"
 #include "src/numerics/pack_matrix.hpp"
 
 namespace cagetol {
@@ -88,11 +89,13 @@ struct ContactRows {
 };
 
 struct Linearisation {
-  explicit Linearisation(const StateLayout& layout);
+  CAGETOL_KERNEL explicit Linearisation(const StateLayout& layout);
   /// Makes ready for another state; the cage's own terms (set_cage_block) stay until they are set.
-  void clear();
+  CAGETOL_KERNEL void clear();
   /// The coupling record of a roller, made on first use.
-  CageCoupling& coupling(int roller);
+  CAGETOL_KERNEL CageCoupling& coupling(int roller);
+  /// Adds what add_film_contact gathered to the border's matrices.
+  CAGETOL_KERNEL void add_films();
 
   std::vector<GroupLinear> groups;
   std::vector<TiltLinear> tilts;  ///< one for each group where the inner ring's tilt is free
@@ -108,6 +111,9 @@ struct Linearisation {
   std::vector<CageCoupling> couplings;  ///< the first `coupled` are in use, in order of first touch
   int coupled = 0;
   std::vector<int> slot;  ///< roller -> index into couplings, or -1
+  /// What oiled contacts add over the cage's directions: each column in whole packs.
+  std::vector<Pack> film_position, film_velocity;
+  bool films = false;   ///< they hold something
   ContactRows scratch;  ///< for the contact being added; its border rows are zero outside the cage
                         ///< between contacts
 };
@@ -134,8 +140,8 @@ DissipationSlopes<T> dissipation_slopes(T force, T stiffness, T damping, T ratio
 }
 
 /// Adds one contact. `roller` < 0: border only.
-void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
-                 Linearisation& linear);
+CAGETOL_KERNEL void add_contact(const ContactRows& rows, const ContactSlopes& slopes, int roller,
+                                Linearisation& linear);
 
 /// What an oiled contact's law says at a state: change of its forces along the channels normal, v1,
 /// v2 and axis, and of the net power (what it takes, negative), with p, p', v1, v2 and the speed of
@@ -147,7 +153,7 @@ struct FilmContactSlopes {
 };
 
 /// Adds one oiled contact of `roller` with the cage.
-void add_film_contact(const ContactRows& rows, const FilmContactSlopes& slopes, int roller,
-                      Linearisation& linear);
+CAGETOL_KERNEL void add_film_contact(const ContactRows& rows, const FilmContactSlopes& slopes,
+                                     int roller, Linearisation& linear);
 
 }  // namespace cagetol
