@@ -10,6 +10,7 @@
 #include "analysis/tolerance/centre_curve.hpp"
 #include "analysis/tolerance/centre_response.hpp"
 #include "analysis/tolerance/confirmation.hpp"
+#include "analysis/tolerance/jam_onset.hpp"
 
 namespace cagetol {
 namespace {
@@ -26,7 +27,7 @@ Json centre_of(const StudyData& attempt, std::size_t dimension) {
 }
 
 Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t number) {
-  const auto rules = confirmation_rules(mixture.plan, 0);
+  const auto rules = rules_for(confirmation_rules(mixture.plan, 0), runs, 0);
   const Confirmation result = judge_confirmation(runs, rules);
   const Candidate& tolerance = runs.plan.candidates.front();
   Json widths = Json::array();
@@ -139,18 +140,21 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
             : widths;
     list += (list.empty() ? "" : ", ") + text;
   }
+  const double jams = 1 - attempt["yield"]["fits"].get<double>();
   const std::string counted =
-      fmt::format("{} of {} fresh runs meet all limits", attempt["meeting_runs"].get<std::size_t>(),
-                  attempt["runs"].get<std::size_t>());
+      fmt::format("{} of {} fresh runs{} meet all limits",
+                  attempt["meeting_runs"].get<std::size_t>(), attempt["runs"].get<std::size_t>(),
+                  jams > 0 ? " of cages that fit" : "") +
+      (jams > 0 ? fmt::format(", and {} of the cages do not fit", jam_text(jams)) : "");
   std::string text;
   if (attempt["passed"].get<bool>())
     text = fmt::format(
         "Confirmed{}. {}: with {:.6g} % confidence at least {} "
-        "of the cages do; the target is {:.6g} %.",
+        "of the cages {}; the target is {:.6g} %.",
         widths.empty() ? ", though no tolerance studied limits the yield"
                        : ": " + widths + ", full width of the tolerance",
         counted, 100 * plan.confidence, percent_down(attempt["yield"]["lower_bound"].get<double>()),
-        100 * plan.target_yield);
+        jams > 0 ? "fit and meet them" : "do", 100 * plan.target_yield);
   else
     text = fmt::format(
         "No tolerance is confirmed after {} of {} planned attempts. The last was {}: {}, too few "

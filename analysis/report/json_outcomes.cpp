@@ -59,6 +59,8 @@ Json to_json(const Yield& yield) {
           {"if_unknown_pass", number(yield.if_unknown_pass)},
           {"lower_bound", number(yield.lower_bound)},
           {"upper_bound", number(yield.upper_bound)},
+          {"fits", yield.fits},
+          {"meets_if_fits", number(yield.if_unknown_fail / yield.fits)},
           {"method", yield.method}};
 }
 

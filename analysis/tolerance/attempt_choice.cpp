@@ -62,7 +62,8 @@ double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std:
                         const ConfirmationRules& rules) {
   constexpr double kSteps = 96, kMinimumShare = 1e-6;
   const Yield& yield = mixture.tolerances.curves.candidates[candidate];
-  const double passing = yield.if_unknown_fail * yield.ess, failing = yield.ess - passing;
+  const double passing = yield.if_unknown_fail / yield.fits * yield.ess,
+               failing = yield.ess - passing;
   double sum = 0, below = 0;
   for (double step = 1; step <= kSteps; ++step) {
     // Failing shares from 1e-6 to 1, in equal ratios.
@@ -70,8 +71,9 @@ double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std:
     const double reached = gsl_cdf_beta_P(up_to, failing + 0.5, passing + 0.5);
     const double middle = up_to * std::pow(kMinimumShare, 0.5 / kSteps);
     sum += (reached - below) *
-           confirming_probability(std::min(1 - middle, share_without_jam(mixture.runs, candidate)),
-                                  runs, rules);
+           confirming_probability(
+               std::min((1 - middle) * yield.fits, share_without_jam(mixture.runs, candidate)),
+               runs, rules);
     below = reached;
   }
   return sum;
@@ -85,10 +87,10 @@ std::size_t kept_back(const MixtureStudy& mixture, const std::vector<double>& wi
   const std::size_t share = left / (following + 1);
   std::size_t need = 0;
   for (std::size_t k = 0; k < mixture.runs.plan.candidates.size(); ++k) {
-    if (!(estimate_of(mixture, k) >= rules.target_yield) ||
+    ConfirmationRules affordable = rules_for(rules, mixture.runs, k);
+    if (!(estimate_of(mixture, k) >= rules.target_yield) || !can_confirm(affordable) ||
         !narrower(snapped_tolerances(mixture.runs, mixture.runs.plan.candidates[k]), widths))
       continue;
-    ConfirmationRules affordable = rules;
     affordable.most_runs = share;
     const std::size_t runs = confirmation_size(expected_of(mixture, k), affordable);
     need = need == 0 ? runs : std::min(need, runs);
@@ -102,14 +104,16 @@ std::string percent(double share) {
 
 PassedOver reason_of(const StudyData& runs, const Yield& yield, std::size_t k) {
   const StudyPlan& plan = runs.plan;
-  ConfirmationRules alone{plan.target_yield, plan.confidence, 1,
-                          std::numeric_limits<std::size_t>::max() / 4};
+  const ConfirmationRules alone = rules_for(
+      {plan.target_yield, plan.confidence, 1, std::numeric_limits<std::size_t>::max() / 4}, runs,
+      k);
   if (yield.ess < kMinimumEffectiveRuns)
     return {k,
             fmt::format("the mixture holds {:.0f} effective runs of it, too few to judge it",
                         yield.ess),
-            confirming_runs(0, alone)};
-  if (const double fitting = share_without_jam(runs, k); fitting <= plan.target_yield)
+            can_confirm(alone) ? confirming_runs(0, alone) : 0};
+  if (const double fitting = share_without_jam(runs, k);
+      fitting <= plan.target_yield || !can_confirm(alone))
     return {k, fmt::format("{} of its cages jam", percent(1 - fitting)), 0};
   if (yield.if_unknown_fail < plan.target_yield)
     return {k,
@@ -158,19 +162,17 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
                                             const std::vector<Tolerance>& failed) {
   const StudyPlan& study = mixture.runs.plan;
   const ConfirmationRules rules = confirmation_rules(study, 0);
-  const std::size_t fewest = confirming_runs(0, rules);
+  const auto rules_of = [&](std::size_t k) { return rules_for(rules, mixture.runs, k); };
   if (failed.size() >= rules.attempts || !affords_attempt(plan, rules)) return std::nullopt;
   const std::size_t left = plan.confirm_runs - decided_runs(plan);
   const std::size_t following = rules.attempts - failed.size() - 1;
   const std::size_t stated = plan.settings.confirm_samples;
-  const auto limited = [&](std::size_t runs) {
-    return std::max(fewest, stated > 0 ? std::min(runs, stated) : runs);
-  };
   const auto tolerances_of = [&](std::size_t k) {
     return snapped_tolerances(mixture.runs, study.candidates[k]);
   };
   const auto promising = [&](std::size_t k) {
-    return estimate_of(mixture, k) >= rules.target_yield &&
+    return estimate_of(mixture, k) >= rules.target_yield && can_confirm(rules_of(k)) &&
+           confirming_runs(0, rules_of(k)) <= left &&
            std::all_of(failed.begin(), failed.end(), [&](const Tolerance& other) {
              return narrower(tolerances_of(k), other.tolerance_widths_mm) ||
                     (same_tolerances(tolerances_of(k), other.tolerance_widths_mm) &&
@@ -178,16 +180,17 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
            });
   };
   const auto most_runs = [&](std::size_t k) {
-    return limited(left - kept_back(mixture, tolerances_of(k), left, following, rules));
+    const std::size_t runs = left - kept_back(mixture, tolerances_of(k), left, following, rules);
+    return std::max(confirming_runs(0, rules_of(k)), stated > 0 ? std::min(runs, stated) : runs);
   };
   const auto sure = [&](std::size_t k) {
-    return chance(expected_of(mixture, k), most_runs(k), rules);
+    return chance(expected_of(mixture, k), most_runs(k), rules_of(k));
   };
   const auto fair = [&](std::size_t k) {
-    return chance(estimate_of(mixture, k), most_runs(k), rules);
+    return chance(estimate_of(mixture, k), most_runs(k), rules_of(k));
   };
   const auto size_of = [&](std::size_t k) {
-    ConfirmationRules sized = rules;
+    ConfirmationRules sized = rules_of(k);
     sized.most_runs = most_runs(k);
     return confirmation_size(expected_of(mixture, k), sized);
   };
@@ -200,7 +203,7 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const C
         widest_of(mixture, [&](std::size_t k) { return promising(k) && sure(k) >= kWantedPower; });
   if (!next.meets_target) {
     const auto predicted = [&](std::size_t k) {
-      return predicted_chance(mixture, k, size_of(k), rules);
+      return predicted_chance(mixture, k, size_of(k), rules_of(k));
     };
     double surest = 0;
     for (std::size_t k = 0; k < study.candidates.size(); ++k)

@@ -50,13 +50,16 @@ double confirming_need(const StudyData& pilot, const ConfirmationRules& rules) {
   const YieldCurves curves =
       yield_curves(runs, mixture_weights(runs), judge_all(runs), resampling, runs.plan.confidence);
   auto need = static_cast<double>(confirming_runs(0, rules));
-  for (const Yield& yield : curves.candidates) {
-    if (yield.if_unknown_fail < rules.target_yield) continue;
+  for (std::size_t k = 0; k < curves.candidates.size(); ++k) {
+    const Yield& yield = curves.candidates[k];
+    const ConfirmationRules rules_of = rules_for(rules, runs, k);
+    if (yield.if_unknown_fail < rules.target_yield || !can_confirm(rules_of)) continue;
     // Of a pilot without a failing run the bound says how short it was, not how near the target is.
-    const double expected =
-        yield.missing_runs > 0 ? expected_yield(yield) : 0.5 * (1 + rules.target_yield);
+    const double expected = yield.missing_runs > 0
+                                ? expected_yield(yield)
+                                : std::min(0.5 * (1 + rules.target_yield), yield.fits);
     if (expected <= rules.target_yield) return std::numeric_limits<double>::infinity();
-    need = std::max(need, static_cast<double>(confirmation_size(expected, rules)));
+    need = std::max(need, static_cast<double>(confirmation_size(expected, rules_of)));
   }
   return need;
 }

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/statistics/yield.hpp"
+#include "analysis/tolerance/fit_share.hpp"
 
 namespace cagetol {
 
@@ -19,15 +19,22 @@ struct ConfirmationRules {
   double target_yield = 0.95, confidence = 0.95;
   std::size_t attempts = 1;   ///< m
   std::size_t most_runs = 0;  ///< that one attempt may have
+  FitShare fit = {};          ///< of the tolerance that is tried; yields contain it, runs do not
 };
 
 ConfirmationRules confirmation_rules(const StudyPlan& study, std::size_t most_runs);
 
+/// The same for a candidate of the runs.
+ConfirmationRules rules_for(ConfirmationRules rules, const StudyData& runs, std::size_t candidate);
+
+/// Whether some number of runs confirms.
+bool can_confirm(const ConfirmationRules& rules);
+
 /// 1 - (1 - confidence) / m.
 double attempt_confidence(const ConfirmationRules& rules);
 
-/// Fewest runs that confirm when `failures` of them fail. Throws Refused for a target of 1, which
-/// no number of runs confirms.
+/// Fewest runs that confirm when `failures` of them fail. Throws Refused unless
+/// can_confirm().
 std::size_t confirming_runs(std::size_t failures, const ConfirmationRules& rules);
 
 /// Largest number of failing runs with which `runs` confirm; nothing when even none would not.
@@ -44,7 +51,7 @@ inline constexpr double kWantedPower = 0.9;
 /// least confirming_runs(0).
 std::size_t confirmation_size(double yield, const ConfirmationRules& rules);
 
-/// One attempt, judged. Jammed runs and runs without a result count as not meeting the limits.
+/// One attempt, judged by rules_for() its tolerance. Jammed runs and runs without a result count as not meeting the limits.
 struct Confirmation {
   std::size_t runs = 0, meeting = 0, unknown = 0;
   Yield yield;  ///< bounds at attempt_confidence()
@@ -52,7 +59,7 @@ struct Confirmation {
 };
 
 /// Throws Refused unless the runs are independent.
-Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& rules);
+Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& planned);
 
 /// Place of the attempt that passed; where none did, of the one with the highest lower bound.
 std::size_t surest_attempt(const std::vector<Confirmation>& attempts);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "analysis/tolerance/jam_onset.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/judgeable.hpp"
 #include "mc/commands/operating_text.hpp"
@@ -58,17 +59,36 @@ std::string dimensions_text(const Study& study) {
 
 /// How many cages of the candidates cannot be assembled or turn: geometry alone decides.
 std::string jams_text(const Study& study) {
-  const std::vector<double> shares = candidate_jam_shares(study);
-  std::string text;
-  std::size_t over = 0;
-  double most = 0;
-  for (const double share : shares) {
-    over += share > 1 - study.tolerance.target_yield;
-    most = std::max(most, share);
+  const JamShares jams = jam_shares(study);
+  const std::vector<double>& shares = jams.candidate;
+  if (shares.empty()) return "";
+  std::string text = fmt::format(
+      "  yield = share of cages that fit x share of these that meet all limits; what does not fit "
+      "jams, {}:\n",
+      jams.draws > 0 ? fmt::format("of {:.0f} cages drawn", jams.draws) : "by integration");
+  for (const JamCurve& curve : jams.curves) {
+    std::string points;
+    for (const double share : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
+      if (const auto width = tolerance_of_jams(curve, share))
+        points +=
+            fmt::format("{} {} from {:.3g} mm", points.empty() ? "" : ",", jam_text(share), *width);
+    text += fmt::format("    {}:{}\n", curve.key, points.empty() ? " none" : points);
   }
-  if (most > 0)
-    text += fmt::format("  up to {:.3g} % of a candidate's cages jam by their dimensions alone\n",
-                        100 * most);
+  std::size_t widest = 0, over = 0;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    over += shares[k] > 1 - study.tolerance.target_yield;
+    if (shares[k] <= 1 - study.tolerance.target_yield && shares[k] >= shares[widest]) widest = k;
+  }
+  const std::size_t dimensions = jams.curves.size();
+  for (std::size_t d = 0; d < dimensions; ++d)
+    text += fmt::format(
+        "    of candidate {}: {} jam; with {} off centre by {:.3g} mm {}, with all of its variance "
+        "among pockets {}, from cage to cage {}\n",
+        widest, jam_text(shares[widest]), jams.curves[d].key,
+        kOffCentre * study.candidates[widest].tolerance_widths_mm[d],
+        jam_text(jams.off_centre[widest * dimensions + d]),
+        jam_text(jams.pockets_alone[widest * dimensions + d]),
+        jam_text(jams.lots_alone[widest * dimensions + d]));
   if (over > 0)
     text += fmt::format(
         "warning: {} of {} candidates miss the target yield of {:.6g} % by jams alone, whatever "

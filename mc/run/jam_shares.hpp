@@ -1,5 +1,5 @@
 // How many cages of each candidate tolerance jam. Geometry alone decides, no run is needed: it is
-// known far better than any yield, and beyond the candidates too.
+// known far better than any yield (jam_model.hpp), and beyond the candidates too.
 #pragma once
 
 #include "mc/study/study.hpp"
@@ -7,16 +7,11 @@
 
 namespace cagetol {
 
-/// Cages drawn for every share.
-inline constexpr long kJamCages = 8192;
 /// Where the curves end: this many times the widest candidate.
 inline constexpr double kWidestJamTolerance = 2.5;
 
-/// The same cages at every tolerance, drawn with the seed of the study. Empty where
-/// `cage.allow_interference` simulates jams.
+/// The same whatever the study's seed, design and number of samples: one value for all stages of a
+/// recommendation. Empty where `cage.allow_interference` simulates jams.
 JamShares jam_shares(const Study& study);
-
-/// Those of the candidates alone, in a fraction of the time.
-std::vector<double> candidate_jam_shares(const Study& study);
 
 }  // namespace cagetol

@@ -26,6 +26,48 @@ TEST(ConfirmingRuns, ShareTheErrorOverTheAttempts) {
   EXPECT_EQ(confirming_runs(0, rules), 86u);
 }
 
+/// Runs of one candidate, the share j of whose cages jams.
+StudyData fitting_runs(double j, double draws) {
+  StudyData runs;
+  runs.plan.redraw_jams = true;
+  runs.jam.candidate = {j};
+  runs.jam.draws = draws;
+  return runs;
+}
+
+// Pocket widths of IT14: 99.43 % fit. Integrated, from a million draws and from 8192.
+TEST(ConfirmingRuns, OfCagesThatFitMultiplyBothBounds) {
+  const std::size_t expected[3][2] = {{695, 856}, {741, 915}, {2511, 3796}};
+  const double draws[] = {0, 1e6, 8192};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const std::size_t attempts : {1, 2}) {
+      const StudyData runs = fitting_runs(0.0057228, draws[i]);
+      const ConfirmationRules rules = rules_for({0.99, 0.95, attempts, 0}, runs, 0);
+      EXPECT_NEAR(static_cast<double>(confirming_runs(0, rules)),
+                  static_cast<double>(expected[i][attempts - 1]), i == 2 ? 40 : 1);
+      EXPECT_NEAR(confirming_probability(1 - 0.0057228, 1000, rules), i == 2 ? 0 : 1, 1e-9);
+    }
+  const ConfirmationRules hopeless = rules_for({0.99, 0.95, 1, 0}, fitting_runs(0.0099995, 0), 0);
+  EXPECT_FALSE(can_confirm(hopeless));
+  EXPECT_FALSE(allowed_failures(100000, hopeless));
+  EXPECT_THROW(confirming_runs(0, hopeless), Refused);
+}
+
+TEST(JudgeConfirmation, GivesTheYieldOfAllCages) {
+  StudyData study = plain_study(1000, "random");
+  study.plan.redraw_jams = true;
+  study.plan.limits = {{"badness", {}, 0.0, "test", 1}};
+  study.quantities = {{"badness", "-", "test", std::vector<double>(1000, -1)}};
+  study.jam.candidate = {0.004};
+  study.quantities[0].values[7] = 1;
+  const Confirmation result = judge_confirmation(study, {0.98, 0.95, 1, 0});
+  EXPECT_TRUE(result.passed);
+  EXPECT_DOUBLE_EQ(result.yield.if_unknown_fail, 0.996 * 0.999);
+  EXPECT_DOUBLE_EQ(result.yield.lower_bound,
+                   (0.996 - 1e-6) * clopper_pearson_lower(999, 1000, 0.95));
+  EXPECT_DOUBLE_EQ(result.yield.fits, 0.996);
+}
+
 TEST(AllowedFailures, AreWhatTheExactBoundAllows) {
   for (const double target : {0.5, 0.9, 0.99})
     for (const std::size_t attempts : {1, 2, 5}) {
