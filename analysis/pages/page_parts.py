@@ -172,6 +172,12 @@ def fit_requirement(width):
     return words
 
 
+def fit_matters(width):
+    """Whether more than 10 ppm of the cages hang on the centring or the split of that dimension."""
+    fit = width.get("fit")
+    return bool(fit) and any(abs(fit[name] - fit["share"]) > 1e-5 for name in ("off_centre", "pockets_alone", "lots_alone"))
+
+
 def fit_loss(width):
     fit = width["fit"]
     loss = lambda name: jam_share(1 - fit[name])

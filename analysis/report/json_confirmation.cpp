@@ -102,15 +102,14 @@ std::string tolerance_text(const Json& width) {
 }
 
 /// Whether other random numbers might have decided otherwise about an attempt: it was not confirmed
-/// although its yield may meet the target, or confirmed with failures or jams that take up more
-/// than half of what the target allows.
-bool is_close(const StudyData& runs, const Json& attempt, const StudyPlan& plan) {
+/// although its yield may meet the target, or confirmed with failures that take up more than half of
+/// what the target allows to cages that fit.
+bool is_close(const Json& attempt, const StudyPlan& plan) {
   if (!attempt["passed"].get<bool>())
     return attempt["yield"]["upper_bound"].get<double>() >= plan.target_yield;
   const auto count = attempt["runs"].get<double>();
-  double failing = 1 - attempt["meeting_runs"].get<double>() / count;
-  if (!runs.jam.candidate.empty()) failing = std::max(failing, runs.jam.candidate.front());
-  return failing > 0.5 * (1 - plan.target_yield);
+  const double failing = 1 - attempt["meeting_runs"].get<double>() / count;
+  return failing > 0.5 * (1 - plan.target_yield / attempt["yield"]["fits"].get<double>());
 }
 
 /// Which attempts before the last one confirmed nothing.
@@ -231,7 +230,7 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
                       candidate["name"].get<std::string>(), candidate["reason"].get<std::string>());
   verdict["close"] = Json::array();
   for (std::size_t i = 0; i < confirmations.size(); ++i) {
-    if (!is_close(confirmations[i], attempts[i], plan)) continue;
+    if (!is_close(attempts[i], plan)) continue;
     std::string widths;
     for (const Json& width : attempts[i]["tolerances"])
       widths += (widths.empty() ? "" : ", ") + tolerance_text(width);

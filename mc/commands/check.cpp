@@ -74,21 +74,27 @@ std::string jams_text(const Study& study) {
             fmt::format("{} {} from {:.3g} mm", points.empty() ? "" : ",", jam_text(share), *width);
     text += fmt::format("    {}:{}\n", curve.key, points.empty() ? " none" : points);
   }
-  std::size_t widest = 0, over = 0;
+  auto widest =
+      static_cast<std::size_t>(std::min_element(shares.begin(), shares.end()) - shares.begin());
+  std::size_t over = 0;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     over += shares[k] > 1 - study.tolerance.target_yield;
     if (shares[k] <= 1 - study.tolerance.target_yield && shares[k] >= shares[widest]) widest = k;
   }
   const std::size_t dimensions = jams.curves.size();
+  std::string widths;
+  for (const double width : study.candidates[widest].tolerance_widths_mm)
+    widths += fmt::format("{}{:.3g} mm", widths.empty() ? "" : " and ", width);
+  text += fmt::format("    at {}: {}", widths, jam_text(shares[widest]));
   for (std::size_t d = 0; d < dimensions; ++d)
     text += fmt::format(
-        "    of candidate {}: {} jam; with {} off centre by {:.3g} mm {}, with all of its variance "
-        "among pockets {}, from cage to cage {}\n",
-        widest, jam_text(shares[widest]), jams.curves[d].key,
-        kOffCentre * study.candidates[widest].tolerance_widths_mm[d],
+        "; {} off centre by {:.2g} mm {}, its variance all among pockets {}, all from cage to "
+        "cage {}",
+        jams.curves[d].key, kOffCentre * study.candidates[widest].tolerance_widths_mm[d],
         jam_text(jams.off_centre[widest * dimensions + d]),
         jam_text(jams.pockets_alone[widest * dimensions + d]),
         jam_text(jams.lots_alone[widest * dimensions + d]));
+  text += "\n";
   if (over > 0)
     text += fmt::format(
         "warning: {} of {} candidates miss the target yield of {:.6g} % by jams alone, whatever "
