@@ -102,8 +102,8 @@ std::string tolerance_text(const Json& width) {
 }
 
 /// Whether other random numbers might have decided otherwise about an attempt: it was not confirmed
-/// although its yield may meet the target, or confirmed with failures that take up more than half of
-/// what the target allows to cages that fit.
+/// although its yield may meet the target, or confirmed with failures that take up more than half
+/// of what the target allows to cages that fit.
 bool is_close(const Json& attempt, const StudyPlan& plan) {
   if (!attempt["passed"].get<bool>())
     return attempt["yield"]["upper_bound"].get<double>() >= plan.target_yield;

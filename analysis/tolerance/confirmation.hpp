@@ -51,7 +51,8 @@ inline constexpr double kWantedPower = 0.9;
 /// least confirming_runs(0).
 std::size_t confirmation_size(double yield, const ConfirmationRules& rules);
 
-/// One attempt, judged by rules_for() its tolerance. Jammed runs and runs without a result count as not meeting the limits.
+/// One attempt, judged by rules_for() its tolerance. Jammed runs and runs without a result count as
+/// not meeting the limits.
 struct Confirmation {
   std::size_t runs = 0, meeting = 0, unknown = 0;
   Yield yield;  ///< bounds at attempt_confidence()

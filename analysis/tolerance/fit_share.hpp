@@ -1,6 +1,6 @@
 // Share of the cages that fit, where the runs were drawn from those alone (study key redraw_jams).
 //
-//   P(good) = (1 - j)(1 - q)    j does not fit, known by geometry; q of those that fit misses a limit
+//   P(good) = (1 - j)(1 - q)    j does not fit, by geometry; q of those that fit misses a limit
 //
 // The bounds of both multiply. An integrated j is within 1 ppm and takes none of the risk alpha;
 // one from M drawn cages has the upper bound of Clopper and Pearson at alpha/50, which leaves

@@ -12,8 +12,7 @@
 
 namespace cagetol {
 
-/// Tolerance from which on more than `share` of the cages jam; nothing where none of the curve does,
-/// its narrowest where all do.
+/// Tolerance from which on more than `share` of the cages jam; nothing where they are fewer.
 std::optional<double> tolerance_of_jams(const JamCurve& curve, double share);
 
 /// "0.57 %" or "0.3 ppm" of cages that jam.

@@ -37,7 +37,8 @@ struct MixtureWeights {
 MixtureWeights mixture_weights(const StudyData& runs);
 
 /// Weights of any other tolerance, given by its scales and the shifts of its centres in the keys'
-/// units (empty: none), but for a common factor. No bound holds for them: watch the effective sample size.
+/// units (empty: none), but for a common factor. No bound holds for them: watch the effective
+/// sample size.
 std::vector<double> weights_of_scales(const StudyData& runs, const MixtureWeights& mixture,
                                       std::span<const double> scales,
                                       std::span<const double> shifts = {});

@@ -17,7 +17,7 @@ const KeyTable<Study>& study_keys() {
       {"design", any_value(), AT(design), "how the rows fill the space of deviations"},
       {"scrambles", within(1, 1024), AT(scrambles), "design sobol: independent scrambles"},
       {"cages_per_lot", within(1, 1e6), AT(cages_per_lot), "design random: cages that share one draw of the lot"},
-      {"redraw_jams", any_value(), AT(redraw_jams), "true: a cage that does not fit (rollers, lips, rings) is drawn again, so that every run is of one that does, and yields are those of cages that fit times the share that fits; the stages of `recommend` do so with the designs random, lhs and sobol. false: such a cage is a sample that jams"},
+      {"redraw_jams", any_value(), AT(redraw_jams), "true: a cage that does not fit (rollers, lips, rings) is drawn again, so that every run is of one that does, and the yields of candidate tolerances are those of cages that fit times the share that fits; the stages of `recommend` do so. false: such a cage is a sample that jams"},
       {"allowed_failure_share", within(0, 1), AT(allowed_failure_share), "failed, censored and poisoned samples beyond this share: exit code 3; `recommend` judges the lower bound of their share in pilot and mixture together, and counts them as failing in confirmations"},
       {"fidelity", one_of({"pinned", "auto"}), AT(fidelity), "pinned: the model that the scene says; auto: the cheapest rung of the model ladder that is good enough for every limited quantity: its mean is unmoved or its limits are settled (`cagetol ladder --help`), the highest where the samples do not tell"},
       {"fidelity_samples", within(2, 1e9), AT(fidelity_samples), "fidelity auto: runs on each rung that is tried; more of them settle limits that are closer"},

@@ -1,5 +1,5 @@
-// How many cages jam, by geometry alone: a roller larger than its pocket, lips that pinch it, a ring
-// that holds the cage.
+// How many cages jam, by geometry alone: a roller larger than its pocket, lips that pinch it, or a
+// ring that holds the cage.
 #pragma once
 
 #include <string>
