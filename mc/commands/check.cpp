@@ -85,7 +85,7 @@ std::string jams_text(const Study& study) {
   std::string widths;
   for (const double width : study.candidates[widest].tolerance_widths_mm)
     widths += fmt::format("{}{:.3g} mm", widths.empty() ? "" : " and ", width);
-  text += fmt::format("    at {}: {}", widths, jam_text(shares[widest]));
+  text += fmt::format("    at {}: {} jam", widths, jam_text(shares[widest]));
   for (std::size_t d = 0; d < dimensions; ++d)
     text += fmt::format(
         "; {} off centre by {:.2g} mm {}, its variance all among pockets {}, all from cage to "
