@@ -155,6 +155,11 @@ def judged_revolutions(report):
     return over.pop() if len(over) == 1 else None
 
 
+def judged_by(report):
+    over = judged_revolutions(report)
+    return f"each judged by one start over {rounded(over)} revolutions" if over else "each judged by one start"
+
+
 def sized_tolerances(report):
     """Tolerances to print whose limits of size and scatter are known."""
     return [tolerance for tolerance in tolerances(report) if not tolerance["not_binding"] and is_number(tolerance.get("size", {}).get("capability"))]
@@ -551,7 +556,7 @@ RESPONSE_FIGURES = [
      "Roller slip by level: medians of the runs, with their 5 to 95 % range. Slip depends on the "
      "friction law's transition speeds."),
     ("response_quantities",
-     "The quantities that certainly change over the levels, or all where none does: median of the runs, band from 5 to 95 % of them. Bands "
+     "The quantities whose change over the levels is significant, or all where none is: median of the runs, band from 5 to 95 % of them. Bands "
      "that overlap all the way mean that the level is not felt in one run."),
 ]
 

@@ -113,8 +113,15 @@ def percent(share):
     x = 100 * share
     distance = min(abs(x), abs(100 - x))
     if 99.995 <= x < 100:
-        return "> 99.99 %"
+        x = 99.99
     return fixed(x, 2 if 0 < distance < 0.1 else 1) + " %"
+
+
+def estimated_percent(estimate, key="if_unknown_fail"):
+    """A yield; where no run misses, how large it is at least."""
+    if estimate["missing_runs"] == 0 and is_number(estimate["lower_bound"]):
+        return "≥ " + percent_down(estimate["lower_bound"])
+    return percent(estimate[key])
 
 
 def percent_down(share):
@@ -238,7 +245,7 @@ def words_used(pages):
 def filters():
     return {"rounded": rounded, "fixed": fixed, "whole": whole, "significant": significant, "plain": plain, "general": general, "signed": signed,
             "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
-            "percent_down": percent_down, "fit_percent": fit_percent, "stated_percent": stated_percent, "percent_interval": percent_interval,
+            "percent_down": percent_down, "fit_percent": fit_percent, "estimated_percent": estimated_percent, "stated_percent": stated_percent, "percent_interval": percent_interval,
             "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "kept": kept, "breakable": breakable,
             "value_text": value_text, "law_text": law_text,
             "readable": readable, "joined": joined, "words_used": words_used}

@@ -322,6 +322,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     } else {
       std::vector<Tolerance> tried;
       for (const StudyData& attempt : confirmations) tried.push_back(tolerance_tried(attempt));
+      std::swap(tried[judge_attempts(confirmations).decisive], tried.back());
       result = recommend_allowed(
           basis.runs, mixture, curves, tests, basis.joint, basis.resampling, [&](std::size_t k) {
             return same_tolerance(snapped_tolerance(basis.runs, plan.candidates[k]), tried.back());

@@ -3,7 +3,6 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/study/refused.hpp"
@@ -104,9 +103,40 @@ Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules&
   return result;
 }
 
+JudgedAttempts judge_attempts(const std::vector<StudyData>& attempts) {
+  JudgedAttempts judged;
+  std::optional<double> bound;  // of those that passed one after another
+  bool some_passed = false;
+  for (const StudyData& attempt : attempts) {
+    const ConfirmationRules rules = confirmation_rules(attempt.plan, 0);
+    judged.attempts.push_back(judge_confirmation(attempt, rules));
+    const auto& [runs, meeting, unknown, yield, passed] = judged.attempts.back();
+    if (passed) {
+      bound = std::min(bound.value_or(1), yield.lower_bound);
+      judged.lower_bound = *bound;
+    } else {
+      judged.lower_bound = some_passed ? rules.target_yield : yield.lower_bound;
+      bound.reset();
+    }
+    if (passed || !some_passed) judged.decisive = judged.attempts.size() - 1;
+    some_passed = some_passed || passed;
+  }
+  return judged;
+}
+
+bool is_complete(const StudyData& attempt) {
+  const auto planned = static_cast<std::size_t>(attempt.design.samples_planned);
+  if (attempt.size() >= planned) return true;
+  const ConfirmationRules rules = rules_for(confirmation_rules(attempt.plan, 0), attempt, 0);
+  const Confirmation judged = judge_confirmation(attempt, rules);
+  return judged.runs - judged.meeting > allowed_failures(planned, rules).value_or(planned);
+}
+
 std::size_t surest_attempt(const std::vector<Confirmation>& attempts) {
+  for (std::size_t i = attempts.size(); i-- > 0;)
+    if (attempts[i].passed) return i;
   const auto less_sure = [](const Confirmation& a, const Confirmation& b) {
-    return std::pair(a.passed, a.yield.lower_bound) < std::pair(b.passed, b.yield.lower_bound);
+    return a.yield.lower_bound < b.yield.lower_bound;
   };
   return static_cast<std::size_t>(std::max_element(attempts.begin(), attempts.end(), less_sure) -
                                   attempts.begin());

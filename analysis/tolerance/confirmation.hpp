@@ -4,7 +4,10 @@
 // Confirming runs are new and independent, their bound is exact (Clopper-Pearson). At most m
 // attempts are planned beforehand and each has the confidence 1 - alpha/m: whatever the attempts
 // are and whenever they stop, the probability that any of them confirms a tolerance whose yield is
-// below the target is at most alpha = 1 - confidence (Bonferroni).
+// below the target is at most alpha = 1 - confidence (Bonferroni). An attempt after one that passed
+// shares its alpha/m: the first tolerance below the target that is tried is confirmed with at most
+// that probability, and its failure ends the sequence. An attempt ends when its allowed failures
+// are used up: the exact bounds hold at such a stop, for P(fewer runs) is that of as many failures.
 #pragma once
 
 #include <cstddef>
@@ -62,7 +65,22 @@ struct Confirmation {
 /// Throws Refused unless the runs are independent.
 Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& planned);
 
-/// Place of the attempt that passed; where none did, of the one with the highest lower bound.
+/// Place of the last attempt that passed, the widest; where none did, of the one with the highest
+/// lower bound.
 std::size_t surest_attempt(const std::vector<Confirmation>& attempts);
+
+/// The attempts of a campaign, judged each with its own share of the error.
+struct JudgedAttempts {
+  std::vector<Confirmation> attempts;
+  std::size_t decisive = 0;  ///< the last that passed; where none did, the last
+  /// Of the decisive one. Where it followed others that passed, it is the least of their bounds,
+  /// and the target where one that failed followed it (Hsu and Berger 1999, doi
+  /// 10.2307/2670167): so it holds with the confidence, whatever attempt decides.
+  double lower_bound = 0;
+};
+JudgedAttempts judge_attempts(const std::vector<StudyData>& attempts);
+
+/// Whether all planned runs are there, or those up to the one that used up the allowed failures.
+bool is_complete(const StudyData& attempt);
 
 }  // namespace cagetol

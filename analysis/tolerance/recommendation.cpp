@@ -136,7 +136,7 @@ bool set_tolerances(const StudyData& runs, const YieldCurves& curves,
       width.centre = nominal_of(runs, key) + chosen.shift(d);
     width.widest_studied =
         chosen.tolerance_widths_mm[d] == curves.dimensions[d].levels.back().tolerance_width_mm;
-    if (width.grade.empty() && !width.not_binding) {
+    if (width.grade.empty()) {
       const Snapped snapped = snap(runs, key, width.tolerance_width_mm);
       moved = moved || snapped.tolerance_width_mm < width.tolerance_width_mm * (1 - kRounding);
       width.tolerance_width_mm = snapped.tolerance_width_mm;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 
+#include "analysis/tolerance/campaign_plan.hpp"
 #include "analysis/tolerance/jam_onset.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/judgeable.hpp"
@@ -103,6 +104,17 @@ std::string jams_text(const Study& study) {
   return text;
 }
 
+/// What `recommend` can decide with the runs that its budget has at most for confirmations.
+std::string budget_text(const Study& study) {
+  if (study.recommend.budget_samples == 0 || !judgement_faults(study).empty()) return "";
+  const std::size_t runs = most_confirming_runs(
+      static_cast<std::size_t>(study.recommend.budget_samples), pilot_runs(study));
+  return "  " +
+         decidable_text(study.candidates, candidate_jam_shares(study),
+                        {study.tolerance.target_yield, study.tolerance.confidence}, runs) +
+         "\n";
+}
+
 std::string summary(const Study& study) {
   const auto columns = design_columns(study);
   const std::set<std::string> groups(columns.groups.begin(), columns.groups.end());
@@ -127,7 +139,7 @@ std::string summary(const Study& study) {
   if (!study.candidates.empty())
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
                         study.candidates.size(), study.tolerance.dimensions.size()) +
-            dimensions_text(study) + jams_text(study);
+            dimensions_text(study) + jams_text(study) + budget_text(study);
   if (const std::size_t count = alternatives_of(study).size();
       count > 0 && !study.candidates.empty())
     text += fmt::format(

@@ -31,6 +31,7 @@ Study stage_study(const Study& base, const Stage& stage) {
     for (Assumption& assumption : study.scene.assumptions)
       assumption = {assumption.key, assumption.note};
     if (stage.tolerances.empty()) return;
+    study.recommend.attempts = static_cast<long>(stage.error_shares);
     study.design = DesignKind::random;
     study.cages_per_lot = 1;
     study.extra_replicates = 0;

@@ -28,7 +28,7 @@ const KeyTable<Study>& study_keys() {
       {"history.points", within(0, 10000), AT(history.points), "instants of the time history that is stored of each sample, equally spaced up to the end of the window; 0: no histories"},
       {"history.roller", at_least(0), AT(history.roller), "roller whose spin the histories hold, from 0"},
       {"recommend.pilot_samples", within(32, 1e9), AT(recommend.pilot_samples), "rows of the pilot, which measures run time and noise"},
-      {"recommend.attempts", within(1, 100), AT(recommend.attempts), "confirmations at most; each has the share 1 / attempts of the error that the confidence leaves"},
+      {"recommend.attempts", within(1, 100), AT(recommend.attempts), "confirmations that may fail; each has the share 1 / attempts of the error that the confidence leaves. Where a sequence from narrow to wide takes fewer runs it has the whole error and ends with the first that fails"},
       {"recommend.confirm_samples", within(0, 1e9), AT(recommend.confirm_samples), "most runs of one confirmation; 0: as many as its estimated yield needs and the budget affords; without a budget `samples` runs an attempt on average, or twice as many as can confirm at all, where that is more"},
       {"recommend.budget_samples", within(0, 1e9), AT(recommend.budget_samples), "runs of all stages together, may be raised in the same directory; 0: the mixture has `samples` rows"},
       {"recommend.budget_h", at_least(0), AT(recommend.budget_time), "wall-clock time of all stages together, by the pilot's time of a run, may be raised in the same directory; 0: no such budget"},

@@ -139,6 +139,56 @@ TEST(JudgeConfirmation, RefusesDependentRuns) {
   EXPECT_THROW(judge_confirmation(plain_study(100, "random", 4), {}), Refused);
 }
 
+/// Attempts of 60 runs each, at a target of 90 %: so many fail.
+std::vector<StudyData> attempts_of(const std::vector<int>& failures, std::size_t shares) {
+  std::vector<StudyData> attempts;
+  for (const int failing : failures) {
+    StudyData study = plain_study(60);
+    study.plan.target_yield = 0.9;
+    study.plan.campaign.attempts = shares;
+    study.plan.limits = {{"q", {}, 1.0, "test", 1}};
+    study.quantities = {{"q", "-", "test", std::vector<double>(60, 0.5)}};
+    std::fill_n(study.quantities[0].values.begin(), failing, 2.0);
+    attempts.push_back(study);
+  }
+  return attempts;
+}
+
+TEST(JudgeAttempts, BoundsASequenceByItsLeast) {
+  const auto bound = [](int failing, double confidence) {
+    return clopper_pearson_lower(60 - failing, 60, confidence);
+  };
+  JudgedAttempts judged = judge_attempts(attempts_of({0, 1}, 1));
+  EXPECT_EQ(judged.decisive, 1u);
+  EXPECT_NEAR(judged.lower_bound, bound(1, 0.95), 1e-12);
+  judged = judge_attempts(attempts_of({1, 0}, 1));
+  EXPECT_NEAR(judged.lower_bound, bound(1, 0.95), 1e-12);
+  judged = judge_attempts(attempts_of({0, 9}, 1));  // the next did not confirm
+  EXPECT_EQ(judged.decisive, 0u);
+  EXPECT_DOUBLE_EQ(judged.lower_bound, 0.9);
+  judged = judge_attempts(attempts_of({9, 0}, 2));  // each has half of the error
+  EXPECT_EQ(judged.decisive, 1u);
+  EXPECT_NEAR(judged.lower_bound, bound(0, 0.975), 1e-12);
+  judged = judge_attempts(attempts_of({9, 8}, 2));
+  EXPECT_EQ(judged.decisive, 1u);
+  EXPECT_NEAR(judged.lower_bound, bound(8, 0.975), 1e-12);
+}
+
+TEST(IsComplete, WithAllRunsOrTheAllowedFailuresUsedUp) {
+  StudyData attempt = attempts_of({2}, 1).front();
+  attempt.design.samples_planned = 60;
+  EXPECT_TRUE(is_complete(attempt));
+  attempt.design.samples_planned = 76;  // one may fail of 46, two of 61, three of 76
+  EXPECT_FALSE(is_complete(attempt));
+  attempt.design.samples_planned = 61;
+  EXPECT_FALSE(is_complete(attempt));
+  EXPECT_TRUE([&] {
+    StudyData over = attempts_of({3}, 1).front();
+    over.design.samples_planned = 61;
+    return is_complete(over);
+  }());
+}
+
 TEST(SurestAttempt, IsTheOnePassedOrTheOneWithTheHighestBound) {
   const auto attempt = [](double lower_bound, bool passed) {
     Confirmation confirmation;
@@ -148,6 +198,7 @@ TEST(SurestAttempt, IsTheOnePassedOrTheOneWithTheHighestBound) {
   };
   EXPECT_EQ(surest_attempt({attempt(0.9, false), attempt(0.93, false), attempt(0.92, false)}), 1u);
   EXPECT_EQ(surest_attempt({attempt(0.97, false), attempt(0.96, true)}), 1u);
+  EXPECT_EQ(surest_attempt({attempt(0.99, true), attempt(0.96, true), attempt(0.8, false)}), 1u);
 }
 
 }  // namespace
