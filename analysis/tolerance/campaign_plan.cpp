@@ -288,6 +288,7 @@ std::string decidable_text(const std::vector<Candidate>& candidates,
     double width = 1;
     for (const double each : candidates[k].tolerance_widths_mm) width *= each;
     const double fitting = k < jams.size() ? 1 - jams[k] : 1;
+    rules.fit = {fitting, std::max(fitting - 1e-6, 0.0), 1};
     if (width <= most || confirming_probability(fitting, runs, rules) < kWantedPower) continue;
     most = width;
     name.clear();

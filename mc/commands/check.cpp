@@ -59,8 +59,7 @@ std::string dimensions_text(const Study& study) {
 }
 
 /// How many cages of the candidates cannot be assembled or turn: geometry alone decides.
-std::string jams_text(const Study& study) {
-  const JamShares jams = jam_shares(study);
+std::string jams_text(const Study& study, const JamShares& jams) {
   const std::vector<double>& shares = jams.candidate;
   if (shares.empty()) return "";
   std::string text = fmt::format(
@@ -105,12 +104,12 @@ std::string jams_text(const Study& study) {
 }
 
 /// What `recommend` can decide with the runs that its budget has at most for confirmations.
-std::string budget_text(const Study& study) {
+std::string budget_text(const Study& study, const JamShares& jams) {
   if (study.recommend.budget_samples == 0 || !judgement_faults(study).empty()) return "";
   const std::size_t runs = most_confirming_runs(
       static_cast<std::size_t>(study.recommend.budget_samples), pilot_runs(study));
   return "  " +
-         decidable_text(study.candidates, candidate_jam_shares(study),
+         decidable_text(study.candidates, jams.candidate,
                         {study.tolerance.target_yield, study.tolerance.confidence}, runs) +
          "\n";
 }
@@ -136,10 +135,11 @@ std::string summary(const Study& study) {
             law_text(input.noise, "noise", input.unit);
   if (!study.limits.empty()) text += "limits:\n";
   for (const auto& limit : study.limits) text += limit_text(limit);
+  const JamShares jams = jam_shares(study);
   if (!study.candidates.empty())
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
                         study.candidates.size(), study.tolerance.dimensions.size()) +
-            dimensions_text(study) + jams_text(study) + budget_text(study);
+            dimensions_text(study) + jams_text(study, jams) + budget_text(study, jams);
   if (const std::size_t count = alternatives_of(study).size();
       count > 0 && !study.candidates.empty())
     text += fmt::format(
