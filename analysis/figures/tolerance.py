@@ -106,19 +106,20 @@ def yield_map(report):
 def jam_curves(report):
     """One panel for each dimension: share of cages that jam over the width of its tolerance."""
     jams = report["tolerance"].get("jams", []) if report["tolerance"] else []
-    jams = [jam for jam in jams if any(jam["share"])]
+    jams = [jam for jam in jams if max(jam["share"]) > 1e-7]
     if not jams:
         return None
     tolerances = {tolerance["key"]: tolerance["tolerance_width_mm"] for tolerance in report["tolerance"]["tolerances"]}
     figure, axes = plt.subplots(1, len(jams), figsize=(WIDTH, 2.9), sharey=True, squeeze=False)
     for axis, jam in zip(axes[0], jams):
-        shown = [(1e3 * tolerance, 100 * share) for tolerance, share in zip(jam["tolerance_width_mm"], jam["share"]) if share > 0]
+        shown = [(1e3 * tolerance, 100 * share) for tolerance, share in zip(jam["tolerance_width_mm"], jam["share"]) if share > 1e-7]
         axis.plot(*zip(*shown), "o-", color=BLUE, markersize=3)
         axis.axhline(100 * (1 - report["verdict"]["target_yield"]), color=RED, linestyle="--", linewidth=1.2)
         if jam["key"] in tolerances:
             axis.axvline(1e3 * tolerances[jam["key"]], color=GREY, linestyle=":", linewidth=1.5)
         axis.set_xlim(0, 1.02e3 * jam["tolerance_width_mm"][-1])
         axis.set_yscale("log")
+        axis.set_ylim(bottom=5e-5)  # 1 ppm and below
         axis.tick_params(axis="y", labelsize=9)  # exponents are smaller
         axis.set_xlabel(f"tolerance of {jam['name']}, full width [µm]")
     axes[0][0].set_ylabel("cages that jam [%]")

@@ -4,7 +4,7 @@ Above 400 lines: one short function for each table or list of a page."""
 
 import math
 
-from page_text import (code, general, is_number, joined, percent_interval, plain, pockets_alike, readable, rounded, scene_items,
+from page_text import (code, fixed, general, is_number, jam_share, joined, percent_interval, plain, pockets_alike, readable, rounded, scene_items,
                        unit_suffix, value_text)
 
 
@@ -155,9 +155,41 @@ def judged_revolutions(report):
     return over.pop() if len(over) == 1 else None
 
 
+def judged_by(report):
+    over = judged_revolutions(report)
+    return f"each judged by one start over {rounded(over)} revolutions" if over else "each judged by one start"
+
+
 def sized_tolerances(report):
     """Tolerances to print whose limits of size and scatter are known."""
     return [tolerance for tolerance in tolerances(report) if not tolerance["not_binding"] and is_number(tolerance.get("size", {}).get("capability"))]
+
+
+def fit_requirement(width):
+    """What the share of cages that fit hangs on beside Cp: centring, and how the variance is split."""
+    fit = width.get("fit")
+    if not fit:
+        return ""
+    words = f", centred within {fixed(1e3 * fit['offset_mm'], 0)} µm"
+    if is_number(fit["lot_share"]):
+        share = fit["lot_share"]
+        words += f", {'half' if abs(share - 0.5) < 0.005 else f'{100 * share:.0f} %'} of the variance from cage to cage"
+    return words
+
+
+def fit_matters(width):
+    """Whether more than 10 ppm of the cages hang on the centring or the split of that dimension."""
+    fit = width.get("fit")
+    return bool(fit) and any(abs(fit[name] - fit["share"]) > 1e-5 for name in ("off_centre", "pockets_alone", "lots_alone"))
+
+
+def fit_loss(width):
+    fit = width["fit"]
+    loss = lambda name: jam_share(1 - fit[name])
+    words = f"{width['name'].capitalize()}: {loss('share')} of the cages jam; with its mean off by {fixed(1e3 * fit['offset_mm'], 0)} µm {loss('off_centre')}"
+    if is_number(fit["lot_share"]):
+        words += f", with all of its variance among the pockets of a cage {loss('pockets_alone')}, from cage to cage {loss('lots_alone')}"
+    return words + "."
 
 
 def widest(report):
@@ -524,7 +556,7 @@ RESPONSE_FIGURES = [
      "Roller slip by level: medians of the runs, with their 5 to 95 % range. Slip depends on the "
      "friction law's transition speeds."),
     ("response_quantities",
-     "The quantities that certainly change over the levels, or all where none does: median of the runs, band from 5 to 95 % of them. Bands "
+     "The quantities whose change over the levels is significant, or all where none is: median of the runs, band from 5 to 95 % of them. Bands "
      "that overlap all the way mean that the level is not felt in one run."),
 ]
 

@@ -113,13 +113,32 @@ def percent(share):
     x = 100 * share
     distance = min(abs(x), abs(100 - x))
     if 99.995 <= x < 100:
-        return "> 99.99 %"
+        x = 99.99
     return fixed(x, 2 if 0 < distance < 0.1 else 1) + " %"
+
+
+def estimated_percent(estimate, key="if_unknown_fail"):
+    """A yield; where no run misses, how large it is at least."""
+    if estimate["missing_runs"] == 0 and is_number(estimate["lower_bound"]):
+        return "≥ " + percent_down(estimate["lower_bound"])
+    return percent(estimate[key])
 
 
 def percent_down(share):
     """A lower bound is rounded to its safe side."""
     return fixed(math.floor(1000 * share) / 10, 1) + " %" if is_number(share) else "-"
+
+
+def fit_percent(share):
+    """Of cages that fit, down to 1 ppm that does not."""
+    return f"{100 * share:.3f} %" if share < 0.9999 else f"all but {jam_share(1 - share)}"
+
+
+def jam_share(share):
+    """Of cages that do not fit: "0.57 %", "0.3 ppm"."""
+    if share < 1e-8:
+        return "0.01 ppm"
+    return f"{1e6 * share:.2g} ppm" if share < 1e-4 else f"{100 * share:.3g} %"
 
 
 def stated_percent(share):
@@ -226,7 +245,7 @@ def words_used(pages):
 def filters():
     return {"rounded": rounded, "fixed": fixed, "whole": whole, "significant": significant, "plain": plain, "general": general, "signed": signed,
             "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
-            "percent_down": percent_down, "stated_percent": stated_percent, "percent_interval": percent_interval,
+            "percent_down": percent_down, "fit_percent": fit_percent, "estimated_percent": estimated_percent, "stated_percent": stated_percent, "percent_interval": percent_interval,
             "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "kept": kept, "breakable": breakable,
             "value_text": value_text, "law_text": law_text,
             "readable": readable, "joined": joined, "words_used": words_used}

@@ -194,7 +194,7 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
   Json alternatives = Json::array();
   if (!runs->alternatives.empty()) {
     const StudyData& attempt = confirmations[plan.attempt - 1];
-    verdicts = judge_assumptions(attempt, runs->runs, confirmation_rules(basis.study.plan, 0));
+    verdicts = judge_assumptions(attempt, runs->runs, confirmation_rules(attempt.plan, 0));
     const ToleranceChange tolerance(basis, tolerance_tried(attempt));
     for (std::size_t k = 0; k < runs->alternatives.size(); ++k)
       alternatives.push_back(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/sensitivity/features.hpp"
@@ -10,6 +11,7 @@
 #include "analysis/tolerance/centre_curve.hpp"
 #include "analysis/tolerance/centre_response.hpp"
 #include "analysis/tolerance/confirmation.hpp"
+#include "analysis/tolerance/jam_onset.hpp"
 
 namespace cagetol {
 namespace {
@@ -25,9 +27,9 @@ Json centre_of(const StudyData& attempt, std::size_t dimension) {
   return centres.empty() ? Json() : Json(centres.front());
 }
 
-Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t number) {
-  const auto rules = confirmation_rules(mixture.plan, 0);
-  const Confirmation result = judge_confirmation(runs, rules);
+Json attempt_json(const StudyData& runs, const Confirmation& result, std::size_t number) {
+  const auto rules = rules_for(confirmation_rules(runs.plan, 0), runs, 0);
+  const auto planned = static_cast<std::size_t>(runs.design.samples_planned);
   const Candidate& tolerance = runs.plan.candidates.front();
   Json widths = Json::array();
   for (std::size_t d = 0; d < tolerance.tolerance_widths_mm.size(); ++d)
@@ -37,10 +39,12 @@ Json attempt_json(const StudyData& mixture, const StudyData& runs, std::size_t n
                       {"grade", tolerance.grades[d]},
                       {"centre", centre_of(runs, d)},
                       {"centre_unit", unit_of_input(runs, runs.plan.dimensions[d].key)}});
-  const auto allowed = allowed_failures(result.runs, rules);
+  const auto allowed = allowed_failures(std::max(planned, result.runs), rules);
   return {{"stage", fmt::format("confirm-{}", number)},
           {"tolerances", widths},
           {"runs", result.runs},
+          {"planned_runs", std::max(planned, result.runs)},
+          {"confidence", attempt_confidence(rules)},
           {"meeting_runs", result.meeting},
           {"unknown_runs", result.unknown},
           {"jammed_runs", std::count(runs.status.begin(), runs.status.end(), RunStatus::jammed)},
@@ -101,26 +105,27 @@ std::string tolerance_text(const Json& width) {
 }
 
 /// Whether other random numbers might have decided otherwise about an attempt: it was not confirmed
-/// although its yield may meet the target, or confirmed with failures or jams that take up more
-/// than half of what the target allows.
-bool is_close(const StudyData& runs, const Json& attempt, const StudyPlan& plan) {
+/// although its yield may meet the target, or confirmed with failures that take up more than half
+/// of what the target allows to cages that fit.
+bool is_close(const Json& attempt, const StudyPlan& plan) {
   if (!attempt["passed"].get<bool>())
     return attempt["yield"]["upper_bound"].get<double>() >= plan.target_yield;
   const auto count = attempt["runs"].get<double>();
-  double failing = 1 - attempt["meeting_runs"].get<double>() / count;
-  if (!runs.jam.candidate.empty()) failing = std::max(failing, runs.jam.candidate.front());
-  return failing > 0.5 * (1 - plan.target_yield);
+  const double failing = 1 - attempt["meeting_runs"].get<double>() / count;
+  return failing > 0.5 * (1 - plan.target_yield / attempt["yield"]["fits"].get<double>());
 }
 
-/// Which attempts before the last one confirmed nothing.
-std::string failed_attempts_text(const Json& attempts) {
+/// Which other attempts than the decisive one confirmed nothing.
+std::string failed_attempts_text(const Json& attempts, std::size_t decisive) {
   std::string text;
-  for (std::size_t i = 0; i + 1 < attempts.size(); ++i) {
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    if (i == decisive || attempts[i]["passed"].get<bool>()) continue;
     std::string widths;
     for (const Json& width : attempts[i]["tolerances"])
       widths += (widths.empty() ? "" : ", ") + tolerance_text(width);
     const auto jammed = attempts[i]["jammed_runs"].get<std::int64_t>();
-    text += fmt::format(" Not confirmed before: {}; {} of {} fresh runs meet all limits{}.", widths,
+    text += fmt::format(" Not confirmed{}: {}; {} of {} fresh runs meet all limits{}.",
+                        i < decisive ? " before" : "", widths,
                         attempts[i]["meeting_runs"].get<std::size_t>(),
                         attempts[i]["runs"].get<std::size_t>(),
                         jammed > 0 ? fmt::format(", {} jam", jammed) : std::string());
@@ -128,8 +133,17 @@ std::string failed_attempts_text(const Json& attempts) {
   return text;
 }
 
-std::string statement(const Json& attempt, const Json& not_binding, const StudyPlan& plan,
-                      std::size_t attempts) {
+/// What a share of cages is by.
+std::string judged_by(const StudyPlan& plan) {
+  std::set<double> over;
+  for (const Limit& limit : plan.limits) over.insert(limit.cage_revolutions);
+  return over.size() == 1 && *over.begin() > 0
+             ? fmt::format("each judged by one start over {:g} revolutions", *over.begin())
+             : "each judged by one start";
+}
+
+std::string statement(const Json& attempt, double lower_bound, const Json& not_binding,
+                      const StudyPlan& plan, std::size_t attempts, std::size_t planned) {
   std::string widths, free;
   for (const Json& width : attempt["tolerances"]) {
     const std::string text = tolerance_text(width);
@@ -139,24 +153,26 @@ std::string statement(const Json& attempt, const Json& not_binding, const StudyP
             : widths;
     list += (list.empty() ? "" : ", ") + text;
   }
+  const double jams = 1 - attempt["yield"]["fits"].get<double>();
   const std::string counted =
-      fmt::format("{} of {} fresh runs meet all limits", attempt["meeting_runs"].get<std::size_t>(),
-                  attempt["runs"].get<std::size_t>());
+      fmt::format("{} of {} fresh runs{} meet all limits",
+                  attempt["meeting_runs"].get<std::size_t>(), attempt["runs"].get<std::size_t>(),
+                  jams > 0 ? " of cages that fit" : "") +
+      (jams > 0 ? fmt::format(", and {} of the cages do not fit", jam_text(jams)) : "");
   std::string text;
   if (attempt["passed"].get<bool>())
     text = fmt::format(
         "Confirmed{}. {}: with {:.6g} % confidence at least {} "
-        "of the cages do; the target is {:.6g} %.",
+        "of the cages {}, {}; the target is {:.6g} %.",
         widths.empty() ? ", though no tolerance studied limits the yield"
                        : ": " + widths + ", full width of the tolerance",
-        counted, 100 * plan.confidence, percent_down(attempt["yield"]["lower_bound"].get<double>()),
-        100 * plan.target_yield);
+        counted, 100 * plan.confidence, percent_down(lower_bound),
+        jams > 0 ? "fit and meet them" : "do", judged_by(plan), 100 * plan.target_yield);
   else
     text = fmt::format(
         "No tolerance is confirmed after {} of {} planned attempts. The last was {}: {}, too few "
         "for the target of {:.6g} %.",
-        attempts, plan.campaign.attempts, widths.empty() ? free : widths, counted,
-        100 * plan.target_yield);
+        attempts, planned, widths.empty() ? free : widths, counted, 100 * plan.target_yield);
   if (!free.empty() && !widths.empty())
     text += fmt::format(
         " Not binding within the range studied: {}; the yield holds with it at that width, which "
@@ -181,6 +197,9 @@ Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& c
         {{"name", name},
          {"reason", passed.reason},
          {"runs_needed", passed.runs_needed},
+         {"chance", fmt::format("confirms it in about {:.0f} of 10 cases, if its yield is as "
+                                "estimated, at another {:.6g} % risk",
+                                10 * kWantedPower, 100 * (1 - basis.study.plan.confidence))},
          {"command", passed.runs_needed > 0
                          ? Json(confirming_command(basis.study, basis.study.provenance.seed + 1,
                                                    candidate, passed.runs_needed))
@@ -195,10 +214,11 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
   Json& verdict = tolerance.verdict;
   const StudyPlan& plan = basis.study.plan;
   Json attempts = Json::array();
+  const JudgedAttempts judged = judge_attempts(confirmations);
   for (std::size_t i = 0; i < confirmations.size(); ++i)
-    attempts.push_back(attempt_json(basis.study, confirmations[i], i + 1));
-  const Json& last = attempts.back();
-  const StudyData& runs = confirmations.back();
+    attempts.push_back(attempt_json(confirmations[i], judged.attempts[i], i + 1));
+  const Json& last = attempts[judged.decisive];
+  const StudyData& runs = confirmations[judged.decisive];
   const bool passed = last["passed"];
   for (const Json& width : last["tolerances"]) {
     Json& entry = verdict["tolerances"][width["key"].get<std::string>()];
@@ -210,15 +230,16 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
   }
   verdict["meets_target"] = passed;
   verdict["yield"] = last["yield"];
-  verdict["yield_lower_bound"] = last["yield"]["lower_bound"];
+  verdict["yield"]["lower_bound"] = verdict["yield_lower_bound"] = judged.lower_bound;
   verdict["confirmation"] = {{"runs", last["runs"]},
                              {"passed", passed},
                              {"meeting_runs", last["meeting_runs"]},
-                             {"attempts", attempts.size()}};
+                             {"attempts", judged.decisive + 1}};
   verdict["status"] = passed ? "confirmed" : "not_confirmed";
-  const std::string judgement = statement(last, verdict["not_binding"], plan, attempts.size());
+  const std::string judgement = statement(last, judged.lower_bound, verdict["not_binding"], plan,
+                                          attempts.size(), runs.plan.campaign.attempts);
   verdict["judgement"] = judgement;
-  verdict["statement"] = judgement + failed_attempts_text(attempts);
+  verdict["statement"] = judgement + failed_attempts_text(attempts, judged.decisive);
   const Json wider = passed_over_json(basis, tolerance.passed_over);
   for (const Json& candidate : wider)
     if (candidate["runs_needed"] > 0)
@@ -227,7 +248,7 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
                       candidate["name"].get<std::string>(), candidate["reason"].get<std::string>());
   verdict["close"] = Json::array();
   for (std::size_t i = 0; i < confirmations.size(); ++i) {
-    if (!is_close(confirmations[i], attempts[i], plan)) continue;
+    if (!is_close(attempts[i], plan)) continue;
     std::string widths;
     for (const Json& width : attempts[i]["tolerances"])
       widths += (widths.empty() ? "" : ", ") + tolerance_text(width);
@@ -242,8 +263,8 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
   const auto joint = judge_all(runs);
   const Resampling resampling(runs, kUsualResamples);
   return {{"passed_over", wider},
-          {"attempts_planned", plan.campaign.attempts},
-          {"confidence_each", attempt_confidence(confirmation_rules(plan, 0))},
+          {"attempts_planned", runs.plan.campaign.attempts},
+          {"confidence_each", attempt_confidence(confirmation_rules(runs.plan, 0))},
           {"attempts", attempts},
           {"capability", capability_json({runs, runs, joint, resampling, basis.confidence})}};
 }

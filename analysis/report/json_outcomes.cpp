@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <limits>
+#include <numeric>
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/statistics/median.hpp"
@@ -59,7 +60,29 @@ Json to_json(const Yield& yield) {
           {"if_unknown_pass", number(yield.if_unknown_pass)},
           {"lower_bound", number(yield.lower_bound)},
           {"upper_bound", number(yield.upper_bound)},
+          {"fits", yield.fits},
+          {"meets_if_fits", number(yield.if_unknown_fail / yield.fits)},
           {"method", yield.method}};
+}
+
+/// How the runs that miss are spread over lots of several cages; null where each has one.
+Json lots_json(const ReportBasis& basis) {
+  std::vector<double> runs(basis.resampling.lots()), misses = runs, share = runs;
+  for (std::size_t i = 0; i < basis.joint.size(); ++i) {
+    const std::size_t lot = basis.resampling.lot_of()[i];
+    ++runs[lot];
+    misses[lot] += basis.joint[i] != Judgement::meets;
+    share[lot] = misses[lot] / runs[lot];
+  }
+  if (!(basis.study.plan.cages_per_lot > 1) || runs.empty()) return nullptr;
+  std::sort(share.begin(), share.end());
+  return {
+      {"lots", runs.size()},
+      {"misses", std::accumulate(misses.begin(), misses.end(), 0.0)},
+      {"with_misses", std::count_if(share.begin(), share.end(), [](double s) { return s > 0; })},
+      {"median_yield", 1 - share[share.size() / 2]},
+      {"yield_of_the_worst_twentieth", 1 - share[(share.size() - 1) * 19 / 20]},
+      {"worst_yield", 1 - share.back()}};
 }
 
 Json outcomes_json(const ReportBasis& basis) {
@@ -70,6 +93,8 @@ Json outcomes_json(const ReportBasis& basis) {
   outcomes["rows_planned"] = basis.study.design.rows_planned;
   outcomes["noise_repeats"] = std::count_if(
       basis.study.replicate.begin(), basis.study.replicate.end(), [](auto k) { return k > 0; });
+  outcomes["redraw_jams"] = basis.study.plan.redraw_jams;
+  outcomes["lots"] = lots_json(basis);
   Json counts = Json::array();
   for (const RunStatus status : kStatuses) {
     const auto count = std::count(basis.study.status.begin(), basis.study.status.end(), status);

@@ -7,6 +7,7 @@
 #include "analysis/report/json_parts.hpp"
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/tolerance/jam_onset.hpp"
+#include "mc/study_file/named_law.hpp"
 
 namespace cagetol {
 namespace {
@@ -57,6 +58,7 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
                     {"shown", shown(curves.candidates[k])},
                     {"pooled", curves.candidates[k].pooled},
                     {"jam_share", k < jam.size() ? Json(jam[k]) : Json()},
+                    {"jam_text", k < jam.size() ? Json(jam_text(jam[k])) : Json()},
                     {"yield", to_json(curves.candidates[k])}});
   }
   return list;
@@ -98,22 +100,49 @@ Json jams_json(const ReportBasis& basis) {
                     {"name", plain_name(curve.key)},
                     {"tolerance_width_mm", curve.tolerance_width_mm},
                     {"share", curve.share},
-                    {"free_mm", optional(onset.free_mm)},
+                    {"ppm_mm", optional(onset.ppm_mm)},
                     {"limit_mm", optional(onset.limit_mm)}});
   }
   return list;
 }
 
-Json tolerances_json(const Recommendation& result) {
+/// Share of the variance of a dimension that is from cage to cage; null where it has but one part.
+Json lot_share_json(const StudyPlan& plan, const std::string& key) {
+  for (const InputPlan& input : plan.inputs) {
+    if (input.key != key || input.lot.is_null() || input.pocket.is_null()) continue;
+    const double lot = standard_deviation(read_law(input.lot, key)),
+                 pocket = standard_deviation(read_law(input.pocket, key));
+    return lot * lot / (lot * lot + pocket * pocket);
+  }
+  return nullptr;
+}
+
+/// On what the share of cages that fit hangs, beside the tolerance of dimension d.
+Json fit_json(const StudyData& runs, const Recommendation& result, std::size_t d) {
+  const JamShares& jam = runs.jam;
+  const std::size_t place = result.candidate * runs.plan.dimensions.size() + d;
+  if (place >= jam.off_centre.size()) return nullptr;
+  return {{"share", 1 - jam.candidate[result.candidate]},
+          {"offset_mm", kOffCentre * result.tolerances[d].tolerance_width_mm},
+          {"off_centre", 1 - jam.off_centre[place]},
+          {"lot_share", lot_share_json(runs.plan, runs.plan.dimensions[d].key)},
+          {"pockets_alone", 1 - jam.pockets_alone[place]},
+          {"lots_alone", 1 - jam.lots_alone[place]}};
+}
+
+Json tolerances_json(const StudyData& runs, const Recommendation& result) {
   Json widths = Json::array();
-  for (const RecommendedTolerance& tolerance : result.tolerances)
+  for (std::size_t d = 0; d < result.tolerances.size(); ++d) {
+    const RecommendedTolerance& tolerance = result.tolerances[d];
     widths.push_back({{"key", tolerance.key},
                       {"name", tolerance.name},
                       {"not_binding", tolerance.not_binding},
                       {"tolerance_width_mm", tolerance.tolerance_width_mm},
                       {"grade", tolerance.grade},
                       {"centre", tolerance.centre ? Json(*tolerance.centre) : Json()},
-                      {"widest_studied", tolerance.widest_studied}});
+                      {"widest_studied", tolerance.widest_studied},
+                      {"fit", fit_json(runs, result, d)}});
+  }
   return widths;
 }
 
@@ -293,6 +322,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     } else {
       std::vector<Tolerance> tried;
       for (const StudyData& attempt : confirmations) tried.push_back(tolerance_tried(attempt));
+      std::swap(tried[judge_attempts(confirmations).decisive], tried.back());
       result = recommend_allowed(
           basis.runs, mixture, curves, tests, basis.joint, basis.resampling, [&](std::size_t k) {
             return same_tolerance(snapped_tolerance(basis.runs, plan.candidates[k]), tried.back());
@@ -315,7 +345,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
                       {"jams", jams_json(basis)},
                       {"note", mixture.note},
                       {"chosen_candidate", result.possible ? Json(result.candidate) : Json()},
-                      {"tolerances", tolerances_json(result)},
+                      {"tolerances", tolerances_json(basis.study, result)},
                       {"steps", steps_json(result)},
                       {"cost", result.cost ? Json(*result.cost) : Json()}};
     Tolerance chosen;

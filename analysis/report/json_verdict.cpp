@@ -210,7 +210,8 @@ std::string no_index(const Json& report, const Json& entry) {
 
 Json margins_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
                   const Json& ladder) {
-  const StudyData& runs = confirmations.empty() ? basis.runs : confirmations.back();
+  const StudyData& runs =
+      confirmations.empty() ? basis.runs : confirmations[judge_attempts(confirmations).decisive];
   std::vector<double> errors;
   for (const Limit& limit : runs.plan.limits)
     errors.push_back(known_bias(ladder, basis.study, limit.quantity));

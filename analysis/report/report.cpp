@@ -9,6 +9,7 @@
 #include "analysis/report/page_writer.hpp"
 #include "analysis/report/refining_ladder.hpp"
 #include "analysis/report/write_text.hpp"
+#include "analysis/tolerance/confirmation.hpp"
 
 namespace cagetol {
 
@@ -21,7 +22,7 @@ std::vector<StudyData> read_confirmations(const std::filesystem::path& directory
     const auto file = directory / fmt::format("confirm-{}", attempt) / "study.h5";
     if (!std::filesystem::exists(file)) return confirmations;
     StudyData runs = read_study_data(file);
-    if (static_cast<std::int64_t>(runs.size()) < runs.design.samples_planned) return confirmations;
+    if (!is_complete(runs)) return confirmations;
     confirmations.push_back(std::move(runs));
   }
 }

@@ -21,6 +21,7 @@ struct Yield {
   double lower_bound = 0;      ///< one-sided bound of `if_unknown_fail`
   double upper_bound = 1;      ///< one-sided bound of `if_unknown_pass`
   std::string method;          ///< how the bounds were computed
+  double fits = 1;             ///< share of cages that fit, contained in the yield (fit_share.hpp)
   bool pooled = false;         ///< estimated from other candidates' runs: its bounds claim nothing
 };
 

@@ -90,6 +90,14 @@ JamShares read_jams(const Hdf5Reader& file, const StudyPlan& plan, const std::st
     return values;
   };
   jams.candidate = shares("/jam/candidate", plan.candidates.size());
+  if (file.has("/jam/error")) {
+    const std::size_t dimensions = plan.candidates.size() * plan.dimensions.size();
+    jams.error = shares("/jam/error", plan.candidates.size());
+    jams.draws = file.real_attribute("/jam", "draws").at(0);
+    jams.off_centre = shares("/jam/off_centre", dimensions);
+    jams.pockets_alone = shares("/jam/pockets_alone", dimensions);
+    jams.lots_alone = shares("/jam/lots_alone", dimensions);
+  }
   for (const ToleranceDimension& dimension : plan.dimensions) {
     const std::string group = "/jam/" + dimension.key;
     const bool former = !file.has(group + "/tolerance_width_mm");  // older programs

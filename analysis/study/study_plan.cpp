@@ -121,6 +121,7 @@ StudyPlan read_study_plan(const std::string& text, const std::string& file) {
     plan.extra_replicates = root.value("extra_replicates", 0.0);
     plan.campaign = read_campaign(part(root, "recommend"));
     plan.cages_per_lot = root.value("cages_per_lot", 1.0);
+    plan.redraw_jams = root.value("redraw_jams", false);
     plan.allowed_failure_share = root.value("allowed_failure_share", 0.02);
     plan.scene = part(root, "scene");
     plan.inputs = read_list(root, "inputs", read_input);

@@ -31,6 +31,7 @@ struct StudyPlan {
   std::string name;
   double extra_replicates = 0;
   double cages_per_lot = 1;
+  bool redraw_jams = false;  ///< every run is of a cage that fits
   double allowed_failure_share = 0.02;
   double target_yield = 0.95;
   double confidence = 0.95;

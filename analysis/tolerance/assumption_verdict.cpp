@@ -81,7 +81,7 @@ std::vector<QuantityChange> quantity_changes(const StudyData& confirming, const 
 }
 
 void answer(double target, const AssumptionVerdicts& all, AlternativeVerdict& verdict,
-            double yield_if_pass) {
+            double yield_if_pass, const FitShare& fit) {
   if (verdict.lower_bound >= target) {
     verdict.answer = AssumptionAnswer::holds;
     return;
@@ -92,8 +92,10 @@ void answer(double target, const AssumptionVerdicts& all, AlternativeVerdict& ve
   }
   const bool open = verdict.yield < target && yield_if_pass >= target;  // lost runs decide
   if (!open)
-    verdict.runs_needed =
-        settling_runs(verdict.yield, target, all.lower_confidence, all.upper_confidence);
+    verdict.runs_needed = target >= fit.bound
+                              ? 0
+                              : settling_runs(verdict.yield / fit.share, target / fit.bound,
+                                              all.lower_confidence, all.upper_confidence);
 }
 
 std::vector<std::size_t> threats_of(const std::vector<AlternativeVerdict>& verdicts) {
@@ -163,10 +165,12 @@ AssumptionVerdicts judge_assumptions(const StudyData& confirming,
     const auto n = static_cast<double>(verdict.runs),
                meeting = static_cast<double>(verdict.meeting),
                perhaps = static_cast<double>(verdict.meeting + verdict.unknown);
-    verdict.yield = verdict.runs > 0 ? meeting / n : kUndefined;
-    verdict.lower_bound = clopper_pearson_lower(meeting, n, all.lower_confidence);
-    verdict.upper_bound = clopper_pearson_upper(perhaps, n, all.upper_confidence);
-    answer(rules.target_yield, all, verdict, verdict.runs > 0 ? perhaps / n : 1);
+    const double risk = 1 - all.lower_confidence;
+    const FitShare fit = fit_share(runs, 0, risk);
+    verdict.yield = verdict.runs > 0 ? fit.share * meeting / n : kUndefined;
+    verdict.lower_bound = fit.bound * clopper_pearson_lower(meeting, n, 1 - fit.risk_left * risk);
+    verdict.upper_bound = fit.share * clopper_pearson_upper(perhaps, n, all.upper_confidence);
+    answer(rules.target_yield, all, verdict, verdict.runs > 0 ? fit.share * perhaps / n : 1, fit);
     verdict.change = paired_change(confirming, reference, runs, joint, rules.confidence);
     verdict.quantities = quantity_changes(confirming, runs, rules.confidence);
     p_values.push_back(verdict.change.p_value);

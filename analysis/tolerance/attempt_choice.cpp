@@ -62,7 +62,8 @@ double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std:
                         const ConfirmationRules& rules) {
   constexpr double kSteps = 96, kMinimumShare = 1e-6;
   const Yield& yield = mixture.tolerances.curves.candidates[candidate];
-  const double passing = yield.if_unknown_fail * yield.ess, failing = yield.ess - passing;
+  const double passing = yield.if_unknown_fail / yield.fits * yield.ess,
+               failing = yield.ess - passing;
   double sum = 0, below = 0;
   for (double step = 1; step <= kSteps; ++step) {
     // Failing shares from 1e-6 to 1, in equal ratios.
@@ -70,31 +71,145 @@ double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std:
     const double reached = gsl_cdf_beta_P(up_to, failing + 0.5, passing + 0.5);
     const double middle = up_to * std::pow(kMinimumShare, 0.5 / kSteps);
     sum += (reached - below) *
-           confirming_probability(std::min(1 - middle, share_without_jam(mixture.runs, candidate)),
-                                  runs, rules);
+           confirming_probability(
+               std::min((1 - middle) * yield.fits, share_without_jam(mixture.runs, candidate)),
+               runs, rules);
     below = reached;
   }
   return sum;
 }
 
-/// Runs kept back for the attempts that may follow this candidate: what the narrower one needs that
-/// needs least, no more than an equal share of what is left.
-std::size_t kept_back(const MixtureStudy& mixture, const std::vector<double>& widths,
-                      std::size_t left, std::size_t following, const ConfirmationRules& rules) {
-  if (following == 0) return 0;
-  const std::size_t share = left / (following + 1);
-  std::size_t need = 0;
-  for (std::size_t k = 0; k < mixture.runs.plan.candidates.size(); ++k) {
-    if (!(estimate_of(mixture, k) >= rules.target_yield) ||
-        !narrower(snapped_tolerances(mixture.runs, mixture.runs.plan.candidates[k]), widths))
-      continue;
-    ConfirmationRules affordable = rules;
-    affordable.most_runs = share;
-    const std::size_t runs = confirmation_size(expected_of(mixture, k), affordable);
-    need = need == 0 ? runs : std::min(need, runs);
+/// Candidates by what the mixture and the attempts so far say of them, each attempt at the share
+/// 1 / `shares` of the error.
+class Choice {
+ public:
+  Choice(const MixtureStudy& mixture, const CampaignPlan& plan, const std::vector<Tried>& tried,
+         std::size_t shares)
+      : mixture_(mixture),
+        tried_(tried),
+        rules_(confirmation_rules(mixture.runs.plan, 0)),
+        stated_(plan.settings.confirm_samples),
+        left_(plan.confirm_runs - decided_runs(plan)) {
+    rules_.attempts = shares;
+    fewest_ = confirming_runs(0, rules_);
+    for (const Tried& each : tried) ++(each.passed ? passed_ : failed_);
   }
-  return std::min(share, following * need);
-}
+
+  bool affords_attempt() const { return failed_ < rules_.attempts && left_ >= fewest_; }
+
+  std::optional<AttemptChoice> next() const {
+    if (failed_ + 1 < rules_.attempts)
+      if (auto wide = widest_fair()) return wide;
+    return surest([](std::size_t) { return true; });
+  }
+
+  /// What leaves the narrower one its runs.
+  std::optional<AttemptChoice> widest_fair() const {
+    const auto most = [&](std::size_t k) {
+      const auto kept = narrower_than(k);
+      return left_ - (kept ? std::min(kept->runs, left_) : 0);
+    };
+    const Recommendation next = widest_of(mixture_, [&](std::size_t k) {
+      return promising(k) && most(k) >= fewest(k) &&
+             chance(estimate_of(mixture_, k), limited(k, most(k)), rules(k)) >= kFairChance;
+    });
+    if (!next.meets_target) return std::nullopt;
+    return AttemptChoice{size(next.candidate, most(next.candidate)), next};
+  }
+
+  std::optional<AttemptChoice> narrower_than(std::size_t wide) const {
+    return surest([&](std::size_t k) { return narrower(widths(k), widths(wide)); });
+  }
+
+  /// Whether, as this sequence, both candidates take fewer runs than where the narrower one follows
+  /// only if the wider one fails. Needs beyond the budget count up to four times what is left.
+  bool takes_less_than(const Choice& divided, std::size_t wide, std::size_t narrow) const {
+    const auto need = [&](const Choice& choice, std::size_t k) {
+      return static_cast<double>(choice.size(k, 4 * left_));
+    };
+    const double failing =
+        1 - predicted_chance(mixture_, wide, divided.size(wide, 4 * left_), divided.rules(wide));
+    return need(*this, narrow) + need(*this, wide) <=
+           need(divided, wide) + failing * need(divided, narrow);
+  }
+
+  /// Whether more runs of the mixture may find a candidate to try.
+  bool open() const {
+    for (std::size_t k = 0; k < mixture_.runs.plan.candidates.size(); ++k)
+      if (mixture_.tolerances.curves.candidates[k].upper_bound >= rules_.target_yield &&
+          share_without_jam(mixture_.runs, k) >= rules_.target_yield && untried(k))
+        return true;
+    return false;
+  }
+
+ private:
+  std::vector<double> widths(std::size_t k) const {
+    return snapped_tolerances(mixture_.runs, mixture_.runs.plan.candidates[k]);
+  }
+
+  /// Narrower than what failed, or as wide about another centre; wider than what is confirmed.
+  bool untried(std::size_t k) const {
+    const StudyPlan& study = mixture_.runs.plan;
+    const Tolerance own{widths(k), study.candidates[k].shifts};
+    return std::all_of(tried_.begin(), tried_.end(), [&](const Tried& each) {
+      const auto& other = each.tolerance.tolerance_widths_mm;
+      if (each.passed) {
+        const double confirmed = worth_of_tolerances(study, other);
+        return worth_of_tolerances(study, own.tolerance_widths_mm) >
+               confirmed + kRounding * std::abs(confirmed);
+      }
+      return narrower(own.tolerance_widths_mm, other) ||
+             (same_tolerances(own.tolerance_widths_mm, other) &&
+              !same_centres(own, each.tolerance));
+    });
+  }
+
+  bool promising(std::size_t k) const {
+    return estimate_of(mixture_, k) >= rules_.target_yield && can_confirm(rules(k)) &&
+           fewest(k) <= left_ && untried(k);
+  }
+
+  /// Its runs are of cages that fit.
+  ConfirmationRules rules(std::size_t k) const { return rules_for(rules_, mixture_.runs, k); }
+  std::size_t fewest(std::size_t k) const { return confirming_runs(0, rules(k)); }
+  std::size_t limited(std::size_t k, std::size_t runs) const {
+    return std::max(fewest(k), stated_ > 0 ? std::min(runs, stated_) : runs);
+  }
+
+  std::size_t size(std::size_t k, std::size_t most) const {
+    ConfirmationRules sized = rules(k);
+    sized.most_runs = limited(k, most);
+    return confirmation_size(expected_of(mixture_, k), sized);
+  }
+
+  /// The widest that all runs left will probably confirm; where there is none, the widest that is
+  /// nearly as sure as the surest.
+  std::optional<AttemptChoice> surest(const CandidateFilter& among) const {
+    const auto sure = [&](std::size_t k) {
+      return chance(expected_of(mixture_, k), limited(k, left_), rules(k)) >= kWantedPower;
+    };
+    Recommendation next =
+        widest_of(mixture_, [&](std::size_t k) { return promising(k) && among(k) && sure(k); });
+    if (!next.meets_target) {
+      const auto predicted = [&](std::size_t k) {
+        return predicted_chance(mixture_, k, size(k, left_), rules(k));
+      };
+      double best = passed_ > 0 ? kFairChance / kNearlyAsSure : 0;
+      for (std::size_t k = 0; k < mixture_.runs.plan.candidates.size(); ++k)
+        if (promising(k) && among(k)) best = std::max(best, predicted(k));
+      next = widest_of(mixture_, [&](std::size_t k) {
+        return promising(k) && among(k) && predicted(k) >= kNearlyAsSure * best;
+      });
+    }
+    if (!next.meets_target) return std::nullopt;
+    return AttemptChoice{size(next.candidate, left_), next};
+  }
+
+  const MixtureStudy& mixture_;
+  const std::vector<Tried>& tried_;
+  ConfirmationRules rules_;
+  std::size_t stated_, left_, fewest_ = 0, passed_ = 0, failed_ = 0;
+};
 
 std::string percent(double share) {
   return fmt::format("{:.1f} %", 100 * share);
@@ -102,14 +217,16 @@ std::string percent(double share) {
 
 PassedOver reason_of(const StudyData& runs, const Yield& yield, std::size_t k) {
   const StudyPlan& plan = runs.plan;
-  ConfirmationRules alone{plan.target_yield, plan.confidence, 1,
-                          std::numeric_limits<std::size_t>::max() / 4};
+  const ConfirmationRules alone = rules_for(
+      {plan.target_yield, plan.confidence, 1, std::numeric_limits<std::size_t>::max() / 4}, runs,
+      k);
   if (yield.ess < kMinimumEffectiveRuns)
     return {k,
             fmt::format("the mixture holds {:.0f} effective runs of it, too few to judge it",
                         yield.ess),
-            confirming_runs(0, alone)};
-  if (const double fitting = share_without_jam(runs, k); fitting <= plan.target_yield)
+            can_confirm(alone) ? confirming_runs(0, alone) : 0};
+  if (const double fitting = share_without_jam(runs, k);
+      fitting <= plan.target_yield || !can_confirm(alone))
     return {k, fmt::format("{} of its cages jam", percent(1 - fitting)), 0};
   if (yield.if_unknown_fail < plan.target_yield)
     return {k,
@@ -154,63 +271,29 @@ Recommendation recommendation_of(const MixtureStudy& mixture, std::size_t candid
   return widest_of(mixture, [&](std::size_t k) { return k == candidate; });
 }
 
-std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const CampaignPlan& plan,
-                                            const std::vector<Tolerance>& failed) {
-  const StudyPlan& study = mixture.runs.plan;
-  const ConfirmationRules rules = confirmation_rules(study, 0);
-  const std::size_t fewest = confirming_runs(0, rules);
-  if (failed.size() >= rules.attempts || !affords_attempt(plan, rules)) return std::nullopt;
-  const std::size_t left = plan.confirm_runs - decided_runs(plan);
-  const std::size_t following = rules.attempts - failed.size() - 1;
-  const std::size_t stated = plan.settings.confirm_samples;
-  const auto limited = [&](std::size_t runs) {
-    return std::max(fewest, stated > 0 ? std::min(runs, stated) : runs);
-  };
-  const auto tolerances_of = [&](std::size_t k) {
-    return snapped_tolerances(mixture.runs, study.candidates[k]);
-  };
-  const auto promising = [&](std::size_t k) {
-    return estimate_of(mixture, k) >= rules.target_yield &&
-           std::all_of(failed.begin(), failed.end(), [&](const Tolerance& other) {
-             return narrower(tolerances_of(k), other.tolerance_widths_mm) ||
-                    (same_tolerances(tolerances_of(k), other.tolerance_widths_mm) &&
-                     !same_centres({tolerances_of(k), study.candidates[k].shifts}, other));
-           });
-  };
-  const auto most_runs = [&](std::size_t k) {
-    return limited(left - kept_back(mixture, tolerances_of(k), left, following, rules));
-  };
-  const auto sure = [&](std::size_t k) {
-    return chance(expected_of(mixture, k), most_runs(k), rules);
-  };
-  const auto fair = [&](std::size_t k) {
-    return chance(estimate_of(mixture, k), most_runs(k), rules);
-  };
-  const auto size_of = [&](std::size_t k) {
-    ConfirmationRules sized = rules;
-    sized.most_runs = most_runs(k);
-    return confirmation_size(expected_of(mixture, k), sized);
-  };
-  Recommendation next;
-  if (following > 0)
-    next =
-        widest_of(mixture, [&](std::size_t k) { return promising(k) && fair(k) >= kFairChance; });
-  if (!next.meets_target)
-    next =
-        widest_of(mixture, [&](std::size_t k) { return promising(k) && sure(k) >= kWantedPower; });
-  if (!next.meets_target) {
-    const auto predicted = [&](std::size_t k) {
-      return predicted_chance(mixture, k, size_of(k), rules);
-    };
-    double surest = 0;
-    for (std::size_t k = 0; k < study.candidates.size(); ++k)
-      if (promising(k)) surest = std::max(surest, predicted(k));
-    next = widest_of(mixture, [&](std::size_t k) {
-      return promising(k) && predicted(k) >= kNearlyAsSure * surest;
-    });
-  }
-  if (!next.meets_target) return std::nullopt;
-  return AttemptChoice{size_of(next.candidate), next};
+std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, CampaignPlan& plan,
+                                            const std::vector<Tried>& tried) {
+  if (tried.empty()) plan.error_shares = confirmation_rules(mixture.runs.plan, 0).attempts;
+  const Choice choice(mixture, plan, tried, plan.error_shares);
+  if (!tried.empty() || plan.error_shares == 1)
+    return choice.affords_attempt() ? choice.next() : std::nullopt;
+  const Choice sequence(mixture, plan, tried, 1);
+  const auto wide = choice.affords_attempt() ? choice.widest_fair() : std::nullopt;
+  if (!sequence.affords_attempt()) return std::nullopt;
+  auto narrow = wide ? sequence.narrower_than(wide->recommendation.candidate) : std::nullopt;
+  if (!narrow)
+    narrow = sequence.next();
+  else if (!sequence.takes_less_than(choice, wide->recommendation.candidate,
+                                     narrow->recommendation.candidate))
+    return wide;
+  if (narrow) plan.error_shares = 1;
+  return narrow;
+}
+
+bool may_find_more(const MixtureStudy& mixture, const CampaignPlan& plan,
+                   const std::vector<Tried>& tried) {
+  const Choice choice(mixture, plan, tried, std::max<std::size_t>(plan.error_shares, 1));
+  return choice.affords_attempt() && choice.open();
 }
 
 std::vector<PassedOver> passed_over(const StudyData& runs, const YieldCurves& curves,

@@ -1,11 +1,14 @@
 // Which tolerance the next attempt tries, with how many runs; and why wider ones were passed over.
 //
 // Tried is the widest (cheapest) candidate whose estimated yield meets the target, as long as
-// another attempt remains and the runs left give it a fair chance: what fails is followed by the
-// next narrower one. The last attempt takes the widest that will probably be confirmed; where there
-// is none, the widest that is nearly as sure as the surest. Runs are kept back for the attempts
-// that may follow. No candidate is taken to yield more than the share of its cages that fit
-// together, which geometry tells.
+// another attempt remains and the runs left give it a fair chance, less those that the narrower one
+// needs that would follow it. The last attempt takes the widest that will probably be confirmed;
+// where there is none, the widest that is nearly as sure as the surest. What is confirmed is
+// followed by wider ones, at the same share of the error, until one fails or no runs are left.
+// Where it takes fewer runs in all, the narrower one is tried first, and the whole error is its and
+// its followers': a fixed sequence of hypotheses, which ends with the first that fails. No
+// candidate is taken to yield more than the share of its cages that fit together, which geometry
+// tells.
 #pragma once
 
 #include <optional>
@@ -35,15 +38,25 @@ struct MixtureStudy {
 };
 MixtureStudy study_mixture(const StudyData& mixture);
 
+/// An attempt that was made.
+struct Tried {
+  Tolerance tolerance;
+  bool passed = false;
+};
+
 struct AttemptChoice {
   std::size_t runs = 0;
   Recommendation recommendation;
 };
 
-/// `failed`: those of every attempt so far. Nothing where no candidate is left whose
-/// estimate meets the target, or the runs left are too few for an attempt.
-std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, const CampaignPlan& plan,
-                                            const std::vector<Tolerance>& failed);
+/// `tried`: every attempt so far. The first choice also settles the plan's error_shares. Nothing
+/// where no candidate is left whose estimate meets the target, or the runs left are too few.
+std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, CampaignPlan& plan,
+                                            const std::vector<Tried>& tried);
+
+/// Whether more runs of the mixture may find a candidate for an attempt that the plan affords.
+bool may_find_more(const MixtureStudy& mixture, const CampaignPlan& plan,
+                   const std::vector<Tried>& tried);
 
 /// The recommendation of this very candidate.
 Recommendation recommendation_of(const MixtureStudy& mixture, std::size_t candidate);

@@ -15,6 +15,9 @@ namespace cagetol {
 namespace {
 
 constexpr double kFewFailing = 5;
+/// A loss by cages that do not fit is known: above this share of what the target allows to fail it
+/// counts as significant.
+constexpr double kKnownLoss = 0.05;
 
 /// The candidate's tolerances without those of dimension d, and its centres.
 std::vector<double> rest_of(const Candidate& candidate, std::size_t d) {
@@ -62,12 +65,18 @@ std::optional<std::size_t> widest_that_meets(const StudyPlan& plan, const YieldC
   return widest;
 }
 
-std::vector<double> level_weights(const LevelYield& level, const MixtureWeights& mixture,
-                                  const std::vector<bool>& relevant) {
+/// Runs of a level, and the share of its cages that fit.
+struct LevelRuns {
+  std::vector<double> weights;
+  double fits = 1;
+};
+
+LevelRuns runs_of_level(const LevelYield& level, const MixtureWeights& mixture,
+                        const std::vector<bool>& relevant) {
   std::vector<std::size_t> kept;
   for (const std::size_t k : level.candidates)
     if (relevant[k]) kept.push_back(k);
-  return average_weights(mixture, kept);
+  return {average_weights(mixture, kept), average_fit(mixture, kept).share};
 }
 
 /// Effective number of failing runs under the weights, and of all runs.
@@ -98,8 +107,9 @@ struct LossRange {
   YieldDifference minimum, largest;
 };
 
-LossRange loss_range(const std::vector<Judgement>& joint, std::span<const double> narrow,
-                     std::span<const double> wide, const Resampling& resampling) {
+LossRange loss_range(const std::vector<Judgement>& joint, const LevelRuns& narrow_runs,
+                     const LevelRuns& wide_runs, const Resampling& resampling) {
+  const std::vector<double>&narrow = narrow_runs.weights, &wide = wide_runs.weights;
   const double narrow_sum = std::accumulate(narrow.begin(), narrow.end(), 0.0);
   const double wide_sum = std::accumulate(wide.begin(), wide.end(), 0.0);
   auto minimum = joint, largest = joint;
@@ -109,8 +119,10 @@ LossRange loss_range(const std::vector<Judgement>& joint, std::span<const double
     minimum[i] = weighs_more ? Judgement::misses : Judgement::meets;
     largest[i] = weighs_more ? Judgement::meets : Judgement::misses;
   }
-  return {yield_difference(minimum, narrow, wide, resampling),
-          yield_difference(largest, narrow, wide, resampling)};
+  const auto difference = [&](const std::vector<Judgement>& judged) {
+    return yield_difference(judged, narrow, wide, resampling, narrow_runs.fits, wide_runs.fits);
+  };
+  return {difference(minimum), difference(largest)};
 }
 
 BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mixture,
@@ -118,9 +130,9 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
                            const std::vector<bool>& relevant, double error_each,
                            double target_yield, bool at_widest) {
   const LevelYield& narrowest = curve.levels.front();
-  const auto narrow = level_weights(narrowest, mixture, relevant);
-  const EffectiveRuns narrow_runs = effective_runs(joint, narrow);
-  const double margin = 1 - narrow_runs.failing / narrow_runs.all - target_yield;
+  const LevelRuns narrow = runs_of_level(narrowest, mixture, relevant);
+  const EffectiveRuns narrow_runs = effective_runs(joint, narrow.weights);
+  const double margin = narrow.fits * (1 - narrow_runs.failing / narrow_runs.all) - target_yield;
   BindingTest test{
       curve.key,
       Binding::undecided,
@@ -131,11 +143,13 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
       tolerance_name(curve.levels.back().grade, curve.levels.back().tolerance_width_mm)};
   bool significant = false, enough = true;
   for (std::size_t i = 1; i < curve.levels.size(); ++i) {
-    const auto wide = level_weights(curve.levels[i], mixture, relevant);
+    const LevelRuns wide = runs_of_level(curve.levels[i], mixture, relevant);
     const LossRange loss = loss_range(joint, narrow, wide, resampling);
-    const EffectiveRuns runs = effective_runs(joint, wide);
-    const double lots =
-        std::min(effective_lots(narrow, resampling), effective_lots(wide, resampling));
+    const EffectiveRuns runs = effective_runs(joint, wide.weights);
+    const double lots = std::min(effective_lots(narrow.weights, resampling),
+                                 effective_lots(wide.weights, resampling));
+    const double known = narrow.fits - wide.fits;
+    significant = significant || known > kKnownLoss * (1 - target_yield);
     test.largest_loss = std::max(test.largest_loss, loss.largest.value);
     if (lots < kFewestLots || std::min(runs.all, narrow_runs.all) < kFewestEffectiveRuns) {
       enough = false;
@@ -145,7 +159,8 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
     const double two_sided = gsl_cdf_tdist_Qinv(0.5 * error_each, lots - 1);
     const double one_sided = gsl_cdf_tdist_Qinv(error_each, lots - 1);
     if (runs.failing < kFewFailing) {
-      const double bound = clopper_pearson_upper(runs.failing, runs.all, 1 - error_each);
+      const double bound =
+          std::max(known, 0.0) + clopper_pearson_upper(runs.failing, runs.all, 1 - error_each);
       test.largest_loss_bound = std::max(test.largest_loss_bound, bound);
       continue;
     }

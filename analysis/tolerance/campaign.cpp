@@ -43,41 +43,47 @@ Campaign run_campaign(const Stage& pilot,
   const auto piloted = run_stage(pilot);
   if (!piloted) return campaign;
   CampaignPlan planned = plan(*piloted);
-  const auto mixed = run_stage({"mixture", planned.mixture_rows, {}});
-  if (!mixed) return campaign;
-
-  const MixtureStudy mixture = study_mixture(*mixed);
-  const auto rules = confirmation_rules(mixture.runs.plan, 0);
-  std::vector<Tolerance> failed;
-  while (campaign.attempts.size() < rules.attempts) {
-    const std::size_t number = campaign.attempts.size();
-    AttemptChoice next;
-    if (number < planned.attempts.size()) {
-      next = {planned.attempts[number].runs,
-              recommendation_of(mixture, planned.attempts[number].candidate)};
-    } else {
-      const auto chosen = choose_attempt(mixture, planned, failed);
-      if (!chosen) {
-        campaign.end =
-            affords_attempt(planned, rules) ? CampaignEnd::no_candidate : CampaignEnd::budget_spent;
-        return campaign;
+  std::optional<MixtureStudy> mixture;
+  const auto mix = [&] {
+    const auto runs = run_stage({"mixture", planned.mixture_rows, {}});
+    mixture.reset();
+    if (runs) mixture.emplace(study_mixture(*runs));
+    return mixture.has_value();
+  };
+  if (!mix()) return campaign;
+  std::vector<Tried> tried;
+  for (std::size_t number = 0;; ++number) {
+    if (number == planned.attempts.size()) {
+      auto chosen = choose_attempt(*mixture, planned, tried);
+      while (!chosen && may_find_more(*mixture, planned, tried) &&
+             extend_mixture(planned, mixture->runs)) {
+        keep(planned);
+        if (!mix()) return campaign;
+        chosen = choose_attempt(*mixture, planned, tried);
       }
-      next = *chosen;
-      planned.attempts.push_back({next.recommendation.candidate, next.runs});
+      if (!chosen) break;
+      planned.attempts.push_back({chosen->recommendation.candidate, chosen->runs, chosen->runs});
       keep(planned);
     }
-    const Stage stage{fmt::format("confirm-{}", number + 1), next.runs,
-                      next.recommendation.tolerances};
-    const auto confirming = run_stage(stage);
+    PlannedAttempt& attempt = planned.attempts[number];
+    const ConfirmationRules rules =
+        rules_for(attempt_rules(planned, mixture->runs.plan), mixture->runs, attempt.candidate);
+    const Recommendation tolerance = recommendation_of(*mixture, attempt.candidate);
+    const auto confirming =
+        run_stage({fmt::format("confirm-{}", number + 1), attempt.runs, tolerance.tolerances,
+                   planned.error_shares, allowed_failures(attempt.runs, rules)});
     if (!confirming) return campaign;
-    campaign.attempts.push_back({next.recommendation, judge_confirmation(*confirming, rules)});
-    failed.push_back(tolerance_of(mixture.runs.plan, next.recommendation));
-    if (campaign.attempts.back().confirmation.passed) {
-      campaign.end = CampaignEnd::confirmed;
-      return campaign;
-    }
+    attempt.spent = confirming->size();
+    campaign.attempts.push_back({tolerance, judge_confirmation(*confirming, rules)});
+    tried.push_back({tolerance_of(mixture->runs.plan, tolerance),
+                     campaign.attempts.back().confirmation.passed});
   }
-  campaign.end = CampaignEnd::not_confirmed;
+  const auto passed = static_cast<std::size_t>(
+      std::count_if(tried.begin(), tried.end(), [](const Tried& each) { return each.passed; }));
+  campaign.end = passed > 0                                     ? CampaignEnd::confirmed
+                 : tried.size() >= planned.error_shares         ? CampaignEnd::not_confirmed
+                 : affords_attempt(planned, mixture->runs.plan) ? CampaignEnd::no_candidate
+                                                                : CampaignEnd::budget_spent;
   return campaign;
 }
 

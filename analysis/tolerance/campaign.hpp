@@ -2,9 +2,9 @@
 //
 //   pilot      a mixture of all candidates: what a run costs, how much of the scatter is noise
 //   mixture    the same with the runs that the plan affords: yields of all candidates, and the one
-//              to try
-//   confirm-1  fresh independent runs at that tolerance; when they do not confirm it, the widest
-//              (cheapest) narrower one is tried as confirm-2, up to the planned attempts
+//              to try; extended as long as the budget affords it and no candidate is found
+//   confirm-1  fresh independent runs at that tolerance, until its allowed failures are used up;
+//              then confirm-2 at another one (attempt_choice.hpp)
 //
 // Decisions are pure functions of the stages' runs and of the stored plan, which keeps what was
 // decided, so a campaign that is interrupted anywhere comes to the same stages again. Who runs a
@@ -24,7 +24,10 @@ struct Stage {
   std::string name;      ///< "pilot", "mixture", "confirm-1": also its directory
   std::size_t rows = 0;  ///< of the design
   std::vector<RecommendedTolerance>
-      tolerances;  ///< of a confirmation, in the order of the dimensions
+      tolerances;                ///< of a confirmation, in the order of the dimensions
+  std::size_t error_shares = 1;  ///< the confirmation has one of so many shares of the error
+  /// Failing runs after which it ends, on its completed first ids; nothing: it has all its runs.
+  std::optional<std::size_t> allowed_failures = {};
 };
 
 /// Runs a stage and gives its samples; nothing when it was interrupted.

@@ -5,16 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "analysis/sensitivity/noise_share.hpp"
 #include "analysis/statistics/summary.hpp"
 #include "analysis/study/refused.hpp"
+#include "analysis/tolerance/binding.hpp"
 
 namespace cagetol {
 namespace {
 
 /// Shares of a budget that the mixture gets at most and at least; the confirmations have the rest.
 constexpr double kMostMixture = 0.5, kMinimumMixture = 0.25;
+/// Rows for each candidate, or tolerance of one dimension, that a mixture has where half of the
+/// budget affords them.
+constexpr double kFirstRows = 40;
 
 double seconds_per_run(const StudyData& pilot) {
   for (const Column& column : pilot.timing)
@@ -28,6 +33,25 @@ double seconds_per_run(const StudyData& pilot) {
 /// Runs of a mixture of so many rows, noise replicates included.
 double runs_of_rows(const StudyPlan& study, double rows) {
   return rows * (1 + study.extra_replicates);
+}
+
+/// Candidates that the mixture judges by rows of their own: of several dimensions the tolerances and
+/// centres of the one that has most (yield_curve.hpp).
+double judged_tolerances(const StudyPlan& study) {
+  std::size_t most = 0;
+  for (std::size_t d = 0; d < study.dimensions.size(); ++d) {
+    std::set<std::pair<double, double>> levels;
+    for (const Candidate& each : study.candidates)
+      levels.insert({each.tolerance_widths_mm[d], each.shift(d)});
+    most = std::max(most, levels.size());
+  }
+  return static_cast<double>(most);
+}
+
+/// One attempt alone has the whole error.
+ConfirmationRules undivided(ConfirmationRules rules) {
+  rules.attempts = 1;
+  return rules;
 }
 
 /// Runs that the budgets leave after the pilot; nothing where there is no budget.
@@ -50,13 +74,16 @@ double confirming_need(const StudyData& pilot, const ConfirmationRules& rules) {
   const YieldCurves curves =
       yield_curves(runs, mixture_weights(runs), judge_all(runs), resampling, runs.plan.confidence);
   auto need = static_cast<double>(confirming_runs(0, rules));
-  for (const Yield& yield : curves.candidates) {
-    if (yield.if_unknown_fail < rules.target_yield) continue;
+  for (std::size_t k = 0; k < curves.candidates.size(); ++k) {
+    const Yield& yield = curves.candidates[k];
+    const ConfirmationRules rules_of = rules_for(rules, runs, k);
+    if (yield.if_unknown_fail < rules.target_yield || !can_confirm(rules_of)) continue;
     // Of a pilot without a failing run the bound says how short it was, not how near the target is.
-    const double expected =
-        yield.missing_runs > 0 ? expected_yield(yield) : 0.5 * (1 + rules.target_yield);
+    const double expected = yield.missing_runs > 0
+                                ? expected_yield(yield)
+                                : std::min(0.5 * (1 + rules.target_yield), yield.fits);
     if (expected <= rules.target_yield) return std::numeric_limits<double>::infinity();
-    need = std::max(need, static_cast<double>(confirmation_size(expected, rules)));
+    need = std::max(need, static_cast<double>(confirmation_size(expected, rules_of)));
   }
   return need;
 }
@@ -69,8 +96,9 @@ std::string noise_text(const StudyData& pilot) {
     const NoiseShare noise = noise_share(pilot, column->values, pilot.plan.confidence);
     if (!(noise.share.value > 0)) continue;
     text += fmt::format(
-        "\n  noise owns {:.0f} % of the variance of {} ({:.0f} to {:.0f} %): no design lowers the "
-        "variance of its mean more than {:.1f} times",
+        "\n  noise of the start owns {:.0f} % of the variance of {} over the pilot's cages ({:.0f} "
+        "to "
+        "{:.0f} %): no design lowers the variance of its mean more than {:.1f} times",
         100 * noise.share.value, limit.quantity, 100 * noise.share.lower, 100 * noise.share.upper,
         1 / noise.share.value);
   }
@@ -80,7 +108,7 @@ std::string noise_text(const StudyData& pilot) {
 /// What is left must afford one attempt at least, and its mixture rows to judge one candidate.
 void require_runs(const StudyData& pilot, const CampaignPlan& plan,
                   const ConfirmationRules& rules) {
-  const std::size_t fewest = confirming_runs(0, rules);
+  const std::size_t fewest = confirming_runs(0, undivided(rules));
   if (plan.confirm_runs >= fewest &&
       static_cast<double>(plan.mixture_rows) >= kMinimumEffectiveRuns)
     return;
@@ -98,6 +126,40 @@ void require_runs(const StudyData& pilot, const CampaignPlan& plan,
                   2 * static_cast<double>(rules.attempts * fewest))));
 }
 
+/// Shares what the settings afford out between confirmations and a mixture that keeps the rows it
+/// has: it grows until an attempt is decided, where its design lets it.
+void share_out(CampaignPlan& plan, const StudyData& pilot, std::size_t study_rows) {
+  const StudyPlan& study = pilot.plan;
+  auto rules = confirmation_rules(study, 0);
+  const auto attempts = static_cast<double>(rules.attempts);
+  const std::size_t fewest = confirming_runs(0, rules);
+  const CampaignSettings& settings = plan.settings;
+  const auto left = runs_left(pilot, plan);
+  if (!left) {
+    plan.mixture_rows = study_rows;
+    plan.confirm_runs =
+        rules.attempts * (settings.confirm_samples > 0 ? settings.confirm_samples
+                                                       : std::max(study_rows, 2 * fewest));
+  } else {
+    rules.most_runs = static_cast<std::size_t>(std::max(0.0, *left));
+    const double wanted = settings.confirm_samples > 0
+                              ? static_cast<double>(settings.confirm_samples)
+                              : confirming_need(pilot, rules);
+    const double least = kMinimumMixture * *left,
+                 most = std::clamp(*left - attempts * static_cast<double>(fewest), least,
+                                   kMostMixture * *left),
+                 first = runs_of_rows(study, kFirstRows * judged_tolerances(study)),
+                 mixture = std::clamp(std::max(*left - attempts * wanted, first), least, most);
+    if (plan.mixture_rows == 0 || (plan.attempts.empty() && pilot.design.kind == "random"))
+      plan.mixture_rows =
+          std::max(plan.mixture_rows,
+                   static_cast<std::size_t>(std::max(0.0, mixture / runs_of_rows(study, 1))));
+    plan.confirm_runs = static_cast<std::size_t>(
+        std::max(0.0, *left - runs_of_rows(study, static_cast<double>(plan.mixture_rows))));
+  }
+  require_runs(pilot, plan, rules);
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -112,17 +174,45 @@ double expected_yield(const Yield& yield) {
 
 std::size_t decided_runs(const CampaignPlan& plan) {
   std::size_t runs = 0;
-  for (const PlannedAttempt& attempt : plan.attempts) runs += attempt.runs;
+  for (const PlannedAttempt& attempt : plan.attempts) runs += attempt.spent;
   return runs;
 }
 
-bool affords_attempt(const CampaignPlan& plan, const ConfirmationRules& rules) {
-  return plan.confirm_runs >= decided_runs(plan) + confirming_runs(0, rules);
+ConfirmationRules attempt_rules(const CampaignPlan& plan, const StudyPlan& study) {
+  ConfirmationRules rules = confirmation_rules(study, 0);
+  rules.attempts = plan.error_shares;
+  return rules;
+}
+
+bool affords_attempt(const CampaignPlan& plan, const StudyPlan& study) {
+  return plan.confirm_runs >= decided_runs(plan) + confirming_runs(0, attempt_rules(plan, study));
+}
+
+bool extend_mixture(CampaignPlan& plan, const StudyData& mixture) {
+  const bool budget = plan.settings.budget_samples > 0 || plan.settings.budget_h > 0;
+  if (!budget || !affords_attempt(plan, mixture.plan) || mixture.design.kind != "random")
+    return false;
+  const std::size_t left = plan.confirm_runs - decided_runs(plan) -
+                           confirming_runs(0, attempt_rules(plan, mixture.plan));
+  const auto rows =
+      std::min(plan.mixture_rows,
+               static_cast<std::size_t>(static_cast<double>(left) / runs_of_rows(mixture.plan, 1)));
+  if (10 * rows < plan.mixture_rows) return false;
+  plan.mixture_rows += rows;
+  plan.confirm_runs -= std::min(
+      left,
+      static_cast<std::size_t>(std::ceil(runs_of_rows(mixture.plan, static_cast<double>(rows)))));
+  return true;
+}
+
+std::size_t most_confirming_runs(std::size_t budget, std::size_t pilot_runs) {
+  const auto left = static_cast<double>(budget - std::min(budget, pilot_runs));
+  return static_cast<std::size_t>((1 - kMinimumMixture) * left);
 }
 
 std::size_t minimum_budget(const ConfirmationRules& rules, double extra_replicates,
                            std::size_t pilot_runs) {
-  const std::size_t fewest = confirming_runs(0, rules);
+  const std::size_t fewest = confirming_runs(0, undivided(rules));
   const double mixture = kMinimumEffectiveRuns * (1 + extra_replicates);
   // The mixture gets no more than its share.
   return pilot_runs + std::max(static_cast<std::size_t>(std::ceil(mixture / kMinimumMixture)),
@@ -132,30 +222,8 @@ std::size_t minimum_budget(const ConfirmationRules& rules, double extra_replicat
 
 CampaignPlan plan_campaign(const StudyData& pilot, const CampaignSettings& settings,
                            std::size_t study_rows, double processes) {
-  const StudyPlan& study = pilot.plan;
-  CampaignPlan plan{0, 0, seconds_per_run(pilot), processes, settings};
-  auto rules = confirmation_rules(study, 0);
-  const std::size_t fewest = confirming_runs(0, rules);
-  const auto left = runs_left(pilot, plan);
-  if (!left) {
-    plan.mixture_rows = study_rows;
-    plan.confirm_runs =
-        rules.attempts * (settings.confirm_samples > 0 ? settings.confirm_samples
-                                                       : std::max(study_rows, 2 * fewest));
-  } else {
-    rules.most_runs = static_cast<std::size_t>(std::max(0.0, *left));
-    const auto attempts = static_cast<double>(rules.attempts);
-    const double wanted = settings.confirm_samples > 0
-                              ? static_cast<double>(settings.confirm_samples)
-                              : confirming_need(pilot, rules);
-    const double mixture =
-        std::clamp(*left - attempts * wanted, kMinimumMixture * *left, kMostMixture * *left);
-    plan.mixture_rows =
-        static_cast<std::size_t>(std::max(0.0, mixture / (1 + study.extra_replicates)));
-    plan.confirm_runs = static_cast<std::size_t>(
-        std::max(0.0, *left - runs_of_rows(study, static_cast<double>(plan.mixture_rows))));
-  }
-  require_runs(pilot, plan, rules);
+  CampaignPlan plan{0, 0, 1, seconds_per_run(pilot), processes, settings};
+  share_out(plan, pilot, study_rows);
   return plan;
 }
 
@@ -163,20 +231,13 @@ CampaignPlan with_settings(const CampaignPlan& plan, const StudyData& pilot,
                            const CampaignSettings& settings) {
   CampaignPlan changed = plan;
   changed.settings = settings;
-  const auto rules = confirmation_rules(pilot.plan, 0);
-  if (const auto left = runs_left(pilot, changed)) {
-    const double mixture = runs_of_rows(pilot.plan, static_cast<double>(plan.mixture_rows));
-    changed.confirm_runs = static_cast<std::size_t>(std::max(0.0, *left - mixture));
-  } else if (settings.confirm_samples > 0) {
-    changed.confirm_runs = rules.attempts * settings.confirm_samples;
-  }
+  share_out(changed, pilot, plan.mixture_rows);
   const std::size_t decided = decided_runs(plan);
   if (changed.confirm_runs < decided)
     throw Refused(
         fmt::format("{} confirming runs are decided already, the budget leaves {}: it "
                     "may be raised, not lowered",
                     decided, changed.confirm_runs));
-  require_runs(pilot, changed, rules);
   return changed;
 }
 
@@ -186,6 +247,7 @@ nlohmann::ordered_json to_json(const CampaignPlan& plan) {
     attempts.push_back({{"candidate", attempt.candidate}, {"runs", attempt.runs}});
   return {{"mixture_rows", plan.mixture_rows},
           {"confirm_runs", plan.confirm_runs},
+          {"error_shares", plan.error_shares},
           {"seconds_per_run", plan.seconds_per_run},
           {"processes", plan.processes},
           {"confirm_samples", plan.settings.confirm_samples},
@@ -198,15 +260,43 @@ CampaignPlan campaign_plan_of(const nlohmann::ordered_json& json) {
   CampaignPlan plan;
   json.at("mixture_rows").get_to(plan.mixture_rows);
   json.at("confirm_runs").get_to(plan.confirm_runs);
+  json.at("error_shares").get_to(plan.error_shares);
   json.at("seconds_per_run").get_to(plan.seconds_per_run);
   json.at("processes").get_to(plan.processes);
   json.at("confirm_samples").get_to(plan.settings.confirm_samples);
   json.at("budget_samples").get_to(plan.settings.budget_samples);
   json.at("budget_h").get_to(plan.settings.budget_h);
-  for (const auto& attempt : json.at("attempts"))
-    plan.attempts.push_back(
-        {attempt.at("candidate").get<std::size_t>(), attempt.at("runs").get<std::size_t>()});
+  for (const auto& attempt : json.at("attempts")) {
+    const auto runs = attempt.at("runs").get<std::size_t>();
+    plan.attempts.push_back({attempt.at("candidate").get<std::size_t>(), runs, runs});
+  }
   return plan;
+}
+
+std::string decidable_text(const std::vector<Candidate>& candidates,
+                           const std::vector<double>& jams, ConfirmationRules rules,
+                           std::size_t runs) {
+  rules = undivided(rules);
+  const auto allowed = allowed_failures(runs, rules);
+  const std::string with = fmt::format("with {} confirming runs: ", runs),
+                    to = fmt::format(" to {:.6g} %", 100 * rules.target_yield);
+  if (!allowed)
+    return with + fmt::format("nothing{}, which takes {}", to, confirming_runs(0, rules));
+  std::string name = "no candidate, for jams alone,";
+  double most = 0;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    double width = 1;
+    for (const double each : candidates[k].tolerance_widths_mm) width *= each;
+    const double fitting = k < jams.size() ? 1 - jams[k] : 1;
+    rules.fit = {fitting, std::max(fitting - 1e-6, 0.0), 1};
+    if (width <= most || confirming_probability(fitting, runs, rules) < kWantedPower) continue;
+    most = width;
+    name.clear();
+    for (std::size_t d = 0; d < candidates[k].grades.size(); ++d)
+      name += (d == 0 ? "" : " and ") +
+              tolerance_name(candidates[k].grades[d], candidates[k].tolerance_widths_mm[d]);
+  }
+  return with + name + to + fmt::format(", where at most {} of them miss a limit", *allowed);
 }
 
 std::string plan_text(const StudyData& pilot, const CampaignPlan& plan) {
@@ -223,15 +313,18 @@ std::string plan_text(const StudyData& pilot, const CampaignPlan& plan) {
       plan.seconds_per_run, plan.processes, plan.mixture_rows, study.candidates.size(), mixture,
       duration_text(each * mixture), rules.attempts, 100 * attempt_confidence(rules),
       confirming_runs(0, rules), plan.confirm_runs, duration_text(each * confirm));
+  text += "\n  " + decidable_text(study.candidates, pilot.jam.candidate, rules, plan.confirm_runs);
   const auto rows = static_cast<double>(plan.mixture_rows),
              candidates = static_cast<double>(study.candidates.size());
   // Candidates of several dimensions borrow from their tolerances (yield_curve.hpp).
   if (study.dimensions.size() == 1 && rows < kMinimumEffectiveRuns * candidates)
     text += fmt::format(
         "\n  fewer than {:.0f} rows for each candidate: some or all will have too few effective "
-        "runs to be judged; in another directory recommend.budget_samples = {:.0f} gives them",
+        "runs to be judged; recommend.budget_samples = {:.0f} gives them",
         kMinimumEffectiveRuns,
-        std::ceil(runs_of_rows(study, kMinimumEffectiveRuns * candidates) / kMinimumMixture) +
+        std::ceil(std::max(runs_of_rows(study, kMinimumEffectiveRuns * candidates) / kMostMixture,
+                           runs_of_rows(study, kMinimumEffectiveRuns * candidates) +
+                               static_cast<double>(rules.attempts * confirming_runs(0, rules)))) +
             static_cast<double>(pilot.id.size()));
   else if (rows < kFewestEffectiveRuns * candidates)
     text += fmt::format(

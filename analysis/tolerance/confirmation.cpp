@@ -3,7 +3,6 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/study/refused.hpp"
@@ -11,11 +10,18 @@
 namespace cagetol {
 namespace {
 
+/// Of the runs, which are of cages that fit.
+double risk_of_runs(const ConfirmationRules& rules) {
+  return rules.fit.risk_left * (1 - attempt_confidence(rules));
+}
+
 /// Whether `runs` with `failures` confirm. The Clopper-Pearson bound reaches the target exactly
 /// when so few failures have at most the probability alpha/m at the target yield.
 bool confirms(std::size_t failures, std::size_t runs, const ConfirmationRules& rules) {
-  return gsl_cdf_binomial_P(static_cast<unsigned>(failures), 1 - rules.target_yield,
-                            static_cast<unsigned>(runs)) <= 1 - attempt_confidence(rules);
+  return can_confirm(rules) &&
+         gsl_cdf_binomial_P(static_cast<unsigned>(failures),
+                            1 - rules.target_yield / rules.fit.bound,
+                            static_cast<unsigned>(runs)) <= risk_of_runs(rules);
 }
 
 }  // namespace
@@ -25,13 +31,22 @@ ConfirmationRules confirmation_rules(const StudyPlan& study, std::size_t most_ru
           most_runs};
 }
 
+ConfirmationRules rules_for(ConfirmationRules rules, const StudyData& runs, std::size_t candidate) {
+  rules.fit = fit_share(runs, candidate, 1 - attempt_confidence(rules));
+  return rules;
+}
+
+bool can_confirm(const ConfirmationRules& rules) {
+  return rules.target_yield < rules.fit.bound;
+}
+
 double attempt_confidence(const ConfirmationRules& rules) {
   return 1 - (1 - rules.confidence) / static_cast<double>(rules.attempts);
 }
 
 std::size_t confirming_runs(std::size_t failures, const ConfirmationRules& rules) {
-  if (!(rules.target_yield < 1))
-    throw Refused("a target yield of 1 cannot be confirmed by any number of runs");
+  if (!can_confirm(rules))
+    throw Refused("no number of runs confirms a target yield of 1, or of the share that fits");
   std::size_t enough = failures + 1;
   while (!confirms(failures, enough, rules)) enough *= 2;
   std::size_t too_few = failures;
@@ -55,7 +70,8 @@ std::optional<std::size_t> allowed_failures(std::size_t runs, const Confirmation
 double confirming_probability(double yield, std::size_t runs, const ConfirmationRules& rules) {
   const auto failures = allowed_failures(runs, rules);
   if (!failures) return 0;
-  return gsl_cdf_binomial_P(static_cast<unsigned>(*failures), 1 - yield,
+  return gsl_cdf_binomial_P(static_cast<unsigned>(*failures),
+                            std::max(1 - yield / rules.fit.share, 0.0),
                             static_cast<unsigned>(runs));
 }
 
@@ -69,8 +85,9 @@ std::size_t confirmation_size(double yield, const ConfirmationRules& rules) {
   }
 }
 
-Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& rules) {
+Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& planned) {
   require_independent_runs(study, "the exact bound of the yield");
+  const ConfirmationRules rules = rules_for(planned, study, 0);
   const auto joint = judge_all(study);
   Confirmation result;
   result.runs = joint.size();
@@ -79,15 +96,47 @@ Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules&
   result.unknown =
       static_cast<std::size_t>(std::count(joint.begin(), joint.end(), Judgement::unknown));
   const std::vector<double> equal(joint.size(), 1.0);
-  result.yield =
-      estimate_yield(study, joint, equal, Resampling(study, 1), attempt_confidence(rules));
+  result.yield = yield_of_all(
+      estimate_yield(study, joint, equal, Resampling(study, 1), 1 - risk_of_runs(rules)),
+      rules.fit);
   result.passed = result.runs > 0 && confirms(result.runs - result.meeting, result.runs, rules);
   return result;
 }
 
+JudgedAttempts judge_attempts(const std::vector<StudyData>& attempts) {
+  JudgedAttempts judged;
+  std::optional<double> bound;  // of those that passed one after another
+  bool some_passed = false;
+  for (const StudyData& attempt : attempts) {
+    const ConfirmationRules rules = confirmation_rules(attempt.plan, 0);
+    judged.attempts.push_back(judge_confirmation(attempt, rules));
+    const auto& [runs, meeting, unknown, yield, passed] = judged.attempts.back();
+    if (passed) {
+      bound = std::min(bound.value_or(1), yield.lower_bound);
+      judged.lower_bound = *bound;
+    } else {
+      judged.lower_bound = some_passed ? rules.target_yield : yield.lower_bound;
+      bound.reset();
+    }
+    if (passed || !some_passed) judged.decisive = judged.attempts.size() - 1;
+    some_passed = some_passed || passed;
+  }
+  return judged;
+}
+
+bool is_complete(const StudyData& attempt) {
+  const auto planned = static_cast<std::size_t>(attempt.design.samples_planned);
+  if (attempt.size() >= planned) return true;
+  const ConfirmationRules rules = rules_for(confirmation_rules(attempt.plan, 0), attempt, 0);
+  const Confirmation judged = judge_confirmation(attempt, rules);
+  return judged.runs - judged.meeting > allowed_failures(planned, rules).value_or(planned);
+}
+
 std::size_t surest_attempt(const std::vector<Confirmation>& attempts) {
+  for (std::size_t i = attempts.size(); i-- > 0;)
+    if (attempts[i].passed) return i;
   const auto less_sure = [](const Confirmation& a, const Confirmation& b) {
-    return std::pair(a.passed, a.yield.lower_bound) < std::pair(b.passed, b.yield.lower_bound);
+    return a.yield.lower_bound < b.yield.lower_bound;
   };
   return static_cast<std::size_t>(std::max_element(attempts.begin(), attempts.end(), less_sure) -
                                   attempts.begin());

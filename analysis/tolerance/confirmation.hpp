@@ -4,14 +4,17 @@
 // Confirming runs are new and independent, their bound is exact (Clopper-Pearson). At most m
 // attempts are planned beforehand and each has the confidence 1 - alpha/m: whatever the attempts
 // are and whenever they stop, the probability that any of them confirms a tolerance whose yield is
-// below the target is at most alpha = 1 - confidence (Bonferroni).
+// below the target is at most alpha = 1 - confidence (Bonferroni). An attempt after one that passed
+// shares its alpha/m: the first tolerance below the target that is tried is confirmed with at most
+// that probability, and its failure ends the sequence. An attempt ends when its allowed failures
+// are used up: the exact bounds hold at such a stop, for P(fewer runs) is that of as many failures.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "analysis/statistics/yield.hpp"
+#include "analysis/tolerance/fit_share.hpp"
 
 namespace cagetol {
 
@@ -19,15 +22,22 @@ struct ConfirmationRules {
   double target_yield = 0.95, confidence = 0.95;
   std::size_t attempts = 1;   ///< m
   std::size_t most_runs = 0;  ///< that one attempt may have
+  FitShare fit = {};          ///< of the tolerance that is tried; yields contain it, runs do not
 };
 
 ConfirmationRules confirmation_rules(const StudyPlan& study, std::size_t most_runs);
 
+/// The same for a candidate of the runs.
+ConfirmationRules rules_for(ConfirmationRules rules, const StudyData& runs, std::size_t candidate);
+
+/// Whether some number of runs confirms.
+bool can_confirm(const ConfirmationRules& rules);
+
 /// 1 - (1 - confidence) / m.
 double attempt_confidence(const ConfirmationRules& rules);
 
-/// Fewest runs that confirm when `failures` of them fail. Throws Refused for a target of 1, which
-/// no number of runs confirms.
+/// Fewest runs that confirm when `failures` of them fail. Throws Refused unless
+/// can_confirm().
 std::size_t confirming_runs(std::size_t failures, const ConfirmationRules& rules);
 
 /// Largest number of failing runs with which `runs` confirm; nothing when even none would not.
@@ -44,7 +54,8 @@ inline constexpr double kWantedPower = 0.9;
 /// least confirming_runs(0).
 std::size_t confirmation_size(double yield, const ConfirmationRules& rules);
 
-/// One attempt, judged. Jammed runs and runs without a result count as not meeting the limits.
+/// One attempt, judged by rules_for() its tolerance. Jammed runs and runs without a result count as
+/// not meeting the limits.
 struct Confirmation {
   std::size_t runs = 0, meeting = 0, unknown = 0;
   Yield yield;  ///< bounds at attempt_confidence()
@@ -52,9 +63,24 @@ struct Confirmation {
 };
 
 /// Throws Refused unless the runs are independent.
-Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& rules);
+Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& planned);
 
-/// Place of the attempt that passed; where none did, of the one with the highest lower bound.
+/// Place of the last attempt that passed, the widest; where none did, of the one with the highest
+/// lower bound.
 std::size_t surest_attempt(const std::vector<Confirmation>& attempts);
+
+/// The attempts of a campaign, judged each with its own share of the error.
+struct JudgedAttempts {
+  std::vector<Confirmation> attempts;
+  std::size_t decisive = 0;  ///< the last that passed; where none did, the last
+  /// Of the decisive one. Where it followed others that passed, it is the least of their bounds,
+  /// and the target where one that failed followed it (Hsu and Berger 1999, doi
+  /// 10.2307/2670167): so it holds with the confidence, whatever attempt decides.
+  double lower_bound = 0;
+};
+JudgedAttempts judge_attempts(const std::vector<StudyData>& attempts);
+
+/// Whether all planned runs are there, or those up to the one that used up the allowed failures.
+bool is_complete(const StudyData& attempt);
 
 }  // namespace cagetol

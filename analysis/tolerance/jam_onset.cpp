@@ -1,21 +1,36 @@
 #include "analysis/tolerance/jam_onset.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace cagetol {
 
+std::optional<double> tolerance_of_jams(const JamCurve& curve, double most) {
+  constexpr double kNone = 1e-9;  // of drawn cages may be 0
+  const auto& share = curve.share;
+  const auto first = std::find_if(share.begin(), share.end(), [&](double s) { return s > most; });
+  if (first == share.end()) return std::nullopt;
+  const auto p = static_cast<std::size_t>(first - share.begin());
+  const auto& width = curve.tolerance_width_mm;
+  if (p == 0) return width[0];
+  const double before = std::log(std::max(share[p - 1], kNone));
+  const double part = (std::log(most) - before) / (std::log(share[p]) - before);
+  return width[p - 1] + std::clamp(part, 0.0, 1.0) * (width[p] - width[p - 1]);
+}
+
+std::string jam_text(double share) {
+  if (share > 0 && share < 1e-8) return "less than 0.01 ppm";
+  return share < 1e-4 ? fmt::format("{:.2g} ppm", 1e6 * share)
+                      : fmt::format("{:.3g} %", 100 * share);
+}
+
 JamOnset jam_onset(const JamCurve& curve, double target_yield) {
-  JamOnset onset;
-  const double allowed = 1 - target_yield;
-  bool fits = true;
-  for (std::size_t p = 0; p < curve.tolerance_width_mm.size(); ++p) {
-    fits = fits && curve.share[p] == 0;
-    if (fits) onset.free_mm = curve.tolerance_width_mm[p];
-    if (curve.share[p] <= allowed || onset.limit_mm) continue;
-    onset.limit_mm = curve.tolerance_width_mm[p];
-    if (p == 0) continue;
-    const double part = (allowed - curve.share[p - 1]) / (curve.share[p] - curve.share[p - 1]);
-    *onset.limit_mm = curve.tolerance_width_mm[p - 1] +
-                      part * (curve.tolerance_width_mm[p] - curve.tolerance_width_mm[p - 1]);
-  }
+  constexpr double kPpm = 1e-6;
+  JamOnset onset{std::nullopt, tolerance_of_jams(curve, 1 - target_yield)};
+  if (!curve.share.empty() && curve.share[0] <= kPpm)
+    onset.ppm_mm = tolerance_of_jams(curve, kPpm).value_or(curve.tolerance_width_mm.back());
   return onset;
 }
 

@@ -9,6 +9,9 @@
 namespace cagetol {
 namespace {
 
+/// Where less fits, cages are not redrawn until one does.
+constexpr double kLeastFit = 1e-3;
+
 /// Share of the runs that each candidate was used for.
 std::vector<double> candidate_shares(const StudyData& runs) {
   std::vector<double> shares(runs.plan.candidates.size(), 0.0);
@@ -34,13 +37,17 @@ std::vector<std::vector<double>> own_runs_only(const StudyData& runs,
 MixtureWeights mixture_weights(const StudyData& runs) {
   MixtureWeights mixture;
   const auto shares = candidate_shares(runs);
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    mixture.fit.push_back(fit_share(runs, k, 1 - runs.plan.confidence));
   try {
     const ToleranceDensity density(runs);
     std::vector<std::vector<double>> log_densities;
-    for (const Candidate& candidate : runs.plan.candidates) {
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      const Candidate& candidate = runs.plan.candidates[k];
+      const double fits = std::log(std::max(mixture.fit[k].share, kLeastFit));
       std::vector<double> column(runs.size());
       for (std::size_t i = 0; i < runs.size(); ++i)
-        column[i] = density.log_density(i, candidate.scales, candidate.shifts);
+        column[i] = density.log_density(i, candidate.scales, candidate.shifts) - fits;
       log_densities.push_back(std::move(column));
     }
     mixture.candidate = weights_of_densities(log_densities, shares, &mixture.log_mixture);
@@ -87,9 +94,20 @@ std::vector<std::vector<double>> weights_of_densities(
 std::vector<double> average_weights(const MixtureWeights& mixture,
                                     std::span<const std::size_t> candidates) {
   std::vector<double> average(mixture.candidate.at(candidates.front()).size(), 0.0);
+  const double all =
+      average_fit(mixture, candidates).share * static_cast<double>(candidates.size());
   for (const std::size_t k : candidates)
     for (std::size_t i = 0; i < average.size(); ++i)
-      average[i] += mixture.candidate[k][i] / static_cast<double>(candidates.size());
+      average[i] += mixture.candidate[k][i] * mixture.fit[k].share / all;
+  return average;
+}
+
+FitShare average_fit(const MixtureWeights& mixture, std::span<const std::size_t> candidates) {
+  FitShare average{0, 0, 1};
+  for (const std::size_t k : candidates) {
+    average.share += mixture.fit[k].share / static_cast<double>(candidates.size());
+    average.bound += mixture.fit[k].bound / static_cast<double>(candidates.size());
+  }
   return average;
 }
 

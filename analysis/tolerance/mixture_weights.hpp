@@ -4,7 +4,8 @@
 // Candidate j was used for the share a_j of the runs (1/K when complete): the runs have the density
 // sum_j a_j p_j. A run x counts
 //   w_k(x) = p_k(x) / sum_j a_j p_j(x)  <=  1 / a_k   (= K)
-// for candidate k. The mean weight is 1 up to sampling. The effective sample size
+// for candidate k. Where runs are of cages that fit, the share 1 - j_k of candidate k's, p_k stands
+// for p_k/(1 - j_k). The mean weight is 1 up to sampling. The effective sample size
 //   ESS = (sum w)^2 / sum w^2
 // is at least about N/K.
 #pragma once
@@ -13,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/study/study_data.hpp"
+#include "analysis/tolerance/fit_share.hpp"
 
 namespace cagetol {
 
@@ -27,6 +28,7 @@ struct MixtureWeights {
   std::vector<std::vector<double>> candidate;  ///< [candidate][sample]
   std::vector<double>
       log_mixture;  ///< log sum_j a_j p_j(x) of each sample; empty where a law has no density
+  std::vector<FitShare> fit;  ///< of each candidate
   std::string
       note;  ///< says so where candidates are judged by their own runs only, for want of a density
 };
@@ -35,7 +37,8 @@ struct MixtureWeights {
 MixtureWeights mixture_weights(const StudyData& runs);
 
 /// Weights of any other tolerance, given by its scales and the shifts of its centres in the keys'
-/// units (empty: none). No bound holds for them: watch the effective sample size.
+/// units (empty: none), but for a common factor. No bound holds for them: watch the effective
+/// sample size.
 std::vector<double> weights_of_scales(const StudyData& runs, const MixtureWeights& mixture,
                                       std::span<const double> scales,
                                       std::span<const double> shifts = {});
@@ -46,8 +49,10 @@ std::vector<std::vector<double>> weights_of_densities(
     const std::vector<std::vector<double>>& log_densities, std::span<const double> shares,
     std::vector<double>* log_mixture = nullptr);
 
-/// Mean of the weights of several candidates: a tolerance drawn from them with equal chance.
+/// Mean of the weights of several candidates: a tolerance drawn from them with equal chance, and
+/// the share of its cages that fit.
 std::vector<double> average_weights(const MixtureWeights& mixture,
                                     std::span<const std::size_t> candidates);
+FitShare average_fit(const MixtureWeights& mixture, std::span<const std::size_t> candidates);
 
 }  // namespace cagetol

@@ -136,7 +136,7 @@ bool set_tolerances(const StudyData& runs, const YieldCurves& curves,
       width.centre = nominal_of(runs, key) + chosen.shift(d);
     width.widest_studied =
         chosen.tolerance_widths_mm[d] == curves.dimensions[d].levels.back().tolerance_width_mm;
-    if (width.grade.empty() && !width.not_binding) {
+    if (width.grade.empty()) {
       const Snapped snapped = snap(runs, key, width.tolerance_width_mm);
       moved = moved || snapped.tolerance_width_mm < width.tolerance_width_mm * (1 - kRounding);
       width.tolerance_width_mm = snapped.tolerance_width_mm;
@@ -160,7 +160,10 @@ void judge_snapped(const StudyData& runs, const MixtureWeights& mixture,
   auto weights =
       weights_of_scales(runs, mixture, scales, runs.plan.candidates[result.candidate].shifts);
   if (effective_sample_size(weights) < kMinimumEffectiveRuns) return;
-  result.yield = estimate_yield(runs, joint, weights, resampling, runs.plan.confidence);
+  // No fewer cages fit than under the wider candidate.
+  result.yield =
+      yield_of_all(estimate_yield(runs, joint, weights, resampling, runs.plan.confidence),
+                   mixture.fit[result.candidate]);
   result.weights = std::move(weights);
 }
 
@@ -193,8 +196,9 @@ void add_steps(const StudyData& runs, const MixtureWeights& mixture, const Yield
       if (other == std::string::npos || curves.candidates[other].pooled ||
           curves.candidates[other].ess < kFewestEffectiveRuns)
         continue;
-      const auto difference = yield_difference(joint, mixture.candidate[other],
-                                               mixture.candidate[result.candidate], resampling);
+      const auto difference = yield_difference(
+          joint, mixture.candidate[other], mixture.candidate[result.candidate], resampling,
+          mixture.fit[other].share, mixture.fit[result.candidate].share);
       const auto name = [&](std::size_t k) {
         return tolerance_name(plan.candidates[k].grades[d],
                               plan.candidates[k].tolerance_widths_mm[d]);

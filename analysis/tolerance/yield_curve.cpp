@@ -54,12 +54,14 @@ const LevelYield& level_of(const DimensionCurve& curve, std::size_t candidate) {
 /// A candidate's yield from those of its tolerances, where these have runs enough; else as it is.
 Yield pooled_yield(const Yield& own, std::size_t candidate, const YieldCurves& curves,
                    const Yield& all, double confidence) {
-  double fail = all.if_unknown_fail, pass = all.if_unknown_pass, minimum = all.ess;
+  double fail = all.if_unknown_fail / all.fits, pass = all.if_unknown_pass / all.fits,
+         minimum = all.ess;
   for (const DimensionCurve& curve : curves.dimensions) {
     const Yield& of_tolerance = level_of(curve, candidate).yield;
     minimum = std::min(minimum, of_tolerance.ess);
-    fail *= of_tolerance.if_unknown_fail / all.if_unknown_fail;
-    pass *= of_tolerance.if_unknown_pass / all.if_unknown_pass;
+    const double fits = of_tolerance.fits / all.fits;
+    fail *= of_tolerance.if_unknown_fail / all.if_unknown_fail / fits;
+    pass *= of_tolerance.if_unknown_pass / all.if_unknown_pass / fits;
   }
   if (!(minimum >= kMinimumEffectiveRuns) || std::isnan(fail) || std::isnan(pass)) return own;
   Yield pooled = own;
@@ -70,7 +72,7 @@ Yield pooled_yield(const Yield& own, std::size_t candidate, const YieldCurves& c
   pooled.lower_bound = clopper_pearson_lower(pooled.if_unknown_fail * minimum, minimum, confidence);
   pooled.upper_bound = clopper_pearson_upper(pooled.if_unknown_pass * minimum, minimum, confidence);
   pooled.method = "product of the yields of its tolerances, for want of runs of its own";
-  return pooled;
+  return yield_of_all(pooled, {own.fits, own.fits, 1});
 }
 
 struct Share {
@@ -92,21 +94,24 @@ YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
                          const std::vector<Judgement>& joint, const Resampling& resampling,
                          double confidence) {
   YieldCurves curves;
-  for (const auto& weights : mixture.candidate)
-    curves.candidates.push_back(estimate_yield(runs, joint, weights, resampling, confidence));
+  for (std::size_t k = 0; k < mixture.candidate.size(); ++k)
+    curves.candidates.push_back(yield_of_all(
+        estimate_yield(runs, joint, mixture.candidate[k], resampling, confidence), mixture.fit[k]));
+  const auto averaged = [&](const std::vector<std::size_t>& candidates) {
+    return yield_of_all(
+        estimate_yield(runs, joint, average_weights(mixture, candidates), resampling, confidence),
+        average_fit(mixture, candidates));
+  };
   for (std::size_t d = 0; d < runs.plan.dimensions.size(); ++d) {
     DimensionCurve curve = curve_of(runs.plan, d);
     for (auto* levels : {&curve.levels, &curve.at_centres})
-      for (LevelYield& level : *levels)
-        level.yield = estimate_yield(runs, joint, average_weights(mixture, level.candidates),
-                                     resampling, confidence);
+      for (LevelYield& level : *levels) level.yield = averaged(level.candidates);
     curves.dimensions.push_back(std::move(curve));
   }
   if (curves.dimensions.size() < 2 || curves.candidates.empty()) return curves;
   std::vector<std::size_t> every(curves.candidates.size());
   std::iota(every.begin(), every.end(), 0);
-  const Yield all =
-      estimate_yield(runs, joint, average_weights(mixture, every), resampling, confidence);
+  const Yield all = averaged(every);
   for (const std::size_t k : every)
     if (curves.candidates[k].ess < kMinimumEffectiveRuns)
       curves.candidates[k] = pooled_yield(curves.candidates[k], k, curves, all, confidence);
@@ -115,18 +120,20 @@ YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
 
 YieldDifference yield_difference(const std::vector<Judgement>& joint,
                                  std::span<const double> narrow, std::span<const double> wide,
-                                 const Resampling& resampling) {
+                                 const Resampling& resampling, double narrow_fits,
+                                 double wide_fits) {
   const Share n = passing_share(joint, narrow), w = passing_share(joint, wide);
   std::vector<double> of_lot(resampling.lots(), 0.0);
   for (std::size_t i = 0; i < joint.size(); ++i) {
     const double passes = joint[i] == Judgement::meets;
-    of_lot[resampling.lot_of()[i]] +=
-        narrow[i] * (passes - n.value) / n.total - wide[i] * (passes - w.value) / w.total;
+    of_lot[resampling.lot_of()[i]] += narrow_fits * narrow[i] * (passes - n.value) / n.total -
+                                      wide_fits * wide[i] * (passes - w.value) / w.total;
   }
   double variance = 0;
   for (const double influence : of_lot) variance += influence * influence;
   const auto lots = static_cast<double>(of_lot.size());
-  return {n.value - w.value, std::sqrt(variance * lots / std::max(lots - 1, 1.0))};
+  return {narrow_fits * n.value - wide_fits * w.value,
+          std::sqrt(variance * lots / std::max(lots - 1, 1.0))};
 }
 
 }  // namespace cagetol

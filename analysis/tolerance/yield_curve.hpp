@@ -41,12 +41,13 @@ YieldCurves yield_curves(const StudyData& runs, const MixtureWeights& mixture,
 
 /// Yield of `narrow` minus yield of `wide` on the same runs, unknown samples failing, with its
 /// standard error linearised over lots: the weights are compared run by run, so what both share
-/// cancels.
+/// cancels. The share of all cages that fit under each is known.
 struct YieldDifference {
   double value = 0, standard_error = 0;
 };
 YieldDifference yield_difference(const std::vector<Judgement>& joint,
                                  std::span<const double> narrow, std::span<const double> wide,
-                                 const Resampling& resampling);
+                                 const Resampling& resampling, double narrow_fits = 1,
+                                 double wide_fits = 1);
 
 }  // namespace cagetol

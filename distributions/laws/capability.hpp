@@ -1,11 +1,13 @@
 // Normal law given by process capability and limits:
 //
 //   sigma = (upper - lower) / (6 cp)
-//   mean  = (lower + upper) / 2 + (upper - lower) / 2 (1 - cpk / cp)
+//   mean  = (lower + upper) / 2 + offset
 //
-// cpk refers to the nearer limit, which is here always the UPPER one. A process with its mean below
-// the middle is given as a normal law. Without cpk the process is centred (cpk = cp). Parts outside
-// the limits occur at the rate that cpk implies; sorted parts have a truncated normal law.
+// In place of the offset of the mean, its distance from the nearer limit may be given: cpk to the
+// upper one, cpk_lower to the lower one,
+//   offset = +-(upper - lower) / 2 (1 - cpk / cp)
+// With none of the three the process is centred. Parts outside the limits occur at the rate that
+// the law implies; sorted parts have a truncated normal law.
 #pragma once
 
 #include <optional>
@@ -19,7 +21,7 @@ struct Capability {
   double lower = 0;
   double upper = 0;
   double cp = 1;
-  std::optional<double> cpk;
+  std::optional<double> cpk, cpk_lower, offset = {};
 };
 
 /// The equivalent normal law.

@@ -32,7 +32,7 @@ double one_nominal(const std::vector<double>& nominal) {
 AssumptionPlan plan_assumptions(const Study& base, const std::vector<Alternative>& alternatives,
                                 const Campaign& campaign, const CampaignPlan& plan) {
   const ConfirmationRules rules{base.tolerance.target_yield, base.tolerance.confidence,
-                                static_cast<std::size_t>(base.recommend.attempts)};
+                                plan.error_shares};
   AssumptionPlan assumptions;
   assumptions.confirming = confirming_runs(0, rules);
   assumptions.seconds_per_run = plan.seconds_per_run / plan.processes;
@@ -107,8 +107,8 @@ int run_assumptions(const Study& base, const std::string& directory, const Campa
     spdlog::info("{}", text);
   if (assumptions.runs == 0) return kDone;
   const auto& widths = campaign.attempts[assumptions.attempt - 1].recommendation.tolerances;
-  const Study attempt =
-      stage_study(base, {fmt::format("confirm-{}", assumptions.attempt), assumptions.runs, widths});
+  const Study attempt = stage_study(base, {fmt::format("confirm-{}", assumptions.attempt),
+                                           assumptions.runs, widths, plan.error_shares});
   for (std::size_t k = 0; k < alternatives.size(); ++k) {
     const AssumedValue& assumed = assumptions.alternatives[k];
     const Study study = alternative_study(attempt, alternatives[k], assumptions.runs);

@@ -6,6 +6,8 @@
 #include <memory>
 #include <set>
 
+#include "analysis/tolerance/campaign_plan.hpp"
+#include "analysis/tolerance/jam_onset.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/judgeable.hpp"
 #include "mc/commands/operating_text.hpp"
@@ -57,24 +59,59 @@ std::string dimensions_text(const Study& study) {
 }
 
 /// How many cages of the candidates cannot be assembled or turn: geometry alone decides.
-std::string jams_text(const Study& study) {
-  const std::vector<double> shares = candidate_jam_shares(study);
-  std::string text;
-  std::size_t over = 0;
-  double most = 0;
-  for (const double share : shares) {
-    over += share > 1 - study.tolerance.target_yield;
-    most = std::max(most, share);
+std::string jams_text(const Study& study, const JamShares& jams) {
+  const std::vector<double>& shares = jams.candidate;
+  if (shares.empty()) return "";
+  std::string text = fmt::format(
+      "  yield = share of cages that fit x share of these that meet all limits; what does not fit "
+      "jams, {}:\n",
+      jams.draws > 0 ? fmt::format("of {:.0f} cages drawn", jams.draws) : "by integration");
+  for (const JamCurve& curve : jams.curves) {
+    std::string points;
+    for (const double share : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
+      if (const auto width = tolerance_of_jams(curve, share))
+        points +=
+            fmt::format("{} {} from {:.3g} mm", points.empty() ? "" : ",", jam_text(share), *width);
+    text += fmt::format("    {}:{}\n", curve.key, points.empty() ? " none" : points);
   }
-  if (most > 0)
-    text += fmt::format("  up to {:.3g} % of a candidate's cages jam by their dimensions alone\n",
-                        100 * most);
+  auto widest =
+      static_cast<std::size_t>(std::min_element(shares.begin(), shares.end()) - shares.begin());
+  std::size_t over = 0;
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    over += shares[k] > 1 - study.tolerance.target_yield;
+    if (shares[k] <= 1 - study.tolerance.target_yield && shares[k] >= shares[widest]) widest = k;
+  }
+  const std::size_t dimensions = jams.curves.size();
+  std::string widths;
+  for (const double width : study.candidates[widest].tolerance_widths_mm)
+    widths += fmt::format("{}{:.3g} mm", widths.empty() ? "" : " and ", width);
+  text += fmt::format("    at {}: {} jam", widths, jam_text(shares[widest]));
+  for (std::size_t d = 0; d < dimensions; ++d)
+    text += fmt::format(
+        "; {} off centre by {:.2g} mm {}, its variance all among pockets {}, all from cage to "
+        "cage {}",
+        jams.curves[d].key, kOffCentre * study.candidates[widest].tolerance_widths_mm[d],
+        jam_text(jams.off_centre[widest * dimensions + d]),
+        jam_text(jams.pockets_alone[widest * dimensions + d]),
+        jam_text(jams.lots_alone[widest * dimensions + d]));
+  text += "\n";
   if (over > 0)
     text += fmt::format(
         "warning: {} of {} candidates miss the target yield of {:.6g} % by jams alone, whatever "
         "the limits\n",
         over, shares.size(), 100 * study.tolerance.target_yield);
   return text;
+}
+
+/// What `recommend` can decide with the runs that its budget has at most for confirmations.
+std::string budget_text(const Study& study, const JamShares& jams) {
+  if (study.recommend.budget_samples == 0 || !judgement_faults(study).empty()) return "";
+  const std::size_t runs = most_confirming_runs(
+      static_cast<std::size_t>(study.recommend.budget_samples), pilot_runs(study));
+  return "  " +
+         decidable_text(study.candidates, jams.candidate,
+                        {study.tolerance.target_yield, study.tolerance.confidence}, runs) +
+         "\n";
 }
 
 std::string summary(const Study& study) {
@@ -98,10 +135,11 @@ std::string summary(const Study& study) {
             law_text(input.noise, "noise", input.unit);
   if (!study.limits.empty()) text += "limits:\n";
   for (const auto& limit : study.limits) text += limit_text(limit);
+  const JamShares jams = jam_shares(study);
   if (!study.candidates.empty())
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
                         study.candidates.size(), study.tolerance.dimensions.size()) +
-            dimensions_text(study) + jams_text(study);
+            dimensions_text(study) + jams_text(study, jams) + budget_text(study, jams);
   if (const std::size_t count = alternatives_of(study).size();
       count > 0 && !study.candidates.empty())
     text += fmt::format(

@@ -33,6 +33,11 @@ bool may_be_negative(const Quantity& quantity) {
 
 }  // namespace
 
+std::size_t pilot_runs(const Study& study) {
+  return static_cast<std::size_t>(
+      std::ceil(static_cast<double>(study.recommend.pilot_samples) * (1 + study.extra_replicates)));
+}
+
 std::vector<InputError> judgement_faults(const Study& study) {
   std::vector<InputError> faults;
   for (const Limit& limit : study.limits) {
@@ -57,12 +62,10 @@ std::vector<InputError> judgement_faults(const Study& study) {
         "a yield of 1 cannot be confirmed by any number of runs", "give less, such as 0.999");
     return faults;
   }
-  const auto pilot = static_cast<std::size_t>(
-      std::ceil(static_cast<double>(study.recommend.pilot_samples) * (1 + study.extra_replicates)));
   const std::size_t minimum =
       minimum_budget({study.tolerance.target_yield, study.tolerance.confidence,
                       static_cast<std::size_t>(study.recommend.attempts)},
-                     study.extra_replicates, pilot);
+                     study.extra_replicates, pilot_runs(study));
   if (study.recommend.budget_samples > 0 &&
       static_cast<std::size_t>(study.recommend.budget_samples) < minimum)
     faults.emplace_back(SourcePlace{}, "recommend.budget_samples",

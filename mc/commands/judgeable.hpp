@@ -12,4 +12,7 @@ namespace cagetol {
 /// budgets that can confirm none. `recommend` refuses a study for the first, others warn of all.
 std::vector<InputError> judgement_faults(const Study& study);
 
+/// Of the first stage of `recommend`.
+std::size_t pilot_runs(const Study& study);
+
 }  // namespace cagetol

@@ -138,16 +138,24 @@ std::string limits_text(const nlohmann::ordered_json& all, const std::string& di
                     q["quantity"].get<std::string>(), real(q["p5"]), real(q["p50"]), real(q["p95"]),
                     real(q["p99"]), q["unit"] == "-" ? "" : q["unit"].get<std::string>());
   text += all["limits"].empty() ? "the study has no limits\n" : "limits\n";
-  bool measured = true;
+  bool measured = true, missed = false;
+  const nlohmann::ordered_json* nearest = nullptr;
   for (const auto& limit : all["limits"]) {
     text += margin_text(limit);
     measured = measured && limit["model_error"].is_number();
+    missed = missed || limit["missed"] > 0;
+    const double margin = real(limit["extreme_margin"]);
+    if (nearest == nullptr || margin < real((*nearest)["extreme_margin"])) nearest = &limit;
   }
+  if (nearest != nullptr && !missed)
+    text += fmt::format("no run misses a limit; the nearest is that of {}\n",
+                        (*nearest)["quantity"].get<std::string>());
   if (!measured)
     text += "the error of the model: cagetol ladder " + directory + "/study.toml --refine -o " +
             directory + "/" + kRefiningLadderFolder + "\n";
-  if (all["candidates"].get<long>() > 1)
-    text += "note: runs of all candidate tolerances together, not of nominal scatter\n";
+  for (const auto& [key, width] : all["tolerance_width_mm"].items())
+    text += fmt::format("{} at a tolerance width of {:.6g} mm{}\n", key, real(width),
+                        all["candidates"].get<long>() > 1 ? " times the candidates'" : "");
   return text;
 }
 
@@ -156,9 +164,13 @@ int print_limits(const std::string& directory, bool json) {
   const StudyData runs = select_samples(all, first_runs(all));
   long ok = 0;
   for (const RunStatus status : runs.status) ok += status == RunStatus::ok;
+  auto widths = nlohmann::ordered_json::object();
+  for (const ToleranceDimension& each : runs.plan.dimensions)
+    widths[each.key] = each.tolerance_width_mm;
   const nlohmann::ordered_json found{{"runs", runs.size()},
                                      {"runs_ok", ok},
                                      {"candidates", runs.plan.candidates.size()},
+                                     {"tolerance_width_mm", widths},
                                      {"quantities", distributions(runs)},
                                      {"limits", margins(runs, directory)}};
   print(json ? found.dump(2) + "\n" : limits_text(found, directory));

@@ -14,6 +14,7 @@
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/stage_study.hpp"
 #include "mc/run/forecast.hpp"
+#include "mc/sweep/adopted_runs.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/unit.hpp"
@@ -75,7 +76,16 @@ class StageLeader {
 
 std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
   const std::string directory = path(stage.name);
-  code_ = stages_.sweep(stage_study(base_, stage), directory);
+  const Study study = stage_study(base_, stage);
+  const long rows = stage.name == "mixture" ? stored_rows(directory) : 0;
+  if (rows > 0 && rows < study.samples) {
+    Stage smaller = stage;
+    smaller.rows = static_cast<std::size_t>(rows);
+    code_ = stages_.sweep(stage_study(base_, smaller), directory);
+    if (code_ != kDone) return std::nullopt;
+    grow_directory(study, directory);
+  }
+  code_ = stages_.sweep(study, directory, stage.allowed_failures);
   if (code_ != kDone) return std::nullopt;
   auto runs = read_study_data(study_file_path(directory));
   if (stage.tolerances.empty() && too_many_lost(runs, directory)) {

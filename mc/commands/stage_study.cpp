@@ -21,6 +21,7 @@ Study stage_study(const Study& base, const Stage& stage) {
     study.name += ", " + stage.name;
     study.seed = stage_seed(base.seed, stage.name);
     study.samples = static_cast<long>(stage.rows);
+    study.redraw_jams = true;
     study.allowed_failure_share = 1;  // judged over the campaign, which may go on with another
     // A budget may be raised: stages and their runs stay as they are.
     study.recommend.pilot_samples = RecommendPlan{}.pilot_samples;
@@ -30,6 +31,7 @@ Study stage_study(const Study& base, const Stage& stage) {
     for (Assumption& assumption : study.scene.assumptions)
       assumption = {assumption.key, assumption.note};
     if (stage.tolerances.empty()) return;
+    study.recommend.attempts = static_cast<long>(stage.error_shares);
     study.design = DesignKind::random;
     study.cages_per_lot = 1;
     study.extra_replicates = 0;

@@ -35,6 +35,8 @@ void rest_for(double seconds) {
 std::string encoded(const RunMessage& report) {
   ByteWriter out;
   out.put(static_cast<std::int32_t>(report.ending));
+  out.put(report.id);
+  out.put(report.misses);
   out.put(static_cast<std::int32_t>(report.status));
   out.put(report.wall_s);
   out.put(report.draining);
@@ -45,6 +47,8 @@ RunMessage decoded_message(const std::string& bytes) {
   ByteReader in(bytes);
   RunMessage report;
   report.ending = static_cast<Ending>(in.get<std::int32_t>());
+  report.id = in.get<std::uint64_t>();
+  report.misses = in.get<bool>();
   report.status = static_cast<Status>(in.get<std::int32_t>());
   report.wall_s = in.get<double>();
   report.draining = in.get<bool>();
@@ -72,21 +76,36 @@ struct OwnWork {
 
 }  // namespace
 
-WorkList::WorkList(std::vector<std::uint64_t> pending, const Tally& before)
+void CompletedPrefix::add(std::uint64_t id, bool misses) {
+  if (!allowed_) return;
+  beyond_[id] = misses;
+  for (auto next = beyond_.find(size_); next != beyond_.end() && !used_up();
+       next = beyond_.find(size_)) {
+    missing_ += next->second;
+    beyond_.erase(next);
+    ++size_;
+  }
+}
+
+WorkList::WorkList(std::vector<std::uint64_t> pending, const Tally& before, CompletedPrefix prefix)
     : pending_(pending.rbegin(), pending.rend()) {
   state_.tally = before;
+  state_.prefix = std::move(prefix);
 }
 
 std::optional<std::uint64_t> WorkList::exchange(const RunMessage& report) {
   const std::lock_guard lock(mutex_);
   state_.busy_s += report.wall_s;
   if (report.ending != Ending::none) ++state_.reports;
-  if (report.ending == Ending::finished) state_.tally.count(report.status);
+  if (report.ending == Ending::finished) {
+    state_.tally.count(report.status);
+    state_.prefix.add(report.id, report.misses);
+  }
   if (report.ending == Ending::no_outcome) ++state_.without_outcome;
   if (report.ending == Ending::cannot_write) state_.cannot_write = true;
   stopped_ = stopped_ || report.draining || report.ending == Ending::cannot_write ||
              report.ending == Ending::interrupted;
-  if (stopped_ || pending_.empty()) return std::nullopt;
+  if (stopped_ || pending_.empty() || state_.prefix.used_up()) return std::nullopt;
   const std::uint64_t id = pending_.back();
   pending_.pop_back();
   return id;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -26,15 +27,34 @@ enum class Ending : std::int32_t {
 
 struct RunMessage {
   Ending ending = Ending::none;
+  std::uint64_t id = 0;
+  bool misses = false;  ///< a limit, or has no result
   Status status = Status::not_run;
   double wall_s = 0;
   bool draining = false;  ///< the rank was asked to drain
 };
 
+/// The first samples of a sweep, as far as all of them are done. Where more of them miss a limit
+/// than allowed the sweep ends with the one that did, whatever ranks have run beyond it.
+class CompletedPrefix {
+ public:
+  CompletedPrefix(std::optional<std::uint64_t> allowed_misses = {})
+      : allowed_(allowed_misses) {}
+
+  void add(std::uint64_t id, bool misses);
+  bool used_up() const { return allowed_ && missing_ > *allowed_; }
+  std::uint64_t size() const { return size_; }
+
+ private:
+  std::optional<std::uint64_t> allowed_;
+  std::map<std::uint64_t, bool> beyond_;  ///< done, with samples before them that are not
+  std::uint64_t size_ = 0, missing_ = 0;
+};
+
 /// The samples still to be run, and what came back so far. Threads may share it.
 class WorkList {
  public:
-  WorkList(std::vector<std::uint64_t> pending, const Tally& before);
+  WorkList(std::vector<std::uint64_t> pending, const Tally& before, CompletedPrefix prefix = {});
 
   /// Takes what the last sample became and gives the next one; nothing when there is none or the
   /// sweep is to stop.
@@ -47,6 +67,7 @@ class WorkList {
     bool cannot_write = false;
     double busy_s = 0;          ///< time spent in samples, all ranks together
     std::uint64_t reports = 0;  ///< of samples run
+    CompletedPrefix prefix;
   };
   State state() const;
 

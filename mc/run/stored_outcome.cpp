@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <string_view>
 
+#include "mc/study/operating_points.hpp"
+#include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace cagetol {
@@ -117,6 +120,17 @@ StoredOutcome outcome_from_bytes(ByteReader& in) {
   stored.wall_s = in.get<double>();
   stored.rank = in.get<std::int32_t>();
   return stored;
+}
+
+bool meets_limits(const Study& study, const StoredOutcome& stored) {
+  const auto labels = quantity_labels(study);
+  return stored.status == Status::ok &&
+         std::all_of(study.limits.begin(), study.limits.end(), [&](const Limit& limit) {
+           const double value =
+               stored.quantities[static_cast<std::size_t>(labelled_index(limit.quantity, labels))];
+           return (!limit.minimum || value >= *limit.minimum) &&
+                  (!limit.maximum || value <= *limit.maximum);
+         });
 }
 
 bool is_failure(Status status) {

@@ -44,6 +44,9 @@ std::vector<std::string> outcome_differences(const StoredOutcome& a, const Store
 std::string to_bytes(const StoredOutcome& stored);
 StoredOutcome outcome_from_bytes(ByteReader& in);
 
+/// Whether the run has a result that meets every limit of the study.
+bool meets_limits(const Study& study, const StoredOutcome& stored);
+
 /// True for outcomes that count against study.allowed_failure_share: failed, censored, poisoned. A
 /// jam is a result.
 bool is_failure(Status status);

@@ -8,10 +8,16 @@
 #include <stdexcept>
 
 #include "distributions/dependence.hpp"
+#include "mc/study/cage_fit.hpp"
 #include "mc/study/study_inputs.hpp"
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
+
+/// Redraws at most, of a tolerance under which nothing fits: its run then jams.
+constexpr std::uint64_t kMostRedraws = 500;
+/// Rows of a design are fewer: the k-th redraw of a row has the address of row + k kRedraw.
+constexpr std::uint64_t kRedraw = std::uint64_t{1} << 31;
 
 // Where the columns of one input begin in the design; -1 where the scope is absent or a plain
 // number.
@@ -109,6 +115,14 @@ bool has_endless_law(const Study& study) {
   });
 }
 
+/// Of redraws: independent, and each with a lot of its own.
+DesignSpec redraw_spec(DesignSpec spec) {
+  spec.kind = DesignKind::random;
+  spec.cages_per_lot = 1;
+  spec.rows = (kMostRedraws + 1) * kRedraw;
+  return spec;
+}
+
 DesignSpec spec_of(const Study& study, const SampleColumns& columns) {
   DesignSpec spec;
   spec.kind = study.design;
@@ -186,7 +200,7 @@ double into_range(const KeyRange& range, double value) {
 struct Sampler::Implementation {
   Study study;
   SampleColumns columns;
-  Design design;
+  Design design, redraws;
   GaussianCopula copula;
   std::vector<const Key<Scene>*> keys;  ///< of the inputs
   std::vector<long> dimension;  ///< position of an input among the tolerance dimensions, or -1
@@ -196,6 +210,7 @@ struct Sampler::Implementation {
         columns(make_columns(study)),
         design(refused_as_input("design", quoted_design(study),
                                 [&] { return Design(spec_of(study, columns)); })),
+        redraws(redraw_spec(design.spec())),
         copula(make_copula(study, columns)) {
     study.resolved_toml.clear();
     study.resolved_json.clear();
@@ -251,6 +266,35 @@ struct Sampler::Implementation {
     }
     return drawn;
   }
+
+  void draw_deviations(std::uint64_t id, std::uint64_t redraw, Sample& sample) const {
+    sample.id = id;
+    sample.row = id % design.rows();
+    sample.replicate = id / design.rows();
+    const std::uint64_t redrawn = sample.row + redraw * kRedraw;
+    sample.lot = redraw == 0 ? design.lot_of(sample.row) : redrawn;
+    if (!study.candidates.empty())
+      sample.candidate = static_cast<long>(sample.row % study.candidates.size());
+    sample.design_point.resize(design.dimensions());
+    if (redraw == 0)
+      design.point(sample.row, sample.design_point);
+    else
+      redraws.point(redrawn, sample.design_point);
+    std::vector<double> u = sample.design_point;
+    copula.correlate(u);
+    sample.inputs.clear();
+    for (std::size_t i = 0; i < study.inputs.size(); ++i)
+      sample.inputs.push_back(drawn(i, u, sample));
+  }
+
+  Sample cage(std::uint64_t id, std::uint64_t redraw) const {
+    Sample sample;
+    draw_deviations(id, redraw, sample);
+    sample.scene = study.scene;
+    for (std::size_t i = 0; i < study.inputs.size(); ++i)
+      set_key_numbers(*keys[i], sample.inputs[i].value, sample.scene);
+    return sample;
+  }
 };
 
 Sampler::Sampler(const Study& study)
@@ -260,25 +304,20 @@ const Design& Sampler::design() const {
   return implementation_->design;
 }
 
+void Sampler::draw_deviations(std::uint64_t id, Sample& sample) const {
+  implementation_->draw_deviations(id, 0, sample);
+}
+
 Sample Sampler::draw(std::uint64_t id) const {
   const auto& own = *implementation_;
-  Sample sample;
-  sample.id = id;
-  sample.row = id % own.design.rows();
-  sample.replicate = id / own.design.rows();
-  sample.lot = own.design.lot_of(sample.row);
-  if (!own.study.candidates.empty())
-    sample.candidate = static_cast<long>(sample.row % own.study.candidates.size());
-  sample.design_point.resize(own.design.dimensions());
-  own.design.point(sample.row, sample.design_point);
-  std::vector<double> u = sample.design_point;
-  own.copula.correlate(u);
-  sample.scene = own.study.scene;
-  for (std::size_t i = 0; i < own.study.inputs.size(); ++i) {
-    sample.inputs.push_back(own.drawn(i, u, sample));
-    set_key_numbers(*own.keys[i], sample.inputs.back().value, sample.scene);
+  if (!own.study.redraw_jams) return own.cage(id, 0);
+  // Repetitions of a row are of one cage.
+  const std::uint64_t row = id % own.design.rows();
+  for (std::uint64_t redraw = 0;; ++redraw) {
+    Sample first = own.cage(row, redraw);
+    if (redraw == kMostRedraws || cage_fits(own.study, first.scene))
+      return id == row ? first : own.cage(id, redraw);
   }
-  return sample;
 }
 
 Sample draw_sample(const Study& study, std::uint64_t id) {

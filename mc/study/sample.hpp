@@ -57,7 +57,12 @@ class Sampler {
   /// again, replicate 1, 2, ... A pure function of (study, id). Drawn values beyond the range of
   /// their key (a negative length; read_study refuses laws for which this is likely) are set to its
   /// end.
+  /// With Study::redraw_jams a cage that does not fit is drawn again, all of it and its lot, until
+  /// one does; the number of redraws is part of the address of its random numbers.
   Sample draw(std::uint64_t id) const;
+
+  /// All of a sample as first drawn but its scene, which is left as it is.
+  void draw_deviations(std::uint64_t id, Sample& sample) const;
 
   const Design& design() const;
 

@@ -91,6 +91,7 @@ struct Study {
   DesignKind design = DesignKind::random;
   long scrambles = 8;
   long cages_per_lot = 1;
+  bool redraw_jams = false;  ///< cages that do not fit are drawn again (cage_fit.hpp)
   double allowed_failure_share = 0.02;
   std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
   long fidelity_samples = 24;       ///< runs on each rung of the model ladder

@@ -43,7 +43,16 @@ P stated(const Empirical& law) {
   return {.values = law.values};
 }
 P stated(const Capability& law) {
-  return {.lower = law.lower, .upper = law.upper, .cp = law.cp, .cpk = law.cpk.value_or(P().cpk)};
+  return {.lower = law.lower,
+          .upper = law.upper,
+          .cp = law.cp,
+          .cpk = law.cpk.value_or(P().cpk),
+          .cpk_lower = law.cpk_lower.value_or(P().cpk),
+          .offset = law.offset.value_or(P().cpk)};
+}
+
+std::optional<double> if_stated(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 void read_parameter(const Json& value, const std::string& name, P& parameters) {
@@ -87,6 +96,8 @@ const std::vector<LawParameter>& law_parameters() {
       {"scale", &P::scale, positive, "scale parameter"},
       {"cp", &P::cp, positive, "capability index Cp of the limits"},
       {"cpk", &P::cpk, any, "capability index Cpk towards the upper limit"},
+      {"cpk_lower", &P::cpk_lower, any, "capability index Cpk towards the lower limit"},
+      {"offset", &P::offset, any, "mean less the middle of the limits"},
       {"edges", &P::edges, any, "ends of the bins, ascending"},
       {"weights", &P::weights, not_negative, "weight of each bin"},
       {"values", &P::values, any, "measured deviations"},
@@ -113,7 +124,7 @@ const std::vector<LawForm>& law_forms() {
       {"gamma", {"shape", "scale"}, {"shift"}, [](const P& p) -> Law { return Gamma{p.shape, p.scale, p.shift}; }},
       {"histogram", {"edges", "weights"}, {}, [](const P& p) -> Law { return Histogram{p.edges, p.weights}; }},
       {"empirical", {"values"}, {}, [](const P& p) -> Law { return make_empirical(p.values); }},
-      {"capability", {"lower", "upper", "cp"}, {"cpk"}, [](const P& p) -> Law { return Capability{p.lower, p.upper, p.cp, std::isnan(p.cpk) ? std::nullopt : std::optional(p.cpk)}; }},
+      {"capability", {"lower", "upper", "cp"}, {"cpk", "cpk_lower", "offset"}, [](const P& p) -> Law { return Capability{p.lower, p.upper, p.cp, if_stated(p.cpk), if_stated(p.cpk_lower), if_stated(p.offset)}; }},
   };
   return forms;
 }

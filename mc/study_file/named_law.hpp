@@ -19,7 +19,7 @@ struct LawParameters {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double log_mean = 0, log_sigma = 0, shift = 0, alpha = 1, beta = 1, shape = 1, scale = 1;
-  double cp = 1, cpk = std::numeric_limits<double>::quiet_NaN();
+  double cp = 1, cpk = std::numeric_limits<double>::quiet_NaN(), cpk_lower = cpk, offset = cpk;
   std::vector<double> edges = {}, weights = {}, values = {};
 };
 

@@ -1,6 +1,8 @@
 #include "mc/sweep/adopted_runs.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "mc/host/build_info.hpp"
 #include "mc/study/sample.hpp"
@@ -9,6 +11,8 @@
 
 namespace cagetol {
 namespace {
+
+namespace fs = std::filesystem;
 
 bool same_model(const Study& a, const Study& b) {
   const auto differences = study_differences(a.resolved_toml, b.resolved_toml);
@@ -27,7 +31,7 @@ bool same_sample(const Sample& a, const Sample& b) {
 }  // namespace
 
 std::size_t adopt_runs(const Study& study, const std::string& directory, const std::string& from) {
-  const StudyFile file = read_study_file(study_file_path(from));
+  StudyFile file = read_study_file(study_file_path(from));
   const BuildInfo build = build_info();
   const Study other = read_resolved_study(file.study_toml, from);
   if (file.build != build_id(build) || !same_model(study, other)) return 0;
@@ -36,12 +40,33 @@ std::size_t adopt_runs(const Study& study, const std::string& directory, const s
   const Sampler mine(study), theirs(other);
   Journal journal(journal_directory(directory), {study.hash, build_id(build), 0});
   std::size_t adopted = 0;
-  for (const auto& [id, outcome] : file.outcomes) {
-    if (id >= sample_count(study) || !same_sample(mine.draw(id), theirs.draw(id))) continue;
+  for (auto& [id, outcome] : file.outcomes) {
+    const Sample sample = theirs.draw(id);
+    outcome.id = sample.row + sample.replicate * mine.design().rows();
+    if (outcome.id >= sample_count(study) || !same_sample(mine.draw(outcome.id), sample)) continue;
     journal.finished(outcome);
     ++adopted;
   }
   return adopted;
+}
+
+long stored_rows(const std::string& directory) {
+  const fs::path before = directory + ".before";
+  if (fs::exists(before) && !fs::exists(directory)) fs::rename(before, directory);
+  fs::remove_all(before);
+  const std::string file = stored_study_path(directory);
+  std::ifstream stream(file);
+  if (!stream) return 0;
+  return read_resolved_study({std::istreambuf_iterator<char>(stream), {}}, file).samples;
+}
+
+void grow_directory(const Study& study, const std::string& directory) {
+  const std::string larger = directory + ".larger", before = directory + ".before";
+  fs::remove_all(larger);
+  adopt_runs(study, larger, directory);
+  fs::rename(directory, before);
+  fs::rename(larger, directory);
+  fs::remove_all(before);
 }
 
 }  // namespace cagetol

@@ -15,4 +15,11 @@ namespace cagetol {
 /// the sweep. Throws what SweepDirectory and read_study_file throw.
 std::size_t adopt_runs(const Study& study, const std::string& directory, const std::string& from);
 
+/// Rows of the study that the directory of a sweep holds; 0 where there is none. Makes good what a
+/// process that died in grow_directory() left.
+long stored_rows(const std::string& directory);
+
+/// The complete directory of a sweep becomes that of a study with more rows, with all of its runs.
+void grow_directory(const Study& study, const std::string& directory);
+
 }  // namespace cagetol

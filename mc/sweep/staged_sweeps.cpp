@@ -8,6 +8,7 @@
 
 #include "mc/host/failure.hpp"
 #include "mc/host/log.hpp"
+#include "mc/ranks/hand_out.hpp"
 #include "mc/ranks/signals.hpp"
 #include "mc/study_file/exit_code.hpp"
 #include "mc/study_file/study_file_error.hpp"
@@ -22,11 +23,14 @@ constexpr double kSecondsToEnd = 2;
 
 /// Whether every sample of the study is stored, by this build, with no more failures than allowed.
 /// Anything doubtful is left to the sweep, which has the messages.
-bool complete(const Study& study, const std::string& directory) {
+bool complete(const Study& study, const std::string& directory,
+              std::optional<std::uint64_t> allowed_misses) {
   if (!std::filesystem::exists(study_file_path(directory))) return false;
   try {
     const StudyFile file = read_study_file(study_file_path(directory));
-    const auto samples = sample_count(study);
+    CompletedPrefix prefix(allowed_misses);
+    for (const auto& [id, outcome] : file.outcomes) prefix.add(id, !meets_limits(study, outcome));
+    const auto samples = prefix.used_up() ? prefix.size() : sample_count(study);
     if (file.study_hash != study.hash || file.build != build_id(build_info()) ||
         file.outcomes.size() != samples)
       return false;
@@ -74,11 +78,13 @@ void follow(const Launch& launch, const MakePlan& make_plan) {
 
 }  // namespace
 
-int StagedSweeps::sweep(const Study& study, const std::string& directory) {
-  if (complete(study, directory)) return kDone;
+int StagedSweeps::sweep(const Study& study, const std::string& directory,
+                        std::optional<std::uint64_t> allowed_misses) {
+  if (complete(study, directory, allowed_misses)) return kDone;
   if (SignalWatch::draining()) return kInterrupted;
   spdlog::info("{}: {} runs in {}", study.name, sample_count(study), directory);
-  Sweep sweep(launch_, {.directory = directory, .progress = progress_});
+  Sweep sweep(launch_,
+              {.directory = directory, .progress = progress_, .allowed_misses = allowed_misses});
   sweep.prepare([&] { return make_plan_(study); }, launch_.under_mpi && team_);
   if (const int code = join()) return code;
   tell(*team_, directory + "\n" + study.resolved_toml);

@@ -189,7 +189,16 @@ void write_inputs(hid_t root, const Study& study, const DrawnColumns& drawn) {
 void write_jams(hid_t root, const JamShares& jams) {
   if (jams.candidate.empty()) return;
   const H5Handle group = make_h5_group(root, "jam");
+  write_h5_attribute(group, "draws", std::vector<double>{jams.draws});
   write_h5(group, "candidate", jams.candidate, {"-", "share of cages that jam, by candidate"});
+  write_h5(group, "error", jams.error, {"-", "standard error of that from draws, else its bound"});
+  const std::size_t dimensions = jams.curves.size();
+  write_h5(group, "off_centre", jams.off_centre,
+           {"-", "share with the mean of one dimension off by 5 % of its tolerance"}, dimensions);
+  write_h5(group, "pockets_alone", jams.pockets_alone,
+           {"-", "share with all variance of one dimension among pockets"}, dimensions);
+  write_h5(group, "lots_alone", jams.lots_alone,
+           {"-", "share with all variance of one dimension from cage to cage"}, dimensions);
   for (const JamCurve& curve : jams.curves) {
     const H5Handle of_dimension = make_h5_group(group, curve.key);
     write_h5(of_dimension, "tolerance_width_mm", curve.tolerance_width_mm,

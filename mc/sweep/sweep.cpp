@@ -61,7 +61,8 @@ RunMessage run_with_journal(const SweepPlan& plan, Journal& journal, std::uint64
   try {
     journal.started(id);
     const StoredOutcome stored = stored_run(plan, id, rank);
-    report = {Ending::finished, stored.status, stored.wall_s};
+    report = {Ending::finished, id, !meets_limits(plan.study, stored), stored.status,
+              stored.wall_s};
     if (stored.status != Status::not_run) {
       journal.finished(stored);
     } else {
@@ -102,14 +103,18 @@ void run_suspects(const SweepPlan& plan, const JournalSet& stored, Journal& jour
 struct Pending {
   std::vector<std::uint64_t> ids;
   Tally before;
+  CompletedPrefix prefix;
 };
 
-Pending pending_samples(const SweepPlan& plan, const JournalSet& stored) {
+Pending pending_samples(const SweepPlan& plan, const JournalSet& stored,
+                        const SweepOptions& options) {
   Pending pending;
+  pending.prefix = CompletedPrefix(options.allowed_misses);
   for (std::uint64_t id = 0; id < plan.samples; ++id) {
     const auto found = stored.finished.find(id);
     if (found != stored.finished.end()) {
       pending.before.count(found->second.status);
+      pending.prefix.add(id, !meets_limits(plan.study, found->second));
       continue;
     }
     const auto losses = stored.losses.find(id);
@@ -130,7 +135,7 @@ class Leader {
  private:
   /// Brings study.h5 up to date from the journals of this study and build; false with a message
   /// when that is not possible, or when they lack a sample that this sweep has `done`.
-  bool rebuild(std::uint64_t done);
+  bool rebuild(std::uint64_t done, const CompletedPrefix& prefix);
   void idle(const WorkList& list, Progress& progress);
   /// Whether the directory is where it was; otherwise every rank is asked to stop.
   bool in_place(const Team& team, const Journal& journal);
@@ -149,7 +154,7 @@ JournalHeader owner_of(const SweepPlan& plan, const BuildInfo& build) {
   return {plan.study.hash, build_id(build), 0};
 }
 
-bool Leader::rebuild(std::uint64_t done) {
+bool Leader::rebuild(std::uint64_t done, const CompletedPrefix& prefix) {
   const auto begin = std::chrono::steady_clock::now();
   bool written = true;
   try {
@@ -162,13 +167,16 @@ bool Leader::rebuild(std::uint64_t done) {
           "  remedy: move it out of this directory, which it has entered during the sweep",
           file, header.study_hash, header.build, owner.study_hash, owner.build);
     std::erase_if(stored.finished, [&](const auto& item) { return item.first >= plan_.samples; });
+    const std::size_t found = stored.finished.size();
+    if (prefix.used_up())
+      std::erase_if(stored.finished, [&](const auto& item) { return item.first >= prefix.size(); });
     write_study_file(study_file_path(options_.directory), plan_, stored.finished, build_);
-    if (stored.finished.size() < done) {
+    if (found < done) {
       for (const std::string& note : stored.notes) spdlog::error("{}", note);
       spdlog::error(
           "{}: the journals hold {} of the {} samples done: some were removed, damaged or refused "
           "meanwhile",
-          journal_directory(options_.directory), stored.finished.size(), done);
+          journal_directory(options_.directory), found, done);
       written = false;
     }
   } catch (const std::exception& problem) {
@@ -196,16 +204,16 @@ bool Leader::in_place(const Team& team, const Journal& journal) {
 void Leader::idle(const WorkList& list, Progress& progress) {
   progress.update(list.state().tally);
   const double interval = std::max(options_.rebuild_interval_s, rebuild_s_ / kRebuildShare);
-  if (seconds_since(last_rebuild_) > interval) rebuild(0);
+  if (seconds_since(last_rebuild_) > interval) rebuild(0, list.state().prefix);
 }
 
 int Leader::lead(const Team& team, Journal& journal, const RunSample& run) {
   const JournalHeader owner = owner_of(plan_, build_);
-  const Pending pending =
-      pending_samples(plan_, read_journals(journal_directory(options_.directory), &owner));
+  const Pending pending = pending_samples(
+      plan_, read_journals(journal_directory(options_.directory), &owner), options_);
   if (pending.before.done > 0)
     spdlog::info("{} of {} samples are already done", pending.before.done, plan_.samples);
-  WorkList list(pending.ids, pending.before);
+  WorkList list(pending.ids, pending.before, pending.prefix);
   Progress progress(options_.progress, pending.before.done, plan_.samples);
   const bool orderly = lead_team(team, list, run, [&] {
     if (in_place(team, journal)) idle(list, progress);
@@ -217,7 +225,7 @@ int Leader::lead(const Team& team, Journal& journal, const RunSample& run) {
     spdlog::info("{:.1f} s on {} ranks, {:.1f} % of it inside samples", elapsed, team.size(),
                  100 * state.busy_s / (elapsed * team.size()));
   if (orderly) journal.sync();
-  const bool written = !gone_ && rebuild(state.tally.done);
+  const bool written = !gone_ && rebuild(state.tally.done, state.prefix);
   const int code = conclude(state, written);
   // The computing thread, or another rank, is still busy and a signal leaves no time to wait for
   // it. Journals are complete.
@@ -232,7 +240,10 @@ int Leader::conclude(const WorkList::State& state, bool written) const {
         "{} samples have no outcome: integration.wall_budget_s or the memory ran out; start again "
         "with more",
         state.without_outcome);
-  if (tally.done < plan_.samples || !written || state.cannot_write) {
+  if (state.prefix.used_up())
+    spdlog::info("ended after {} of {} samples: no more than {} may miss a limit",
+                 state.prefix.size(), plan_.samples, *options_.allowed_misses);
+  if ((tally.done < plan_.samples && !state.prefix.used_up()) || !written || state.cannot_write) {
     spdlog::warn("interrupted with {} of {} samples done: start the same command again to go on",
                  tally.done, plan_.samples);
     return kInterrupted;

@@ -20,6 +20,8 @@ struct SweepOptions {
   std::string directory;
   ProgressStyle progress = ProgressStyle::automatic;
   double rebuild_interval_s = 180;  ///< how often study.h5 is brought up to date on the way
+  /// The sweep ends where more of its first samples miss a limit, or have no result; rank 0's.
+  std::optional<std::uint64_t> allowed_misses = {};
 };
 
 /// `make_plan` reads the study; every rank calls it. Returns the exit code of the program on rank

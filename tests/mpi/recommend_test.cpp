@@ -201,5 +201,56 @@ TEST_F(RecommendTest, BadInputEndsWithTwoOnAnyNumberOfRanks) {
   EXPECT_THAT(other.output, HasSubstr("scene.load.radial_N"));
 }
 
+/// The study of which nothing but jams decides, with runs that meet all limits.
+std::vector<std::string> recommend_jams(const std::string& directory,
+                                        const std::vector<std::string>& settings) {
+  std::vector<std::string> command = {CAGETOL_BINARY_DIR "/standin_recommend",
+                                      CAGETOL_SOURCE_DIR "/inputs/studies/nu205-jams.toml",
+                                      directory,
+                                      "--ms",
+                                      "0",
+                                      "--value",
+                                      "0"};
+  for (const std::string& setting : settings) command.insert(command.end(), {"--set", setting});
+  return command;
+}
+
+// Of tolerances of 0.6 mm one cage in seven does not fit: no run is spent on it.
+TEST_F(RecommendTest, CagesThatDoNotFitAreDrawnAgainAlikeOnAnyNumberOfRanks) {
+  const std::vector<std::string> wide = {
+      "tolerance.target_yield=0.8",
+      "tolerance.dimension=[{key='cage.pocket_width_mm', tolerance_width_mm=0.1, candidates=[0.3, "
+      "0.6]}]"};
+  const Ended serial = run(recommend_jams(scratch_ / "serial", wide));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  for (const char* stage : {"pilot", "mixture", "confirm-1"}) {
+    const StudyFile runs = read_study_file(file("serial", stage));
+    for (const auto& [id, outcome] : runs.outcomes)
+      EXPECT_EQ(outcome.status, Status::ok) << stage << " " << id;
+  }
+  for (const int ranks : {1, 2, 4}) {
+    const std::string directory = "ranks" + std::to_string(ranks);
+    const Ended ended = run(with_mpirun(ranks, recommend_jams(scratch_ / directory, wide)));
+    ASSERT_EQ(ended.code, 0) << ended.output;
+    expect_same("serial", directory);
+  }
+}
+
+// Geometry knows that 99.43 % fit at IT14: 856 runs confirm it in two attempts.
+TEST_F(RecommendTest, WhereNothingButJamsDecidesTheWidestThatMeetsTheTargetIsConfirmed) {
+  int widest = 0;
+  for (int seed = 1; seed <= 20; ++seed) {
+    const std::string directory = "seed" + std::to_string(seed);
+    const Ended ended = run(recommend_jams(
+        scratch_ / directory, {"recommend.budget_samples=1220", "seed=" + std::to_string(seed)}));
+    ASSERT_EQ(ended.code, 0) << ended.output;
+    const StudyFile confirmed = read_study_file(file(directory, "confirm-1"));
+    const std::string grades = "grades = [ 'IT14', 'IT14' ]";
+    widest += confirmed.study_toml.find(grades) != std::string::npos &&
+              ended.output.find("runs meet all limits: confirmed") != std::string::npos;
+  }
+  EXPECT_GE(widest, 18);
+}
+
 }  // namespace
 }  // namespace cagetol

@@ -1,11 +1,12 @@
 // `cagetol recommend` with a formula in place of the physics: the cage slips by how far its widest
 // pocket exceeds the nominal 7.65 mm, and by 0.01 more for each slice of a contact below five. A
-// share of the runs may be lost.
+// share of the runs may be lost. With --value every other quantity has that value.
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <numbers>
+#include <optional>
 #include <thread>
 
 #include "mc/commands/recommend_stages.hpp"
@@ -20,7 +21,7 @@ bool is_lost(const cagetol::Sample& sample, double share) {
 }
 
 cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds, double lost_share,
-                     const cagetol::StopRequested& stop) {
+                     std::optional<double> value, const cagetol::StopRequested& stop) {
   using clock = std::chrono::steady_clock;
   const auto end = clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
   cagetol::Outcome outcome;
@@ -35,7 +36,8 @@ cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds, double 
   }
   const auto& widths = sample.scene.cage.pocket_width;
   outcome.status = cagetol::Status::ok;
-  outcome.quantities.assign(cagetol::quantity_table().size(), sample.scene.start.cage_phase);
+  outcome.quantities.assign(cagetol::quantity_table().size(),
+                            value.value_or(sample.scene.start.cage_phase));
   outcome.quantities[static_cast<std::size_t>(cagetol::quantity_index("cage_slip_ratio"))] =
       1e3 * *std::max_element(widths.begin(), widths.end()) - 7.65 +
       0.01 * static_cast<double>(5 - sample.scene.discretisation.race_slices) +
@@ -51,6 +53,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> settings;
   RecommendOptions options;
   double milliseconds = 0.5, lost_share = 0;
+  std::optional<double> value;
   CLI::App app{"recommendation of a stand-in study"};
   app.add_option("study", study)->required();
   app.add_option("directory", options.directory)->required();
@@ -58,12 +61,14 @@ int main(int argc, char** argv) {
   app.add_option("--ms", milliseconds);
   app.add_flag("--exit-code", options.exit_code);
   app.add_option("--lost", lost_share, "share of the runs that fail");
+  app.add_option("--value", value, "of all quantities but the cage's slip");
   CLI11_PARSE(app, argc, argv);
   log_to_stderr();
-  const auto make_plan = [milliseconds, lost_share](const Study& stage) {
+  const auto make_plan = [&](const Study& stage) {
     SweepPlan plan = make_sweep_plan(stage);
-    plan.job = [milliseconds, lost_share](const Sample& sample, const StopRequested& stop) {
-      return SampleRun{run(sample, milliseconds, lost_share, stop), {}};
+    plan.prepare = {};  // no cage is solved
+    plan.job = [=](const Sample& sample, const StopRequested& stop) {
+      return SampleRun{run(sample, milliseconds, lost_share, value, stop), {}};
     };
     return plan;
   };

@@ -55,6 +55,7 @@ const std::vector<NamedLaw> spread_laws = {
      true},
     {"capability", Capability{-0.05, 0.05, 1.33, {}}},
     {"capability_shifted", Capability{-0.05, 0.05, 1.33, 1.0}},
+    {"capability_lower", Capability{-0.05, 0.05, 1.33, {}, 1.0}},
 };
 
 std::vector<double> probabilities() {

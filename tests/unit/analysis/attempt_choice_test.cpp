@@ -19,21 +19,27 @@ MixtureStudy mixture_of(double target, std::int64_t rows = 900) {
   return study_mixture(study);
 }
 
+/// The first choice, or the one after these attempts.
+std::optional<AttemptChoice> choice(const MixtureStudy& mixture, CampaignPlan plan,
+                                    const std::vector<Tried>& tried = {}) {
+  return choose_attempt(mixture, plan, tried);
+}
+
 double tolerance_width(const AttemptChoice& choice) {
   return choice.recommendation.tolerances[0].tolerance_width_mm;
 }
 
 TEST(ChooseAttempt, TakesTheWidestWhileAnotherAttemptRemains) {
-  const MixtureStudy mixture = mixture_of(0.965);
-  const CampaignPlan plan{.mixture_rows = 900, .confirm_runs = 900};
-  const auto first = choose_attempt(mixture, plan, {});
+  const MixtureStudy mixture = mixture_of(0.9);
+  const CampaignPlan plan{.mixture_rows = 900, .confirm_runs = 900, .error_shares = 2};
+  const auto first = choice(mixture, plan);
   ASSERT_TRUE(first);
   EXPECT_NEAR(tolerance_width(*first), 0.09, 1e-12);
   // Runs are left for the narrower one.
   EXPECT_LE(first->runs + confirming_runs(0, confirmation_rules(mixture.runs.plan, 0)), 900u);
   CampaignPlan failed = plan;
-  failed.attempts = {{first->recommendation.candidate, first->runs}};
-  const auto second = choose_attempt(mixture, failed, {{{0.09}, {}}});
+  failed.attempts = {{first->recommendation.candidate, first->runs, first->runs}};
+  const auto second = choice(mixture, failed, {{{{0.09}, {}}, false}});
   ASSERT_TRUE(second);
   EXPECT_NEAR(tolerance_width(*second), 0.058, 1e-12);
   EXPECT_LE(first->runs + second->runs, 900u);
@@ -42,15 +48,19 @@ TEST(ChooseAttempt, TakesTheWidestWhileAnotherAttemptRemains) {
 TEST(ChooseAttempt, TakesAProbableOneLast) {
   MixtureStudy mixture = mixture_of(0.965);
   mixture.runs.plan.campaign.attempts = 1;
-  const auto only = choose_attempt(mixture, {.mixture_rows = 900, .confirm_runs = 400}, {});
+  const auto only = choice(mixture, {.mixture_rows = 900, .confirm_runs = 400});
   ASSERT_TRUE(only);
   EXPECT_NEAR(tolerance_width(*only), 0.058, 1e-12);
 }
 
 TEST(ChooseAttempt, AsksForAsManyRunsAsTheYieldNeeds) {
   const CampaignPlan plan{.mixture_rows = 900, .confirm_runs = 100000};
-  const auto near = choose_attempt(mixture_of(0.965), plan, {});
-  const auto far = choose_attempt(mixture_of(0.93), plan, {});
+  const auto wide = [&](double target) {
+    MixtureStudy mixture = mixture_of(target);
+    mixture.runs.plan.campaign.attempts = 1;
+    return choice(mixture, plan);
+  };
+  const auto near = wide(0.965), far = wide(0.93);
   ASSERT_TRUE(near && far);
   EXPECT_NEAR(tolerance_width(*near), tolerance_width(*far), 1e-12);
   EXPECT_GT(near->runs, 3 * far->runs);
@@ -58,9 +68,9 @@ TEST(ChooseAttempt, AsksForAsManyRunsAsTheYieldNeeds) {
 
 TEST(ChooseAttempt, NeedsRunsForOneAttempt) {
   const MixtureStudy mixture = mixture_of(0.9);
-  const std::size_t fewest = confirming_runs(0, confirmation_rules(mixture.runs.plan, 0));
-  EXPECT_TRUE(choose_attempt(mixture, {.mixture_rows = 900, .confirm_runs = fewest}, {}));
-  EXPECT_FALSE(choose_attempt(mixture, {.mixture_rows = 900, .confirm_runs = fewest - 1}, {}));
+  // Two attempts take 36 runs each without a failure, one alone 29.
+  EXPECT_TRUE(choice(mixture, {.mixture_rows = 900, .confirm_runs = 29}));
+  EXPECT_FALSE(choice(mixture, {.mixture_rows = 900, .confirm_runs = 28}));
 }
 
 TEST(ChooseAttempt, KnowsFromGeometryWhichCandidateJams) {
@@ -72,8 +82,8 @@ TEST(ChooseAttempt, KnowsFromGeometryWhichCandidateJams) {
   const CampaignPlan plan{.mixture_rows = 180, .confirm_runs = 400};
   const auto chosen = [&](const std::vector<double>& jams) {
     study.jam.candidate = jams;
-    const auto choice = choose_attempt(study_mixture(study), plan, {});
-    return choice ? tolerance_width(*choice) : 0;
+    const auto next = choice(study_mixture(study), plan);
+    return next ? tolerance_width(*next) : 0;
   };
   EXPECT_NEAR(chosen({}), 0.022, 1e-12);
   EXPECT_NEAR(chosen({0, 0, 0.006}), 0.015, 1e-12);
@@ -98,6 +108,27 @@ TEST(ChooseAttempt, FewRunsOfManyCandidatesArePooledByTolerance) {
     EXPECT_NEAR(candidates[k].if_unknown_fail,
                 widest_pocket_yield(study.plan.candidates[k].tolerance_widths_mm[0]), 0.05)
         << k;
+}
+
+TEST(ChooseAttempt, GoesFromNarrowToWideWhereThatTakesFewerRuns) {
+  // 0.09 mm is near the target, 0.058 mm takes few runs: first it, with the whole error.
+  const MixtureStudy mixture = mixture_of(0.95);
+  CampaignPlan plan{.mixture_rows = 900, .confirm_runs = 4000};
+  const auto first = choose_attempt(mixture, plan, {});
+  ASSERT_TRUE(first);
+  EXPECT_EQ(plan.error_shares, 1u);
+  EXPECT_NEAR(tolerance_width(*first), 0.058, 1e-12);
+  plan.attempts = {{first->recommendation.candidate, first->runs, first->runs}};
+  const auto second = choose_attempt(mixture, plan, {{{{0.058}, {}}, true}});
+  ASSERT_TRUE(second);
+  EXPECT_NEAR(tolerance_width(*second), 0.09, 1e-12);
+  EXPECT_FALSE(choose_attempt(mixture, plan, {{{{0.058}, {}}, false}}));  // ends the sequence
+  // At 90 % both take the fewest runs: the wide one first, then the narrow one if it fails.
+  CampaignPlan easy{.mixture_rows = 900, .confirm_runs = 4000};
+  const auto wide = choose_attempt(mixture_of(0.9), easy, {});
+  ASSERT_TRUE(wide);
+  EXPECT_EQ(easy.error_shares, 2u);
+  EXPECT_NEAR(tolerance_width(*wide), 0.09, 1e-12);
 }
 
 TEST(PassedOver, SaysWhatJams) {

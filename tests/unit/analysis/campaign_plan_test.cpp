@@ -41,6 +41,11 @@ TEST(PlanCampaign, SharesABudgetOfRuns) {
   plan = plan_campaign(pilot, settings, 480, 1);
   EXPECT_EQ(plan.mixture_rows, 400u);  // 500 / 1.25
   EXPECT_EQ(plan.confirm_runs, 1500u);
+  // 40 rows for each of four widths first, of no more than half.
+  settings = {.confirm_samples = 900, .budget_samples = 600};
+  EXPECT_EQ(plan_campaign(pilot, settings, 480, 1).mixture_rows, 160u);
+  settings.budget_samples = 400;
+  EXPECT_EQ(plan_campaign(pilot, settings, 480, 1).mixture_rows, 120u);  // 150 / 1.25
 }
 
 TEST(PlanCampaign, LeavesConfirmationsMoreWhereTheYieldIsNearTheTarget) {
@@ -73,12 +78,24 @@ TEST(PlanCampaign, SaysWhatJudgesEveryCandidateOfOneDimension) {
   const std::size_t rows = 30 * pilot.plan.candidates.size();
   CampaignPlan plan = plan_campaign(pilot, {.budget_samples = 2000}, 480, 1);
   plan.mixture_rows = rows - 1;
-  EXPECT_THAT(
-      plan_text(pilot, plan),
-      HasSubstr("recommend.budget_samples = " + std::to_string(4 * rows + 100) + " gives them"));
-  EXPECT_GE(plan_campaign(pilot, {.budget_samples = 4 * rows + 100}, 480, 1).mixture_rows, rows);
+  EXPECT_THAT(plan_text(pilot, plan),
+              HasSubstr("recommend.budget_samples = " + std::to_string(264 + 100) + " gives them"));
+  EXPECT_GE(plan_campaign(pilot, {.budget_samples = 264 + 100}, 480, 1).mixture_rows, rows);
   plan.mixture_rows = rows;
   EXPECT_THAT(plan_text(pilot, plan), Not(HasSubstr("budget_samples")));
+}
+
+TEST(DecidableText, NamesTheWidestThatFits) {
+  const StudyPlan plan = tolerance_standin(10, 3, {kPrintedWidth}, 0.95, widest_pocket).plan;
+  const ConfirmationRules rules{0.95, 0.95, 2, 0};
+  EXPECT_EQ(decidable_text(plan.candidates, {}, rules, 300),
+            "with 300 confirming runs: 0.15 mm to 95 %, where at most 8 of them miss a limit");
+  EXPECT_THAT(decidable_text(plan.candidates, {0, 0, 0.01, 0.06}, rules, 300),
+              HasSubstr("0.09 mm to 95 %"));
+  EXPECT_THAT(decidable_text(plan.candidates, {0.1, 0.1, 0.1, 0.1}, rules, 300),
+              HasSubstr("no candidate"));
+  EXPECT_EQ(decidable_text(plan.candidates, {}, rules, 58),
+            "with 58 confirming runs: nothing to 95 %, which takes 59");
 }
 
 TEST(PlanCampaign, SaysWhichBudgetWouldDo) {
@@ -87,7 +104,7 @@ TEST(PlanCampaign, SaysWhichBudgetWouldDo) {
     FAIL();
   } catch (const Refused& refusal) {
     EXPECT_THAT(refusal.what(), HasSubstr("up to 2 attempts"));
-    EXPECT_THAT(refusal.what(), HasSubstr("72 runs are needed to confirm 95 %"));
+    EXPECT_THAT(refusal.what(), HasSubstr("59 runs are needed to confirm 95 %"));
     EXPECT_THAT(refusal.what(), HasSubstr("220 runs in all are the least"));
   }
 }
@@ -103,10 +120,11 @@ TEST(CampaignPlan, IsReadAsWritten) {
   const CampaignPlan plan{
       1000,
       500,
+      2,
       0.123456789012345678,
       3,
       {.attempts = 2, .confirm_samples = 7, .budget_samples = 9, .budget_h = 0.1},
-      {{4, 300}, {2, 150}}};
+      {{4, 300, 300}, {2, 150, 150}}};
   const CampaignPlan read = campaign_plan_of(to_json(plan));
   EXPECT_EQ(to_json(read), to_json(plan));
   EXPECT_EQ(read.mixture_rows, 1000u);

@@ -26,6 +26,48 @@ TEST(ConfirmingRuns, ShareTheErrorOverTheAttempts) {
   EXPECT_EQ(confirming_runs(0, rules), 86u);
 }
 
+/// Runs of one candidate, the share j of whose cages jams.
+StudyData fitting_runs(double j, double draws) {
+  StudyData runs;
+  runs.plan.redraw_jams = true;
+  runs.jam.candidate = {j};
+  runs.jam.draws = draws;
+  return runs;
+}
+
+// Pocket widths of IT14: 99.43 % fit. Integrated, from a million draws and from 8192.
+TEST(ConfirmingRuns, OfCagesThatFitMultiplyBothBounds) {
+  const std::size_t expected[3][2] = {{695, 856}, {741, 915}, {2511, 3796}};
+  const double draws[] = {0, 1e6, 8192};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const std::size_t attempts : {1, 2}) {
+      const StudyData runs = fitting_runs(0.0057228, draws[i]);
+      const ConfirmationRules rules = rules_for({0.99, 0.95, attempts, 0}, runs, 0);
+      EXPECT_NEAR(static_cast<double>(confirming_runs(0, rules)),
+                  static_cast<double>(expected[i][attempts - 1]), i == 2 ? 80 : 1);
+      EXPECT_NEAR(confirming_probability(1 - 0.0057228, 1000, rules), i == 2 ? 0 : 1, 1e-9);
+    }
+  const ConfirmationRules hopeless = rules_for({0.99, 0.95, 1, 0}, fitting_runs(0.0099995, 0), 0);
+  EXPECT_FALSE(can_confirm(hopeless));
+  EXPECT_FALSE(allowed_failures(100000, hopeless));
+  EXPECT_THROW(confirming_runs(0, hopeless), Refused);
+}
+
+TEST(JudgeConfirmation, GivesTheYieldOfAllCages) {
+  StudyData study = plain_study(1000, "random");
+  study.plan.redraw_jams = true;
+  study.plan.limits = {{"badness", {}, 0.0, "test", 1}};
+  study.quantities = {{"badness", "-", "test", std::vector<double>(1000, -1)}};
+  study.jam.candidate = {0.004};
+  study.quantities[0].values[7] = 1;
+  const Confirmation result = judge_confirmation(study, {0.98, 0.95, 1, 0});
+  EXPECT_TRUE(result.passed);
+  EXPECT_DOUBLE_EQ(result.yield.if_unknown_fail, 0.996 * 0.999);
+  EXPECT_DOUBLE_EQ(result.yield.lower_bound,
+                   (0.996 - 1e-6) * clopper_pearson_lower(999, 1000, 0.95));
+  EXPECT_DOUBLE_EQ(result.yield.fits, 0.996);
+}
+
 TEST(AllowedFailures, AreWhatTheExactBoundAllows) {
   for (const double target : {0.5, 0.9, 0.99})
     for (const std::size_t attempts : {1, 2, 5}) {
@@ -97,6 +139,56 @@ TEST(JudgeConfirmation, RefusesDependentRuns) {
   EXPECT_THROW(judge_confirmation(plain_study(100, "random", 4), {}), Refused);
 }
 
+/// Attempts of 60 runs each, at a target of 90 %: so many fail.
+std::vector<StudyData> attempts_of(const std::vector<int>& failures, std::size_t shares) {
+  std::vector<StudyData> attempts;
+  for (const int failing : failures) {
+    StudyData study = plain_study(60);
+    study.plan.target_yield = 0.9;
+    study.plan.campaign.attempts = shares;
+    study.plan.limits = {{"q", {}, 1.0, "test", 1}};
+    study.quantities = {{"q", "-", "test", std::vector<double>(60, 0.5)}};
+    std::fill_n(study.quantities[0].values.begin(), failing, 2.0);
+    attempts.push_back(study);
+  }
+  return attempts;
+}
+
+TEST(JudgeAttempts, BoundsASequenceByItsLeast) {
+  const auto bound = [](int failing, double confidence) {
+    return clopper_pearson_lower(60 - failing, 60, confidence);
+  };
+  JudgedAttempts judged = judge_attempts(attempts_of({0, 1}, 1));
+  EXPECT_EQ(judged.decisive, 1u);
+  EXPECT_NEAR(judged.lower_bound, bound(1, 0.95), 1e-12);
+  judged = judge_attempts(attempts_of({1, 0}, 1));
+  EXPECT_NEAR(judged.lower_bound, bound(1, 0.95), 1e-12);
+  judged = judge_attempts(attempts_of({0, 9}, 1));  // the next did not confirm
+  EXPECT_EQ(judged.decisive, 0u);
+  EXPECT_DOUBLE_EQ(judged.lower_bound, 0.9);
+  judged = judge_attempts(attempts_of({9, 0}, 2));  // each has half of the error
+  EXPECT_EQ(judged.decisive, 1u);
+  EXPECT_NEAR(judged.lower_bound, bound(0, 0.975), 1e-12);
+  judged = judge_attempts(attempts_of({9, 8}, 2));
+  EXPECT_EQ(judged.decisive, 1u);
+  EXPECT_NEAR(judged.lower_bound, bound(8, 0.975), 1e-12);
+}
+
+TEST(IsComplete, WithAllRunsOrTheAllowedFailuresUsedUp) {
+  StudyData attempt = attempts_of({2}, 1).front();
+  attempt.design.samples_planned = 60;
+  EXPECT_TRUE(is_complete(attempt));
+  attempt.design.samples_planned = 76;  // one may fail of 46, two of 61, three of 76
+  EXPECT_FALSE(is_complete(attempt));
+  attempt.design.samples_planned = 61;
+  EXPECT_FALSE(is_complete(attempt));
+  EXPECT_TRUE([&] {
+    StudyData over = attempts_of({3}, 1).front();
+    over.design.samples_planned = 61;
+    return is_complete(over);
+  }());
+}
+
 TEST(SurestAttempt, IsTheOnePassedOrTheOneWithTheHighestBound) {
   const auto attempt = [](double lower_bound, bool passed) {
     Confirmation confirmation;
@@ -106,6 +198,7 @@ TEST(SurestAttempt, IsTheOnePassedOrTheOneWithTheHighestBound) {
   };
   EXPECT_EQ(surest_attempt({attempt(0.9, false), attempt(0.93, false), attempt(0.92, false)}), 1u);
   EXPECT_EQ(surest_attempt({attempt(0.97, false), attempt(0.96, true)}), 1u);
+  EXPECT_EQ(surest_attempt({attempt(0.99, true), attempt(0.96, true), attempt(0.8, false)}), 1u);
 }
 
 }  // namespace

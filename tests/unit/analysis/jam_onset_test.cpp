@@ -1,24 +1,34 @@
 #include "analysis/tolerance/jam_onset.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace cagetol {
 namespace {
 
-const JamCurve kCurve{"cage.pocket_width_mm", {0.1, 0.2, 0.3, 0.4}, {0, 0, 0.01, 0.05}};
+/// Ten times as many for each 0.1 mm.
+const JamCurve kCurve{"cage.pocket_width_mm", {0.1, 0.2, 0.3, 0.4}, {2e-8, 2e-6, 0.0002, 0.02}};
 
-TEST(JamOnset, LiesBetweenTheTolerancesDrawn) {
-  const JamOnset onset = jam_onset(kCurve, 0.97);
-  EXPECT_DOUBLE_EQ(*onset.free_mm, 0.2);
+TEST(JamOnset, LiesBetweenTheTolerancesOfTheCurve) {
+  const JamOnset onset = jam_onset(kCurve, 0.998);
+  EXPECT_NEAR(*onset.ppm_mm, 0.2 - 0.1 * std::log10(2) / 2, 1e-12);
   EXPECT_NEAR(*onset.limit_mm, 0.35, 1e-12);
-  EXPECT_NEAR(*jam_onset(kCurve, 0.99).limit_mm, 0.3, 1e-9);  // 1 % of jams still meets 99 %
+  EXPECT_NEAR(*jam_onset(kCurve, 0.9998).limit_mm, 0.3, 1e-9);  // so many still meet the target
 }
 
 TEST(JamOnset, IsNotClaimedBeyondTheCurve) {
   EXPECT_FALSE(jam_onset(kCurve, 0.9).limit_mm);
   const JamOnset always = jam_onset({"x", {0.1, 0.2}, {0.2, 0.5}}, 0.9);
-  EXPECT_FALSE(always.free_mm);
+  EXPECT_FALSE(always.ppm_mm);
   EXPECT_DOUBLE_EQ(*always.limit_mm, 0.1);
+}
+
+// Of drawn cages few shares may be none.
+TEST(JamOnset, KnowsCurvesThatBeginWithoutAJam) {
+  const JamOnset onset = jam_onset({"x", {0.1, 0.2, 0.3}, {0, 0, 0.001}}, 0.9);
+  EXPECT_GT(*onset.ppm_mm, 0.2);
+  EXPECT_LT(*onset.ppm_mm, 0.3);
 }
 
 }  // namespace

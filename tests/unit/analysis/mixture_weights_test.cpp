@@ -1,10 +1,12 @@
 #include "analysis/tolerance/mixture_weights.hpp"
 
+#include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "analysis/statistics/yield.hpp"
+#include "analysis/tolerance/yield_curve.hpp"
 #include "tests/support/tolerance_standin.hpp"
 
 namespace cagetol {
@@ -96,6 +98,36 @@ TEST(MixtureWeights, MeasuredValuesHaveNoDensity) {
   EXPECT_NE(mixture.note.find("measured"), std::string::npos);
   for (std::size_t i = 0; i < 80; ++i)
     EXPECT_DOUBLE_EQ(mixture.candidate[2][i], study.candidate[i] == 2 ? 8 : 0);
+}
+
+// Fails: a pocket wider by 26 um. Does not fit: one narrower by 30 um.
+TEST(MixtureWeights, OfCagesThatFitGiveTheYieldOfAll) {
+  const StandinDimension width{"cage.pocket_width_mm", 0, 0.012, {0.6, 1, 1.6}};
+  StudyData all = tolerance_standin(60000, 11, {width}, 0.95, widest_pocket);
+  std::vector<std::size_t> fitting;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto first = all.inputs[0].pocket.begin() + static_cast<std::ptrdiff_t>(13 * i);
+    if (*std::min_element(first, first + 13) > -0.03) fitting.push_back(i);
+  }
+  StudyData runs = select_samples(all, fitting);
+  runs.plan.redraw_jams = true;
+  std::vector<double> yields;
+  for (const double scale : width.scales) {
+    const double above = gsl_cdf_gaussian_Q(-0.03, 0.012 * scale);
+    runs.jam.candidate.push_back(1 - std::pow(above, 13));
+    yields.push_back(std::pow(above - gsl_cdf_gaussian_Q(0.026, 0.012 * scale), 13));
+  }
+  EXPECT_GT(runs.jam.candidate[2], 0.5);
+  const auto joint = judge_all(runs);
+  const YieldCurves curves =
+      yield_curves(runs, mixture_weights(runs), joint, Resampling(runs, 50), 0.95);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Yield& yield = curves.candidates[k];
+    EXPECT_NEAR(yield.if_unknown_fail, yields[k],
+                4 * std::sqrt(yields[k] * (1 - yields[k]) / yield.ess))
+        << k;
+    EXPECT_NEAR(yield.fits, 1 - runs.jam.candidate[k], 1e-15);
+  }
 }
 
 }  // namespace

@@ -162,8 +162,8 @@ TEST(Empirical, DrawsMeasuredValuesOnly) {
   EXPECT_DOUBLE_EQ(standard_deviation(law), std::sqrt(11.0 / 16));
 }
 
-// sigma = T / (6 cp); cpk = (upper - mean) / (3 sigma).
-TEST(Capability, IsANormalLawWhoseMeanLeansToTheUpperLimit) {
+// sigma = T / (6 cp); cpk = (upper - mean) / (3 sigma), cpk_lower = (mean - lower) / (3 sigma).
+TEST(Capability, IsANormalLawWhoseMeanLeansToEitherLimit) {
   const Normal centred = normal_of(Capability{-0.05, 0.05, 1.25, {}});
   EXPECT_DOUBLE_EQ(centred.mean, 0);
   EXPECT_DOUBLE_EQ(centred.sigma, 0.1 / 7.5);
@@ -171,6 +171,10 @@ TEST(Capability, IsANormalLawWhoseMeanLeansToTheUpperLimit) {
   expect_close(shifted.sigma, 0.1 / 12);
   expect_close((8.1 - shifted.mean) / (3 * shifted.sigma), 1.0);
   EXPECT_GT(shifted.mean, 8.05);
+  const Normal low = normal_of(Capability{8.0, 8.1, 2, {}, 1.0});
+  EXPECT_DOUBLE_EQ(low.sigma, shifted.sigma);
+  expect_close((low.mean - 8.0) / (3 * low.sigma), 1.0);
+  expect_close(normal_of(Capability{8.0, 8.1, 2, {}, {}, -0.01}).mean, 8.04);
 }
 
 TEST(LawName, IsTheOneOfStudyFiles) {
@@ -235,7 +239,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{Empirical{{nan}}, "measured value nan"}, Refusal{Capability{0, 1, 0, {}}, "cp = 0"},
         Refusal{Capability{1, 0, 1, {}}, "ascending"},
         Refusal{Capability{0, 1, 1, 1.2}, "cpk = 1.2 exceeds cp = 1"},
-        Refusal{Capability{0, 1, 1, 0.0}, "cpk = 0 puts the mean"}));
+        Refusal{Capability{0, 1, 1, 0.0}, "cpk = 0 puts the mean"},
+        Refusal{Capability{0, 1, 1, {}, 1.2}, "cpk_lower = 1.2 exceeds cp = 1"},
+        Refusal{Capability{0, 1, 1, {}, {}, -0.5}, "offset = -0.5 puts the mean"},
+        Refusal{Capability{0, 1, 1, 0.9, 0.9}, "give one of them"}));
 
 }  // namespace
 }  // namespace cagetol

@@ -3,13 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mc/host/progress.hpp"
 
 namespace cagetol {
 namespace {
 
 RunMessage finished(Status status) {
-  return {Ending::finished, status, 0.5, false};
+  return {.ending = Ending::finished, .status = status, .wall_s = 0.5};
 }
 
 TEST(WorkListTest, GivesEachSampleOnceInOrder) {
@@ -47,6 +49,34 @@ TEST(WorkListTest, ASampleWithoutOutcomeIsNotDone) {
   EXPECT_EQ(list.exchange({.ending = Ending::no_outcome}), 1u);
   EXPECT_EQ(list.state().tally.done, 0u);
   EXPECT_EQ(list.state().without_outcome, 1u);
+}
+
+TEST(CompletedPrefixTest, EndsWithTheMissThatUsesUpTheAllowed) {
+  // Whatever order the samples come in: 1, 3 and 4 miss, one may.
+  const std::map<std::uint64_t, bool> misses = {
+      {0, false}, {1, true}, {2, false}, {3, true}, {4, true}};
+  for (std::vector<std::uint64_t> order = {0, 1, 2, 3, 4};
+       std::ranges::next_permutation(order).found;) {
+    CompletedPrefix prefix(1);
+    for (const std::uint64_t id : order) prefix.add(id, misses.at(id));
+    EXPECT_TRUE(prefix.used_up());
+    EXPECT_EQ(prefix.size(), 4u);
+  }
+  CompletedPrefix open(1);
+  for (const std::uint64_t id : {4, 3, 1}) open.add(id, true);
+  EXPECT_FALSE(open.used_up()) << "sample 0 may be lost";
+  CompletedPrefix none;
+  none.add(0, true);
+  EXPECT_FALSE(none.used_up());
+}
+
+TEST(WorkListTest, GivesNothingMoreOnceTheAllowedAreUsedUp) {
+  WorkList list({0, 1, 2, 3}, {}, 0);
+  EXPECT_EQ(list.exchange({}), 0u);
+  EXPECT_EQ(list.exchange({}), 1u);
+  EXPECT_EQ(list.exchange({.ending = Ending::finished, .id = 1, .misses = true}), 2u);
+  EXPECT_EQ(list.exchange({.ending = Ending::finished, .id = 0}), std::nullopt);
+  EXPECT_EQ(list.state().prefix.size(), 2u);
 }
 
 TEST(ProgressTest, SaysHowFarHowFastAndHowLong) {

@@ -30,6 +30,8 @@ TEST(LawReader, EveryLawReadsAndReadsBack) {
       "{ law = 'empirical', values = [0.3, -0.1, 0.2] }",
       "{ law = 'capability', lower = -0.05, upper = 0.05, cp = 1.33 }",
       "{ law = 'capability', lower = -0.05, upper = 0.05, cp = 1.33, cpk = 1 }",
+      "{ law = 'capability', lower = -0.05, upper = 0.05, cp = 1.33, cpk_lower = 1 }",
+      "{ law = 'capability', lower = -0.05, upper = 0.05, cp = 1.33, offset = -0.008 }",
   };
   for (const char* text : texts) {
     const Law law = law_of(text);

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 
 #include "distributions/basics/random_stream.hpp"
+#include "mc/study/cage_fit.hpp"
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
@@ -291,6 +294,80 @@ TEST(Sample, ADrawCostsMicroseconds) {
   RecordProperty("microseconds", static_cast<int>(each.count()));
   EXPECT_GT(sum, 0);
   EXPECT_LT(each.count(), 400);
+}
+
+/// Two in five cages do not fit.
+Study jamming_study() {
+  Study study = base_study();
+  study.scene.cage.pocket_width = {7.65e-3};
+  study.inputs[0].pocket = Normal{0, 0.08};
+  study.redraw_jams = true;
+  return study;
+}
+
+TEST(Redraw, GivesCagesThatFitAndKeepsThoseThatDo) {
+  using enum DesignKind;
+  for (const DesignKind design : {random, lhs, sobol}) {
+    Study study = jamming_study();
+    study.design = design;
+    study.samples = static_cast<long>(design_spec(study).rows);
+    Study plain = study;
+    plain.redraw_jams = false;
+    const Sampler redrawing(study), as_drawn(plain), again(study);
+    int redrawn = 0;
+    std::set<std::uint64_t> lots;
+    for (auto id = static_cast<std::uint64_t>(study.samples); id-- > 0;) {
+      const Sample sample = redrawing.draw(id), first = as_drawn.draw(id);
+      EXPECT_TRUE(cage_fits(study, sample.scene));
+      expect_identical(sample, again.draw(id));
+      lots.insert(sample.lot);
+      if (cage_fits(study, first.scene)) {
+        expect_identical(sample, first);
+      } else {
+        ++redrawn;
+        EXPECT_NE(sample.inputs[0].lot, first.inputs[0].lot);  // the lot is drawn again as well
+        EXPECT_NE(sample.inputs[2].value, first.inputs[2].value);
+        EXPECT_EQ(sample.inputs[3].value, first.inputs[3].value);  // noise is the sample's own
+      }
+    }
+    EXPECT_GT(redrawn, study.samples / 5);
+    EXPECT_EQ(lots.size(), static_cast<std::size_t>(study.samples));
+  }
+}
+
+TEST(Redraw, RepetitionsAreOfOneCage) {
+  Study study = jamming_study();
+  study.extra_replicates = 1;
+  const Sampler sampler(study);
+  for (std::uint64_t row = 0; row < 64; ++row) {
+    const Sample first = sampler.draw(row), second = sampler.draw(row + 64);
+    EXPECT_EQ(first.scene.cage.pocket_width, second.scene.cage.pocket_width);
+    EXPECT_NE(first.scene.start.cage_phase, second.scene.start.cage_phase);
+  }
+}
+
+// Of a tolerance under which nothing fits a run jams.
+TEST(Redraw, EndsWhereNothingFits) {
+  Study study = jamming_study();
+  study.inputs[0].nominal = {7.3};
+  study.inputs[0].pocket = Normal{0, 0.01};
+  EXPECT_FALSE(cage_fits(study, draw_sample(study, 0).scene));
+}
+
+// A lot's redrawn cage is of another lot.
+TEST(Redraw, TakesALotOfItsOwn) {
+  Study study = jamming_study();
+  study.cages_per_lot = 8;
+  const Sampler sampler(study);
+  std::map<std::uint64_t, double> value;
+  std::size_t redrawn = 0;
+  for (std::uint64_t id = 0; id < 64; ++id) {
+    const Sample sample = sampler.draw(id);
+    const auto [known, fresh] = value.try_emplace(sample.lot, sample.inputs[0].lot[0]);
+    EXPECT_EQ(known->second, sample.inputs[0].lot[0]);
+    redrawn += sample.lot != id / 8;
+  }
+  EXPECT_GT(redrawn, 5u);
 }
 
 }  // namespace

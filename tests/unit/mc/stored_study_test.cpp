@@ -145,7 +145,9 @@ TEST_F(StudyFileTest, HoldsWhatTheFormatDocumentsAndNothingElse) {
       documented_datasets(text_of(CAGETOL_SOURCE_DIR "/mc/RESULTS_FORMAT.md"));
   ASSERT_GT(expected.size(), 15u);
   expected.erase("inputs/cage.pocket_width_mm/noise");  // this input has none
-  expected.erase("jam/candidate");                      // this study has no candidates
+  std::erase_if(expected, [](const std::string& name) {
+    return name.starts_with("jam/");  // this study has no candidates
+  });
   for (const std::string& name : expected) EXPECT_THAT(entry.paths, testing::Contains(name));
   for (const std::string& path : entry.paths) {
     const std::string group = path.substr(0, path.find('/'));
