@@ -161,7 +161,6 @@ void share_out(CampaignPlan& plan, const StudyData& pilot, std::size_t study_row
         0.0,
         *left - (grows ? lost : 0) - runs_of_rows(study, static_cast<double>(plan.mixture_rows))));
   }
-  require_runs(pilot, plan, rules);
 }
 
 }  // namespace
@@ -229,6 +228,7 @@ CampaignPlan plan_campaign(const StudyData& pilot, const CampaignSettings& setti
                            std::size_t study_rows, double processes) {
   CampaignPlan plan{0, 0, 1, seconds_per_run(pilot), processes, settings};
   share_out(plan, pilot, study_rows);
+  require_runs(pilot, plan, confirmation_rules(pilot.plan, 0));
   return plan;
 }
 
@@ -243,6 +243,7 @@ CampaignPlan with_settings(const CampaignPlan& plan, const StudyData& pilot,
         fmt::format("{} confirming runs are decided already, the budget leaves {}: it "
                     "may be raised, not lowered",
                     decided, changed.confirm_runs));
+  require_runs(pilot, changed, confirmation_rules(pilot.plan, 0));
   return changed;
 }
 
