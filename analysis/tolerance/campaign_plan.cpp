@@ -35,6 +35,11 @@ double runs_of_rows(const StudyPlan& study, double rows) {
   return rows * (1 + study.extra_replicates);
 }
 
+/// Of the mixture: they are run again where it grows.
+double repeats_of(const StudyPlan& study, const CampaignPlan& plan) {
+  return std::ceil(study.extra_replicates * static_cast<double>(plan.mixture_rows));
+}
+
 /// Candidates that the mixture judges by rows of their own: of several dimensions the tolerances and
 /// centres of the one that has most (yield_curve.hpp).
 double judged_tolerances(const StudyPlan& study) {
@@ -58,7 +63,7 @@ ConfirmationRules undivided(ConfirmationRules rules) {
 std::optional<double> runs_left(const StudyData& pilot, const CampaignPlan& plan) {
   std::optional<double> left;
   const auto at_most = [&](double runs) { left = left ? std::min(*left, runs) : runs; };
-  const auto spent = static_cast<double>(pilot.size());
+  const double spent = static_cast<double>(pilot.size()) + plan.repeats_lost;
   if (plan.settings.budget_samples > 0)
     at_most(static_cast<double>(plan.settings.budget_samples) - spent);
   if (plan.settings.budget_h > 0 && plan.seconds_per_run > 0)
@@ -150,14 +155,15 @@ void share_out(CampaignPlan& plan, const StudyData& pilot, std::size_t study_row
                                    kMostMixture * *left),
                  first = runs_of_rows(study, kFirstRows * judged_tolerances(study)),
                  mixture = std::clamp(std::max(*left - attempts * wanted, first), least, most);
-    if (plan.mixture_rows == 0 || (plan.attempts.empty() && pilot.design.kind == "random"))
-      plan.mixture_rows =
-          std::max(plan.mixture_rows,
-                   static_cast<std::size_t>(std::max(0.0, mixture / runs_of_rows(study, 1))));
-    plan.confirm_runs = static_cast<std::size_t>(
-        std::max(0.0, *left - runs_of_rows(study, static_cast<double>(plan.mixture_rows))));
+    const auto rows = static_cast<std::size_t>(std::max(0.0, mixture / runs_of_rows(study, 1)));
+    const double lost = repeats_of(study, plan);
+    const bool extensible = plan.attempts.empty() && pilot.design.kind == "random";
+    const bool grows = (plan.mixture_rows == 0 || extensible) && rows > plan.mixture_rows;
+    if (grows) plan.repeats_lost += lost, plan.mixture_rows = rows;
+    plan.confirm_runs = static_cast<std::size_t>(std::max(
+        0.0,
+        *left - (grows ? lost : 0) - runs_of_rows(study, static_cast<double>(plan.mixture_rows))));
   }
-  require_runs(pilot, plan, rules);
 }
 
 }  // namespace
@@ -192,16 +198,17 @@ bool extend_mixture(CampaignPlan& plan, const StudyData& mixture) {
   const bool budget = plan.settings.budget_samples > 0 || plan.settings.budget_h > 0;
   if (!budget || !affords_attempt(plan, mixture.plan) || mixture.design.kind != "random")
     return false;
-  const std::size_t left = plan.confirm_runs - decided_runs(plan) -
-                           confirming_runs(0, attempt_rules(plan, mixture.plan));
-  const auto rows =
-      std::min(plan.mixture_rows,
-               static_cast<std::size_t>(static_cast<double>(left) / runs_of_rows(mixture.plan, 1)));
+  const auto left = static_cast<double>(plan.confirm_runs - decided_runs(plan) -
+                                        confirming_runs(0, attempt_rules(plan, mixture.plan)));
+  const double lost = repeats_of(mixture.plan, plan);
+  const auto rows = std::min(
+      plan.mixture_rows,
+      static_cast<std::size_t>(std::max(0.0, (left - lost) / runs_of_rows(mixture.plan, 1))));
   if (10 * rows < plan.mixture_rows) return false;
+  plan.repeats_lost += lost;
   plan.mixture_rows += rows;
-  plan.confirm_runs -= std::min(
-      left,
-      static_cast<std::size_t>(std::ceil(runs_of_rows(mixture.plan, static_cast<double>(rows)))));
+  plan.confirm_runs -= static_cast<std::size_t>(
+      std::min(left, std::ceil(lost + runs_of_rows(mixture.plan, static_cast<double>(rows)))));
   return true;
 }
 
@@ -224,6 +231,7 @@ CampaignPlan plan_campaign(const StudyData& pilot, const CampaignSettings& setti
                            std::size_t study_rows, double processes) {
   CampaignPlan plan{0, 0, 1, seconds_per_run(pilot), processes, settings};
   share_out(plan, pilot, study_rows);
+  require_runs(pilot, plan, confirmation_rules(pilot.plan, 0));
   return plan;
 }
 
@@ -238,6 +246,7 @@ CampaignPlan with_settings(const CampaignPlan& plan, const StudyData& pilot,
         fmt::format("{} confirming runs are decided already, the budget leaves {}: it "
                     "may be raised, not lowered",
                     decided, changed.confirm_runs));
+  require_runs(pilot, changed, confirmation_rules(pilot.plan, 0));
   return changed;
 }
 
@@ -248,6 +257,7 @@ nlohmann::ordered_json to_json(const CampaignPlan& plan) {
   return {{"mixture_rows", plan.mixture_rows},
           {"confirm_runs", plan.confirm_runs},
           {"error_shares", plan.error_shares},
+          {"repeats_lost", plan.repeats_lost},
           {"seconds_per_run", plan.seconds_per_run},
           {"processes", plan.processes},
           {"confirm_samples", plan.settings.confirm_samples},
@@ -261,6 +271,7 @@ CampaignPlan campaign_plan_of(const nlohmann::ordered_json& json) {
   json.at("mixture_rows").get_to(plan.mixture_rows);
   json.at("confirm_runs").get_to(plan.confirm_runs);
   json.at("error_shares").get_to(plan.error_shares);
+  json.at("repeats_lost").get_to(plan.repeats_lost);
   json.at("seconds_per_run").get_to(plan.seconds_per_run);
   json.at("processes").get_to(plan.processes);
   json.at("confirm_samples").get_to(plan.settings.confirm_samples);

@@ -30,6 +30,7 @@ struct CampaignPlan {
   double processes = 1;
   CampaignSettings settings = {};             ///< for which the numbers were worked out
   std::vector<PlannedAttempt> attempts = {};  ///< decided so far
+  double repeats_lost = 0;  ///< runs of smaller mixtures that are no rows of the larger one
 };
 
 /// Fewest runs in all that can confirm anything: a pilot, a mixture that can judge one candidate,

@@ -31,7 +31,7 @@ bool same_sample(const Sample& a, const Sample& b) {
 }  // namespace
 
 std::size_t adopt_runs(const Study& study, const std::string& directory, const std::string& from) {
-  StudyFile file = read_study_file(study_file_path(from));
+  const StudyFile file = read_study_file(study_file_path(from));
   const BuildInfo build = build_info();
   const Study other = read_resolved_study(file.study_toml, from);
   if (file.build != build_id(build) || !same_model(study, other)) return 0;
@@ -40,10 +40,8 @@ std::size_t adopt_runs(const Study& study, const std::string& directory, const s
   const Sampler mine(study), theirs(other);
   Journal journal(journal_directory(directory), {study.hash, build_id(build), 0});
   std::size_t adopted = 0;
-  for (auto& [id, outcome] : file.outcomes) {
-    const Sample sample = theirs.draw(id);
-    outcome.id = sample.row + sample.replicate * mine.design().rows();
-    if (outcome.id >= sample_count(study) || !same_sample(mine.draw(outcome.id), sample)) continue;
+  for (const auto& [id, outcome] : file.outcomes) {
+    if (id >= sample_count(study) || !same_sample(mine.draw(id), theirs.draw(id))) continue;
     journal.finished(outcome);
     ++adopted;
   }

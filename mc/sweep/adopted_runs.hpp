@@ -19,7 +19,8 @@ std::size_t adopt_runs(const Study& study, const std::string& directory, const s
 /// process that died in grow_directory() left.
 long stored_rows(const std::string& directory);
 
-/// The complete directory of a sweep becomes that of a study with more rows, with all of its runs.
+/// The complete directory of a sweep becomes that of a study with more rows. Its rows keep their
+/// runs where the design draws them again; repeats have other ids then, and are run again.
 void grow_directory(const Study& study, const std::string& directory);
 
 }  // namespace cagetol

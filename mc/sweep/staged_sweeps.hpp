@@ -23,8 +23,9 @@ class StagedSweeps {
 
   int ranks() const { return launch_.size; }
   /// Runs what is missing of the study in the directory. Exit code of run_sweep: 0 when every
-  /// sample is stored, or those up to where more than `allowed_misses` miss a limit. Samples lost twice run alone only in the first sweep that has anything to
-  /// run, because MPI has not begun then.
+  /// sample is stored, or those up to where more than `allowed_misses` miss a limit. Samples lost
+  /// twice run alone only in the first sweep that has anything to run, because MPI has not begun
+  /// then.
   int sweep(const Study& study, const std::string& directory,
             std::optional<std::uint64_t> allowed_misses = {});
   /// Nothing more to run: tells every rank to end. The exit code where ranks run different

@@ -60,11 +60,12 @@ class RecommendTest : public testing::Test {
     return study_file_path(scratch_ / (directory + "/" + stage));
   }
   void expect_same(const std::string& first, const std::string& second) const {
-    for (const char* stage : {"pilot", "mixture", "confirm-1"})
+    for (const char* stage : {"pilot", "mixture", "confirm-1", "confirm-2", "confirm-3"}) {
+      ASSERT_EQ(fs::exists(file(first, stage)), fs::exists(file(second, stage))) << stage;
+      if (!fs::exists(file(first, stage))) continue;
       EXPECT_THAT(study_file_differences(file(first, stage), file(second, stage)), IsEmpty())
           << stage;
-    EXPECT_FALSE(fs::exists(file(first, "confirm-2")));
-    EXPECT_FALSE(fs::exists(file(second, "confirm-2")));
+    }
   }
 
   ScratchDirectory scratch_;
@@ -77,7 +78,7 @@ TEST_F(RecommendTest, AnyNumberOfRanksGivesTheSameStages) {
   EXPECT_THAT(serial.output, HasSubstr("runs meet all limits: confirmed"));
   const StudyFile confirmed = read_study_file(file("serial", "confirm-1"));
   EXPECT_THAT(confirmed.study_toml, HasSubstr("IT12"));
-  for (const int ranks : {1, 3}) {
+  for (const int ranks : {1, 2, 4}) {
     const std::string directory = "ranks" + std::to_string(ranks);
     const Ended ended = run(with_mpirun(ranks, recommend(directory)));
     ASSERT_EQ(ended.code, 0) << ended.output;
@@ -118,6 +119,74 @@ TEST_F(RecommendTest, GoesOnWhereItEnded) {
   const auto written = fs::last_write_time(file("parts", "mixture"));
   EXPECT_EQ(run(recommend("parts", {"--ms", "100000"})).code, 0);
   EXPECT_EQ(fs::last_write_time(file("parts", "mixture")), written);
+}
+
+TEST_F(RecommendTest, AnAttemptEndsWithTheSameSampleOnAnyNumberOfRanks) {
+  const std::vector<std::string> options = {"--set", "tolerance.target_yield=0.975"};
+  const Ended serial = run(recommend("serial", options));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  EXPECT_THAT(serial.output, HasSubstr("may miss a limit"));
+  const std::size_t runs = read_study_file(file("serial", "confirm-2")).outcomes.size();
+  EXPECT_THAT(serial.output, HasSubstr("ended after " + std::to_string(runs) + " of"));
+  for (const int ranks : {2, 4}) {
+    const std::string directory = "ranks" + std::to_string(ranks);
+    ASSERT_EQ(run(with_mpirun(ranks, recommend(directory, options))).code, 0);
+    expect_same("serial", directory);
+  }
+  // Killed within the attempt, and once more when it has ended.
+  std::vector<std::string> slow = options;
+  slow.insert(slow.end(), {"--ms", "4"});
+  Process process(recommend("killed", slow));
+  wait_for(process, scratch_ / "killed/confirm-2", 30);
+  process.signal(SIGKILL);
+  process.wait();
+  ASSERT_EQ(run(with_mpirun(2, recommend("killed", options))).code, 0);
+  expect_same("serial", "killed");
+  const auto written = fs::last_write_time(file("killed", "confirm-2"));
+  ASSERT_EQ(run(recommend("killed", options)).code, 0);
+  EXPECT_EQ(fs::last_write_time(file("killed", "confirm-2")), written);
+}
+
+TEST_F(RecommendTest, AMixtureGrowsInItsDirectoryToTheSameBits) {
+  // IT11 is so near to the target that the first rows find no candidate.
+  const auto options = [](int budget) -> std::vector<std::string> {
+    return {"--set", "limit=[{quantity='cage_slip_ratio', max=0.018, source='test'}]",
+            "--set", "extra_replicates=0.2",
+            "--set", "seed=7",
+            "--set", "recommend.budget_samples=" + std::to_string(budget)};
+  };
+  const auto runs = [&](const std::string& directory) {
+    return read_study_file(file(directory, "mixture")).outcomes.size();
+  };
+  ASSERT_EQ(run(recommend("serial", options(280))).code, 0);
+  const std::size_t first = runs("serial");
+  const Ended grown = run(recommend("serial", options(500)));
+  ASSERT_EQ(grown.code, 0) << grown.output;
+  EXPECT_GT(runs("serial"), first);
+  EXPECT_THAT(grown.output, HasSubstr("samples are already done"));
+  for (const int ranks : {2, 4}) {
+    const std::string directory = "ranks" + std::to_string(ranks);
+    ASSERT_EQ(run(with_mpirun(ranks, recommend(directory, options(280)))).code, 0);
+    ASSERT_EQ(run(with_mpirun(ranks, recommend(directory, options(500)))).code, 0);
+    expect_same("serial", directory);
+  }
+  // Killed while it grows, and between the two renamings.
+  ASSERT_EQ(run(recommend("killed", options(280))).code, 0);
+  std::vector<std::string> slow = options(500);
+  slow.insert(slow.end(), {"--ms", "4"});
+  Process process(recommend("killed", slow));
+  wait_for(process, scratch_ / "killed/mixture", first);
+  process.signal(SIGKILL);
+  process.wait();
+  fs::rename(scratch_ / "killed/mixture", scratch_ / "killed/mixture.before");
+  ASSERT_EQ(run(with_mpirun(2, recommend("killed", options(500)))).code, 0);
+  expect_same("serial", "killed");
+  EXPECT_FALSE(fs::exists(scratch_ / "killed/mixture.before"));
+  // From the first with as many rows: the same mixture.
+  fs::create_directory(scratch_ / "fresh");
+  fs::copy_file(scratch_ / "serial/plan.json", scratch_ / "fresh/plan.json");
+  ASSERT_EQ(run(recommend("fresh", options(500))).code, 0);
+  expect_same("serial", "fresh");
 }
 
 TEST_F(RecommendTest, DrainsUnderMpirun) {

@@ -97,7 +97,7 @@ def missing_numbers(report, name, content):
         shown = abs(float(match.group().lstrip("±")))
         bound = text[:match.start()].rstrip().endswith(("≥", "least", "beyond"))  # rounded to its safe side, by a whole step
         step = half_step(match.group()) * (2 if bound else 1) * (1 + 1e-9) + 1e-12
-        if text[:match.start()].rstrip().endswith(">"):  # "> 99.99 %"
+        if match.group() == "99.99":  # a share as near to one is rounded down
             step = 100 - shown
         if not (found(shown, step, 1) or found(shown, step, 100)):
             missing.append(f"{name}: ...{text[max(0, match.start() - 50):match.end() + 20]}...")

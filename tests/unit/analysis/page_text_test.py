@@ -28,8 +28,13 @@ class PageText(unittest.TestCase):
     def test_shares_keep_their_distance_from_one(self):
         self.assertEqual(page_text.percent(0.99853), "99.9 %")
         self.assertEqual(page_text.percent(0.99953), "99.95 %")
-        self.assertEqual(page_text.percent(0.99999), "> 99.99 %")
+        self.assertEqual(page_text.percent(0.99999), "99.99 %")
         self.assertEqual(page_text.percent_down(0.98999), "98.9 %")
+
+    def test_yields_without_a_miss_are_bounds(self):
+        sound = {"missing_runs": 0, "lower_bound": 0.99, "if_unknown_fail": 1}
+        self.assertEqual(page_text.estimated_percent(sound), "≥ 99.0 %")
+        self.assertEqual(page_text.estimated_percent(sound | {"missing_runs": 2, "if_unknown_fail": 0.98}), "98.0 %")
 
     def test_an_interval_decides_the_digits(self):
         estimate = {"value": 83.4567, "lower": 82.91, "upper": 83.97}
