@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/statistics/summary.hpp"
 #include "analysis/tolerance/cost.hpp"
 
 namespace cagetol {
@@ -52,23 +53,46 @@ double estimate_of(const MixtureStudy& mixture, std::size_t candidate) {
 }
 
 double expected_of(const MixtureStudy& mixture, std::size_t candidate) {
-  return std::min(expected_yield(mixture.tolerances.curves.candidates[candidate]),
+  const Yield& yield = mixture.tolerances.curves.candidates[candidate];
+  return std::min(std::max(expected_yield(yield), (1 - mixture.beyond) * yield.fits),
                   share_without_jam(mixture.runs, candidate));
 }
 
+/// Where no run misses a limit: the share of normal values beyond the nearest, with the runs' means
+/// and standard deviations; else 1.
+double share_beyond(const StudyData& runs, const std::vector<Judgement>& joint) {
+  if (!std::all_of(joint.begin(), joint.end(), [](Judgement of) { return of == Judgement::meets; }))
+    return 1;
+  constexpr double kNever = 1e-9;
+  double share = kNever;
+  const std::vector<double> equal(joint.size(), 1.0);
+  for (const Limit& limit : runs.plan.limits) {
+    const auto& values = find_quantity(runs, limit.quantity)->values;
+    const double mean = weighted_mean(values, equal),
+                 scatter = weighted_standard_deviation(values, equal);
+    const auto beyond = [&](std::optional<double> bound) {
+      if (bound && scatter > 0)
+        share = std::max(share, gsl_cdf_ugaussian_Q(std::abs(*bound - mean) / scatter));
+    };
+    beyond(limit.minimum);
+    beyond(limit.maximum);
+  }
+  return share;
+}
+
 /// Of being confirmed with so many runs, averaged over what the yield may be after the mixture's
-/// effective runs (Jeffreys' prior).
+/// effective runs (Jeffreys' prior) and as many more as a limit far away is worth.
 double predicted_chance(const MixtureStudy& mixture, std::size_t candidate, std::size_t runs,
                         const ConfirmationRules& rules) {
   constexpr double kSteps = 96, kMinimumShare = 1e-6;
   const Yield& yield = mixture.tolerances.curves.candidates[candidate];
   const double passing = yield.if_unknown_fail / yield.fits * yield.ess,
-               failing = yield.ess - passing;
+               failing = yield.ess - passing, far = 1 / mixture.beyond - 1;
   double sum = 0, below = 0;
   for (double step = 1; step <= kSteps; ++step) {
     // Failing shares from 1e-6 to 1, in equal ratios.
     const double up_to = std::pow(kMinimumShare, 1 - step / kSteps);
-    const double reached = gsl_cdf_beta_P(up_to, failing + 0.5, passing + 0.5);
+    const double reached = gsl_cdf_beta_P(up_to, failing + 0.5, passing + far + 0.5);
     const double middle = up_to * std::pow(kMinimumShare, 0.5 / kSteps);
     sum += (reached - below) *
            confirming_probability(
@@ -264,7 +288,8 @@ MixtureStudy study_mixture(const StudyData& mixture) {
   auto joint = judge_all(runs);
   Resampling resampling(runs, kUsualResamples);
   ToleranceStudy tolerances = study_tolerances(runs, joint, resampling);
-  return {std::move(runs), std::move(joint), std::move(resampling), std::move(tolerances)};
+  const double beyond = share_beyond(runs, joint);
+  return {std::move(runs), std::move(joint), std::move(resampling), std::move(tolerances), beyond};
 }
 
 Recommendation recommendation_of(const MixtureStudy& mixture, std::size_t candidate) {

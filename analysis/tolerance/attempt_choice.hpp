@@ -8,7 +8,7 @@
 // Where it takes fewer runs in all, the narrower one is tried first, and the whole error is its and
 // its followers': a fixed sequence of hypotheses, which ends with the first that fails. No
 // candidate is taken to yield more than the share of its cages that fit together, which geometry
-// tells.
+// tells; where no run misses a limit, how far the limits are says how few would.
 #pragma once
 
 #include <optional>
@@ -35,6 +35,9 @@ struct MixtureStudy {
   std::vector<Judgement> joint;
   Resampling resampling;
   ToleranceStudy tolerances;
+  /// Where no run misses a limit, the share that would if values were normal; else 1. It decides
+  /// what is tried, and claims nothing.
+  double beyond = 1;
 };
 MixtureStudy study_mixture(const StudyData& mixture);
 

@@ -38,8 +38,7 @@ struct RunMessage {
 /// than allowed the sweep ends with the one that did, whatever ranks have run beyond it.
 class CompletedPrefix {
  public:
-  CompletedPrefix(std::optional<std::uint64_t> allowed_misses = {})
-      : allowed_(allowed_misses) {}
+  CompletedPrefix(std::optional<std::uint64_t> allowed_misses = {}) : allowed_(allowed_misses) {}
 
   void add(std::uint64_t id, bool misses);
   bool used_up() const { return allowed_ && missing_ > *allowed_; }
