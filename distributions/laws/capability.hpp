@@ -21,7 +21,7 @@ struct Capability {
   double lower = 0;
   double upper = 0;
   double cp = 1;
-  std::optional<double> cpk, cpk_lower, offset = {};
+  std::optional<double> cpk = {}, cpk_lower = {}, offset = {};
 };
 
 /// The equivalent normal law.

@@ -71,7 +71,7 @@ TEST(CompletedPrefixTest, EndsWithTheMissThatUsesUpTheAllowed) {
 }
 
 TEST(WorkListTest, GivesNothingMoreOnceTheAllowedAreUsedUp) {
-  WorkList list({0, 1, 2, 3}, {}, 0);
+  WorkList list({0, 1, 2, 3}, {}, CompletedPrefix(0));
   EXPECT_EQ(list.exchange({}), 0u);
   EXPECT_EQ(list.exchange({}), 1u);
   EXPECT_EQ(list.exchange({.ending = Ending::finished, .id = 1, .misses = true}), 2u);
