@@ -21,7 +21,7 @@ constexpr double kFirstRise = 30;    // above ambient [K]
 constexpr double kUsualFall = 0.02;  // of the losses' logarithm [1/K]
 constexpr double kAgreement = 0.01;  // of power and heat shed
 constexpr double kSettled = 0.02;    // likewise, after the last run
-constexpr int kMostRuns = 4;
+constexpr int kMostRuns = 8;         // three or four are usual; losses of a few turns scatter
 constexpr double kSteps = 400000, kStepsOfDoubt = 40000;  // of a run
 constexpr double kFarApart = 3;    // temperatures whose losses tell a slope [K]
 constexpr double kMeasured = 2;    // turns of the cage

@@ -166,7 +166,19 @@ class Choice {
     return false;
   }
 
+  /// What only this share of the error affords, and all runs left will probably confirm.
+  std::optional<AttemptChoice> beyond(const Choice& divided) const {
+    const Recommendation next = widest_of(mixture_, [&](std::size_t k) { return probable(k); });
+    if (!next.meets_target || divided.fewest(next.candidate) <= left_) return std::nullopt;
+    return AttemptChoice{size(next.candidate, left_), next};
+  }
+
  private:
+  bool probable(std::size_t k) const {
+    return promising(k) &&
+           chance(expected_of(mixture_, k), limited(k, left_), rules(k)) >= kWantedPower;
+  }
+
   std::vector<double> widths(std::size_t k) const {
     return snapped_tolerances(mixture_.runs, mixture_.runs.plan.candidates[k]);
   }
@@ -209,11 +221,8 @@ class Choice {
   /// The widest that all runs left will probably confirm; where there is none, the widest that is
   /// nearly as sure as the surest.
   std::optional<AttemptChoice> surest(const CandidateFilter& among) const {
-    const auto sure = [&](std::size_t k) {
-      return chance(expected_of(mixture_, k), limited(k, left_), rules(k)) >= kWantedPower;
-    };
     Recommendation next =
-        widest_of(mixture_, [&](std::size_t k) { return promising(k) && among(k) && sure(k); });
+        widest_of(mixture_, [&](std::size_t k) { return among(k) && probable(k); });
     if (!next.meets_target) {
       const auto predicted = [&](std::size_t k) {
         return predicted_chance(mixture_, k, size(k, left_), rules(k));
@@ -272,6 +281,14 @@ PassedOver reason_of(const StudyData& runs, const Yield& yield, std::size_t k) {
           needed};
 }
 
+bool wider(const StudyData& runs, const AttemptChoice& a, const AttemptChoice& b) {
+  const auto worth = [&](const AttemptChoice& of) {
+    const auto& candidate = runs.plan.candidates[of.recommendation.candidate];
+    return worth_of_tolerances(runs.plan, snapped_tolerances(runs, candidate));
+  };
+  return worth(a) > worth(b);
+}
+
 }  // namespace
 
 ToleranceStudy study_tolerances(const StudyData& runs, const std::vector<Judgement>& joint,
@@ -305,6 +322,11 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, Campaig
   const Choice sequence(mixture, plan, tried, 1);
   const auto wide = choice.affords_attempt() ? choice.widest_fair() : std::nullopt;
   if (!sequence.affords_attempt()) return std::nullopt;
+  if (auto alone = sequence.beyond(choice);
+      alone && !(wide && wider(mixture.runs, *wide, *alone))) {
+    plan.error_shares = 1;
+    return alone;
+  }
   auto narrow = wide ? sequence.narrower_than(wide->recommendation.candidate) : std::nullopt;
   if (!narrow)
     narrow = sequence.next();

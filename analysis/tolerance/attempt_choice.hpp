@@ -5,6 +5,7 @@
 // needs that would follow it. The last attempt takes the widest that will probably be confirmed;
 // where there is none, the widest that is nearly as sure as the surest. What is confirmed is
 // followed by wider ones, at the same share of the error, until one fails or no runs are left.
+// A wider one that only the whole error affords, and probably confirms, is tried with it alone.
 // Where it takes fewer runs in all, the narrower one is tried first, and the whole error is its and
 // its followers': a fixed sequence of hypotheses, which ends with the first that fails. No
 // candidate is taken to yield more than the share of its cages that fit together, which geometry
