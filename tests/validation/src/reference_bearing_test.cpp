@@ -121,6 +121,7 @@ TEST(ReferenceBearing, SaysWhereStaticsFindNothing) {
   scene.lubrication.model = LubricationModel::none;
   scene.contact.race.restitution = 0.01;
   scene.contact.race.restitution_speed = 5e-4;
+  scene.integration.step_budget = 1e6;  // rollers chatter at the races
   const Outcome outcome = simulate(scene);
   EXPECT_EQ(outcome.status, Status::failed);
   EXPECT_GE(outcome.run.static_positions_missed, 56);  // of 64
