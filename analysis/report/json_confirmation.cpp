@@ -158,7 +158,7 @@ std::string statement(const Json& attempt, double lower_bound, const Json& not_b
       fmt::format("{} of {} fresh runs{} meet all limits",
                   attempt["meeting_runs"].get<std::size_t>(), attempt["runs"].get<std::size_t>(),
                   jams > 0 ? " of cages that fit" : "") +
-      (jams > 0 ? fmt::format(", and {} of the cages do not fit", jam_text(jams)) : "");
+      (jams > 0 ? fmt::format(", and {} of the cages do not fit", jam_text(jams, 0)) : "");
   std::string text;
   if (attempt["passed"].get<bool>())
     text = fmt::format(

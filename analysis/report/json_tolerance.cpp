@@ -50,16 +50,17 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
   for (std::size_t k = 0; k < curves.candidates.size(); ++k) {
     const Candidate& plan = basis.study.plan.candidates[k];
     const auto& jam = basis.study.jam.candidate;
-    list.push_back({{"candidate", k},
-                    {"tolerance_widths_mm", plan.tolerance_widths_mm},
-                    {"shifts", plan.shifts},
-                    {"grades", plan.grades},
-                    {"centres", candidate_centres(basis, plan)},
-                    {"shown", shown(curves.candidates[k])},
-                    {"pooled", curves.candidates[k].pooled},
-                    {"jam_share", k < jam.size() ? Json(jam[k]) : Json()},
-                    {"jam_text", k < jam.size() ? Json(jam_text(jam[k])) : Json()},
-                    {"yield", to_json(curves.candidates[k])}});
+    list.push_back(
+        {{"candidate", k},
+         {"tolerance_widths_mm", plan.tolerance_widths_mm},
+         {"shifts", plan.shifts},
+         {"grades", plan.grades},
+         {"centres", candidate_centres(basis, plan)},
+         {"shown", shown(curves.candidates[k])},
+         {"pooled", curves.candidates[k].pooled},
+         {"jam_share", k < jam.size() ? Json(jam[k]) : Json()},
+         {"jam_text", k < jam.size() ? Json(jam_text(jam[k], basis.runs.jam.draws)) : Json()},
+         {"yield", to_json(curves.candidates[k])}});
   }
   return list;
 }

@@ -7,9 +7,7 @@ namespace {
 
 Judgement judge_value(double value, const Limit& limit) {
   if (std::isnan(value)) return Judgement::unknown;
-  if (limit.minimum && value < *limit.minimum) return Judgement::misses;
-  if (limit.maximum && value > *limit.maximum) return Judgement::misses;
-  return Judgement::meets;
+  return meets(limit, value) ? Judgement::meets : Judgement::misses;
 }
 
 /// What the outcome alone says; `meets` where the quantities decide.

@@ -166,8 +166,8 @@ class Choice {
     return false;
   }
 
-  /// What only this share of the error affords, and all runs left will probably confirm.
-  std::optional<AttemptChoice> beyond(const Choice& divided) const {
+  /// What all runs left will probably confirm at this share of the error, and cannot at the other.
+  std::optional<AttemptChoice> unaffordable_for(const Choice& divided) const {
     const Recommendation next = widest_of(mixture_, [&](std::size_t k) { return probable(k); });
     if (!next.meets_target || divided.fewest(next.candidate) <= left_) return std::nullopt;
     return AttemptChoice{size(next.candidate, left_), next};
@@ -322,7 +322,7 @@ std::optional<AttemptChoice> choose_attempt(const MixtureStudy& mixture, Campaig
   const Choice sequence(mixture, plan, tried, 1);
   const auto wide = choice.affords_attempt() ? choice.widest_fair() : std::nullopt;
   if (!sequence.affords_attempt()) return std::nullopt;
-  if (auto alone = sequence.beyond(choice);
+  if (auto alone = sequence.unaffordable_for(choice);
       alone && !(wide && wider(mixture.runs, *wide, *alone))) {
     plan.error_shares = 1;
     return alone;

@@ -101,9 +101,8 @@ std::string noise_text(const StudyData& pilot) {
     const NoiseShare noise = noise_share(pilot, column->values, pilot.plan.confidence);
     if (!(noise.share.value > 0)) continue;
     text += fmt::format(
-        "\n  noise of the start owns {:.0f} % of the variance of {} over the pilot's cages ({:.0f} "
-        "to "
-        "{:.0f} %): no design lowers the variance of its mean more than {:.1f} times",
+        "\n  noise of the start owns {:.0f} % of the variance of {} over the pilot's cages "
+        "({:.0f} to {:.0f} %): no design lowers the variance of its mean more than {:.1f} times",
         100 * noise.share.value, limit.quantity, 100 * noise.share.lower, 100 * noise.share.upper,
         1 / noise.share.value);
   }

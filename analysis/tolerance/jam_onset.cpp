@@ -20,8 +20,10 @@ std::optional<double> tolerance_of_jams(const JamCurve& curve, double most) {
   return width[p - 1] + std::clamp(part, 0.0, 1.0) * (width[p] - width[p - 1]);
 }
 
-std::string jam_text(double share) {
-  if (share > 0 && share < 1e-8) return "less than 0.01 ppm";
+std::string jam_text(double share, double draws) {
+  const double least = draws > 0 ? 3 / draws : 1e-8;
+  if (share == 0 || (draws == 0 && share < least))
+    return fmt::format("less than {:.2g} ppm", 1e6 * least);
   return share < 1e-4 ? fmt::format("{:.2g} ppm", 1e6 * share)
                       : fmt::format("{:.3g} %", 100 * share);
 }

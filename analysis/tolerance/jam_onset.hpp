@@ -15,8 +15,8 @@ namespace cagetol {
 /// Tolerance from which on more than `share` of the cages jam; nothing where they are fewer.
 std::optional<double> tolerance_of_jams(const JamCurve& curve, double share);
 
-/// "0.57 %" or "0.3 ppm" of cages that jam.
-std::string jam_text(double share);
+/// "0.57 %" or "0.3 ppm" of cages that jam; of none among so many `draws` the bound at 95 %.
+std::string jam_text(double share, double draws);
 
 struct JamOnset {
   std::optional<double> ppm_mm;    ///< widest tolerance at which 1 ppm of the cages jam at most

@@ -70,8 +70,8 @@ std::string jams_text(const Study& study, const JamShares& jams) {
     std::string points;
     for (const double share : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
       if (const auto width = tolerance_of_jams(curve, share))
-        points +=
-            fmt::format("{} {} from {:.3g} mm", points.empty() ? "" : ",", jam_text(share), *width);
+        points += fmt::format("{} {} from {:.3g} mm", points.empty() ? "" : ",", jam_text(share, 0),
+                              *width);
     text += fmt::format("    {}:{}\n", curve.key, points.empty() ? " none" : points);
   }
   auto widest =
@@ -85,15 +85,15 @@ std::string jams_text(const Study& study, const JamShares& jams) {
   std::string widths;
   for (const double width : study.candidates[widest].tolerance_widths_mm)
     widths += fmt::format("{}{:.3g} mm", widths.empty() ? "" : " and ", width);
-  text += fmt::format("    at {}: {} jam", widths, jam_text(shares[widest]));
+  text += fmt::format("    at {}: {} jam", widths, jam_text(shares[widest], jams.draws));
   for (std::size_t d = 0; d < dimensions; ++d)
     text += fmt::format(
         "; {} off centre by {:.2g} mm {}, its variance all among pockets {}, all from cage to "
         "cage {}",
         jams.curves[d].key, kOffCentre * study.candidates[widest].tolerance_widths_mm[d],
-        jam_text(jams.off_centre[widest * dimensions + d]),
-        jam_text(jams.pockets_alone[widest * dimensions + d]),
-        jam_text(jams.lots_alone[widest * dimensions + d]));
+        jam_text(jams.off_centre[widest * dimensions + d], jams.draws),
+        jam_text(jams.pockets_alone[widest * dimensions + d], jams.draws),
+        jam_text(jams.lots_alone[widest * dimensions + d], jams.draws));
   text += "\n";
   if (over > 0)
     text += fmt::format(

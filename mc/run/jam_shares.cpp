@@ -44,9 +44,11 @@ struct Geometry {
   CageGaps base;
   Slopes delta{};
 
+  double scale(std::size_t i, const std::vector<double>& scales) const {
+    return dimension[i] < 0 ? 1 : scales[static_cast<std::size_t>(dimension[i])];
+  }
   double factor(std::size_t i, std::size_t place, const std::vector<double>& scales) const {
-    return slopes[i][place] *
-           (dimension[i] < 0 ? 1 : scales[static_cast<std::size_t>(dimension[i])]);
+    return slopes[i][place] * scale(i, scales);
   }
   double shift(std::size_t place, const ScaledLaws& laws) const {
     double shift = 0;
@@ -285,18 +287,17 @@ bool jams_at(const Geometry& geometry, std::size_t place, const ScaledLaws& laws
              const Sample& cage) {
   Scene scene = geometry.study.scene;
   for (std::size_t i = 0; i < geometry.slopes.size(); ++i) {
-    const double slope = geometry.slopes[i][place];
-    if (slope == 0) continue;
+    if (geometry.slopes[i][place] == 0) continue;
     const UncertainInput& input = geometry.study.inputs[i];
     const DrawnInput& drawn = cage.inputs[i];
-    double all = geometry.dimension[i] < 0 ? 0 : geometry.factor(i, place, laws.shift) / slope;
-    if (!drawn.lot.empty()) all += geometry.factor(i, place, laws.lot) / slope * drawn.lot[0];
+    double all = geometry.dimension[i] < 0 ? 0 : geometry.scale(i, laws.shift);
+    if (!drawn.lot.empty()) all += geometry.scale(i, laws.lot) * drawn.lot[0];
     if (!drawn.noise.empty()) all += drawn.noise[0];
     std::vector<double> values(drawn.value.size(), input.nominal[0]);
     if (input.nominal.size() > 1) values = input.nominal;
     values = shifted(values, all);
     for (std::size_t j = 0; j < drawn.pocket.size(); ++j)
-      values[j] += geometry.factor(i, place, laws.pocket) / slope * drawn.pocket[j];
+      values[j] += geometry.scale(i, laws.pocket) * drawn.pocket[j];
     set_key_numbers(*find_key(scene_keys(), input.key), values, scene);
   }
   const auto gaps = gaps_in_service(geometry.study, scene)[place];

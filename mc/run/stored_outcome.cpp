@@ -126,10 +126,9 @@ bool meets_limits(const Study& study, const StoredOutcome& stored) {
   const auto labels = quantity_labels(study);
   return stored.status == Status::ok &&
          std::all_of(study.limits.begin(), study.limits.end(), [&](const Limit& limit) {
-           const double value =
-               stored.quantities[static_cast<std::size_t>(labelled_index(limit.quantity, labels))];
-           return (!limit.minimum || value >= *limit.minimum) &&
-                  (!limit.maximum || value <= *limit.maximum);
+           return meets(
+               limit,
+               stored.quantities[static_cast<std::size_t>(labelled_index(limit.quantity, labels))]);
          });
 }
 

@@ -1,6 +1,7 @@
 // A bound on a quantity of interest that every cage must keep.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -13,5 +14,10 @@ struct Limit {
   std::string source = {};                           ///< where the bound comes from
   double cage_revolutions = 0;  ///< of the window it is meant for; 0: not stated
 };
+
+/// Whether a value is within; one that is not a number is not.
+inline bool meets(const Limit& limit, double value) {
+  return value >= limit.minimum.value_or(-HUGE_VAL) && value <= limit.maximum.value_or(HUGE_VAL);
+}
 
 }  // namespace cagetol
