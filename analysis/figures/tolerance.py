@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from common import BLUE, GREEN, GREY, RED, WIDTH, known
+from common import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, WIDTH, known, readable
 from engine import legend_below
 
 
@@ -11,6 +11,68 @@ def confirmed_tolerances(report):
     """Tolerances of the attempt that confirmed, by key."""
     attempts = (report["confirmation"] or {"attempts": []})["attempts"]
     return {tolerance["key"]: (tolerance["tolerance_width_mm"], attempt) for attempt in attempts if attempt["passed"] for tolerance in attempt["tolerances"]}
+
+
+MOST_LIMITS = 8  # lines that can be told apart
+LIMIT_STYLES = [(colour, style) for style in ("-", "--") for colour in (BLUE, ORANGE, GREEN, PINK)]
+
+
+def share_of_limit(limit, value):
+    """How much of the room up to the limit is used: 1 is on the limit; None where shares have no meaning."""
+    shares = [part for bound, part in ((limit["max"], lambda b: known(value) / b), (limit["min"], lambda b: b / known(value)))
+              if bound for part in [part(bound)]]
+    return max(shares) if shares else None
+
+
+def limit_curves(report):
+    """One panel for each dimension: limited quantities as shares of their limits over the width of the tolerance."""
+    dimensions = report["tolerance"].get("limit_curves", []) if report["tolerance"] else []
+    dimensions = [d for d in dimensions if len(d["tolerance_widths_mm"]) > 1]
+    if not dimensions:
+        return None
+
+    def largest(limit):
+        return max((share_of_limit(limit, band["high"]) or 0 for band in limit["bands"] if band), default=0)
+
+    nearest = sorted(range(len(dimensions[0]["limits"])), key=lambda l: -largest(dimensions[0]["limits"][l]))[:MOST_LIMITS]
+    confirmed, jams = confirmed_tolerances(report), {jam["key"]: jam for jam in report["tolerance"]["jams"]}
+    figure, axes = plt.subplots(1, len(dimensions), figsize=(WIDTH, 3.6), sharey=True, squeeze=False)
+    for axis, dimension in zip(axes[0], dimensions):
+        widths = [1e3 * width for width in dimension["tolerance_widths_mm"]]
+        edges = [0] + [(a + b) / 2 for a, b in zip(widths, widths[1:])] + [1.5 * widths[-1] - 0.5 * widths[-2]]
+        for i, (left, right) in enumerate(zip(edges, edges[1:])):
+            if i % 2:
+                axis.axvspan(left, right, color=GREY, alpha=0.08, linewidth=0)
+        for place, l in enumerate(nearest):
+            limit, (colour, style) = dimension["limits"][l], LIMIT_STYLES[place]
+            drawn = [(width, *(100 * share_of_limit(limit, band[key]) for key in ("low", "median", "high")))
+                     for width, band in zip(widths, limit["bands"]) if band and share_of_limit(limit, band["median"]) is not None]
+            if not drawn:
+                continue
+            x, low, middle, high = zip(*drawn)
+            axis.fill_between(x, low, high, color=colour, alpha=0.15, linewidth=0)
+            axis.plot(x, middle, style, color=colour, marker="o", markersize=3, label=readable(limit["quantity"]))
+            if limit["noise"] is not None and limit["max"]:
+                axis.errorbar(x[0] * 0.5, middle[0], yerr=100 * limit["noise"] / abs(limit["max"]), color=colour, capsize=2)
+        axis.axhline(100, color=RED, linestyle="--", linewidth=1.2, label="limit")
+        jam = jams.get(dimension["key"])
+        if jam and jam["limit_mm"] is not None and 1e3 * jam["limit_mm"] < edges[-1]:
+            axis.axvspan(1e3 * jam["limit_mm"], edges[-1], facecolor="none", edgecolor=BLACK, alpha=0.5, hatch="//", linewidth=0,
+                         label="jams alone miss the target")
+        if dimension["key"] in confirmed:
+            width = 1e3 * confirmed[dimension["key"]][0]
+            axis.axvline(width, color=BLACK, linewidth=1.5, label="confirmed")
+            axis.annotate(f"±{width / 2:.0f} µm", (width, 1), xycoords=("data", "axes fraction"), xytext=(-3, -3),
+                          textcoords="offset points", ha="right", va="top", fontsize=8.5)
+        axis.set_xlim(0, edges[-1])
+        axis.set_ylim(0, None)
+        axis.set_xticks(widths, [f"{grade.removeprefix('IT') or f'{width:.0f}'}" for width, grade in zip(widths, dimension["grades"])])
+        axis.set_xlabel(f"{dimension['name']}: " + ("ISO 286 grade, to scale of its width" if all(dimension["grades"]) else "full width [µm]"),
+                        fontsize=8.5)
+    axes[0][0].set_ylabel("share of the limit [%]")
+    handles = {label: handle for axis in axes[0] for handle, label in zip(*axis.get_legend_handles_labels())}
+    legend_below(figure, list(handles.values()), list(handles), 0.28 / 3.6)
+    return figure
 
 
 def yield_curves(report):

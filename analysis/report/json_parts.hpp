@@ -31,6 +31,9 @@ Json to_json(const Yield& yield);
 /// NaN and infinities become null.
 Json number(double value);
 
+/// Number of runs with a value, their median and 5 and 95 % quantiles.
+Json band_json(const std::vector<double>& values);
+
 Json provenance_json(const StudyData& study);
 Json assumptions_json(const StudyData& study);
 /// The model that a pilot has chosen, with its evidence; null where the study pins it.
@@ -69,6 +72,9 @@ struct TolerancePart {
   std::vector<PassedOver> passed_over;  ///< where there were attempts to confirm
 };
 TolerancePart tolerance_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations);
+
+/// Each limited quantity over the widths of each dimension, from the runs of a mixture.
+Json limit_curves_json(const ReportBasis& basis);
 
 /// Name, reason and command of candidates that were passed over.
 Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates);

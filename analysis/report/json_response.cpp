@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/response/grid_cells.hpp"
@@ -33,15 +34,6 @@ Json curve(const std::vector<double>& values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(number(rounded_for_drawing(value)));
   return list;
-}
-
-Json band_json(const std::vector<double>& values) {
-  const auto defined =
-      std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
-  return {{"runs", defined},
-          {"median", number(quantile_of(values, 0.5))},
-          {"low", number(quantile_of(values, 0.05))},
-          {"high", number(quantile_of(values, 0.95))}};
 }
 
 bool has_values(const std::vector<double>& values) {
@@ -183,9 +175,8 @@ class Channel {
 std::vector<std::size_t> shown_levels(const GridCells& cells) {
   const std::size_t last = cells.levels.size() - 1;
   const std::size_t middle = cells.find_level(0).value_or(last / 2);
-  std::vector<std::size_t> shown = {0, middle, last};
-  shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
-  return shown;
+  const std::set<std::size_t> shown = {0, middle, last};
+  return {shown.begin(), shown.end()};
 }
 
 Json orbits_of(const StudyData& study, const GridCells& cells) {
@@ -249,6 +240,15 @@ Json history_of(const StudyData& study, const GridCells& cells) {
 }
 
 }  // namespace
+
+Json band_json(const std::vector<double>& values) {
+  const auto defined =
+      std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+  return {{"runs", defined},
+          {"median", number(quantile_of(values, 0.5))},
+          {"low", number(quantile_of(values, 0.05))},
+          {"high", number(quantile_of(values, 0.95))}};
+}
 
 Json response_json(const ReportBasis& basis) {
   const auto cells = grid_cells(basis.study, response_key(basis.study));

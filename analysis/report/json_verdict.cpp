@@ -187,6 +187,26 @@ Json stress_json(const StudyData& runs) {
           {"largest", margin.extreme}};
 }
 
+/// At each operating point the limit with the smallest margin; empty without relative margins.
+std::string nearest_limits(const Json& margins) {
+  std::vector<std::pair<std::string, const Json*>> points;  // in the order of the limits
+  for (const Json& margin : margins["each"]) {
+    if (!margin["relative"].get<bool>() || !margin["extreme_margin"].is_number()) continue;
+    const std::string quantity = margin["quantity"];
+    const std::string label = quantity.substr(std::min(quantity.find('@'), quantity.size()));
+    auto point = std::find_if(points.begin(), points.end(),
+                              [&](const auto& known) { return known.first == label; });
+    if (point == points.end()) point = points.insert(points.end(), {label, &margin});
+    if (margin["extreme_margin"] < (*point->second)["extreme_margin"]) point->second = &margin;
+  }
+  std::string text;
+  for (const auto& [label, margin] : points)
+    text += fmt::format(
+        "{}{}, {:.0f} %", text.empty() ? "Nearest limit and the margin of its worst run: " : "; ",
+        (*margin)["quantity"].get<std::string>(), 100 * (*margin)["extreme_margin"].get<double>());
+  return text.empty() ? text : text + ".";
+}
+
 /// Why no capability index is given of a limited quantity; empty: it is.
 std::string no_index(const Json& report, const Json& entry) {
   constexpr double kFar = 3.3;  // ten standard deviations
@@ -257,6 +277,8 @@ void finish_verdict(const ReportBasis& basis, Json& report) {
   report["outcomes"]["samples_with_attempts"] = runs;
   verdict["headline"] = sentences.empty() ? "" : sentences.front();
   if (!sentences.empty()) sentences.erase(sentences.begin());
+  if (const std::string nearest = nearest_limits(report["margins"]); !nearest.empty())
+    sentences.push_back(nearest);
   verdict["grounds"] = sentences;
   verdict["next"] = next_steps(basis, report);
   report["convergence"]["statement"] = convergence_statement(report);

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "mc/study/study_inputs.hpp"
 #include "mc/study/study_keys.hpp"
 #include "src/heat_balance.hpp"
 #include "src/model/bearing_model.hpp"
+#include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/quantities/window_times.hpp"
@@ -21,6 +23,8 @@
 
 namespace cagetol {
 namespace {
+
+using std::numbers::pi;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostPoints = 50;
@@ -55,6 +59,32 @@ void read_setting(const std::string& key, const toml::node& node, const std::str
            static_cast<std::size_t>(scene.bearing.roller_count), scene);
 }
 
+/// A setting as a multiple of what the maker gives, at the point as it is so far.
+struct MakersRatio {
+  const char *name, *key, *missing;
+  double unit;
+  double (*base)(const Scene&);  ///< NaN: not given
+};
+
+constexpr MakersRatio kMakersRatios[] = {
+    {"limiting_speeds", "speed.inner_rpm", "bearing.limiting_speed_rpm", pi / 30,
+     [](const Scene& scene) { return scene.bearing.limiting_speed; }},
+    {"minimum_loads", "load.radial_N",
+     "bearing.minimum_load_factor and bearing.reference_speed_rpm", 1, minimum_load_of}};
+
+/// The value in the unit of the ratio's key, up to the next tenth.
+toml::value<double> makers_value(const MakersRatio& ratio, const toml::node& node,
+                                 const std::string& file, const Scene& scene) {
+  const std::string name = std::string("operating_point.") + ratio.name;
+  const double times = number_value(info_of(operating_point_keys(), name), node, file);
+  const double value = times * ratio.base(scene) / ratio.unit;
+  if (!std::isfinite(value))
+    throw InputError(place_of(node, file), name, shown(node),
+                     std::string("the scene does not give ") + ratio.missing,
+                     std::string("give it, or ") + ratio.key + " in place of the multiple");
+  return toml::value<double>(std::ceil(10 * value * (1 - 1e-9)) / 10);
+}
+
 OperatingPointPlan read_point(const toml::table& entry, const std::string& file,
                               const Study& study) {
   OperatingPointPlan point;
@@ -71,13 +101,28 @@ OperatingPointPlan read_point(const toml::table& entry, const std::string& file,
         number_value(info_of(operating_point_keys(), "operating_point.weight"), *weight, file);
   Scene scene = study.scene;
   const auto known = key_infos(scene_keys());
-  for (const TomlLeaf& leaf : toml_leaves(entry)) {
-    if (leaf.name == "name" || leaf.name == "weight") continue;
+  std::vector<TomlLeaf> leaves = toml_leaves(entry);
+  // The minimum load follows from the speed.
+  std::stable_partition(leaves.begin(), leaves.end(),
+                        [](const TomlLeaf& leaf) { return leaf.name != "minimum_loads"; });
+  for (const TomlLeaf& given : leaves) {
+    if (given.name == "name" || given.name == "weight") continue;
+    const auto* ratio = std::find_if(std::begin(kMakersRatios), std::end(kMakersRatios),
+                                     [&](const MakersRatio& r) { return given.name == r.name; });
+    toml::value<double> absolute(0);
+    TomlLeaf leaf = given;
+    if (ratio != std::end(kMakersRatios)) {
+      absolute = makers_value(*ratio, *given.node, file, scene);
+      leaf = {ratio->key, &absolute};
+    }
     const auto* key = find_key(scene_keys(), leaf.name);
     if (!key) throw unknown_key(leaf, file, known);
     const auto refuse = [&](const std::string& why, const std::string& remedy) {
-      return InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node), why, remedy);
+      return InputError(place_of(*given.node, file), given.name, shown(*given.node), why, remedy);
     };
+    if (std::any_of(point.settings.begin(), point.settings.end(),
+                    [&](const auto& setting) { return setting.first == leaf.name; }))
+      throw refuse(leaf.name + " is given as well", "keep one of the two");
     if (!is_about_operation(leaf.name) || leaf.name == "duty.file")
       throw refuse(
           "an operating point changes load, speed, duty, oil, temperatures, window and "

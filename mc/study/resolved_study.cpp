@@ -38,6 +38,7 @@ toml::table limit_table(const Limit& limit) {
   table.insert("quantity", limit.quantity);
   if (limit.minimum) table.insert("min", *limit.minimum);
   if (limit.maximum) table.insert("max", *limit.maximum);
+  if (limit.minimum_loads) table.insert("max_at_minimum_loads", *limit.minimum_loads);
   table.insert("source", limit.source);
   table.insert("cage_revolutions", limit.cage_revolutions);
   return table;

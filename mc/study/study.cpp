@@ -6,6 +6,7 @@
 
 #include "mc/host/build_info.hpp"
 #include "mc/study/assumption_ranges.hpp"
+#include "mc/study/nominal_limits.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/resolved_study.hpp"
 #include "mc/study/sample.hpp"
@@ -165,6 +166,7 @@ Study study_of(toml::table root, const std::string& file) {
                      "lhs or sobol");
   find_temperatures(study);
   find_whirl_clearance(study);
+  find_nominal_limits(study);
   resolve(study);
   return study;
 }

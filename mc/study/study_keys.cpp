@@ -43,6 +43,8 @@ const std::vector<KeyInfo>& limit_keys() {
       {"limit.quantity", any_value(), "quantity of interest that is limited", KeyKind::text},
       {"limit.min", any_value(), "smallest value allowed, in the quantity's unit; min or max must be given", KeyKind::number},
       {"limit.max", any_value(), "largest value allowed, in the quantity's unit", KeyKind::number},
+      {"limit.max_at_minimum_loads", above(0), "in place of max: what the nominal bearing has under this many times the maker's minimum load, at the limit's operating point and its temperature otherwise; the mean of eight starts with a rigid cage, found before all runs and written to max", KeyKind::number},
+      {"limit.operating_point", any_value(), "operating point at which the limit holds, as quantity = \"KEY@POINT\" says, too; left out: at each", KeyKind::text},
       {"limit.source", any_value(), "where the limit comes from", KeyKind::text},
       {"limit.cage_revolutions", at_least(0), "measured cage revolutions for which the limit is meant; 0: not stated", KeyKind::number},
   };
@@ -85,6 +87,8 @@ const std::vector<KeyInfo>& operating_point_keys() {
   static const std::vector<KeyInfo> keys = {
       {"operating_point.name", any_value(), "name of an operating point at which every sample runs; its quantities are QUANTITY@NAME", KeyKind::text},
       {"operating_point.weight", above(0, 1e12), "share of the time in service, relative to the other points, for mean powers and friction torque; left out: 1", KeyKind::number},
+      {"operating_point.minimum_loads", above(0), "in place of load.radial_N: the load is this many times the maker's minimum load at the point's speed (SKF, minimum_load_skf_N of `cagetol check`)", KeyKind::number},
+      {"operating_point.limiting_speeds", above(0), "in place of speed.inner_rpm: the speed is this many times bearing.limiting_speed_rpm", KeyKind::number},
       {"operating_point.KEY", any_value(), "any scene key of load, speed, duty, phase, window, start, environment, lubrication or temperature (not lubrication.model, speed.centrifugal_growth, temperature.growth and temperature.reference_C) with its value at the point", KeyKind::number},
   };
   return keys;

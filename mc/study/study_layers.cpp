@@ -5,6 +5,7 @@
 
 #include "mc/study/study_keys.hpp"
 #include "src/reading/assumptions.hpp"
+#include "src/reading/oil_keys.hpp"
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
@@ -103,6 +104,7 @@ void load_scene_file(toml::table& root, const std::string& path) {
   overrides.erase("file");
   inherit_nominals(base, overrides);
   inherit_assumptions(base, overrides);
+  leave_temperatures_to_balance(base, overrides);
   merge_tables(base, std::move(overrides), is_distribution);
   root.insert_or_assign("scene", std::move(base));
 }
@@ -134,8 +136,10 @@ toml::table study_layers(toml::table root, const std::string& path,
   inherit_nominals(root, set);
   move_assumptions(set);
   if (auto* scene = root.get_as<toml::table>("scene"), *upper = set.get_as<toml::table>("scene");
-      scene && upper)
+      scene && upper) {
     inherit_assumptions(*scene, *upper);
+    leave_temperatures_to_balance(*scene, *upper);
+  }
   merge_tables(root, std::move(set), [&](const toml::table& table) {
     return is_distribution(table) && table.contains("law");
   });

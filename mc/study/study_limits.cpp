@@ -32,11 +32,16 @@ Limit read_limit(const toml::table& entry, const std::string& file,
     throw missing("the limit names no quantity",
                   "add quantity = \"...\", a key of `simulate --json`");
   limit.quantity = text_value(info("quantity"), *quantity, file);
+  if (const auto* node = entry.get("operating_point"))
+    limit.quantity =
+        labelled_name(limit.quantity, text_value(info("operating_point"), *node, file));
   if (labelled_index(limit.quantity, labels) < 0)
     throw no_such_quantity(*quantity, "limit.quantity", limit.quantity, file, labels);
   if (const auto* node = entry.get("min")) limit.minimum = number_value(info("min"), *node, file);
   if (const auto* node = entry.get("max")) limit.maximum = number_value(info("max"), *node, file);
-  if (!limit.minimum && !limit.maximum)
+  if (const auto* node = entry.get("max_at_minimum_loads"))
+    limit.minimum_loads = number_value(info("max_at_minimum_loads"), *node, file);
+  if (!limit.minimum && !limit.maximum && !limit.minimum_loads)
     throw missing("the limit has neither min nor max", "add min = ..., max = ..., or both");
   if (limit.minimum && limit.maximum && *limit.minimum > *limit.maximum)
     throw missing("min is larger than max: nothing can meet this limit", "correct one of the two");
@@ -48,6 +53,10 @@ Limit read_limit(const toml::table& entry, const std::string& file,
   if (const auto* node = entry.get("cage_revolutions"))
     limit.cage_revolutions = number_value(info("cage_revolutions"), *node, file);
   return limit;
+}
+
+bool has_maximum(const Limit& limit) {
+  return limit.maximum || limit.minimum_loads;
 }
 
 const UncertainInput* find_input(const std::vector<UncertainInput>& inputs,
@@ -236,7 +245,7 @@ std::vector<Limit> read_limits(const toml::table& root, const std::string& file,
     for (auto other = limits.begin(); other + 1 != limits.end(); ++other)
       if (const Limit& own = limits.back();
           other->quantity == own.quantity &&
-          ((other->maximum && own.maximum) || (other->minimum && own.minimum)))
+          ((has_maximum(*other) && has_maximum(own)) || (other->minimum && own.minimum)))
         throw InputError(place_of(*entry, file), "limit.quantity", own.quantity,
                          "another limit gives this quantity a value on the same side",
                          "keep one of the two, or name the operating point of each "

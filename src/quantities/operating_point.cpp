@@ -75,8 +75,7 @@ OperatingPoint rated_point(const Scene& scene) {
   at.life = rating_life(at.dynamic_rating, at.load);
   at.life_time = 2 * pi * at.life / mean.speed;
   at.minimum_load_schaeffler = minimum_load_schaeffler(at.static_rating);
-  at.minimum_load_skf = minimum_load_skf(b.minimum_load_factor, at.speed / b.reference_speed,
-                                         (b.bore_diameter + b.outside_diameter) / 2);
+  at.minimum_load_skf = minimum_load_of(scene);
   at.pitch_diameter = rollers.pitch_diameter;
   at.limiting_speed = b.limiting_speed;
   return at;
@@ -234,6 +233,14 @@ void add_makers_warnings(const Scene& scene, std::vector<std::string>& warnings)
 }
 
 }  // namespace
+
+double minimum_load_of(const Scene& scene) {
+  const BearingGeometry& b = scene.bearing;
+  const RingSpeeds speed = make_duty(scene.operation).speed;
+  return minimum_load_skf(b.minimum_load_factor,
+                          std::abs(speed.inner - speed.outer) / b.reference_speed,
+                          (b.bore_diameter + b.outside_diameter) / 2);
+}
 
 OperatingPoint operating_point(const Scene& scene) {
   OperatingPoint at = rated_point(scene);

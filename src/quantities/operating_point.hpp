@@ -73,6 +73,10 @@ OperatingPoint with_slip(OperatingPoint at, double slip);
 /// Load distribution and film are NaN where no equilibrium is found.
 OperatingPoint operating_point(const Scene& scene);
 
+/// Minimum load by SKF's rule at the scene's largest speed; NaN where the scene gives no
+/// bearing.minimum_load_factor or no bearing.reference_speed_rpm [N].
+double minimum_load_of(const Scene& scene);
+
 /// One line of its table.
 struct OperatingRow {
   const char* key;                            ///< with its unit as suffix

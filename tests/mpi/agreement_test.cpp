@@ -83,7 +83,7 @@ TEST_F(AgreementTest, RanksWithDifferentDirectoriesAreRefusedWithHostAndFile) {
 
 TEST_F(AgreementTest, OneSweepAndARecommendationDoNotMix) {
   const std::vector<std::string> recommend = {CAGETOL_BINARY_DIR "/standin_recommend",
-                                              CAGETOL_SOURCE_DIR "/inputs/studies/nu205.toml",
+                                              CAGETOL_SOURCE_DIR "/inputs/studies/nu205-rated.toml",
                                               out_};
   const Ended ended = run(mixed(standin(out_), recommend));
   EXPECT_EQ(ended.code, 2) << ended.output;

@@ -40,7 +40,7 @@ std::vector<std::string> sweep_of(const std::string& study, const std::string& d
           more};
 }
 
-const std::string kShippedStudy = CAGETOL_SOURCE_DIR "/inputs/studies/nu205.toml";
+const std::string kShippedStudy = CAGETOL_SOURCE_DIR "/inputs/studies/nu205-rated.toml";
 
 TEST(ProgramTest, AnyNumberOfRanksGivesTheSameFileAndEverySampleReplaysToTheBit) {
   const ScratchDirectory scratch;

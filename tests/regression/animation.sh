@@ -6,7 +6,7 @@ program=$1
 command -v chromium >/dev/null || exit 77
 place=$(mktemp -d); trap 'rm -rf "$place"' EXIT
 fail() { echo "animation: $1" >&2; exit 1; }
-"$program" sweep "$(dirname "$0")/../../inputs/studies/nu205.toml" -o "$place/out" --set samples=4 --set extra_replicates=0 \
+"$program" sweep "$(dirname "$0")/../../inputs/studies/nu205-rated.toml" -o "$place/out" --set samples=4 --set extra_replicates=0 \
   --set scene.cage.model=rigid --set scene.window.settle_revolutions=0.2 --set scene.window.measure_revolutions=0.5 \
   >"$place/log" 2>&1 || { cat "$place/log"; fail "no sweep"; }
 "$program" report "$place/out" >"$place/log" 2>&1 || { cat "$place/log"; fail "no report"; }

@@ -12,7 +12,7 @@ home="$place/moved by hand/cagetol"
 program=$home/bin/cagetol
 short=(--set samples=8 --set scene.cage.model=rigid --set scene.window.settle_revolutions=0.2
        --set scene.window.measure_revolutions=0.5)
-"$program" sweep "$home/share/cagetol/inputs/studies/nu205.toml" -o "$place/out" "${short[@]}" >"$place/log" 2>&1 ||
+"$program" sweep "$home/share/cagetol/inputs/studies/nu205-rated.toml" -o "$place/out" "${short[@]}" >"$place/log" 2>&1 ||
   { cat "$place/log"; fail "no sweep"; }
 "$program" report "$place/out" >"$place/log" 2>&1 || { cat "$place/log"; fail "no report"; }
 grep -q '<svg\|image/svg' "$place/out/report.html" || fail "the report has no figures"

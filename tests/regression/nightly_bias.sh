@@ -17,7 +17,7 @@ sweep() { # NAME KEY=VALUE...: a sweep into the directory NAME, which goes on wh
   for key in "$@" "${more[@]}" "samples=$samples" "seed=$seed" extra_replicates=0; do keys+=(--set "$key"); done
   [ "$minutes" = 0 ] || limit=(timeout -s TERM $((ends > $(date +%s) ? ends - $(date +%s) : 1)))
   local code=0
-  "${limit[@]}" mpirun -n "$(nproc)" "$program" sweep inputs/studies/nu205.toml -o "$out/$name" --progress plain "${keys[@]}" || code=$?
+  "${limit[@]}" mpirun -n "$(nproc)" "$program" sweep inputs/studies/nu205-rated.toml -o "$out/$name" --progress plain "${keys[@]}" || code=$?
   case $code in
     0) ;;
     1 | 2 | 3 | 70) exit "$code" ;;

@@ -172,14 +172,14 @@ bool read_resolved_bytes(std::string_view bytes) {
 std::vector<std::string> resolved_seeds() {
   std::vector<std::string> seeds;
   for (const char* name :
-       {"studies/nu205.toml", "studies/paper-length.toml", "studies/nu205-duty.toml"})
+       {"studies/nu205-rated.toml", "studies/paper-length.toml", "studies/nu205-duty.toml"})
     seeds.push_back(read_study(shipped(name)).resolved_toml);
   return seeds;
 }
 
 /// One setting a line, on the default study.
 bool read_setting_bytes(std::string_view bytes) {
-  static const std::string study = shipped("studies/nu205.toml");
+  static const std::string study = shipped("studies/nu205-rated.toml");
   std::vector<std::string> settings;
   std::istringstream lines{std::string(bytes)};
   for (std::string line; settings.size() < 8 && std::getline(lines, line);)

@@ -25,7 +25,7 @@ double mean_square(const System& system) {
 TEST(PocketForceRms, IsThatOfEightPartsOfEveryStep) {
   Scene scene = shipped_scene("nu205");
   scene.integration.method = IntegrationMethod::rodas3;
-  scene.integration.tolerance = 0.015;  // that of inputs/studies/nu205.toml
+  scene.integration.tolerance = 0.015;  // that of inputs/studies/nu205-rated.toml
   const BearingModel model = make_bearing_model(scene);
   const double settle = window_times(scene, model).settle;
   System between(model);

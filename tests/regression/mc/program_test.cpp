@@ -89,7 +89,7 @@ std::function<void()> limited(__rlimit_resource resource, rlim_t amount) {
 
 TEST(Program, LimitsOfTheShellEndInDocumentedCodes) {
   const ScratchDirectory scratch;
-  const std::string study = shipped("studies/nu205.toml");
+  const std::string study = shipped("studies/nu205-rated.toml");
   const std::vector<std::vector<std::string>> commands = {
       {"check", study},
       {"simulate", study, "--set", "model.motion=quasi-static"},
@@ -123,8 +123,8 @@ TEST(Program, ARankSaysWhatMpiWouldLack) {
   for (const char* limit : {"ulimit -n 16", "ulimit -v 250000"}) {
     Process process(with_mpirun(
         2, {"/bin/sh", "-c", std::string(limit) + "; exec \"$0\" \"$@\"",
-            std::string(CAGETOL_BINARY_DIR) + "/cagetol", "sweep", shipped("studies/nu205.toml"),
-            "--set", "samples=4", "-o", scratch / "out"}));
+            std::string(CAGETOL_BINARY_DIR) + "/cagetol", "sweep",
+            shipped("studies/nu205-rated.toml"), "--set", "samples=4", "-o", scratch / "out"}));
     EXPECT_EQ(process.wait(), 2) << process.output();
     EXPECT_THAT(process.output(), HasSubstr("of an MPI process"));
     EXPECT_THAT(process.output(), HasSubstr("remedy: raise the limit: ulimit -"));
@@ -132,7 +132,7 @@ TEST(Program, ARankSaysWhatMpiWouldLack) {
 }
 
 TEST(Program, PlansBeyondTheMachineAreRefusedWithTheirCounts) {
-  const std::string study = shipped("studies/nu205.toml");
+  const std::string study = shipped("studies/nu205-rated.toml");
   const auto fine = run({"check", study});
   EXPECT_THAT(fine.output,
               testing::ContainsRegex("a sweep of [0-9]+ rows, [0-9]+ samples with "
@@ -177,7 +177,7 @@ TEST(Program, ReplacesNoFileThatItDidNotWrite) {
 /// A sweep of two equilibria, written to `directory`.
 std::vector<std::string> small_sweep(const std::string& directory) {
   std::vector<std::string> command = {
-      "sweep", shipped("studies/nu205.toml"), "-o", directory, "--progress", "plain"};
+      "sweep", shipped("studies/nu205-rated.toml"), "-o", directory, "--progress", "plain"};
   for (const char* setting :
        {"samples=2", "scene.cage.model=rigid", "scene.model.motion=quasi-static", "limit=[]"})
     command.insert(command.end(), {"--set", setting});
@@ -230,7 +230,8 @@ TEST(Program, AReportThatDoesNotFitOnTheDiskIsNotDone) {
 
 TEST(Program, AReportNamesATemperatureThatIsNotHeldAndTheLayersOfTheSupply) {
   const ScratchDirectory scratch;
-  std::vector<std::string> command = {"sweep", shipped("studies/nu205.toml"), "-o", scratch / "s"};
+  std::vector<std::string> command = {"sweep", shipped("studies/nu205-rated.toml"), "-o",
+                                      scratch / "s"};
   for (const char* setting :
        {"samples=2", "scene.cage.model=rigid", "limit=[]", "lubrication.temperature_C=40",
         "window.settle_revolutions=0.2", "window.measure_revolutions=0.5",
@@ -262,7 +263,8 @@ TEST(Program, ADirectoryHoldsASweepOrARecommendation) {
   const ScratchDirectory scratch;
   ASSERT_EQ(run(small_sweep(scratch / "sweep")).code, 0);
   std::filesystem::create_directories(scratch / "verdict/pilot");
-  const auto recommend = run({"recommend", shipped("studies/nu205.toml"), "-o", scratch / "sweep"});
+  const auto recommend =
+      run({"recommend", shipped("studies/nu205-rated.toml"), "-o", scratch / "sweep"});
   EXPECT_EQ(recommend.code, 2);
   EXPECT_THAT(recommend.output, HasSubstr("holds a sweep"));
   const auto sweep = run(small_sweep(scratch / "verdict"));
@@ -282,7 +284,8 @@ TEST(Program, NamesOfOutputsAreCheckedByEveryCommand) {
   std::ofstream(scratch / "file") << "in the way";
   // No real device: root would replace it by a file, were it not refused.
   ASSERT_EQ(::mkfifo((scratch / "device").c_str(), 0600), 0);
-  const std::string study = shipped("studies/nu205.toml"), scene = shipped("scenes/nu205.toml");
+  const std::string study = shipped("studies/nu205-rated.toml"),
+                    scene = shipped("scenes/nu205.toml");
   const std::vector<std::vector<std::string>> commands = {
       {"sweep", study},    {"recommend", study},
       {"ladder", study},   {"rig", scene, "rig.csv"},
@@ -434,7 +437,7 @@ TEST(Program, ALadderSaysWhyItCannotBeClimbed) {
       "integration.tolerance={ law = 'uniform', lower = 0, upper = 0.0001, nominal = 0.001 }");
   EXPECT_EQ(scattered.code, 2);
   EXPECT_THAT(scattered.output, HasSubstr("switches this key from rung to rung"));
-  const auto limitless = run({"sweep", shipped("studies/nu205.toml"), "-o", scratch / "out",
+  const auto limitless = run({"sweep", shipped("studies/nu205-rated.toml"), "-o", scratch / "out",
                               "--set", "fidelity=auto", "--set", "limit=[]"});
   EXPECT_EQ(limitless.code, 2);
   EXPECT_THAT(limitless.output, HasSubstr("nothing to judge a rung by"));
@@ -445,10 +448,10 @@ TEST(Program, ChecksEveryShippedFile) {
   for (const char* path :
        {"scenes/nu205.toml", "scenes/nu205-thin.toml", "scenes/nu205-paper.toml",
         "scenes/nu205-paper-tight.toml", "scenes/speed-z16.toml", "scenes/speed-z16-skew.toml",
-        "studies/nu205.toml", "studies/nu205-centre.toml", "studies/nu205-slip.toml",
-        "studies/nu205-displacement.toml", "studies/nu205-fit.toml", "studies/nu205-measured.toml",
-        "studies/nightly.toml", "studies/nu205-duty.toml", "studies/own-bearing-lips.toml",
-        "scenes/nu2206-moulded.toml"}) {
+        "studies/nu205.toml", "studies/nu205-rated.toml", "studies/nu205-centre.toml",
+        "studies/nu205-slip.toml", "studies/nu205-displacement.toml", "studies/nu205-fit.toml",
+        "studies/nu205-measured.toml", "studies/nightly.toml", "studies/nu205-duty.toml",
+        "studies/own-bearing-lips.toml", "scenes/nu2206-moulded.toml"}) {
     const auto ended = run({"check", shipped(path)});
     EXPECT_EQ(ended.code, 0) << path << ended.output;
     EXPECT_THAT(ended.output, HasSubstr("no mistakes found"));
@@ -518,9 +521,9 @@ TEST(Program, LimitsSayHowFarTheyAreAndReadASweepAgain) {
   EXPECT_EQ(nlohmann::json::parse(again.output), found);
   EXPECT_THAT(run({"limits", directory}).output,
               AllOf(HasSubstr("error of the model not measured"), HasSubstr("--refine -o ")));
-  EXPECT_EQ(run({"limits", shipped("studies/nu205.toml")}).code, 2);
+  EXPECT_EQ(run({"limits", shipped("studies/nu205-rated.toml")}).code, 2);
   // Of a study with candidate tolerances the one at which its laws are given.
-  run({"limits", shipped("studies/nu205.toml"), "-o", scratch / "nominal", "--samples", "2",
+  run({"limits", shipped("studies/nu205-rated.toml"), "-o", scratch / "nominal", "--samples", "2",
        "--set", "scene.cage.model=rigid", "--set", "scene.model.motion=quasi-static"});
   const StudyData nominal = read_study_data(scratch / "nominal" + std::string("/study.h5"));
   ASSERT_EQ(nominal.plan.candidates.size(), 1U);
@@ -590,9 +593,10 @@ TEST(Program, ListsCatalogueBearingsAndNamesNearOnes) {
 }
 
 TEST(Program, CheckShowsTheOperatingPointAndWarns) {
-  const auto quiet = run({"check", shipped("studies/nu205.toml")});
+  const auto quiet = run({"check", shipped("studies/nu205-rated.toml")});
   EXPECT_THAT(quiet.output, AllOf(HasSubstr("life_L10_h"), HasSubstr("cage_mass_g"),
                                   HasSubstr("speed_factor_mm_min                         234000"),
+                                  HasSubstr("cage.pocket_width_mm off centre by 0.018 mm 1.93 %"),
                                   Not(HasSubstr("warning: "))));
   const auto loud = run({"check", shipped("scenes/nu205.toml"), "--set", "load.radial_N=600000",
                          "--set", "speed.inner_rpm=300000"});

@@ -86,6 +86,61 @@ TEST_F(Report, ShowsTheModelThatAPilotChose) {
   EXPECT_THAT(html, testing::HasSubstr("It assumes that tails are light"));
 }
 
+TEST_F(Report, ShowsEachLimitOverTheWidthsAndNamesTheNearest) {
+  const StudyData study = make_synthetic_study();
+  const auto report = make_report(study);
+  const auto& width = report["tolerance"]["limit_curves"][0];
+  ASSERT_EQ(width["key"], "cage.pocket_width_mm");
+  const auto& stress = width["limits"][0];
+  ASSERT_EQ(stress["quantity"], "cage_stress_peak_MPa");
+  EXPECT_EQ(stress["max"], 100);
+  // By the formula wider tolerances stress more; each band is that of the runs at its width.
+  for (std::size_t level = 1; level < width["tolerance_widths_mm"].size(); ++level)
+    EXPECT_GT(stress["bands"][level]["high"], stress["bands"][level - 1]["high"]);
+  const double widest = width["tolerance_widths_mm"].back();
+  std::vector<double> values;
+  for (std::size_t i = 0; i < study.size(); ++i)
+    if (study.status[i] == RunStatus::ok && study.replicate[i] == 0 && study.candidate[i] >= 0 &&
+        study.plan.candidates[static_cast<std::size_t>(study.candidate[i])]
+                .tolerance_widths_mm[0] == widest)
+      values.push_back(find_quantity(study, "cage_stress_peak_MPa")->values[i]);
+  std::sort(values.begin(), values.end());
+  EXPECT_EQ(stress["bands"].back()["runs"], values.size());
+  EXPECT_NEAR(stress["bands"].back()["median"], values[values.size() / 2], 1);
+  std::string grounds;
+  for (const std::string ground : report["verdict"]["grounds"]) grounds += ground;
+  double least = 1;
+  std::string nearest;
+  for (const auto& margin : report["margins"]["each"])
+    if (margin["extreme_margin"] < least)
+      least = margin["extreme_margin"], nearest = margin["quantity"];
+  EXPECT_THAT(grounds,
+              testing::HasSubstr("Nearest limit and the margin of its worst run: " + nearest));
+}
+
+TEST_F(Report, CountsMissesByLots) {
+  EXPECT_TRUE(make_report(make_synthetic_study({.rows = 200}))["outcomes"]["lots"].is_null());
+  StudyData study = make_synthetic_study({.rows = 400, .cages_per_lot = 20, .failed_share = 0});
+  Column& stress = *std::find_if(study.quantities.begin(), study.quantities.end(),
+                                 [](Column& c) { return c.name == "cage_stress_peak_MPa"; });
+  Column& whirl = *std::find_if(study.quantities.begin(), study.quantities.end(),
+                                [](Column& c) { return c.name == "whirl_radius_ratio_p95"; });
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    study.status[i] = RunStatus::ok;
+    whirl.values[i] = 0.9;
+    // In lot 3 every cage misses, in lot 5 the first five of twenty.
+    const bool missed = study.lot[i] == 3 || (study.lot[i] == 5 && study.row[i] % 20 < 5);
+    stress.values[i] = missed ? 150 : 60;
+  }
+  const auto lots = make_report(study)["outcomes"]["lots"];
+  EXPECT_EQ(lots["lots"], 20);
+  EXPECT_EQ(lots["misses"], 25);
+  EXPECT_EQ(lots["with_misses"], 2);
+  EXPECT_EQ(lots["median_yield"], 1);
+  EXPECT_EQ(lots["worst_yield"], 0);
+  EXPECT_EQ(lots["yield_of_the_worst_twentieth"], 0.75);
+}
+
 TEST_F(Report, SameStudySameBytes) {
   report_on(make_synthetic_study({.rows = 400}), kNoPython);
   const std::string first = page_text(directory_ / "report.json"),

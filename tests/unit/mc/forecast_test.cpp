@@ -85,7 +85,7 @@ TEST(Forecast, IsMetByAStandInSweepWithinAFactorOfTwo) {
 
 TEST(Forecast, CountsTheLargestStudyWithoutOverflow) {
   const auto forecast = [](const std::vector<std::string>& settings) {
-    return forecast_sweep(read_study(shipped("studies/nu205.toml"), settings));
+    return forecast_sweep(read_study(shipped("studies/nu205-rated.toml"), settings));
   };
   const SweepForecast largest =
       forecast({"samples=1000000000", "extra_replicates=1000", "history.points=10000"});

@@ -128,6 +128,60 @@ TEST_F(OperatingPoints, ALimitWithoutLabelIsOneAtEachPoint) {
   EXPECT_DOUBLE_EQ(at_operating_point(again.scene, again.points[0]).operation.radial_load, 1000);
 }
 
+const char* const kAtMinimum = R"([[operating_point]]
+name = "minimum"
+minimum_loads = 1.5
+limiting_speeds = 0.75
+[[limit]]
+quantity = "driving_slip_ratio"
+operating_point = "minimum"
+max_at_minimum_loads = 1
+source = "s"
+)";
+
+TEST_F(OperatingPoints, LoadsAndSpeedsMayBeMultiplesOfTheMakers) {
+  const Study study = study_of(std::string(kScene) + kAtMinimum);
+  const Operation at = at_operating_point(study.scene, study.points[0]).operation;
+  EXPECT_DOUBLE_EQ(at.inner_speed, 0.75 * study.scene.bearing.limiting_speed);
+  // SKF: k_r (6 + 4 n/n_r) (d_m/100)^2 kN, d_m in mm; up to the next tenth of a newton.
+  const double least = 1e3 * 0.15 * (6 + 4 * 12000.0 / 14000) * std::pow(0.385, 2);
+  EXPECT_NEAR(at.radial_load, 1.5 * least, 0.1);
+  EXPECT_GE(at.radial_load, 1.5 * least);
+  EXPECT_THAT(problem_of(std::string(kPoints) + "minimum_loads = 2\n"),
+              AllOf(HasSubstr("load.radial_N is given as well"), HasSubstr("study.toml:1")));
+  EXPECT_THAT(problem_of("[[operating_point]]\nname = 'a'\nlimiting_speeds = 0.5\n"
+                         "[scene.bearing]\nlimiting_speed_rpm = 'auto'\n"),
+              AllOf(HasSubstr("does not give bearing.limiting_speed_rpm"), HasSubstr("remedy")));
+}
+
+TEST_F(OperatingPoints, ALimitMayBeWhatTheNominalBearingHasAtTheMinimumLoad) {
+  const Study study = study_of(std::string(kScene) + kAtMinimum);
+  ASSERT_THAT(limited(study), ElementsAre("driving_slip_ratio@minimum"));
+  Scene scene = at_operating_point(study.scene, study.points[0]);
+  scene.operation.radial_load /= 1.5;
+  double sum = 0;
+  for (int start = 0; start < 8; ++start) {
+    scene.start.cage_phase = start * 0.25 * M_PI;
+    sum +=
+        simulate(scene).quantities[static_cast<std::size_t>(quantity_index("driving_slip_ratio"))];
+  }
+  // The load there is a tenth of a newton too large at most.
+  EXPECT_NEAR(*study.limits[0].maximum, sum / 8, 0.01 * sum / 8);
+  // It is found once: the resolved study carries it.
+  EXPECT_EQ(read_resolved_study(study.resolved_toml, "again").hash, study.hash);
+  EXPECT_THAT(
+      problem_of(std::string(kAtMinimum) + "[scene.bearing]\nminimum_load_factor = 'auto'\n"),
+      HasSubstr("does not give"));
+}
+
+TEST_F(OperatingPoints, ABalanceInAStudyTakesTheTemperaturesOfTheSceneFileAway) {
+  const std::string balance = "[scene.temperature]\nbalance = true\n";
+  const Study study = study_of(kScene + balance);
+  EXPECT_EQ(study.scene.lubrication.temperature, study.scene.temperature.found);
+  EXPECT_THAT(problem_of(balance + "[scene.lubrication]\ntemperature_C = 50\n"),
+              HasSubstr("temperature.balance = true finds"));
+}
+
 TEST_F(OperatingPoints, ALoadOfMoreDigitsThanAnIntegerHasIsReadAgain) {
   const Study study =
       study_of(std::string(kScene) +

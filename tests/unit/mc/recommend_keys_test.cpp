@@ -45,15 +45,23 @@ std::string problem_of(const std::string& first, const std::string& second) {
 }
 
 TEST(RecommendKeys, ReadAndResolved) {
-  const Study study =
-      read_study(shipped("studies/nu205.toml"), {"recommend.attempts=3", "recommend.budget_h=0.5"});
+  const Study study = read_study(shipped("studies/nu205-rated.toml"),
+                                 {"recommend.attempts=3", "recommend.budget_h=0.5"});
   EXPECT_EQ(study.recommend.attempts, 3);
   EXPECT_DOUBLE_EQ(study.recommend.budget_time, 1800);
   const auto json = nlohmann::json::parse(study.resolved_json);
   EXPECT_EQ(json["recommend"]["attempts"], 3);
   EXPECT_DOUBLE_EQ(json["recommend"]["budget_h"], 0.5);
-  EXPECT_THROW(read_study(shipped("studies/nu205.toml"), {"recommend.attempts=0"}), InputError);
-  EXPECT_THROW(read_study(shipped("studies/nu205.toml"), {"recommend.budget_h=-1"}), InputError);
+  EXPECT_THROW(read_study(shipped("studies/nu205-rated.toml"), {"recommend.attempts=0"}),
+               InputError);
+  EXPECT_THROW(read_study(shipped("studies/nu205-rated.toml"), {"recommend.budget_h=-1"}),
+               InputError);
+  // Rows that belong together cannot be drawn again, and without candidates nobody knows a share.
+  for (const char* why : {"design='grid'", "design='morris'", "tolerance.dimension=[]"})
+    EXPECT_THROW(read_study(shipped("studies/nu205-rated.toml"), {"redraw_jams=true", why}),
+                 InputError)
+        << why;
+  EXPECT_TRUE(read_study(shipped("studies/nu205-rated.toml"), {"redraw_jams=true"}).redraw_jams);
 }
 
 TEST(RecommendKeys, CostsAreReadAndResolved) {
@@ -128,7 +136,7 @@ TEST(RecommendKeys, GradesAreForSizes) {
 }
 
 TEST(ChangedStudy, IsResolvedAnew) {
-  const Study study = read_study(shipped("studies/nu205.toml"));
+  const Study study = read_study(shipped("studies/nu205-rated.toml"));
   EXPECT_EQ(changed_study(study, [](Study&) {}).hash, study.hash);
   const Study changed = changed_study(study, [](Study& other) {
     other.samples = 33;

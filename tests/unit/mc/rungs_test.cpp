@@ -222,7 +222,7 @@ TEST(Rungs, FitEveryBearingThatShips) {
 }
 
 TEST(Rungs, AllSeeTheSameSamples) {
-  const Study study = read_study(shipped("studies/nu205.toml"));
+  const Study study = read_study(shipped("studies/nu205-rated.toml"));
   const Study low = rung_study(study, climbing_rungs().front(), 24),
               high = rung_study(study, climbing_rungs().back(), 24);
   EXPECT_EQ(sample_count(low), 24u);
@@ -276,7 +276,7 @@ TEST(Rungs, AKeyOfTheLadderMustNotScatter) {
 }
 
 TEST(Rungs, TheDecisionIsPartOfTheResolvedStudy) {
-  const Study study = read_study(shipped("studies/nu205.toml"), {"fidelity=auto"});
+  const Study study = read_study(shipped("studies/nu205-rated.toml"), {"fidelity=auto"});
   EXPECT_EQ(study.fidelity, "auto");
   EXPECT_TRUE(study.fidelity_decision.rung.empty());
   const double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -306,7 +306,7 @@ TEST(Rungs, TheDecisionIsPartOfTheResolvedStudy) {
   EXPECT_EQ(json["fidelity_decision"]["shift"][0]["verdict"], "settled");
   EXPECT_FALSE(json["fidelity_decision"]["shift"][1].contains("upper"));
   // Only a resolved study may hold it.
-  EXPECT_THROW(read_study(shipped("studies/nu205.toml"), {"fidelity_decision.rung=full"}),
+  EXPECT_THROW(read_study(shipped("studies/nu205-rated.toml"), {"fidelity_decision.rung=full"}),
                InputError);
 }
 

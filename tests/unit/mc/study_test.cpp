@@ -60,8 +60,8 @@ class StudyFile : public testing::Test {
 };
 
 TEST_F(StudyFile, TheDefaultStudyIsComplete) {
-  const Study study = read_study(shipped("studies/nu205.toml"));
-  EXPECT_EQ(study.name, "nu205");
+  const Study study = read_study(shipped("studies/nu205-rated.toml"));
+  EXPECT_EQ(study.name, "nu205-rated");
   EXPECT_EQ(study.scene.bearing.roller_count, 13);
   EXPECT_GE(study.samples, 256);
   EXPECT_FALSE(study.limits.empty());
@@ -90,7 +90,7 @@ TEST_F(StudyFile, ASceneIsAStudyOfOneRow) {
 }
 
 TEST_F(StudyFile, ResolvedTextReadsBackToTheSameStudy) {
-  for (const char* path : {"studies/nu205.toml", "studies/nu205-measured.toml",
+  for (const char* path : {"studies/nu205-rated.toml", "studies/nu205-measured.toml",
                            "studies/nu205-stress.toml", "scenes/speed-z16-skew.toml"}) {
     const Study study = read_study(shipped(path));
     const Study again = read_resolved_study(study.resolved_toml, "stored");
@@ -431,7 +431,7 @@ TEST_F(StudyFile, CorrelationsThatContradictEachOther) {
 }
 
 TEST_F(StudyFile, AResolvedFileIsTheSameStudy) {
-  for (const char* path : {"studies/nu205.toml", "studies/nu205-measured.toml"}) {
+  for (const char* path : {"studies/nu205-rated.toml", "studies/nu205-measured.toml"}) {
     const Study study = read_study(shipped(path), {"samples=20"});
     EXPECT_EQ(study_of(study.resolved_toml).resolved_json, study.resolved_json) << path;
   }

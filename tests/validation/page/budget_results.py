@@ -14,7 +14,7 @@ from program import Program
 from report import ROOT
 from results import RESULTS, stamp, write_results
 
-STUDY, SCENE = ROOT / "inputs/studies/nu205.toml", ROOT / "inputs/scenes/nu205.toml"
+STUDY, SCENE = ROOT / "inputs/studies/nu205-rated.toml", ROOT / "inputs/scenes/nu205.toml"
 SHOWN = ("cage_fatigue_utilisation", "cage_stress_peak_MPa", "driving_slip_ratio", "whirl_scatter_ratio", "friction_torque_Nmm",
          "pocket_force_rms_N", "pocket_force_peak_N", "guide_force_rms_N", "roller_load_peak_N", "race_pressure_peak_MPa",
          "ring_displacement_mean_um")

@@ -12,7 +12,7 @@ from engine import error_against_cost, legend_below  # noqa: E402
 
 OFFSETS = ((-9, 4), (-9, 5), (-10, 2), (10, 2), (-9, -4), (-2, 10), (2, -10), (10, 3))  # of the numbers, points
 NU205 = ROOT / "inputs/scenes/nu205.toml"
-STUDY = ROOT / "inputs/studies/nu205.toml"
+STUDY = ROOT / "inputs/studies/nu205-rated.toml"
 LOADS = (150, 1000, 10000)  # N
 RUNG_LOADS = (150, 1000)  # N; at 10 kN the explicit reference of the rungs would take hours
 CAGES = {"rigid": {"cage.model": "rigid"}, "flexible": {"cage.model": "flexible"}}
@@ -122,7 +122,7 @@ def limited_chapter(page, program):
     limited = [quantity for quantity in ladder["quantities"] if quantity["limited"]]
     cost = {rung["name"]: rung["cost_ratio"] for rung in ladder["rungs"]}
     page.heading("Error against cost: the quantities that the default study limits")
-    page.add("`cagetol ladder inputs/studies/nu205.toml`: the same 24 cages on every rung. Error: shift of the mean against the",
+    page.add("`cagetol ladder inputs/studies/nu205-rated.toml`: the same 24 cages on every rung. Error: shift of the mean against the",
              "highest rung, in per cent of that mean, the bar its 95 % interval; an arrow where the interval reaches zero: the",
              "error is below its end. A rung that does not define a quantity is not drawn.", "")
     figure, axes = pyplot.subplots(2, 2, figsize=(WIDTH, 5.2), sharex=True)

@@ -29,7 +29,7 @@ from results import RESULTS, stamp, write_results
 
 NU205 = ROOT / "inputs/scenes/nu205.toml"
 STUDY = ROOT / "inputs/studies/nu205-displacement.toml"
-DYNAMIC_STUDY = ROOT / "inputs/studies/nu205.toml"
+DYNAMIC_STUDY = ROOT / "inputs/studies/nu205-rated.toml"
 REPEATS = 3  # starts of each point, of which the fastest counts: what else runs on the machine only adds
 WINDOW = {"window.peak_revolutions": "auto", "window.settle_revolutions": 1,
           "window.measure_revolutions": 2, "window.longest_settle_revolutions": 0, "watch.cage_drift_max": 1e9,
@@ -164,7 +164,7 @@ def study_chapter(page, studies, quick):
     still = {"scene.model.motion": "'quasi-static'", "extra_replicates": 0}
     page.heading("As the study grows")
     page.add("One process. Quasi-static: `inputs/studies/nu205-displacement.toml` with",
-             "`scene.model.motion = \"quasi-static\"`, every size run. Dynamic: `inputs/studies/nu205.toml`,",
+             "`scene.model.motion = \"quasi-static\"`, every size run. Dynamic: `inputs/studies/nu205-rated.toml`,",
              f"{', '.join(map(str, measured))} samples run; larger ones are **extrapolated** by the line through the",
              "first and the last of these, not run.", "")
     rows, drawn, reports = [], [], []

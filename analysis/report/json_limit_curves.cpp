@@ -1,0 +1,57 @@
+// How near each limit is over the width of each tolerance: quantiles of the runs at each width that
+// the candidates have, the other dimensions as the rows drew them.
+#include <map>
+
+#include "analysis/report/json_parts.hpp"
+#include "analysis/sensitivity/features.hpp"
+#include "analysis/sensitivity/noise_share.hpp"
+
+namespace cagetol {
+namespace {
+constexpr long kFewestRuns = 8;  // for quantiles of 5 and 95 %
+}
+
+Json limit_curves_json(const ReportBasis& basis) {
+  const StudyPlan& plan = basis.study.plan;
+  Json dimensions = Json::array();
+  for (std::size_t d = 0; d < plan.dimensions.size(); ++d) {
+    std::map<double, std::vector<std::size_t>> runs_at;  // of each width
+    std::map<double, std::string> grades;
+    for (std::size_t i = 0; i < basis.runs.size(); ++i) {
+      if (basis.runs.candidate[i] < 0) continue;
+      const Candidate& drawn = plan.candidates[static_cast<std::size_t>(basis.runs.candidate[i])];
+      runs_at[drawn.tolerance_widths_mm[d]].push_back(i);
+      grades[drawn.tolerance_widths_mm[d]] = drawn.grades[d];
+    }
+    Json limits = Json::array();
+    for (const Limit& limit : plan.limits) {
+      const Column* column = find_quantity(basis.study, limit.quantity);
+      if (column == nullptr) continue;
+      const auto values = ok_values(basis.runs, find_quantity(basis.runs, limit.quantity)->values);
+      Json bands = Json::array();
+      for (const auto& [width, runs] : runs_at) {
+        std::vector<double> here;
+        for (const std::size_t i : runs) here.push_back(values[i]);
+        bands.push_back(band_json(here));
+        if (bands.back()["runs"] < kFewestRuns) bands.back() = nullptr;
+      }
+      const NoiseShare noise = noise_share(basis.study, column->values, basis.confidence);
+      limits.push_back({{"quantity", limit.quantity},
+                        {"unit", column->unit},
+                        {"min", limit.minimum ? number(*limit.minimum) : Json()},
+                        {"max", limit.maximum ? number(*limit.maximum) : Json()},
+                        {"noise", number(noise.standard_deviation)},
+                        {"bands", bands}});
+    }
+    Json widths = Json::array(), names = Json::array();
+    for (const auto& [width, grade] : grades) widths.push_back(width), names.push_back(grade);
+    dimensions.push_back({{"key", plan.dimensions[d].key},
+                          {"name", plain_name(plan.dimensions[d].key)},
+                          {"tolerance_widths_mm", widths},
+                          {"grades", names},
+                          {"limits", limits}});
+  }
+  return dimensions;
+}
+
+}  // namespace cagetol
