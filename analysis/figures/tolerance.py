@@ -1,5 +1,7 @@
 """Yield against tolerance."""
 
+import math
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -36,7 +38,7 @@ def limit_curves(report):
 
     nearest = sorted(range(len(dimensions[0]["limits"])), key=lambda l: -largest(dimensions[0]["limits"][l]))[:MOST_LIMITS]
     confirmed, jams = confirmed_tolerances(report), {jam["key"]: jam for jam in report["tolerance"]["jams"]}
-    figure, axes = plt.subplots(1, len(dimensions), figsize=(WIDTH, 3.6), sharey=True, squeeze=False)
+    figure, axes = plt.subplots(1, len(dimensions), figsize=(WIDTH, 2.7), sharey=True, squeeze=False)
     for axis, dimension in zip(axes[0], dimensions):
         widths = [1e3 * width for width in dimension["tolerance_widths_mm"]]
         edges = [0] + [(a + b) / 2 for a, b in zip(widths, widths[1:])] + [1.5 * widths[-1] - 0.5 * widths[-2]]
@@ -62,16 +64,16 @@ def limit_curves(report):
         if dimension["key"] in confirmed:
             width = 1e3 * confirmed[dimension["key"]][0]
             axis.axvline(width, color=BLACK, linewidth=1.5, label="confirmed")
-            axis.annotate(f"±{width / 2:.0f} µm", (width, 1), xycoords=("data", "axes fraction"), xytext=(-3, -3),
+            axis.annotate(f"±{width / 2:.0f} µm", (width, 1), xycoords=("data", "axes fraction"), xytext=(-3, -30),
                           textcoords="offset points", ha="right", va="top", fontsize=8.5)
         axis.set_xlim(0, edges[-1])
         axis.set_ylim(0, None)
         axis.set_xticks(widths, [f"{grade.removeprefix('IT') or f'{width:.0f}'}" for width, grade in zip(widths, dimension["grades"])])
-        axis.set_xlabel(f"{dimension['name']}: " + ("ISO 286 grade, to scale of its width" if all(dimension["grades"]) else "full width [µm]"),
+        axis.set_xlabel(f"{dimension['name']}: " + ("ISO 286 grade at its width" if all(dimension["grades"]) else "full width [µm]"),
                         fontsize=8.5)
     axes[0][0].set_ylabel("share of the limit [%]")
     handles = {label: handle for axis in axes[0] for handle, label in zip(*axis.get_legend_handles_labels())}
-    legend_below(figure, list(handles.values()), list(handles), 0.28 / 3.6)
+    legend_below(figure, list(handles.values()), list(handles), (0.1 + 0.17 * math.ceil(len(handles) / 5)) / 2.7)
     return figure
 
 
