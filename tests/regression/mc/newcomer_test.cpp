@@ -110,7 +110,8 @@ const std::vector<Mistake>& mistakes() {
 
 TEST(Newcomer, EveryMistakeIsNamed) {
   for (const Mistake& made : mistakes()) {
-    const std::string file = shipped(made.of_scene ? "scenes/nu205.toml" : "studies/nu205-rated.toml");
+    const std::string file =
+        shipped(made.of_scene ? "scenes/nu205.toml" : "studies/nu205-rated.toml");
     Process check({CAGETOL_BINARY_DIR "/cagetol", "check", file, "--set", made.setting});
     const int code = check.wait();
     EXPECT_EQ(code, made.code) << made.setting << '\n' << check.output();
@@ -123,8 +124,8 @@ TEST(Newcomer, EveryMistakeIsNamed) {
 
 TEST(Newcomer, EveryCommandSaysWhatItTakes) {
   const ScratchDirectory scratch;
-  const std::string study = shipped("studies/nu205-rated.toml"), scene = shipped("scenes/nu205.toml"),
-                    out = scratch / "out";
+  const std::string study = shipped("studies/nu205-rated.toml"),
+                    scene = shipped("scenes/nu205.toml"), out = scratch / "out";
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"recommend", scene, "-o", out}, "where this is a scene, name it in a study"},
       {{"replay", scratch.path(), "--sample", "1"}, scratch / "mixture"},
