@@ -1,5 +1,5 @@
-// Limits that the nominal bearing sets: at most what it has under the load that its maker calls the
-// least. A cage that slips more at a larger load is worse than any bearing within its maker's rules.
+// Limits that the nominal bearing sets: at most what it has under the least load that its maker
+// allows. A cage that slips more at a larger load is worse than any bearing within these rules.
 #pragma once
 
 #include "mc/study/study.hpp"

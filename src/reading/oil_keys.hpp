@@ -21,8 +21,8 @@ InputError no_word_of_oil(const std::string& who, const std::string& file);
 void refuse_given_temperatures(const Scene& scene, const toml::table& root,
                                const std::string& file);
 
-/// Takes the temperatures that `below`, a scene's table, gives out of it where `above`, laid over it,
-/// sets temperature.balance = true. Nothing where `below` was written by the program.
+/// Takes the temperatures out that `below`, a scene's table, gives, where `above`, laid over it,
+/// sets temperature.balance = true. Does nothing where `below` was written by the program.
 void leave_temperatures_to_balance(toml::table& below, const toml::table& above);
 
 /// The successor of `key` if the lubrication.model of `scene` does not allow it; empty if it does.
