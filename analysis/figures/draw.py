@@ -35,7 +35,7 @@ def main(report_file, output_dir):
 
     of_report = {
         "bearing": bearing.bearing, "heat": heat.heat,
-        "limit_curves": tolerance.limit_curves, "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
+        "width_curves": tolerance.width_curves, "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
         "jam_curves": tolerance.jam_curves,
         "centre_curves": centres.centre_curves, "centre_map": centres.centre_map,
         "centre_responses": centres.centre_responses,

@@ -26,9 +26,9 @@ def share_of_limit(limit, value):
     return max(shares) if shares else None
 
 
-def limit_curves(report):
+def width_curves(report):
     """One panel for each dimension: limited quantities as shares of their limits over the width of the tolerance."""
-    dimensions = report["tolerance"].get("limit_curves", []) if report["tolerance"] else []
+    dimensions = report["tolerance"].get("width_curves", []) if report["tolerance"] else []
     dimensions = [d for d in dimensions if len(d["tolerance_widths_mm"]) > 1]
     if not dimensions:
         return None

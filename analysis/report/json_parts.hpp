@@ -74,7 +74,7 @@ struct TolerancePart {
 TolerancePart tolerance_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations);
 
 /// Each limited quantity over the widths of each dimension, from the runs of a mixture.
-Json limit_curves_json(const ReportBasis& basis);
+Json width_curves_json(const ReportBasis& basis);
 
 /// Name, reason and command of candidates that were passed over.
 Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates);

@@ -89,7 +89,7 @@ TEST_F(Report, ShowsTheModelThatAPilotChose) {
 TEST_F(Report, ShowsEachLimitOverTheWidthsAndNamesTheNearest) {
   const StudyData study = make_synthetic_study();
   const auto report = make_report(study);
-  const auto& width = report["tolerance"]["limit_curves"][0];
+  const auto& width = report["tolerance"]["width_curves"][0];
   ASSERT_EQ(width["key"], "cage.pocket_width_mm");
   const auto& stress = width["limits"][0];
   ASSERT_EQ(stress["quantity"], "cage_stress_peak_MPa");

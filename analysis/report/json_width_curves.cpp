@@ -11,7 +11,7 @@ namespace {
 constexpr long kFewestRuns = 8;  // for quantiles of 5 and 95 %
 }
 
-Json limit_curves_json(const ReportBasis& basis) {
+Json width_curves_json(const ReportBasis& basis) {
   const StudyPlan& plan = basis.study.plan;
   Json dimensions = Json::array();
   for (std::size_t d = 0; d < plan.dimensions.size(); ++d) {
