@@ -51,7 +51,8 @@ def main(report_file, output_dir):
                  "rig": {"rig": rig.rig}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
-    figures = of_engine.get(report.get("kind"), of_report)
+    of_limits = {"limit_curves": tolerance.limit_curves, "yield_curves": tolerance.yield_curves}
+    figures = of_limits if "limit_curves" in report else of_engine.get(report.get("kind"), of_report)
     output = pathlib.Path(output_dir)
     output.mkdir(parents=True, exist_ok=True)
     failed = 0

@@ -12,7 +12,40 @@ from engine import legend_below
 def confirmed_tolerances(report):
     """Tolerances of the attempt that confirmed, by key."""
     attempts = (report["confirmation"] or {"attempts": []})["attempts"]
-    return {tolerance["key"]: (tolerance["tolerance_width_mm"], attempt) for attempt in attempts if attempt["passed"] for tolerance in attempt["tolerances"]}
+    return {tolerance["key"]: (tolerance["tolerance_width_mm"], attempt) for attempt in attempts if attempt["passed"] and not attempt["judged_again"]
+            for tolerance in attempt["tolerances"]}
+
+
+def limit_curves(report):
+    """One panel for each side of a limit: yield of each candidate over the value that the limit might have."""
+    curves = [curve for curve in report.get("limit_curves", []) if len(curve["values"]) > 1]
+    if not curves:
+        return None
+    chosen = (report["tolerance"] or {}).get("chosen_candidate")
+    rows = -(-len(curves) // 2)
+    figure, axes = plt.subplots(rows, 2, figsize=(WIDTH, 2.6 * rows), sharey=True, squeeze=False)
+    for axis in axes.flat[len(curves):]:
+        axis.set_visible(False)
+    for axis, curve in zip(axes.flat, curves):
+        alone = len(curve["candidates"]) == 1
+        for number, candidate in enumerate(curve["candidates"]):
+            marked = alone or number == chosen
+            if candidate["shown"] or marked:
+                axis.plot(curve["values"], [100 * known(value) for value in candidate["if_unknown_fail"]], color=BLUE if marked else GREY,
+                          linewidth=1.8 if marked else 0.6, zorder=3 if marked else 2,
+                          label=("all runs" if alone else "candidate of the verdict") if marked else "other candidates")
+            if marked:
+                axis.plot(curve["values"], [100 * known(value) for value in candidate["lower_bound"]], ":", color=BLUE, label="its lower bound")
+        axis.locator_params(axis="x", nbins=5)
+        axis.axvline(curve["bound"], color=GREEN, linewidth=1.2, label="limit")
+        axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
+        axis.set_xlabel(f"{readable(curve['quantity'])}, at {'most' if curve['side'] == 'max' else 'least'}"
+                        + (f" [{curve['unit']}]" if curve["unit"] not in ("", "-") else ""), fontsize=8.5)
+    for row in axes:
+        row[0].set_ylabel("yield [%]")
+    handles = {label: handle for axis in axes.flat[:len(curves)] for handle, label in zip(*axis.get_legend_handles_labels())}
+    legend_below(figure, list(handles.values()), list(handles), 0.28 / (2.6 * rows))
+    return figure
 
 
 MOST_LIMITS = 8  # lines that can be told apart

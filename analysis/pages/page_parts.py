@@ -206,11 +206,11 @@ def wider_candidates(report):
     """Attempts that did not confirm, then candidates that no attempt tried."""
     rows = []
     for attempt in (report["confirmation"] or {"attempts": []})["attempts"]:
-        if attempt["passed"]:
+        if attempt["passed"] and not attempt["judged_again"]:
             continue
         jams = f", {rounded(attempt['jammed_runs'])} jam" if attempt["jammed_runs"] else ""
         rows.append({"name": ", ".join(tolerance_name(tolerance) for tolerance in attempt["tolerances"]), "command": None,
-                     "reason": f"tried and not confirmed: {rounded(attempt['meeting_runs'])} of {rounded(attempt['runs'])} fresh runs "
+                     "reason": f"{'judged again' if attempt['judged_again'] else 'tried'} and not confirmed: {rounded(attempt['meeting_runs'])} of {rounded(attempt['runs'])} {'' if attempt['judged_again'] else 'fresh '}runs "
                                f"meet all limits{jams}"})
     return rows + report["passed_over"]
 

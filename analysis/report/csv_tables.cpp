@@ -174,6 +174,24 @@ std::string yield_csv(const Json& report) {
   return text;
 }
 
+std::string limit_curves_csv(const Json& curves) {
+  std::string text =
+      "quantity,side,value,what,yield_if_unknown_fail,yield_if_unknown_pass,lower_bound,"
+      "upper_bound,effective_runs,shown\n";
+  for (const Json& curve : curves)
+    for (const Json& candidate : curve["candidates"])
+      for (std::size_t i = 0; i < curve["values"].size(); ++i) {
+        std::vector<std::string> cells = {cell(curve["quantity"]), cell(curve["side"]),
+                                          cell(curve["values"][i]), cell(candidate["name"])};
+        for (const char* key : {"if_unknown_fail", "if_unknown_pass", "lower_bound", "upper_bound"})
+          cells.push_back(cell(candidate[key][i]));
+        cells.push_back(cell(candidate["effective_runs"]));
+        cells.emplace_back(candidate["shown"] ? "yes" : "no");
+        text += line(cells);
+      }
+  return text;
+}
+
 }  // namespace
 
 void write_csv_tables(const std::filesystem::path& directory, const StudyData& study,
@@ -184,6 +202,8 @@ void write_csv_tables(const std::filesystem::path& directory, const StudyData& s
   write_text(directory / "error_budget.csv", error_budget_csv(report));
   write_text(directory / "contributors.csv", contributors_csv(report));
   write_text(directory / "yield.csv", yield_csv(report));
+  if (report.contains("limit_curves"))
+    write_text(directory / "limit_curves.csv", limit_curves_csv(report["limit_curves"]));
 }
 
 }  // namespace cagetol

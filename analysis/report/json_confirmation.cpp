@@ -50,7 +50,8 @@ Json attempt_json(const StudyData& runs, const Confirmation& result, std::size_t
           {"jammed_runs", std::count(runs.status.begin(), runs.status.end(), RunStatus::jammed)},
           {"allowed_failures", allowed ? Json(*allowed) : Json()},
           {"yield", to_json(result.yield)},
-          {"passed", result.passed}};
+          {"passed", result.passed},
+          {"judged_again", result.judged_again}};
 }
 
 /// " about 7.6", or nothing where the centre is not in question.
@@ -81,10 +82,12 @@ std::string confirming_command(const StudyData& runs, std::int64_t seed, const C
                               plan.dimensions[d].tolerance_width_mm, width, centre);
   }
   return fmt::format(
-      "cagetol recommend STUDY -o OTHER_DIR --set seed={} --set samples=128 --set "
-      "recommend.attempts=1 --set recommend.confirm_samples={} --set recommend.budget_samples=0 "
-      "--set recommend.budget_h=0 --set 'tolerance.dimension=[{}]'",
-      seed, count, dimensions);
+             "cagetol recommend STUDY -o OTHER_DIR --set seed={} --set samples=128 --set "
+             "recommend.attempts=1 --set recommend.confirm_samples={} --set "
+             "recommend.budget_samples=0 "
+             "--set recommend.budget_h=0 --set 'tolerance.dimension=[{}]'",
+             seed, count, dimensions) +
+         (runs.judged_again ? judgement_settings(plan) : "");
 }
 
 /// A bound is rounded to its safe side.
@@ -154,20 +157,25 @@ std::string statement(const Json& attempt, double lower_bound, const Json& not_b
     list += (list.empty() ? "" : ", ") + text;
   }
   const double jams = 1 - attempt["yield"]["fits"].get<double>();
+  const bool again = attempt["judged_again"];
   const std::string counted =
-      fmt::format("{} of {} fresh runs{} meet all limits",
-                  attempt["meeting_runs"].get<std::size_t>(), attempt["runs"].get<std::size_t>(),
+      fmt::format("{} of {} {}runs{} meet all limits", attempt["meeting_runs"].get<std::size_t>(),
+                  attempt["runs"].get<std::size_t>(), again ? "" : "fresh ",
                   jams > 0 ? " of cages that fit" : "") +
       (jams > 0 ? fmt::format(", and {} of the cages do not fit", jam_text(jams, 0)) : "");
   std::string text;
   if (attempt["passed"].get<bool>())
     text = fmt::format(
-        "Confirmed{}. {}: with {:.6g} % confidence at least {} "
-        "of the cages {}, {}; the target is {:.6g} %.",
+        "{}{}. {}: with {:.6g} % confidence at least {} "
+        "of the cages {}, {}; the target is {:.6g} %.{}",
+        again ? "Judged again, not confirmed" : "Confirmed",
         widths.empty() ? ", though no tolerance studied limits the yield"
                        : ": " + widths + ", full width of the tolerance",
         counted, 100 * plan.confidence, percent_down(lower_bound),
-        jams > 0 ? "fit and meet them" : "do", judged_by(plan), 100 * plan.target_yield);
+        jams > 0 ? "fit and meet them" : "do", judged_by(plan), 100 * plan.target_yield,
+        again ? " These runs had been seen before limits or target were stated: fresh ones alone "
+                "confirm it."
+              : "");
   else
     text = fmt::format(
         "No tolerance is confirmed after {} of {} planned attempts. The last was {}: {}, too few "
@@ -183,18 +191,21 @@ std::string statement(const Json& attempt, double lower_bound, const Json& not_b
 
 }  // namespace
 
+std::string candidate_name(const StudyData& runs, const Candidate& candidate) {
+  std::string name;
+  for (std::size_t d = 0; d < candidate.tolerance_widths_mm.size(); ++d)
+    name += fmt::format("{}{} {}{}", d == 0 ? "" : ", ", plain_name(runs.plan.dimensions[d].key),
+                        tolerance_name(candidate.grades[d], candidate.tolerance_widths_mm[d]),
+                        centre_text(runs, candidate, d));
+  return name;
+}
+
 Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates) {
   Json list = Json::array();
   for (const PassedOver& passed : candidates) {
     const Candidate& candidate = basis.study.plan.candidates[passed.candidate];
-    std::string name;
-    for (std::size_t d = 0; d < candidate.tolerance_widths_mm.size(); ++d)
-      name += fmt::format("{}{} {}{}", d == 0 ? "" : ", ",
-                          plain_name(basis.study.plan.dimensions[d].key),
-                          tolerance_name(candidate.grades[d], candidate.tolerance_widths_mm[d]),
-                          centre_text(basis.study, candidate, d));
     list.push_back(
-        {{"name", name},
+        {{"name", candidate_name(basis.study, candidate)},
          {"reason", passed.reason},
          {"runs_needed", passed.runs_needed},
          {"chance", fmt::format("confirms it in about {:.0f} of 10 cases, if its yield is as "
@@ -219,7 +230,8 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
     attempts.push_back(attempt_json(confirmations[i], judged.attempts[i], i + 1));
   const Json& last = attempts[judged.decisive];
   const StudyData& runs = confirmations[judged.decisive];
-  const bool passed = last["passed"];
+  const Confirmation& decisive = judged.attempts[judged.decisive];
+  const bool passed = decisive.confirms();
   for (const Json& width : last["tolerances"]) {
     Json& entry = verdict["tolerances"][width["key"].get<std::string>()];
     const Json& free = verdict["not_binding"];
@@ -231,11 +243,15 @@ Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& c
   verdict["meets_target"] = passed;
   verdict["yield"] = last["yield"];
   verdict["yield"]["lower_bound"] = verdict["yield_lower_bound"] = judged.lower_bound;
-  verdict["confirmation"] = {{"runs", last["runs"]},
-                             {"passed", passed},
-                             {"meeting_runs", last["meeting_runs"]},
-                             {"attempts", judged.decisive + 1}};
-  verdict["status"] = passed ? "confirmed" : "not_confirmed";
+  verdict["confirmation"] = {
+      {"runs", last["runs"]},
+      {"passed", passed},
+      {"judged_again", decisive.judged_again},
+      {"command", confirming_command(basis.study, basis.study.provenance.seed + 1,
+                                     runs.plan.candidates.front(), last["planned_runs"])},
+      {"meeting_runs", last["meeting_runs"]},
+      {"attempts", judged.decisive + 1}};
+  verdict["status"] = passed ? "confirmed" : decisive.passed ? "judged_again" : "not_confirmed";
   const std::string judgement = statement(last, judged.lower_bound, verdict["not_binding"], plan,
                                           attempts.size(), runs.plan.campaign.attempts);
   verdict["judgement"] = judgement;

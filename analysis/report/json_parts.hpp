@@ -76,6 +76,18 @@ TolerancePart tolerance_json(const ReportBasis& basis, const std::vector<StudyDa
 /// Each limited quantity over the widths of each dimension, from the runs of a mixture.
 Json width_curves_json(const ReportBasis& basis);
 
+/// "pocket width IT13, pocket length 0.2 mm about 9".
+std::string candidate_name(const StudyData& runs, const Candidate& candidate);
+
+/// Of a study that is judged again: what is other than stored, in a sentence; and the settings with
+/// which a command judges by it.
+std::string judgement_text(const StudyData& study);
+std::string judgement_settings(const StudyPlan& plan);
+
+/// Yield of each candidate (without any: of the runs as sampled) over the value of each side of
+/// each limit, all other limits as they are.
+Json limit_curves_json(const StudyData& study);
+
 /// Name, reason and command of candidates that were passed over.
 Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates);
 

@@ -120,6 +120,12 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
   if (status == "too_few_runs")
     steps.push_back(
         step("More runs, so that every candidate has enough effective ones.", more_runs(basis, 3)));
+  if (status == "judged_again")
+    steps.push_back(step("Fresh runs at this tolerance: those of its attempt had been seen before.",
+                         report["verdict"]["confirmation"]["command"]));
+  if (status == "not_confirmed" && basis.study.judged_again)
+    steps.push_back(step("Attempts decided by these limits: the directory goes on with its runs.",
+                         "cagetol recommend STUDY -o DIR"));
   if (status == "none_meets" || status == "not_confirmed") {
     if (report["tolerance"].is_object() && some_dimension_binds(report["tolerance"]))
       steps.push_back(step("Narrower candidates than those studied.", narrower_command(basis)));
@@ -147,6 +153,13 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
   if (status == "no_runs")
     steps.push_back(step("Runs with an outcome.", "cagetol sweep STUDY -o DIR"));
   return steps;
+}
+
+/// A command that reads STUDY judges by what the plan states now.
+void add_settings(Json& command, const StudyPlan& plan) {
+  const std::string text = command, settings = judgement_settings(plan);
+  if (text.find(" STUDY ") != std::string::npos && text.find(settings) == std::string::npos)
+    command = text + settings;
 }
 
 std::string convergence_statement(const Json& report) {
@@ -281,6 +294,13 @@ void finish_verdict(const ReportBasis& basis, Json& report) {
     sentences.push_back(nearest);
   verdict["grounds"] = sentences;
   verdict["next"] = next_steps(basis, report);
+  if (basis.study.judged_again) {
+    const std::string text = judgement_text(basis.study);
+    verdict["statement"] = text + " " + verdict["statement"].get<std::string>();
+    verdict["grounds"].insert(verdict["grounds"].begin(), text);
+    for (Json& next : verdict["next"])
+      if (next["command"].is_string()) add_settings(next["command"], basis.study.plan);
+  }
   report["convergence"]["statement"] = convergence_statement(report);
   const auto judge_indices = [&](Json& capability) {
     for (Json& entry : capability) entry["no_index"] = no_index(report, entry);

@@ -29,8 +29,12 @@ struct ReportOptions {
   /// What the bearing of a study file is, for the page of its operating point: this room knows
   /// nothing of bearings. Null where it cannot say; empty: nothing is said.
   std::function<nlohmann::ordered_json(const std::filesystem::path& study_file)> bearing = {};
-  bool figures = true;  ///< draw them: seconds of Python
-  bool pdf = false;     ///< report.pdf, too
+  bool figures = true;              ///< draw them: seconds of Python
+  bool pdf = false;                 ///< report.pdf, too
+  std::filesystem::path into = {};  ///< folder of what is written, whole; empty: the study's own
+  /// States other limits, target or confidence for runs that have been read. The report is then of
+  /// limited quantities alone, and has the yield over the value of each limit.
+  std::function<void(StudyPlan&)> restate = {};
 };
 
 /// Every number of the report, from the study alone: the same study gives the same bytes.
@@ -46,7 +50,8 @@ nlohmann::ordered_json make_report(const StudyData& study,
                                    const std::optional<AssumptionRuns>& assumptions = {},
                                    const nlohmann::ordered_json& bearing = {});
 
-/// DIR/mixture/study.h5 where DIR holds the stages of a recommendation, otherwise DIR/study.h5.
+/// DIR/mixture/study.h5 where DIR holds the stages of a recommendation, or its pilot's; otherwise
+/// DIR/study.h5.
 std::filesystem::path study_file_in(const std::filesystem::path& directory);
 
 /// Reads DIR/study.h5, or DIR/mixture/study.h5 and the confirmations beside it, and writes

@@ -49,6 +49,8 @@ struct StudyData {
   Provenance provenance;
   StudyDesign design;
   StudyPlan plan;
+  /// Limits, target or confidence of the plan were stated after the runs had been seen.
+  bool judged_again = false;
   std::size_t pockets = 0;  ///< Z
   JamShares jam;
 

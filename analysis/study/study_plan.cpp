@@ -112,6 +112,18 @@ std::vector<T> read_list(const Json& root, const char* key, T (*read)(const Json
 
 }  // namespace
 
+nlohmann::ordered_json judgement_of(const StudyPlan& plan) {
+  const auto known = [](const std::optional<double>& bound) {
+    return bound ? Json(*bound) : Json();
+  };
+  Json limits = Json::array();
+  for (const Limit& limit : plan.limits)
+    limits.push_back({{"quantity", limit.quantity},
+                      {"min", known(limit.minimum)},
+                      {"max", known(limit.maximum)}});
+  return {{"limits", limits}, {"target_yield", plan.target_yield}, {"confidence", plan.confidence}};
+}
+
 StudyPlan read_study_plan(const std::string& text, const std::string& file) {
   try {
     StudyPlan plan;

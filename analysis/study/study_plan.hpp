@@ -45,6 +45,9 @@ struct StudyPlan {
   nlohmann::ordered_json whole;  ///< the study as stored
 };
 
+/// What runs are judged by: limits, target and confidence.
+nlohmann::ordered_json judgement_of(const StudyPlan& plan);
+
 /// Parses the text of /study/json. Throws StudyFileError naming `file` and the key at fault.
 StudyPlan read_study_plan(const std::string& text, const std::string& file);
 

@@ -78,9 +78,13 @@ Campaign run_campaign(const Stage& pilot,
     tried.push_back({tolerance_of(mixture->runs.plan, tolerance),
                      campaign.attempts.back().confirmation.passed});
   }
-  const auto passed = static_cast<std::size_t>(
-      std::count_if(tried.begin(), tried.end(), [](const Tried& each) { return each.passed; }));
-  campaign.end = passed > 0                                     ? CampaignEnd::confirmed
+  const bool confirmed =
+      std::any_of(campaign.attempts.begin(), campaign.attempts.end(),
+                  [](const Attempt& each) { return each.confirmation.confirms(); });
+  const bool passed =
+      std::any_of(tried.begin(), tried.end(), [](const Tried& each) { return each.passed; });
+  campaign.end = confirmed                                      ? CampaignEnd::confirmed
+                 : passed                                       ? CampaignEnd::judged_again
                  : tried.size() >= planned.error_shares         ? CampaignEnd::not_confirmed
                  : affords_attempt(planned, mixture->runs.plan) ? CampaignEnd::no_candidate
                                                                 : CampaignEnd::budget_spent;

@@ -48,6 +48,7 @@ LostRuns count_lost(const StudyData& runs);
 enum class CampaignEnd {
   interrupted,
   confirmed,
+  judged_again,   ///< an attempt passed, by runs that had been seen before limits or target changed
   no_candidate,   ///< no candidate meets the target, or none narrower than the last attempt
   not_confirmed,  ///< every planned attempt failed
   budget_spent,   ///< the budget affords no further attempt

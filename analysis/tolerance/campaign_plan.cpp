@@ -229,6 +229,7 @@ std::size_t minimum_budget(const ConfirmationRules& rules, double extra_replicat
 CampaignPlan plan_campaign(const StudyData& pilot, const CampaignSettings& settings,
                            std::size_t study_rows, double processes) {
   CampaignPlan plan{0, 0, 1, seconds_per_run(pilot), processes, settings};
+  plan.judgement = judgement_of(pilot.plan);
   share_out(plan, pilot, study_rows);
   require_runs(pilot, plan, confirmation_rules(pilot.plan, 0));
   return plan;
@@ -249,6 +250,14 @@ CampaignPlan with_settings(const CampaignPlan& plan, const StudyData& pilot,
   return changed;
 }
 
+CampaignPlan with_judgement(CampaignPlan plan, const StudyData& pilot,
+                            const CampaignSettings& settings) {
+  plan.attempts.clear();
+  plan.error_shares = 1;
+  plan.judgement = judgement_of(pilot.plan);
+  return with_settings(plan, pilot, settings);
+}
+
 nlohmann::ordered_json to_json(const CampaignPlan& plan) {
   auto attempts = nlohmann::ordered_json::array();
   for (const PlannedAttempt& attempt : plan.attempts)
@@ -262,6 +271,7 @@ nlohmann::ordered_json to_json(const CampaignPlan& plan) {
           {"confirm_samples", plan.settings.confirm_samples},
           {"budget_samples", plan.settings.budget_samples},
           {"budget_h", plan.settings.budget_h},
+          {"judgement", plan.judgement},
           {"attempts", attempts}};
 }
 
@@ -276,6 +286,7 @@ CampaignPlan campaign_plan_of(const nlohmann::ordered_json& json) {
   json.at("confirm_samples").get_to(plan.settings.confirm_samples);
   json.at("budget_samples").get_to(plan.settings.budget_samples);
   json.at("budget_h").get_to(plan.settings.budget_h);
+  plan.judgement = json.at("judgement");
   for (const auto& attempt : json.at("attempts")) {
     const auto runs = attempt.at("runs").get<std::size_t>();
     plan.attempts.push_back({attempt.at("candidate").get<std::size_t>(), runs, runs});

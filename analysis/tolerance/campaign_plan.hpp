@@ -31,6 +31,7 @@ struct CampaignPlan {
   CampaignSettings settings = {};             ///< for which the numbers were worked out
   std::vector<PlannedAttempt> attempts = {};  ///< decided so far
   double repeats_lost = 0;  ///< runs of smaller mixtures that are no rows of the larger one
+  nlohmann::ordered_json judgement = {};  ///< what attempts are decided by (judgement_of)
 };
 
 /// Fewest runs in all that can confirm anything: a pilot, a mixture that can judge one candidate,
@@ -63,6 +64,11 @@ CampaignPlan plan_campaign(const StudyData& pilot, const CampaignSettings& setti
 /// less than was decided.
 CampaignPlan with_settings(const CampaignPlan& plan, const StudyData& pilot,
                            const CampaignSettings& settings);
+
+/// The plan after limits, target or confidence have changed: pilot and mixture stay, attempts are
+/// open again. Throws Refused where the settings afford none.
+CampaignPlan with_judgement(CampaignPlan plan, const StudyData& pilot,
+                            const CampaignSettings& settings);
 
 nlohmann::ordered_json to_json(const CampaignPlan& plan);
 /// Throws nlohmann::json::exception.

@@ -3,6 +3,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/study/refused.hpp"
@@ -99,8 +100,16 @@ Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules&
   result.yield = yield_of_all(
       estimate_yield(study, joint, equal, Resampling(study, 1), 1 - risk_of_runs(rules)),
       rules.fit);
+  result.judged_again = study.judged_again;
   result.passed = result.runs > 0 && confirms(result.runs - result.meeting, result.runs, rules);
   return result;
+}
+
+bool is_judged_again(const std::filesystem::path& attempt, const StudyPlan& plan) {
+  std::ifstream stream(attempt / kJudgedByFile);
+  const auto before = stream ? nlohmann::ordered_json::parse(stream, nullptr, false)
+                             : judgement_of(read_study_plan(plan.whole.dump(), ""));
+  return before != judgement_of(plan);
 }
 
 JudgedAttempts judge_attempts(const std::vector<StudyData>& attempts) {
@@ -110,7 +119,7 @@ JudgedAttempts judge_attempts(const std::vector<StudyData>& attempts) {
   for (const StudyData& attempt : attempts) {
     const ConfirmationRules rules = confirmation_rules(attempt.plan, 0);
     judged.attempts.push_back(judge_confirmation(attempt, rules));
-    const auto& [runs, meeting, unknown, yield, passed] = judged.attempts.back();
+    const auto& [runs, meeting, unknown, yield, passed, again] = judged.attempts.back();
     if (passed) {
       bound = std::min(bound.value_or(1), yield.lower_bound);
       judged.lower_bound = *bound;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -60,7 +61,16 @@ struct Confirmation {
   std::size_t runs = 0, meeting = 0, unknown = 0;
   Yield yield;  ///< bounds at attempt_confidence()
   bool passed = false;
+  bool judged_again = false;  ///< StudyData::judged_again: it passed or failed, and claims nothing
+  bool confirms() const { return passed && !judged_again; }
 };
+
+/// In the directory of an attempt: what its runs were to be judged by when the first was made.
+inline constexpr const char* kJudgedByFile = "judged_by.json";
+
+/// Whether the runs of an attempt's directory were to be judged by something else; without that
+/// file by what their study.h5 says.
+bool is_judged_again(const std::filesystem::path& attempt, const StudyPlan& plan);
 
 /// Throws Refused unless the runs are independent.
 Confirmation judge_confirmation(const StudyData& study, const ConfirmationRules& planned);

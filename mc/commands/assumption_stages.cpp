@@ -69,22 +69,11 @@ void adopt_other_numbers(const Study& study, const std::string& directory,
   const fs::path folder = fs::path(directory) / alternative_directory(plan, alternative);
   if (fs::exists(folder)) return;
   const std::string attempt = fmt::format("assume-{}-", plan.attempt);
-  std::vector<fs::path> others;
-  for (const auto& entry : fs::directory_iterator(directory))
-    if (entry.path().filename().string().starts_with(attempt) &&
-        fs::exists(study_file_path(entry.path() / folder.filename())))
-      others.push_back(entry.path() / folder.filename());
-  // The most runs first.
-  std::sort(others.begin(), others.end(), [](const fs::path& a, const fs::path& b) {
-    const std::string one = a.string(), two = b.string();
-    return one.size() != two.size() ? one.size() > two.size() : one > two;
-  });
-  for (const fs::path& other : others) {
-    try {
-      if (adopt_runs(study, folder, other) > 0) return;
-    } catch (const StudyFileError&) {  // they are run again
-    }
-  }
+  auto others = sweeps_like(directory, attempt, folder.filename());
+  for (const fs::path& earlier :
+       sweeps_like(fs::path(directory) / kEarlierFolder, attempt, folder.filename()))
+    others.push_back(earlier);
+  adopt_any(study, folder, others);
 }
 
 /// Whether this directory holds the plan's alternatives already, judged by an earlier command.

@@ -9,6 +9,10 @@
 
 namespace cagetol {
 
+/// In the directory of a recommendation: attempts and alternatives as decided by other limits,
+/// target or confidence. Their runs are taken where they are asked for again.
+inline constexpr const char* kEarlierFolder = "earlier";
+
 /// Writes DIR/assumptions.json, says what is run and how long it takes, and runs what is missing,
 /// on the tolerance of the attempt that confirmed, or of the surest one. Where
 /// recommend.assumption_samples is 0 it says how to have it run. Exit code of the sweep that ended

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "analysis/study/refused.hpp"
@@ -13,6 +14,7 @@
 #include "mc/commands/judgeable.hpp"
 #include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/stage_study.hpp"
+#include "mc/host/build_info.hpp"
 #include "mc/run/forecast.hpp"
 #include "mc/sweep/adopted_runs.hpp"
 #include "mc/sweep/sweep_directory.hpp"
@@ -21,6 +23,8 @@
 
 namespace cagetol {
 namespace {
+
+namespace fs = std::filesystem;
 
 void check_study(const Study& study) {
   if (study.limits.empty())
@@ -64,6 +68,8 @@ class StageLeader {
   CampaignPlan plan(const StudyData& pilot) const;
   std::optional<CampaignPlan> stored_plan() const;
   void keep(const CampaignPlan& plan) const;
+  void begin_attempt(const Study& study, const Stage& stage) const;
+  void set_attempts_aside(const CampaignPlan& plan) const;
   bool too_many_lost(const StudyData& runs, const std::string& directory);
 
   const Study& base_;
@@ -85,9 +91,11 @@ std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
     if (code_ != kDone) return std::nullopt;
     grow_directory(study, directory);
   }
+  if (!stage.tolerances.empty()) begin_attempt(study, stage);
   code_ = stages_.sweep(study, directory, stage.allowed_failures);
   if (code_ != kDone) return std::nullopt;
   auto runs = read_study_data(study_file_path(directory));
+  runs.judged_again = is_judged_again(directory, runs.plan);
   if (stage.tolerances.empty() && too_many_lost(runs, directory)) {
     code_ = kSamplesFailed;
     return std::nullopt;
@@ -107,6 +115,36 @@ bool StageLeader::too_many_lost(const StudyData& runs, const std::string& direct
       lost_.lost, lost_.runs, 100 * LostRuns::kConfidence, 100 * share,
       100 * base_.allowed_failure_share, directory);
   return true;
+}
+
+/// Makes the directory of an attempt, whole, with what its runs are to be judged by. Runs of an
+/// earlier decision are taken where they are this attempt's, with what they were to be judged by.
+void StageLeader::begin_attempt(const Study& study, const Stage& stage) const {
+  if (fs::exists(path(stage.name))) return;
+  const std::string made = path(stage.name + ".made");
+  fs::remove_all(made);
+  const auto earlier = adopt_any(study, made, sweeps_like(path(kEarlierFolder), stage.name + "-"));
+  make_directory(made);
+  if (earlier)
+    fs::copy_file(*earlier / kJudgedByFile, fs::path(made) / kJudgedByFile);
+  else
+    replace_file(made + "/" + kJudgedByFile, stored_plan()->judgement.dump(1) + "\n");
+  fs::rename(made, path(stage.name));
+}
+
+/// Moves attempts and their alternatives out of the way of those that the new limits ask for.
+void StageLeader::set_attempts_aside(const CampaignPlan& plan) const {
+  make_directory(path(kEarlierFolder));
+  std::vector<fs::path> stages;
+  for (const auto& entry : fs::directory_iterator(directory_))
+    for (const char* prefix : {"confirm-", "assume-"})
+      if (entry.path().filename().string().starts_with(prefix)) stages.push_back(entry.path());
+  for (const fs::path& stage : stages) {
+    std::string aside = path(fmt::format("{}/{}-{}", kEarlierFolder, stage.filename().string(),
+                                         text_hash(plan.judgement.dump()).substr(0, 8)));
+    while (fs::exists(aside)) aside += "+";
+    fs::rename(stage, aside);
+  }
 }
 
 void StageLeader::keep(const CampaignPlan& plan) const {
@@ -130,11 +168,17 @@ CampaignPlan StageLeader::plan(const StudyData& pilot) const {
   const CampaignSettings settings = campaign_settings(base_);
   auto plan = stored_plan();
   try {
-    if (!plan)
+    if (!plan) {
       plan =
           plan_campaign(pilot, settings, static_cast<std::size_t>(base_.samples), stages_.ranks());
-    else if (!same_budget(plan->settings, settings))
+    } else if (plan->judgement != judgement_of(pilot.plan)) {
+      const CampaignPlan again = with_judgement(*plan, pilot, settings);
+      set_attempts_aside(*plan);
+      plan = again;
+      spdlog::info("limits, target or confidence have changed: attempts are decided again");
+    } else if (!same_budget(plan->settings, settings)) {
       plan = with_settings(*plan, pilot, settings);
+    }
   } catch (const Refused& refusal) {
     throw InputError({}, "recommend", "", refusal.what(),
                      "give a larger recommend.budget_samples or recommend.budget_h: the same "
@@ -155,7 +199,11 @@ int StageLeader::lead() {
   for (const Attempt& attempt : campaign.attempts)
     spdlog::info("{} of {} runs meet all limits: {}", attempt.confirmation.meeting,
                  attempt.confirmation.runs,
-                 attempt.confirmation.passed ? "confirmed" : "not confirmed");
+                 attempt.confirmation.confirms() ? "confirmed"
+                 : attempt.confirmation.passed
+                     ? "judged again, by runs seen before; fresh ones: the same study with another "
+                       "seed in another directory (the report has the command)"
+                     : "not confirmed");
   if (campaign.end != CampaignEnd::interrupted)
     code_ = run_assumptions(base_, directory_, campaign, *stored_plan(), stages_);
   if (code_ == kInterrupted) spdlog::warn("interrupted: start the same command again to go on");
@@ -169,6 +217,7 @@ int StageLeader::lead() {
           "the runs left are too few for another attempt: the same command goes on with a larger "
           "recommend.budget_samples or recommend.budget_h");
       break;
+    case CampaignEnd::judged_again:
     case CampaignEnd::no_candidate:
     case CampaignEnd::not_confirmed:
       break;

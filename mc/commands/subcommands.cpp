@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "src/input/input_error.hpp"
+
 namespace cagetol {
 
 Chosen animate_command(CLI::App& command);
@@ -12,8 +14,8 @@ Chosen cage_command(CLI::App& command);
 Chosen chart_command(CLI::App& command);
 Chosen check_command(CLI::App& command);
 Chosen compare_command(CLI::App& command);
+Chosen judge_command(CLI::App& command);
 Chosen ladder_command(CLI::App& command);
-Chosen limits_command(CLI::App& command);
 Chosen quantities_command(CLI::App& command);
 Chosen recommend_command(CLI::App& command);
 Chosen replay_command(CLI::App& command);
@@ -43,8 +45,8 @@ const std::vector<Subcommand> kSubcommands = {
     {kBearing, "cage", "Clearances and drawing of a pocket; modes, compliance, stress and mass of a flexible cage", "cage inputs/scenes/nu205.toml", cage_command},
     {kStudy, "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs", "recommend inputs/studies/nu205.toml -o out/nu205-drawing", recommend_command},
     {kStudy, "sweep", "Run every sample of a study; the same command resumes an interrupted sweep", "sweep inputs/studies/nu205.toml -o out/nu205", sweep_command},
-    {kStudy, "limits", "Show how quantities scatter, how far their limits are, and which limits decide", "limits inputs/studies/nu205.toml -o out/nu205-limits", limits_command},
     {kResults, "report", "Write report.html, report.json and CSV tables from DIR/study.h5", "report out/nu205", report_command},
+    {kResults, "judge", "Judge the runs of a directory by other limits: scatter, margins, which decide, a report", "judge out/nu205 --limit driving_slip_ratio=0.05", judge_command},
     {kResults, "compare", "Say whether any statistic of a study has changed between two sweeps", "compare out/yesterday out/today", compare_command},
     {kResults, "rig", "Hold the model against a rig: measured slip of the cage beside runs of each load and speed", "rig inputs/scenes/nu205.toml rig.csv -o out/rig", rig_command},
     {kResults, "replay", "Run one sample of a sweep again and compare it to the bit with what is stored", "replay out/nu205 --sample 17", replay_command},
@@ -57,6 +59,15 @@ const std::vector<Subcommand> kSubcommands = {
 };
 // clang-format on
 
+/// A command of earlier versions is refused with what became of it.
+struct FormerCommand {
+  const char *name, *remedy;
+};
+constexpr FormerCommand kFormerCommands[] = {
+    {"limits",
+     "`cagetol judge DIR` reads the runs of a directory, `cagetol screen STUDY` looks at a study "
+     "before its runs are made"}};
+
 }  // namespace
 
 void add_subcommands(CLI::App& app, Chosen& chosen) {
@@ -66,6 +77,12 @@ void add_subcommands(CLI::App& app, Chosen& chosen) {
     command->callback([&chosen, run = row.make(*command)] { chosen = run; });
     examples += fmt::format("\n  cagetol {}", row.example);
   }
+  for (const FormerCommand& former : kFormerCommands)
+    app.add_subcommand(former.name)->group("")->allow_extras()->callback([&chosen, former] {
+      chosen = [former]() -> int {
+        throw InputError({}, former.name, "", "there is no such command any more", former.remedy);
+      };
+    });
   app.require_subcommand(0, 1);
   app.footer(
       "Exit codes: 0 done, 1 limits not met (compare: changed) where asked to judge, 2 bad input,\n"

@@ -47,7 +47,7 @@ int run_stages(const Study& given, const std::string& directory, StagedSweeps& s
   const auto climbed = with_fidelity(given, directory, stages);
   if (const int* code = std::get_if<int>(&climbed)) return *code;
   const Study& study = std::get<Study>(climbed);
-  if (study.hash != given.hash) {
+  if (study.resolved_toml != given.resolved_toml) {
     const std::size_t adopted = adopt_runs(
         study, directory, fidelity_folder(directory) + "/" + study.fidelity_decision.rung);
     if (adopted > 0) spdlog::info("{} runs of the pilot are the study's own", adopted);

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "mc/study/law_reader.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study_keys.hpp"
+#include "src/input/toml_file.hpp"
 #include "src/reading/oil_keys.hpp"
 #include "src/reading/scene_keys.hpp"
 
@@ -149,6 +151,25 @@ toml::table resolved_table(const Study& study) {
   if (!study.fidelity_decision.rung.empty())
     root.insert("fidelity_decision", decision_table(study.fidelity_decision));
   return root;
+}
+
+std::string identity_text(const std::string& resolved_toml) {
+  toml::table root = parse_toml(resolved_toml, "study.toml");
+  const auto erase = [](toml::table* from, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+      if (from) from->erase(name);
+  };
+  erase(&root,
+        {"name", "limit", "recommend", "allowed_failure_share", "fidelity", "fidelity_samples",
+         "fidelity_budget", "fidelity_decision", "screen", "map", "rare", "document"});
+  erase(root["scene"].as_table(), {"assumption"});
+  erase(root["tolerance"].as_table(), {"target_yield", "confidence"});
+  if (auto* dimensions = root["tolerance"]["dimension"].as_array())
+    for (auto& dimension : *dimensions)
+      erase(dimension.as_table(), {"cost_a", "cost_b", "cost_k", "cost_table"});
+  std::ostringstream text;
+  text << toml::toml_formatter(root) << '\n';
+  return text.str();
 }
 
 FidelityDecision take_fidelity_decision(toml::table& root) {

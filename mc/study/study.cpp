@@ -128,7 +128,7 @@ void resolve(Study& study) {
   json_text << toml::json_formatter(table) << '\n';
   study.resolved_toml = toml_text.str();
   study.resolved_json = json_text.str();
-  std::string all = study.resolved_toml;
+  std::string all = identity_text(study.resolved_toml);
   for (const auto& [name, hash] : study.files) all += name + "\n" + hash + "\n";
   study.hash = text_hash(all);
 }

@@ -111,7 +111,7 @@ struct Study {
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;
   std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash
-  std::string hash;  ///< 16 hex digits, 64-bit FNV-1a over resolved_toml and `files`
+  std::string hash;  ///< 16 hex digits, 64-bit FNV-1a over identity_text(resolved_toml) and `files`
 };
 
 /// Samples in all: rows plus noise replicates.

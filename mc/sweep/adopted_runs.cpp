@@ -5,7 +5,9 @@
 #include <fstream>
 
 #include "mc/host/build_info.hpp"
+#include "mc/study/resolved_study.hpp"
 #include "mc/study/sample.hpp"
+#include "mc/study_file/study_file_error.hpp"
 #include "mc/sweep/stored_study.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 
@@ -15,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool same_model(const Study& a, const Study& b) {
-  const auto differences = study_differences(a.resolved_toml, b.resolved_toml);
+  const auto differences =
+      study_differences(identity_text(a.resolved_toml), identity_text(b.resolved_toml));
   return std::none_of(differences.begin(), differences.end(), [](const std::string& difference) {
     return difference.starts_with("scene.") || difference.starts_with("history.") ||
            difference.starts_with("cage_check_share");
@@ -38,14 +41,43 @@ std::size_t adopt_runs(const Study& study, const std::string& directory, const s
   const SweepDirectory opened(directory, study, build);
   if (!opened.stored().headers.empty() || !opened.only_in_study_file().empty()) return 0;
   const Sampler mine(study), theirs(other);
-  Journal journal(journal_directory(directory), {study.hash, build_id(build), 0});
+  std::optional<Journal> journal;
   std::size_t adopted = 0;
   for (const auto& [id, outcome] : file.outcomes) {
     if (id >= sample_count(study) || !same_sample(mine.draw(id), theirs.draw(id))) continue;
-    journal.finished(outcome);
+    if (!journal)
+      journal.emplace(journal_directory(directory), JournalHeader{study.hash, build_id(build), 0});
+    journal->finished(outcome);
     ++adopted;
   }
   return adopted;
+}
+
+std::vector<fs::path> sweeps_like(const fs::path& parent, const std::string& prefix,
+                                  const fs::path& below) {
+  std::vector<fs::path> found;
+  if (!fs::exists(parent)) return found;
+  for (const auto& entry : fs::directory_iterator(parent))
+    if (entry.path().filename().string().starts_with(prefix) &&
+        fs::exists(study_file_path(entry.path() / below)))
+      found.push_back(entry.path() / below);
+  const auto key = [](const fs::path& path) {
+    return std::pair(fs::file_size(study_file_path(path)), path);
+  };
+  std::sort(found.begin(), found.end(),
+            [&](const fs::path& a, const fs::path& b) { return key(a) > key(b); });
+  return found;
+}
+
+std::optional<fs::path> adopt_any(const Study& study, const std::string& directory,
+                                  const std::vector<fs::path>& from) {
+  for (const fs::path& other : from) {
+    try {
+      if (adopt_runs(study, directory, other) > 0) return other;
+    } catch (const StudyFileError&) {  // its runs are made again
+    }
+  }
+  return std::nullopt;
 }
 
 long stored_rows(const std::string& directory) {

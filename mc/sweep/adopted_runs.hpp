@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "mc/study/study.hpp"
 
@@ -14,6 +17,16 @@ namespace cagetol {
 /// Returns their number: 0 where `directory` holds anything already. Rank 0 alone calls it, before
 /// the sweep. Throws what SweepDirectory and read_study_file throw.
 std::size_t adopt_runs(const Study& study, const std::string& directory, const std::string& from);
+
+/// Directories of sweeps below `parent`: PREFIX.../BELOW, the largest study.h5 first.
+std::vector<std::filesystem::path> sweeps_like(const std::filesystem::path& parent,
+                                               const std::string& prefix,
+                                               const std::filesystem::path& below = {});
+
+/// Adopts runs from the first of these directories that has any; that one, or nothing. What cannot
+/// be read is passed over.
+std::optional<std::filesystem::path> adopt_any(const Study& study, const std::string& directory,
+                                               const std::vector<std::filesystem::path>& from);
 
 /// Rows of the study that the directory of a sweep holds; 0 where there is none. Makes good what a
 /// process that died in grow_directory() left.

@@ -73,7 +73,7 @@ void check_same_program(const Team& team, const BuildInfo& build, const std::str
 }
 
 void check_same_study(const Team& team, const Study& study) {
-  const int other = stranger(team, team.gathered(study.hash));
+  const int other = stranger(team, team.gathered(text_hash(in_full(study))));
   if (other == 0) return;
   if (team.rank() == other) team.send(0, in_full(study));
   if (team.rank() != 0) return;

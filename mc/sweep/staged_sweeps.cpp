@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kSecondsToEnd = 2;
 
-/// Whether every sample of the study is stored, by this build, with no more failures than allowed.
-/// Anything doubtful is left to the sweep, which has the messages.
+/// Whether study.h5 holds this very study with every sample, by this build, with no more failures
+/// than allowed. Anything doubtful is left to the sweep, which has the messages.
 bool complete(const Study& study, const std::string& directory,
               std::optional<std::uint64_t> allowed_misses) {
   if (!std::filesystem::exists(study_file_path(directory))) return false;
@@ -31,8 +31,8 @@ bool complete(const Study& study, const std::string& directory,
     CompletedPrefix prefix(allowed_misses);
     for (const auto& [id, outcome] : file.outcomes) prefix.add(id, !meets_limits(study, outcome));
     const auto samples = prefix.used_up() ? prefix.size() : sample_count(study);
-    if (file.study_hash != study.hash || file.build != build_id(build_info()) ||
-        file.outcomes.size() != samples)
+    if (file.study_hash != study.hash || file.study_toml != study.resolved_toml ||
+        file.build != build_id(build_info()) || file.outcomes.size() != samples)
       return false;
     std::size_t failures = 0;
     for (const auto& [id, outcome] : file.outcomes) failures += is_failure(outcome.status);

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <thread>
 
+#include "mc/study/resolved_study.hpp"
 #include "mc/study_file/study_file_error.hpp"
 #include "src/input/printable.hpp"
 #include "src/input/toml_file.hpp"
@@ -110,7 +111,7 @@ StoredText stored_text(const std::string& directory, const Study& study) {
   if (text.empty()) stored.problem = "it is empty, or cannot be read";
   if (stored.same || stored.unsound()) return stored;
   try {
-    stored.differences = study_differences(text, study.resolved_toml);
+    stored.differences = study_differences(identity_text(text), identity_text(study.resolved_toml));
   } catch (const std::exception& problem) {
     stored.problem = first_line(problem.what());
   }
@@ -203,13 +204,14 @@ void SweepDirectory::lock() {
 
 void SweepDirectory::check_journals(const Study& study, const BuildInfo& build) const {
   for (const auto& [file, header] : stored_.refused) {
-    if (header.study_hash == study.hash)
+    const StoredText text = stored_text(directory_, study);
+    const bool same_keys = !text.missing && !text.unsound() && text.differences.empty();
+    if (header.study_hash == study.hash || (same_keys && header.build != build_id(build)))
       throw InputError({file, 0}, "", "",
                        fmt::format("was written by another build, whose results may differ in the "
                                    "last digits:\n  stored {}\n  now    {}",
                                    header.build, build_id(build)),
                        kOtherDirectory);
-    const StoredText text = stored_text(directory_, study);
     refuse_differences(directory_, text);
     throw InputError(
         {file, 0}, "", "",
@@ -271,14 +273,16 @@ void SweepDirectory::check_study_toml(const Study& study) {
   const std::string path = stored_study_path(directory_);
   const StoredText text = stored_text(directory_, study);
   if (text.same) return;
-  if (!text.missing && is_this_study_) {
+  const bool sound = !text.unsound() && text.differences.empty();
+  if (!text.missing && is_this_study_ && sound) {
+    stored_.notes.push_back(path +
+                            ": what runs are judged by has changed, or its layout: it is "
+                            "written again, and the runs stay");
+  } else if (!text.missing && is_this_study_) {
     stored_.notes.push_back(fmt::format(
         "{}: damaged or changed: {}; the results beside it carry this study's hash, so it is "
         "written again",
-        path,
-        text.unsound()             ? text.problem
-        : text.differences.empty() ? "its layout"
-                                   : joined(text.differences)));
+        path, text.unsound() ? text.problem : joined(text.differences)));
   } else if (!text.missing) {
     if (text.unsound())
       throw InputError({path, 0}, "", "",

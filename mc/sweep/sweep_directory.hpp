@@ -1,6 +1,6 @@
 // The output directory of a sweep: DIR/study.toml (the resolved study), DIR/journal/ and
-// DIR/study.h5. It belongs to one study and one build; anything else is refused with the difference
-// named.
+// DIR/study.h5. It belongs to one study, whatever its runs are judged by (identity_text), and one
+// build; anything else is refused with the difference named.
 #pragma once
 
 #include <string>

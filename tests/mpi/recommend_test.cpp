@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "mc/sweep/stored_study.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "tests/mpi/standin.hpp"
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/study_compare.hpp"
 
 namespace cagetol {
@@ -187,6 +189,51 @@ TEST_F(RecommendTest, AMixtureGrowsInItsDirectoryToTheSameBits) {
   fs::copy_file(scratch_ / "serial/plan.json", scratch_ / "fresh/plan.json");
   ASSERT_EQ(run(recommend("fresh", options(500))).code, 0);
   expect_same("serial", "fresh");
+}
+
+/// What `recommend` says of its attempts, and the pairs of candidate and runs that it planned.
+std::string attempts_in(const std::string& plan_file) {
+  std::ifstream stream(plan_file);
+  return nlohmann::json::parse(stream).at("attempts").dump();
+}
+
+TEST_F(RecommendTest, OtherLimitsDecideAgainOverTheSameRuns) {
+  const auto limit = [](const std::string& value) -> std::vector<std::string> {
+    return {"--set", "limit=[{quantity='cage_slip_ratio', max=" + value +
+                         ", source='test', cage_revolutions=6}]"};
+  };
+  const auto journals = [&](const std::string& stage) {
+    return file_bytes(longest_journal(scratch_ / ("out/" + stage)));
+  };
+  const std::string plan = scratch_ / "out/plan.json";
+  ASSERT_EQ(run(recommend("out")).code, 0);
+  const std::string first = attempts_in(plan), pilot = journals("pilot"),
+                    mixture = journals("mixture");
+  const std::size_t confirming = read_study_file(file("out", "confirm-1")).outcomes.size();
+  // A little wider: the same candidate, by runs that were seen before.
+  const Ended again = run(recommend("out", limit("0.0405")));
+  ASSERT_EQ(again.code, 0) << again.output;
+  EXPECT_THAT(again.output, HasSubstr("attempts are decided again"));
+  EXPECT_THAT(again.output, HasSubstr("runs meet all limits: judged again"));
+  EXPECT_THAT(again.output, Not(HasSubstr(": confirmed")));
+  EXPECT_EQ(journals("pilot"), pilot);
+  EXPECT_EQ(journals("mixture"), mixture);
+  EXPECT_THAT(read_study_file(file("out", "mixture")).study_toml, HasSubstr("max = 0.0405"));
+  std::vector<std::string> judged = limit("0.0405");
+  judged.push_back("--exit-code");
+  EXPECT_EQ(run(recommend("out", judged)).code, 1);
+  // Much narrower: another candidate, by fresh runs, the same as in a directory of its own.
+  const Ended narrow = run(with_mpirun(2, recommend("out", limit("0.018"))));
+  ASSERT_EQ(narrow.code, 0) << narrow.output;
+  EXPECT_THAT(narrow.output, Not(HasSubstr("judged again")));
+  ASSERT_EQ(run(recommend("own", limit("0.018"))).code, 0);
+  expect_same("out", "own");
+  // Back: what was decided first, its runs taken, nothing run.
+  const Ended back = run(recommend("out", {"--ms", "100000"}));
+  ASSERT_EQ(back.code, 0) << back.output;
+  EXPECT_THAT(back.output, HasSubstr("runs meet all limits: confirmed"));
+  EXPECT_EQ(attempts_in(plan), first);
+  EXPECT_EQ(read_study_file(file("out", "confirm-1")).outcomes.size(), confirming);
 }
 
 TEST_F(RecommendTest, DrainsUnderMpirun) {

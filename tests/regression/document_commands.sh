@@ -18,7 +18,6 @@ shorter() {
     *" recommend "*)
       echo "$window $coarse --set recommend.pilot_samples=32 --set recommend.budget_samples=180" \
         "--set tolerance.target_yield=0.8" ;;
-    *" limits "*) echo "--samples 6 $window $coarse" ;;
     *" ladder "*--refine*) echo "--samples 2" ;;
     *" ladder "*) echo "--samples 3 --set cage.mesh_density=2 --set cage.corner_radius_mm=0 $window" ;;
     *" rig "*) echo "--starts 3 --starts-only ${window//scene./}" ;;

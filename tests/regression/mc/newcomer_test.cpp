@@ -129,8 +129,10 @@ TEST(Newcomer, EveryCommandSaysWhatItTakes) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"recommend", scene, "-o", out}, "where this is a scene, name it in a study"},
       {{"replay", scratch.path(), "--sample", "1"}, scratch / "mixture"},
-      {{"limits", scratch.path()}, "this is a recommendation"},
-      {{"limits", out}, "no such file or directory"},
+      {{"judge", scratch.path()}, "this is a recommendation"},
+      {{"judge", out}, "there is no such file"},
+      {{"limits", out},
+       "`cagetol judge DIR` reads the runs of a directory, `cagetol screen STUDY`"},
       {{"simulate", study, "--sample", "-1"}, "-1 not in range 0 to 9999999999"},
       {{"ladder", scene, "-o", out, "--budget", "0"}, "not in range 0.000001 to 1000000"},
       {{"sweep", study, "-o", out, "--progress", "on"}, "on not in {auto,line,off,plain}"},

@@ -6,15 +6,20 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <thread>
 
 #include "analysis/study/study_data.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_table.hpp"
+#include "tests/support/file_bytes.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/reference_scene.hpp"
 #include "tests/support/shipped_input.hpp"
@@ -272,13 +277,6 @@ TEST(Program, ADirectoryHoldsASweepOrARecommendation) {
   EXPECT_THAT(sweep.output, HasSubstr("holds a recommendation"));
 }
 
-TEST(Program, RunsOfADirectoryTakeNoSettings) {
-  const ScratchDirectory scratch;
-  const auto ended = run({"limits", scratch.path(), "--set", "foo.bar=1"});
-  EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.output, HasSubstr("--set"));
-}
-
 TEST(Program, NamesOfOutputsAreCheckedByEveryCommand) {
   const ScratchDirectory scratch;
   std::ofstream(scratch / "file") << "in the way";
@@ -497,37 +495,69 @@ TEST(Program, SimulatePrintsJsonWithEveryQuantity) {
   EXPECT_TRUE(at["warnings"].empty());
 }
 
-TEST(Program, LimitsSayHowFarTheyAreAndReadASweepAgain) {
+TEST(Program, JudgeReadsTheRunsOfASweepByOtherLimits) {
   const ScratchDirectory scratch;
-  const std::string directory = scratch / "limits";
-  const auto first =
-      run({"limits", shipped("studies/nu205-displacement.toml"), "-o", directory, "--samples", "60",
-           "--json", "--progress", "off", "--set", "scene.model.motion=quasi-static", "--set",
-           "scene.window.measure_revolutions=1"},
-          [] { ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO); });
-  ASSERT_EQ(first.code, 0) << first.output;
-  const auto found = nlohmann::json::parse(first.output);
+  const std::string directory = scratch / "sweep", name = "ring_displacement_mean_um";
+  ASSERT_EQ(run({"sweep", shipped("studies/nu205-displacement.toml"), "-o", directory, "--progress",
+                 "off", "--set", "samples=60", "--set", "scene.model.motion=quasi-static", "--set",
+                 "scene.window.measure_revolutions=1"})
+                .code,
+            0);
+  const StudyData runs = read_study_data(directory + std::string("/study.h5"));
+  const auto bytes = [&] {
+    std::string all = file_bytes(directory + "/study.h5") + file_bytes(directory + "/study.toml");
+    for (const auto& entry : std::filesystem::directory_iterator(directory + "/journal"))
+      all += file_bytes(entry.path());
+    return all;
+  };
+  const std::string before = bytes();
+  std::vector<double> values = find_quantity(runs, name)->values;
+  std::sort(values.begin(), values.end());
+  const std::string stated = name + ".max=" + std::to_string((values[44] + values[45]) / 2);
+  const auto judged = run({"judge", directory, "--limit", stated, "--json"});
+  ASSERT_EQ(judged.code, 0) << judged.output;
+  const auto found = nlohmann::json::parse(judged.output);
   EXPECT_EQ(found["runs"], 60);
-  EXPECT_EQ(found["candidates"], 0);
-  ASSERT_FALSE(found["limits"].empty());
-  for (const auto& limit : found["limits"]) {
-    EXPECT_EQ(limit["judged"], 60);
-    EXPECT_TRUE(limit["model_error"].is_null());
-    EXPECT_TRUE(limit["median_margin"].is_number());
-  }
+  bool seen = false;
+  for (const auto& limit : found["limits"])
+    if (limit["quantity"] == name && limit["max"].is_number()) {
+      seen = true;
+      EXPECT_EQ(limit["missed"], 15);
+      EXPECT_TRUE(limit["model_error"].is_null());
+    }
+  EXPECT_TRUE(seen);
   for (const auto& quantity : found["quantities"])
     EXPECT_LE(quantity["p5"].get<double>(), quantity["p99"].get<double>());
-  const auto again = run({"limits", directory, "--json"});
-  EXPECT_EQ(nlohmann::json::parse(again.output), found);
-  EXPECT_THAT(run({"limits", directory}).output,
+  EXPECT_THAT(run({"judge", directory}).output,
               AllOf(HasSubstr("error of the model not measured"), HasSubstr("--refine -o ")));
-  EXPECT_EQ(run({"limits", shipped("studies/nu205-rated.toml")}).code, 2);
-  // Of a study with candidate tolerances the one at which its laws are given.
-  run({"limits", shipped("studies/nu205-rated.toml"), "-o", scratch / "nominal", "--samples", "2",
-       "--set", "scene.cage.model=rigid", "--set", "scene.model.motion=quasi-static"});
-  const StudyData nominal = read_study_data(scratch / "nominal" + std::string("/study.h5"));
-  ASSERT_EQ(nominal.plan.candidates.size(), 1U);
-  for (const double scale : nominal.plan.candidates[0].scales) EXPECT_DOUBLE_EQ(scale, 1);
+  EXPECT_FALSE(std::filesystem::exists(directory + "/judged"));
+  // Killed at any time, and again to the end.
+  for (const int milliseconds : {20, 100, 300, 700}) {
+    Process killed({std::string(CAGETOL_BINARY_DIR) + "/cagetol", "judge", directory, "--limit",
+                    stated, "--name", "n1"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    killed.signal(SIGKILL);
+    killed.wait();
+    EXPECT_EQ(bytes(), before);
+  }
+  ASSERT_EQ(run({"judge", directory, "--limit", stated, "--name", "n1", "--target", "0.5"}).code,
+            0);
+  const auto report = nlohmann::json::parse(file_bytes(directory + "/judged/n1/report.json"));
+  EXPECT_EQ(report["verdict"]["target_yield"], 0.5);
+  EXPECT_LE(report["limits"]["joint"]["if_unknown_fail"].get<double>(), 0.75);
+  EXPECT_TRUE(std::filesystem::exists(directory + "/judged/n1/limit_curves.csv"));
+  EXPECT_EQ(bytes(), before);
+  for (const auto& [option, value, message] : std::vector<std::array<std::string, 3>>{
+           {"--limit", "nonsense=3", "the runs have no quantity nonsense"},
+           {"--limit", name, "this is no quantity with a number"},
+           {"--limit", name + "=x", "this is no quantity with a number"},
+           {"--limit", "friction_torque_Nmm=3", "no"},
+           {"--target", "1", "not in range"},
+           {"--name", "../up", "letters, digits, - and _ make a name"}}) {
+    const auto refused = run({"judge", directory, option, value});
+    EXPECT_EQ(refused.code, 2) << value;
+    EXPECT_THAT(refused.output, HasSubstr(message));
+  }
 }
 
 TEST(Program, QuantitiesAreListedWithUnitDefinitionNeedsAndUse) {

@@ -134,5 +134,20 @@ TEST(CampaignPlan, IsReadAsWritten) {
   EXPECT_EQ(read.attempts[1].runs, 150u);
 }
 
+TEST(PlanCampaign, OtherLimitsOpenItsAttemptsAgain) {
+  StudyData pilot = pilot_of();
+  const CampaignSettings settings{.confirm_samples = 300, .budget_samples = 2100};
+  CampaignPlan plan = plan_campaign(pilot, settings, 480, 1);
+  EXPECT_EQ(plan.judgement, judgement_of(pilot.plan));
+  plan.attempts = {{2, 300, 40}, {1, 300, 300}};
+  pilot.plan.limits[0].maximum = -0.004;
+  const CampaignPlan again = with_judgement(plan, pilot, settings);
+  EXPECT_TRUE(again.attempts.empty());
+  EXPECT_EQ(again.mixture_rows, plan.mixture_rows);
+  EXPECT_EQ(again.confirm_runs, plan.confirm_runs);
+  EXPECT_EQ(again.judgement.at("limits")[0].at("max"), -0.004);
+  EXPECT_EQ(campaign_plan_of(to_json(again)).judgement, again.judgement);
+}
+
 }  // namespace
 }  // namespace cagetol

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "analysis/report/report.hpp"
@@ -79,6 +80,72 @@ TEST_F(ConfirmedReport, TheVerdictIsThatOfTheFreshRuns) {
   const auto& centres = json.at("tolerance").at("centres");
   EXPECT_EQ(centres.at("dimensions").size(), 2u);
   EXPECT_EQ(centres.at("dimensions")[0].at("points").size(), 9u);
+}
+
+TEST_F(ConfirmedReport, AnAttemptWhoseRunsWereSeenBeforeItsLimitsConfirmsNothing) {
+  write_attempt(1, 0);
+  const auto own = judgement_of(read_study_data(scratch_ / "confirm-1/study.h5").plan);
+  std::ofstream(scratch_ / "confirm-1/judged_by.json") << own.dump();
+  EXPECT_EQ(report().at("verdict").at("status"), "confirmed");
+  auto other = own;
+  other["limits"][0]["max"] = 999;
+  std::ofstream(scratch_ / "confirm-1/judged_by.json") << other.dump();
+  const auto json = report();
+  const auto& verdict = json.at("verdict");
+  EXPECT_EQ(verdict.at("status"), "judged_again");
+  EXPECT_EQ(verdict.at("meets_target"), false);
+  EXPECT_TRUE(verdict.at("tolerances").at("cage.pocket_width_mm").at("grade").is_null());
+  EXPECT_THAT(verdict.at("headline").get<std::string>(),
+              HasSubstr("Judged again, not confirmed: pocket width 0.090 mm (IT11)"));
+  EXPECT_THAT(verdict.at("next")[0].at("command").get<std::string>(),
+              testing::AllOf(HasSubstr("cagetol recommend STUDY -o OTHER_DIR --set seed="),
+                             HasSubstr("candidates=[\"IT11\"]")));
+  EXPECT_THAT(page(), testing::AllOf(HasSubstr("No tolerance to print on the drawing yet"),
+                                     HasSubstr("judged again")));
+}
+
+// A report by another limit beside the study's own, which stays as it is.
+TEST_F(ConfirmedReport, OfOtherLimitsStandsInAFolderOfItsOwn) {
+  write_attempt(1, 0);
+  report();
+  const auto bytes = [&](const std::string& name) {
+    std::ifstream stream(scratch_ / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  const std::string before = bytes("report.json"), runs = bytes("mixture/study.h5");
+  const auto restate = [](StudyPlan& plan) {
+    for (Limit& limit : plan.limits)
+      if (limit.quantity == "cage_stress_peak_MPa") limit.maximum = 90;
+    plan.target_yield = 0.5;
+  };
+  fs::create_directories(scratch_ / "judged/tight.made/left by a kill");
+  for (int time = 0; time < 2; ++time) {
+    testing::internal::CaptureStdout();
+    run_report(scratch_.path(),
+               {.figures = false, .into = scratch_ / "judged/tight", .restate = restate});
+    EXPECT_THAT(testing::internal::GetCapturedStdout(),
+                HasSubstr("cage_stress_peak_MPa at least 20 MPa and at most 90 MPa, target 50 % in "
+                          "place of cage_stress_peak_MPa at least 20 MPa and at most 100 MPa, "));
+    EXPECT_EQ(std::distance(fs::directory_iterator(scratch_ / "judged"), {}), 1);
+  }
+  EXPECT_EQ(bytes("report.json"), before);
+  EXPECT_EQ(bytes("mixture/study.h5"), runs);
+  const auto json = nlohmann::json::parse(bytes("judged/tight/report.json"));
+  EXPECT_EQ(json.at("verdict").at("target_yield"), 0.5);
+  ASSERT_EQ(json.at("limit_curves").size(), 3u);
+  EXPECT_EQ(json.at("limit_curves")[1].at("bound"), 90);
+  EXPECT_THAT(bytes("judged/tight/limit_curves.csv"), HasSubstr("cage_stress_peak_MPa,max,90.0,"));
+  // Counted over the runs: a jam misses, a failed run has no judgement.
+  const StudyData all = read_study_data(scratch_ / "mixture/study.h5");
+  const StudyData first = select_samples(all, first_runs(all));
+  double meeting = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const double stress = find_quantity(first, "cage_stress_peak_MPa")->values[i];
+    meeting += first.status[i] == RunStatus::ok && stress >= 20 && stress <= 90 &&
+               find_quantity(first, "whirl_radius_ratio_p95")->values[i] <= 1.1;
+  }
+  EXPECT_DOUBLE_EQ(json.at("limits").at("joint").at("if_unknown_fail"),
+                   meeting / static_cast<double>(first.size()));
 }
 
 TEST_F(ConfirmedReport, AVerdictNearTheTargetSaysThatItWasClose) {

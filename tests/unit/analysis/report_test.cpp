@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
 
 #include "analysis/report/figure_set.hpp"
+#include "analysis/report/json_parts.hpp"
 #include "mc/study_file/study_file_error.hpp"
 #include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_study.hpp"
@@ -368,6 +370,52 @@ TEST_F(Report, TimesMoveNothingButTheirOwnTable) {
 
 TEST_F(Report, DirectoryWithoutStudyIsNamed) {
   EXPECT_THROW(run_report(directory_), StudyFileError);
+}
+
+// Counted by hand: "a" is 1, 2, ..., 100 in the runs, "b" 100 less that.
+TEST(LimitCurves, CountTheRunsWithin) {
+  StudyData runs = plain_study(100);
+  Column a{"a", "N", "counts", {}}, b{"b", "N", "counts down", {}};
+  for (int i = 1; i <= 100; ++i) {
+    a.values.push_back(i);
+    b.values.push_back(100 - i);
+  }
+  runs.quantities = {a, b};
+  runs.plan.limits = {{.quantity = "a", .minimum = 3, .maximum = 42.5},
+                      {.quantity = "b", .maximum = 89.5}};
+  const Json curves = limit_curves_json(runs);
+  ASSERT_EQ(curves.size(), 3u);
+  const std::vector<std::string> sides = {"min", "max", "max"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_EQ(curves[c]["side"], sides[c]);
+    const std::vector<double> values = curves[c]["values"];
+    EXPECT_EQ(std::count(values.begin(), values.end(), curves[c]["bound"].get<double>()), 1);
+    EXPECT_GE(values.size(), 20u);
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      double within = 0;
+      for (int i = 1; i <= 100; ++i)
+        within += i >= (c == 0 ? values[v] : 3) && i <= (c == 1 ? values[v] : 42.5) &&
+                  100 - i <= (c == 2 ? values[v] : 89.5);
+      EXPECT_DOUBLE_EQ(curves[c]["candidates"][0]["if_unknown_fail"][v], within / 100) << values[v];
+    }
+  }
+}
+
+// Weights of the mixture stay as drawn: at the study's own bound a candidate has its own yield.
+TEST(LimitCurves, MeetTheYieldOfACandidateAtTheBound) {
+  const StudyData study = make_synthetic_study({.rows = 600, .replicate_share = 0});
+  const Json report = make_report(study), curves = limit_curves_json(study);
+  ASSERT_EQ(curves.size(), 3u);
+  for (const Json& curve : curves) {
+    const std::vector<double> values = curve["values"];
+    const auto at = std::find(values.begin(), values.end(), curve["bound"].get<double>());
+    ASSERT_NE(at, values.end());
+    const auto& candidates = report["tolerance"]["candidates"];
+    ASSERT_EQ(curve["candidates"].size(), candidates.size());
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+      EXPECT_EQ(curve["candidates"][k]["if_unknown_fail"][at - values.begin()],
+                candidates[k]["yield"]["if_unknown_fail"]);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "mc/study/sample.hpp"
 #include "mc/study/study.hpp"
 #include "mc/study_file/tolerance.hpp"
 #include "src/input/input_error.hpp"
@@ -148,6 +149,38 @@ TEST(ChangedStudy, IsResolvedAnew) {
   EXPECT_DOUBLE_EQ(changed.candidates[0].tolerance_widths_mm[0], 0.123);
   EXPECT_EQ(changed.candidates[0].grades[1], "IT12");
   EXPECT_THAT(changed.resolved_toml, HasSubstr("samples = 33"));
+}
+
+TEST(Identity, HoldsWhatMovesARunAlone) {
+  const std::string file = shipped("studies/nu205.toml");
+  const Study study = read_study(file);
+  for (const char* judging :
+       {"name='other'", "limit=[{quantity='cage_slip_ratio', max=0.5, source='test'}]",
+        "tolerance.target_yield=0.5", "tolerance.confidence=0.6", "recommend.budget_samples=9999",
+        "recommend.attempts=7", "recommend.pilot_samples=77", "allowed_failure_share=0.5",
+        "fidelity=auto", "fidelity_samples=7", "fidelity_budget=0.2"}) {
+    const Study other = read_study(file, {judging});
+    EXPECT_EQ(other.hash, study.hash) << judging;
+    EXPECT_NE(other.resolved_toml, study.resolved_toml) << judging;
+    for (const std::uint64_t id : {0, 5}) {
+      EXPECT_EQ(draw_sample(other, id).scene.cage.pocket_width,
+                draw_sample(study, id).scene.cage.pocket_width);
+      EXPECT_EQ(draw_sample(other, id).scene.start.cage_phase,
+                draw_sample(study, id).scene.start.cage_phase);
+    }
+  }
+  for (const char* moving :
+       {"seed=99", "samples=64", "design=lhs", "cages_per_lot=2", "redraw_jams=true",
+        "extra_replicates=0.5", "history.points=3", "cage_check_share=0.5",
+        "scene.load.radial_N.nominal=900", "scene.window.measure_revolutions=3",
+        "scene.integration.tolerance=0.002", "scene.cage.pocket_width_mm.nominal=7.66"})
+    EXPECT_NE(read_study(file, {moving}).hash, study.hash) << moving;
+  EXPECT_EQ(study_of("cost_a = 2\ncost_b = 0.3", "cost_b = 1").hash,
+            study_of("cost_table = [[0.05, 8], [0.1, 5.5]]", "cost_b = 2").hash);
+  // Which candidate a sample has is drawn from all of them.
+  const std::string name = "tolerance.dimension=[{key='cage.pocket_width_mm', tolerance_width_mm=";
+  EXPECT_NE(read_study(file, {name + "0.1, candidates=['IT11']}]"}).hash,
+            read_study(file, {name + "0.1, candidates=['IT11', 'IT12']}]"}).hash);
 }
 
 }  // namespace

@@ -135,6 +135,27 @@ TEST_F(SweepDirectoryTest, ADamagedStudyTomlIsWrittenAgainWhereResultsCarryTheHa
   }
 }
 
+TEST_F(SweepDirectoryTest, OtherLimitsAreNoOtherStudy) {
+  Study judged = plan_.study;
+  judged.resolved_toml += "[[limit]]\nmax = 3.0\nquantity = 'cage_slip_ratio'\n";
+  const SweepDirectory opened(directory_, judged, build_);
+  EXPECT_THAT(opened.stored().finished, SizeIs(12));
+  EXPECT_EQ(file_bytes(stored_study_path(directory_)), judged.resolved_toml);
+}
+
+TEST_F(SweepDirectoryTest, ARefusalNamesWhatMovesRunsAlone) {
+  const Study given = make_standin_plan({.samples = 12, .radial_load = 77}).study;
+  Study other = given;
+  other.resolved_toml += "[[limit]]\nmax = 3.0\nquantity = 'cage_slip_ratio'\n";
+  try {
+    const SweepDirectory opened(directory_, other, build_);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("scene.load.radial_N: 1000 stored, 77 now"));
+    EXPECT_THAT(error.what(), testing::Not(HasSubstr("limit")));
+  }
+}
+
 TEST_F(SweepDirectoryTest, AStudyTomlOfNobodyIsRefusedAndLeftAlone) {
   for (const std::string& journal : journals_) fs::remove(journal);
   fs::remove(file_);
