@@ -152,7 +152,7 @@ TEST(ChangedStudy, IsResolvedAnew) {
 }
 
 TEST(Identity, HoldsWhatMovesARunAlone) {
-  const std::string file = shipped("studies/nu205.toml");
+  const std::string file = shipped("studies/nu205-rated.toml");
   const Study study = read_study(file);
   for (const char* judging :
        {"name='other'", "limit=[{quantity='cage_slip_ratio', max=0.5, source='test'}]",
