@@ -32,6 +32,7 @@ struct StudyPlan {
   double extra_replicates = 0;
   double cages_per_lot = 1;
   bool redraw_jams = false;  ///< every run is of a cage that fits
+  bool scale_lots = true;    ///< candidates scale lots as they do pockets
   double allowed_failure_share = 0.02;
   double target_yield = 0.95;
   double confidence = 0.95;

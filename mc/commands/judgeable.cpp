@@ -33,6 +33,17 @@ bool may_be_negative(const Quantity& quantity) {
 
 }  // namespace
 
+void require_limits_and_candidates(const Study& study) {
+  if (study.limits.empty())
+    throw InputError(
+        {}, "limit", "", "the study has no limits: there is nothing to judge a tolerance by",
+        "add [[limit]] with quantity, max, source and cage_revolutions; where this is a "
+        "scene, name it in a study: [scene] with file = \"...\"");
+  if (study.candidates.empty())
+    throw InputError({}, "tolerance.dimension", "", "the study has no candidate tolerances",
+                     "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
+}
+
 std::size_t pilot_runs(const Study& study) {
   return static_cast<std::size_t>(
       std::ceil(static_cast<double>(study.recommend.pilot_samples) * (1 + study.extra_replicates)));

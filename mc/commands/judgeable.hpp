@@ -12,6 +12,9 @@ namespace cagetol {
 /// budgets that can confirm none. `recommend` refuses a study for the first, others warn of all.
 std::vector<InputError> judgement_faults(const Study& study);
 
+/// What `screen` and `recommend` cannot do without. Throws InputError.
+void require_limits_and_candidates(const Study& study);
+
 /// Of the first stage of `recommend`.
 std::size_t pilot_runs(const Study& study);
 

@@ -22,19 +22,6 @@
 namespace cagetol {
 namespace {
 
-void check_study(const Study& study) {
-  if (study.limits.empty())
-    throw InputError(
-        {}, "limit", "", "the study has no limits: there is nothing to judge a tolerance by",
-        "add [[limit]] with quantity, max, source and cage_revolutions; where this is a "
-        "scene, name it in a study: [scene] with file = \"...\"");
-  if (study.candidates.empty())
-    throw InputError({}, "tolerance.dimension", "", "the study has no candidate tolerances",
-                     "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
-  if (const std::vector<InputError> faults = judgement_faults(study); !faults.empty())
-    throw faults.front();
-}
-
 CampaignSettings campaign_settings(const Study& study) {
   return {.attempts = static_cast<std::size_t>(study.recommend.attempts),
           .confirm_samples = static_cast<std::size_t>(study.recommend.confirm_samples),
@@ -182,7 +169,8 @@ int run_recommend(const std::function<Study()>& read, const MakePlan& make_plan,
                   const RecommendOptions& options) {
   return run_staged(make_plan, options.progress, [&](StagedSweeps& stages) {
     const Study given = read();
-    check_study(given);
+    require_limits_and_candidates(given);
+    if (const auto faults = judgement_faults(given); !faults.empty()) throw faults.front();
     require_no_other(options.directory, "journal", "a sweep");
     require_memory(forecast_sweep(given), ranks_on_this_machine());
     require_disk(forecast_sweep(given), options.directory);

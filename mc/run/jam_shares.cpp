@@ -406,6 +406,8 @@ JamShares jam_shares(const Study& study) {
   const auto candidates = static_cast<std::ptrdiff_t>(all.size());
   add_variants(study, all);
   add_curves(study, jams.curves, all);
+  if (!study.scale_lots)
+    for (ScaledLaws& laws : all) laws.lot.assign(laws.lot.size(), 1);
   const Geometry geometry = geometry_of(study);
   auto shares = integrals(geometry, all);
   if (!shares || std::any_of(shares->begin(), shares->begin() + candidates,
