@@ -22,7 +22,9 @@ using Values = std::vector<double>;
 
 constexpr double kResolvedOfShift = 0.3, kResolvedOfDistance = 0.05;
 constexpr double kWithoutCurve = 2.5;  ///< widths screened that are searched where nothing jams
-constexpr int kSteps = 400;            ///< of the search for a width
+/// Smallest singular value of the terms, as a share of the largest, that is fitted.
+constexpr double kSmallestDirection = 1e-4;
+constexpr int kSteps = 400;  ///< of the search for a width
 
 /// A term of the fit, by run; `dimension` is -1 for other inputs.
 struct Term {
@@ -116,8 +118,9 @@ Fit weighted_fit(const std::vector<Term>& terms, const std::vector<Row>& rows,
   const std::unique_ptr<gsl_multifit_linear_workspace, void (*)(gsl_multifit_linear_workspace*)>
       workspace(gsl_multifit_linear_alloc(n, p), gsl_multifit_linear_free);
   double squares = 0;
-  gsl_multifit_linear(x.get(), &target.vector, &c.vector, covariance.get(), &squares,
-                      workspace.get());
+  std::size_t rank = 0;
+  gsl_multifit_linear_tsvd(x.get(), &target.vector, kSmallestDirection, &c.vector, covariance.get(),
+                           &squares, &rank, workspace.get());
   for (std::size_t i = 0; i < p; ++i)
     for (std::size_t k = 0; k < p; ++k)
       fit.covariance[i][k] = gsl_matrix_get(covariance.get(), i, k);
@@ -274,6 +277,11 @@ ScreenedLimit screened(const StudyData& runs, const std::vector<ScreenDimension>
                    side * c[k] * of.hundredth, fit.error(k) * of.hundredth};
     part.resolved = part.error <= kResolvedOfShift * std::abs(part.shift) ||
                     part.error <= kResolvedOfDistance * std::abs(bound - limit.level);
+    for (std::size_t q = 0; q < model.terms().size() && part.part == "lot"; ++q)
+      if (model.terms()[q].kind == Term::Kind::square &&
+          model.terms()[q].dimension == term.dimension)
+        part.bent =
+            std::abs(c[q]) > 2 * fit.error(q) && std::abs(c[q]) * of.lot_sigma > std::abs(c[k]);
     limit.parts.push_back(std::move(part));
   }
   const double both = gsl_cdf_tdist_Pinv(0.5 + 0.5 * runs.plan.confidence, fit.freedom),

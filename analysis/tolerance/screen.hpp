@@ -45,6 +45,7 @@ struct ScreenDimension {
 struct PartShift {
   std::string key, part;  ///< "lot": all pockets of a cage; "pocket": their standard deviation
   double shift = 0, error = 0;
+  bool bent = false;      ///< of a lot: its square moves the quantity as much, one lot sigma away
   bool resolved = false;  ///< error within 30 % of the shift, or 5 % of the distance to the limit
 };
 

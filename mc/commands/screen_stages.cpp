@@ -15,9 +15,11 @@
 #include "mc/host/json_number.hpp"
 #include "mc/run/forecast.hpp"
 #include "mc/run/jam_shares.hpp"
+#include "mc/study/cage_fit.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/unit.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {
@@ -49,10 +51,23 @@ std::size_t screened_candidate(const Study& study, const JamShares& jams) {
   return best;
 }
 
-Law three_levels(double mean, double sigma) {
+/// Whether pockets that scatter fit on both outer levels, all else as it should be.
+bool levels_fit(const Study& study, const UncertainInput& input, double outer, double scatter) {
+  return std::all_of(input.nominal.begin(), input.nominal.end(), [&](double nominal) {
+    for (const double side : {-1, 1}) {
+      Scene scene = study.scene;
+      set_key_numbers(*find_key(scene_keys(), input.key), {nominal + side * (outer + 2 * scatter)},
+                      scene);
+      if (!cage_fits(study, scene)) return false;
+    }
+    return true;
+  });
+}
+
+Law three_levels(double mean, double sigma, double outer) {
   constexpr double half = 1e-6;
   Histogram law{{}, {3, 0, 2, 0, 3}};
-  for (const double level : {-kLotLevel, 0.0, kLotLevel})
+  for (const double level : {-outer, 0.0, outer})
     for (const double side : {-half, half}) law.edges.push_back(mean + sigma * (level + side));
   return law;
 }
@@ -88,7 +103,11 @@ ScreenDesign screen_design(const Study& base) {
       if (input.pocket) screened.pocket_sigma = scale * standard_deviation(*input.pocket);
       if (input.lot && standard_deviation(*input.lot) > 0) {
         screened.lot_sigma = scale * standard_deviation(*input.lot);
-        input.lot = three_levels(scale * mean(*input.lot), screened.lot_sigma);
+        double outer = kLotLevel;
+        while (outer > 0.5 &&
+               !levels_fit(study, input, outer * screened.lot_sigma, screened.pocket_sigma))
+          outer *= 0.95;
+        input.lot = three_levels(scale * mean(*input.lot), screened.lot_sigma, outer);
       }
       dimension.cost.reset();
       dimension.candidates = {number_text(width)};
@@ -181,6 +200,7 @@ Json screen_json(const Screen& screen, const ScreenDesign& design) {
                                  {"part", part.part},
                                  {"shift", json_number(part.shift)},
                                  {"error", json_number(part.error)},
+                                 {"bent", part.bent},
                                  {"resolved", part.resolved}});
     for (const LimitReach& reach : limit.reach)
       entry["reach"].push_back({{"key", reach.key},
@@ -198,7 +218,10 @@ Json screen_json(const Screen& screen, const ScreenDesign& design) {
 std::string part_text(const ScreenedLimit& limit, const std::string& key, const char* part) {
   for (const PartShift& each : limit.parts)
     if (each.key == key && each.part == part)
-      return fmt::format("{:+.3g} +-{:.2g}{}", each.shift, each.error, each.resolved ? "" : " ?");
+      return fmt::format("{:+.3g} +-{:.2g}{}", each.shift, each.error,
+                         each.bent       ? " ~"
+                         : each.resolved ? ""
+                                         : " ?");
   return "-";
 }
 
@@ -210,7 +233,8 @@ std::string screen_text(const Screen& screen, const ScreenDesign& design) {
   text += fmt::format(
       "{} of the cages jam there. Shift by 0.01 mm: lot, all pockets of a cage larger by it;\n"
       "pocket, their standard deviation within the cage larger by it; +- one standard error;\n"
-      "?: not resolved, error above 30 % of the shift and 5 % of the distance to the limit.\n"
+      "?: not resolved, error above 30 % of the shift and 5 % of the distance to the limit;\n"
+      "~: bent, one lot sigma away the square of the lot moves the quantity more.\n"
       "Limit reached: by {:.3g} % of the cages, this tolerance alone widened.\n",
       jam_text(screen.jams, 0), 100 * (1 - screen.target_yield));
   for (const ScreenedLimit& limit : screen.limits) {

@@ -2,7 +2,7 @@
 // any other, with screen.json and its figure beside study.h5.
 //
 // Each tolerance is screened at the widest candidate of which no more cages jam than the target
-// allows; what jams is drawn again. Lots lie on three levels, 3/8, 1/4 and 3/8 of them (a Latin
+// allows; what jams is drawn again. Lots lie on three levels (nearer together where what lies there would not fit), 3/8, 1/4 and 3/8 of them (a Latin
 // hypercube, so that they are balanced), and the pockets of a cage scatter by that width or not at
 // all, in all combinations of the dimensions. All else is drawn as in the study. Eight rows run
 // twice and give the noise of the start.

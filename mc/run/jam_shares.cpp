@@ -401,13 +401,11 @@ void add_variants(const Study& study, std::vector<ScaledLaws>& all) {
 
 JamShares jam_shares(const Study& study) {
   JamShares jams;
-  if (study.candidates.empty() || study.scene.allow_interference) return jams;
+  if (study.candidates.empty() || study.scene.allow_interference || !study.scale_lots) return jams;
   std::vector<ScaledLaws> all = laws_of_candidates(study);
   const auto candidates = static_cast<std::ptrdiff_t>(all.size());
   add_variants(study, all);
   add_curves(study, jams.curves, all);
-  if (!study.scale_lots)
-    for (ScaledLaws& laws : all) laws.lot.assign(laws.lot.size(), 1);
   const Geometry geometry = geometry_of(study);
   auto shares = integrals(geometry, all);
   if (!shares || std::any_of(shares->begin(), shares->begin() + candidates,
