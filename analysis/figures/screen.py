@@ -13,7 +13,7 @@ def draw_shifts(axis, limit, places):
     bound = limit["max"] if "max" in limit else limit["min"]
     share = 100 / (abs(bound - known(limit["level"])) or 1)
     noise = share * known(limit["start_noise"])
-    axis.axvspan(-noise, noise, color=GREY, alpha=0.2, linewidth=0, label="noise of the start")
+    axis.axvspan(-noise, noise, color=GREY, alpha=0.2, linewidth=0, label="noise of start")
     for part, (colour, offset) in PARTS.items():
         shown = [shift for shift in limit.get("shifts", []) if shift["part"] == part]
         if not shown:
@@ -21,7 +21,7 @@ def draw_shifts(axis, limit, places):
         height = [places[shift["key"]] + offset for shift in shown]
         axis.errorbar([share * known(shift["shift"]) for shift in shown], height,
                       xerr=[2 * share * known(shift["error"]) for shift in shown], fmt="none", color=colour, linewidth=1.3,
-                      label=f"{part}, ±2 standard errors")
+                      label=f"{part} ±2 std errors")
         for shift, y in zip(shown, height):
             axis.plot(share * known(shift["shift"]), y, "o", color=colour, markersize=5,
                       markerfacecolor=colour if shift["resolved"] else "white")
@@ -31,12 +31,12 @@ def draw_shifts(axis, limit, places):
 def draw_reach(axis, limit, places, screened):
     for reach in limit["reach"]:
         y, most = places[reach["key"]], reach["searched_mm"]
-        axis.plot(screened[reach["key"]], y + 0.25, "|", color=GREY, markersize=9, markeredgewidth=2, label="width screened")
+        axis.plot(screened[reach["key"]], y + 0.25, "|", color=GREY, markersize=9, markeredgewidth=2, label="screened")
         if reach["jam_mm"] is not None:
             axis.plot([reach["jam_mm"], most], [y, y], color=RED, linewidth=6, alpha=0.25, solid_capstyle="butt", label="jams")
         if reach["lower_mm"] is not None:
             axis.plot([reach["lower_mm"], most if reach["upper_mm"] is None else reach["upper_mm"]], [y, y], color=BLUE,
-                      linewidth=1.4, label="limit reached, interval")
+                      linewidth=1.4, label="limit reached")
         if reach["width_mm"] is not None:
             axis.plot(reach["width_mm"], y, "D", color=BLUE, markersize=5)
     axis.set_xlim(0, 1.03 * max(reach["searched_mm"] for reach in limit["reach"]))
@@ -66,7 +66,7 @@ def screen(data):
     for axis in axes.flat:
         for handle, label in zip(*axis.get_legend_handles_labels()):
             entries.setdefault(label, handle)
-    legend_below(figure, list(entries.values()), list(entries), 0.45 / height)
+    legend_below(figure, list(entries.values()), list(entries), 0.5 / height)
     jams = "jams alone can decide" if data["jams_alone"] else f"{data['runs']} runs"
     figure.suptitle(f"{data['study']}: {jams}", fontsize=10)
     return figure

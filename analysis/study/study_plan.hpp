@@ -25,6 +25,7 @@ struct CampaignSettings {
   std::size_t confirm_samples = 0;  ///< most runs of one confirmation; 0: chosen
   std::size_t budget_samples = 0;   ///< runs of all stages together; 0: no budget
   double budget_h = 0;              ///< wall-clock hours of all stages together; 0: no budget
+  std::size_t screen_samples = 0;   ///< runs before the pilot
 };
 
 struct StudyPlan {

@@ -44,9 +44,10 @@ void require_limits_and_candidates(const Study& study) {
                      "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
 }
 
-std::size_t pilot_runs(const Study& study) {
-  return static_cast<std::size_t>(
-      std::ceil(static_cast<double>(study.recommend.pilot_samples) * (1 + study.extra_replicates)));
+std::size_t first_runs_of(const Study& study) {
+  return static_cast<std::size_t>(study.screen.budget_samples) +
+         static_cast<std::size_t>(std::ceil(static_cast<double>(study.recommend.pilot_samples) *
+                                            (1 + study.extra_replicates)));
 }
 
 std::vector<InputError> judgement_faults(const Study& study) {
@@ -76,7 +77,7 @@ std::vector<InputError> judgement_faults(const Study& study) {
   const std::size_t minimum =
       minimum_budget({study.tolerance.target_yield, study.tolerance.confidence,
                       static_cast<std::size_t>(study.recommend.attempts)},
-                     study.extra_replicates, pilot_runs(study));
+                     study.extra_replicates, first_runs_of(study));
   if (study.recommend.budget_samples > 0 &&
       static_cast<std::size_t>(study.recommend.budget_samples) < minimum)
     faults.emplace_back(SourcePlace{}, "recommend.budget_samples",

@@ -12,6 +12,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/judgeable.hpp"
 #include "mc/commands/ladder_stages.hpp"
+#include "mc/commands/screen_stages.hpp"
 #include "mc/commands/stage_study.hpp"
 #include "mc/run/forecast.hpp"
 #include "mc/sweep/adopted_runs.hpp"
@@ -26,8 +27,11 @@ CampaignSettings campaign_settings(const Study& study) {
   return {.attempts = static_cast<std::size_t>(study.recommend.attempts),
           .confirm_samples = static_cast<std::size_t>(study.recommend.confirm_samples),
           .budget_samples = static_cast<std::size_t>(study.recommend.budget_samples),
-          .budget_h = study.recommend.budget_time / 3600};
+          .budget_h = study.recommend.budget_time / 3600,
+          .screen_samples = static_cast<std::size_t>(study.screen.budget_samples)};
 }
+
+constexpr const char* kInterruptedText = "interrupted: start the same command again to go on";
 
 bool same_budget(const CampaignSettings& one, const CampaignSettings& other) {
   return one.confirm_samples == other.confirm_samples &&
@@ -134,6 +138,12 @@ CampaignPlan StageLeader::plan(const StudyData& pilot) const {
 }
 
 int StageLeader::lead() {
+  const auto screened = screen_stage(base_, path("screen"), stages_);
+  const int* ended = std::get_if<int>(&screened);
+  if (ended && *ended != kSamplesFailed) {
+    if (*ended == kInterrupted) spdlog::warn(kInterruptedText);
+    return *ended;
+  }
   const Stage pilot{"pilot", static_cast<std::size_t>(base_.recommend.pilot_samples), {}};
   const Campaign campaign = run_campaign(
       pilot, [&](const StudyData& data) { return plan(data); },
@@ -145,7 +155,7 @@ int StageLeader::lead() {
                  attempt.confirmation.passed ? "confirmed" : "not confirmed");
   if (campaign.end != CampaignEnd::interrupted)
     code_ = run_assumptions(base_, directory_, campaign, *stored_plan(), stages_);
-  if (code_ == kInterrupted) spdlog::warn("interrupted: start the same command again to go on");
+  if (code_ == kInterrupted) spdlog::warn(kInterruptedText);
   if (code_ != kDone || campaign.end == CampaignEnd::interrupted) return code_;
   switch (campaign.end) {
     case CampaignEnd::interrupted:

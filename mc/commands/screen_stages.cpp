@@ -1,6 +1,7 @@
 #include "mc/commands/screen_stages.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ constexpr double kNoScatter = 1e-3;
 struct ScreenDesign {
   Study study;
   std::vector<ScreenDimension> dimensions;
-  double jams = 0;
+  double jams = 0, draws = 0;  ///< share that jams, and cages drawn for it
 };
 
 /// The widest candidate that jams alone leave at the target, else the one of which fewest jam.
@@ -80,7 +81,7 @@ ScreenDesign screen_design(const Study& base) {
   const std::size_t chosen = screened_candidate(plain, jams);
   const Candidate& candidate = plain.candidates[chosen];
   ScreenDesign design;
-  if (!jams.candidate.empty()) design.jams = jams.candidate[chosen];
+  if (!jams.candidate.empty()) design.jams = jams.candidate[chosen], design.draws = jams.draws;
   const long rows = base.screen.budget_samples - kRepeats;
   const Study stage = stage_study(plain, {"screen", static_cast<std::size_t>(rows), {}});
   design.study = changed_study(stage, [&](Study& study) {
@@ -120,10 +121,9 @@ ScreenDesign screen_design(const Study& base) {
     }
   });
   if (design.study.candidates.size() > static_cast<std::size_t>(rows))
-    throw InputError({}, "screen.budget_samples", std::to_string(base.screen.budget_samples),
-                     "so few runs cannot tell so many tolerances apart",
-                     fmt::format("give {} or more, or fewer [[tolerance.dimension]]",
-                                 static_cast<long>(design.study.candidates.size()) + kRepeats));
+    throw Refused(
+        fmt::format("screen.budget_samples = {}: so few runs cannot tell {} tolerances apart",
+                    base.screen.budget_samples, design.dimensions.size()));
   return design;
 }
 
@@ -236,7 +236,7 @@ std::string screen_text(const Screen& screen, const ScreenDesign& design) {
       "?: not resolved, error above 30 % of the shift and 5 % of the distance to the limit;\n"
       "~: bent, one lot sigma away the square of the lot moves the quantity more.\n"
       "Limit reached: by {:.3g} % of the cages, this tolerance alone widened.\n",
-      jam_text(screen.jams, 0), 100 * (1 - screen.target_yield));
+      jam_text(screen.jams, design.draws), 100 * (1 - screen.target_yield));
   for (const ScreenedLimit& limit : screen.limits) {
     text += fmt::format(
         "{}, at {} {:.4g}{}: {:.4g} +-{:.2g} without deviations; noise of the start {:.2g}\n",
@@ -255,20 +255,18 @@ std::string screen_text(const Screen& screen, const ScreenDesign& design) {
 
 std::variant<Screen, int> screen_stage(const Study& base, const std::string& directory,
                                        StagedSweeps& stages) {
-  const ScreenDesign design = screen_design(base);
-  if (const int code = stages.sweep(design.study, directory); code != kDone) return code;
-  Screen screen;
   try {
-    screen =
+    const ScreenDesign design = screen_design(base);
+    if (const int code = stages.sweep(design.study, directory); code != kDone) return code;
+    const Screen screen =
         screen_limits(read_study_data(study_file_path(directory)), design.dimensions, design.jams);
+    replace_file(directory + "/screen.json", screen_json(screen, design).dump(1) + "\n");
+    print(screen_text(screen, design));
+    return screen;
   } catch (const Refused& refusal) {
-    throw InputError({}, "screen", "", refusal.what(),
-                     "look at samples/reason in " + study_file_path(directory));
+    spdlog::error("no screen: {}", refusal.what());
+    return static_cast<int>(kSamplesFailed);
   }
-  const std::string json = directory + "/screen.json";
-  replace_file(json, screen_json(screen, design).dump(1) + "\n");
-  print(screen_text(screen, design));
-  return screen;
 }
 
 int run_screen(const std::function<Study()>& read, const MakePlan& make_plan,
