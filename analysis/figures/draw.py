@@ -31,6 +31,7 @@ def main(report_file, output_dir):
     import quantities
     import response
     import rig
+    import screen
     import tolerance
 
     of_report = {
@@ -48,7 +49,7 @@ def main(report_file, output_dir):
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
                  "ladder": {"ladder": fidelity.ladder}, "cage": {"pocket": pocket.pocket},
-                 "rig": {"rig": rig.rig}}
+                 "rig": {"rig": rig.rig}, "screen": {"screen": screen.screen}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
     of_limits = {"limit_curves": tolerance.limit_curves, "yield_curves": tolerance.yield_curves}

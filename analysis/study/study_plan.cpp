@@ -134,6 +134,7 @@ StudyPlan read_study_plan(const std::string& text, const std::string& file) {
     plan.campaign = read_campaign(part(root, "recommend"));
     plan.cages_per_lot = root.value("cages_per_lot", 1.0);
     plan.redraw_jams = root.value("redraw_jams", false);
+    plan.scale_lots = root.value("scale_lots", true);
     plan.allowed_failure_share = root.value("allowed_failure_share", 0.02);
     plan.scene = part(root, "scene");
     plan.inputs = read_list(root, "inputs", read_input);

@@ -25,6 +25,7 @@ struct CampaignSettings {
   std::size_t confirm_samples = 0;  ///< most runs of one confirmation; 0: chosen
   std::size_t budget_samples = 0;   ///< runs of all stages together; 0: no budget
   double budget_h = 0;              ///< wall-clock hours of all stages together; 0: no budget
+  std::size_t screen_samples = 0;   ///< runs before the pilot
 };
 
 struct StudyPlan {
@@ -32,6 +33,7 @@ struct StudyPlan {
   double extra_replicates = 0;
   double cages_per_lot = 1;
   bool redraw_jams = false;  ///< every run is of a cage that fits
+  bool scale_lots = true;    ///< candidates scale lots as they do pockets
   double allowed_failure_share = 0.02;
   double target_yield = 0.95;
   double confidence = 0.95;

@@ -63,7 +63,8 @@ ConfirmationRules undivided(ConfirmationRules rules) {
 std::optional<double> runs_left(const StudyData& pilot, const CampaignPlan& plan) {
   std::optional<double> left;
   const auto at_most = [&](double runs) { left = left ? std::min(*left, runs) : runs; };
-  const double spent = static_cast<double>(pilot.size()) + plan.repeats_lost;
+  const double spent =
+      static_cast<double>(pilot.size() + plan.settings.screen_samples) + plan.repeats_lost;
   if (plan.settings.budget_samples > 0)
     at_most(static_cast<double>(plan.settings.budget_samples) - spent);
   if (plan.settings.budget_h > 0 && plan.seconds_per_run > 0)
@@ -122,8 +123,9 @@ void require_runs(const StudyData& pilot, const CampaignPlan& plan,
       "confidence. {} runs in all are the least, about {:.0f} would do",
       plan.mixture_rows, pilot.plan.candidates.size(), plan.confirm_runs, rules.attempts, fewest,
       100 * rules.target_yield, 100 * rules.confidence,
-      minimum_budget(rules, pilot.plan.extra_replicates, pilot.size()),
-      static_cast<double>(pilot.size()) +
+      minimum_budget(rules, pilot.plan.extra_replicates,
+                     pilot.size() + plan.settings.screen_samples),
+      static_cast<double>(pilot.size() + plan.settings.screen_samples) +
           2 * std::max(
                   runs_of_rows(pilot.plan, kFewestEffectiveRuns *
                                                static_cast<double>(pilot.plan.candidates.size())),
@@ -346,7 +348,7 @@ std::string plan_text(const StudyData& pilot, const CampaignPlan& plan) {
         std::ceil(std::max(runs_of_rows(study, kMinimumEffectiveRuns * candidates) / kMostMixture,
                            runs_of_rows(study, kMinimumEffectiveRuns * candidates) +
                                static_cast<double>(rules.attempts * confirming_runs(0, rules)))) +
-            static_cast<double>(pilot.id.size()));
+            static_cast<double>(pilot.size() + plan.settings.screen_samples));
   else if (rows < kFewestEffectiveRuns * candidates)
     text += fmt::format(
         "\n  fewer than {:.0f} rows for each candidate: with so few effective runs their yields "

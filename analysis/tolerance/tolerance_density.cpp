@@ -54,7 +54,8 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
   };
   for (const InputPlan& input : runs.plan.inputs) {
     const nlohmann::json& stated = lot_scope ? input.lot : input.pocket;
-    const int dimension = dimension_of(runs.plan, input.key);
+    const bool scaled = !lot_scope || runs.plan.scale_lots;
+    const int dimension = scaled ? dimension_of(runs.plan, input.key) : -1;
     const InputColumns* columns = find_input(runs, input.key);
     if (stated.is_null() || columns == nullptr) continue;
     if (dimension < 0 && !tied(input.key + scope)) continue;

@@ -107,7 +107,7 @@ std::string jams_text(const Study& study, const JamShares& jams) {
 std::string budget_text(const Study& study, const JamShares& jams) {
   if (study.recommend.budget_samples == 0 || !judgement_faults(study).empty()) return "";
   const std::size_t runs = most_confirming_runs(
-      static_cast<std::size_t>(study.recommend.budget_samples), pilot_runs(study));
+      static_cast<std::size_t>(study.recommend.budget_samples), first_runs_of(study));
   return "  " +
          decidable_text(study.candidates, jams.candidate,
                         {study.tolerance.target_yield, study.tolerance.confidence}, runs) +

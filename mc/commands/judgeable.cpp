@@ -33,9 +33,21 @@ bool may_be_negative(const Quantity& quantity) {
 
 }  // namespace
 
-std::size_t pilot_runs(const Study& study) {
-  return static_cast<std::size_t>(
-      std::ceil(static_cast<double>(study.recommend.pilot_samples) * (1 + study.extra_replicates)));
+void require_limits_and_candidates(const Study& study) {
+  if (study.limits.empty())
+    throw InputError(
+        {}, "limit", "", "the study has no limits: there is nothing to judge a tolerance by",
+        "add [[limit]] with quantity, max, source and cage_revolutions; where this is a "
+        "scene, name it in a study: [scene] with file = \"...\"");
+  if (study.candidates.empty())
+    throw InputError({}, "tolerance.dimension", "", "the study has no candidate tolerances",
+                     "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
+}
+
+std::size_t first_runs_of(const Study& study) {
+  return static_cast<std::size_t>(study.screen.budget_samples) +
+         static_cast<std::size_t>(std::ceil(static_cast<double>(study.recommend.pilot_samples) *
+                                            (1 + study.extra_replicates)));
 }
 
 std::vector<InputError> judgement_faults(const Study& study) {
@@ -65,7 +77,7 @@ std::vector<InputError> judgement_faults(const Study& study) {
   const std::size_t minimum =
       minimum_budget({study.tolerance.target_yield, study.tolerance.confidence,
                       static_cast<std::size_t>(study.recommend.attempts)},
-                     study.extra_replicates, pilot_runs(study));
+                     study.extra_replicates, first_runs_of(study));
   if (study.recommend.budget_samples > 0 &&
       static_cast<std::size_t>(study.recommend.budget_samples) < minimum)
     faults.emplace_back(SourcePlace{}, "recommend.budget_samples",

@@ -12,7 +12,10 @@ namespace cagetol {
 /// budgets that can confirm none. `recommend` refuses a study for the first, others warn of all.
 std::vector<InputError> judgement_faults(const Study& study);
 
-/// Of the first stage of `recommend`.
-std::size_t pilot_runs(const Study& study);
+/// What `screen` and `recommend` cannot do without. Throws InputError.
+void require_limits_and_candidates(const Study& study);
+
+/// Of the screen and the pilot of `recommend`.
+std::size_t first_runs_of(const Study& study);
 
 }  // namespace cagetol

@@ -13,6 +13,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/judgeable.hpp"
 #include "mc/commands/ladder_stages.hpp"
+#include "mc/commands/screen_stages.hpp"
 #include "mc/commands/stage_study.hpp"
 #include "mc/host/build_info.hpp"
 #include "mc/run/forecast.hpp"
@@ -26,25 +27,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_study(const Study& study) {
-  if (study.limits.empty())
-    throw InputError(
-        {}, "limit", "", "the study has no limits: there is nothing to judge a tolerance by",
-        "add [[limit]] with quantity, max, source and cage_revolutions; where this is a "
-        "scene, name it in a study: [scene] with file = \"...\"");
-  if (study.candidates.empty())
-    throw InputError({}, "tolerance.dimension", "", "the study has no candidate tolerances",
-                     "add [[tolerance.dimension]] with key, tolerance_width_mm and candidates");
-  if (const std::vector<InputError> faults = judgement_faults(study); !faults.empty())
-    throw faults.front();
-}
-
 CampaignSettings campaign_settings(const Study& study) {
   return {.attempts = static_cast<std::size_t>(study.recommend.attempts),
           .confirm_samples = static_cast<std::size_t>(study.recommend.confirm_samples),
           .budget_samples = static_cast<std::size_t>(study.recommend.budget_samples),
-          .budget_h = study.recommend.budget_time / 3600};
+          .budget_h = study.recommend.budget_time / 3600,
+          .screen_samples = static_cast<std::size_t>(study.screen.budget_samples)};
 }
+
+constexpr const char* kInterruptedText = "interrupted: start the same command again to go on";
 
 bool same_budget(const CampaignSettings& one, const CampaignSettings& other) {
   return one.confirm_samples == other.confirm_samples &&
@@ -191,6 +182,12 @@ CampaignPlan StageLeader::plan(const StudyData& pilot) const {
 }
 
 int StageLeader::lead() {
+  const auto screened = screen_stage(base_, path("screen"), stages_);
+  const int* ended = std::get_if<int>(&screened);
+  if (ended && *ended != kSamplesFailed) {
+    if (*ended == kInterrupted) spdlog::warn(kInterruptedText);
+    return *ended;
+  }
   const Stage pilot{"pilot", static_cast<std::size_t>(base_.recommend.pilot_samples), {}};
   const Campaign campaign = run_campaign(
       pilot, [&](const StudyData& data) { return plan(data); },
@@ -206,7 +203,7 @@ int StageLeader::lead() {
                      : "not confirmed");
   if (campaign.end != CampaignEnd::interrupted)
     code_ = run_assumptions(base_, directory_, campaign, *stored_plan(), stages_);
-  if (code_ == kInterrupted) spdlog::warn("interrupted: start the same command again to go on");
+  if (code_ == kInterrupted) spdlog::warn(kInterruptedText);
   if (code_ != kDone || campaign.end == CampaignEnd::interrupted) return code_;
   switch (campaign.end) {
     case CampaignEnd::interrupted:
@@ -231,7 +228,8 @@ int run_recommend(const std::function<Study()>& read, const MakePlan& make_plan,
                   const RecommendOptions& options) {
   return run_staged(make_plan, options.progress, [&](StagedSweeps& stages) {
     const Study given = read();
-    check_study(given);
+    require_limits_and_candidates(given);
+    if (const auto faults = judgement_faults(given); !faults.empty()) throw faults.front();
     require_no_other(options.directory, "journal", "a sweep");
     require_memory(forecast_sweep(given), ranks_on_this_machine());
     require_disk(forecast_sweep(given), options.directory);

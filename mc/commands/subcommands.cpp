@@ -22,6 +22,7 @@ Chosen replay_command(CLI::App& command);
 Chosen report_command(CLI::App& command);
 Chosen rig_command(CLI::App& command);
 Chosen scene_command(CLI::App& command);
+Chosen screen_command(CLI::App& command);
 Chosen simulate_command(CLI::App& command);
 Chosen stability_command(CLI::App& command);
 Chosen sweep_command(CLI::App& command);
@@ -44,6 +45,7 @@ const std::vector<Subcommand> kSubcommands = {
     {kBearing, "simulate", "Simulate one bearing: a scene, or a sample of a study", "simulate inputs/scenes/nu205.toml --json", simulate_command},
     {kBearing, "cage", "Clearances and drawing of a pocket; modes, compliance, stress and mass of a flexible cage", "cage inputs/scenes/nu205.toml", cage_command},
     {kStudy, "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs", "recommend inputs/studies/nu205.toml -o out/nu205-drawing", recommend_command},
+    {kStudy, "screen", "Find which tolerance moves which limited quantity, and what is worth a campaign", "screen inputs/studies/nu205.toml -o out/nu205-screen", screen_command},
     {kStudy, "sweep", "Run every sample of a study; the same command resumes an interrupted sweep", "sweep inputs/studies/nu205.toml -o out/nu205", sweep_command},
     {kResults, "report", "Write report.html, report.json and CSV tables from DIR/study.h5", "report out/nu205", report_command},
     {kResults, "judge", "Judge the runs of a directory by other limits: scatter, margins, which decide, a report", "judge out/nu205 --limit driving_slip_ratio=0.05", judge_command},

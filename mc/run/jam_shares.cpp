@@ -401,7 +401,7 @@ void add_variants(const Study& study, std::vector<ScaledLaws>& all) {
 
 JamShares jam_shares(const Study& study) {
   JamShares jams;
-  if (study.candidates.empty() || study.scene.allow_interference) return jams;
+  if (study.candidates.empty() || study.scene.allow_interference || !study.scale_lots) return jams;
   std::vector<ScaledLaws> all = laws_of_candidates(study);
   const auto candidates = static_cast<std::ptrdiff_t>(all.size());
   add_variants(study, all);

@@ -24,7 +24,7 @@ inline constexpr long kJamCages = 1000000;
 inline constexpr double kWidestJamTolerance = 2.5;
 
 /// The same whatever the study's seed, design and number of samples: one value for all stages of a
-/// recommendation. Empty where `cage.allow_interference` simulates jams.
+/// recommendation. Empty where `cage.allow_interference` simulates jams, and without scale_lots.
 JamShares jam_shares(const Study& study);
 
 /// Of the candidates, from so many drawn cages in any case.

@@ -244,17 +244,18 @@ struct Sampler::Implementation {
     const double scale = candidate ? candidate->scales[d] : 1;
     // The centre moves the lot, or every pocket where there is no lot.
     const double shift = candidate ? candidate->shift(d) : 0;
-    const auto deviation = [&](const Law& law, long column, std::size_t draw) {
-      return scale * (column < 0 ? quantile(law, 0.5)
-                                 : quantile(law, u[static_cast<std::size_t>(column) + draw]));
+    const auto deviation = [&](double by, const Law& law, long column, std::size_t draw) {
+      return by * (column < 0 ? quantile(law, 0.5)
+                              : quantile(law, u[static_cast<std::size_t>(column) + draw]));
     };
     DrawnInput drawn;
     drawn.value = input.nominal;
     if (input.per_pocket) drawn.value.resize(pocket_count(study), input.nominal[0]);
-    if (input.lot) drawn.lot = {deviation(*input.lot, of_input.lot, 0) + shift};
+    if (input.lot)
+      drawn.lot = {deviation(study.scale_lots ? scale : 1, *input.lot, of_input.lot, 0) + shift};
     if (input.pocket)
       for (std::size_t j = 0; j < pocket_count(study); ++j)
-        drawn.pocket.push_back(deviation(*input.pocket, of_input.pocket, j) +
+        drawn.pocket.push_back(deviation(scale, *input.pocket, of_input.pocket, j) +
                                (input.lot ? 0 : shift));
     if (input.noise) drawn.noise = {noise(input, sample)};
     for (std::size_t j = 0; j < drawn.value.size(); ++j) {

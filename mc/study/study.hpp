@@ -19,7 +19,7 @@
 namespace cagetol {
 
 /// A scene key that is a distribution. Deviations add up, in the key's unit:
-///   value = nominal + scale * (lot + pocket) + noise
+///   value = nominal + scale * (lot + pocket) + noise      (scale of the lot: 1 without scale_lots)
 /// Laws describe deviations from the nominal value, not the value itself.
 struct UncertainInput {
   std::string key;
@@ -41,6 +41,11 @@ struct RecommendPlan {
   /// Runs under each alternative of an assumption; 0: none, NaN: as many as confirm the target when
   /// none fails.
   double assumption_samples = 0;
+};
+
+/// How `cagetol screen` goes about it.
+struct ScreenPlan {
+  long budget_samples = 40;  ///< runs in all
 };
 
 struct TolerancePlan {
@@ -92,6 +97,7 @@ struct Study {
   long scrambles = 8;
   long cages_per_lot = 1;
   bool redraw_jams = false;  ///< cages that do not fit are drawn again (cage_fit.hpp)
+  bool scale_lots = true;    ///< candidates scale the lots' deviations like those of the pockets
   double allowed_failure_share = 0.02;
   std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
   long fidelity_samples = 24;       ///< runs on each rung of the model ladder
@@ -108,6 +114,7 @@ struct Study {
   double cage_check_share = 0.01;  ///< of samples whose flexible cage is also solved in full
   FidelityDecision fidelity_decision;
   RecommendPlan recommend;
+  ScreenPlan screen;
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;
   std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash

@@ -162,8 +162,8 @@ void check_drawn_range(const Study& study, const toml::table& scene, const std::
     const auto [smallest, largest] =
         std::minmax_element(input.nominal.begin(), input.nominal.end());
     const auto extreme = [&](double nominal, double p) {
-      return nominal + scale * (deviation_at(input.lot, p) + deviation_at(input.pocket, p)) +
-             deviation_at(input.noise, p);
+      return nominal + (study.scale_lots ? scale : 1) * deviation_at(input.lot, p) +
+             scale * deviation_at(input.pocket, p) + deviation_at(input.noise, p);
     };
     for (const double value :
          {extreme(*smallest + down, kRareDraw), extreme(*largest + up, 1 - kRareDraw)}) {
@@ -184,7 +184,7 @@ double thickness_scatter(const Study& study) {
   double sum = 0;
   for (const auto& input : study.inputs) {
     if (input.key != kCageBore && input.key != kCageOutside) continue;
-    const double scale = widest_scale(study, input.key);
+    const double scale = study.scale_lots ? widest_scale(study, input.key) : 1;
     const auto [down, up] = farthest_shifts(study, input.key);
     double farthest = 0;
     for (const double p : {kRareDraw, 1 - kRareDraw})

@@ -18,6 +18,7 @@ const KeyTable<Study>& study_keys() {
       {"scrambles", within(1, 1024), AT(scrambles), "design sobol: independent scrambles"},
       {"cages_per_lot", within(1, 1e6), AT(cages_per_lot), "design random: cages that share one draw of the lot"},
       {"redraw_jams", any_value(), AT(redraw_jams), "true: a cage that does not fit (rollers, lips, rings) is drawn again, so that every run is of one that does, and the yields of candidate tolerances are those of cages that fit times the share that fits; the stages of `recommend` do so. false: such a cage is a sample that jams"},
+      {"scale_lots", any_value(), AT(scale_lots), "true: a candidate tolerance scales the deviations of lots and pockets; false: of pockets alone, and lots keep their law, as in the stage of `screen`"},
       {"allowed_failure_share", within(0, 1), AT(allowed_failure_share), "failed, censored and poisoned samples beyond this share: exit code 3; `recommend` judges the lower bound of their share in pilot and mixture together, and counts them as failing in confirmations"},
       {"fidelity", one_of({"pinned", "auto"}), AT(fidelity), "pinned: the model that the scene says; auto: the cheapest rung of the model ladder that is good enough for every limited quantity: its mean is unmoved or its limits are settled (`cagetol ladder --help`), the highest where the samples do not tell"},
       {"fidelity_samples", within(2, 1e9), AT(fidelity_samples), "fidelity auto: runs on each rung that is tried; more of them settle limits that are closer"},
@@ -33,6 +34,7 @@ const KeyTable<Study>& study_keys() {
       {"recommend.budget_samples", within(0, 1e9), AT(recommend.budget_samples), "runs of all stages together, may be raised in the same directory; 0: the mixture has `samples` rows"},
       {"recommend.budget_h", at_least(0), AT(recommend.budget_time), "wall-clock time of all stages together, by the pilot's time of a run, may be raised in the same directory; 0: no such budget"},
       {"recommend.assumption_samples", or_auto(within(0, 1e9)), AT(recommend.assumption_samples), "after the confirmation: runs under each end of each range of an [[assumption]], beyond any budget; may be set and raised in the same directory; auto: as many as settle an alternative whose yield is that of the attempt, up to 100 times as many as confirm the target if none fails, else these; 0: none"},
+      {"screen.budget_samples", within(20, 60), AT(screen.budget_samples), "runs of `screen`, eight of them of cages that have run before"},
   };
   return keys;
 }

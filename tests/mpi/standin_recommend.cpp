@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "mc/commands/recommend_stages.hpp"
+#include "mc/commands/screen_stages.hpp"
 #include "mc/host/log.hpp"
 #include "src/quantities/quantity_table.hpp"
 
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
   RecommendOptions options;
   double milliseconds = 0.5, lost_share = 0;
   std::optional<double> value;
+  bool screen = false;
   CLI::App app{"recommendation of a stand-in study"};
   app.add_option("study", study)->required();
   app.add_option("directory", options.directory)->required();
@@ -62,6 +64,7 @@ int main(int argc, char** argv) {
   app.add_flag("--exit-code", options.exit_code);
   app.add_option("--lost", lost_share, "share of the runs that fail");
   app.add_option("--value", value, "of all quantities but the cage's slip");
+  app.add_flag("--screen", screen, "the screen alone");
   CLI11_PARSE(app, argc, argv);
   log_to_stderr();
   const auto make_plan = [&](const Study& stage) {
@@ -72,5 +75,8 @@ int main(int argc, char** argv) {
     };
     return plan;
   };
+  if (screen)
+    return run_screen([&] { return read_study(study, settings); }, make_plan, options.directory,
+                      options.progress);
   return run_recommend([&] { return read_study(study, settings); }, make_plan, options);
 }

@@ -172,6 +172,10 @@ TEST(Sample, ACandidateScalesTheDeviationsOfItsKey) {
     EXPECT_EQ(a.inputs[0].pocket[12], scale * b.inputs[0].pocket[12]);
     EXPECT_EQ(a.inputs[1].value, b.inputs[1].value);
   }
+  study.scale_lots = false;
+  const auto a = Sampler(study).draw(1), b = unscaled.draw(1);
+  EXPECT_EQ(a.inputs[0].lot, b.inputs[0].lot);
+  EXPECT_EQ(a.inputs[0].pocket[12], 2 * b.inputs[0].pocket[12]);
 }
 
 TEST(Sample, ACandidateMovesTheCentreOfItsKey) {

@@ -1,0 +1,290 @@
+#include "mc/commands/screen_stages.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/study/refused.hpp"
+#include "analysis/tolerance/jam_onset.hpp"
+#include "mc/commands/command.hpp"
+#include "mc/commands/judgeable.hpp"
+#include "mc/commands/ladder_stages.hpp"
+#include "mc/commands/stage_study.hpp"
+#include "mc/host/file_write.hpp"
+#include "mc/host/json_number.hpp"
+#include "mc/run/forecast.hpp"
+#include "mc/run/jam_shares.hpp"
+#include "mc/study/cage_fit.hpp"
+#include "mc/sweep/sweep_directory.hpp"
+#include "src/input/input_error.hpp"
+#include "src/input/unit.hpp"
+#include "src/reading/scene_keys.hpp"
+
+namespace cagetol {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr long kRepeats = 8;
+/// Width of a candidate without scatter, as a share of the other one.
+constexpr double kNoScatter = 1e-3;
+
+struct ScreenDesign {
+  Study study;
+  std::vector<ScreenDimension> dimensions;
+  double jams = 0, draws = 0;  ///< share that jams, and cages drawn for it
+};
+
+/// The widest candidate that jams alone leave at the target, else the one of which fewest jam.
+std::size_t screened_candidate(const Study& study, const JamShares& jams) {
+  const auto share = [&](std::size_t k) { return jams.candidate.empty() ? 0 : jams.candidate[k]; };
+  std::size_t best = 0;
+  double widest = 0;
+  for (std::size_t k = 0; k < study.candidates.size(); ++k) {
+    double width = 1;
+    for (const double each : study.candidates[k].tolerance_widths_mm) width *= each;
+    const bool fits = share(k) <= 1 - study.tolerance.target_yield;
+    if (fits ? width > widest : widest == 0 && share(k) < share(best)) best = k;
+    if (fits) widest = std::max(widest, width);
+  }
+  return best;
+}
+
+/// Whether pockets that scatter fit on both outer levels, all else as it should be.
+bool levels_fit(const Study& study, const UncertainInput& input, double outer, double scatter) {
+  return std::all_of(input.nominal.begin(), input.nominal.end(), [&](double nominal) {
+    for (const double side : {-1, 1}) {
+      Scene scene = study.scene;
+      set_key_numbers(*find_key(scene_keys(), input.key), {nominal + side * (outer + 2 * scatter)},
+                      scene);
+      if (!cage_fits(study, scene)) return false;
+    }
+    return true;
+  });
+}
+
+Law three_levels(double mean, double sigma, double outer) {
+  constexpr double half = 1e-6;
+  Histogram law{{}, {3, 0, 2, 0, 3}};
+  for (const double level : {-outer, 0.0, outer})
+    for (const double side : {-half, half}) law.edges.push_back(mean + sigma * (level + side));
+  return law;
+}
+
+ScreenDesign screen_design(const Study& base) {
+  const Study plain = changed_study(base, [](Study& study) {
+    for (ToleranceDimension& dimension : study.tolerance.dimensions) dimension.centres.clear();
+  });
+  const JamShares jams = jam_shares(plain);
+  const std::size_t chosen = screened_candidate(plain, jams);
+  const Candidate& candidate = plain.candidates[chosen];
+  ScreenDesign design;
+  if (!jams.candidate.empty()) design.jams = jams.candidate[chosen], design.draws = jams.draws;
+  const long rows = base.screen.budget_samples - kRepeats;
+  const Study stage = stage_study(plain, {"screen", static_cast<std::size_t>(rows), {}});
+  design.study = changed_study(stage, [&](Study& study) {
+    study.design = DesignKind::lhs;
+    study.cages_per_lot = 1;
+    study.extra_replicates = static_cast<double>(kRepeats) / static_cast<double>(rows);
+    study.scale_lots = false;
+    study.history = {};
+    for (std::size_t d = 0; d < study.tolerance.dimensions.size(); ++d) {
+      ToleranceDimension& dimension = study.tolerance.dimensions[d];
+      UncertainInput& input =
+          *std::find_if(study.inputs.begin(), study.inputs.end(),
+                        [&](const auto& of) { return of.key == dimension.key; });
+      const double width = candidate.tolerance_widths_mm[d], scale = candidate.scales[d];
+      ScreenDimension screened{dimension.key, from_si(1e-5, unit_of(dimension.key).to_si), width,
+                               width};
+      for (const Candidate& each : plain.candidates)
+        screened.narrowest_mm = std::min(screened.narrowest_mm, each.tolerance_widths_mm[d]);
+      if (!jams.curves.empty()) screened.jams = jams.curves[d];
+      if (input.pocket) screened.pocket_sigma = scale * standard_deviation(*input.pocket);
+      if (input.lot && standard_deviation(*input.lot) > 0) {
+        screened.lot_sigma = scale * standard_deviation(*input.lot);
+        double outer = kLotLevel;
+        while (outer > 0.5 &&
+               !levels_fit(study, input, outer * screened.lot_sigma, screened.pocket_sigma))
+          outer *= 0.95;
+        input.lot = three_levels(scale * mean(*input.lot), screened.lot_sigma, outer);
+      }
+      dimension.cost.reset();
+      dimension.candidates = {number_text(width)};
+      if (screened.pocket_sigma > 0)
+        dimension.candidates.insert(dimension.candidates.begin(), number_text(kNoScatter * width));
+      std::erase_if(study.correlations, [&](const Correlation& pair) {
+        return pair.first == dimension.key + ":lot" || pair.second == dimension.key + ":lot";
+      });
+      design.dimensions.push_back(std::move(screened));
+    }
+  });
+  if (design.study.candidates.size() > static_cast<std::size_t>(rows))
+    throw Refused(
+        fmt::format("screen.budget_samples = {}: so few runs cannot tell {} tolerances apart",
+                    base.screen.budget_samples, design.dimensions.size()));
+  return design;
+}
+
+Json number_json(const std::optional<double>& value) {
+  return value ? json_number(*value) : Json(nullptr);
+}
+
+std::string width_text(const std::optional<double>& width, double searched) {
+  return width ? fmt::format("{:.3g}", *width) : fmt::format("beyond {:.3g}", searched);
+}
+
+/// What ends a tolerance: this limit, jams, or nothing within the widths searched.
+std::string standing(const LimitReach& reach) {
+  const auto interval = [&] {
+    return fmt::format("{} to {} mm", width_text(reach.lower_mm, reach.searched_mm),
+                       width_text(reach.upper_mm, reach.searched_mm));
+  };
+  if (reach.width_mm == 0.0)
+    return reach.upper_mm == 0.0 ? "missed at any width" : "reached at 0 mm (" + interval() + ")";
+  if (reach.width_mm && (!reach.jam_mm || *reach.width_mm < *reach.jam_mm))
+    return fmt::format("reached at {:.3g} mm ({})", *reach.width_mm, interval());
+  const bool earlier = reach.lower_mm && (!reach.jam_mm || *reach.lower_mm < *reach.jam_mm);
+  return (reach.jam_mm ? fmt::format("a jam comes first, at {:.3g} mm", *reach.jam_mm)
+                       : fmt::format("not reached up to {:.3g} mm", reach.searched_mm)) +
+         (earlier ? fmt::format(" (may be reached from {:.3g} mm)", *reach.lower_mm) : "");
+}
+
+std::string question(const Screen& screen) {
+  if (screen.limits.empty()) return "";
+  const ScreenedLimit& nearest = screen.limits[screen.nearest];
+  const std::string where = fmt::format(
+      "at the widths screened the nearest limit is that of {}, {:.3g} standard deviations away: "
+      "{:.2g} % of the cages that fit miss it, at most {:.2g} %",
+      nearest.quantity, nearest.margin, 100 * nearest.missed, 100 * nearest.missed_upper);
+  return (screen.jams_alone
+              ? "jams alone can decide: the cage's geometry knows the answer, no campaign is worth "
+                "its runs; "
+              : fmt::format("worth a campaign: the limit of {}; ", nearest.quantity)) +
+         where;
+}
+
+Json screen_json(const Screen& screen, const ScreenDesign& design) {
+  Json json = {{"kind", "screen"},
+               {"study", design.study.name},
+               {"runs", screen.runs},
+               {"lost", screen.lost},
+               {"target_yield", screen.target_yield},
+               {"definition",
+                "shift by 0.01 mm: lot, all pockets of a cage larger by it; pocket, their standard "
+                "deviation within the cage larger by it; error: one standard error"},
+               {"jams_at_screened_widths", screen.jams},
+               {"jams_alone", screen.jams_alone},
+               {"question", question(screen)}};
+  for (const ScreenDimension& each : design.dimensions)
+    json["dimensions"].push_back({{"key", each.key},
+                                  {"screened_width_mm", each.width_mm},
+                                  {"narrowest_mm", each.narrowest_mm},
+                                  {"lot_sigma_mm", 0.01 / each.hundredth * each.lot_sigma},
+                                  {"pocket_sigma_mm", 0.01 / each.hundredth * each.pocket_sigma}});
+  json["limits"] = Json::array();
+  for (const ScreenedLimit& limit : screen.limits) {
+    Json entry = {{"quantity", limit.quantity},
+                  {"unit", limit.unit},
+                  {limit.is_maximum ? "max" : "min", limit.bound},
+                  {"level", json_number(limit.level)},
+                  {"level_error", json_number(limit.level_error)},
+                  {"start_noise", json_number(limit.start_noise)},
+                  {"other_scatter", json_number(limit.scatter)},
+                  {"margin", json_number(limit.margin)},
+                  {"missed_share", json_number(limit.missed)},
+                  {"missed_share_upper", json_number(limit.missed_upper)}};
+    for (const PartShift& part : limit.parts)
+      entry["shifts"].push_back({{"key", part.key},
+                                 {"part", part.part},
+                                 {"shift", json_number(part.shift)},
+                                 {"error", json_number(part.error)},
+                                 {"bent", part.bent},
+                                 {"resolved", part.resolved}});
+    for (const LimitReach& reach : limit.reach)
+      entry["reach"].push_back({{"key", reach.key},
+                                {"width_mm", number_json(reach.width_mm)},
+                                {"lower_mm", number_json(reach.lower_mm)},
+                                {"upper_mm", number_json(reach.upper_mm)},
+                                {"jam_mm", number_json(reach.jam_mm)},
+                                {"searched_mm", reach.searched_mm},
+                                {"standing", standing(reach)}});
+    json["limits"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+std::string part_text(const ScreenedLimit& limit, const std::string& key, const char* part) {
+  for (const PartShift& each : limit.parts)
+    if (each.key == key && each.part == part)
+      return fmt::format("{:+.3g} +-{:.2g}{}", each.shift, each.error,
+                         each.bent       ? " ~"
+                         : each.resolved ? ""
+                                         : " ?");
+  return "-";
+}
+
+std::string screen_text(const Screen& screen, const ScreenDesign& design) {
+  std::string text = fmt::format("screen: {} runs, {} without a result, at tolerance widths of\n",
+                                 screen.runs, screen.lost);
+  for (const ScreenDimension& each : design.dimensions)
+    text += fmt::format("  {:.3g} mm  {}\n", each.width_mm, each.key);
+  text += fmt::format(
+      "{} of the cages jam there. Shift by 0.01 mm: lot, all pockets of a cage larger by it;\n"
+      "pocket, their standard deviation within the cage larger by it; +- one standard error;\n"
+      "?: not resolved, error above 30 % of the shift and 5 % of the distance to the limit;\n"
+      "~: bent, one lot sigma away the square of the lot moves the quantity more.\n"
+      "Limit reached: by {:.3g} % of the cages, this tolerance alone widened.\n",
+      jam_text(screen.jams, design.draws), 100 * (1 - screen.target_yield));
+  for (const ScreenedLimit& limit : screen.limits) {
+    text += fmt::format(
+        "{}, at {} {:.4g}{}: {:.4g} +-{:.2g} without deviations; noise of the start {:.2g}\n",
+        limit.quantity, limit.is_maximum ? "most" : "least", limit.bound,
+        limit.unit == "-" ? "" : " " + limit.unit, limit.level, limit.level_error,
+        limit.start_noise);
+    for (const LimitReach& reach : limit.reach)
+      text += fmt::format("  {:<32} lot {:<20} pocket {:<20} {}\n", reach.key,
+                          part_text(limit, reach.key, "lot"), part_text(limit, reach.key, "pocket"),
+                          standing(reach));
+  }
+  return text + question(screen) + "\n";
+}
+
+}  // namespace
+
+std::variant<Screen, int> screen_stage(const Study& base, const std::string& directory,
+                                       StagedSweeps& stages) {
+  try {
+    const ScreenDesign design = screen_design(base);
+    if (const int code = stages.sweep(design.study, directory); code != kDone) return code;
+    const Screen screen =
+        screen_limits(read_study_data(study_file_path(directory)), design.dimensions, design.jams);
+    replace_file(directory + "/screen.json", screen_json(screen, design).dump(1) + "\n");
+    print(screen_text(screen, design));
+    return screen;
+  } catch (const Refused& refusal) {
+    spdlog::error("no screen: {}", refusal.what());
+    return static_cast<int>(kSamplesFailed);
+  }
+}
+
+int run_screen(const std::function<Study()>& read, const MakePlan& make_plan,
+               const std::string& directory, ProgressStyle progress) {
+  return run_staged(make_plan, progress, [&](StagedSweeps& stages) -> int {
+    const Study given = read();
+    require_limits_and_candidates(given);
+    require_no_other(directory, "journal", "a sweep");
+    require_memory(forecast_sweep(given), ranks_on_this_machine());
+    require_disk(forecast_sweep(given), directory);
+    const auto base = with_fidelity(given, directory, stages);
+    if (const int* code = std::get_if<int>(&base)) return *code;
+    const std::string folder = directory + "/screen";
+    const auto found = screen_stage(std::get<Study>(base), folder, stages);
+    if (const int* code = std::get_if<int>(&found)) return *code;
+    print("screen: " + draw_beside(folder + "/screen.json") + "\n");
+    return kDone;
+  });
+}
+
+}  // namespace cagetol

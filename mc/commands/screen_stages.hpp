@@ -1,0 +1,30 @@
+// The runs of `cagetol screen`, and of the first stage of a recommendation: DIR/screen, a sweep like
+// any other, with screen.json and its figure beside study.h5.
+//
+// Each tolerance is screened at the widest candidate of which no more cages jam than the target
+// allows; what jams is drawn again. Lots lie on three levels, nearer together where the outer ones
+// would not fit, 3/8, 1/4 and 3/8 of them (a Latin hypercube, so that they are balanced), and the
+// pockets of a cage scatter by that width or not at all, in all combinations of the dimensions. All
+// else is drawn as in the study. Eight rows run twice and give the noise of the start.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <variant>
+
+#include "analysis/tolerance/screen.hpp"
+#include "mc/host/progress.hpp"
+#include "mc/sweep/staged_sweeps.hpp"
+
+namespace cagetol {
+
+/// Every rank calls it, as run_recommend.
+int run_screen(const std::function<Study()>& read, const MakePlan& make_plan,
+               const std::string& directory, ProgressStyle progress);
+
+/// Rank 0, below its stages: what it found, which is written and said; else the exit code: where it
+/// ended early, or kSamplesFailed where too few runs gave a result.
+std::variant<Screen, int> screen_stage(const Study& base, const std::string& directory,
+                                       StagedSweeps& stages);
+
+}  // namespace cagetol
