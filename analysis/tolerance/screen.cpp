@@ -24,7 +24,8 @@ constexpr double kResolvedOfShift = 0.3, kResolvedOfDistance = 0.05;
 constexpr double kWithoutCurve = 2.5;  ///< widths screened that are searched where nothing jams
 /// Smallest singular value of the terms, as a share of the largest, that is fitted.
 constexpr double kSmallestDirection = 1e-4;
-constexpr int kSteps = 400;  ///< of the search for a width
+constexpr double kLeastFreedom = 0.05;  ///< of a single row, beside the fit
+constexpr int kSteps = 400;             ///< of the search for a width
 
 /// A term of the fit, by run; `dimension` is -1 for other inputs.
 struct Term {
@@ -125,6 +126,25 @@ Fit weighted_fit(const std::vector<Term>& terms, const std::vector<Row>& rows,
     for (std::size_t k = 0; k < p; ++k)
       fit.covariance[i][k] = gsl_matrix_get(covariance.get(), i, k);
   const double residual = squares / fit.freedom;
+  Values widened(p);  // HC3 variances
+  for (std::size_t i = 0; i < n && residual > 0; ++i) {
+    Values lever(p);
+    double leverage = 0, error = y[i];
+    for (std::size_t k = 0; k < p; ++k) {
+      for (std::size_t m = 0; m < p; ++m)
+        lever[k] +=
+            gsl_matrix_get(covariance.get(), k, m) / residual * gsl_matrix_get(x.get(), i, m);
+      leverage += lever[k] * gsl_matrix_get(x.get(), i, k);
+      error -= gsl_matrix_get(x.get(), i, k) * fit.coefficients[k];
+    }
+    error /= std::max(1 - leverage, kLeastFreedom);
+    for (std::size_t k = 0; k < p; ++k) widened[k] += lever[k] * lever[k] * error * error;
+  }
+  for (std::size_t k = 0; k < p; ++k) {
+    const double usual = fit.covariance[k][k],
+                 by = usual > 0 ? std::sqrt(std::max(1.0, widened[k] / usual)) : 1;
+    for (std::size_t m = 0; m < p; ++m) fit.covariance[k][m] *= by, fit.covariance[m][k] *= by;
+  }
   fit.coefficients.push_back(residual);
   fit.covariance[p][p] = 2 * residual * residual / fit.freedom;
   return fit;

@@ -1,6 +1,6 @@
 // How far each tolerance moves each limited quantity, from a few dozen runs of a factorial design.
 //
-// Runs (mc/commands/screen_stages.hpp): lots of each dimension on three levels, scatter among the
+// Runs (mc/commands/screen_stages.hpp): lots of each dimension as at the screened width, scatter among the
 // pockets of a cage absent or as at the screened width, all dimensions independent. Least squares,
 //
 //   y = c + sum_d (b_d u_d + q_d u_d^2 + p_d s_d) + sum_k a_k x_k + e
@@ -8,7 +8,8 @@
 // u_d mean deviation of the cage's pockets, s_d their standard deviation, x_k the lots of all other
 // inputs less their means. Rows run twice count as 2 / (1 + r) rows, r the share of e that repeats.
 // Terms are left out from the last one on where rows are fewer than twice as many. Standard errors
-// take e for alike at all widths.
+// are the larger of the usual ones and HC3, which allows for an e that grows with the deviations
+// (MacKinnon & White 1985, doi:10.1016/0304-4076(85)90158-7).
 //
 // At the widths w_d, as shares of those screened, the quantity has among cages
 //
@@ -27,10 +28,6 @@
 #include "analysis/study/study_data.hpp"
 
 namespace cagetol {
-
-/// Lots lie at mean - kLotLevel sigma, mean, mean + kLotLevel sigma: nodes of Gauss's rule for the
-/// normal law, so that a slope over them is that over the law up to a cubic.
-inline constexpr double kLotLevel = 1.7320508075688772;
 
 struct ScreenDimension {
   std::string key;

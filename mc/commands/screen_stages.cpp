@@ -16,11 +16,9 @@
 #include "mc/host/json_number.hpp"
 #include "mc/run/forecast.hpp"
 #include "mc/run/jam_shares.hpp"
-#include "mc/study/cage_fit.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/unit.hpp"
-#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {
@@ -50,27 +48,6 @@ std::size_t screened_candidate(const Study& study, const JamShares& jams) {
     if (fits) widest = std::max(widest, width);
   }
   return best;
-}
-
-/// Whether pockets that scatter fit on both outer levels, all else as it should be.
-bool levels_fit(const Study& study, const UncertainInput& input, double outer, double scatter) {
-  return std::all_of(input.nominal.begin(), input.nominal.end(), [&](double nominal) {
-    for (const double side : {-1, 1}) {
-      Scene scene = study.scene;
-      set_key_numbers(*find_key(scene_keys(), input.key), {nominal + side * (outer + 2 * scatter)},
-                      scene);
-      if (!cage_fits(study, scene)) return false;
-    }
-    return true;
-  });
-}
-
-Law three_levels(double mean, double sigma, double outer) {
-  constexpr double half = 1e-6;
-  Histogram law{{}, {3, 0, 2, 0, 3}};
-  for (const double level : {-outer, 0.0, outer})
-    for (const double side : {-half, half}) law.edges.push_back(mean + sigma * (level + side));
-  return law;
 }
 
 ScreenDesign screen_design(const Study& base) {
@@ -104,11 +81,7 @@ ScreenDesign screen_design(const Study& base) {
       if (input.pocket) screened.pocket_sigma = scale * standard_deviation(*input.pocket);
       if (input.lot && standard_deviation(*input.lot) > 0) {
         screened.lot_sigma = scale * standard_deviation(*input.lot);
-        double outer = kLotLevel;
-        while (outer > 0.5 &&
-               !levels_fit(study, input, outer * screened.lot_sigma, screened.pocket_sigma))
-          outer *= 0.95;
-        input.lot = three_levels(scale * mean(*input.lot), screened.lot_sigma, outer);
+        input.lot = Normal{scale * mean(*input.lot), screened.lot_sigma};
       }
       dimension.cost.reset();
       dimension.candidates = {number_text(width)};

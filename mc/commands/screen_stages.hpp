@@ -1,11 +1,11 @@
-// The runs of `cagetol screen`, and of the first stage of a recommendation: DIR/screen, a sweep like
-// any other, with screen.json and its figure beside study.h5.
+// The runs of `cagetol screen` and the first stage of a recommendation: DIR/screen, a sweep like any
+// other, with screen.json and its figure beside study.h5.
 //
 // Each tolerance is screened at the widest candidate of which no more cages jam than the target
-// allows; what jams is drawn again. Lots lie on three levels, nearer together where the outer ones
-// would not fit, 3/8, 1/4 and 3/8 of them (a Latin hypercube, so that they are balanced), and the
-// pockets of a cage scatter by that width or not at all, in all combinations of the dimensions. All
-// else is drawn as in the study. Eight rows run twice and give the noise of the start.
+// allows; what jams is drawn again. Lots scatter by that width in all runs, normal with the study's
+// mean and variance, and the pockets of a cage by that width or not at all, in all combinations of
+// the dimensions. All else is drawn as in the study, all in a Latin hypercube. Eight rows run twice
+// and give the noise of the start.
 #pragma once
 
 #include <functional>
