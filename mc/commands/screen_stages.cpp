@@ -26,6 +26,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr long kRepeats = 8;
+constexpr double kFewJams = 0.01;
 /// Width of a candidate without scatter, as a share of the other one.
 constexpr double kNoScatter = 1e-3;
 
@@ -35,7 +36,8 @@ struct ScreenDesign {
   double jams = 0, draws = 0;  ///< share that jams, and cages drawn for it
 };
 
-/// The widest candidate that jams alone leave at the target, else the one of which fewest jam.
+/// The widest candidate of which few jam, whatever the target: other limits and targets go on with
+/// these runs. Else the one of which fewest do.
 std::size_t screened_candidate(const Study& study, const JamShares& jams) {
   const auto share = [&](std::size_t k) { return jams.candidate.empty() ? 0 : jams.candidate[k]; };
   std::size_t best = 0;
@@ -43,7 +45,7 @@ std::size_t screened_candidate(const Study& study, const JamShares& jams) {
   for (std::size_t k = 0; k < study.candidates.size(); ++k) {
     double width = 1;
     for (const double each : study.candidates[k].tolerance_widths_mm) width *= each;
-    const bool fits = share(k) <= 1 - study.tolerance.target_yield;
+    const bool fits = share(k) <= kFewJams;
     if (fits ? width > widest : widest == 0 && share(k) < share(best)) best = k;
     if (fits) widest = std::max(widest, width);
   }

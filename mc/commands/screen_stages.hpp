@@ -1,8 +1,8 @@
-// The runs of `cagetol screen` and the first stage of a recommendation: DIR/screen, a sweep like any
-// other, with screen.json and its figure beside study.h5.
+// The runs of `cagetol screen` and the first stage of a recommendation: DIR/screen, a sweep like
+// any other, with screen.json and its figure beside study.h5.
 //
-// Each tolerance is screened at the widest candidate of which no more cages jam than the target
-// allows; what jams is drawn again. Lots scatter by that width in all runs, normal with the study's
+// Each tolerance is screened at the widest candidate of which at most 1 % of the cages jam; what
+// jams is drawn again. Lots scatter by that width in all runs, normal with the study's
 // mean and variance, and the pockets of a cage by that width or not at all, in all combinations of
 // the dimensions. All else is drawn as in the study, all in a Latin hypercube. Eight rows run twice
 // and give the noise of the start.
