@@ -1,7 +1,8 @@
 // How far each tolerance moves each limited quantity, from a few dozen runs of a factorial design.
 //
-// Runs (mc/commands/screen_stages.hpp): lots of each dimension as at the screened width, scatter among the
-// pockets of a cage absent or as at the screened width, all dimensions independent. Least squares,
+// Runs (mc/commands/screen_stages.hpp): lots of each dimension as at the screened width, scatter
+// among the pockets of a cage absent or as at the screened width, all dimensions independent. Least
+// squares,
 //
 //   y = c + sum_d (b_d u_d + q_d u_d^2 + p_d s_d) + sum_k a_k x_k + e
 //
