@@ -84,8 +84,8 @@ struct JudgedAttempts {
   std::vector<Confirmation> attempts;
   std::size_t decisive = 0;  ///< the last that passed; where none did, the last
   /// Of the decisive one. Where it followed others that passed, it is the least of their bounds,
-  /// and the target where one that failed followed it (Hsu and Berger 1999, doi
-  /// 10.2307/2670167): so it holds with the confidence, whatever attempt decides.
+  /// and the target where one that failed followed it (Hsu and Berger,
+  /// J. Am. Stat. Assoc. 94, 1999, 468): so it holds with the confidence, whatever attempt decides.
   double lower_bound = 0;
 };
 JudgedAttempts judge_attempts(const std::vector<StudyData>& attempts);
