@@ -256,6 +256,8 @@ Json margins_json(const ReportBasis& basis, const std::vector<StudyData>& confir
                     {"text", limit_text(margin.limit, column == nullptr ? "" : column->unit)},
                     {"source", margin.limit.source},
                     {"cage_revolutions", margin.limit.cage_revolutions},
+                    {"min", margin.limit.minimum ? number(*margin.limit.minimum) : Json()},
+                    {"max", margin.limit.maximum ? number(*margin.limit.maximum) : Json()},
                     {"median", number(margin.median)},
                     {"median_margin", number(margin.median_margin)},
                     {"extreme", number(margin.extreme)},
@@ -265,6 +267,11 @@ Json margins_json(const ReportBasis& basis, const std::vector<StudyData>& confir
                     {"judged", margin.judged},
                     {"missed", margin.missed},
                     {"unknown", margin.unknown},
+                    {"missed_alone", margin.alone},
+                    {"missed_share_lower", number(margin.missed_lower)},
+                    {"missed_share_upper", number(margin.missed_upper)},
+                    {"model_error", number(margin.model_error)},
+                    {"runs_needed", margin.runs_needed},
                     {"role", limit_role_name(margin.role)}});
   }
   const auto jammed = std::count(runs.status.begin(), runs.status.end(), RunStatus::jammed);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "analysis/report/json_parts.hpp"
 #include "analysis/report/refining_ladder.hpp"
 #include "analysis/report/report.hpp"
 #include "analysis/statistics/order_statistics.hpp"
@@ -84,14 +85,13 @@ void state_limit(const std::string& text, StudyData& runs) {
   }
 }
 
-nlohmann::ordered_json distributions(const StudyData& runs) {
-  auto list = nlohmann::ordered_json::array();
+Json distributions(const StudyData& runs) {
+  auto list = Json::array();
   for (const Column& column : runs.quantities) {
     const auto values = ok_values(runs, column.values);
     const auto order = ascending_order(values);
     if (order.empty()) continue;
-    nlohmann::ordered_json entry{
-        {"quantity", column.name}, {"unit", column.unit}, {"runs", order.size()}};
+    Json entry{{"quantity", column.name}, {"unit", column.unit}, {"runs", order.size()}};
     for (const double level : kLevels)
       entry[fmt::format("p{:g}", 100 * level)] = json_number(
           weighted_quantile(values, order, std::vector<double>(values.size(), 1), level));
@@ -100,37 +100,11 @@ nlohmann::ordered_json distributions(const StudyData& runs) {
   return list;
 }
 
-nlohmann::ordered_json margins(const StudyData& runs, const std::string& directory) {
-  const Json ladder = read_refining_ladder(directory);
-  std::vector<double> errors;
-  for (const Limit& limit : runs.plan.limits)
-    errors.push_back(known_bias(ladder, runs, limit.quantity));
-  auto list = nlohmann::ordered_json::array();
-  for (const LimitMargin& m : limit_margins(runs, errors))
-    list.push_back({{"quantity", m.limit.quantity},
-                    {"min", m.limit.minimum ? json_number(*m.limit.minimum) : nullptr},
-                    {"max", m.limit.maximum ? json_number(*m.limit.maximum) : nullptr},
-                    {"median", json_number(m.median)},
-                    {"median_margin", json_number(m.median_margin)},
-                    {"extreme", json_number(m.extreme)},
-                    {"extreme_margin", json_number(m.extreme_margin)},
-                    {"judged", m.judged},
-                    {"unknown", m.unknown},
-                    {"missed", m.missed},
-                    {"missed_alone", m.alone},
-                    {"missed_share_lower", json_number(m.missed_lower)},
-                    {"missed_share_upper", json_number(m.missed_upper)},
-                    {"model_error", json_number(m.model_error)},
-                    {"role", limit_role_name(m.role)},
-                    {"runs_needed", m.runs_needed}});
-  return list;
-}
-
-double real(const nlohmann::ordered_json& value) {
+double real(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string margin_text(const nlohmann::ordered_json& m) {
+std::string margin_text(const Json& m) {
   std::string text = "  " + m["quantity"].get<std::string>();
   if (m["min"].is_number()) text += fmt::format(", at least {:.6g}", real(m["min"]));
   if (m["max"].is_number()) text += fmt::format(", at most {:.6g}", real(m["max"]));
@@ -151,7 +125,7 @@ std::string margin_text(const nlohmann::ordered_json& m) {
                      : std::string("    error of the model not measured\n"));
 }
 
-std::string limits_text(const nlohmann::ordered_json& all, const std::string& directory) {
+std::string limits_text(const Json& all, const std::string& directory) {
   std::string text =
       fmt::format("{} runs, {} of them with results\n  {:<40}{:>12}{:>12}{:>12}{:>12}\n",
                   all["runs"].get<long>(), all["runs_ok"].get<long>(), "quantity", "5 %", "50 %",
@@ -163,7 +137,7 @@ std::string limits_text(const nlohmann::ordered_json& all, const std::string& di
                     real(q["p99"]), q["unit"] == "-" ? "" : q["unit"].get<std::string>());
   text += all["limits"].empty() ? "the study has no limits\n" : "limits\n";
   bool measured = true, missed = false;
-  const nlohmann::ordered_json* nearest = nullptr;
+  const Json* nearest = nullptr;
   for (const auto& limit : all["limits"]) {
     text += margin_text(limit);
     measured = measured && limit["model_error"].is_number();
@@ -198,12 +172,16 @@ int run_judge(const JudgeArguments& options) {
   restate(all.plan);
   const std::string directory = file.parent_path().string();
   const StudyData runs = select_samples(all, first_runs(all));
+  const auto joint = judge_all(runs);
+  const Resampling none(runs, 0);
+  const ReportBasis basis{all, runs, joint, none};
+  const Json ladder = read_refining_ladder(directory);
   const auto ok = std::count(runs.status.begin(), runs.status.end(), RunStatus::ok);
-  const nlohmann::ordered_json found{{"runs", runs.size()},
-                                     {"runs_ok", ok},
-                                     {"candidates", runs.plan.candidates.size()},
-                                     {"quantities", distributions(runs)},
-                                     {"limits", margins(runs, directory)}};
+  const Json found{{"runs", runs.size()},
+                   {"runs_ok", ok},
+                   {"candidates", runs.plan.candidates.size()},
+                   {"quantities", distributions(runs)},
+                   {"limits", margins_json(basis, {}, ladder)["each"]}};
   print(options.json ? found.dump(2) + "\n" : limits_text(found, directory));
   return kDone;
 }

@@ -129,10 +129,13 @@ std::string standing(const LimitReach& reach) {
 std::string question(const Screen& screen) {
   if (screen.limits.empty()) return "";
   const ScreenedLimit& nearest = screen.limits[screen.nearest];
+  const auto share = [](double of) {
+    return of < 1e-6 ? std::string("less than 1 ppm") : fmt::format("{:.2g} %", 100 * of);
+  };
   const std::string where = fmt::format(
       "at the widths screened the nearest limit is that of {}, {:.3g} standard deviations away: "
-      "{:.2g} % of the cages that fit miss it, at most {:.2g} %",
-      nearest.quantity, nearest.margin, 100 * nearest.missed, 100 * nearest.missed_upper);
+      "{} of the cages that fit miss it, at most {}",
+      nearest.quantity, nearest.margin, share(nearest.missed), share(nearest.missed_upper));
   return (screen.jams_alone
               ? "jams alone can decide: the cage's geometry knows the answer, no campaign is worth "
                 "its runs; "
