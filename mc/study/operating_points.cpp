@@ -12,6 +12,7 @@
 #include "mc/study/study_inputs.hpp"
 #include "mc/study/study_keys.hpp"
 #include "src/heat_balance.hpp"
+#include "src/input/unit.hpp"
 #include "src/model/bearing_model.hpp"
 #include "src/quantities/operating_point.hpp"
 #include "src/quantities/quantity_labels.hpp"
@@ -300,7 +301,8 @@ void find_whirl_clearance(Study& study) {
       });
   if (!measured || !std::isnan(clearance)) return;
   const double left = whirl_clearance(make_bearing_model(OperatingScene(study.scene)));
-  if (left > 0) clearance = left;
+  // To a nanometre: as it is read again from the study's own text.
+  if (left > 0) clearance = to_si(std::round(1e3 * from_si(left, 1e-6)) / 1e3, 1e-6);
 }
 
 void forget_temperatures(Study& study) {

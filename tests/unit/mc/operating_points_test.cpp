@@ -174,6 +174,15 @@ TEST_F(OperatingPoints, ALimitMayBeWhatTheNominalBearingHasAtTheMinimumLoad) {
       HasSubstr("does not give"));
 }
 
+TEST_F(OperatingPoints, AStudyThatMeasuresWhirlIsTheSameFromItsOwnText) {
+  const Study study = study_of(std::string(kScene) +
+                               "[[operating_point]]\nname = 'whirl'\n"
+                               "\"window.measure_time_s\" = 'auto'\n"
+                               "\"window.measure_revolutions\" = 20\n");
+  EXPECT_NEAR(study.scene.window.whirl_clearance, 75e-6, 1e-9);  // half the pocket's clearance
+  EXPECT_EQ(read_resolved_study(study.resolved_toml, "again").resolved_toml, study.resolved_toml);
+}
+
 TEST_F(OperatingPoints, ABalanceInAStudyTakesTheTemperaturesOfTheSceneFileAway) {
   const std::string balance = "[scene.temperature]\nbalance = true\n";
   const Study study = study_of(kScene + balance);
