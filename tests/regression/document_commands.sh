@@ -10,16 +10,15 @@ ln -s "$(realpath "$2")" "$out/build/cagetol"
 export CAGETOL_CACHE=$out/cache
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 window="--set scene.window.settle_revolutions=0.5 --set scene.window.measure_revolutions=1"
-rigid="--set scene.cage.model=rigid --set screen.budget_samples=20" # at several operating points
+one_point="--set operating_point=[] --set 'limit=[{quantity=\"driving_slip_ratio\", max=0.1, source=\"short\"}]'"
+given="--set scene.temperature.balance=false --set scene.lubrication.temperature_C=70 --set scene.integration.tolerance=0.02"
+few="--set screen.budget_samples=20 --set recommend.pilot_samples=32 --set recommend.budget_samples=190"
 coarse="--set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
 # shorter LINE: the settings that make it short
 shorter() {
   case $1 in
     *" sweep "*) echo "--set samples=20 --set allowed_failure_share=0.1 $window $coarse" ;;
-    *" screen "*) echo "$window $rigid" ;;
-    *" recommend "*)
-      echo "$window $rigid --set recommend.pilot_samples=32 --set recommend.budget_samples=190" \
-        "--set tolerance.target_yield=0.8" ;;
+    *" screen "* | *" recommend "*) echo "$window $coarse $one_point $given $few --set tolerance.target_yield=0.8" ;;
     *" ladder "*--refine*) echo "--samples 2" ;;
     *" ladder "*) echo "--samples 3 --set cage.mesh_density=2 --set cage.corner_radius_mm=0 $window" ;;
     *" rig "*) echo "--starts 3 --starts-only ${window//scene./}" ;;
