@@ -10,10 +10,10 @@ COLOURS = [BLUE, RED, GREEN, PINK, ORANGE, SKY, BLACK]
 MARKERS = "os^Dv<P"
 
 
-def legend_below(figure, handles, labels, height):
+def legend_below(figure, handles, labels, height, columns=5):
     """A legend below all panels that takes this share of the figure."""
     figure.get_layout_engine().set(rect=(0, height, 1, 1 - height))
-    figure.legend(handles, labels, loc="lower center", ncols=5, fontsize=7.5)
+    figure.legend(handles, labels, loc="lower center", ncols=columns, fontsize=7.5)
 
 
 def error_against_cost(chart, horizon, error, cost, noise=None):

@@ -106,7 +106,10 @@ def width_curves(report):
                         fontsize=8.5)
     axes[0][0].set_ylabel("share of the limit [%]")
     handles = {label: handle for axis in axes[0] for handle, label in zip(*axis.get_legend_handles_labels())}
-    legend_below(figure, list(handles.values()), list(handles), (0.1 + 0.17 * math.ceil(len(handles) / 5)) / 2.7)
+    columns = 3 if any("@" in label for label in handles) else 5
+    legend = 0.1 + 0.17 * math.ceil(len(handles) / columns)
+    figure.set_size_inches(WIDTH, 2.3 + legend)
+    legend_below(figure, list(handles.values()), list(handles), legend / (2.3 + legend), columns)
     return figure
 
 
