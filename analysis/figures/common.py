@@ -33,7 +33,7 @@ def readable(quantity):
     key, at, label = quantity.partition("@")
     if at:  # of an operating point or a phase
         return f"{readable(key)} @ {label}"
-    units = {"MPa", "N", "J", "um", "mrad", "W", "Nmm", "s2", "m", "s", "mm", "deg"}
+    units = {"MPa", "N", "J", "um", "mrad", "W", "Nmm", "s2", "m", "s", "mm", "deg", "C"}
     words = quantity.split("_")
     while len(words) > 1 and words[-1] in units:
         words.pop()

@@ -5,7 +5,7 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 
-from common import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, WIDTH, known, readable
+from common import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, WIDTH, known, quantity_of, readable
 from engine import legend_below
 
 
@@ -54,9 +54,12 @@ LIMIT_STYLES = [(colour, style) for style in ("-", "--") for colour in (BLUE, OR
 
 def share_of_limit(limit, value):
     """How much of the room up to the limit is used: 1 is on the limit; None where shares have no meaning."""
-    shares = [part for bound, part in ((limit["max"], lambda b: known(value) / b), (limit["min"], lambda b: b / known(value)))
-              if bound for part in [part(bound)]]
-    return max(shares) if shares else None
+    shares = []
+    if (limit["max"] or 0) > 0:
+        shares.append(known(value) / limit["max"])
+    if (limit["min"] or 0) > 0 and known(value) > 0:
+        shares.append(limit["min"] / known(value))
+    return max(shares, default=None)
 
 
 def width_curves(report):
@@ -67,7 +70,7 @@ def width_curves(report):
         return None
 
     def largest(limit):
-        return max((share_of_limit(limit, band["high"]) or 0 for band in limit["bands"] if band), default=0)
+        return max((share_of_limit(limit, band[end]) or 0 for band in limit["bands"] if band for end in ("low", "high")), default=0)
 
     nearest = sorted(range(len(dimensions[0]["limits"])), key=lambda l: -largest(dimensions[0]["limits"][l]))[:MOST_LIMITS]
     confirmed, jams = confirmed_tolerances(report), {jam["key"]: jam for jam in report["tolerance"]["jams"]}
@@ -87,8 +90,9 @@ def width_curves(report):
             x, low, middle, high = zip(*drawn)
             axis.fill_between(x, low, high, color=colour, alpha=0.15, linewidth=0)
             axis.plot(x, middle, style, color=colour, marker="o", markersize=3, label=readable(limit["quantity"]))
-            if limit["noise"] is not None and limit["max"]:
-                axis.errorbar(x[0] * 0.5, middle[0], yerr=100 * limit["noise"] / abs(limit["max"]), color=colour, capsize=2)
+            noise = quantity_of(report, limit["quantity"])["noise"]["standard_deviation"]
+            if noise is not None and (limit["max"] or 0) > 0:
+                axis.errorbar(x[0] * 0.5, middle[0], yerr=100 * noise / limit["max"], color=colour, capsize=2)
         axis.axhline(100, color=RED, linestyle="--", linewidth=1.2, label="limit")
         jam = jams.get(dimension["key"])
         if jam and jam["limit_mm"] is not None and 1e3 * jam["limit_mm"] < edges[-1]:

@@ -209,8 +209,9 @@ def wider_candidates(report):
         if attempt["passed"] and not attempt["judged_again"]:
             continue
         jams = f", {rounded(attempt['jammed_runs'])} jam" if attempt["jammed_runs"] else ""
+        tried, kind = ("judged again", "") if attempt["judged_again"] else ("tried", "fresh ")
         rows.append({"name": ", ".join(tolerance_name(tolerance) for tolerance in attempt["tolerances"]), "command": None,
-                     "reason": f"{'judged again' if attempt['judged_again'] else 'tried'} and not confirmed: {rounded(attempt['meeting_runs'])} of {rounded(attempt['runs'])} {'' if attempt['judged_again'] else 'fresh '}runs "
+                     "reason": f"{tried} and not confirmed: {rounded(attempt['meeting_runs'])} of {rounded(attempt['runs'])} {kind}runs "
                                f"meet all limits{jams}"})
     return rows + report["passed_over"]
 

@@ -200,23 +200,24 @@ Json stress_json(const StudyData& runs) {
           {"largest", margin.extreme}};
 }
 
-/// At each operating point the limit with the smallest margin; empty without relative margins.
-std::string nearest_limits(const Json& margins) {
+/// At each operating point the limit that is the fewest standard deviations from the runs' mean, as
+/// a screen says it; empty where none is known.
+std::string nearest_limits(const Json& capability) {
   std::vector<std::pair<std::string, const Json*>> points;  // in the order of the limits
-  for (const Json& margin : margins["each"]) {
-    if (!margin["relative"].get<bool>() || !margin["extreme_margin"].is_number()) continue;
-    const std::string quantity = margin["quantity"];
+  for (const Json& entry : capability) {
+    if (!entry["cpk"]["value"].is_number()) continue;
+    const std::string quantity = entry["quantity"];
     const std::string label = quantity.substr(std::min(quantity.find('@'), quantity.size()));
     auto point = std::find_if(points.begin(), points.end(),
                               [&](const auto& known) { return known.first == label; });
-    if (point == points.end()) point = points.insert(points.end(), {label, &margin});
-    if (margin["extreme_margin"] < (*point->second)["extreme_margin"]) point->second = &margin;
+    if (point == points.end()) point = points.insert(points.end(), {label, &entry});
+    if (entry["cpk"]["value"] < (*point->second)["cpk"]["value"]) point->second = &entry;
   }
   std::string text;
-  for (const auto& [label, margin] : points)
+  for (const auto& [label, entry] : points)
     text += fmt::format(
-        "{}{}, {:.0f} %", text.empty() ? "Nearest limit and the margin of its worst run: " : "; ",
-        (*margin)["quantity"].get<std::string>(), 100 * (*margin)["extreme_margin"].get<double>());
+        "{}{}, {:.1f}", text.empty() ? "Nearest limit, in standard deviations of the runs: " : "; ",
+        (*entry)["quantity"].get<std::string>(), 3 * (*entry)["cpk"]["value"].get<double>());
   return text.empty() ? text : text + ".";
 }
 
@@ -297,7 +298,9 @@ void finish_verdict(const ReportBasis& basis, Json& report) {
   report["outcomes"]["samples_with_attempts"] = runs;
   verdict["headline"] = sentences.empty() ? "" : sentences.front();
   if (!sentences.empty()) sentences.erase(sentences.begin());
-  if (const std::string nearest = nearest_limits(report["margins"]); !nearest.empty())
+  const Json& judged =
+      report["confirmation"].is_object() ? report["confirmation"] : std::as_const(report);
+  if (const std::string nearest = nearest_limits(judged["capability"]); !nearest.empty())
     sentences.push_back(nearest);
   verdict["grounds"] = sentences;
   verdict["next"] = next_steps(basis, report);

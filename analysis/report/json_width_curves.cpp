@@ -4,7 +4,6 @@
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/sensitivity/features.hpp"
-#include "analysis/sensitivity/noise_share.hpp"
 
 namespace cagetol {
 namespace {
@@ -25,9 +24,9 @@ Json width_curves_json(const ReportBasis& basis) {
     }
     Json limits = Json::array();
     for (const Limit& limit : plan.limits) {
-      const Column* column = find_quantity(basis.study, limit.quantity);
+      const Column* column = find_quantity(basis.runs, limit.quantity);
       if (column == nullptr) continue;
-      const auto values = ok_values(basis.runs, find_quantity(basis.runs, limit.quantity)->values);
+      const auto values = ok_values(basis.runs, column->values);
       Json bands = Json::array();
       for (const auto& [width, runs] : runs_at) {
         std::vector<double> here;
@@ -35,12 +34,10 @@ Json width_curves_json(const ReportBasis& basis) {
         bands.push_back(band_json(here));
         if (bands.back()["runs"] < kFewestRuns) bands.back() = nullptr;
       }
-      const NoiseShare noise = noise_share(basis.study, column->values, basis.confidence);
       limits.push_back({{"quantity", limit.quantity},
                         {"unit", column->unit},
                         {"min", limit.minimum ? number(*limit.minimum) : Json()},
                         {"max", limit.maximum ? number(*limit.maximum) : Json()},
-                        {"noise", number(noise.standard_deviation)},
                         {"bands", bands}});
     }
     Json widths = Json::array(), names = Json::array();

@@ -273,6 +273,7 @@ nlohmann::ordered_json to_json(const CampaignPlan& plan) {
           {"confirm_samples", plan.settings.confirm_samples},
           {"budget_samples", plan.settings.budget_samples},
           {"budget_h", plan.settings.budget_h},
+          {"screen_samples", plan.settings.screen_samples},
           {"judgement", plan.judgement},
           {"attempts", attempts}};
 }
@@ -288,6 +289,7 @@ CampaignPlan campaign_plan_of(const nlohmann::ordered_json& json) {
   json.at("confirm_samples").get_to(plan.settings.confirm_samples);
   json.at("budget_samples").get_to(plan.settings.budget_samples);
   json.at("budget_h").get_to(plan.settings.budget_h);
+  json.at("screen_samples").get_to(plan.settings.screen_samples);
   plan.judgement = json.at("judgement");
   for (const auto& attempt : json.at("attempts")) {
     const auto runs = attempt.at("runs").get<std::size_t>();

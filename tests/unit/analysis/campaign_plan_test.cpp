@@ -117,16 +117,20 @@ TEST(LeastBudget, IsEnoughAndNoneLessIs) {
 }
 
 TEST(CampaignPlan, IsReadAsWritten) {
-  const CampaignPlan plan{
-      1000,
-      500,
-      2,
-      0.123456789012345678,
-      3,
-      {.attempts = 2, .confirm_samples = 7, .budget_samples = 9, .budget_h = 0.1},
-      {{4, 300, 300}, {2, 150, 150}}};
+  const CampaignPlan plan{1000,
+                          500,
+                          2,
+                          0.123456789012345678,
+                          3,
+                          {.attempts = 2,
+                           .confirm_samples = 7,
+                           .budget_samples = 9,
+                           .budget_h = 0.1,
+                           .screen_samples = 40},
+                          {{4, 300, 300}, {2, 150, 150}}};
   const CampaignPlan read = campaign_plan_of(to_json(plan));
   EXPECT_EQ(to_json(read), to_json(plan));
+  EXPECT_EQ(read.settings.screen_samples, 40u);
   EXPECT_EQ(read.mixture_rows, 1000u);
   EXPECT_EQ(read.seconds_per_run, plan.seconds_per_run);
   ASSERT_EQ(read.attempts.size(), 2u);
