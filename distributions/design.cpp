@@ -8,8 +8,6 @@
 #include "distributions/basics/require.hpp"
 #include "distributions/designs/grid.hpp"
 #include "distributions/designs/latin_hypercube.hpp"
-#include "distributions/designs/morris.hpp"
-#include "distributions/designs/pick_freeze.hpp"
 #include "distributions/designs/random_design.hpp"
 #include "distributions/designs/scrambled_sobol.hpp"
 
@@ -17,8 +15,7 @@ namespace cagetol {
 
 namespace {
 
-using AnyDesign =
-    std::variant<RandomDesign, LatinHypercube, ScrambledSobol, Grid, PickFreeze, Morris>;
+using AnyDesign = std::variant<RandomDesign, LatinHypercube, ScrambledSobol, Grid>;
 
 template <class Kind>
 struct Of {
@@ -36,13 +33,9 @@ auto with_kind(DesignKind kind, const Action& action) {
     case DesignKind::sobol:
       return action(Of<ScrambledSobol>{});
     case DesignKind::grid:
-      return action(Of<Grid>{});
-    case DesignKind::pick_freeze:
-      return action(Of<PickFreeze>{});
-    case DesignKind::morris:
       break;
   }
-  return action(Of<Morris>{});
+  return action(Of<Grid>{});
 }
 
 void check_numbers(const DesignSpec& spec) {
@@ -94,14 +87,10 @@ const char* design_name(DesignKind kind) {
 struct Design::Implementation {
   DesignSpec spec;
   AnyDesign design;
-  Layout layout;
   std::uint32_t groups;
 
   explicit Implementation(DesignSpec given)
-      : spec(std::move(given)),
-        design(make_design(spec)),
-        layout(std::visit([](const auto& of) { return of.layout(); }, design)),
-        groups(group_count(spec)) {}
+      : spec(std::move(given)), design(make_design(spec)), groups(group_count(spec)) {}
 };
 
 std::uint64_t complete_rows(const DesignSpec& spec) {
@@ -135,39 +124,8 @@ void Design::point(std::uint64_t row, std::span<double> u) const {
   std::visit([&](const auto& of) { of.point(row, u); }, implementation_->design);
 }
 
-std::uint64_t Design::blocks() const {
-  return implementation_->layout.blocks;
-}
-
-std::uint64_t Design::block_of(std::uint64_t row) const {
-  return implementation_->layout.block_of(row);
-}
-
-std::uint64_t Design::base_of(std::uint64_t row) const {
-  return implementation_->layout.base_of(row);
-}
-
-std::uint64_t Design::row_of(std::uint64_t block, std::uint64_t base) const {
-  return implementation_->layout.row_of(block, base);
-}
-
 std::uint64_t Design::lot_of(std::uint64_t row) const {
   return row / spec().cages_per_lot;
-}
-
-std::uint64_t Design::source_of(std::uint64_t row, std::uint32_t group) const {
-  if (const auto* design = std::get_if<PickFreeze>(&implementation_->design)) {
-    return design->source_of(row, group);
-  }
-  if (const auto* design = std::get_if<Morris>(&implementation_->design)) {
-    return design->source_of(row, group);
-  }
-  return row;
-}
-
-std::optional<std::uint32_t> Design::moved_group(std::uint64_t row) const {
-  const auto* design = std::get_if<Morris>(&implementation_->design);
-  return design ? design->moved_group(row) : std::nullopt;
 }
 
 }  // namespace cagetol

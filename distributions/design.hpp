@@ -3,22 +3,16 @@
 // A design is a pure function of its specification: point(row) can be called in any order, takes
 // O(d) time and always gives the same bits.
 //
-//   kind         rows                         block_of(row)                base_of(row)
-//   random       any                          0                            row
-//   lhs          any up to 2^28               0                            row
-//   sobol        scrambles * classes * 2^m    scramble                     index in the scramble
-//   grid         product of grid_levels       0                            row
-//   pick-freeze  bases * (groups + 2)         0: A, 1: B, 2+g: A, g of B   base point
-//   morris       trajectories * (groups + 1)  step of the trajectory       trajectory
-//
-// In pick-freeze and morris designs the rows of a base follow each other, so that an interrupted
-// study contains complete bases.
+//   kind    rows
+//   random  any
+//   lhs     any up to 2^28
+//   sobol   scrambles * classes * 2^m, one scramble after the other
+//   grid    product of grid_levels
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,21 +39,8 @@ class Design {
   /// Writes the point of a row to u, which has dimensions() elements.
   void point(std::uint64_t row, std::span<double> u) const;
 
-  std::uint64_t blocks() const;
-  std::uint64_t block_of(std::uint64_t row) const;
-  std::uint64_t base_of(std::uint64_t row) const;
-  std::uint64_t row_of(std::uint64_t block, std::uint64_t base) const;
-
   /// row / cages_per_lot.
   std::uint64_t lot_of(std::uint64_t row) const;
-
-  /// Rows with equal sources have equal values in the columns of the group. For noise, a group
-  /// without columns, the source is the id of the draw.
-  std::uint64_t source_of(std::uint64_t row, std::uint32_t group) const;
-
-  /// morris: the group that changes from row - 1 to row. Empty for the first row of a trajectory
-  /// and for other designs.
-  std::optional<std::uint32_t> moved_group(std::uint64_t row) const;
 
  private:
   struct Implementation;

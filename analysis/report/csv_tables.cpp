@@ -126,17 +126,15 @@ std::string error_budget_csv(const Json& report) {
 }
 
 std::string contributors_csv(const Json& report) {
-  std::string text = "output,feature,share,share_lower,share_upper,rank_estimate\n";
+  std::string text = "output,feature,share,share_lower,share_upper\n";
   for (const Json& output : report["contributors"]["outputs"]) {
-    const auto add = [&](const std::string& feature, const Json& share, const Json& rank) {
+    const auto add = [&](const std::string& feature, const Json& share) {
       std::vector<std::string> cells = {cell(output["output"]), feature};
       add_estimate(cells, share);
-      cells.push_back(cell(rank));
       text += line(cells);
     };
-    for (const Json& share : output["shares"])
-      add(cell(share["feature"]), share, share["rank_estimate"]);
-    add("not explained by any feature", output["not_explained"], Json());
+    for (const Json& share : output["shares"]) add(cell(share["feature"]), share);
+    add("not explained by any feature", output["not_explained"]);
   }
   return text;
 }

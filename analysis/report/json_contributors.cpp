@@ -7,10 +7,6 @@
 #include "analysis/report/json_parts.hpp"
 #include "analysis/sensitivity/binned_shares.hpp"
 #include "analysis/sensitivity/features.hpp"
-#include "analysis/sensitivity/morris.hpp"
-#include "analysis/sensitivity/noise_share.hpp"
-#include "analysis/sensitivity/pick_freeze.hpp"
-#include "analysis/sensitivity/rank_shares.hpp"
 #include "analysis/sensitivity/unexplained_share.hpp"
 #include "analysis/study/refused.hpp"
 
@@ -18,7 +14,6 @@ namespace cagetol {
 namespace {
 
 constexpr std::size_t kResponsePoints = 12;
-constexpr std::size_t kGroupResamples = 500;
 
 /// A quantity, or an indicator of the outcome.
 struct Output {
@@ -50,14 +45,6 @@ std::vector<Output> outputs_of(const ReportBasis& basis) {
     return !(high > low);
   });
   return outputs;
-}
-
-Json rank_json(const StudyData& runs, const Feature& feature, const Output& output) {
-  try {
-    return number(rank_share(runs, feature.values, output.values));
-  } catch (const Refused&) {
-    return Json();
-  }
 }
 
 Json response_json(const Feature& feature, const Output& output,
@@ -109,44 +96,6 @@ Json pockets_json(const ReportBasis& basis, const std::vector<Output>& outputs) 
   return list;
 }
 
-/// Group indices of designs made for them; a refusal is reported with its reason.
-Json groups_json(const ReportBasis& basis, const std::vector<Output>& outputs) {
-  const std::string& kind = basis.study.design.kind;
-  Json result{{"design", kind}, {"refused", ""}, {"outputs", Json::array()}};
-  if (kind != "pick-freeze" && kind != "morris") return result;
-  try {
-    for (const Output& output : outputs) {
-      Json entry{{"output", output.name}, {"groups", Json::array()}};
-      if (kind == "pick-freeze") {
-        const Column* column = find_quantity(basis.study, output.name);
-        const double noise =
-            column == nullptr
-                ? 0.0
-                : noise_share(basis.study, column->values, basis.confidence).share.value;
-        const bool corrected = column != nullptr && !std::isnan(noise);
-        entry["corrected_for_noise"] = corrected;
-        for (const GroupShares& group :
-             pick_freeze_shares(basis.runs, output.values, corrected ? noise : 0, basis.confidence,
-                                kGroupResamples))
-          entry["groups"].push_back({{"group", group.group},
-                                     {"first_order", to_json(group.first_order)},
-                                     {"total", to_json(group.total)}});
-      } else {
-        for (const ElementaryEffects& effects : elementary_effects(basis.runs, output.values))
-          entry["groups"].push_back({{"group", effects.group},
-                                     {"steps", effects.steps},
-                                     {"mean_magnitude", number(effects.mean_magnitude)},
-                                     {"mean", number(effects.mean)},
-                                     {"scatter", number(effects.scatter)}});
-      }
-      result["outputs"].push_back(std::move(entry));
-    }
-  } catch (const Refused& refusal) {
-    result["refused"] = refusal.what();
-  }
-  return result;
-}
-
 /// Whose scatter the shares are of.
 std::string variance_of(const StudyData& runs) {
   const bool mixed = std::ranges::any_of(runs.candidate, [](auto k) { return k >= 0; });
@@ -180,7 +129,6 @@ Json contributors_json(const ReportBasis& basis) {
           binned_share_estimate(binnings[f], output.values, basis.resampling, basis.confidence);
       Json entry = to_json(share);
       entry["feature"] = features[f].name;
-      entry["rank_estimate"] = rank_json(basis.runs, features[f], output);
       shares.push_back(std::move(entry));
       if (share.value > largest) largest = share.value, top = f;
     }
@@ -200,8 +148,7 @@ Json contributors_json(const ReportBasis& basis) {
   return {{"features", feature_list},
           {"variance_of", variance_of(basis.runs)},
           {"outputs", matrix},
-          {"pockets", pockets_json(basis, outputs)},
-          {"groups", groups_json(basis, outputs)}};
+          {"pockets", pockets_json(basis, outputs)}};
 }
 
 }  // namespace cagetol

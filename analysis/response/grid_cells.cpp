@@ -7,7 +7,6 @@
 #include <set>
 
 #include "analysis/sensitivity/features.hpp"
-#include "analysis/study/design_blocks.hpp"
 
 namespace cagetol {
 namespace {
@@ -17,6 +16,14 @@ constexpr double kSameLevel = 1e-9;
 std::vector<double> distinct(const std::vector<double>& values) {
   const std::set<double> ascending(values.begin(), values.end());
   return {ascending.begin(), ascending.end()};
+}
+
+/// Distinct group names in order of first appearance.
+std::vector<std::string> group_names(const StudyDesign& design) {
+  std::vector<std::string> names;
+  for (const std::string& group : design.groups)
+    if (std::find(names.begin(), names.end(), group) == names.end()) names.push_back(group);
+  return names;
 }
 
 /// Group of a key's lot column; empty where it has none.

@@ -9,7 +9,6 @@
 #include <map>
 
 #include "analysis/statistics/order_statistics.hpp"
-#include "analysis/study/design_blocks.hpp"
 #include "analysis/study/refused.hpp"
 #include "distributions/basics/random_stream.hpp"
 
@@ -19,15 +18,11 @@ namespace {
 /// With fewer scrambles their scatter says too little about itself.
 constexpr std::int64_t kFewestScrambles = 4;
 
-/// Rows of one base of a pick-freeze design share their points and go together, whatever their lot.
 std::vector<std::size_t> number_lots(const StudyData& study, std::size_t& lots) {
-  const auto base = static_cast<std::int64_t>(design_blocks(study).rows_per_base);
   std::map<std::int64_t, std::size_t> numbers;
   std::vector<std::size_t> lot_of;
-  for (std::size_t i = 0; i < study.size(); ++i) {
-    const std::int64_t cluster = base > 1 ? study.row[i] / base : study.lot[i];
-    lot_of.push_back(numbers.try_emplace(cluster, numbers.size()).first->second);
-  }
+  for (const std::int64_t lot : study.lot)
+    lot_of.push_back(numbers.try_emplace(lot, numbers.size()).first->second);
   lots = numbers.size();
   return lot_of;
 }
@@ -51,7 +46,7 @@ Resampling::Resampling(const StudyData& study, std::size_t resamples) {
       weights_[std::min(static_cast<std::size_t>(study.row[i]) / rows, scrambles - 1)][i] = 1;
     return;
   }
-  if (design == "grid") {
+  if (!rows_follow_laws(study)) {
     why_none_ = "none: this design has no independent repeats to tell how far a result would move";
     return;
   }
@@ -165,11 +160,11 @@ bool independent_runs(const StudyData& study, std::string* why_not) {
 }
 
 bool rows_follow_laws(const StudyData& study, std::string* why_not) {
-  const bool follow = study.design.kind != "grid" && study.design.kind != "morris";
+  const std::string& kind = study.design.kind;
+  const bool follow = kind == "random" || kind == "lhs" || kind == "sobol";
   if (why_not != nullptr)
-    *why_not = follow ? ""
-                      : "the rows of a `" + study.design.kind +
-                            "` design do not follow the laws of the inputs";
+    *why_not =
+        follow ? "" : "the rows of a `" + kind + "` design do not follow the laws of the inputs";
   return follow;
 }
 

@@ -78,8 +78,7 @@ class Resampling {
 bool independent_runs(const StudyData& study, std::string* why_not = nullptr);
 
 /// True if every row is drawn by the laws of the inputs, as yields require. The rows of a grid are
-/// levels chosen by hand, those of a Morris design steps of equal size. Otherwise `why_not` is the
-/// reason.
+/// levels chosen by hand. Otherwise `why_not` is the reason.
 bool rows_follow_laws(const StudyData& study, std::string* why_not = nullptr);
 
 /// Throws Refused with `what` and the reason unless independent_runs().

@@ -9,24 +9,19 @@
 
 namespace cagetol {
 
-enum class DesignKind { random, lhs, sobol, grid, pick_freeze, morris };
+enum class DesignKind { random, lhs, sobol, grid };
 
 /// A design and its name in study files.
 struct DesignName {
   DesignKind value;
   const char* text;
 };
-constexpr std::array<DesignName, 6> spellings(DesignKind) {
+constexpr std::array<DesignName, 4> spellings(DesignKind) {
   using enum DesignKind;
-  return {{{random, "random"},
-           {lhs, "lhs"},
-           {sobol, "sobol"},
-           {grid, "grid"},
-           {pick_freeze, "pick-freeze"},
-           {morris, "morris"}}};
+  return {{{random, "random"}, {lhs, "lhs"}, {sobol, "sobol"}, {grid, "grid"}}};
 }
 
-/// One coordinate: the address of its random numbers, and its group in grouped designs.
+/// One coordinate: the address of its random numbers, and its group in a grid.
 struct DesignColumn {
   Purpose purpose = Purpose::lot;
   std::uint32_t stream = 0;  ///< stream_address(name of the input)
@@ -40,9 +35,6 @@ struct DesignSpec {
   std::uint64_t seed = 1;
   std::vector<DesignColumn> columns;
 
-  /// 0: the number of groups in `columns`. A larger number adds groups without columns (noise).
-  std::uint32_t groups = 0;
-
   /// random only: the rows of one lot share their columns of Purpose::lot.
   std::uint64_t cages_per_lot = 1;
 
@@ -55,10 +47,7 @@ struct DesignSpec {
   /// grid: number of levels of each group.
   std::vector<std::uint64_t> grid_levels;
 
-  /// morris: number of levels, even.
-  std::uint64_t morris_levels = 4;
-
-  /// grid, morris: levels span [trim, 1 - trim]. Laws without ends need trim > 0.
+  /// grid: levels span [trim, 1 - trim]. Laws without ends need trim > 0.
   double trim = 0;
 };
 

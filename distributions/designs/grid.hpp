@@ -22,7 +22,6 @@ class Grid {
   static std::uint64_t complete_rows(const DesignSpec& spec);
   static std::string row_rule(const DesignSpec&) { return "the product of its levels"; }
 
-  Layout layout() const { return {1, rows_, false}; }
   void point(std::uint64_t row, std::span<double> u) const;
 
  private:

@@ -19,7 +19,6 @@ class LatinHypercube {
   static std::uint64_t complete_rows(const DesignSpec& spec);
   static std::string row_rule(const DesignSpec&) { return "at most 2^28"; }
 
-  Layout layout() const { return {1, rows_, false}; }
   void point(std::uint64_t row, std::span<double> u) const;
 
  private:

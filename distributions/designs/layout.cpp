@@ -7,7 +7,7 @@
 namespace cagetol {
 
 std::uint32_t group_count(const DesignSpec& spec) {
-  std::uint32_t count = spec.groups;
+  std::uint32_t count = 0;
   for (const DesignColumn& column : spec.columns) count = std::max(count, column.group + 1);
   return count;
 }
@@ -30,11 +30,6 @@ PhiloxKey column_key(std::uint64_t seed, const DesignColumn& column) {
   const PhiloxCounter block =
       philox({static_cast<std::uint32_t>(column.purpose), column.stream, column.draw, 0},
              stream_key(seed, Purpose::scramble));
-  return {block[0], block[1]};
-}
-
-PhiloxKey design_key(std::uint64_t seed) {
-  const PhiloxCounter block = philox({0, 0, 0, 1}, stream_key(seed, Purpose::scramble));
   return {block[0], block[1]};
 }
 

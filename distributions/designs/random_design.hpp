@@ -18,7 +18,6 @@ class RandomDesign {
   static std::uint64_t complete_rows(const DesignSpec& spec) { return spec.rows; }
   static std::string row_rule(const DesignSpec&) { return "any number"; }
 
-  Layout layout() const { return {1, rows_, false}; }
   void point(std::uint64_t row, std::span<double> u) const;
 
  private:

@@ -28,7 +28,6 @@ class ScrambledSobol {
   static std::uint64_t complete_rows(const DesignSpec& spec);
   static std::string row_rule(const DesignSpec& spec);
 
-  Layout layout() const { return {scrambles_, points_, false}; }
   void point(std::uint64_t row, std::span<double> u) const;
 
  private:

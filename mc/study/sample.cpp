@@ -131,12 +131,8 @@ DesignSpec spec_of(const Study& study, const SampleColumns& columns) {
   spec.cages_per_lot = static_cast<std::uint64_t>(study.cages_per_lot);
   spec.scrambles = static_cast<std::uint64_t>(study.scrambles);
   spec.classes = std::max<std::uint64_t>(1, study.candidates.size());
-  const bool noise = std::any_of(study.inputs.begin(), study.inputs.end(),
-                                 [](const auto& input) { return input.noise.has_value(); });
   std::uint32_t groups = 0;
   for (const auto& column : columns.design) groups = std::max(groups, column.group + 1);
-  if (noise && (study.design == DesignKind::pick_freeze || study.design == DesignKind::morris))
-    spec.groups = groups + 1;
   spec.grid_levels.assign(study.grid_levels.begin(), study.grid_levels.end());
   if (spec.grid_levels.size() == 1) spec.grid_levels.resize(groups, spec.grid_levels[0]);
   // Levels of laws without ends span plus and minus three standard deviations of a normal law.
@@ -224,13 +220,9 @@ struct Sampler::Implementation {
   }
 
   double noise(const UncertainInput& input, const Sample& sample) const {
-    // Where noise is a group of the design, the design says which rows share it.
-    const bool in_design = design.spec().groups > 0 && sample.replicate == 0;
     // In a grid every row meets the same noise in its k-th run: differences between rows are
     // paired.
-    const std::uint64_t id = study.design == DesignKind::grid ? sample.replicate
-                             : in_design ? design.source_of(sample.row, design.groups() - 1)
-                                         : sample.id;
+    const std::uint64_t id = study.design == DesignKind::grid ? sample.replicate : sample.id;
     return quantile(*input.noise,
                     uniform(design.spec().seed, Purpose::noise, id, stream_address(input.key), 0));
   }

@@ -42,8 +42,7 @@ struct DesignColumns {
 DesignColumns design_columns(const Study& study);
 
 /// The design that the study asks for. `rows` is study.samples, rounded up where the design needs
-/// it. In pick-freeze and morris designs the noise inputs are one more group, without columns: the
-/// last one.
+/// it.
 DesignSpec design_spec(const Study& study);
 
 /// Draws samples: owns the design and the correlations, made once. Immutable, cheap to copy, usable

@@ -156,12 +156,10 @@ Study study_of(toml::table root, const std::string& file) {
   check_history(study, root, file);
   complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
-  using enum DesignKind;
-  if (study.redraw_jams && (study.candidates.empty() || study.design == grid ||
-                            study.design == pick_freeze || study.design == morris))
+  if (study.redraw_jams && (study.candidates.empty() || study.design == DesignKind::grid))
     throw InputError({}, "redraw_jams", "true",
                      "the share of cages that fit is known of candidate tolerances alone, and rows "
-                     "of the designs grid, pick-freeze and morris belong together",
+                     "of the design grid belong together",
                      "leave it out, or give [[tolerance.dimension]] and a design that is random, "
                      "lhs or sobol");
   find_temperatures(study);

@@ -127,7 +127,7 @@ std::uint64_t sample_count(const Study& study);
 /// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn).
 /// `settings` are "key=value" in TOML syntax; scene keys may be given with or without "scene." in
 /// front. Throws InputError. `Study::samples` is rounded up to the number of rows with which the
-/// design is complete (sobol, grid, pick-freeze, morris).
+/// design is complete (sobol, grid).
 Study read_study(const std::string& path, const std::vector<std::string>& settings = {});
 
 /// Reads a study from its resolved text (Study::resolved_toml): gives the same study with the same

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "analysis/sensitivity/rank_shares.hpp"
 #include "analysis/study/refused.hpp"
 #include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
@@ -266,27 +265,6 @@ TEST(ResponseCurve, FollowsTheFunction) {
   ASSERT_EQ(points.size(), 10u);
   for (const ResponsePoint& point : points)
     EXPECT_NEAR(point.mean, point.feature * point.feature, 0.002);
-}
-
-TEST(RankShares, AgreeOnIndependentRows) {
-  const Drawn drawn = draw(8192, 3, 16, ishigami);
-  for (std::size_t d = 0; d < 3; ++d)
-    EXPECT_NEAR(rank_share(plain_study(8192), drawn.inputs[d], drawn.output), kIshigami[d], 0.04)
-        << d;
-}
-
-TEST(RankShares, RefusedOnScrambledSobolPoints) {
-  const Drawn drawn = draw(64, 1, 17, [](const auto& u) { return u[0]; });
-  for (const char* kind : {"sobol", "lhs", "grid", "pick-freeze"}) {
-    EXPECT_THROW(rank_share(plain_study(64, kind), drawn.inputs[0], drawn.output), Refused) << kind;
-  }
-}
-
-TEST(RankShares, RefusedOnLotsAndOnEqualValues) {
-  Drawn drawn = draw(64, 1, 17, [](const auto& u) { return u[0]; });
-  EXPECT_THROW(rank_share(plain_study(64, "random", 4), drawn.inputs[0], drawn.output), Refused);
-  drawn.inputs[0][7] = drawn.inputs[0][40];
-  EXPECT_THROW(rank_share(plain_study(64), drawn.inputs[0], drawn.output), Refused);
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST(Yield, DependentRunsGetWiderBounds) {
 }
 
 TEST(Yield, NoneWhereRowsDoNotFollowTheLaws) {
-  for (const char* design : {"grid", "morris"}) {
+  for (const char* design : {"grid", "pick-freeze"}) {
     const StudyData study = plain_study(400, design);
     const std::vector<Judgement> judgements(400, Judgement::meets);
     const std::vector<double> equal(400, 1.0);

@@ -43,14 +43,6 @@ TEST_P(EveryDesign, HasTheSameBitsInAnyOrder) {
   }
 }
 
-TEST_P(EveryDesign, HasRowsForEveryBlockAndBase) {
-  const Design design(small_spec(GetParam(), 5));
-  for (std::uint64_t row = 0; row < design.rows(); ++row) {
-    EXPECT_LT(design.block_of(row), design.blocks());
-    EXPECT_EQ(design.row_of(design.block_of(row), design.base_of(row)), row);
-  }
-}
-
 TEST_P(EveryDesign, TakesHundredsOfColumns) {
   const Design design(small_spec(GetParam(), 350));
   EXPECT_EQ(design.dimensions(), 350u);
@@ -75,12 +67,9 @@ TEST_P(EveryDesign, DependsOnItsSeed) {
   EXPECT_EQ(points_of(Design(spec)) == points, GetParam() == DesignKind::grid);
 }
 
-// Appending an input leaves what the earlier inputs were given. (A grid has more rows; groups
-// appended to pick-freeze and morris change the rows.)
+// Appending an input leaves what the earlier inputs were given. (A grid has more rows.)
 TEST_P(EveryDesign, KeepsItsColumnsWhenOneIsAppended) {
-  if (GetParam() != DesignKind::random && GetParam() != DesignKind::lhs &&
-      GetParam() != DesignKind::sobol)
-    return;
+  if (GetParam() == DesignKind::grid) return;
   const Design small(small_spec(GetParam(), 5)), large(small_spec(GetParam(), 6));
   for (std::uint64_t row = 0; row < small.rows(); ++row) {
     std::vector<double> u = point_of(large, row);
@@ -98,13 +87,8 @@ TEST_P(EveryDesign, RefusesRowsBeyondItsEndAndWrongSizes) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryDesign,
                          testing::Values(DesignKind::random, DesignKind::lhs, DesignKind::sobol,
-                                         DesignKind::grid, DesignKind::pick_freeze,
-                                         DesignKind::morris),
-                         [](const auto& of) {
-                           std::string name = design_name(of.param);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                                         DesignKind::grid),
+                         [](const auto& of) { return std::string(design_name(of.param)); });
 
 TEST(CompleteRows, RoundUpToTheNextWholeDesign) {
   DesignSpec spec = spec_of(DesignKind::random, 1000, 3);
@@ -115,14 +99,8 @@ TEST(CompleteRows, RoundUpToTheNextWholeDesign) {
   EXPECT_EQ(complete_rows(spec), 1024u);  // 8 * 2^7
   spec.classes = 3;
   EXPECT_EQ(complete_rows(spec), 1536u);  // 8 * 3 * 2^6
-  spec.kind = DesignKind::pick_freeze;
-  EXPECT_EQ(complete_rows(spec), 1000u);  // 200 * (3 + 2)
-  spec.groups = 4;
-  EXPECT_EQ(complete_rows(spec), 1002u);  // 167 * (4 + 2)
-  spec.kind = DesignKind::morris;
-  EXPECT_EQ(complete_rows(spec), 1000u);  // 200 * (4 + 1)
   spec.kind = DesignKind::grid;
-  spec.grid_levels = {3, 4, 5, 1};
+  spec.grid_levels = {3, 4, 5};
   EXPECT_EQ(complete_rows(spec), 60u);
 }
 
@@ -166,9 +144,6 @@ TEST(DesignRefusal, NamesTheReasonAndTheRemedy) {
   EXPECT_THAT(refusal(spec_of(DesignKind::sobol, 1000, 2)),
               HasSubstr("1000 rows is not complete: rows are 8 scrambles of a power of two; use "
                         "1024"));
-  EXPECT_THAT(refusal(spec_of(DesignKind::pick_freeze, 10, 2)),
-              HasSubstr("groups + 2 = 4; use 12"));
-  EXPECT_THAT(refusal(spec_of(DesignKind::morris, 10, 2)), HasSubstr("groups + 1 = 3; use 12"));
   EXPECT_THAT(refusal(spec_of(DesignKind::lhs, (1u << 28) + 1, 2)), HasSubstr("at most 2^28"));
   EXPECT_THAT(refusal(spec_of(DesignKind::grid, 9, 2)),
               HasSubstr("a grid of 2 groups needs as many"));
@@ -195,9 +170,6 @@ TEST(DesignRefusal, NamesTheReasonAndTheRemedy) {
   spec.grid_levels = {1u << 30, 1u << 30};
   EXPECT_THAT(refusal(spec), HasSubstr("more than 2^40"));
 
-  spec = spec_of(DesignKind::morris, 3, 2);
-  spec.morris_levels = 5;
-  EXPECT_THAT(refusal(spec), HasSubstr("even number of levels, not 5"));
   EXPECT_THAT(refusal(spec_of(DesignKind::sobol, 8, 3668)), HasSubstr("at most 3667 columns"));
 }
 

@@ -58,7 +58,7 @@ TEST(RecommendKeys, ReadAndResolved) {
   EXPECT_THROW(read_study(shipped("studies/nu205-rated.toml"), {"recommend.budget_h=-1"}),
                InputError);
   // Rows that belong together cannot be drawn again, and without candidates nobody knows a share.
-  for (const char* why : {"design='grid'", "design='morris'", "tolerance.dimension=[]"})
+  for (const char* why : {"design='grid'", "tolerance.dimension=[]"})
     EXPECT_THROW(read_study(shipped("studies/nu205-rated.toml"), {"redraw_jams=true", why}),
                  InputError)
         << why;

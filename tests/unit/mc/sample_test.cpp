@@ -72,7 +72,7 @@ void expect_identical(const Sample& a, const Sample& b) {
 
 TEST(Sample, IsAPureFunctionOfStudyAndId) {
   using enum DesignKind;
-  for (const DesignKind design : {random, lhs, sobol, pick_freeze, morris}) {
+  for (const DesignKind design : {random, lhs, sobol}) {
     Study study = base_study();
     study.design = design;
     study.extra_replicates = 1;
@@ -252,22 +252,6 @@ TEST(Sample, CorrelatedInputsMoveTogetherAndShareAGroup) {
   }
   EXPECT_NEAR(same / std::sqrt(xx * yy), 0.8, 0.03);
   EXPECT_NEAR(other / std::sqrt(xx * yy), 0, 0.05);
-}
-
-TEST(Sample, PickFreezeSharesNoiseAsAGroupOfItsOwn) {
-  Study study = base_study();
-  study.design = DesignKind::pick_freeze;
-  study.samples = 8;
-  const auto spec = design_spec(study);
-  EXPECT_EQ(spec.groups, 4u + 1u);
-  study.samples = static_cast<long>(spec.rows);
-  const Sampler sampler(study);
-  const auto& design = sampler.design();
-  const std::uint64_t a = design.row_of(0, 0), first_group = design.row_of(2, 0),
-                      noise_group = design.row_of(2 + 4, 0);
-  EXPECT_EQ(sampler.draw(a).inputs[3].noise, sampler.draw(first_group).inputs[3].noise);
-  EXPECT_NE(sampler.draw(a).inputs[3].noise, sampler.draw(noise_group).inputs[3].noise);
-  EXPECT_EQ(sampler.draw(a).inputs[0].value, sampler.draw(noise_group).inputs[0].value);
 }
 
 TEST(Sample, AGridHasTheLevelsAskedFor) {
