@@ -528,31 +528,6 @@ def libraries_text(libraries):
 
 
 RESPONSE_FIGURES = [
-    ("response_cage_stress",
-     "Largest equivalent (von Mises) stress in the cage. Peaks are contacts of rollers with bars; "
-     "the right-hand side says whether the level moves their mean or their fluctuation."),
-    ("orbit_cage",
-     "Paths of the cage's centre, one column for each level (six of them where there are more), the first runs of "
-     "each in different colours. Look for the size of the path and whether it circles; runs that "
-     "differ as much as levels do mean that the level says little."),
-    ("response_cage_velocity",
-     "Speed of the cage's centre in the radial plane. A wide fluctuation is a cage that is thrown about "
-     "rather than one that circles."),
-    ("response_cage_speed",
-     "Rotational speed of the cage. A mean below pure rolling is cage slip."),
-    ("orbit_ring",
-     "Paths of the inner ring's centre. The arc comes from the rollers passing below the load; it "
-     "hardly depends on the cage where the columns look alike."),
-    ("response_ring_velocity",
-     "Speed of the inner ring's centre."),
-    ("response_ring_displacement",
-     "Displacement of the inner ring along the load: its mean is set by load and clearance, its ripple by "
-     "the rollers passing."),
-    ("response_ring_acceleration",
-     "Acceleration of the inner ring, at the stored instants; peaks between them are in the quantities."),
-    ("response_roller_spin",
-     "Spin of one roller about its own axis. It drops where the roller leaves the load zone and is "
-     "spun up again when it enters."),
     ("slip_bars",
      "Roller slip by level: medians of the runs, with their 5 to 95 % range. Slip depends on the "
      "friction law's transition speeds."),

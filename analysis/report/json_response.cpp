@@ -1,11 +1,8 @@
-// What a grid shows over the levels of one dimension: every quantity, and the time histories where
-// the study keeps them. Bands are the 5 and 95 % quantiles over the runs of a cell.
+// What a grid shows over the levels of one dimension: every quantity. Bands are the 5 and 95 % quantiles over the runs of a cell.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <set>
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/response/grid_cells.hpp"
@@ -16,24 +13,9 @@
 namespace cagetol {
 namespace {
 
-/// Enough to see whether runs of a cell resemble each other.
-constexpr std::size_t kOrbitsOfCell = 3;
-/// Curves are for drawing: more digits would only make the file longer.
-constexpr int kCurveDigits = 5;
-
 double quantile_of(const std::vector<double>& values, double p) {
   const std::vector<double> equal(values.size(), 1.0);
   return weighted_quantile(values, ascending_order(values), equal, p);
-}
-
-double rounded_for_drawing(double value) {
-  return std::strtod(fmt::format("{:.{}g}", value, kCurveDigits).c_str(), nullptr);
-}
-
-Json curve(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(number(rounded_for_drawing(value)));
-  return list;
 }
 
 bool has_values(const std::vector<double>& values) {
@@ -126,119 +108,6 @@ Json quantities_of(const ReportBasis& basis, const GridCells& cells) {
   return list;
 }
 
-/// The histories of one channel.
-class Channel {
- public:
-  Channel(const Column& column, std::size_t points) : column_(column), points_(points) {}
-
-  std::vector<double> run(std::size_t sample) const {
-    const auto first = column_.values.begin() + static_cast<std::ptrdiff_t>(sample * points_);
-    return {first, first + static_cast<std::ptrdiff_t>(points_)};
-  }
-
-  /// The first run of the cell, and the band over its runs at each instant.
-  Json curves(const std::vector<std::size_t>& samples) const {
-    if (samples.empty()) return Json();
-    std::vector<double> low, high;
-    for (std::size_t p = 0; p < points_; ++p) {
-      std::vector<double> values;
-      for (const std::size_t i : samples) values.push_back(column_.values[i * points_ + p]);
-      low.push_back(quantile_of(values, 0.05));
-      high.push_back(quantile_of(values, 0.95));
-    }
-    return {{"run", curve(run(samples.front()))}, {"low", curve(low)}, {"high", curve(high)}};
-  }
-
-  /// Over the runs of the cell: their means over time, and their standard deviations over time.
-  Json means(const std::vector<std::size_t>& samples) const { return band(samples, false); }
-  Json fluctuations(const std::vector<std::size_t>& samples) const { return band(samples, true); }
-
- private:
-  Json band(const std::vector<std::size_t>& samples, bool fluctuation) const {
-    std::vector<double> values;
-    for (const std::size_t i : samples) {
-      double sum = 0, squares = 0;
-      const auto history = run(i);
-      for (const double value : history) sum += value;
-      const double mean = sum / static_cast<double>(points_);
-      for (const double value : history) squares += (value - mean) * (value - mean);
-      values.push_back(fluctuation ? std::sqrt(squares / static_cast<double>(points_)) : mean);
-    }
-    return band_json(values);
-  }
-
-  const Column& column_;
-  std::size_t points_;
-};
-
-/// Lowest, nominal (or middle) and highest level: what a figure of curves has room for.
-std::vector<std::size_t> shown_levels(const GridCells& cells) {
-  const std::size_t last = cells.levels.size() - 1;
-  const std::size_t middle = cells.find_level(0).value_or(last / 2);
-  const std::set<std::size_t> shown = {0, middle, last};
-  return {shown.begin(), shown.end()};
-}
-
-Json orbits_of(const StudyData& study, const GridCells& cells) {
-  Json orbits = Json::array();
-  for (const Column& y : study.history) {
-    if (!y.name.ends_with("_y")) continue;
-    const std::string body = y.name.substr(0, y.name.size() - 2);
-    const auto z = std::find_if(study.history.begin(), study.history.end(),
-                                [&](const Column& column) { return column.name == body + "_z"; });
-    if (z == study.history.end()) continue;
-    const Channel across(y, study.history_points), up(*z, study.history_points);
-    orbits.push_back({{"body", body},
-                      {"unit", y.unit},
-                      {"cells", for_cells(cells, [&](std::vector<std::size_t> samples) {
-                         Json runs = Json::array();
-                         for (std::size_t k = 0; k < std::min(samples.size(), kOrbitsOfCell); ++k)
-                           runs.push_back({{"y", curve(across.run(samples[k]))},
-                                           {"z", curve(up.run(samples[k]))}});
-                         return runs;
-                       })}});
-  }
-  return orbits;
-}
-
-Json history_of(const StudyData& study, const GridCells& cells) {
-  const std::size_t points = study.history_points;
-  if (points == 0) return Json();
-  const auto shown = shown_levels(cells);
-  Json history{{"shown_levels", shown}, {"absent", Json::array()}, {"channels", Json::array()}};
-  for (const Column& column : study.history) {
-    if (column.name == "time") {
-      const auto times = Channel(column, points).run(0);
-      Json since = Json::array();
-      for (const double t : times)
-        since.push_back(number(rounded_for_drawing(1e3 * (t - times.front()))));
-      history["time_ms"] = since;
-      continue;
-    }
-    if (!has_values(column.values)) {
-      history["absent"].push_back(column.name);
-      continue;
-    }
-    const Channel channel(column, points);
-    Json curves = Json::array();
-    for (std::size_t setting = 0; setting < cells.settings.size(); ++setting) {
-      curves.push_back(Json::array());
-      for (const std::size_t level : shown)
-        curves.back().push_back(channel.curves(cells.samples(setting, level)));
-    }
-    history["channels"].push_back(
-        {{"channel", column.name},
-         {"unit", column.unit},
-         {"description", column.description},
-         {"curves", curves},
-         {"mean", for_cells(cells, [&](const auto& samples) { return channel.means(samples); })},
-         {"fluctuation",
-          for_cells(cells, [&](const auto& samples) { return channel.fluctuations(samples); })}});
-  }
-  history["orbits"] = orbits_of(study, cells);
-  return history;
-}
-
 }  // namespace
 
 Json band_json(const std::vector<double>& values) {
@@ -261,8 +130,7 @@ Json response_json(const ReportBasis& basis) {
           {"levels", cells->levels},
           {"settings", cells->settings},
           {"confidence", basis.confidence},
-          {"quantities", quantities_of(basis, *cells)},
-          {"history", history_of(basis.study, *cells)}};
+          {"quantities", quantities_of(basis, *cells)}};
 }
 
 }  // namespace cagetol

@@ -11,8 +11,6 @@
 namespace cagetol {
 namespace {
 
-constexpr double kSameLevel = 1e-9;
-
 std::vector<double> distinct(const std::vector<double>& values) {
   const std::set<double> ascending(values.begin(), values.end());
   return {ascending.begin(), ascending.end()};
@@ -63,12 +61,6 @@ std::vector<std::size_t> GridCells::samples(std::size_t setting, std::size_t lev
   for (std::size_t i = 0; i < level_of.size(); ++i)
     if (level_of[i] == level && setting_of[i] == setting) found.push_back(i);
   return found;
-}
-
-std::optional<std::size_t> GridCells::find_level(double deviation) const {
-  for (std::size_t l = 0; l < levels.size(); ++l)
-    if (std::abs(levels[l] - deviation) <= kSameLevel * (levels.back() - levels.front())) return l;
-  return std::nullopt;
 }
 
 std::optional<GridCells> grid_cells(const StudyData& study, const std::string& key) {

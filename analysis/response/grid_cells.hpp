@@ -19,8 +19,6 @@ struct GridCells {
 
   /// Samples of one cell in the order of the study.
   std::vector<std::size_t> samples(std::size_t setting, std::size_t level) const;
-  /// Index of a level, if the grid has it. Compares with a tolerance for rounding errors.
-  std::optional<std::size_t> find_level(double deviation) const;
 };
 
 /// The cells. Empty if the design is not a grid or the key does not vary by lot.

@@ -226,14 +226,6 @@ StudyData read_study_data(const std::filesystem::path& path) {
   study.run = read_columns(file, "/run", count, name);
   for (Column& column : read_columns(file, "/timing", count, name))
     if (column.name == "wall_s") study.timing.push_back(std::move(column));
-  for (const std::string& channel : file.children("/history")) {
-    const std::string dataset = "/history/" + channel;
-    RealArray array = file.reals(dataset);
-    if (study.history_points == 0 && array.shape.size() == 2) study.history_points = array.shape[1];
-    require_size(array.values.size(), count * study.history_points, dataset, name);
-    study.history.push_back({channel, text_or_empty(file, dataset, "unit"),
-                             text_or_empty(file, dataset, "description"), std::move(array.values)});
-  }
   return study;
 }
 
@@ -258,8 +250,6 @@ StudyData select_samples(const StudyData& study, const std::vector<std::size_t>&
   pick_columns(chosen.quantities, keep);
   pick_columns(chosen.run, keep);
   pick_columns(chosen.timing, keep);
-  for (Column& channel : chosen.history)
-    channel.values = pick(channel.values, keep, study.history_points);
   return chosen;
 }
 

@@ -61,8 +61,6 @@ struct StudyData {
 
   std::vector<InputColumns> inputs;
   std::vector<Column> quantities, run, timing;
-  std::vector<Column> history;  ///< N x history_points values each, row-major; may be absent
-  std::size_t history_points = 0;
 
   std::size_t size() const { return id.size(); }
 };
@@ -73,7 +71,7 @@ StudyData read_study_data(const std::filesystem::path& file);
 /// The samples at `keep`, in that order, with all their columns.
 StudyData select_samples(const StudyData& study, const std::vector<std::size_t>& keep);
 
-/// The study without its inputs, design points and histories, by far the most of it: for those who
+/// The study without its inputs and design points, by far the most of it: for those who
 /// judge results alone.
 StudyData results_of(const StudyData& study);
 

@@ -81,8 +81,8 @@ Json peak_json(const std::filesystem::path& sweep_directory, const StudyData& st
   SimulateOptions options;
   options.cage_table = CageTables(stored.study.scene).of(stored.sample.scene);
   options.stop_requested = SignalWatch::stopping;
-  const SampleRun again = run_sample(stored.study, stored.sample, options);
-  if (again.outcome.status == Status::not_run)
+  const Outcome again = run_sample(stored.study, stored.sample, options);
+  if (again.status == Status::not_run)
     throw std::runtime_error("interrupted; start the same command again to make it");
   if (!outcome_differences(stored.stored.value(),
                            make_stored_outcome(stored.sample.id, again, 0, 0))
@@ -90,14 +90,15 @@ Json peak_json(const std::filesystem::path& sweep_directory, const StudyData& st
     throw std::runtime_error(fmt::format(
         "this program gives another outcome of sample {} than the one that ran the sweep ({})",
         sample, stored.stored_build));
-  const CagePeak& peak = again.outcome.cage_peak;
-  Json json{{"study_hash", study.provenance.study_hash},
-            {"build", study.provenance.build},
-            {"sample", sample},
-            {"time_ms", 1e3 * peak.time},
-            {"pocket", peak.pocket},
-            {"stations_MPa", again.outcome.quantities.at(static_cast<std::size_t>(
-                                 quantity_index("cage_stress_peak_MPa")))}};
+  const CagePeak& peak = again.cage_peak;
+  Json json{
+      {"study_hash", study.provenance.study_hash},
+      {"build", study.provenance.build},
+      {"sample", sample},
+      {"time_ms", 1e3 * peak.time},
+      {"pocket", peak.pocket},
+      {"stations_MPa",
+       again.quantities.at(static_cast<std::size_t>(quantity_index("cage_stress_peak_MPa")))}};
   json.update(field_json(*options.cage_table, stored.sample.scene, peak));
   return json;
 }

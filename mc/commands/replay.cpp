@@ -45,8 +45,8 @@ std::string json_text(const StoredSample& stored, const Outcome& outcome,
   return json.dump(2) + "\n";
 }
 
-SampleRun run_again(const StoredSample& stored, const std::string& history_file,
-                    const std::string& snapshot_file) {
+Outcome run_again(const StoredSample& stored, const std::string& history_file,
+                  const std::string& snapshot_file) {
   if (!history_file.empty())
     require_dynamic(stored.sample.scene, "--output", history_file, "time history");
   RunHistory history(stored.sample.scene);
@@ -55,11 +55,10 @@ SampleRun run_again(const StoredSample& stored, const std::string& history_file,
   SimulateOptions options;
   if (is_flexible(stored.study.scene))
     options = CageTables(stored.study.scene).options_of(stored.sample.scene);
-  const SampleRun again = run_sample(stored.study, stored.sample, options, record);
+  const Outcome again = run_sample(stored.study, stored.sample, options, record);
   if (!history_file.empty()) history.write(history_file);
   if (!snapshot_file.empty())
-    write_peak_snapshot(snapshot_file, stored.sample.scene, options.cage_table.get(),
-                        again.outcome);
+    write_peak_snapshot(snapshot_file, stored.sample.scene, options.cage_table.get(), again);
   return again;
 }
 
@@ -69,15 +68,15 @@ int run_replay(const ReplayArguments& options) {
   if (stored.stored && stored.stored->status == Status::poisoned)
     say("cagetol: this sample ended its process during the sweep and may do so now\n");
 
-  const SampleRun again = run_again(stored, options.history, options.snapshot);
+  const Outcome again = run_again(stored, options.history, options.snapshot);
   const auto differences =
       stored.stored
           ? outcome_differences(*stored.stored, make_stored_outcome(options.sample, again, 0, 0))
           : std::vector<std::string>{};
   if (options.json)
-    print(json_text(stored, again.outcome, differences));
+    print(json_text(stored, again, differences));
   else
-    print(fmt::format("{}{}\n", outcome_table(again.outcome), verdict(stored, differences)));
+    print(fmt::format("{}{}\n", outcome_table(again), verdict(stored, differences)));
   return differences.empty() ? kDone : kLimitsNotMet;
 }
 

@@ -68,7 +68,6 @@ ScreenDesign screen_design(const Study& base) {
     study.cages_per_lot = 1;
     study.extra_replicates = static_cast<double>(kRepeats) / static_cast<double>(rows);
     study.scale_lots = false;
-    study.history = {};
     for (std::size_t d = 0; d < study.tolerance.dimensions.size(); ++d) {
       ToleranceDimension& dimension = study.tolerance.dimensions[d];
       UncertainInput& input =

@@ -64,7 +64,7 @@ int run_simulate(const SimulateArguments& options) {
   if (!options.history.empty()) record = [&history](const Instant& at) { history.record(at); };
   SimulateOptions extras;
   if (is_flexible(study.scene)) extras = CageTables(study.scene).options_of(sample.scene);
-  const Outcome outcome = run_sample(study, sample, extras, record).outcome;
+  const Outcome outcome = run_sample(study, sample, extras, record);
   if (!options.history.empty()) history.write(options.history);
   if (!options.snapshot.empty())
     write_peak_snapshot(options.snapshot, sample.scene, extras.cage_table.get(), outcome);

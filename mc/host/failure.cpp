@@ -48,7 +48,7 @@ std::string failure_text(const std::exception& problem) {
   switch (want_of(problem)) {
     case Want::memory:
       return "out of memory\n  remedy: free some, raise the limit (ulimit -v, the job's memory), "
-             "start fewer ranks, or ask for fewer samples or history.points; `cagetol check` "
+             "start fewer ranks, or ask for fewer samples; `cagetol check` "
              "predicts what a study needs";
     case Want::threads:
       return "the system starts no further thread or process\n  remedy: raise the limits (ulimit "

@@ -41,7 +41,7 @@ Scene on_rung(Scene scene, const Rung& rung);
 /// the reference, stays.
 std::vector<Rung> rungs_for(const Scene& scene, const std::vector<Rung>& rungs);
 
-/// The study's first `samples` random samples on that rung, without its replicates and histories.
+/// The study's first `samples` random samples on that rung, without its replicates.
 /// All rungs of a study draw the same samples. A study in which nothing varies gets scatter of the
 /// start: any phase, and a tenth of the pocket clearance in y and z. Throws InputError where a key
 /// of the rung is a distribution.

@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "mc/host/machine.hpp"
-#include "mc/run/sample_history.hpp"
 #include "mc/run/stored_outcome.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/sample.hpp"
@@ -76,9 +75,7 @@ double stored_bytes(const std::string& directory) {
 SweepForecast forecast_sweep(const Study& study) {
   const auto quantities = static_cast<double>(quantity_count(quantity_labels(study)));
   const auto fields = static_cast<double>(stored_run_fields().size());
-  const double history =
-      static_cast<double>(history_columns().size()) * static_cast<double>(study.history.points);
-  const double results = quantities + fields + history, drawn = drawn_numbers(study);
+  const double results = quantities + fields, drawn = drawn_numbers(study);
 
   SweepForecast forecast;
   forecast.rows = static_cast<std::uint64_t>(study.samples);
@@ -124,7 +121,7 @@ std::string forecast_text(const SweepForecast& forecast) {
 
 void require_memory(const SweepForecast& forecast, int ranks_here) {
   const char* remedy =
-      "ask for fewer samples, extra_replicates or history.points, or use a machine or a limit with "
+      "ask for fewer samples or extra_replicates, or use a machine or a limit with "
       "more memory";
   const Room own = room_of_process(), machine = room_of_machine();
   // The program itself is there already.
@@ -141,8 +138,8 @@ void require_disk(const SweepForecast& forecast, const std::string& directory) {
   const double needed = forecast.disk_bytes() - stored_bytes(directory);
   if (needed > kMinimumRefused && needed > room.bytes)
     refuse(forecast, "disk", needed, room,
-           "free some space, choose another output directory with -o, or ask for fewer samples, "
-           "extra_replicates or history.points");
+           "free some space, choose another output directory with -o, or ask for fewer samples "
+           "or extra_replicates");
 }
 
 void require_cage_memory(const Scene& scene) {

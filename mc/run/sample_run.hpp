@@ -1,8 +1,7 @@
-// A sample simulated the way a sweep does it: its outcome and the history that its study asks for.
+// A sample simulated the way a sweep does it.
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "mc/run/history_channels.hpp"
 #include "mc/study/sample.hpp"
@@ -12,17 +11,12 @@
 
 namespace cagetol {
 
-struct SampleRun {
-  Outcome outcome;
-  std::vector<double> history;  ///< SampleHistory::take(); empty where the study keeps none
-};
-
 /// Simulates a sample, at each operating point of the study in turn where it has several. The cage
 /// of some samples, chosen by study.seed and their id, is also solved in full
 /// (Study::cage_check_share). `on_instant`, where given, sees every accepted state;
 /// `options.on_state` is not for callers. A flexible cage needs `options.cage_table` of study.scene
 /// (mc/run/cage_cache.hpp).
-SampleRun run_sample(const Study& study, const Sample& sample, SimulateOptions options = {},
-                     const std::function<void(const Instant&)>& on_instant = {});
+Outcome run_sample(const Study& study, const Sample& sample, SimulateOptions options = {},
+                   const std::function<void(const Instant&)>& on_instant = {});
 
 }  // namespace cagetol

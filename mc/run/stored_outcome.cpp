@@ -33,14 +33,6 @@ void compare(const std::string& name, const std::vector<double>& a, const std::v
       differences.push_back(fmt::format("{}[{}]: {} and {}", name, i, a[i], b[i]));
 }
 
-/// A history that differs does so nearly everywhere: its first difference says enough.
-void compare_histories(const StoredOutcome& a, const StoredOutcome& b,
-                       std::vector<std::string>& differences) {
-  std::vector<std::string> all;
-  compare("history", a.history, b.history, all);
-  if (!all.empty()) differences.push_back(fmt::format("{} ({} in all)", all.front(), all.size()));
-}
-
 }  // namespace
 
 std::string first_bytes(const std::string& text, std::size_t most) {
@@ -56,8 +48,8 @@ std::vector<RunField> stored_run_fields() {
   return fields;
 }
 
-StoredOutcome make_stored_outcome(std::uint64_t id, const SampleRun& run, double wall_s, int rank) {
-  const Outcome& outcome = run.outcome;
+StoredOutcome make_stored_outcome(std::uint64_t id, const Outcome& outcome, double wall_s,
+                                  int rank) {
   StoredOutcome stored{.id = id,
                        .status = outcome.status,
                        .reason = first_bytes(outcome.reason, kLongestReason),
@@ -65,7 +57,6 @@ StoredOutcome make_stored_outcome(std::uint64_t id, const SampleRun& run, double
                        .interference_um = outcome.interference_um,
                        .quantities = outcome.quantities,
                        .run = {},
-                       .history = run.history,
                        .wall_s = wall_s,
                        .rank = rank};
   if (stored.quantities.empty())
@@ -88,7 +79,6 @@ std::vector<std::string> outcome_differences(const StoredOutcome& a, const Store
   compare("interference_um", {a.interference_um}, {b.interference_um}, differences);
   compare("quantities", a.quantities, b.quantities, differences);
   compare("run", a.run, b.run, differences);
-  compare_histories(a, b, differences);
   return differences;
 }
 
@@ -101,7 +91,6 @@ std::string to_bytes(const StoredOutcome& stored) {
   out.put(stored.interference_um);
   out.put(stored.quantities);
   out.put(stored.run);
-  out.put(stored.history);
   out.put(stored.wall_s);
   out.put(static_cast<std::int32_t>(stored.rank));
   return out.bytes();
@@ -116,7 +105,6 @@ StoredOutcome outcome_from_bytes(ByteReader& in) {
   stored.interference_um = in.get<double>();
   stored.quantities = in.get_reals();
   stored.run = in.get_reals();
-  stored.history = in.get_reals();
   stored.wall_s = in.get<double>();
   stored.rank = in.get<std::int32_t>();
   return stored;

@@ -20,7 +20,6 @@ struct StoredOutcome {
   double interference_um = 0;
   std::vector<double> quantities;  ///< in the order of quantity_table(); NaN where there is none
   std::vector<double> run;         ///< in the order of stored_run_fields()
-  std::vector<double> history;     ///< SampleRun::history
   double wall_s = 0;               ///< wall-clock seconds of the run
   int rank = 0;                    ///< rank that ran it
 };
@@ -34,7 +33,8 @@ std::string first_bytes(const std::string& text, std::size_t most);
 /// run_fields() without those that depend on the machine.
 std::vector<RunField> stored_run_fields();
 
-StoredOutcome make_stored_outcome(std::uint64_t id, const SampleRun& run, double wall_s, int rank);
+StoredOutcome make_stored_outcome(std::uint64_t id, const Outcome& outcome, double wall_s,
+                                  int rank);
 
 /// Where two outcomes of one sample differ to the bit, wall clock and rank apart:
 /// "quantities[3]: 1.5 and 1.25". Empty when equal.

@@ -156,9 +156,6 @@ void check_points(const std::vector<OperatingPointPlan>& points, const toml::nod
   if (points.size() > kMostPoints)
     refuse(std::to_string(points.size()) + " points are more than " + std::to_string(kMostPoints),
            "join points that hardly differ");
-  if (study.history.points > 0)
-    refuse("time histories are kept of studies with one operating point only (history.points)",
-           "set history.points = 0");
   if (is_flexible(study.scene) && study.scene.operation.centrifugal_growth)
     refuse("a flexible cage that grows by rotation is another one at every speed",
            "set speed.centrifugal_growth = false, or cage.model = \"rigid\"");

@@ -105,22 +105,6 @@ void complete_rows(Study& study, const toml::table& root, const std::string& fil
   study.samples = static_cast<long>(rows);
 }
 
-void check_history(const Study& study, const toml::table& root, const std::string& file) {
-  // A study that chooses its model by itself may end up on equilibria: then it keeps no histories.
-  if (study.history.points > 0 && is_quasi_static(study.scene) && study.fidelity != "auto") {
-    const auto* node = find_node(root, "history.points");
-    throw InputError(place_of(*node, file), "history.points", shown(*node),
-                     "a quasi-static run has no time history",
-                     "set it to 0, or scene.model.motion = \"dynamic\"");
-  }
-  const long rollers = study.scene.bearing.roller_count;
-  if (study.history.roller < rollers) return;
-  const auto* node = find_node(root, "history.roller");
-  throw InputError(place_of(*node, file), "history.roller", shown(*node),
-                   "the bearing has the rollers 0 to " + std::to_string(rollers - 1),
-                   "choose one of them");
-}
-
 void resolve(Study& study) {
   const toml::table table = resolved_table(study);
   std::ostringstream toml_text, json_text;
@@ -153,7 +137,6 @@ Study study_of(toml::table root, const std::string& file) {
   check_drawn_range(study, scene, file);
   check_flexible_cage(study, scene, file);
   check_assumption_ranges(study, scene, file);
-  check_history(study, root, file);
   complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
   if (study.redraw_jams && (study.candidates.empty() || study.design == DesignKind::grid))

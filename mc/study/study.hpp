@@ -54,12 +54,6 @@ struct TolerancePlan {
   std::vector<ToleranceDimension> dimensions;
 };
 
-/// The time histories that a sweep keeps of each sample (sample_history.hpp).
-struct HistoryPlan {
-  long points = 0;  ///< instants; 0: none are kept
-  long roller = 0;  ///< whose spin is kept, from 0
-};
-
 /// What a rung of the model ladder does to the mean of a limited quantity, in the quantity's unit
 /// (analysis/fidelity/minimum_rung.hpp). Numbers that are not known are NaN.
 struct FidelityShift {
@@ -110,7 +104,6 @@ struct Study {
   std::vector<Correlation> correlations;
   std::vector<Limit> limits;
   TolerancePlan tolerance;
-  HistoryPlan history;
   double cage_check_share = 0.01;  ///< of samples whose flexible cage is also solved in full
   FidelityDecision fidelity_decision;
   RecommendPlan recommend;

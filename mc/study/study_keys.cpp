@@ -26,8 +26,6 @@ const KeyTable<Study>& study_keys() {
       {"cage_check_share", within(0, 1), AT(cage_check_share), "share of samples whose flexible cage is also solved in full, to know the error of the per-sample cage model"},
       {"tolerance.target_yield", above(0, 1), AT(tolerance.target_yield), "share of cages that must meet all limits"},
       {"tolerance.confidence", above(0, 0.999999), AT(tolerance.confidence), "confidence of the bounds"},
-      {"history.points", within(0, 10000), AT(history.points), "instants of the time history that is stored of each sample, equally spaced up to the end of the window; 0: no histories"},
-      {"history.roller", at_least(0), AT(history.roller), "roller whose spin the histories hold, from 0"},
       {"recommend.pilot_samples", within(32, 1e9), AT(recommend.pilot_samples), "rows of the pilot, which measures run time and noise"},
       {"recommend.attempts", within(1, 100), AT(recommend.attempts), "confirmations that may fail; each has the share 1 / attempts of the error that the confidence leaves. Where a sequence from narrow to wide takes fewer runs it has the whole error and ends with the first that fails"},
       {"recommend.confirm_samples", within(0, 1e9), AT(recommend.confirm_samples), "most runs of one confirmation; 0: as many as its estimated yield needs and the budget affords; without a budget `samples` runs an attempt on average, or twice as many as can confirm at all, where that is more"},

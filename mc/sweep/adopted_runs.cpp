@@ -20,8 +20,7 @@ bool same_model(const Study& a, const Study& b) {
   const auto differences =
       study_differences(identity_text(a.resolved_toml), identity_text(b.resolved_toml));
   return std::none_of(differences.begin(), differences.end(), [](const std::string& difference) {
-    return difference.starts_with("scene.") || difference.starts_with("history.") ||
-           difference.starts_with("cage_check_share");
+    return difference.starts_with("scene.") || difference.starts_with("cage_check_share");
   });
 }
 

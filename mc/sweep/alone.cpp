@@ -63,7 +63,7 @@ StoredOutcome poisoned(std::uint64_t id, const std::string& how) {
   Outcome outcome;
   outcome.status = Status::poisoned;
   outcome.reason = "the process running this sample alone " + how;
-  return make_stored_outcome(id, {outcome, {}}, 0, 0);
+  return make_stored_outcome(id, outcome, 0, 0);
 }
 
 }  // namespace

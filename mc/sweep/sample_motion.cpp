@@ -14,7 +14,7 @@ SampleMotion record_motion(const StoredSample& stored,
   options.stop_requested = stop_requested;
   SampleMotion motion{{}, MotionFrames(stored.sample.scene)};
   const auto record = [&motion](const Instant& at) { motion.frames.record(at); };
-  motion.outcome = run_sample(stored.study, stored.sample, options, record).outcome;
+  motion.outcome = run_sample(stored.study, stored.sample, options, record);
   return motion;
 }
 

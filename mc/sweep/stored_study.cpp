@@ -9,7 +9,6 @@
 
 #include "mc/host/file_write.hpp"
 #include "mc/run/jam_shares.hpp"
-#include "mc/run/sample_history.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study_file/h5.hpp"
 #include "mc/study_file/hdf5_reader.hpp"
@@ -234,24 +233,6 @@ void write_results(hid_t root, const OutcomesById& outcomes,
            {"-", "rank that ran it"});
 }
 
-void write_histories(hid_t root, const OutcomesById& outcomes, std::size_t points) {
-  if (points == 0) return;
-  const H5Handle group = make_h5_group(root, "history");
-  for (std::size_t c = 0; c < history_columns().size(); ++c) {
-    std::vector<double> values;
-    values.reserve(outcomes.size() * points);
-    for (const auto& [id, outcome] : outcomes) {
-      if (outcome.history.empty()) {
-        values.insert(values.end(), points, std::numeric_limits<double>::quiet_NaN());
-      } else {
-        const auto first = outcome.history.begin() + static_cast<std::ptrdiff_t>(c * points);
-        values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(points));
-      }
-    }
-    write_h5(group, history_columns()[c].name, values, history_columns()[c].meaning, points);
-  }
-}
-
 /// Reads columns with one value for each row, and checks that.
 class RowReader {
  public:
@@ -292,27 +273,6 @@ Status status_from(std::int64_t number, const RowReader& file) {
   return static_cast<Status>(number);
 }
 
-/// The histories of the rows; empty where the study keeps none or a run reached no instant.
-void read_histories(const RowReader& file, std::vector<StoredOutcome>& rows) {
-  if (rows.empty() || !file.file().has("/history")) return;
-  std::size_t whole = 0;
-  for (const HistoryColumn& column : history_columns()) {
-    const RealArray array = file.file().reals("/history/" + column.name);
-    if (array.shape.size() != 2 || array.shape[0] != rows.size() || array.shape[1] == 0)
-      file.fail("/history/" + column.name + " has another shape than the samples");
-    const auto points = static_cast<std::ptrdiff_t>(array.shape[1]);
-    whole += array.shape[1];
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto first = array.values.begin() + static_cast<std::ptrdiff_t>(i) * points;
-      rows[i].history.insert(rows[i].history.end(), first, first + points);
-    }
-  }
-  for (StoredOutcome& row : rows) {
-    if (row.history.size() != whole) file.fail("/history: its columns have different lengths");
-    if (std::isnan(row.history.front())) row.history.clear();  // the first instant has no time
-  }
-}
-
 }  // namespace
 
 std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
@@ -332,7 +292,6 @@ std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
   }
   write_jams(root, jam_shares(plan.study));
   write_results(root, outcomes, quantity_labels(plan.study));
-  write_histories(root, outcomes, static_cast<std::size_t>(plan.study.history.points));
   return sealed_h5_image(file);
 }
 
@@ -365,7 +324,6 @@ StudyFile read_study_file(const std::string& path) {
                .interference_um = interference[i],
                .quantities = {},
                .run = {},
-               .history = {},
                .wall_s = wall[i],
                .rank = static_cast<int>(rank[i])};
   std::vector<std::string> labels;  // of files of older programs: none
@@ -384,7 +342,6 @@ StudyFile read_study_file(const std::string& path) {
     const auto values = file.reals(std::string("/run/") + field.key);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].run.push_back(values[i]);
   }
-  read_histories(file, rows);
   for (StoredOutcome& row : rows) study.outcomes.emplace(row.id, std::move(row));
   return study;
 }

@@ -41,18 +41,18 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 /// given back.
 StoredOutcome stored_run(const SweepPlan& plan, std::uint64_t id, int rank) {
   const auto begin = std::chrono::steady_clock::now();
-  SampleRun run;
+  Outcome outcome;
   try {
-    run = plan.job(plan.draw(id), SignalWatch::stopping);
+    outcome = plan.job(plan.draw(id), SignalWatch::stopping);
   } catch (const std::exception& problem) {
     if (is_want_of_resources(problem)) {
       spdlog::error("sample {} is not run: {}", id, failure_text(problem));
     } else {
-      run.outcome.status = Status::failed;
-      run.outcome.reason = problem.what();
+      outcome.status = Status::failed;
+      outcome.reason = problem.what();
     }
   }
-  return make_stored_outcome(id, run, seconds_since(begin), rank);
+  return make_stored_outcome(id, outcome, seconds_since(begin), rank);
 }
 
 /// Runs one sample and keeps the journal: what a rank does for each id that it is given.

@@ -23,7 +23,7 @@ struct SweepPlan {
   /// its part, before the first sample of any. May be empty.
   std::function<void(int rank, int ranks)> prepare;
   std::function<Sample(std::uint64_t id)> draw;
-  std::function<SampleRun(const Sample&, const StopRequested&)> job;
+  std::function<Outcome(const Sample&, const StopRequested&)> job;
 };
 
 /// The plan of a real study: its sampler and the physics.

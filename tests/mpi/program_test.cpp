@@ -35,8 +35,6 @@ std::vector<std::string> sweep_of(const std::string& study, const std::string& d
           "--set",
           "scene.window.measure_revolutions=0.1",
           "--set",
-          "history.points=25",
-          "--set",
           more};
 }
 
@@ -64,10 +62,7 @@ TEST(ProgramTest, AnyNumberOfRanksGivesTheSameFileAndEverySampleReplaysToTheBit)
 TEST(ProgramTest, OperatingPointsGiveTheSameFileOnAnyNumberOfRanks) {
   const ScratchDirectory scratch;
   const auto sweep = [&](const std::string& directory) {
-    auto command = sweep_of(CAGETOL_SOURCE_DIR "/inputs/studies/nu205-duty.toml", directory);
-    std::replace(command.begin(), command.end(), std::string("history.points=25"),
-                 std::string("history.points=0"));
-    return command;
+    return sweep_of(CAGETOL_SOURCE_DIR "/inputs/studies/nu205-duty.toml", directory);
   };
   const Ended serial = run(sweep(scratch / "0"));
   ASSERT_EQ(serial.code, 0) << serial.output;

@@ -62,7 +62,7 @@ struct FileCosts {
   double sample_s = 0, file_s = 0;        ///< study.h5 from journals, by sample and journal
 };
 
-/// Samples of the study with every quantity and a history of three instants.
+/// Samples of the study with every quantity.
 FileCosts file_costs() {
   constexpr std::uint64_t kFew = 2000, kMany = 10000, kFiles = 200;
   const ScratchDirectory scratch;

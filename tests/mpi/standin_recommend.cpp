@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
     SweepPlan plan = make_sweep_plan(stage);
     plan.prepare = {};  // no cage is solved
     plan.job = [=](const Sample& sample, const StopRequested& stop) {
-      return SampleRun{run(sample, milliseconds, lost_share, value, stop), {}};
+      return run(sample, milliseconds, lost_share, value, stop);
     };
     return plan;
   };

@@ -195,7 +195,7 @@ std::vector<std::string> setting_seeds() {
           "operating_point=[{ name = 'idle', weight = 2, 'speed.inner_rpm' = 250 }]\n",
           "duty.time_s=[0, 1]\nduty.radial_N=[1, 2]\n"
           "phase=[{ name = 'a', from_s = 0, to_s = 1 }]\n",
-          "tolerance.target_yield=0.9\nname=\"a text\"\nhistory.points=10\n"};
+          "tolerance.target_yield=0.9\nname=\"a text\"\nscrambles=4\n"};
 }
 
 /// The first character chooses column, unit and decimal mark.
@@ -260,7 +260,6 @@ std::vector<std::string> journal_seeds() {
   stored.reason = "roller 4 is too large";
   stored.quantities = {-0.0, 1.5};
   stored.run = {0.25};
-  stored.history = {1, 2, 3};
   std::string path;
   std::string bytes;
   {

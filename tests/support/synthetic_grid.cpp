@@ -33,33 +33,15 @@ double normal(std::int64_t id, std::uint32_t stream) {
       uniform(3, Purpose::noise, static_cast<std::uint64_t>(id), stream, 0));
 }
 
-void add_history(StudyData& study, double length, std::int64_t id) {
-  const auto add = [&](std::size_t channel, double value) {
-    study.history[channel].values.push_back(value);
-  };
-  for (std::size_t p = 0; p < study.history_points; ++p) {
-    const double angle = 0.5 * double(p) + double(id);
-    add(0, 10 * (1 + length) * std::cos(angle));
-    add(1, kNan);
-    add(2, 10 * (1 + length) * std::sin(angle));
-    add(3, 1e-3 * double(p + 1));
-  }
-}
-
 }  // namespace
 
-StudyData make_synthetic_grid(std::int64_t replicates, std::size_t points) {
+StudyData make_synthetic_grid(std::int64_t replicates) {
   StudyData study = plain_study(kRows * replicates, "grid");
   study.provenance.schema_version = 1;
   study.plan = read_study_plan(study_json(), "synthetic");
   study.design.rows_planned = kRows;
   study.design.columns =
       study.design.groups = {std::string(kTilt) + ":lot", std::string(kLength) + ":lot"};
-  study.history_points = points;
-  study.history = {{"cage_y", "um", "", {}},
-                   {"cage_stress", "MPa", "", {}},
-                   {"cage_z", "um", "", {}},
-                   {"time", "s", "", {}}};
   study.quantities = {{"slip", "-", "", {}}, {"orbit", "um", "", {}}, {"stress", "MPa", "", {}}};
   InputColumns tilt{kTilt, "mrad", {0}, {}, {}, {}, {}, false};
   InputColumns length{kLength, "mm", {9.4}, {}, {}, {}, {}, true};
@@ -82,7 +64,6 @@ StudyData make_synthetic_grid(std::int64_t replicates, std::size_t points) {
     study.quantities[0].values.push_back(failed ? kNan : slip);
     study.quantities[1].values.push_back(failed ? kNan : 5 + normal(id, 3));
     study.quantities[2].values.push_back(kNan);
-    add_history(study, deviation, id);
   }
   study.inputs = {tilt, length};
   return study;

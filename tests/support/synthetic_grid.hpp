@@ -9,8 +9,7 @@ namespace cagetol {
 /// `replicates` runs of each with shared starts. Quantities, n standard normal:
 ///   slip      2 - 4 length / mm + 0.1 n where misaligned; 2 + its start's n else, whatever the
 ///   length orbit     5 + n stress    no values
-/// One run (misaligned, longest, replicate 1) failed. Histories of `points` instants: cage_y and
-/// cage_z circle with radius 10 (1 + length), cage_stress has no values.
-StudyData make_synthetic_grid(std::int64_t replicates = 16, std::size_t points = 20);
+/// One run (misaligned, longest, replicate 1) failed.
+StudyData make_synthetic_grid(std::int64_t replicates = 16);
 
 }  // namespace cagetol

@@ -83,7 +83,6 @@ void write_synthetic_study(const StudyData& study, const std::filesystem::path& 
   write_columns(file, "quantities", study.quantities);
   write_columns(file, "run", study.run);
   write_columns(file, "timing", study.timing);
-  if (study.history_points > 0) write_columns(file, "history", study.history, study.history_points);
   std::ofstream(path, std::ios::binary) << sealed_h5_image(file);
 }
 

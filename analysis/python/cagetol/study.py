@@ -1,4 +1,4 @@
-"""Samples, quantities and histories of a sweep (study.h5, mc/RESULTS_FORMAT.md) as pandas frames."""
+"""Samples and quantities of a sweep (study.h5, mc/RESULTS_FORMAT.md) as pandas frames."""
 
 import json
 import pathlib
@@ -41,8 +41,6 @@ class Study:
     quantities: pandas.DataFrame
     #: What the runs cost and how sound they were: steps, energy_residual, ...
     runs: pandas.DataFrame
-    #: Time histories, indexed by sample and instant; None where the study keeps none.
-    histories: pandas.DataFrame | None
     #: Unit and definition of each quantity.
     units: dict
     definitions: dict
@@ -83,15 +81,6 @@ def samples_of(file, index):
     return pandas.DataFrame(columns, index=index)
 
 
-def histories_of(file, ids):
-    group = file.get("history")
-    if group is None:
-        return None
-    instants = group["time"].shape[1]
-    index = pandas.MultiIndex.from_product([ids, range(instants)], names=["sample", "instant"])
-    return pandas.DataFrame({name: data[()].ravel() for name, data in group.items()}, index=index)
-
-
 def read_study(place):
     """Reads a sweep, or a stage of a recommendation. `place`: its directory or study.h5. Throws FileNotFoundError, and ValueError where
     the file is damaged."""
@@ -103,7 +92,6 @@ def read_study(place):
                      samples=samples_of(file, ids),
                      quantities=frame_of(quantities, ids),
                      runs=frame_of(file["run"], ids),
-                     histories=histories_of(file, ids),
                      units={name: text_of(data.attrs["unit"]) for name, data in quantities.items()},
                      definitions={name: text_of(data.attrs["description"]) for name, data in quantities.items()},
                      attributes={name: text_of(value) for name, value in file.attrs.items()})

@@ -33,7 +33,6 @@ StoredOutcome outcome_of(std::uint64_t id) {
   stored.interference_um = 2.5;
   stored.quantities = {-0.0, std::numeric_limits<double>::quiet_NaN(), 1e-310 + double(id)};
   stored.run = {1.0 / 3, double(id)};
-  stored.history = {0.1, std::numeric_limits<double>::quiet_NaN(), double(id) / 7};
   stored.wall_s = 0.125;
   stored.rank = 3;
   return stored;

@@ -171,9 +171,9 @@ TEST(Identity, HoldsWhatMovesARunAlone) {
   }
   for (const char* moving :
        {"seed=99", "samples=64", "design=lhs", "cages_per_lot=2", "redraw_jams=true",
-        "extra_replicates=0.5", "history.points=3", "cage_check_share=0.5",
-        "scene.load.radial_N.nominal=900", "scene.window.measure_revolutions=3",
-        "scene.integration.tolerance=0.002", "scene.cage.pocket_width_mm.nominal=7.66"})
+        "extra_replicates=0.5", "cage_check_share=0.5", "scene.load.radial_N.nominal=900",
+        "scene.window.measure_revolutions=3", "scene.integration.tolerance=0.002",
+        "scene.cage.pocket_width_mm.nominal=7.66"})
     EXPECT_NE(read_study(file, {moving}).hash, study.hash) << moving;
   EXPECT_EQ(study_of("cost_a = 2\ncost_b = 0.3", "cost_b = 1").hash,
             study_of("cost_table = [[0.05, 8], [0.1, 5.5]]", "cost_b = 2").hash);

@@ -434,22 +434,6 @@ TEST_F(StudyFile, AResolvedFileIsTheSameStudy) {
   }
 }
 
-TEST_F(StudyFile, HistoriesNeedARollerOfTheBearing) {
-  EXPECT_EQ(study_of("samples = 1\n").history.points, 0);
-  EXPECT_EQ(study_of("samples = 1\nhistory.points = 7\nhistory.roller = 12\n").history.roller, 12);
-  EXPECT_THAT(
-      problem_of("samples = 1\nhistory.roller = 13\n"),
-      AllOf(HasSubstr("study.toml:2: history.roller = 13"), HasSubstr("the rollers 0 to 12")));
-}
-
-TEST_F(StudyFile, EquilibriaHaveNoHistory) {
-  const std::string text =
-      "samples = 1\nhistory.points = 7\n[scene]\nmodel.motion = 'quasi-static'\n";
-  EXPECT_THAT(problem_of(text), AllOf(HasSubstr("study.toml:2: history.points = 7"),
-                                      HasSubstr("a quasi-static run has no time history")));
-  EXPECT_EQ(problem_of("fidelity = 'auto'\n" + text), "no error");
-}
-
 TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
   const std::string squareness = "cage.pocket_squareness_mrad = { law = 'normal', sigma = 1 }\n";
   const auto notes = model_notes(study_of(

@@ -124,7 +124,7 @@ def main():
     lines = []
     for name, (path, key) in STUDIES.items():
         scene = path.parent / tomllib.loads(path.read_text(encoding="utf-8"))["scene"]["file"]
-        settings = {"extra_replicates": options.runs - 1, "history.points": 0, "allowed_failure_share": 1}
+        settings = {"extra_replicates": options.runs - 1, "allowed_failure_share": 1}
         place = program.directory("sweep", path, "study.h5", settings=settings, reads=[scene])
         lines += study_chapter(name, Responses(read_study(place), key))
     command = "python3 tests/validation/page/paper_page.py --program build/cagetol"
