@@ -43,7 +43,6 @@ double power_at(const Scene& scene, double temperature, double steps) {
     run.window.measure_revolutions = std::min(run.window.measure_revolutions, kMeasured);
     run.window.peak_revolutions =
         std::min(run.window.peak_revolutions, run.window.measure_revolutions);
-    run.window.extrapolate_revolutions = kAuto;
   }
   const Outcome outcome = simulate(run);
   if (outcome.status != Status::ok)

@@ -213,7 +213,7 @@ double cost_of_motion(Scene scene, double length) {
   constexpr double brief = 1e-3, longer = 3e-3;
   scene.cage.model = CageKind::rigid;
   scene.phase = {};
-  scene.window.peak_revolutions = scene.window.extrapolate_revolutions = kAuto;
+  scene.window.peak_revolutions = kAuto;
   const auto cost = [&scene](double time) {
     scene.window.settle_time = scene.window.measure_time = time;
     const double began = processor_time();

@@ -25,8 +25,6 @@ class CageStress {
     double stress = 0;  ///< [Pa]
     long sector = 0, station = 0;
   };
-  /// Largest stress of the last components().
-  Largest largest_of_components() const;
   /// Largest stress of all stations. `q`: modal coordinates; `bar_force` as in Observation [N];
   /// `spin` of the centrifugal load, 0: none [rad/s]. Relative error 1e-5.
   Largest largest(const double* q, const Eigen::VectorXd& bar_force, double spin);
@@ -40,6 +38,8 @@ class CageStress {
   double change_bound(const double* q, const Eigen::VectorXd& bar_force, double spin) const;
 
  private:
+  /// Largest stress of the last components().
+  Largest largest_of_components() const;
   /// Bound of the stress from modal coordinates, bar forces and the square of the spin.
   template <class Modes, class Forces>
   double bound_of(const Modes& q, const Forces& force, double spin_squared) const;

@@ -16,17 +16,6 @@ consteval ForceRows force_rows(std::string_view kind) {
 
 }  // namespace
 
-void write_extrapolated(const ExtrapolatedRows& rows, const BlockPeaks& peaks, double revolutions,
-                        double scale, QuantityValues& q) {
-  const ExtrapolatedPeak peak = std::isnan(revolutions)
-                                    ? ExtrapolatedPeak{kNoValue, kNoValue, kNoValue}
-                                    : extrapolate_peak(peaks.ended, revolutions);
-  const auto magnitude = [&](double value) { return scale * (value < 0 ? 0 : value); };
-  q[rows.median] = magnitude(peak.median);
-  q[rows.low] = magnitude(peak.low);
-  q[rows.high] = magnitude(peak.high);
-}
-
 void ForceRecorder::Impacts::see(std::size_t pack, Mask touching) {
   if (open.size() <= pack) open.resize(pack + 1);
   const Mask begun = open[pack] & touching;
@@ -38,7 +27,6 @@ void ForceRecorder::Impacts::see(std::size_t pack, Mask touching) {
 void ForceRecorder::record(const ObservedState& at) {
   const double guide = at.seen.land_force[0] + at.seen.land_force[1];
   guide_.add(guide, at.step);
-  guide_peaks_.see(guide);
   guide_impacts_.see(0, Mask{-at.seen.land_touching[0], -at.seen.land_touching[1]});
   for (std::size_t k = 0; k < model_.groups.size(); ++k) {
     const Mask here = model_.groups[k].exists > 0.0;
@@ -46,7 +34,6 @@ void ForceRecorder::record(const ObservedState& at) {
     const Pack leading = force(at.seen.leading_force), trailing = force(at.seen.trailing_force),
                end = force(at.seen.wall_force);
     pocket_.add(k, leading + trailing, here, at.step);
-    pocket_peaks_.see(largest(select(here, leading + trailing, Pack{})));
     pocket_impacts_.see(2 * k, leading > 0.0);
     pocket_impacts_.see(2 * k + 1, trailing > 0.0);
     end_.add(k, end, here, at.step);
@@ -54,8 +41,7 @@ void ForceRecorder::record(const ObservedState& at) {
   }
 }
 
-void ForceRecorder::write(const Turning& turning, double duration, double extrapolate,
-                          QuantityValues& q) const {
+void ForceRecorder::write(const Turning& turning, double duration, QuantityValues& q) const {
   const double revolutions = std::max(turning.revolutions(), 1e-12);
   const auto force = [&](const ForceRows& rows, const Series& series, const Impacts& impacts) {
     q[rows.rms] = series.rms();
@@ -72,14 +58,6 @@ void ForceRecorder::write(const Turning& turning, double duration, double extrap
   const double per_turn = turning.turns() ? duration / revolutions : kNoValue;
   const Series::Sums pressed = pocket_.sums();
   q[quantity_row("pocket_impulse_N_s")] = pressed.integral() / pressed.weight * per_turn;
-  write_extrapolated({quantity_row("pocket_force_peak_extrapolated_N"),
-                      quantity_row("pocket_force_peak_extrapolated_low_N"),
-                      quantity_row("pocket_force_peak_extrapolated_high_N")},
-                     pocket_peaks_, extrapolate, 1, q);
-  write_extrapolated({quantity_row("guide_force_peak_extrapolated_N"),
-                      quantity_row("guide_force_peak_extrapolated_low_N"),
-                      quantity_row("guide_force_peak_extrapolated_high_N")},
-                     guide_peaks_, extrapolate, 1, q);
 }
 
 }  // namespace cagetol

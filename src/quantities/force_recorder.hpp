@@ -3,41 +3,17 @@
 
 #include <vector>
 
-#include "src/quantities/peak_extrapolation.hpp"
 #include "src/quantities/turning.hpp"
 
 namespace cagetol {
-
-/// Largest values of each revolution, ended ones and the one under way; for extrapolation.
-struct BlockPeaks {
-  std::vector<double> ended;
-  double now = 0;
-  void see(double value) { now = std::max(now, value); }
-  void end() {
-    ended.push_back(now);
-    now = 0;
-  }
-};
-
-/// Rows of an extrapolated peak and its interval.
-struct ExtrapolatedRows {
-  std::size_t median, low, high;
-};
-/// Sets them from peaks in the quantity's unit over `scale`; none where `revolutions` is NaN.
-void write_extrapolated(const ExtrapolatedRows& rows, const BlockPeaks& peaks, double revolutions,
-                        double scale, QuantityValues& q);
 
 class ForceRecorder {
  public:
   explicit ForceRecorder(const BearingModel& model) : model_(model) {}
 
   void record(const ObservedState& at);
-  void end_revolution() {
-    pocket_peaks_.end();
-    guide_peaks_.end();
-  }
-  /// `duration` of the window [s]; peaks are extrapolated to `extrapolate` revolutions.
-  void write(const Turning& turning, double duration, double extrapolate, QuantityValues& q) const;
+  /// `duration` of the window [s].
+  void write(const Turning& turning, double duration, QuantityValues& q) const;
   double mean_guide_force() const { return guide_.mean(); }  ///< [N]
 
  private:
@@ -50,7 +26,6 @@ class ForceRecorder {
   const BearingModel& model_;
   RollerSeries pocket_{kPeak | kQuantiles}, end_{kPeak | kQuantiles};
   StepSeries guide_{kPeak | kQuantiles};
-  BlockPeaks pocket_peaks_, guide_peaks_;
   Impacts pocket_impacts_, end_impacts_, guide_impacts_;
 };
 

@@ -42,7 +42,6 @@ Observer::Observer(const BearingModel& model, const WindowTimes& times)
     : Observer(model, times.settle, times.settle + times.measure) {
   turns_ = times.turns;
   peak_turns_ = times.peak_turns;
-  extrapolate_ = times.extrapolate;
   whirl_.follow(times);
 }
 
@@ -54,7 +53,6 @@ const CagePeak& Observer::cage_peak() const {
 void Observer::end_revolution() {
   ++ended_revolutions_;
   whirl_.end_revolution();
-  forces_.end_revolution();
   if (stress_) stress_->end_revolution();
 }
 
@@ -91,14 +89,12 @@ std::vector<double> Observer::quantities_so_far() const {
   turning_.write(q);
   whirl_.write(turning_, duration, q);
   rollers_.write(turning_, q);
-  forces_.write(turning_, duration, extrapolate_, q);
+  forces_.write(turning_, duration, q);
   ring_.write(q);
   power_.write(turning_, duration, q);
   for (std::size_t row = 0; !stress_ && row < kQuantityRows.size(); ++row)
-    if (const Need* of = &kQuantityRows[row].need;
-        of == &need::flexible || of == &need::extrapolated_stress)
-      q[row] = kNoValue;
-  if (stress_) stress_->write(extrapolate_, q);
+    if (&kQuantityRows[row].need == &need::flexible) q[row] = kNoValue;
+  if (stress_) stress_->write(q);
   q[quantity_row("static_consistency_error")] = static_consistency_error();
   return q.all();
 }

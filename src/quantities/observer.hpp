@@ -61,7 +61,6 @@ class Observer {
   double begin_, last_;  ///< time of the window's beginning and of the last state [s]
   double turns_ = 0;     ///< of the cage that are measured
   double peak_turns_ = std::numeric_limits<double>::infinity();  ///< where peaks end
-  double extrapolate_ = kNoValue;                                ///< [revolutions]; NaN: off
   int rollers_count_;
   StepClock clock_;
   Turning turning_;

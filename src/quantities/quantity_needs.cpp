@@ -6,8 +6,6 @@
 namespace cagetol {
 namespace {
 
-constexpr double kPeakRevolutions = 5;  // revolutions from which peaks are extrapolated, at least
-
 bool moves(const Scene& s) {
   return !is_quasi_static(s);
 }
@@ -15,11 +13,6 @@ bool turns(const Scene& s) {
   return moves(s) &&
          (largest_inner_speed(s.operation) != 0 || largest_outer_speed(s.operation) != 0);
 }
-bool extrapolates(const Scene& s) {
-  return moves(s) && !std::isnan(s.window.extrapolate_revolutions) &&
-         s.window.measure_revolutions >= kPeakRevolutions;
-}
-
 bool measures_whirl(const Scene& s) {
   return turns(s) && !changes_over_time(s.operation) && is_whirl_window(s);
 }
@@ -40,8 +33,6 @@ const Need flexible{"cage.model = \"flexible\"", is_flexible};
 const Need film{"model.motion = \"dynamic\"; lubrication.model = \"film\" or a film.model; loaded contacts", [](const Scene& s) { return moves(s) && (is_lubricated(s) || s.film.model != FilmModel::none); }, Given::perhaps};
 const Need oil{"model.motion = \"dynamic\"; lubrication.model = \"film\"; loaded contacts", [](const Scene& s) { return moves(s) && is_lubricated(s); }, Given::perhaps};
 const Need heat{"model.motion = \"dynamic\"; temperature.balance", [](const Scene& s) { return moves(s) && s.temperature.balance; }};
-const Need extrapolated{"model.motion = \"dynamic\"; window.extrapolate_revolutions; at least 5 revolutions measured", extrapolates, Given::perhaps};
-const Need extrapolated_stress{"cage.model = \"flexible\"; window.extrapolate_revolutions; at least 5 revolutions measured", [](const Scene& s) { return extrapolates(s) && is_flexible(s); }, Given::perhaps};
 }  // namespace need
 // clang-format on
 

@@ -14,7 +14,7 @@ namespace cagetol {
 
 namespace need {
 extern const Need any, motion, loaded, turning, turning_loaded, whole_turns, whirl, tilting,
-    flexible, film, oil, heat, extrapolated, extrapolated_stress;
+    flexible, film, oil, heat;
 }
 namespace bound {
 extern const Bound finite, not_negative, share, slip, circle, lean, whirl, axial, ring_place,
@@ -252,38 +252,6 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"cage_strength_utilisation", "-", Kind::peak, need::flexible, bound::not_negative,
      "limit on yielding of the cage",
      "cage_stress_peak_MPa over the yield stress of the cage's material"},
-    {"pocket_force_peak_extrapolated_N", "N", Kind::estimate, need::extrapolated,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "median of the largest pocket_force_peak_N in window.extrapolate_revolutions cage "
-     "revolutions, from the largest values of the single revolutions of this run, which may be "
-     "correlated"},
-    {"pocket_force_peak_extrapolated_low_N", "N", Kind::estimate, need::extrapolated,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "lower end of the 95 % interval of that peak"},
-    {"pocket_force_peak_extrapolated_high_N", "N", Kind::estimate, need::extrapolated,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "upper end of the 95 % interval of that peak"},
-    {"guide_force_peak_extrapolated_N", "N", Kind::estimate, need::extrapolated,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "median of the largest guide_force_peak_N in window.extrapolate_revolutions cage revolutions, "
-     "from the largest values of the single revolutions of this run, which may be correlated"},
-    {"guide_force_peak_extrapolated_low_N", "N", Kind::estimate, need::extrapolated,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "lower end of the 95 % interval of that peak"},
-    {"guide_force_peak_extrapolated_high_N", "N", Kind::estimate, need::extrapolated,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "upper end of the 95 % interval of that peak"},
-    {"cage_stress_peak_extrapolated_MPa", "MPa", Kind::estimate, need::extrapolated_stress,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "median of the largest cage_stress_peak_MPa in window.extrapolate_revolutions cage "
-     "revolutions, from the largest values of the single revolutions of this run, which may be "
-     "correlated"},
-    {"cage_stress_peak_extrapolated_low_MPa", "MPa", Kind::estimate, need::extrapolated_stress,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "lower end of the 95 % interval of that peak"},
-    {"cage_stress_peak_extrapolated_high_MPa", "MPa", Kind::estimate, need::extrapolated_stress,
-     bound::not_negative, "limit on a peak over more revolutions than a run measures",
-     "upper end of the 95 % interval of that peak"},
     {"film_min_um", "um", Kind::minimum, need::film, bound::not_negative, "film thickness",
      "thinnest oil film of loaded race contacts over every accepted step"},
     {"lambda_min_ratio", "-", Kind::minimum, need::oil, bound::not_negative,

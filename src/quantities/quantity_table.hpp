@@ -21,12 +21,11 @@ struct Need {
 
 /// What a quantity is over the window of a run, and over several operating points.
 enum class Kind {
-  mean,      ///< over the whole window, or at its end; over points none
-  power,     ///< mean power or torque over the whole window; mean by the points' weights
-  peak,      ///< largest value, high quantile, or utilisation by it; over points the largest
-  minimum,   ///< smallest value; over points the smallest
-  place,     ///< where the row's peak is; that of the point at which it is largest
-  estimate,  ///< of a peak over more revolutions; over points none
+  mean,     ///< over the whole window, or at its end; over points none
+  power,    ///< mean power or torque over the whole window; mean by the points' weights
+  peak,     ///< largest value, high quantile, or utilisation by it; over points the largest
+  minimum,  ///< smallest value; over points the smallest
+  place,    ///< where the row's peak is; that of the point at which it is largest
 };
 /// Whether it depends on the time that it is taken over (window.peak_revolutions).
 constexpr bool is_extreme(Kind kind) {

@@ -22,7 +22,6 @@ StressRecorder::StressRecorder(const BearingModel& model, const CageModel& cage)
       interval_(std::min(kInterval, roller_interval(model) / kStressesPerRoller)) {}
 
 void StressRecorder::end_revolution() {
-  blocks_.end();
   fatigue_.end_revolution();
   bar_peaks_.begin_revolution();
 }
@@ -38,7 +37,6 @@ void StressRecorder::record(const ObservedState& at) {
   if (bar_peaks_.pass(modes, bar_force, spin)) {
     const BarPeaks::State& top = bar_peaks_.peak();
     fatigue_.add(stress_.components(top.modes.data(), top.bar_force, top.spin));
-    blocks_.see(stress_.largest_of_components().stress);
   }
   const double peak = series_.peak();
   const double change = stress_.change_bound(modes, bar_force, spin);
@@ -50,7 +48,6 @@ void StressRecorder::record(const ObservedState& at) {
   const CageStress::Largest largest =
       changed ? stress_.largest(modes, bar_force, spin) : stress_.last();
   if (changed) fatigue_.add(stress_.components());
-  blocks_.see(largest.stress);
   if (largest.stress > peak || peak_.modes.empty()) {
     peak_.time = at.t;
     peak_.pocket = static_cast<int>(largest.sector);
@@ -63,7 +60,7 @@ void StressRecorder::record(const ObservedState& at) {
   if (keep) last_ = at.t;
 }
 
-void StressRecorder::write(double extrapolate, QuantityValues& q) const {
+void StressRecorder::write(QuantityValues& q) const {
   q[quantity_row("cage_stress_peak_MPa")] = 1e-6 * series_.peak();
   q[quantity_row("cage_stress_p99_MPa")] = 1e-6 * series_.quantile(0.99);
   q[quantity_row("cage_stress_rms_MPa")] = 1e-6 * series_.rms();
@@ -74,10 +71,6 @@ void StressRecorder::write(double extrapolate, QuantityValues& q) const {
   q[quantity_row("cage_fatigue_pocket")] = static_cast<double>(worst.sector);
   q[quantity_row("cage_fatigue_station")] = static_cast<double>(worst.station);
   q[quantity_row("cage_strength_utilisation")] = series_.peak() / model_.cage_strength.yield;
-  write_extrapolated({quantity_row("cage_stress_peak_extrapolated_MPa"),
-                      quantity_row("cage_stress_peak_extrapolated_low_MPa"),
-                      quantity_row("cage_stress_peak_extrapolated_high_MPa")},
-                     blocks_, extrapolate, 1e-6, q);
 }
 
 }  // namespace cagetol

@@ -4,8 +4,8 @@
 #include "src/quantities/bar_peaks.hpp"
 #include "src/quantities/cage_fatigue.hpp"
 #include "src/quantities/cage_stress.hpp"
-#include "src/quantities/force_recorder.hpp"
 #include "src/quantities/outcome.hpp"
+#include "src/quantities/turning.hpp"
 
 namespace cagetol {
 
@@ -15,8 +15,7 @@ class StressRecorder {
 
   void record(const ObservedState& at);
   void end_revolution();
-  /// Peaks are extrapolated to `extrapolate` revolutions.
-  void write(double extrapolate, QuantityValues& q) const;
+  void write(QuantityValues& q) const;
   const CagePeak& peak() const { return peak_; }  ///< state of the largest stress
 
  private:
@@ -29,7 +28,6 @@ class StressRecorder {
   double last_ = 0, next_ = 0;
   bool started_ = false;
   CagePeak peak_;
-  BlockPeaks blocks_;
 };
 
 }  // namespace cagetol

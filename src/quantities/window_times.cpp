@@ -28,7 +28,7 @@ WindowTimes times_of_duty(const Scene& scene, const Duty& duty) {
   else if (period == 0)
     end = duty.course.rows().back().time;
   const double measure = given_or(scene.window.measure_time, end - settle);
-  return {settle, measure, measure, 0, never, none, never, none, 0};
+  return {settle, measure, measure, 0, never, none, never, 0};
 }
 
 }  // namespace
@@ -58,7 +58,6 @@ WindowTimes window_times(const Scene& scene, const BearingModel& model) {
           given_or(w.peak_revolutions, std::numeric_limits<double>::infinity()),
           given_or(w.whirl_clearance, whirl_clearance(model)),
           revolution,
-          w.extrapolate_revolutions,
           w.longest_settle_revolutions * revolution};
 }
 

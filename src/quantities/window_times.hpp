@@ -13,7 +13,6 @@ struct WindowTimes {
   double peak_turns;       ///< over which peaks are taken; infinite: over the whole window
   double whirl_clearance;  ///< over which whirl is taken [m]
   double revolution;       ///< of the cage without slip, infinite at standstill [s]
-  double extrapolate;      ///< revolutions to which peaks are extrapolated; NaN: to none
   double longest_settle;   ///< limit of settling for a motion that drifts [s]
 };
 

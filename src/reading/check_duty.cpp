@@ -124,12 +124,9 @@ void check_phases(const Scene& scene, const SceneCheck& check) {
 
 void check_window_under_duty(const Scene& scene, const SceneCheck& check) {
   if (!changes_over_time(scene.operation)) return;
-  const Window& w = scene.window;
-  const char* why = "under a duty over time no cage revolution stands for another";
-  check.require(std::isnan(w.peak_revolutions), "window.peak_revolutions", why,
+  check.require(std::isnan(scene.window.peak_revolutions), "window.peak_revolutions",
+                "under a duty over time no cage revolution stands for another",
                 "set window.peak_revolutions = \"auto\", and name phases");
-  check.require(std::isnan(w.extrapolate_revolutions), "window.extrapolate_revolutions", why,
-                "set window.extrapolate_revolutions = \"auto\"");
 }
 
 }  // namespace

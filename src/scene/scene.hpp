@@ -272,7 +272,6 @@ struct Window {
   double settle_revolutions = 2;           ///< cage revolutions before the measurement
   double measure_revolutions = 6;          ///< cage revolutions measured
   double peak_revolutions = kAuto;         ///< over which peaks are taken; kAuto: whole window
-  double extrapolate_revolutions = kAuto;  ///< to which peaks are extrapolated; kAuto: to none
   double longest_settle_revolutions = 60;  ///< limit of settling for lubricated bearings that drift
   double whirl_clearance = kAuto;          ///< over which whirl is taken; kAuto: of this scene [m]
   double settle_time = kAuto;              ///< overrides settle_revolutions [s]

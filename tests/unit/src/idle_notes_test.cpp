@@ -38,8 +38,7 @@ std::vector<double> fingerprint(const Scene& scene) {
   if (is_quasi_static(scene)) return print;
   const BearingModel model = make_bearing_model(scene);
   const WindowTimes times = window_times(scene, model);
-  for (const double time : {times.settle, times.measure, times.peak_turns, times.extrapolate})
-    print.push_back(time);
+  for (const double time : {times.settle, times.measure, times.peak_turns}) print.push_back(time);
   if (is_lubricated(scene)) print.push_back(times.longest_settle);
   print.push_back(scene.integration.max_step);
   print.push_back(scene.integration.tolerance);  // in so short a run it may change no step

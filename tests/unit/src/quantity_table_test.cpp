@@ -59,12 +59,6 @@ INSTANTIATE_TEST_SUITE_P(
                            s.model.ring_tilt = TiltModel::free;
                          }},
                     Case{"part_of_a_turn", [](Scene& s) { s.window.measure_revolutions = 0.4; }},
-                    Case{"extrapolated",
-                         [](Scene& s) {
-                           s.discretisation = {3, 1};
-                           s.window.measure_revolutions = 5;
-                           s.window.extrapolate_revolutions = 100;
-                         }},
                     Case{"flexible",
                          [](Scene& s) {
                            s.cage.model = CageKind::flexible;
@@ -93,7 +87,6 @@ TEST(QuantityTable, KindsAreThoseThatKeysSay) {
     const std::string key = row.key;
     const auto says = [&](const char* part) { return key.find(part) != std::string::npos; };
     EXPECT_EQ(row.kind == Kind::minimum, says("_min_")) << key;
-    EXPECT_EQ(row.kind == Kind::estimate, says("_extrapolated_")) << key;
     EXPECT_EQ(row.kind == Kind::place, key.ends_with("_pocket") || key.ends_with("_station"));
     EXPECT_EQ(row.kind == Kind::power,
               says("power_") || says("torque") || says("heat_") || says("_temperature"))
