@@ -34,7 +34,7 @@ program_packages=(g++ cmake ninja-build pkg-config git ca-certificates
   nlohmann-json3-dev help2man)
 figure_packages=(python3 python3-jinja2 python3-matplotlib python3-h5py fonts-dejavu-core weasyprint)
 test_packages=(libgtest-dev libgmock-dev libbenchmark-dev calculix-ccx python3-scipy python3-pandas python3-pip
-  python3-setuptools clang-format-14)
+  python3-setuptools poppler-utils clang-format-14)
 
 # Cores that this process may use, by its affinity and the quota of its control group.
 cores() {

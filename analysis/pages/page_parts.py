@@ -23,6 +23,13 @@ def front(report):
     return chapters
 
 
+def worded(report, text):
+    """A sentence with quantities by their names in place of their keys."""
+    for key in sorted((entry["quantity"] for entry in report["quantities"]), key=len, reverse=True):
+        text = text.replace(key, readable(key))
+    return text
+
+
 def may_be_printed(report):
     return report["verdict"]["status"] in ("confirmed", "recommended")
 
@@ -52,6 +59,18 @@ def convergence_rows(report):
 def title(report):
     """The study's name, without that of its stage."""
     return report["provenance"]["study_name"].removesuffix(", mixture")
+
+
+def report_number(report):
+    return report["provenance"]["report_number"]
+
+
+def title_block(report):
+    """Name and text of what the document states, its date and number."""
+    document = report["document"]
+    named = [("customer", "customer"), ("project", "project"), ("drawing", "drawing"), ("revision", "revision"), ("author", "author"),
+             ("checked by", "checked_by"), ("date", "date")]
+    return [(name, document[key]) for name, key in named if document.get(key)] + [("report", report_number(report))]
 
 
 def css_text(text):
@@ -130,7 +149,7 @@ def subtitle(report):
     return ", ".join(parts + [runs])
 
 
-MOST_POINTS = 3  # on the page of the operating point; more have the next page
+MOST_POINTS = 4  # on the page of the operating point; more have the next page
 
 
 def operating_points(report):
@@ -214,6 +233,19 @@ def wider_candidates(report):
                      "reason": f"{tried} and not confirmed: {rounded(attempt['meeting_runs'])} of {rounded(attempt['runs'])} {kind}runs "
                                f"meet all limits{jams}"})
     return rows + report["passed_over"]
+
+
+MOST_WIDER = 3  # on the front pages; the appendix has them all
+
+
+def limits_shown(report):
+    """The limits; those alike at several operating points in one row."""
+    rows = {}
+    for limit in report["limits"]["each"]:
+        quantity, _, point = limit["quantity"].partition("@")
+        row = rows.setdefault((quantity, limit["text"], limit["source"], limit.get("note")), {**limit, "names": readable(quantity), "points": []})
+        row["points"] += [point] if point else []
+    return [{**row, "names": row["names"] + (" @ " + ", ".join(row["points"]) if row["points"] else "")} for row in rows.values()]
 
 
 MOST_MARGINS = 8

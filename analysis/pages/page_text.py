@@ -167,6 +167,7 @@ def bracketed(unit):
 
 def kept(text, longest=20):
     """On one line where it is short."""
+    text = text.replace(" degC", " °C")
     return Markup('<span class="u">{}</span>').format(text) if len(text) <= longest else text
 
 

@@ -1,5 +1,7 @@
 """Lays report.json, or rig.json, out: write_pages.py REPORT_JSON REPORT_HTML [--figures SCRIPTS OUTPUT_DIR] [--pdf REPORT_PDF].
 
+The PDF has the front pages; appendix.pdf beside it the rest.
+
 Every number on the pages comes from report.json. The page is one self-contained file. What is missing is named in the last line on
 standard error, and the exit code is 1; the page is written without figures where they cannot be drawn. Without Jinja2 it is 3,
 for a report.json of another version 4, and there is no page; it is 5 where a page could not be written (a full disk).
@@ -7,6 +9,7 @@ for a report.json of another version 4, and there is no page; it is 5 where a pa
 
 import argparse
 import base64
+import datetime
 import json
 import os
 import pathlib
@@ -14,6 +17,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 REPORT_VERSION = 3  # of report.json: what these pages read
+MOST_PAGES = 4  # of report.pdf
 
 
 def draw(scripts, report, report_file, output_dir):
@@ -55,6 +59,8 @@ def motion_of(report, directory):
 
 
 def page_of(report, figures, problem):
+    """What lays a part of the pages out: "front", "appendix", or both; `brief`, 0 to 2: without more and more of what the
+    appendix has as well."""
     import jinja2
     import page_parts
     import page_text
@@ -70,7 +76,7 @@ def page_of(report, figures, problem):
         style += (HERE / "motion.css").read_text(encoding="utf-8")
         environment.globals["motion_script"] = (HERE / "motion.js").read_text(encoding="utf-8")
     page = environment.get_template(f"{report.get('kind', 'report')}.html.j2")
-    return page.render(report=report, parts=page_parts, problem=problem, style=style)
+    return lambda part="", brief=0: page.render(report=report, parts=page_parts, problem=problem, style=style, part=part, brief=brief)
 
 
 def replace(file, write):
@@ -86,15 +92,20 @@ def replace(file, write):
         temporary.unlink(missing_ok=True)
 
 
-def write_pdf(html, pdf):
-    """What went wrong, in a line."""
+def write_pdf(page, pdf):
+    """The front pages, and appendix.pdf beside them; what went wrong, in a line."""
     try:
         import logging
-        logging.getLogger("weasyprint").setLevel(logging.ERROR)
+        logging.getLogger("weasyprint").setLevel(logging.CRITICAL)  # links from one file into the other
         import weasyprint
     except ImportError as missing:
         return f"report.pdf is not written: {missing}; Debian's weasyprint writes it"
-    replace(pdf, weasyprint.HTML(filename=html).write_pdf)
+    for brief in range(3):
+        front = weasyprint.HTML(string=page("front", brief)).render()
+        if len(front.pages) <= MOST_PAGES:
+            break
+    replace(pdf, front.write_pdf)
+    replace(pathlib.Path(pdf).with_name("appendix.pdf"), weasyprint.HTML(string=page("appendix")).write_pdf)
     return ""
 
 
@@ -122,11 +133,13 @@ def main():
     if options.figures:
         problems.append(draw(options.figures[0], report, options.report, options.figures[1]))
     problem = "; ".join(filter(None, problems))
+    if "document" in report:
+        report["document"]["date"] = report["document"].get("date") or datetime.date.today().isoformat()
     report["motion"] = motion_of(report, pathlib.Path(options.report).parent)
     page = page_of(report, Figures(options.figures and options.figures[1]), problem)
-    replace(options.html, lambda file: file.write_text(page, encoding="utf-8"))
+    replace(options.html, lambda file: file.write_text(page(), encoding="utf-8"))
     if options.pdf:
-        problem = "; ".join(filter(None, [problem, write_pdf(options.html, options.pdf)]))
+        problem = "; ".join(filter(None, [problem, write_pdf(page, options.pdf)]))
     if problem:
         print(problem, file=sys.stderr)
     return 1 if problem else 0

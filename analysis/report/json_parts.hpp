@@ -60,6 +60,8 @@ Json contributors_json(const ReportBasis& basis);
 /// null where the cage is rigid. `peak` is what read_cage_peak found.
 Json cage_json(const ReportBasis& basis, const Json& peak);
 /// null where the study is no grid.
+/// The title block as the study states it.
+Json document_json(const StudyData& study);
 Json response_json(const ReportBasis& basis);
 
 /// Gives each entry of a chapter's `list` of assumptions whose value `name` is null the one that

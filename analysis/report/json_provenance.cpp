@@ -53,6 +53,7 @@ Json provenance_json(const StudyData& study) {
           {"tool_version", from.tool_version},
           {"tool_commit", from.tool_commit},
           {"build", from.build},
+          {"report_number", from.study_hash.substr(0, 8) + "-" + from.tool_commit.substr(0, 7)},
           {"libraries", libraries},
           {"files", from.files},
           {"design", study.design.kind},
@@ -62,6 +63,11 @@ Json provenance_json(const StudyData& study) {
           {"inputs", inputs},
           {"correlations", correlations},
           {"scene", study.plan.scene}};
+}
+
+Json document_json(const StudyData& study) {
+  const Json& plan = study.plan.whole;
+  return plan.is_object() ? plan.value("document", Json::object()) : Json::object();
 }
 
 Json assumptions_json(const StudyData& study) {

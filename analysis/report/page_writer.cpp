@@ -17,7 +17,7 @@ constexpr int kNotWritten = 5;
 
 void remove_pages(const std::filesystem::path& directory) {
   std::error_code ignored;
-  for (const char* name : {"figures", "report.html", "report.pdf"})
+  for (const char* name : {"figures", "report.html", "report.pdf", "appendix.pdf"})
     std::filesystem::remove_all(directory / name, ignored);
 }
 

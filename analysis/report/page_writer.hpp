@@ -1,4 +1,4 @@
-// report.html and report.pdf: Python lays report.json out with the templates of analysis/pages.
+// report.html, report.pdf and appendix.pdf: Python lays report.json out with the templates of analysis/pages.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@ struct PageWriter {
   std::filesystem::path figures_dir;  ///< analysis/figures
   std::string python;
   bool figures = true;  ///< draw figures and place them on the pages
-  bool pdf = false;     ///< report.pdf, too
+  bool pdf = false;     ///< report.pdf and appendix.pdf, too
 };
 
 /// Removes the pages of an earlier report, so that none stands beside newer numbers.
 void remove_pages(const std::filesystem::path& directory);
 
-/// Writes report.html (and report.pdf) and figures/ beside `report_json`, each whole or not at all;
+/// Writes report.html (and the PDFs) and figures/ beside `report_json`, each whole or not at all;
 /// beside rig.json of `cagetol rig` its rig.html.
 /// Returns what went wrong, with the package to install where one is missing; empty when nothing
 /// did. Never throws for want of Python; throws UnfinishedWrite where the disk is full.

@@ -80,6 +80,7 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
       file.parent_path() == study_dir ? "DIR" : "DIR/" + file.parent_path().filename().string(),
       read_cage_peak(file.parent_path(), study), read_refining_ladder(file.parent_path()),
       assumptions, options.bearing ? options.bearing(file) : Json());
+  if (options.document) report["document"] = *options.document;
   if (options.restate) report["limit_curves"] = limit_curves_json(study);
   const std::string text = report.dump(1) + "\n";
   if (apart) {
@@ -101,7 +102,7 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
       for (const Json& next : report["verdict"]["next"])
         fmt::print("next: {}\n  {}\n", next["missing"].get<std::string>(),
                    next["command"].is_string() ? next["command"].get<std::string>() : "");
-    for (const char* page : {"report.html", "report.pdf"})
+    for (const char* page : {"report.html", "report.pdf", "appendix.pdf"})
       if (std::filesystem::exists(place / page))
         fmt::print("report: {}\n", (place / page).string());
   }

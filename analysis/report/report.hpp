@@ -29,8 +29,10 @@ struct ReportOptions {
   /// What the bearing of a study file is, for the page of its operating point: this room knows
   /// nothing of bearings. Null where it cannot say; empty: nothing is said.
   std::function<nlohmann::ordered_json(const std::filesystem::path& study_file)> bearing = {};
-  bool figures = true;              ///< draw them: seconds of Python
-  bool pdf = false;                 ///< report.pdf, too
+  bool figures = true;  ///< draw them: seconds of Python
+  bool pdf = false;     ///< report.pdf and appendix.pdf, too
+  /// Title block in place of the study's, with the keys of its section [document].
+  std::optional<nlohmann::ordered_json> document = {};
   std::filesystem::path into = {};  ///< folder of what is written, whole; empty: the study's own
   /// States other limits, target or confidence for runs that have been read. The report is then of
   /// limited quantities alone, and has the yield over the value of each limit.

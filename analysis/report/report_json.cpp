@@ -57,6 +57,7 @@ nlohmann::ordered_json make_report(const StudyData& study,
   report["assumptions"] = assumptions_json(study);
   add_used_values(bearing, "ranged", "value", report["assumptions"]);
   report["provenance"] = provenance_json(study);
+  report["document"] = document_json(study);
   finish_verdict(basis, report);
   return report;
 }

@@ -81,6 +81,11 @@ struct OperatingPointPlan {
   std::vector<std::pair<std::string, std::string>> settings;  ///< scene key, value as TOML text
 };
 
+/// What a report says of the order that it belongs to; empty texts are left out.
+struct DocumentPlan {
+  std::string customer, project, drawing, revision, author, checked_by, date;
+};
+
 struct Study {
   std::string name = "study";
   long seed = 1;
@@ -108,6 +113,7 @@ struct Study {
   FidelityDecision fidelity_decision;
   RecommendPlan recommend;
   ScreenPlan screen;
+  DocumentPlan document;
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;
   std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash

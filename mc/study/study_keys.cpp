@@ -33,6 +33,13 @@ const KeyTable<Study>& study_keys() {
       {"recommend.budget_h", at_least(0), AT(recommend.budget_time), "wall-clock time of all stages together, by the pilot's time of a run, may be raised in the same directory; 0: no such budget"},
       {"recommend.assumption_samples", or_auto(within(0, 1e9)), AT(recommend.assumption_samples), "after the confirmation: runs under each end of each range of an [[assumption]], beyond any budget; may be set and raised in the same directory; auto: as many as settle an alternative whose yield is that of the attempt, up to 100 times as many as confirm the target if none fails, else these; 0: none"},
       {"screen.budget_samples", within(20, 60), AT(screen.budget_samples), "runs of `screen`, eight of them of cages that have run before"},
+      {"document.customer", within(0, 120), AT(document.customer), "title block: customer that the report is for"},
+      {"document.project", within(0, 120), AT(document.project), "title block: project or order"},
+      {"document.drawing", within(0, 120), AT(document.drawing), "title block: number of the drawing"},
+      {"document.revision", within(0, 120), AT(document.revision), "title block: revision of the drawing"},
+      {"document.author", within(0, 120), AT(document.author), "title block: who is responsible for the report"},
+      {"document.checked_by", within(0, 120), AT(document.checked_by), "title block: who checked it"},
+      {"document.date", within(0, 120), AT(document.date), "title block: date of the report; left out: the day on which its pages are made"},
   };
   return keys;
 }

@@ -273,6 +273,8 @@ std::string range_text(const KeyInfo& key) {
   std::string text;
   if (!range.choices.empty()) {
     for (const auto& choice : range.choices) text += (text.empty() ? "\"" : ", \"") + choice + "\"";
+  } else if (key.kind == KeyKind::text && range.maximum < kInfinity) {
+    text = "a line of at most " + number_text(range.maximum) + " characters";
   } else if (range.maximum < kInfinity && range.open_minimum) {
     text = "above " + number_text(range.minimum) + ", up to " + number_text(range.maximum) + unit;
   } else if (range.maximum < kInfinity) {
@@ -344,6 +346,11 @@ std::string text_value(const KeyInfo& key, const toml::node& node, const std::st
     throw InputError(place_of(node, file), key.name, "'" + printable(text) + "'",
                      "the text holds characters that control a terminal",
                      "leave them out; letters, signs and line breaks of any language may stay");
+  const auto characters =
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & '\xC0') != '\x80'; });
+  if (static_cast<double>(characters) > key.range.maximum ||
+      (key.range.maximum < kInfinity && text.find('\n') != std::string::npos))
+    throw out_of_range(key, "'" + printable(text) + "'", place_of(node, file));
   const auto& choices = key.range.choices;
   if (!choices.empty() && std::find(choices.begin(), choices.end(), text) == choices.end()) {
     if (const FormerName* former = former_name(key.name, text))

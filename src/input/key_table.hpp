@@ -44,6 +44,7 @@ struct KeyRange {
 KeyRange any_value();
 KeyRange above(double minimum, double maximum = std::numeric_limits<double>::infinity());
 KeyRange at_least(double minimum);
+/// Of a text: a line of so many characters.
 KeyRange within(double minimum, double maximum);
 KeyRange one_of(std::vector<std::string> choices);
 KeyRange or_auto(KeyRange range);

@@ -29,14 +29,16 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "means, counted along the turning of rolling without slip"},
     {"driving_slip_ratio", "-", Kind::mean, need::turning_loaded, bound::finite,
      "limit against skidding",
-     "the same with the mean orbital rate of rollers, weighted by their inner-race force, in place "
-     "of w_c: the slip of those that drive, which a cage that hangs off centre does not touch"},
+     "1 - w_r/w_k: w_r mean orbital rate of the rollers, weighted by their inner-race force, w_k "
+     "the cage's speed without slip (cage_slip_ratio): the slip of those that drive, which a cage "
+     "that hangs off centre does not touch"},
     {"roller_slip_ratio_loaded", "-", Kind::mean, need::turning_loaded, bound::slip,
      "comparison with published slip",
      "mean of 1 - |w_s - theta'|/w_kin over rollers whose inner-race force exceeds 1 % of the "
      "load; w_kin = w_i (d_m/2D)(1 - (D/d_m)^2), spin relative to the cage's orbit"},
     {"roller_slip_ratio_all", "-", Kind::mean, need::turning, bound::slip,
-     "comparison with published slip", "the same mean over all rollers"},
+     "comparison with published slip",
+     "mean over all rollers of 1 - |w_s - theta'|/w_kin (roller_slip_ratio_loaded)"},
     {"race_sliding_speed_rms", "m/s", Kind::mean, need::loaded, bound::not_negative,
      "smearing and wear of races", "rms sliding speed at loaded inner-race contacts",
      "race_sliding_speed_peak"},
@@ -52,10 +54,12 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "mean radius of the cage centre over the radial guide clearance", "whirl_radius_ratio_peak"},
     {"whirl_radius_ratio_p95", "-", Kind::peak, need::motion, bound::not_negative,
      "how far the cage uses up its guide clearance; cage stability",
-     "95 % quantile over time of the same ratio", "whirl_radius_ratio_peak"},
+     "95 % quantile over time of the radius of the cage centre over the radial guide clearance",
+     "whirl_radius_ratio_peak"},
     {"whirl_radius_ratio_peak", "-", Kind::peak, need::motion, bound::whirl,
      "how far the cage uses up its guide clearance; cage stability",
-     "largest value of the same ratio over every accepted step"},
+     "largest radius of the cage centre, over every accepted step, over the radial guide "
+     "clearance"},
     {"whirl_frequency_ratio", "-", Kind::mean, need::turning, bound::finite,
      "sense and rate of whirl",
      "mean angular rate of the cage centre's orbit about the middle over the mean cage speed: "
@@ -71,7 +75,9 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "the part of whirl_ratio within two lines of the spectrum about the speed of a turning load"},
     {"whirl_circling_ratio", "-", Kind::mean, need::whirl, bound::not_negative,
      "a cage that circles at its own speed: its unbalance, or nothing that holds it",
-     "the same amplitude at 0.8 to 1.2 of the cage's speed, forward, over the same clearance"},
+     "rms amplitude of the cage centre's motion at 0.8 to 1.2 of the cage's speed, forward, over "
+     "the "
+     "clearance of whirl_ratio"},
     {"whirl_strongest_speed_ratio", "-", Kind::mean, need::whirl, bound::finite,
      "sense and rate of whirl",
      "speed at which the spectrum of whirl_ratio is largest, over the cage's: negative backward"},
@@ -86,22 +92,24 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "al. 2022 (doi 10.1080/10402004.2021.1934618), bounds ours"},
     {"whirl_circling_share", "-", Kind::mean, need::whole_turns, bound::share,
      "kind of the cage's motion, for comparison with tests",
-     "share in which it circles (not at rest, round the middle by more than a tenth of a turn, "
+     "share of the whole cage revolutions in which the centre circles (not at rest, round the "
+     "middle by more than a tenth of a turn, "
      "standard deviation of its radius below a quarter of the mean)"},
     {"whirl_irregular_share", "-", Kind::mean, need::whole_turns, bound::share,
      "kind of the cage's motion, for comparison with tests",
-     "share of the other whole cage revolutions"},
+     "share of the whole cage revolutions in which the centre neither rests nor circles"},
     {"pocket_force_rms_N", "N", Kind::mean, need::motion, bound::not_negative,
      "load of the bars: limit on forces, ranking of cages",
      "rms over time and rollers of the normal force of a roller on its pocket's bars",
      "pocket_force_peak_N"},
     {"pocket_force_p99_N", "N", Kind::peak, need::motion, bound::not_negative,
      "load of the bars: limit on forces, ranking of cages",
-     "99 % quantile over time and rollers of the same force, zeros included",
+     "99 % quantile over time and rollers of the normal force of a roller on its pocket's bars, "
+     "zeros included",
      "pocket_force_peak_N"},
     {"pocket_force_peak_N", "N", Kind::peak, need::motion, bound::not_negative,
      "load of the bars: limit on forces, ranking of cages",
-     "largest value of the same force over every accepted step"},
+     "largest value over every accepted step of the normal force of a roller on its pocket's bars"},
     {"pocket_impacts_per_revolution", "1/rev", Kind::mean, need::motion, bound::not_negative,
      "rattle; how often contacts open", "closings of roller-bar contacts per cage revolution"},
     {"pocket_impulse_N_s", "N s", Kind::mean, need::turning, bound::not_negative,
@@ -119,9 +127,13 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "guide film is modelled, of its pressure and the contact's force together",
      "guide_force_peak_N"},
     {"guide_force_p99_N", "N", Kind::peak, need::motion, bound::not_negative,
-     "load and wear of lands", "99 % quantile over time of the same force", "guide_force_peak_N"},
+     "load and wear of lands",
+     "99 % quantile over time of the normal force between cage lands and guiding ring, both lands",
+     "guide_force_peak_N"},
     {"guide_force_peak_N", "N", Kind::peak, need::motion, bound::not_negative,
-     "load and wear of lands", "largest value of the same force over every accepted step"},
+     "load and wear of lands",
+     "largest value over every accepted step of the normal force between cage lands and guiding "
+     "ring, both lands"},
     {"guide_force_unbalance_g_mm", "g mm", Kind::mean, need::turning, bound::not_negative,
      "unbalance that a cage may have",
      "unbalance of the cage whose centrifugal force at the cage's mean speed equals the mean guide "
@@ -134,10 +146,14 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "end_force_peak_N"},
     {"end_force_p99_N", "N", Kind::peak, need::motion, bound::not_negative,
      "whether the pocket's length matters",
-     "99 % quantile over time and rollers of the same force, zeros included", "end_force_peak_N"},
+     "99 % quantile over time and rollers of the force of a roller's ends on its pocket's side "
+     "ring "
+     "faces, zeros included",
+     "end_force_peak_N"},
     {"end_force_peak_N", "N", Kind::peak, need::motion, bound::not_negative,
      "whether the pocket's length matters",
-     "largest value of the same force over every accepted step"},
+     "largest value over every accepted step of the force of a roller's ends on its pocket's side "
+     "ring faces"},
     {"end_impacts_per_revolution", "1/rev", Kind::mean, need::motion, bound::not_negative,
      "rattle; how often contacts open", "closings of side-ring-face contacts per cage revolution"},
     {"cage_speed_std_ratio", "-", Kind::mean, need::turning, bound::not_negative,
@@ -245,10 +261,11 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "largest principal stress of the mean (max + min)/2 of the components, not below zero; taken "
      "at most 100 us apart and where a bar's force peaks"},
     {"cage_fatigue_pocket", "-", Kind::place, need::flexible, bound::pocket, "where it happens",
-     "pocket beside which that largest value sits, counted from 0 (as cage_stress_peak_pocket)",
+     "pocket beside which the largest fatigue utilisation sits, counted from 0 (as "
+     "cage_stress_peak_pocket)",
      "cage_fatigue_utilisation"},
     {"cage_fatigue_station", "-", Kind::place, need::flexible, bound::station, "where it happens",
-     "stress station of that largest value in its sector", "cage_fatigue_utilisation"},
+     "stress station of the largest fatigue utilisation in its sector", "cage_fatigue_utilisation"},
     {"cage_strength_utilisation", "-", Kind::peak, need::flexible, bound::not_negative,
      "limit on yielding of the cage",
      "cage_stress_peak_MPa over the yield stress of the cage's material"},
@@ -263,7 +280,7 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "what the normal law's damping carries as rollers go round; relative to the load, or to the "
      "couple at the rollers' ends that rights a ring whose tilt is free, or to a roller's mean "
      "force under preload, if that is more); mean ring displacement against the quasi-static one "
-     "over the same roller positions (relative; below the centrifugal force of one roller only the "
+     "over equal roller positions (relative; below the centrifugal force of one roller only the "
      "force counts, relative to it)"},
 });
 

@@ -333,7 +333,6 @@ TEST_F(RecommendTest, BadInputEndsWithTwoOnAnyNumberOfRanks) {
       {"tolerance.target_yield=1", "a yield of 1 cannot be confirmed"},
       {"limit=[]", "the study has no limits"},
       {"limit=[{quantity='pocket_force_peak_N',max=-1,source='a'}]", "give 0 or more"},
-      {"design='grid'", "this design does not sample tolerances"},
       {"recommend.budget_samples=60", "give 200 or more"},
       {"recommend.budget_smaples=60", "no such key"},
   };

@@ -261,39 +261,67 @@ TEST(ReportPages, OfAnotherVersionOfTheNumbersAreRefused) {
                                      HasSubstr("has report_version 2"), HasSubstr("build both")));
 }
 
-TEST(ReportPages, ArePrintedWithHeaderContentsAndPageNumbers) {
-  if (Process({"/usr/bin/python3", "-c", "import weasyprint"}).wait() != 0)
-    GTEST_SKIP() << "Debian's weasyprint is not installed";
-  const ScratchDirectory scratch;
-  write_synthetic_study(make_synthetic_study({.rows = 400}), scratch / "study.h5");
-  testing::internal::CaptureStdout();
-  run_report(scratch.path(),
-             {.bearing = [](const auto&) { return bearing(); }, .figures = false, .pdf = true});
-  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("report.pdf"));
-  std::ifstream pdf(scratch / "report.pdf", std::ios::binary);
-  std::string start(5, ' ');
-  pdf.read(start.data(), 5);
-  EXPECT_EQ(start, "%PDF-");
-  Process reading({"/usr/bin/pdftotext", "-layout", scratch / "report.pdf", scratch / "text"});
-  if (reading.wait() != 0) GTEST_SKIP() << "pdftotext (Debian's poppler-utils) is not installed";
-  const std::string text = page_text(scratch / "text");
+/// The pages of a PDF as text.
+std::vector<std::string> pdf_pages(const std::filesystem::path& pdf) {
+  const std::filesystem::path file = pdf.string() + ".text";
+  Process({"/usr/bin/pdftotext", "-layout", pdf, file}).wait();
+  const std::string text = page_text(file);
   std::vector<std::string> pages;
   for (std::size_t at = 0, end; (end = text.find('\f', at)) != std::string::npos; at = end + 1)
     pages.push_back(text.substr(at, end - at));
-  ASSERT_GT(pages.size(), 5u);
-  EXPECT_THAT(pages[0], HasSubstr("What may be printed on the drawing"));
-  EXPECT_THAT(pages[1], HasSubstr("Operating point"));
-  EXPECT_THAT(pages[2], HasSubstr("Limits and their sources"));
-  EXPECT_THAT(pages[3], HasSubstr("Appendix, for the engineer"));
-  EXPECT_THAT(pages[3], ContainsRegex("Error budget *\\.+ *[0-9]+"));
-  for (std::size_t k = 0; k < pages.size(); ++k) {
-    EXPECT_THAT(pages[k], HasSubstr("Tolerance report: synthetic")) << "page " << k + 1;
-    EXPECT_THAT(pages[k],
-                HasSubstr("page " + std::to_string(k + 1) + " of " + std::to_string(pages.size())));
-  }
+  return pages;
+}
+
+TEST(ReportPages, ArePrintedInTwoFilesWithTitleBlockContentsAndPageNumbers) {
+  if (Process({"/usr/bin/python3", "-c", "import weasyprint"}).wait() != 0)
+    GTEST_SKIP() << "Debian's weasyprint is not installed";
+  if (!std::filesystem::exists("/usr/bin/pdftotext"))
+    GTEST_SKIP() << "pdftotext (Debian's poppler-utils) is not installed";
+  const ScratchDirectory scratch;
+  write_synthetic_study(make_synthetic_study({.rows = 400}), scratch / "study.h5");
+  testing::internal::CaptureStdout();
+  run_report(scratch.path(), {.bearing = [](const auto&) { return bearing(); },
+                              .figures = false,
+                              .pdf = true,
+                              .document = Json{{"customer", "W\u00e4lz & <S\u00f6hne>"},
+                                               {"drawing", "4711"},
+                                               {"date", "2026-01-02"}}});
+  EXPECT_THAT(testing::internal::GetCapturedStdout(),
+              AllOf(HasSubstr("report.pdf"), HasSubstr("appendix.pdf")));
+  const auto front = pdf_pages(scratch / "report.pdf"), back = pdf_pages(scratch / "appendix.pdf");
+  ASSERT_GE(front.size(), 2u);
+  EXPECT_LE(front.size(), 4u);
+  EXPECT_THAT(front[0], AllOf(HasSubstr("What may be printed on the drawing"),
+                              HasSubstr("W\u00e4lz & <S\u00f6hne>"), HasSubstr("2026-01-02"),
+                              Not(HasSubstr("checked by"))));
+  std::string sent;
+  for (const std::string& page : front) sent += page;
+  EXPECT_THAT(sent, AllOf(HasSubstr("Operating point"), HasSubstr("Limits and their sources")));
+  ASSERT_GT(back.size(), 3u);
+  EXPECT_THAT(back[0], AllOf(HasSubstr("Appendix to the tolerance report: synthetic"),
+                             HasSubstr("4711"), ContainsRegex("Error budget *\\.+ *[0-9]+")));
+  std::string all = sent;
+  for (const auto* pages : {&front, &back})
+    for (std::size_t k = 0; k < pages->size(); ++k) {
+      EXPECT_THAT(pages->at(k), AllOf(HasSubstr("olerance report: synthetic"),
+                                      HasSubstr("page " + std::to_string(k + 1) + " of " +
+                                                std::to_string(pages->size()))))
+          << "page " << k + 1;
+      if (pages == &back) all += pages->at(k);
+    }
   // Long words stand whole in their columns.
   for (const char* word : {"cage_stress_peak_MPa", "revolutions", "confirm"})
-    EXPECT_THAT(text, HasSubstr(word));
+    EXPECT_THAT(all, HasSubstr(word));
+}
+
+TEST(ReportPages, NameTheDayWhereTheDocumentDoesNotAndTheNumberOfStudyAndBuild) {
+  Json report = make_report(make_synthetic_study());
+  EXPECT_THAT(text_of(section_of(page_of(report), "verdict")), ContainsRegex("20[0-9][0-9]-[0-9]"));
+  const std::string number = report.at("provenance").at("report_number");
+  EXPECT_THAT(number, testing::MatchesRegex("[^-]+-[^-]*"));
+  report["document"] = {{"date", "1 May"}};
+  EXPECT_THAT(text_of(section_of(page_of(report), "verdict")),
+              AllOf(HasSubstr("1 May"), HasSubstr(number)));
 }
 
 }  // namespace

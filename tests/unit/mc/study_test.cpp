@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "mc/study/document.hpp"
 #include "mc/study/sample.hpp"
 #include "mc/study/study_inputs.hpp"
 #include "src/input/input_error.hpp"
@@ -432,6 +433,26 @@ TEST_F(StudyFile, AResolvedFileIsTheSameStudy) {
     const Study study = read_study(shipped(path), {"samples=20"});
     EXPECT_EQ(study_of(study.resolved_toml).resolved_json, study.resolved_json) << path;
   }
+}
+
+TEST_F(StudyFile, ADocumentIsNoPartOfWhatMovesARun) {
+  const std::string document = "[document]\ncustomer = 'W\u00e4lz & S\u00f6hne'\n";
+  const Study plain = study_of("samples = 1\n"), filed = study_of("samples = 1\n" + document);
+  EXPECT_EQ(filed.hash, plain.hash);
+  EXPECT_EQ(study_of(filed.resolved_toml).document.customer, "W\u00e4lz & S\u00f6hne");
+  EXPECT_EQ(problem_of("[document]\ndrawing = '" + std::string(120, 'x') + "'\n"), "no error");
+  EXPECT_THAT(problem_of("[document]\ndrawing = '" + std::string(121, 'x') + "'\n"),
+              AllOf(HasSubstr("document.drawing"), HasSubstr("a line of at most 120 characters")));
+  EXPECT_THAT(problem_of("[document]\nauthor = \"a\\nb\"\n"), HasSubstr("a line of at most"));
+  EXPECT_THAT(problem_of("[document]\nsigned = 'x'\n"), HasSubstr("no such key"));
+}
+
+TEST_F(StudyFile, ADocumentMayStandInAFileOfItsOwn) {
+  const auto written = [&](const std::string& text) { return write("order.toml", text); };
+  const auto texts = read_document(written("name = 'a'\n[document]\nproject = 'spindle'\n"));
+  EXPECT_EQ(texts, (std::map<std::string, std::string>{{"project", "spindle"}}));
+  EXPECT_THROW(read_document(written("name = 'a'\n")), InputError);
+  EXPECT_THROW(read_document(written("[document]\nprojekt = 'a'\n")), InputError);
 }
 
 TEST_F(StudyFile, NotesSayWhatASimplerModelLeavesOut) {
