@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "analysis/report/write_text.hpp"
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/study/judgement.hpp"
+#include "analysis/tolerance/limit_margin.hpp"
 
 namespace cagetol {
 namespace {
@@ -202,6 +205,52 @@ void write_csv_tables(const std::filesystem::path& directory, const StudyData& s
   write_text(directory / "yield.csv", yield_csv(report));
   if (report.contains("limit_curves"))
     write_text(directory / "limit_curves.csv", limit_curves_csv(report["limit_curves"]));
+}
+
+std::string worst_csv(const StudyData& study, std::size_t count, const std::string& quantity) {
+  struct Run {
+    std::size_t at = 0;
+    double margin = std::numeric_limits<double>::infinity();
+    std::string limit = {};
+  };
+  std::vector<Run> order;
+  for (std::size_t i = 0; i < study.size(); ++i) {
+    Run run{i};
+    if (study.status[i] == RunStatus::jammed) run.margin = -run.margin, run.limit = "jam";
+    for (const Limit& limit : study.plan.limits) {
+      const Column* column = find_quantity(study, limit.quantity);
+      if (!column || (!quantity.empty() && limit.quantity != quantity)) continue;
+      const double margin = margin_of(limit, column->values[i]);
+      if (margin < run.margin) run.margin = margin, run.limit = limit.quantity;
+    }
+    if (!run.limit.empty()) order.push_back(std::move(run));
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Run& a, const Run& b) { return a.margin < b.margin; });
+  order.resize(std::min(order.size(), count));
+  std::vector<std::string> header = {"id", "status", "nearest limit", "margin"};
+  for (const Limit& limit : study.plan.limits) header.push_back(cell(limit.quantity));
+  for (const InputColumns& input : study.inputs)
+    for (std::size_t j = 0; j < (input.per_pocket ? study.pockets : 1); ++j)
+      header.push_back(
+          named(input.per_pocket ? fmt::format("{}[{}]", input.key, j) : input.key, input.unit));
+  std::string text = line(header);
+  for (const Run& run : order) {
+    std::vector<std::string> cells = {std::to_string(study.id[run.at]),
+                                      run_status_name(study.status[run.at]), cell(run.limit),
+                                      std::isinf(run.margin) ? "" : cell(run.margin)};
+    for (const Limit& limit : study.plan.limits) {
+      const Column* column = find_quantity(study, limit.quantity);
+      cells.push_back(column ? cell(column->values[run.at]) : "");
+    }
+    for (const InputColumns& input : study.inputs) {
+      const std::size_t width = input.per_pocket ? study.pockets : 1;
+      for (std::size_t j = 0; j < width; ++j)
+        cells.push_back(cell(input.value[run.at * width + j]));
+    }
+    text += line(cells);
+  }
+  return text;
 }
 
 }  // namespace cagetol

@@ -16,4 +16,8 @@ namespace cagetol {
 void write_csv_tables(const std::filesystem::path& directory, const StudyData& study,
                       const Json& report);
 
+/// The `count` samples nearest to a limit, jams first: limits with their margins, quantities that
+/// are limited, and every pocket's value of each input. `quantity`: whose limits count; empty: all.
+std::string worst_csv(const StudyData& study, std::size_t count, const std::string& quantity);
+
 }  // namespace cagetol

@@ -12,16 +12,6 @@
 namespace cagetol {
 namespace {
 
-double margin_of(const Limit& limit, double value) {
-  const auto scaled = [](double room, double bound) {
-    return bound == 0 ? room : room / std::abs(bound);
-  };
-  double margin = std::numeric_limits<double>::infinity();
-  if (limit.maximum) margin = std::min(margin, scaled(*limit.maximum - value, *limit.maximum));
-  if (limit.minimum) margin = std::min(margin, scaled(value - *limit.minimum, *limit.minimum));
-  return margin;
-}
-
 /// The limit with more room, or less where `by` is negative.
 Limit moved(Limit limit, double by) {
   if (limit.maximum) *limit.maximum += by;
@@ -65,6 +55,16 @@ void measure(const StudyData& runs, LimitMargin& m) {
 }
 
 }  // namespace
+
+double margin_of(const Limit& limit, double value) {
+  const auto scaled = [](double room, double bound) {
+    return bound == 0 ? room : room / std::abs(bound);
+  };
+  double margin = std::numeric_limits<double>::infinity();
+  if (limit.maximum) margin = std::min(margin, scaled(*limit.maximum - value, *limit.maximum));
+  if (limit.minimum) margin = std::min(margin, scaled(value - *limit.minimum, *limit.minimum));
+  return margin;
+}
 
 std::size_t runs_without_miss(double confidence, double target_yield) {
   return static_cast<std::size_t>(

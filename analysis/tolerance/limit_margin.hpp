@@ -38,6 +38,9 @@ struct LimitMargin {
   std::size_t runs_needed = 0;  ///< without a miss, to be enough
 };
 
+/// Of one value, as a share of the bound.
+double margin_of(const Limit& limit, double value);
+
 /// Runs without a miss that bound the share missed by 1 - target: target^n <= 1 - confidence.
 std::size_t runs_without_miss(double confidence, double target_yield);
 

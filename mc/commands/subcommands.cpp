@@ -26,6 +26,7 @@ Chosen screen_command(CLI::App& command);
 Chosen simulate_command(CLI::App& command);
 Chosen stability_command(CLI::App& command);
 Chosen sweep_command(CLI::App& command);
+Chosen worst_command(CLI::App& command);
 
 namespace {
 
@@ -49,6 +50,7 @@ const std::vector<Subcommand> kSubcommands = {
     {kStudy, "sweep", "Run every sample of a study; the same command resumes an interrupted sweep", "sweep inputs/studies/nu205.toml -o out/nu205", sweep_command},
     {kResults, "report", "Write report.html, report.json and CSV tables from DIR/study.h5", "report out/nu205", report_command},
     {kResults, "judge", "Judge the runs of a directory by other limits: scatter, margins, which decide, a report", "judge out/nu205 --limit driving_slip_ratio=0.05", judge_command},
+    {kResults, "worst", "Print the cages nearest to a limit, with every pocket of theirs, as CSV", "worst out/nu205 -n 3", worst_command},
     {kResults, "compare", "Say whether any statistic of a study has changed between two sweeps", "compare out/yesterday out/today", compare_command},
     {kResults, "rig", "Hold the model against a rig: measured slip of the cage beside runs of each load and speed", "rig inputs/scenes/nu205.toml rig.csv -o out/rig", rig_command},
     {kResults, "replay", "Run one sample of a sweep again and compare it to the bit with what is stored", "replay out/nu205 --sample 17", replay_command},
