@@ -23,9 +23,19 @@ constexpr double kLevels[] = {0.05, 0.50, 0.95};
 constexpr std::size_t kFewRuns = 32;  ///< below it Student's t is wrong for a mean of heavy tails
 
 /// Parts of a study that may differ: they say how much is run, not what.
-const std::set<std::string> kFree = {
-    "name",      "seed",     "samples", "extra_replicates", "allowed_failure_share",
-    "scrambles", "recommend"};
+const std::set<std::string> kFree = {"name",
+                                     "seed",
+                                     "samples",
+                                     "extra_replicates",
+                                     "allowed_failure_share",
+                                     "scrambles",
+                                     "recommend",
+                                     "screen",
+                                     "map",
+                                     "rare",
+                                     "document"};
+/// Of a statistic, relative: what rounding of another order of sums may move it by.
+constexpr double kRounding = 1e-9;
 
 void collect_differences(const nlohmann::ordered_json& a, const nlohmann::ordered_json& b,
                          const std::string& path, std::vector<std::string>& differences,
@@ -319,8 +329,12 @@ Comparison compare_studies(const StudyData& before, const StudyData& after, doub
   for (const StatisticChange& change : result.statistics) p_values.push_back(change.p_value);
   const auto adjusted = holm_adjusted(p_values);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
-    result.statistics[i].adjusted_p_value = adjusted[i];
-    result.statistics[i].changed = adjusted[i] <= error_rate;
+    StatisticChange& change = result.statistics[i];
+    change.adjusted_p_value = adjusted[i];
+    const double moved = std::abs(change.after - change.before);
+    change.changed =
+        adjusted[i] <= error_rate &&
+        !(moved <= kRounding * std::max(std::abs(change.after), std::abs(change.before)));
   }
   std::stable_sort(
       result.statistics.begin(), result.statistics.end(),

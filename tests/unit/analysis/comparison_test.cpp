@@ -204,6 +204,15 @@ TEST(Comparison, TheSameRunsAreTheSame) {
   for (const StatisticChange& statistic : result.statistics) EXPECT_EQ(statistic.p_value, 1);
 }
 
+TEST(Comparison, WhatRoundingMovesIsNoChange) {
+  const auto moved = [](double by) {
+    return compare_studies(night(1), night(1, 300, [by](auto, double y) { return y * (1 + by); }),
+                           0.01);
+  };
+  EXPECT_TRUE(moved(1e-12).same());
+  EXPECT_FALSE(moved(1e-6).same());
+}
+
 TEST(Comparison, PairsOfTheSameCagesWithOtherNoiseRaiseFewAlarms) {
   int alarms = 0;
   for (int repeat = 0; repeat < 60; ++repeat)
