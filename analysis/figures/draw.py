@@ -27,6 +27,7 @@ def main(report_file, output_dir):
     import error_budget
     import fidelity
     import heat
+    import operating_map
     import pocket
     import quantities
     import response
@@ -37,7 +38,7 @@ def main(report_file, output_dir):
     of_report = {
         "bearing": bearing.bearing, "heat": heat.heat,
         "width_curves": tolerance.width_curves, "yield_curves": tolerance.yield_curves, "yield_map": tolerance.yield_map,
-        "jam_curves": tolerance.jam_curves,
+        "jam_curves": tolerance.jam_curves, "map": lambda report: report.get("map") and operating_map.operating_map(report["map"]),
         "centre_curves": centres.centre_curves, "centre_map": centres.centre_map,
         "centre_responses": centres.centre_responses,
         "limited_quantities": quantities.limited_quantities,
@@ -49,7 +50,8 @@ def main(report_file, output_dir):
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
                  "ladder": {"ladder": fidelity.ladder}, "cage": {"pocket": pocket.pocket},
-                 "rig": {"rig": rig.rig}, "screen": {"screen": screen.screen}}
+                 "rig": {"rig": rig.rig}, "screen": {"screen": screen.screen},
+                 "map": {"map": operating_map.operating_map}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
     of_limits = {"limit_curves": tolerance.limit_curves, "yield_curves": tolerance.yield_curves}

@@ -301,6 +301,7 @@ def appendix(report):
     contributors = report["contributors"]
     chapters = [
         ("response", f"Response to the {report['response']['name']}" if report["response"] else "", report["response"]),
+        ("map", "Where it matters", report.get("map")),
         ("outcomes", "Outcomes and limits", True),
         ("confirmation", "Fresh runs at the recommended tolerance", report["confirmation"]),
         ("tolerance", "Yield against tolerance", tolerance),

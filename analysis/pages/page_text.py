@@ -243,12 +243,17 @@ def words_used(pages):
     return [(word, meaning) for word, pattern, meaning in WORDS if re.search(rf"\b(?:{pattern})\b", text)]
 
 
+def width(value, answer):
+    """A width in mm; beyond what was searched where there is none."""
+    return rounded(value) if is_number(value) else f"> {rounded(answer['searched_mm'])}"
+
+
 def filters():
     return {"rounded": rounded, "fixed": fixed, "whole": whole, "significant": significant, "plain": plain, "general": general, "signed": signed,
             "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
             "percent_down": percent_down, "fit_percent": fit_percent, "estimated_percent": estimated_percent, "stated_percent": stated_percent, "percent_interval": percent_interval,
             "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "kept": kept, "breakable": breakable,
-            "value_text": value_text, "law_text": law_text,
+            "value_text": value_text, "width": width, "law_text": law_text,
             "readable": readable, "joined": joined, "words_used": words_used}
 
 

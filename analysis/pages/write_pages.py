@@ -1,6 +1,6 @@
 """Lays report.json, or rig.json, out: write_pages.py REPORT_JSON REPORT_HTML [--figures SCRIPTS OUTPUT_DIR] [--pdf REPORT_PDF].
 
-The PDF has the front pages; appendix.pdf beside it the rest.
+The PDF has the front pages; appendix.pdf beside it the rest of a report.
 
 Every number on the pages comes from report.json. The page is one self-contained file. What is missing is named in the last line on
 standard error, and the exit code is 1; the page is written without figures where they cannot be drawn. Without Jinja2 it is 3,
@@ -92,8 +92,8 @@ def replace(file, write):
         temporary.unlink(missing_ok=True)
 
 
-def write_pdf(page, pdf):
-    """The front pages, and appendix.pdf beside them; what went wrong, in a line."""
+def write_pdf(page, pdf, appendix):
+    """The front pages, and `appendix` in a file of its own where there is one; what went wrong, in a line."""
     try:
         import logging
         logging.getLogger("weasyprint").setLevel(logging.CRITICAL)  # links from one file into the other
@@ -105,7 +105,8 @@ def write_pdf(page, pdf):
         if len(front.pages) <= MOST_PAGES:
             break
     replace(pdf, front.write_pdf)
-    replace(pathlib.Path(pdf).with_name("appendix.pdf"), weasyprint.HTML(string=page("appendix")).write_pdf)
+    if appendix:
+        replace(appendix, weasyprint.HTML(string=page("appendix")).write_pdf)
     return ""
 
 
@@ -139,7 +140,8 @@ def main():
     page = page_of(report, Figures(options.figures and options.figures[1]), problem)
     replace(options.html, lambda file: file.write_text(page(), encoding="utf-8"))
     if options.pdf:
-        problem = "; ".join(filter(None, [problem, write_pdf(page, options.pdf)]))
+        appendix = None if report.get("kind") else pathlib.Path(options.pdf).with_name("appendix.pdf")
+        problem = "; ".join(filter(None, [problem, write_pdf(page, options.pdf, appendix)]))
     if problem:
         print(problem, file=sys.stderr)
     return 1 if problem else 0

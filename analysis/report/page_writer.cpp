@@ -25,7 +25,7 @@ std::string write_pages(const PageWriter& writer, const std::filesystem::path& r
   const auto directory = report_json.parent_path();
   const auto figures = directory / "figures",
              html = std::filesystem::path(report_json).replace_extension(".html"),
-             pdf = directory / "report.pdf";
+             pdf = std::filesystem::path(report_json).replace_extension(".pdf");
   std::error_code ignored;
   std::filesystem::create_directories(figures, ignored);
   std::vector<std::string> arguments = {report_json.string(), html.string()};

@@ -9,6 +9,7 @@
 #include "analysis/report/csv_tables.hpp"
 #include "analysis/report/json_parts.hpp"
 #include "analysis/report/page_writer.hpp"
+#include "analysis/report/python_run.hpp"
 #include "analysis/report/refining_ladder.hpp"
 #include "analysis/report/write_text.hpp"
 #include "analysis/tolerance/centre_response.hpp"
@@ -47,6 +48,12 @@ std::vector<StudyData> read_confirmations(const std::filesystem::path& directory
   }
 }
 
+/// That `cagetol map` has left in the directory; null where there is none.
+Json read_map(const std::filesystem::path& file) {
+  const Json map = Json::parse(file_text(file), nullptr, false);
+  return map.is_object() && map.value("report_version", 0) == kReportVersion ? map : Json();
+}
+
 /// `made` takes the place of `folder`, and what was there goes.
 void replace_folder(const std::filesystem::path& made, const std::filesystem::path& folder) {
   const auto before = folder.string() + ".before";
@@ -66,7 +73,15 @@ std::filesystem::path study_file_in(const std::filesystem::path& directory) {
 }
 
 ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions& options) {
-  const auto file = study_file_in(study_dir);
+  const auto file = study_file_in(study_dir), map_file = study_dir / "map" / "map.json";
+  const Json map = read_map(map_file);
+  const PageWriter writer{options.pages_dir, options.figures_dir, options.python, options.figures,
+                          options.pdf};
+  if (!map.is_null() && !std::filesystem::exists(file)) {
+    fmt::print("map: {}\n{}", (study_dir / "map" / "map.html").string(),
+               write_pages(writer, map_file));
+    return kDone;
+  }
   const bool apart = !options.into.empty();
   const std::filesystem::path place = apart ? options.into : study_dir,
                               into = apart ? place.string() + ".made" : study_dir.string();
@@ -81,6 +96,7 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
       read_cage_peak(file.parent_path(), study), read_refining_ladder(file.parent_path()),
       assumptions, options.bearing ? options.bearing(file) : Json());
   if (options.document) report["document"] = *options.document;
+  if (!map.is_null() && !options.restate) report["map"] = map;
   if (options.restate) report["limit_curves"] = limit_curves_json(study);
   const std::string text = report.dump(1) + "\n";
   if (apart) {
@@ -90,9 +106,7 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
   remove_pages(into);
   write_text(into / "report.json", text);
   write_csv_tables(into, study, report);
-  const std::string problem = write_pages(
-      {options.pages_dir, options.figures_dir, options.python, options.figures, options.pdf},
-      into / "report.json");
+  const std::string problem = write_pages(writer, into / "report.json");
   if (apart) replace_folder(into, place);
   if (options.json_to_stdout) {
     fmt::print("{}", text);

@@ -15,7 +15,7 @@
 
 namespace cagetol {
 
-/// Of report.json and rig.json: what the pages lay out (analysis/pages/write_pages.py).
+/// Of report.json, rig.json and map.json: what the pages lay out (analysis/pages/write_pages.py).
 inline constexpr int kReportVersion = 3;
 
 struct ReportOptions {
@@ -58,7 +58,8 @@ std::filesystem::path study_file_in(const std::filesystem::path& directory);
 
 /// Reads DIR/study.h5, or DIR/mixture/study.h5 and the confirmations beside it, and writes
 /// report.json, report.html, figures/ and the tables of csv_tables.hpp beside it. Pages and figures
-/// that cannot be made are left out; what is missing for them is printed. Prints the verdict.
+/// that cannot be made are left out; what is missing for them is printed. Prints the verdict. The
+/// map in DIR/map becomes part of it; where DIR holds no runs beside, its own pages are written.
 /// Returns kDone; throws StudyFileError.
 ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions& options = {});
 

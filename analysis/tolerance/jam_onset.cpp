@@ -6,9 +6,24 @@
 #include <cmath>
 
 namespace cagetol {
+namespace {
+constexpr double kNone = 1e-9;  // of drawn cages may be 0
+}
+
+double share_of_jams(const JamCurve& curve, double tolerance_width_mm) {
+  const auto& width = curve.tolerance_width_mm;
+  if (width.empty()) return 0;
+  const auto next = std::upper_bound(width.begin(), width.end(), tolerance_width_mm);
+  if (next == width.begin()) return curve.share.front();
+  if (next == width.end()) return curve.share.back();
+  const auto p = static_cast<std::size_t>(next - width.begin());
+  const double before = std::log(std::max(curve.share[p - 1], kNone)),
+               after = std::log(std::max(curve.share[p], kNone));
+  return std::exp(before + (after - before) * (tolerance_width_mm - width[p - 1]) /
+                               (width[p] - width[p - 1]));
+}
 
 std::optional<double> tolerance_of_jams(const JamCurve& curve, double most) {
-  constexpr double kNone = 1e-9;  // of drawn cages may be 0
   const auto& share = curve.share;
   const auto first = std::find_if(share.begin(), share.end(), [&](double s) { return s > most; });
   if (first == share.end()) return std::nullopt;

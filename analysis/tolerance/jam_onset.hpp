@@ -15,6 +15,10 @@ namespace cagetol {
 /// Tolerance from which on more than `share` of the cages jam; nothing where they are fewer.
 std::optional<double> tolerance_of_jams(const JamCurve& curve, double share);
 
+/// Share of cages that jam at a tolerance: at the ends of the curve that of its last tolerance, 0
+/// without a curve.
+double share_of_jams(const JamCurve& curve, double tolerance_width_mm);
+
 /// "0.57 %" or "0.3 ppm" of cages that jam; of none among so many `draws` the bound at 95 %.
 std::string jam_text(double share, double draws);
 

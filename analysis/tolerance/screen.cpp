@@ -198,11 +198,13 @@ class LimitModel {
     Values turned = values;
     for (double& value : turned) value *= side;
     fit_ = fit_of(runs, turned, terms_);
+    both_ = gsl_cdf_tdist_Pinv(0.5 + 0.5 * runs.plan.confidence, fit_.freedom);
   }
 
   const std::vector<Term>& terms() const { return terms_; }
   const Fit& fit() const { return fit_; }
-  double bound() const { return bound_; }
+  /// Standard errors from the estimate to an end of its interval.
+  double both() const { return both_; }
   double rest(const Values& c) const {
     double variance = std::max(c.back(), 0.0);
     for (std::size_t k = 0; k < terms_.size(); ++k)
@@ -210,8 +212,11 @@ class LimitModel {
         variance += c[k] * c[k] * variance_of(terms_[k].values);
     return variance;
   }
-  /// Standard deviations by which the mean lies within the bound; widths as shares of the screened.
-  double margin(const Values& c, const Values& widths) const {
+  struct Moments {
+    double mean = 0, deviation = 0;
+  };
+  /// Of cages, where tolerances have these widths, as shares of the screened.
+  Moments moments(const Values& c, const Values& widths) const {
     double mean = c[0], variance = rest(c);
     for (std::size_t k = 0; k < terms_.size(); ++k) {
       const Term& term = terms_[k];
@@ -224,38 +229,56 @@ class LimitModel {
       if (term.kind == Term::Kind::scatter) mean += c[k] * widths[d] * of.pocket_sigma;
       if (term.kind == Term::Kind::square) mean += c[k] * v, variance += 2 * c[k] * c[k] * v * v;
     }
-    return variance > 0 ? (bound_ - mean) / std::sqrt(variance)
-                        : std::copysign(HUGE_VAL, bound_ - mean);
+    return {mean, std::sqrt(variance)};
   }
-  /// The margin less `errors` of its standard errors.
+  /// Standard deviations z by which the mean lies within the bound, less `errors` of their standard
+  /// errors: mean + z deviation meets the bound with so many standard errors of that sum (Fieller).
   double margin_less(const Values& widths, double errors) const {
     const Values& c = fit_.coefficients;
-    const double value = margin(c, widths);
-    if (errors == 0 || !std::isfinite(value)) return value;
-    Values slope(c.size());
+    const auto [mean, deviation] = moments(c, widths);
+    const double room = bound_ - mean;
+    if (deviation == 0) return std::copysign(HUGE_VAL, room);
+    if (errors == 0) return room / deviation;
+    double of_mean = 0, of_both = 0, of_deviation = 0;  // covariances
+    std::vector<Moments> slopes(c.size());
     for (std::size_t i = 0; i < c.size(); ++i) {
       const double step = 1e-3 * fit_.error(i);
       Values up = c, down = c;
       up[i] += step, down[i] -= step;
-      slope[i] = step > 0 ? (margin(up, widths) - margin(down, widths)) / (2 * step) : 0;
+      const Moments above = moments(up, widths), below = moments(down, widths);
+      if (step > 0)
+        slopes[i] = {(above.mean - below.mean) / (2 * step),
+                     (above.deviation - below.deviation) / (2 * step)};
     }
-    double variance = 0;
     for (std::size_t i = 0; i < c.size(); ++i)
-      for (std::size_t k = 0; k < c.size(); ++k)
-        variance += slope[i] * fit_.covariance[i][k] * slope[k];
-    return value - errors * std::sqrt(std::max(variance, 0.0));
+      for (std::size_t k = 0; k < c.size(); ++k) {
+        const double of = fit_.covariance[i][k];
+        of_mean += slopes[i].mean * of * slopes[k].mean;
+        of_both += slopes[i].mean * of * slopes[k].deviation;
+        of_deviation += slopes[i].deviation * of * slopes[k].deviation;
+      }
+    // a z^2 - 2 b z + d = 0; a <= 0: the deviation may be none.
+    const double e = errors * errors, a = deviation * deviation - e * of_deviation,
+                 b = room * deviation + e * of_both, d = room * room - e * of_mean,
+                 root = std::sqrt(std::max(b * b - a * d, 0.0));
+    if (errors > 0) return b + root > 0 ? d / (b + root) : a > 0 ? (b - root) / a : -HUGE_VAL;
+    return a > 0 ? (b + root) / a : b < 0 ? d / (b - root) : HUGE_VAL;
   }
 
  private:
   const std::vector<ScreenDimension>& dimensions_;
-  double pockets_, bound_;
+  double pockets_, bound_, both_ = 0;
   std::vector<Term> terms_;
   Fit fit_;
 };
 
-/// Widths are those of a step each: the first at which the margin is less than the target's.
-LimitReach reach_of(const LimitModel& model, const std::vector<ScreenDimension>& dimensions,
-                    std::size_t d, double wanted, double errors, double target) {
+/// Whether the target is missed at widths, as shares of those screened; `side` 0: by the estimate,
+/// 1 and -1: at the ends of its interval, the worse one first.
+using Misses = std::function<bool(const Values& widths, double side)>;
+
+/// Widths are those of a step each: the first at which the target is missed.
+LimitReach reach_of(const std::vector<ScreenDimension>& dimensions, std::size_t d, double target,
+                    const Misses& misses) {
   const ScreenDimension& own = dimensions[d];
   LimitReach reach{.key = own.key};
   reach.searched_mm = own.jams.tolerance_width_mm.empty() ? kWithoutCurve * own.width_mm
@@ -267,20 +290,21 @@ LimitReach reach_of(const LimitModel& model, const std::vector<ScreenDimension>&
   for (int step = 0; step <= kSteps; ++step) {
     const double width = reach.searched_mm * step / kSteps;
     widths[d] = width / own.width_mm;
-    const auto note = [&](std::optional<double>& at, double less) {
-      if (!at && model.margin_less(widths, less) < wanted) at = width;
+    const auto note = [&](std::optional<double>& at, double side) {
+      if (!at && misses(widths, side)) at = width;
     };
     note(reach.width_mm, 0);
-    note(reach.lower_mm, errors);
-    note(reach.upper_mm, -errors);
+    note(reach.lower_mm, 1);
+    note(reach.upper_mm, -1);
   }
   return reach;
 }
 
 ScreenedLimit screened(const StudyData& runs, const std::vector<ScreenDimension>& dimensions,
-                       const Column& column, double bound, bool is_maximum) {
-  const double side = is_maximum ? 1 : -1, target = runs.plan.target_yield;
-  const LimitModel model(runs, dimensions, ok_values(runs, column.values), bound, side);
+                       const LimitModel& model, const Column& column, double bound,
+                       bool is_maximum) {
+  const double side = is_maximum ? 1 : -1, target = runs.plan.target_yield,
+               wanted = gsl_cdf_ugaussian_Pinv(target);
   const Fit& fit = model.fit();
   const Values& c = fit.coefficients;
   ScreenedLimit limit{.quantity = column.name, .unit = column.unit, .bound = bound};
@@ -304,11 +328,11 @@ ScreenedLimit screened(const StudyData& runs, const std::vector<ScreenDimension>
             std::abs(c[q]) > 2 * fit.error(q) && std::abs(c[q]) * of.lot_sigma > std::abs(c[k]);
     limit.parts.push_back(std::move(part));
   }
-  const double both = gsl_cdf_tdist_Pinv(0.5 + 0.5 * runs.plan.confidence, fit.freedom),
-               one = gsl_cdf_tdist_Pinv(runs.plan.confidence, fit.freedom);
+  const double one = gsl_cdf_tdist_Pinv(runs.plan.confidence, fit.freedom);
   for (std::size_t d = 0; d < dimensions.size(); ++d)
-    limit.reach.push_back(
-        reach_of(model, dimensions, d, gsl_cdf_ugaussian_Pinv(target), both, target));
+    limit.reach.push_back(reach_of(dimensions, d, target, [&](const Values& at, double end) {
+      return model.margin_less(at, end * model.both()) < wanted;
+    }));
   const Values widest(dimensions.size(), 1);
   limit.margin = model.margin_less(widest, 0);
   limit.missed = gsl_cdf_ugaussian_Q(limit.margin);
@@ -318,23 +342,55 @@ ScreenedLimit screened(const StudyData& runs, const std::vector<ScreenDimension>
 
 }  // namespace
 
+void add_runs(StudyData& runs, const StudyData& more) {
+  if (runs.size() == 0) {
+    runs = more;
+    return;
+  }
+  const auto add = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  const std::int64_t rows = 1 + *std::ranges::max_element(runs.row);
+  for (const std::int64_t row : more.row) runs.row.push_back(rows + row);
+  add(runs.id, more.id);
+  add(runs.status, more.status);
+  for (std::size_t i = 0; i < runs.inputs.size(); ++i)
+    add(runs.inputs[i].lot, more.inputs[i].lot), add(runs.inputs[i].value, more.inputs[i].value);
+  for (std::size_t q = 0; q < runs.quantities.size(); ++q)
+    add(runs.quantities[q].values, more.quantities[q].values);
+}
+
 Screen screen_limits(const StudyData& runs, const std::vector<ScreenDimension>& dimensions,
                      double jams) {
   Screen screen{.runs = runs.size(), .target_yield = runs.plan.target_yield, .jams = jams};
   for (const RunStatus status : runs.status) screen.lost += status != RunStatus::ok;
+  std::vector<LimitModel> models;
   double missed = 0;
   for (const Limit& limit : runs.plan.limits) {
     const Column* column = find_quantity(runs, limit.quantity);
     for (const bool is_maximum : {false, true}) {
       const auto& bound = is_maximum ? limit.maximum : limit.minimum;
       if (!bound || column == nullptr) continue;
-      screen.limits.push_back(screened(runs, dimensions, *column, *bound, is_maximum));
+      models.emplace_back(runs, dimensions, ok_values(runs, column->values), *bound,
+                          is_maximum ? 1 : -1);
+      screen.limits.push_back(
+          screened(runs, dimensions, models.back(), *column, *bound, is_maximum));
       const ScreenedLimit& last = screen.limits.back();
       missed += last.missed_upper;
       if (last.margin < screen.limits[screen.nearest].margin)
         screen.nearest = screen.limits.size() - 1;
     }
   }
+  for (std::size_t d = 0; d < dimensions.size(); ++d)
+    screen.together.push_back(
+        reach_of(dimensions, d, screen.target_yield, [&](const Values& widths, double side) {
+          double missing = 0;
+          for (const LimitModel& model : models)
+            missing += gsl_cdf_ugaussian_Q(model.margin_less(widths, side * model.both()));
+          return (1 - share_of_jams(dimensions[d].jams, widths[d] * dimensions[d].width_mm)) *
+                     (1 - missing) <
+                 screen.target_yield;
+        }));
   screen.jams_alone = jams + missed <= 1 - screen.target_yield;
   return screen;
 }

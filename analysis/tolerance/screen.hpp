@@ -19,7 +19,9 @@
 //   v_d = w_d^2 (lot_sigma_d^2 + pocket_sigma_d^2 / pockets)
 //
 // and is taken for normal. It reaches its limit where as many cages miss it as the target allows.
-// Errors of these follow from those of all coefficients and of var(e) to first order.
+// Errors of mean and deviation follow from those of all coefficients and of var(e) to first order.
+// The margin z, (bound - mean)/deviation, ends where mean + z deviation meets the bound with an
+// error of that sum (Fieller): a limit far away stays far however little is known of the deviation.
 #pragma once
 
 #include <optional>
@@ -73,10 +75,17 @@ struct Screen {
   std::size_t runs = 0, lost = 0;
   double target_yield = 0, jams = 0;  ///< share of cages that jam at the widths screened
   std::vector<ScreenedLimit> limits = {};
+  /// Of each dimension: where jams and all limits together miss the target. At the ends of its
+  /// interval all limits are at the ends of theirs.
+  std::vector<LimitReach> together = {};
   /// No limit takes, at the widths screened, what jams leave of the target: geometry decides.
   bool jams_alone = false;
   std::size_t nearest = 0;  ///< limit with the least margin there
 };
+
+/// To the runs of a screen those of another one of the same study, in rows of their own: what
+/// screen_limits reads of them. `runs` may be empty.
+void add_runs(StudyData& runs, const StudyData& more);
 
 /// Throws Refused where too few runs gave a result.
 Screen screen_limits(const StudyData& runs, const std::vector<ScreenDimension>& dimensions,

@@ -10,7 +10,9 @@
 #include <map>
 
 #include "analysis/report/figure_set.hpp"
+#include "analysis/report/page_writer.hpp"
 #include "analysis/report/report.hpp"
+#include "mc/host/file_write.hpp"
 #include "mc/host/log.hpp"
 #include "mc/ranks/launch.hpp"
 #include "mc/study/operating_points.hpp"
@@ -54,6 +56,15 @@ void log_notes(const Study& study, const std::vector<std::string>& notes) {
     for (const std::string& warning : operating_warnings(at_operating_point(study.scene, point)))
       spdlog::warn("at {}: {}", point.name, warning);
   for (const std::string& note : notes) spdlog::warn("{}", note);
+}
+
+std::function<Study()> reading_study(const std::string& file,
+                                     const std::vector<std::string>& settings) {
+  return [file, settings] {
+    const Study study = read_study(file, settings);
+    log_notes(study, study_notes(study));
+    return study;
+  };
 }
 
 void add_settings_option(CLI::App& command, std::vector<std::string>& settings) {
@@ -112,6 +123,27 @@ std::string draw_beside(const std::filesystem::path& json) {
   const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir, json, folder);
   if (!figures.problem.empty()) say("figures are missing or incomplete: {}\n", figures.problem);
   return folder.string();
+}
+
+void write_result(const nlohmann::ordered_json& result, const nlohmann::ordered_json& rows,
+                  const std::filesystem::path& directory, bool pdf) {
+  const std::string kind = result["kind"];
+  std::string head, text;
+  for (const auto& row : rows) {
+    head.clear();
+    for (const auto& [name, value] : row.items())
+      if (!value.is_structured())
+        head += name + ",", text += (value.is_null() ? "" : value.dump()) + ",";
+    head.back() = text.back() = '\n';
+  }
+  const auto json = directory / (kind + ".json");
+  replace_file(json, result.dump(1) + "\n");
+  replace_file(directory / (kind + ".csv"), head + text);
+  const ReportOptions pages;
+  const auto problem =
+      write_pages({pages.pages_dir, pages.figures_dir, pages.python, true, pdf}, json);
+  if (!problem.empty()) say("{}\n", problem);
+  print(kind + ": " + (directory / (kind + ".html")).string() + "\n");
 }
 
 }  // namespace cagetol

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,10 @@ std::vector<std::string> heat_doubts(const Study& study);
 /// What is worth knowing of a study before it is swept: notes and warnings, as log lines.
 void log_notes(const Study& study, const std::vector<std::string>& notes);
 
+/// Reads a study when it is called, and logs its notes (study_notes).
+std::function<Study()> reading_study(const std::string& file,
+                                     const std::vector<std::string>& settings);
+
 /// The option --progress of every command that sweeps.
 void add_progress_option(CLI::App& command, ProgressStyle& style);
 
@@ -53,5 +58,10 @@ void print(const std::string& text);
 /// Draws a JSON file's figures into figures/ beside it and returns that folder; what went wrong is
 /// said on standard error.
 std::string draw_beside(const std::filesystem::path& json);
+
+/// Writes KIND.json, `rows` without what they nest as KIND.csv, KIND.html and, where asked for,
+/// KIND.pdf, KIND as `result` has it. Problems of pages are said on standard error.
+void write_result(const nlohmann::ordered_json& result, const nlohmann::ordered_json& rows,
+                  const std::filesystem::path& directory, bool pdf = false);
 
 }  // namespace cagetol

@@ -24,12 +24,8 @@ struct RecommendArguments {
 
 int run_recommend(const RecommendArguments& options) {
   const SignalWatch signals;
-  const auto read = [&] {
-    const Study study = read_study(options.file, options.settings);
-    log_notes(study, study_notes(study));
-    return study;
-  };
-  const int code = run_recommend(read, make_sweep_plan, options.stages);
+  const int code =
+      run_recommend(reading_study(options.file, options.settings), make_sweep_plan, options.stages);
   const bool decided = code == kDone || code == kLimitsNotMet;
   if (decided && launch_from_environment().rank == 0) {
     const auto sweep_directory = study_file_in(options.stages.directory).parent_path();

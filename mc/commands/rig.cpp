@@ -5,13 +5,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "analysis/report/page_writer.hpp"
 #include "analysis/report/report.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/rig_stages.hpp"
 #include "mc/host/build_info.hpp"
-#include "mc/host/file_write.hpp"
 #include "mc/host/log.hpp"
 #include "src/input/input_error.hpp"
 
@@ -51,28 +49,6 @@ std::string line_text(const Json& row) {
       reason.empty() ? "" : "           " + reason + "\n");
 }
 
-/// Rows without what they hold of single assumptions.
-std::string rows_csv(const Json& rows) {
-  std::string head, text;
-  for (const Json& row : rows) {
-    head.clear();
-    for (const auto& [name, value] : row.items())
-      if (!value.is_structured()) head += name + ",", text += value.dump() + ",";
-    head.back() = text.back() = '\n';
-  }
-  return head + text;
-}
-
-void write_rig(const Json& rig, const std::filesystem::path& directory) {
-  const auto json = directory / "rig.json";
-  replace_file(json, rig.dump(1) + "\n");
-  replace_file(directory / "rig.csv", rows_csv(rig["rows"]));
-  const ReportOptions pages;
-  const auto problem = write_pages({pages.pages_dir, pages.figures_dir, pages.python}, json);
-  if (!problem.empty()) say("{}\n", problem);
-  print("rig: " + (directory / "rig.html").string() + "\n");
-}
-
 int run_rig(const RigArguments& options) {
   spdlog::set_level(spdlog::level::warn);  // the table shows how far dozens of sweeps a row are
   return run_staged(make_sweep_plan, ProgressStyle::off, [&](StagedSweeps& stages) {
@@ -96,7 +72,7 @@ int run_rig(const RigArguments& options) {
         return code;
       print(line_text(rig["rows"].back()));
     }
-    write_rig(rig, options.directory);
+    write_result(rig, rig["rows"], options.directory);
     return static_cast<int>(kDone);
   });
 }

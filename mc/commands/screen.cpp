@@ -15,15 +15,6 @@ struct ScreenArguments {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
-int run_screen(const ScreenArguments& options) {
-  const auto read = [&] {
-    const Study study = read_study(options.file, options.settings);
-    log_notes(study, study_notes(study));
-    return study;
-  };
-  return run_screen(read, make_sweep_plan, options.directory, options.progress);
-}
-
 }  // namespace
 
 Chosen screen_command(CLI::App& command) {
@@ -41,7 +32,10 @@ Chosen screen_command(CLI::App& command) {
                        "Directory of screen/: its sweep, screen.json and figures/");
   add_settings_option(command, options->settings);
   add_progress_option(command, options->progress);
-  return [options] { return run_screen(*options); };
+  return [options] {
+    return run_screen(reading_study(options->file, options->settings), make_sweep_plan,
+                      options->directory, options->progress);
+  };
 }
 
 }  // namespace cagetol

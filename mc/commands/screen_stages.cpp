@@ -30,12 +30,6 @@ constexpr double kFewJams = 0.01;
 /// Width of a candidate without scatter, as a share of the other one.
 constexpr double kNoScatter = 1e-3;
 
-struct ScreenDesign {
-  Study study;
-  std::vector<ScreenDimension> dimensions;
-  double jams = 0, draws = 0;  ///< share that jams, and cages drawn for it
-};
-
 /// The widest candidate of which few jam, whatever the target: other limits and targets go on with
 /// these runs. Else the one of which fewest do.
 std::size_t screened_candidate(const Study& study, const JamShares& jams) {
@@ -52,7 +46,9 @@ std::size_t screened_candidate(const Study& study, const JamShares& jams) {
   return best;
 }
 
-ScreenDesign screen_design(const Study& base) {
+}  // namespace
+
+ScreenDesign screen_design(const Study& base, const ScreenStage& planned) {
   const Study plain = changed_study(base, [](Study& study) {
     for (ToleranceDimension& dimension : study.tolerance.dimensions) dimension.centres.clear();
   });
@@ -61,8 +57,8 @@ ScreenDesign screen_design(const Study& base) {
   const Candidate& candidate = plain.candidates[chosen];
   ScreenDesign design;
   if (!jams.candidate.empty()) design.jams = jams.candidate[chosen], design.draws = jams.draws;
-  const long rows = base.screen.budget_samples - kRepeats;
-  const Study stage = stage_study(plain, {"screen", static_cast<std::size_t>(rows), {}});
+  const long rows = planned.runs - kRepeats;
+  const Study stage = stage_study(plain, {planned.name, static_cast<std::size_t>(rows), {}});
   design.study = changed_study(stage, [&](Study& study) {
     study.design = DesignKind::lhs;
     study.cages_per_lot = 1;
@@ -95,11 +91,12 @@ ScreenDesign screen_design(const Study& base) {
     }
   });
   if (design.study.candidates.size() > static_cast<std::size_t>(rows))
-    throw Refused(
-        fmt::format("screen.budget_samples = {}: so few runs cannot tell {} tolerances apart",
-                    base.screen.budget_samples, design.dimensions.size()));
+    throw Refused(fmt::format("{} = {}: so few runs cannot tell {} tolerances apart", planned.key,
+                              planned.runs, design.dimensions.size()));
   return design;
 }
+
+namespace {
 
 Json number_json(const std::optional<double>& value) {
   return value ? json_number(*value) : Json(nullptr);
@@ -233,7 +230,8 @@ std::string screen_text(const Screen& screen, const ScreenDesign& design) {
 std::variant<Screen, int> screen_stage(const Study& base, const std::string& directory,
                                        StagedSweeps& stages) {
   try {
-    const ScreenDesign design = screen_design(base);
+    const ScreenDesign design =
+        screen_design(base, {"screen", "screen.budget_samples", base.screen.budget_samples});
     if (const int code = stages.sweep(design.study, directory); code != kDone) return code;
     const Screen screen =
         screen_limits(read_study_data(study_file_path(directory)), design.dimensions, design.jams);

@@ -22,6 +22,22 @@ namespace cagetol {
 int run_screen(const std::function<Study()>& read, const MakePlan& make_plan,
                const std::string& directory, ProgressStyle progress);
 
+/// Name of a stage, which gives it random numbers of its own, and its runs, with the key that says
+/// how many.
+struct ScreenStage {
+  std::string name, key;
+  long runs = 0;
+};
+
+struct ScreenDesign {
+  Study study;
+  std::vector<ScreenDimension> dimensions;
+  double jams = 0, draws = 0;  ///< share that jams, and cages drawn for it
+};
+
+/// Throws Refused where so few runs cannot tell the tolerances apart.
+ScreenDesign screen_design(const Study& base, const ScreenStage& stage);
+
 /// Rank 0, below its stages: what it found, which is written and said; else the exit code: where it
 /// ended early, or kSamplesFailed where too few runs gave a result.
 std::variant<Screen, int> screen_stage(const Study& base, const std::string& directory,

@@ -28,6 +28,7 @@ Study stage_study(const Study& base, const Stage& stage) {
     study.recommend.confirm_samples = study.recommend.budget_samples = 0;
     study.recommend.budget_time = study.recommend.assumption_samples = 0;
     study.screen = {};
+    study.map = {};
     // So may ranges, of which a stage knows one value: DIR/assumptions.json holds them.
     for (Assumption& assumption : study.scene.assumptions)
       assumption = {assumption.key, assumption.note};

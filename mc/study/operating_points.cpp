@@ -86,64 +86,6 @@ toml::value<double> makers_value(const MakersRatio& ratio, const toml::node& nod
   return toml::value<double>(std::ceil(10 * value * (1 - 1e-9)) / 10);
 }
 
-OperatingPointPlan read_point(const toml::table& entry, const std::string& file,
-                              const Study& study) {
-  OperatingPointPlan point;
-  const auto* name = entry.get("name");
-  if (!name || !name->is_string())
-    throw InputError(place_of(entry, file), "operating_point", shown(entry),
-                     "the operating point has no name", "add name = \"full-load\"");
-  point.name = name->value<std::string>().value();
-  if (!is_label(point.name))
-    throw InputError(place_of(*name, file), "operating_point.name", shown(*name),
-                     "this is no name of a point", "use up to 40 letters, digits, _ and -");
-  if (const auto* weight = entry.get("weight"))
-    point.weight =
-        number_value(info_of(operating_point_keys(), "operating_point.weight"), *weight, file);
-  Scene scene = study.scene;
-  const auto known = key_infos(scene_keys());
-  std::vector<TomlLeaf> leaves = toml_leaves(entry);
-  // The minimum load follows from the speed.
-  std::stable_partition(leaves.begin(), leaves.end(),
-                        [](const TomlLeaf& leaf) { return leaf.name != "minimum_loads"; });
-  for (const TomlLeaf& given : leaves) {
-    if (given.name == "name" || given.name == "weight") continue;
-    const auto* ratio = std::find_if(std::begin(kMakersRatios), std::end(kMakersRatios),
-                                     [&](const MakersRatio& r) { return given.name == r.name; });
-    toml::value<double> absolute(0);
-    TomlLeaf leaf = given;
-    if (ratio != std::end(kMakersRatios)) {
-      absolute = makers_value(*ratio, *given.node, file, scene);
-      leaf = {ratio->key, &absolute};
-    }
-    const auto* key = find_key(scene_keys(), leaf.name);
-    if (!key) throw unknown_key(leaf, file, known);
-    const auto refuse = [&](const std::string& why, const std::string& remedy) {
-      return InputError(place_of(*given.node, file), given.name, shown(*given.node), why, remedy);
-    };
-    if (std::any_of(point.settings.begin(), point.settings.end(),
-                    [&](const auto& setting) { return setting.first == leaf.name; }))
-      throw refuse(leaf.name + " is given as well", "keep one of the two");
-    if (!is_about_operation(leaf.name) || leaf.name == "duty.file")
-      throw refuse(
-          "an operating point changes load, speed, duty, oil, temperatures, window and "
-          "surroundings, nothing that the bearing is",
-          "set it below [scene]; a duty in its columns (duty.time_s ...)");
-    if (std::any_of(study.inputs.begin(), study.inputs.end(),
-                    [&](const UncertainInput& input) { return input.key == leaf.name; }))
-      throw refuse("this key varies in the study", "leave it out here, or give it one value there");
-    read_setting(leaf.name, *leaf.node, file, scene);
-    point.settings.emplace_back(leaf.name, key_text(*key, scene));
-  }
-  try {
-    check_scene(scene, file);
-  } catch (const InputError& problem) {
-    throw InputError(place_of(entry, file), "operating_point", point.name, problem.what(),
-                     "correct the point or the scene");
-  }
-  return point;
-}
-
 void check_points(const std::vector<OperatingPointPlan>& points, const toml::node& node,
                   const std::string& file, const Study& study) {
   const auto refuse = [&](const std::string& why, const std::string& remedy) {
@@ -239,6 +181,64 @@ std::vector<std::string> quantity_labels(const Study& study) {
   return labels;
 }
 
+OperatingPointPlan read_operating_point(const toml::table& entry, const std::string& file,
+                                        const Study& study) {
+  OperatingPointPlan point;
+  const auto* name = entry.get("name");
+  if (!name || !name->is_string())
+    throw InputError(place_of(entry, file), "operating_point", shown(entry),
+                     "the operating point has no name", "add name = \"full-load\"");
+  point.name = name->value<std::string>().value();
+  if (!is_label(point.name))
+    throw InputError(place_of(*name, file), "operating_point.name", shown(*name),
+                     "this is no name of a point", "use up to 40 letters, digits, _ and -");
+  if (const auto* weight = entry.get("weight"))
+    point.weight =
+        number_value(info_of(operating_point_keys(), "operating_point.weight"), *weight, file);
+  Scene scene = study.scene;
+  const auto known = key_infos(scene_keys());
+  std::vector<TomlLeaf> leaves = toml_leaves(entry);
+  // The minimum load follows from the speed.
+  std::stable_partition(leaves.begin(), leaves.end(),
+                        [](const TomlLeaf& leaf) { return leaf.name != "minimum_loads"; });
+  for (const TomlLeaf& given : leaves) {
+    if (given.name == "name" || given.name == "weight") continue;
+    const auto* ratio = std::find_if(std::begin(kMakersRatios), std::end(kMakersRatios),
+                                     [&](const MakersRatio& r) { return given.name == r.name; });
+    toml::value<double> absolute(0);
+    TomlLeaf leaf = given;
+    if (ratio != std::end(kMakersRatios)) {
+      absolute = makers_value(*ratio, *given.node, file, scene);
+      leaf = {ratio->key, &absolute};
+    }
+    const auto* key = find_key(scene_keys(), leaf.name);
+    if (!key) throw unknown_key(leaf, file, known);
+    const auto refuse = [&](const std::string& why, const std::string& remedy) {
+      return InputError(place_of(*given.node, file), given.name, shown(*given.node), why, remedy);
+    };
+    if (std::any_of(point.settings.begin(), point.settings.end(),
+                    [&](const auto& setting) { return setting.first == leaf.name; }))
+      throw refuse(leaf.name + " is given as well", "keep one of the two");
+    if (!is_about_operation(leaf.name) || leaf.name == "duty.file")
+      throw refuse(
+          "an operating point changes load, speed, duty, oil, temperatures, window and "
+          "surroundings, nothing that the bearing is",
+          "set it below [scene]; a duty in its columns (duty.time_s ...)");
+    if (std::any_of(study.inputs.begin(), study.inputs.end(),
+                    [&](const UncertainInput& input) { return input.key == leaf.name; }))
+      throw refuse("this key varies in the study", "leave it out here, or give it one value there");
+    read_setting(leaf.name, *leaf.node, file, scene);
+    point.settings.emplace_back(leaf.name, key_text(*key, scene));
+  }
+  try {
+    check_scene(scene, file);
+  } catch (const InputError& problem) {
+    throw InputError(place_of(entry, file), "operating_point", point.name, problem.what(),
+                     "correct the point or the scene");
+  }
+  return point;
+}
+
 std::vector<OperatingPointPlan> read_operating_points(const toml::table& root,
                                                       const std::string& file, const Study& study) {
   const auto* node = root.get("operating_point");
@@ -247,7 +247,7 @@ std::vector<OperatingPointPlan> read_operating_points(const toml::table& root,
   std::vector<OperatingPointPlan> points;
   for (std::size_t i = 0; array && i < array->size(); ++i)
     if (const auto* entry = (*array)[i].as_table())
-      points.push_back(read_point(*entry, file, study));
+      points.push_back(read_operating_point(*entry, file, study));
   if (!array || points.size() != array->size())
     throw InputError(place_of(*node, file), "operating_point", shown(*node),
                      "operating points are a list of tables",

@@ -24,6 +24,9 @@ std::vector<std::string> quantity_labels(const Study& study);
 /// a bearing, that vary in the study, or whose scene is impossible.
 std::vector<OperatingPointPlan> read_operating_points(const toml::table& root,
                                                       const std::string& file, const Study& study);
+/// One entry; throws likewise.
+OperatingPointPlan read_operating_point(const toml::table& entry, const std::string& file,
+                                        const Study& study);
 toml::table operating_point_table(const OperatingPointPlan& point);
 
 /// Finds the temperatures of the scene and of each point where temperature.balance asks for it

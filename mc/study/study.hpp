@@ -48,6 +48,12 @@ struct ScreenPlan {
   long budget_samples = 40;  ///< runs in all
 };
 
+/// How `cagetol map` goes about it.
+struct MapPlan {
+  long budget_samples = 24;  ///< runs of each cell
+  long border_samples = 24;  ///< further runs at a border, or where nothing is resolved
+};
+
 struct TolerancePlan {
   double target_yield = 0.95;
   double confidence = 0.95;
@@ -114,6 +120,7 @@ struct Study {
   RecommendPlan recommend;
   ScreenPlan screen;
   DocumentPlan document;
+  MapPlan map;
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;
   std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash

@@ -33,6 +33,8 @@ const KeyTable<Study>& study_keys() {
       {"recommend.budget_h", at_least(0), AT(recommend.budget_time), "wall-clock time of all stages together, by the pilot's time of a run, may be raised in the same directory; 0: no such budget"},
       {"recommend.assumption_samples", or_auto(within(0, 1e9)), AT(recommend.assumption_samples), "after the confirmation: runs under each end of each range of an [[assumption]], beyond any budget; may be set and raised in the same directory; auto: as many as settle an alternative whose yield is that of the attempt, up to 100 times as many as confirm the target if none fails, else these; 0: none"},
       {"screen.budget_samples", within(20, 60), AT(screen.budget_samples), "runs of `screen`, eight of them of cages that have run before"},
+      {"map.budget_samples", within(20, 60), AT(map.budget_samples), "runs of `map` in each cell, eight of them of cages that have run before"},
+      {"map.border_samples", within(20, 60), AT(map.border_samples), "further runs of `map` in a cell with a neighbour that has another answer, or whose runs resolve no answer"},
       {"document.customer", within(0, 120), AT(document.customer), "title block: customer that the report is for"},
       {"document.project", within(0, 120), AT(document.project), "title block: project or order"},
       {"document.drawing", within(0, 120), AT(document.drawing), "title block: number of the drawing"},

@@ -1,17 +1,20 @@
-// `cagetol recommend` with a formula in place of the physics: the cage slips by how far its widest
+// `cagetol recommend` (`screen`, `map`) with a formula in place of the physics: the cage slips by how far its widest
 // pocket exceeds the nominal 7.65 mm, and by 0.01 more for each slice of a contact below five. A
 // share of the runs may be lost. With --value every other quantity has that value.
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <thread>
 
+#include "mc/commands/map_stages.hpp"
 #include "mc/commands/recommend_stages.hpp"
 #include "mc/commands/screen_stages.hpp"
 #include "mc/host/log.hpp"
+#include "src/input/unit.hpp"
 #include "src/quantities/quantity_table.hpp"
 
 namespace {
@@ -30,7 +33,9 @@ cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds, double 
     if (stop()) return outcome;
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
-  if (is_lost(sample, lost_share)) {
+  // In a map slip follows the speed, and the fastest bearing has no result.
+  const double speed = sample.scene.operation.inner_speed / cagetol::kRpm;
+  if (is_lost(sample, lost_share) || speed > 20000) {
     outcome.status = cagetol::Status::failed;
     outcome.reason = "lost";
     return outcome;
@@ -43,6 +48,8 @@ cagetol::Outcome run(const cagetol::Sample& sample, double milliseconds, double 
       1e3 * *std::max_element(widths.begin(), widths.end()) - 7.65 +
       0.01 * static_cast<double>(5 - sample.scene.discretisation.race_slices) +
       (cagetol::is_quasi_static(sample.scene) ? 0.01 : 0);
+  outcome.quantities[static_cast<std::size_t>(cagetol::quantity_index("cage_slip_ratio"))] *=
+      std::round(speed) / 6000;
   return outcome;
 }
 
@@ -56,6 +63,7 @@ int main(int argc, char** argv) {
   double milliseconds = 0.5, lost_share = 0;
   std::optional<double> value;
   bool screen = false;
+  std::vector<std::string> over;
   CLI::App app{"recommendation of a stand-in study"};
   app.add_option("study", study)->required();
   app.add_option("directory", options.directory)->required();
@@ -65,6 +73,7 @@ int main(int argc, char** argv) {
   app.add_option("--lost", lost_share, "share of the runs that fail");
   app.add_option("--value", value, "of all quantities but the cage's slip");
   app.add_flag("--screen", screen, "the screen alone");
+  app.add_option("--over", over, "a map over two keys")->allow_extra_args(false);
   CLI11_PARSE(app, argc, argv);
   log_to_stderr();
   const auto make_plan = [&](const Study& stage) {
@@ -78,5 +87,8 @@ int main(int argc, char** argv) {
   if (screen)
     return run_screen([&] { return read_study(study, settings); }, make_plan, options.directory,
                       options.progress);
+  if (!over.empty())
+    return run_map([&] { return read_study(study, settings); }, make_plan,
+                   {options.directory, over, false, options.progress});
   return run_recommend([&] { return read_study(study, settings); }, make_plan, options);
 }

@@ -31,5 +31,13 @@ TEST(JamOnset, KnowsCurvesThatBeginWithoutAJam) {
   EXPECT_LT(*onset.ppm_mm, 0.3);
 }
 
+TEST(JamOnset, SharesAreThoseWhoseToleranceItFinds) {
+  for (const double share : {1e-7, 2e-6, 3e-5, 0.01})
+    EXPECT_NEAR(share_of_jams(kCurve, *tolerance_of_jams(kCurve, share)), share, 1e-9 * share);
+  EXPECT_DOUBLE_EQ(share_of_jams(kCurve, 0.01), 2e-8);
+  EXPECT_DOUBLE_EQ(share_of_jams(kCurve, 9), 0.02);
+  EXPECT_EQ(share_of_jams({}, 0.1), 0);
+}
+
 }  // namespace
 }  // namespace cagetol

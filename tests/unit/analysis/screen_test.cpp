@@ -132,6 +132,39 @@ TEST(Screen, SaysWhatIsNotResolvedAndWhatJamsDecide) {
   EXPECT_THROW(screen_limits(lost, kBoth, 0), Refused);
 }
 
+TEST(Screen, LimitsAndJamsTakeFromTheTargetTogether) {
+  StudyData runs = standin(3, 0.02, 0.03, 1.2);
+  const Screen one = screen_limits(runs, kBoth, 0.001);
+  // Few jam where the limit is reached; the width is that of the limit alone.
+  EXPECT_EQ(one.together[0].width_mm, one.limits[0].reach[0].width_mm);
+  EXPECT_EQ(one.together[0].lower_mm, one.limits[0].reach[0].lower_mm);
+  // The same limit once more takes as much again: each has half of the target's misses.
+  runs.quantities.push_back(runs.quantities[0]);
+  runs.quantities.back().name = "again";
+  runs.plan.limits.push_back({"again", {}, 1.2, "stand-in", 1});
+  const Screen two = screen_limits(runs, kBoth, 0.001);
+  runs.plan.limits.pop_back();
+  runs.plan.target_yield = 0.975;
+  EXPECT_EQ(two.together[0].width_mm,
+            screen_limits(runs, kBoth, 0.001).limits[0].reach[0].width_mm);
+  EXPECT_LT(two.together[0].width_mm, one.together[0].width_mm);
+  // A limit that is never reached leaves jams, to a step of the search.
+  runs.plan.limits[0].maximum = 9;
+  const Screen jams = screen_limits(runs, kBoth, 0.001);
+  EXPECT_NEAR(jams.together[0].width_mm.value_or(0), *jams.together[0].jam_mm, 0.003);
+  EXPECT_EQ(jams.together[0].lower_mm, jams.together[0].upper_mm);
+}
+
+// Of six cages nobody knows the scatter well; a hundred standard deviations are still far.
+TEST(Screen, ALimitFarAwayStaysFarHoweverFewTheRuns) {
+  StudyData runs = standin(4, 0.02, 0.03, 9);
+  for (std::size_t i = 6; i < runs.size(); ++i) runs.status[i] = RunStatus::failed;
+  const LimitReach far = screen_limits(runs, kBoth, 0.001).limits[0].reach[0];
+  EXPECT_FALSE(far.lower_mm) << far.lower_mm.value_or(0);
+  runs.plan.limits[0].maximum = 1.2;
+  EXPECT_EQ(screen_limits(runs, kBoth, 0.001).limits[0].reach[0].lower_mm, 0);
+}
+
 TEST(Screen, AMinimumIsReachedFromAbove) {
   StudyData runs = standin(2, 0.02, 0.03, 1.3);
   const Screen above = screen_limits(runs, kBoth, 0.001);
