@@ -30,6 +30,7 @@ def main(report_file, output_dir):
     import operating_map
     import pocket
     import quantities
+    import rare
     import response
     import rig
     import screen
@@ -45,12 +46,12 @@ def main(report_file, output_dir):
         **{f"other_quantities_{page + 1}": quantities.other_quantities(page) for page in range(5)},
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
-        "cage_stress": cage.cage_stress, "error_budget": error_budget.error_budget,
+        "cage_stress": cage.cage_stress, "rare": rare.of_report, "error_budget": error_budget.error_budget,
         **response.figures(),
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
                  "ladder": {"ladder": fidelity.ladder}, "cage": {"pocket": pocket.pocket},
-                 "rig": {"rig": rig.rig}, "screen": {"screen": screen.screen},
+                 "rig": {"rig": rig.rig}, "rare": {"rare": rare.rare}, "screen": {"screen": screen.screen},
                  "map": {"map": operating_map.operating_map}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)

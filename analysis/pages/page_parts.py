@@ -304,6 +304,7 @@ def appendix(report):
         ("map", "Where it matters", report.get("map")),
         ("outcomes", "Outcomes and limits", True),
         ("confirmation", "Fresh runs at the recommended tolerance", report["confirmation"]),
+        ("rare", "Bad cages in a million", report.get("rare")),
         ("tolerance", "Yield against tolerance", tolerance),
         ("assumed", "What nobody knows", report["assumption_verdicts"]),
         ("contributors", "What drives the quantities", contributors["features"] and contributors["outputs"]),
@@ -326,6 +327,11 @@ def appendix(report):
 def hundred(share):
     """A share in percent."""
     return 100 * share if is_number(share) else None
+
+
+def million(share):
+    """A share in parts per million."""
+    return 1e6 * share if is_number(share) else None
 
 
 MOST_CANDIDATES = 12

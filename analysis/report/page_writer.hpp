@@ -1,4 +1,5 @@
-// report.html, report.pdf and appendix.pdf: Python lays report.json out with the templates of analysis/pages.
+// report.html, report.pdf and appendix.pdf: Python lays report.json out with the templates of
+// analysis/pages.
 #pragma once
 
 #include <filesystem>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 
 #include "analysis/report/cage_peak.hpp"
 #include "analysis/report/csv_tables.hpp"
@@ -54,6 +55,13 @@ Json read_map(const std::filesystem::path& file) {
   return map.is_object() && map.value("report_version", 0) == kReportVersion ? map : Json();
 }
 
+/// What `cagetol rare` found by the limits of these runs; null where it did not.
+Json read_rare(const std::filesystem::path& directory, const StudyPlan& plan) {
+  std::ifstream file(directory / "rare" / "rare.json");
+  const Json rare = file ? Json::parse(file, nullptr, false) : Json();
+  return rare.is_object() && rare.value("judgement", Json()) == judgement_of(plan) ? rare : Json();
+}
+
 /// `made` takes the place of `folder`, and what was there goes.
 void replace_folder(const std::filesystem::path& made, const std::filesystem::path& folder) {
   const auto before = folder.string() + ".before";
@@ -97,6 +105,8 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
       assumptions, options.bearing ? options.bearing(file) : Json());
   if (options.document) report["document"] = *options.document;
   if (!map.is_null() && !options.restate) report["map"] = map;
+  if (Json rare = read_rare(study_dir, study.plan); !rare.is_null())
+    report["rare"] = std::move(rare);
   if (options.restate) report["limit_curves"] = limit_curves_json(study);
   const std::string text = report.dump(1) + "\n";
   if (apart) {

@@ -21,15 +21,6 @@ constexpr double kMostMixture = 0.5, kMinimumMixture = 0.25;
 /// budget affords them.
 constexpr double kFirstRows = 40;
 
-double seconds_per_run(const StudyData& pilot) {
-  for (const Column& column : pilot.timing)
-    if (column.name == "wall_s" && pilot.size() > 0) {
-      const std::vector<double> equal(pilot.size(), 1.0);
-      return weighted_mean(column.values, equal);
-    }
-  return 0;
-}
-
 /// Runs of a mixture of so many rows, noise replicates included.
 double runs_of_rows(const StudyPlan& study, double rows) {
   return rows * (1 + study.extra_replicates);
@@ -168,6 +159,15 @@ void share_out(CampaignPlan& plan, const StudyData& pilot, std::size_t study_row
 }
 
 }  // namespace
+
+double seconds_per_run(const StudyData& runs) {
+  for (const Column& column : runs.timing)
+    if (column.name == "wall_s" && runs.size() > 0) {
+      const std::vector<double> equal(runs.size(), 1.0);
+      return weighted_mean(column.values, equal);
+    }
+  return 0;
+}
 
 std::string duration_text(double seconds) {
   if (seconds < 90) return fmt::format("{:.0f} s", seconds);

@@ -34,6 +34,9 @@ struct CampaignPlan {
   nlohmann::ordered_json judgement = {};  ///< what attempts are decided by (judgement_of)
 };
 
+/// Mean wall-clock time of the runs; 0 where they do not say.
+double seconds_per_run(const StudyData& runs);
+
 /// Fewest runs in all that can confirm anything: a pilot, a mixture that can judge one candidate,
 /// one attempt without a failing run.
 std::size_t minimum_budget(const ConfirmationRules& rules, double extra_replicates,

@@ -11,6 +11,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/judgeable.hpp"
 #include "mc/commands/operating_text.hpp"
+#include "mc/commands/rare_stages.hpp"
 #include "mc/run/forecast.hpp"
 #include "mc/run/jam_shares.hpp"
 #include "mc/study/assumption_ranges.hpp"
@@ -139,7 +140,8 @@ std::string summary(const Study& study) {
   if (!study.candidates.empty())
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
                         study.candidates.size(), study.tolerance.dimensions.size()) +
-            dimensions_text(study) + jams_text(study, jams) + budget_text(study, jams);
+            dimensions_text(study) + jams_text(study, jams) + budget_text(study, jams) +
+            rare_budget_text(study);
   if (const std::size_t count = alternatives_of(study).size();
       count > 0 && !study.candidates.empty())
     text += fmt::format(

@@ -12,13 +12,11 @@
 #include "analysis/study/refused.hpp"
 #include "analysis/tolerance/map_cell.hpp"
 #include "mc/commands/command.hpp"
-#include "mc/commands/judgeable.hpp"
-#include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/screen_stages.hpp"
+#include "mc/commands/stage_study.hpp"
 #include "mc/host/build_info.hpp"
 #include "mc/host/file_write.hpp"
 #include "mc/host/json_number.hpp"
-#include "mc/run/forecast.hpp"
 #include "mc/study/map_axis.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/sweep/sweep_directory.hpp"
@@ -281,17 +279,16 @@ std::vector<MapAxis> axes_of(const std::vector<std::string>& over, const Study& 
 
 int run_map(const std::function<Study()>& read, const MakePlan& make_plan,
             const MapOptions& options) {
-  return run_staged(make_plan, options.progress, [&](StagedSweeps& stages) -> int {
-    const Study given = read();
-    require_limits_and_candidates(given);
-    const auto axes = axes_of(options.over, given);
-    require_memory(forecast_sweep(given), ranks_on_this_machine());
-    require_disk(forecast_sweep(given), options.directory);
-    const auto base = with_fidelity(given, options.directory, stages);
-    if (const int* code = std::get_if<int>(&base)) return *code;
+  std::vector<MapAxis> axes;
+  const auto read_with_axes = [&] {
+    Study study = read();
+    axes = axes_of(options.over, study);
+    return study;
+  };
+  const auto lead = [&](const Study& base, StagedSweeps& stages) -> int {
     spdlog::set_level(spdlog::level::warn);  // a line for each cell shows how far its sweeps are
     const std::string folder = options.directory + "/map";
-    MapLeader leader(std::get<Study>(base), axes, folder, stages);
+    MapLeader leader(base, axes, folder, stages);
     if (const int code = leader.lead()) return code;
     if (const std::string problem = leader.nothing(); !problem.empty()) {
       spdlog::error("no cell has an answer; the first: {}", problem);
@@ -300,7 +297,8 @@ int run_map(const std::function<Study()>& read, const MakePlan& make_plan,
     const Json map = leader.json();
     write_result(map, map["rows"], folder, options.pdf);
     return kDone;
-  });
+  };
+  return run_staged_study(read_with_axes, make_plan, options.directory, options.progress, lead);
 }
 
 }  // namespace cagetol

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,11 +13,10 @@
 #include "mc/commands/assumption_stages.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/judgeable.hpp"
-#include "mc/commands/ladder_stages.hpp"
+#include "mc/commands/rare_stages.hpp"
 #include "mc/commands/screen_stages.hpp"
 #include "mc/commands/stage_study.hpp"
 #include "mc/host/build_info.hpp"
-#include "mc/run/forecast.hpp"
 #include "mc/sweep/adopted_runs.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
@@ -74,16 +74,9 @@ class StageLeader {
 std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
   const std::string directory = path(stage.name);
   const Study study = stage_study(base_, stage);
-  const long rows = stage.name == "mixture" ? stored_rows(directory) : 0;
-  if (rows > 0 && rows < study.samples) {
-    Stage smaller = stage;
-    smaller.rows = static_cast<std::size_t>(rows);
-    code_ = stages_.sweep(stage_study(base_, smaller), directory);
-    if (code_ != kDone) return std::nullopt;
-    grow_directory(study, directory);
-  }
   if (!stage.tolerances.empty()) begin_attempt(study, stage);
-  code_ = stages_.sweep(study, directory, stage.allowed_failures);
+  code_ = stage.name == "mixture" ? sweep_grown(base_, stage, directory, stages_)
+                                  : stages_.sweep(study, directory, stage.allowed_failures);
   if (code_ != kDone) return std::nullopt;
   auto runs = read_study_data(study_file_path(directory));
   runs.judged_again = is_judged_again(directory, runs.plan);
@@ -203,6 +196,10 @@ int StageLeader::lead() {
                      : "not confirmed");
   if (campaign.end != CampaignEnd::interrupted)
     code_ = run_assumptions(base_, directory_, campaign, *stored_plan(), stages_);
+  const auto confirmed = std::find_if(campaign.attempts.rbegin(), campaign.attempts.rend(),
+                                      [](const Attempt& of) { return of.confirmation.confirms(); });
+  if (code_ == kDone && campaign.end == CampaignEnd::confirmed && base_.rare.budget_samples > 0)
+    code_ = rare_stage(base_, path("rare"), confirmed->recommendation.tolerances, stages_);
   if (code_ == kInterrupted) spdlog::warn(kInterruptedText);
   if (code_ != kDone || campaign.end == CampaignEnd::interrupted) return code_;
   switch (campaign.end) {
@@ -226,17 +223,16 @@ int StageLeader::lead() {
 
 int run_recommend(const std::function<Study()>& read, const MakePlan& make_plan,
                   const RecommendOptions& options) {
-  return run_staged(make_plan, options.progress, [&](StagedSweeps& stages) {
-    const Study given = read();
-    require_limits_and_candidates(given);
-    if (const auto faults = judgement_faults(given); !faults.empty()) throw faults.front();
-    require_no_other(options.directory, "journal", "a sweep");
-    require_memory(forecast_sweep(given), ranks_on_this_machine());
-    require_disk(forecast_sweep(given), options.directory);
-    const auto base = with_fidelity(given, options.directory, stages);
-    if (const int* code = std::get_if<int>(&base)) return *code;
-    return StageLeader(std::get<Study>(base), options, stages).lead();
-  });
+  const auto read_judgeable = [&] {
+    Study study = read();
+    require_limits_and_candidates(study);
+    if (const auto faults = judgement_faults(study); !faults.empty()) throw faults.front();
+    return study;
+  };
+  const auto lead = [&](const Study& base, StagedSweeps& stages) {
+    return StageLeader(base, options, stages).lead();
+  };
+  return run_staged_study(read_judgeable, make_plan, options.directory, options.progress, lead);
 }
 
 }  // namespace cagetol

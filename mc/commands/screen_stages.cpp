@@ -9,12 +9,9 @@
 #include "analysis/study/refused.hpp"
 #include "analysis/tolerance/jam_onset.hpp"
 #include "mc/commands/command.hpp"
-#include "mc/commands/judgeable.hpp"
-#include "mc/commands/ladder_stages.hpp"
 #include "mc/commands/stage_study.hpp"
 #include "mc/host/file_write.hpp"
 #include "mc/host/json_number.hpp"
-#include "mc/run/forecast.hpp"
 #include "mc/run/jam_shares.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "src/input/input_error.hpp"
@@ -246,20 +243,14 @@ std::variant<Screen, int> screen_stage(const Study& base, const std::string& dir
 
 int run_screen(const std::function<Study()>& read, const MakePlan& make_plan,
                const std::string& directory, ProgressStyle progress) {
-  return run_staged(make_plan, progress, [&](StagedSweeps& stages) -> int {
-    const Study given = read();
-    require_limits_and_candidates(given);
-    require_no_other(directory, "journal", "a sweep");
-    require_memory(forecast_sweep(given), ranks_on_this_machine());
-    require_disk(forecast_sweep(given), directory);
-    const auto base = with_fidelity(given, directory, stages);
-    if (const int* code = std::get_if<int>(&base)) return *code;
+  const auto lead = [&](const Study& base, StagedSweeps& stages) -> int {
     const std::string folder = directory + "/screen";
-    const auto found = screen_stage(std::get<Study>(base), folder, stages);
+    const auto found = screen_stage(base, folder, stages);
     if (const int* code = std::get_if<int>(&found)) return *code;
     print("screen: " + draw_beside(folder + "/screen.json") + "\n");
     return kDone;
-  });
+  };
+  return run_staged_study(read, make_plan, directory, progress, lead);
 }
 
 }  // namespace cagetol

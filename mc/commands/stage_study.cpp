@@ -2,6 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
+#include "mc/commands/judgeable.hpp"
+#include "mc/commands/ladder_stages.hpp"
+#include "mc/commands/output_path.hpp"
+#include "mc/run/forecast.hpp"
+#include "mc/sweep/adopted_runs.hpp"
 #include "mc/sweep/sweep_directory.hpp"
 #include "src/input/unit.hpp"
 
@@ -29,6 +36,7 @@ Study stage_study(const Study& base, const Stage& stage) {
     study.recommend.budget_time = study.recommend.assumption_samples = 0;
     study.screen = {};
     study.map = {};
+    study.rare = {};
     // So may ranges, of which a stage knows one value: DIR/assumptions.json holds them.
     for (Assumption& assumption : study.scene.assumptions)
       assumption = {assumption.key, assumption.note};
@@ -46,6 +54,52 @@ Study stage_study(const Study& base, const Stage& stage) {
       if (tolerance.centre) dimension.centres = {*tolerance.centre};
     }
   });
+}
+
+int sweep_grown(const Study& base, const Stage& stage, const std::string& directory,
+                StagedSweeps& stages) {
+  const Study study = stage_study(base, stage);
+  const long rows = stored_rows(directory);
+  if (rows > 0 && rows < study.samples) {
+    Stage smaller = stage;
+    smaller.rows = static_cast<std::size_t>(rows);
+    if (const int code = stages.sweep(stage_study(base, smaller), directory)) return code;
+    grow_directory(study, directory);
+  }
+  return stages.sweep(study, directory, stage.allowed_failures);
+}
+
+int run_staged_study(const std::function<Study()>& read, const MakePlan& make_plan,
+                     const std::string& directory, ProgressStyle progress, const LeadStages& lead) {
+  return run_staged(make_plan, progress, [&](StagedSweeps& stages) -> int {
+    const Study given = read();
+    require_limits_and_candidates(given);
+    require_no_other(directory, "journal", "a sweep");
+    require_memory(forecast_sweep(given), ranks_on_this_machine());
+    require_disk(forecast_sweep(given), directory);
+    const auto base = with_fidelity(given, directory, stages);
+    if (const int* code = std::get_if<int>(&base)) return *code;
+    return lead(std::get<Study>(base), stages);
+  });
+}
+
+Chosen add_staged_study(CLI::App& command, const std::string& directory_text,
+                        int (*run)(const std::function<Study()>&, const MakePlan&,
+                                   const std::string&, ProgressStyle)) {
+  struct Arguments {
+    std::string file, directory;
+    std::vector<std::string> settings;
+    ProgressStyle progress = ProgressStyle::automatic;
+  };
+  auto options = std::make_shared<Arguments>();
+  command.add_option("STUDY", options->file, "Study file")->required();
+  add_output_directory(command, options->directory, directory_text);
+  add_settings_option(command, options->settings);
+  add_progress_option(command, options->progress);
+  return [options, run] {
+    return run(reading_study(options->file, options->settings), make_sweep_plan, options->directory,
+               options->progress);
+  };
 }
 
 }  // namespace cagetol

@@ -18,6 +18,7 @@ Chosen judge_command(CLI::App& command);
 Chosen ladder_command(CLI::App& command);
 Chosen map_command(CLI::App& command);
 Chosen quantities_command(CLI::App& command);
+Chosen rare_command(CLI::App& command);
 Chosen recommend_command(CLI::App& command);
 Chosen replay_command(CLI::App& command);
 Chosen report_command(CLI::App& command);
@@ -49,6 +50,7 @@ const std::vector<Subcommand> kSubcommands = {
     {kStudy, "recommend", "Find the tolerance that meets the target, and confirm it with fresh runs", "recommend inputs/studies/nu205.toml -o out/nu205-drawing", recommend_command},
     {kStudy, "screen", "Find which tolerance moves which limited quantity, and what is worth a campaign", "screen inputs/studies/nu205.toml -o out/nu205-screen", screen_command},
     {kStudy, "map", "Map the widest tolerance over two keys, such as load and speed, and what decides there", "map inputs/studies/nu205-map.toml --over load.radial_N=100..10000:6:log --over speed.inner_rpm=1000..14000:6 -o out/nu205-map", map_command},
+    {kStudy, "rare", "Bound the share of bad cages in parts per million, each limit by the route that can", "rare inputs/studies/nu205.toml -o out/nu205-rare", rare_command},
     {kStudy, "sweep", "Run every sample of a study; the same command resumes an interrupted sweep", "sweep inputs/studies/nu205.toml -o out/nu205", sweep_command},
     {kResults, "report", "Write report.html, report.json and CSV tables from DIR/study.h5", "report out/nu205", report_command},
     {kResults, "judge", "Judge the runs of a directory by other limits: scatter, margins, which decide, a report", "judge out/nu205 --limit driving_slip_ratio=0.05", judge_command},

@@ -54,6 +54,13 @@ struct MapPlan {
   long border_samples = 24;  ///< further runs at a border, or where nothing is resolved
 };
 
+/// How `cagetol rare` goes about it.
+struct RarePlan {
+  double target_ppm = 63;       ///< share of cages in question
+  long budget_samples = 0;      ///< runs in all; 0: no stage of `recommend`, 1100 runs of `rare`
+  double relative_error = 0.3;  ///< standard error of a measured share, as a share of it
+};
+
 struct TolerancePlan {
   double target_yield = 0.95;
   double confidence = 0.95;
@@ -121,6 +128,7 @@ struct Study {
   ScreenPlan screen;
   DocumentPlan document;
   MapPlan map;
+  RarePlan rare;
   std::vector<Candidate> candidates;
   std::string resolved_toml, resolved_json;
   std::vector<std::pair<std::string, std::string>> files;  ///< further input files: name, text hash

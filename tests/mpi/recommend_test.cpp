@@ -273,6 +273,86 @@ TEST_F(RecommendTest, AScreenFindsWhatMovesTheLimitOnAnyNumberOfRanksAndAfterAKi
   EXPECT_THAT(far.output, HasSubstr("jams alone can decide"));
 }
 
+/// The limit on the cage's slip, whose standard deviation is about 0.006.
+std::vector<std::string> slip_limit(const std::string& value) {
+  return {"--set", "limit=[{quantity='cage_slip_ratio', max=" + value +
+                       ", source='test', cage_revolutions=6}]"};
+}
+
+/// Of DIR/rare, without what follows from the time of a run.
+nlohmann::json rare_failures(const std::string& directory) {
+  std::ifstream stream(directory + "/rare/rare.json");
+  auto found = nlohmann::json::parse(stream);
+  found.erase("counting_hours");
+  return found;
+}
+
+TEST_F(RecommendTest, RareFailuresAreTheSameOnAnyNumberOfRanksAndAfterKills) {
+  const auto rare = [&](const std::string& directory, std::vector<std::string> more = {}) {
+    more.push_back("--rare");
+    for (const std::string& option : slip_limit("0.2")) more.push_back(option);
+    return recommend(directory, more);
+  };
+  const auto expect_rare = [&](const std::string& first, const std::string& second) {
+    for (const char* stage : {"rare/pilot", "rare/tail"})
+      EXPECT_THAT(study_file_differences(file(first, stage), file(second, stage)), IsEmpty())
+          << second << " " << stage;
+    EXPECT_EQ(rare_failures(scratch_ / first), rare_failures(scratch_ / second)) << second;
+  };
+  const Ended serial = run(rare("serial", {"--ms", "0"}));
+  ASSERT_EQ(serial.code, 0) << serial.output;
+  EXPECT_THAT(serial.output, HasSubstr("extrapolated from the tail of 1000 runs; blind to"));
+  const auto found = rare_failures(scratch_ / "serial");
+  const auto& row = found.at("rows").at(1);
+  EXPECT_EQ(row.at("upper"), 1e-6);  // the least that 1000 runs may say
+  EXPECT_NEAR(row.at("exact_upper").get<double>(), 0.002991, 1e-6);
+  EXPECT_TRUE(fs::exists(scratch_ / "serial/rare/figures/rare.svg"));
+  for (const int ranks : {1, 2, 4}) {
+    const std::string directory = "ranks" + std::to_string(ranks);
+    ASSERT_EQ(run(with_mpirun(ranks, rare(directory, {"--ms", "0"}))).code, 0);
+    expect_rare("serial", directory);
+  }
+  for (const auto& [stage, signal] : {std::pair("rare/pilot", SIGUSR1), {"rare/tail", SIGKILL}}) {
+    Process process(rare("killed", {"--ms", "4"}));
+    wait_for(process, scratch_ / (std::string("killed/") + stage), 10);
+    process.signal(signal);
+    const int code = process.wait();
+    if (signal == SIGUSR1) {
+      EXPECT_EQ(code, 75) << process.output();
+    }
+  }
+  ASSERT_EQ(run(with_mpirun(2, rare("killed", {"--ms", "0"}))).code, 0);
+  expect_rare("serial", "killed");
+  // A larger budget keeps the runs, and is what it would have been at once.
+  const std::vector<std::string> more = {"--ms", "0", "--set", "rare.budget_samples=1300"};
+  ASSERT_EQ(run(rare("serial", more)).code, 0);
+  ASSERT_EQ(run(with_mpirun(2, rare("larger", more))).code, 0);
+  expect_rare("serial", "larger");
+  EXPECT_EQ(read_study_file(file("serial", "rare/tail")).outcomes.size(), 1200u);
+}
+
+TEST_F(RecommendTest, WhatCannotBeStatedOfRareFailuresCostsNoFreshRun) {
+  std::vector<std::string> options = {"--rare", "--ms", "0"};
+  for (const std::string& option : slip_limit("0.03")) options.push_back(option);
+  const Ended near = run(recommend("near", options));
+  ASSERT_EQ(near.code, 0) << near.output;
+  EXPECT_THAT(near.output, HasSubstr("cannot be stated"));
+  EXPECT_FALSE(fs::exists(scratch_ / "near/rare/tail"));
+  EXPECT_TRUE(rare_failures(scratch_ / "near").at("rows").at(1).at("upper").is_null());
+  // 1000 runs show 0.3 %: then they are counted.
+  options.insert(options.end(), {"--set", "rare.target_ppm=3000"});
+  const Ended counted = run(recommend("near", options));
+  ASSERT_EQ(counted.code, 0) << counted.output;
+  EXPECT_THAT(counted.output, HasSubstr("of 1000 runs miss it (Clopper-Pearson)"));
+}
+
+TEST_F(RecommendTest, RareFailuresOfWhatIsConfirmedAreTheLastStage) {
+  const Ended ended = run(recommend("out", {"--set", "rare.budget_samples=150"}));
+  ASSERT_EQ(ended.code, 0) << ended.output;
+  EXPECT_THAT(read_study_file(file("out", "rare/pilot")).study_toml, HasSubstr("IT12"));
+  EXPECT_THAT(ended.output, HasSubstr("cannot be stated"));
+}
+
 TEST_F(RecommendTest, DrainsUnderMpirun) {
   Process process(with_mpirun(2, recommend("out", {"--ms", "4"})));
   wait_for(process, scratch_ / "out/mixture", 20);

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "mc/commands/map_stages.hpp"
+#include "mc/commands/rare_stages.hpp"
 #include "mc/commands/recommend_stages.hpp"
 #include "mc/commands/screen_stages.hpp"
 #include "mc/host/log.hpp"
@@ -62,7 +63,7 @@ int main(int argc, char** argv) {
   RecommendOptions options;
   double milliseconds = 0.5, lost_share = 0;
   std::optional<double> value;
-  bool screen = false;
+  bool screen = false, rare = false;
   std::vector<std::string> over;
   CLI::App app{"recommendation of a stand-in study"};
   app.add_option("study", study)->required();
@@ -74,6 +75,7 @@ int main(int argc, char** argv) {
   app.add_option("--value", value, "of all quantities but the cage's slip");
   app.add_flag("--screen", screen, "the screen alone");
   app.add_option("--over", over, "a map over two keys")->allow_extra_args(false);
+  app.add_flag("--rare", rare, "rare failures alone");
   CLI11_PARSE(app, argc, argv);
   log_to_stderr();
   const auto make_plan = [&](const Study& stage) {
@@ -90,5 +92,8 @@ int main(int argc, char** argv) {
   if (!over.empty())
     return run_map([&] { return read_study(study, settings); }, make_plan,
                    {options.directory, over, false, options.progress});
+  if (rare)
+    return run_rare([&] { return read_study(study, settings); }, make_plan, options.directory,
+                    options.progress);
   return run_recommend([&] { return read_study(study, settings); }, make_plan, options);
 }
