@@ -29,6 +29,7 @@ def main(report_file, output_dir):
     import heat
     import operating_map
     import pocket
+    import process
     import quantities
     import rare
     import response
@@ -46,7 +47,8 @@ def main(report_file, output_dir):
         **{f"other_quantities_{page + 1}": quantities.other_quantities(page) for page in range(5)},
         "pareto": contributors.pareto, "matrix": contributors.matrix, "pocket_map": contributors.pocket_map,
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
-        "cage_stress": cage.cage_stress, "rare": rare.of_report, "error_budget": error_budget.error_budget,
+        "process": process.process, "cage_stress": cage.cage_stress, "rare": rare.of_report,
+        "error_budget": error_budget.error_budget,
         **response.figures(),
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},

@@ -307,6 +307,7 @@ def appendix(report):
         ("rare", "Bad cages in a million", report.get("rare")),
         ("tolerance", "Yield against tolerance", tolerance),
         ("assumed", "What nobody knows", report["assumption_verdicts"]),
+        ("process", "The measured parts", report["measured"]),
         ("contributors", "What drives the quantities", contributors["features"] and contributors["outputs"]),
         ("quantities", "Statistics of every quantity", True),
         ("errors", "Error budget", report["error_budget"]["quantities"]),
@@ -470,6 +471,8 @@ def quantity_groups(report):
 def quantile(statistics, level):
     return next((entry for entry in statistics["quantiles"] if entry["level"] == level), statistics["quantiles"][0])
 
+
+MOST_CAGES = 30  # of a table
 
 MOST_UNLIMITED = 8
 

@@ -59,6 +59,11 @@ Json worst_samples_json(const ReportBasis& basis);
 Json contributors_json(const ReportBasis& basis);
 /// null where the cage is rigid. `peak` is what read_cage_peak found.
 Json cage_json(const ReportBasis& basis, const Json& peak);
+/// Of each key whose laws were read from measured parts: file, scatter, capability and drift.
+Json measured_json(const ReportBasis& basis);
+/// Where the measured cages ran one after the other: runs of each that miss a limit and the nearest
+/// limit, those at risk first. `measured`: that of measured_json.
+Json measured_cages_json(const ReportBasis& basis, const Json& measured);
 /// null where the study is no grid.
 /// The title block as the study states it.
 Json document_json(const StudyData& study);

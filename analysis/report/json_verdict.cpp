@@ -9,6 +9,7 @@
 #include "analysis/report/refining_ladder.hpp"
 #include "analysis/tolerance/confirmation.hpp"
 #include "analysis/tolerance/limit_margin.hpp"
+#include "distributions/variance_parts.hpp"
 
 namespace cagetol {
 namespace {
@@ -302,6 +303,13 @@ void finish_verdict(const ReportBasis& basis, Json& report) {
       report["confirmation"].is_object() ? report["confirmation"] : std::as_const(report);
   if (const std::string nearest = nearest_limits(judged["capability"]); !nearest.empty())
     sentences.push_back(nearest);
+  for (const Json& measured : report["measured"])
+    if (measured["group"] != "" && measured["names"].size() < kFewGroups) {
+      sentences.push_back(fmt::format(
+          "The {} was measured of {} cages: fewer than {} say little of how cages differ.",
+          measured["name"].get<std::string>(), measured["names"].size(), kFewGroups));
+      verdict["statement"] = verdict["statement"].get<std::string>() + " " + sentences.back();
+    }
   verdict["grounds"] = sentences;
   verdict["next"] = next_steps(basis, report);
   if (basis.study.judged_again) {

@@ -48,6 +48,8 @@ nlohmann::ordered_json make_report(const StudyData& study,
   report["error_budget"] = error_budget_json(basis, report["quantities"], refining_ladder);
   report["cage"] = cage_json(basis, cage_peak);
   report["capability"] = capability_json(basis);
+  report["measured"] = measured_json(basis);
+  report["measured_cages"] = measured_cages_json(basis, report["measured"]);
   report["convergence"] = convergence_json(basis);
   report["failures"] = failures_json(basis);
   report["worst_samples"] = worst_samples_json(basis);

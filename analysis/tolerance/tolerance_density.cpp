@@ -65,7 +65,7 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
     if (dimension >= 0 && std::holds_alternative<Empirical>(law))
       throw Refused("weights refused: " + input.key + scope +
                     " is a list of measured values, which has no density; state it "
-                    "as a histogram");
+                    "as a histogram, or with fitted = true as normal laws");
     names.push_back(input.key + scope);
     added.push_back(parts_.size());
     const bool has_lot = !columns->lot.empty() && !input.lot.is_null();

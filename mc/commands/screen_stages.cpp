@@ -73,6 +73,7 @@ ScreenDesign screen_design(const Study& base, const ScreenStage& planned) {
         screened.narrowest_mm = std::min(screened.narrowest_mm, each.tolerance_widths_mm[d]);
       if (!jams.curves.empty()) screened.jams = jams.curves[d];
       if (input.pocket) screened.pocket_sigma = scale * standard_deviation(*input.pocket);
+      if (input.measured) input.measured->fitted = true;  // lots and pockets are drawn apart
       if (input.lot && standard_deviation(*input.lot) > 0) {
         screened.lot_sigma = scale * standard_deviation(*input.lot);
         input.lot = Normal{scale * mean(*input.lot), screened.lot_sigma};

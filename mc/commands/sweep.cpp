@@ -22,13 +22,15 @@ namespace cagetol {
 namespace {
 
 struct SweepArguments {
-  std::string file;
+  std::string file, measured;
   std::vector<std::string> settings;
   SweepOptions sweep;
 };
 
 Study read_with_notes(const SweepArguments& options) {
-  Study study = read_study(options.file, options.settings);
+  Study study = options.measured.empty()
+                    ? read_study(options.file, options.settings)
+                    : read_measured_study(options.file, options.settings, options.measured);
   if (launch_from_environment().rank == 0) {
     log_notes(study, sweep_notes(study));
     for (const InputError& fault : judgement_faults(study)) spdlog::warn("{}", fault.what());
@@ -100,6 +102,9 @@ Chosen sweep_command(CLI::App& command) {
   command.add_option("STUDY", options->file, "Study file")->required();
   add_output_directory(command, options->sweep.directory,
                        "Directory of the results: study.h5 and the journals");
+  command.add_option("--measured", options->measured,
+                     "CSV file of measured cages that run one after the other, each as often as "
+                     "`samples` allows: which of them is at risk, and why");
   add_settings_option(command, options->settings);
   add_progress_option(command, options->sweep.progress);
   return [options] { return run_sweep(*options); };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -16,9 +15,8 @@ namespace cagetol {
 namespace {
 
 // A law as a study states it: with the source of its measurements.
-struct StatedLaw : LawParameters {
-  std::string law, file, column, decimal = ".";
-  bool centred = false;
+struct StatedLaw : LawParameters, StatedFile {
+  std::string law;
 };
 
 KeyRange range_of(LawRange range) {
@@ -44,6 +42,11 @@ KeyTable<StatedLaw> make_parameter_keys() {
       {"column", any_value(), AT(column), "column of the CSV file"},
       {"decimal", one_of({".", ","}), AT(decimal), "decimal mark of the numbers in the CSV file"},
       {"centred", any_value(), AT(centred), "subtract the mean of the measurements"},
+      {"group", any_value(), AT(group), "column that names the cage of each part"},
+      {"fitted", any_value(), AT(fitted), "draw from normal laws fitted to the measurements"},
+      {"resample", any_value(), AT(resample), "take cages of another number of pockets"},
+      {"missing", one_of({"refuse", "skip"}), AT(missing), "what an empty field is"},
+      {"exclude", at_least(1), AT(exclude), "lines of the CSV file to leave out"},
   };
 #undef AT
   for (const LawParameter& parameter : law_parameters())
@@ -63,13 +66,17 @@ const KeyTable<StatedLaw>& parameter_keys() {
   return keys;
 }
 
+const std::vector<std::string> kOfFile = {"column",  "decimal", "group",   "fitted",
+                                          "missing", "exclude", "resample"};
+
 // The forms of a study file, but measurements may stand in a file of their own.
 std::vector<LawForm> make_stated_forms() {
   std::vector<LawForm> forms = law_forms();
   for (LawForm& form : forms)
     if (form.name == "empirical") {
       form.required.clear();
-      form.optional = {"file", "column", "decimal", "centred", "values"};
+      form.optional = kOfFile;
+      form.optional.insert(form.optional.end(), {"file", "centred", "values"});
     }
   return forms;
 }
@@ -102,14 +109,14 @@ Key<StatedLaw> named_below(Key<StatedLaw> parameter, const std::string& key) {
 }
 
 void read_measurements(const toml::table& table, const std::string& key, const std::string& unit,
-                       const std::string& file, MeasurementFiles& measurements,
-                       StatedLaw& parameters) {
+                       const std::string& file, const MeasuredKey& of,
+                       MeasurementFiles& measurements, StatedLaw& parameters) {
   const bool from_file = table.contains("file");
   if (from_file == table.contains("values"))
     throw InputError(place_of(table, file), key, shown(table),
                      from_file ? "both file and values are given" : "no measurements are given",
                      "give file = \"parts.csv\" and column = \"...\", or values = [...]");
-  for (const char* of_file : {"column", "decimal"})
+  for (const std::string& of_file : kOfFile)
     if (!from_file && table.contains(of_file))
       throw InputError(place_of(*table.get(of_file), file), key + "." + of_file,
                        shown(*table.get(of_file)), "this belongs to a file, but values are given",
@@ -128,14 +135,10 @@ void read_measurements(const toml::table& table, const std::string& key, const s
                        error.what(),
                        "give the path of a CSV file relative to the file that names it");
     }
-    parameters.values =
-        csv_column(text, path, {parameters.column, unit, parameters.decimal == ","});
-    measurements.emplace_back(parameters.file, text);
-  }
-  if (parameters.centred && !parameters.values.empty()) {
-    const double mean = std::accumulate(parameters.values.begin(), parameters.values.end(), 0.0) /
-                        static_cast<double>(parameters.values.size());
-    for (double& value : parameters.values) value -= mean;
+    measurements.push_back(read_measured_parts(text, path, parameters, key, unit, of));
+  } else if (parameters.centred && !parameters.values.empty()) {
+    const double middle = mean(Empirical{parameters.values});
+    for (double& value : parameters.values) value -= middle;
   }
 }
 
@@ -151,6 +154,10 @@ void read_parameters(const toml::table& table, const LawForm& form, const std::s
                        "the law \"" + form.name + "\" has no such parameter",
                        suggestion(parameter, names,
                                   fmt::format("its parameters are: {}", fmt::join(names, ", "))));
+    if (parameter == "group" && node.value_exact<bool>() == false) {
+      parameters.ungrouped = true;
+      continue;
+    }
     const auto* array = node.as_array();
     read_key(named_below(*find_key(parameter_keys(), parameter), key), node, file,
              array ? array->size() : 1, parameters);
@@ -166,12 +173,15 @@ void read_parameters(const toml::table& table, const LawForm& form, const std::s
 }  // namespace
 
 Law read_law(const toml::table& table, const std::string& key, const std::string& unit,
-             const std::string& file, MeasurementFiles& measurements) {
+             const std::string& file, MeasurementFiles& measurements, const MeasuredKey& of) {
   const auto& form = form_of(table, key, file);
   StatedLaw parameters;
   read_parameters(table, form, key, file, parameters);
-  if (form.name == "empirical") read_measurements(table, key, unit, file, measurements, parameters);
-  Law law = form.make(parameters);
+  if (form.name == "empirical")
+    read_measurements(table, key, unit, file, of, measurements, parameters);
+  const Law law = table.contains("file") && form.name == "empirical"
+                      ? laws_of(measurements.back()).pocket
+                      : form.make(parameters);
   try {
     check(law);
   } catch (const std::invalid_argument& error) {
@@ -187,17 +197,11 @@ Law read_law(const toml::table& table, const std::string& key, const std::string
 
 namespace {
 
-toml::array array_of(const std::vector<double>& values) {
-  toml::array array;
-  for (const double value : values) array.push_back(value);
-  return array;
-}
-
 void insert(toml::table& table, const std::string& name, double value) {
   if (std::isfinite(value)) table.insert(name, value);
 }
 void insert(toml::table& table, const std::string& name, const std::vector<double>& values) {
-  table.insert(name, array_of(values));
+  table.insert(name, key_detail::array_of(values));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "mc/study/measurement_csv.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -147,7 +148,8 @@ double value_of(std::string_view field, const SourcePlace& place, const Column& 
                 const std::string& text, bool decimal_comma) {
   if (field.empty())
     throw InputError(place, column.label(), "", "the field is empty",
-                     "give a number or remove the line");
+                     "give a number or remove the line; a law leaves the part out with missing = "
+                     "\"skip\"");
   const auto read = number(field, decimal_comma);
   if (!read) throw not_a_number(field, place, column, text, decimal_comma);
   const double value = column.factor == column.wanted_factor
@@ -183,9 +185,16 @@ void check_width(const CsvRecords& records, std::size_t named, const WantedColum
              : "give one field for each column, in quotes where it holds a separator");
 }
 
+/// Whether a field numbers or names a part: a whole number without decimals, or a text.
+bool names_part(std::string_view field) {
+  const bool digits =
+      std::all_of(field.begin(), field.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  return !field.empty() && (digits || !(number(field, false) || number(field, true)));
+}
+
 }  // namespace
 
-std::vector<double> csv_column(const std::string& bytes, const std::string& file,
+MeasuredColumn measured_column(const std::string& bytes, const std::string& file,
                                const WantedColumn& wanted) {
   const std::string text = csv_text(bytes, file);
   CsvRecords records(text, file, wanted.decimal_comma);
@@ -194,18 +203,39 @@ std::vector<double> csv_column(const std::string& bytes, const std::string& file
                      "put the names of the columns in the first line that is not a comment");
   std::vector<std::string> headings(records.fields().begin(), records.fields().end());
   headings.resize(used_fields(records.fields(), 1));
-  Column column = find_column(records, headings, text, wanted);
+  Column column = find_column(records, headings, text, wanted), group;
   choose_units(column, records.place(), wanted.unit);
-  std::vector<double> values;
+  if (!wanted.group.empty())
+    group = find_column(records, headings, text, {wanted.group, "", wanted.decimal_comma});
+  MeasuredColumn result;
+  std::vector<bool> labels(headings.size(), true);
   while (records.next()) {
     check_width(records, headings.size(), wanted);
-    values.push_back(value_of(records.fields()[column.position], records.place(), column, text,
-                              wanted.decimal_comma));
+    const auto& fields = records.fields();
+    const std::string_view field = fields[column.position];
+    result.values.push_back(field.empty() && wanted.gaps ? std::nan("")
+                                                         : value_of(field, records.place(), column,
+                                                                    text, wanted.decimal_comma));
+    result.lines.push_back(records.place().line);
+    for (std::size_t c = 0; c < labels.size(); ++c) labels[c] = labels[c] && names_part(fields[c]);
+    if (wanted.group.empty()) continue;
+    if (fields[group.position].empty())
+      throw InputError(records.place(), group.label(), "", "the field is empty",
+                       "name the group of this part, or remove the line");
+    result.labels.push_back(excerpt(std::string(fields[group.position]), kLongestField));
   }
-  if (values.empty())
+  if (result.values.empty())
     throw InputError({file, 0}, column.label(), "", "the column holds no measurements",
                      "add one line for each measured part");
-  return values;
+  for (std::size_t c = 0; c < labels.size(); ++c)
+    if (labels[c] && c != column.position && csv_heading(headings[c]).unit.empty())
+      result.label_columns.push_back(excerpt(headings[c], kLongestName));
+  return result;
+}
+
+std::vector<double> csv_column(const std::string& bytes, const std::string& file,
+                               const WantedColumn& wanted) {
+  return measured_column(bytes, file, wanted).values;
 }
 
 }  // namespace cagetol

@@ -17,11 +17,26 @@ struct WantedColumn {
   std::string name;  ///< the heading, or its name without the unit; capitals do not matter
   std::string unit;  ///< of the values wanted, as the suffix of a key: "mm"; empty: a pure number
   bool decimal_comma = false;
+  bool gaps = false;       ///< an empty field is a value that is missing, not an error
+  std::string group = {};  ///< heading of the column that says which parts belong together
 };
 
-/// The numbers of one column, from the bytes of a file; `file` names it in messages. Empty fields
-/// are errors, not gaps. Throws InputError with line and column. What such a message quotes comes
-/// from files that hold numbers: other files may be nobody's business.
+/// One column of measured parts, by line.
+struct MeasuredColumn {
+  std::vector<double> values;       ///< NaN where missing
+  std::vector<int> lines;           ///< of the file
+  std::vector<std::string> labels;  ///< of the group; empty where none is asked for
+  /// Headings of other columns that number or name parts: integers or text in every line, no unit.
+  std::vector<std::string> label_columns;
+};
+
+/// From the bytes of a file; `file` names it in messages. Throws InputError with line and column.
+/// What such a message quotes comes from files that hold numbers: other files may be nobody's
+/// business.
+MeasuredColumn measured_column(const std::string& bytes, const std::string& file,
+                               const WantedColumn& wanted);
+
+/// Its numbers alone.
 std::vector<double> csv_column(const std::string& bytes, const std::string& file,
                                const WantedColumn& wanted);
 

@@ -14,12 +14,7 @@
 namespace cagetol {
 namespace {
 
-template <class T>
-toml::array array_of(const std::vector<T>& values) {
-  toml::array array;
-  for (const auto& value : values) array.push_back(value);
-  return array;
-}
+using key_detail::array_of;
 
 toml::table input_table(const UncertainInput& input) {
   toml::table table;
@@ -32,6 +27,10 @@ toml::table input_table(const UncertainInput& input) {
   if (input.lot) table.insert("lot", law_table(*input.lot));
   if (input.pocket) table.insert("pocket", law_table(*input.pocket));
   if (input.noise) table.insert("noise", law_table(*input.noise));
+  toml::table measured;
+  for (const auto& key : measured_keys())
+    if (input.measured) insert_key(key, *input.measured, measured);
+  if (input.measured) table.insert("measured", std::move(measured));
   return table;
 }
 

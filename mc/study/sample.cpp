@@ -68,11 +68,24 @@ std::map<std::string, std::string> group_names(const Study& study,
   return result;
 }
 
+/// The first input that draws its cages from the same file: one column draws them for all, so that
+/// what was measured of a cage stays together. `input` itself where it draws none.
+std::size_t drawn_with(const Study& study, std::size_t input) {
+  const auto file = [&](std::size_t i) -> std::string {
+    const auto& of = study.inputs[i];
+    return of.draws_cages() ? of.measured->hash + of.measured->group : "";
+  };
+  std::size_t first = 0;
+  while (first < input && (file(input).empty() || file(first) != file(input))) ++first;
+  return first;
+}
+
 SampleColumns make_columns(const Study& study) {
   std::vector<std::string> scopes;
-  for (const auto& input : study.inputs) {
-    if (is_varied(input.lot)) scopes.push_back(input.key + ":lot");
-    if (is_varied(input.pocket)) scopes.push_back(input.key + ":pocket");
+  for (std::size_t i = 0; i < study.inputs.size(); ++i) {
+    const auto& input = study.inputs[i];
+    if (is_varied(input.lot) && drawn_with(study, i) == i) scopes.push_back(input.key + ":lot");
+    if (is_varied(input.pocket) && !input.draws_cages()) scopes.push_back(input.key + ":pocket");
   }
   const auto groups = group_names(study, scopes);
   std::map<std::string, std::uint32_t> group_index;
@@ -87,13 +100,16 @@ SampleColumns make_columns(const Study& study) {
     columns.names.push_back(name);
     columns.groups.push_back(group);
   };
-  for (const auto& input : study.inputs) {
+  for (std::size_t i = 0; i < study.inputs.size(); ++i) {
+    const auto& input = study.inputs[i];
     InputPlaces of_input;
-    if (is_varied(input.lot)) {
+    if (const std::size_t first = drawn_with(study, i); first < i) {
+      of_input.lot = columns.of_input[first].lot;
+    } else if (is_varied(input.lot)) {
       of_input.lot = static_cast<long>(columns.names.size());
       add(input.key, input.key + ":lot", Purpose::lot, 0, input.key + ":lot");
     }
-    if (is_varied(input.pocket)) {
+    if (is_varied(input.pocket) && !input.draws_cages()) {
       of_input.pocket = static_cast<long>(columns.names.size());
       for (std::uint32_t j = 0; j < pocket_count(study); ++j)
         add(input.key, input.key + ":pocket", Purpose::pocket, j,
@@ -198,7 +214,8 @@ struct Sampler::Implementation {
   SampleColumns columns;
   Design design, redraws;
   GaussianCopula copula;
-  std::vector<const Key<Scene>*> keys;  ///< of the inputs
+  std::vector<const Key<Scene>*> keys;                  ///< of the inputs
+  std::vector<std::vector<std::vector<double>>> cages;  ///< of inputs that draw measured ones
   std::vector<long> dimension;  ///< position of an input among the tolerance dimensions, or -1
 
   explicit Implementation(const Study& given)
@@ -212,6 +229,8 @@ struct Sampler::Implementation {
     study.resolved_json.clear();
     for (const auto& input : study.inputs) {
       keys.push_back(find_key(scene_keys(), input.key));
+      cages.emplace_back();
+      if (input.draws_cages()) cages.back() = input.measured->by_cage();
       const auto& dimensions = study.tolerance.dimensions;
       const auto found = std::find_if(dimensions.begin(), dimensions.end(),
                                       [&](const auto& d) { return d.key == input.key; });
@@ -227,6 +246,18 @@ struct Sampler::Implementation {
                     uniform(design.spec().seed, Purpose::noise, id, stream_address(input.key), 0));
   }
 
+  /// Deviations of the pockets of a sample's measured cage.
+  std::vector<double> measured_cage(std::size_t i, const std::vector<double>& u,
+                                    const Sample& sample) const {
+    const long column = columns.of_input[i].lot;
+    return cage_at(cages[i],
+                   study.measured_in_turn ? static_cast<double>(sample.lot)
+                   : column < 0
+                       ? 0
+                       : static_cast<double>(cages[i].size()) * u[static_cast<std::size_t>(column)],
+                   pocket_count(study));
+  }
+
   DrawnInput drawn(std::size_t i, const std::vector<double>& u, const Sample& sample) const {
     const auto& input = study.inputs[i];
     const auto& of_input = columns.of_input[i];
@@ -234,6 +265,7 @@ struct Sampler::Implementation {
         dimension[i] < 0 ? nullptr : &study.candidates[static_cast<std::size_t>(sample.candidate)];
     const auto d = static_cast<std::size_t>(std::max(dimension[i], 0L));
     const double scale = candidate ? candidate->scales[d] : 1;
+    const double lot_scale = study.scale_lots ? scale : 1;
     // The centre moves the lot, or every pocket where there is no lot.
     const double shift = candidate ? candidate->shift(d) : 0;
     const auto deviation = [&](double by, const Law& law, long column, std::size_t draw) {
@@ -243,12 +275,18 @@ struct Sampler::Implementation {
     DrawnInput drawn;
     drawn.value = input.nominal;
     if (input.per_pocket) drawn.value.resize(pocket_count(study), input.nominal[0]);
-    if (input.lot)
-      drawn.lot = {deviation(study.scale_lots ? scale : 1, *input.lot, of_input.lot, 0) + shift};
-    if (input.pocket)
-      for (std::size_t j = 0; j < pocket_count(study); ++j)
-        drawn.pocket.push_back(deviation(scale, *input.pocket, of_input.pocket, j) +
-                               (input.lot ? 0 : shift));
+    if (input.draws_cages()) {
+      drawn.pocket = measured_cage(i, u, sample);
+      const double shared = mean(Empirical{drawn.pocket});
+      drawn.lot = {lot_scale * shared + shift};
+      for (double& pocket : drawn.pocket) pocket = scale * (pocket - shared);
+    } else {
+      if (input.lot) drawn.lot = {deviation(lot_scale, *input.lot, of_input.lot, 0) + shift};
+      if (input.pocket)
+        for (std::size_t j = 0; j < pocket_count(study); ++j)
+          drawn.pocket.push_back(deviation(scale, *input.pocket, of_input.pocket, j) +
+                                 (input.lot ? 0 : shift));
+    }
     if (input.noise) drawn.noise = {noise(input, sample)};
     for (std::size_t j = 0; j < drawn.value.size(); ++j) {
       double& value = drawn.value[j];
@@ -266,6 +304,8 @@ struct Sampler::Implementation {
     sample.replicate = id / design.rows();
     const std::uint64_t redrawn = sample.row + redraw * kRedraw;
     sample.lot = redraw == 0 ? design.lot_of(sample.row) : redrawn;
+    for (const auto& measured : cages)
+      if (study.measured_in_turn && !measured.empty()) sample.lot = sample.row % measured.size();
     if (!study.candidates.empty())
       sample.candidate = static_cast<long>(sample.row % study.candidates.size());
     sample.design_point.resize(design.dimensions());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "mc/host/build_info.hpp"
@@ -117,6 +118,28 @@ void resolve(Study& study) {
   study.hash = text_hash(all);
 }
 
+/// Whole rounds of the measured cages as they are, at no candidate.
+void take_cages_in_turn(Study& study) {
+  std::set<long> counts;
+  for (UncertainInput& input : study.inputs) {
+    if (!input.measured || !input.measured->is_grouped()) continue;
+    MeasuredParts& parts = *input.measured;
+    for (double& value : parts.values.values) value += parts.centred ? parts.offset : 0;
+    parts.fitted = parts.centred = false;
+    const MeasuredLaws laws = laws_of(parts);
+    input.lot = laws.lot;
+    input.pocket = laws.pocket;
+    counts.insert(std::ssize(parts.names));
+  }
+  if (counts.size() != 1)
+    throw InputError({}, "measured_in_turn", "true",
+                     counts.empty() ? "no law of the study reads measured cages"
+                                    : "its laws read different numbers of measured cages",
+                     "give laws of pockets with one file, and column and group of each");
+  study.samples = (study.samples + *counts.begin() - 1) / *counts.begin() * *counts.begin();
+  study.tolerance.dimensions.clear();
+}
+
 Study study_of(toml::table root, const std::string& file) {
   Study study;
   study.fidelity_decision = take_fidelity_decision(root);
@@ -128,11 +151,12 @@ Study study_of(toml::table root, const std::string& file) {
   if (study.fidelity == "auto") require_word_of_oil(study, file);
   MeasurementFiles measurements;
   study.inputs = read_inputs(scene, file, study.scene, measurements);
-  for (const auto& [name, text] : measurements) study.files.emplace_back(name, text_hash(text));
+  for (const MeasuredParts& from : measurements) study.files.emplace_back(from.file, from.hash);
   study.correlations = read_correlations(root, file, study.inputs);
   study.points = read_operating_points(root, file, study);
   study.limits = limits_at_points(read_limits(root, file, quantity_labels(study)), study.points);
   study.tolerance.dimensions = read_dimensions(root, file, study.inputs);
+  if (study.measured_in_turn) take_cages_in_turn(study);
   study.candidates = make_candidates(study, root, file);
   check_drawn_range(study, scene, file);
   check_flexible_cage(study, scene, file);
@@ -162,6 +186,18 @@ std::uint64_t sample_count(const Study& study) {
 
 Study read_study(const std::string& path, const std::vector<std::string>& settings) {
   return study_of(study_layers(path, settings), path);
+}
+
+Study read_measured_study(const std::string& path, std::vector<std::string> settings,
+                          const std::string& measured) {
+  const toml::table root = study_layers(path, settings);
+  for (const auto& leaf : toml_leaves(root)) {
+    const std::string law = leaf.name.substr(0, leaf.name.rfind('.'));
+    if (leaf.name == law + ".file" && find_node(root, law + ".column"))
+      settings.push_back(leaf.name + " = \"" + measured + "\"");
+  }
+  settings.insert(settings.end(), {"measured_in_turn = true", "design = \"random\""});
+  return read_study(path, settings);
 }
 
 Study read_resolved_study(const std::string& resolved_toml, const std::string& name) {
@@ -230,6 +266,10 @@ std::vector<std::string> study_notes(const Study& study) {
   if (const double share = is_flexible(study.scene) ? thickness_scatter(study) : 0; share > 0)
     notes.push_back(thickness_note(share));
   for (const std::string& idle : idle_range_notes(study)) notes.push_back(idle);
+  for (const UncertainInput& input : study.inputs)
+    if (input.measured)
+      for (const std::string& note : measured_notes(*input.measured, input.key, input.unit))
+        notes.push_back(note);
   const auto varied = design_columns(study);
   if (study.inputs.empty())
     notes.push_back("nothing varies: no key of the scene is a distribution");

@@ -11,6 +11,7 @@
 
 #include "distributions/design.hpp"
 #include "distributions/law.hpp"
+#include "mc/study/measured_parts.hpp"
 #include "mc/study_file/correlation.hpp"
 #include "mc/study_file/limit.hpp"
 #include "mc/study_file/tolerance.hpp"
@@ -29,6 +30,10 @@ struct UncertainInput {
   std::optional<Law> lot;       ///< drawn once per lot (a cage, unless cages_per_lot > 1)
   std::optional<Law> pocket;    ///< drawn for every pocket
   std::optional<Law> noise;  ///< drawn from the sample's own noise stream: not part of the design
+  std::optional<MeasuredParts> measured = {};  ///< what the laws were read from
+
+  /// Measured cages are drawn, and not laws of their parts.
+  bool draws_cages() const { return measured && measured->is_grouped() && !measured->fitted; }
 };
 
 /// How `cagetol recommend` goes about it: pilot, mixture of all candidates, confirmations.
@@ -108,8 +113,9 @@ struct Study {
   DesignKind design = DesignKind::random;
   long scrambles = 8;
   long cages_per_lot = 1;
-  bool redraw_jams = false;  ///< cages that do not fit are drawn again (cage_fit.hpp)
-  bool scale_lots = true;    ///< candidates scale the lots' deviations like those of the pockets
+  bool redraw_jams = false;       ///< cages that do not fit are drawn again (cage_fit.hpp)
+  bool measured_in_turn = false;  ///< rows run the measured cages one after the other
+  bool scale_lots = true;  ///< candidates scale the lots' deviations like those of the pockets
   double allowed_failure_share = 0.02;
   std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
   long fidelity_samples = 24;       ///< runs on each rung of the model ladder
@@ -143,6 +149,11 @@ std::uint64_t sample_count(const Study& study);
 /// front. Throws InputError. `Study::samples` is rounded up to the number of rows with which the
 /// design is complete (sobol, grid).
 Study read_study(const std::string& path, const std::vector<std::string>& settings = {});
+
+/// Likewise, to run the measured cages of the CSV file `measured` one after the other: laws with a
+/// file read this one, whose path is relative to the working directory.
+Study read_measured_study(const std::string& path, std::vector<std::string> settings,
+                          const std::string& measured);
 
 /// Reads a study from its resolved text (Study::resolved_toml): gives the same study with the same
 /// hash.

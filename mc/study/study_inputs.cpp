@@ -30,33 +30,51 @@ const toml::table& law_node(const toml::node& node, const std::string& key,
 void check_deviation(const Law& law, const UncertainInput& input, const toml::table& table,
                      const std::string& key, const std::string& file) {
   const double middle = quantile(law, 0.5), nominal = input.nominal[0];
-  if (nominal == 0 || std::abs(middle - nominal) > 0.2 * std::abs(nominal)) return;
-  throw InputError(
-      place_of(table, file), key, shown(table),
-      "the law's middle is " + number_text(middle) + ", near the nominal value " +
-          number_text(nominal) + "; laws describe deviations that are added to it",
-      "subtract the nominal value from the law's parameters (for measurements: centred "
-      "= true, or a column of deviations)");
+  if (!MeasuredKey{nominal}.is_size(middle)) return;
+  throw InputError(place_of(table, file), key, shown(table),
+                   "the law's middle is " + number_text(middle) + ", near the nominal value " +
+                       number_text(nominal) + "; laws describe deviations that are added to it",
+                   "subtract the nominal value from the law's parameters");
 }
 
 void set_scope(UncertainInput& input, const std::string& scope, const toml::node& node,
-               const std::string& file, MeasurementFiles& measurements) {
+               const std::string& file, std::size_t pockets, MeasurementFiles& measurements) {
   const std::string key = input.key + "." + scope;
   if (scope == "pocket" && !input.per_pocket)
     throw InputError(place_of(node, file), key, shown(node),
                      "this key holds one number for the bearing, it has no pockets",
                      "use lot (drawn once per cage) or noise (drawn for each run)");
   const auto& table = law_node(node, key, file);
-  const Law law = read_law(table, key, unit_of(input.key).suffix, file, measurements);
-  check_deviation(law, input, table, key, file);
-  (scope == "lot" ? input.lot : scope == "pocket" ? input.pocket : input.noise) = law;
+  auto& place = scope == "lot" ? input.lot : scope == "pocket" ? input.pocket : input.noise;
+  const std::size_t before = measurements.size();
+  place = read_law(table, key, unit_of(input.key).suffix, file, measurements,
+                   {input.nominal[0], scope == "pocket" ? pockets : 0});
+  check_deviation(*place, input, table, key, file);
+  if (measurements.size() == before) return;
+  input.measured = measurements.back();
+  if (!input.measured->is_grouped()) return;
+  if (input.lot)
+    throw InputError(place_of(node, file), key, shown(node),
+                     "measured cages say how cages differ, and a law of scope lot says so, too",
+                     "take one of them out");
+  input.lot = laws_of(*input.measured).lot;
 }
 
-void read_scopes(const toml::table& table, const std::string& file, UncertainInput& input,
-                 MeasurementFiles& measurements) {
+/// Of a resolved study.
+void read_stored_parts(const toml::node& node, const std::string& file, UncertainInput& input) {
+  input.measured = MeasuredParts();
+  for (const auto& [name, value] : law_node(node, input.key + ".measured", file))
+    if (const auto* key = find_key(measured_keys(), name.str()))
+      read_key(*key, value, file, 1, *input.measured);
+  input.measured->by_cage();
+}
+
+void read_scopes(const toml::table& table, const std::string& file, std::size_t pockets,
+                 UncertainInput& input, MeasurementFiles& measurements) {
   for (const auto& [name, node] : table) {
     const std::string scope(name.str());
-    if (scope == "nominal") continue;
+    if (scope == "measured") read_stored_parts(node, file, input);
+    if (scope == "measured" || scope == "nominal") continue;
     if (std::find(kScopes.begin(), kScopes.end(), scope) == kScopes.end()) {
       const auto law = std::find_if(law_forms().begin(), law_forms().end(), [&](const auto& form) {
         return std::count(form.required.begin(), form.required.end(), scope) > 0;
@@ -72,12 +90,12 @@ void read_scopes(const toml::table& table, const std::string& file, UncertainInp
       throw InputError(place_of(node, file), input.key + "." + scope, shown(node),
                        "the nominal value stands inside a law",
                        "put nominal = ... beside " + scope + ", not inside it");
-    set_scope(input, scope, node, file, measurements);
+    set_scope(input, scope, node, file, pockets, measurements);
   }
 }
 
-void read_bare_law(const toml::table& table, const std::string& file, UncertainInput& input,
-                   MeasurementFiles& measurements) {
+void read_bare_law(const toml::table& table, const std::string& file, std::size_t pockets,
+                   UncertainInput& input, MeasurementFiles& measurements) {
   if (!table.contains("nominal") && input.nominal[0] != 0)
     throw InputError(place_of(table, file), input.key, shown(table),
                      "the nominal value is not given; laws describe deviations from it",
@@ -87,7 +105,7 @@ void read_bare_law(const toml::table& table, const std::string& file, UncertainI
       throw InputError(place_of(table, file), input.key, shown(table),
                        "a law stands beside the scope \"" + scope + "\"",
                        "put the law into a scope of its own: lot = { law = ... }");
-  set_scope(input, input.per_pocket ? "pocket" : "lot", table, file, measurements);
+  set_scope(input, input.per_pocket ? "pocket" : "lot", table, file, pockets, measurements);
 }
 
 constexpr double kRareDraw = 1e-5;  ///< share of draws beyond what is checked
@@ -127,6 +145,7 @@ std::vector<UncertainInput> read_inputs(const toml::table& scene, const std::str
     if (leaf.node->is_table() && !leaf.node->as_table()->empty())
       distributions[leaf.name] = leaf.node->as_table();
   std::vector<UncertainInput> inputs;
+  const auto pockets = static_cast<std::size_t>(nominal.bearing.roller_count);
   for (const auto& key : scene_keys()) {
     const auto found = distributions.find(key.name);
     if (found == distributions.end()) continue;
@@ -146,9 +165,9 @@ std::vector<UncertainInput> read_inputs(const toml::table& scene, const std::str
                            "; nothing can be added to that",
                        "add nominal = ... with a number");
     if (table.contains("law"))
-      read_bare_law(table, file, input, measurements);
+      read_bare_law(table, file, pockets, input, measurements);
     else
-      read_scopes(table, file, input, measurements);
+      read_scopes(table, file, pockets, input, measurements);
     if (input.lot || input.pocket || input.noise) inputs.push_back(std::move(input));
   }
   return inputs;
@@ -309,6 +328,11 @@ std::vector<Correlation> read_correlations(const toml::table& root, const std::s
           pair == std::minmax(other.first, other.second))
         throw InputError(place_of(*between, file), "correlation.between", shown(*between),
                          "these two inputs have a correlation already", "keep one of the two");
+    for (const auto& scope : {first, second})
+      if (inputs[static_cast<std::size_t>(scope.input)].draws_cages())
+        throw InputError(place_of(*between, file), "correlation.between", shown(*between),
+                         "one is drawn as whole measured cages, whatever they have in common",
+                         "take the correlation out, or draw from laws: fitted = true");
     correlations.push_back(std::move(correlation));
   }
   return correlations;

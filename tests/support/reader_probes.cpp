@@ -171,8 +171,8 @@ bool read_resolved_bytes(std::string_view bytes) {
 }
 std::vector<std::string> resolved_seeds() {
   std::vector<std::string> seeds;
-  for (const char* name :
-       {"studies/nu205-rated.toml", "studies/paper-length.toml", "studies/nu205-duty.toml"})
+  for (const char* name : {"studies/nu205-rated.toml", "studies/nu205-measured.toml",
+                           "studies/paper-length.toml", "studies/nu205-duty.toml"})
     seeds.push_back(read_study(shipped(name)).resolved_toml);
   return seeds;
 }
@@ -210,7 +210,7 @@ bool read_csv_bytes(std::string_view bytes) {
 }
 std::vector<std::string> csv_seeds() {
   using namespace std::string_literals;
-  return {"6" + read_text_file(shipped("measurements/pockets-synthetic.csv")).substr(0, 2000),
+  return {"6" + read_text_file(shipped("measurements/pockets-synthetic.csv")),
           "<# note\na;width [mm];b;\r\n1;+7,65;\"2\"\r\n;;;\r\n3;7,66;\"4;\"\"x\"\"\"\r\n",
           "<width / um\tb\r7,65\t1\r-7,66\t2\r",
           "4sep=;\nwidth;b\n1;2\n",
