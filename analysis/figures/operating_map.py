@@ -57,6 +57,9 @@ def draw_lines(axis, data):
     labelled = None
     for line in data["lines"]:
         up, across = zip(*line["points"])
+        (left, right), (low, high) = axis.get_xlim(), axis.get_ylim()
+        if not any(left <= x <= right and low <= y <= high for x, y in zip(across, up)):
+            continue
         speed_factor = line["name"].startswith("n d_m")
         style = dict(color=GREY, linestyle=":", linewidth=1) if speed_factor else dict(
             color=BLACK, linestyle="--" if line["name"] == "minimum load" else "-.", linewidth=1.6, label=f"maker's {line['name']}")
@@ -77,7 +80,7 @@ def draw_points(axis, data, up, across):
         y, x = point["at"]
         if not (across["values"][0] <= x <= across["values"][-1] and up["values"][0] <= y <= up["values"][-1]):
             continue
-        axis.plot(x, y, "*", markersize=11, markerfacecolor="white", markeredgecolor=BLACK, zorder=6,
+        axis.plot(x, y, "*", markersize=11, markerfacecolor="white", markeredgecolor=BLACK, zorder=6, clip_on=False,
                   label="the study's own points" if number == 0 else None)
         axis.annotate(point["name"], (x, y), xytext=(6, 5), textcoords="offset points", fontsize=7, zorder=7,
                       bbox=dict(facecolor="white", alpha=0.7, linewidth=0, pad=0.6))
@@ -101,7 +104,7 @@ def draw_cells(axis, dimension, rows, up, across, causes):
             if answer["problem"]:
                 words = "no\nanswer"
             elif not answer["resolved"]:
-                words = f"{answer['lower_grade']}\nto {answer['upper_grade']}"
+                words = f"{answer['lower_grade']} to {answer['upper_grade']}" + (f"\n{short(answer['decides'])}?" if answer["decides"] else "")
             elif answer["decides"]:
                 words += "\n" + short(answer["decides"]) + ("?" if len(answer["may_decide"]) > 1 else "")
             axis.text(middle(ends_across, column, across["logarithmic"]), middle(ends_up, row, up["logarithmic"]), words, ha="center",

@@ -62,7 +62,7 @@ def title(report):
 
 
 def report_number(report):
-    return report["provenance"]["report_number"]
+    return report["document"]["number"]
 
 
 def title_block(report):

@@ -65,7 +65,7 @@ Json measured_json(const ReportBasis& basis);
 /// limit, those at risk first. `measured`: that of measured_json.
 Json measured_cages_json(const ReportBasis& basis, const Json& measured);
 /// null where the study is no grid.
-/// The title block as the study states it.
+/// The title block as the study states it, with a number from study and build.
 Json document_json(const StudyData& study);
 Json response_json(const ReportBasis& basis);
 

@@ -53,7 +53,6 @@ Json provenance_json(const StudyData& study) {
           {"tool_version", from.tool_version},
           {"tool_commit", from.tool_commit},
           {"build", from.build},
-          {"report_number", from.study_hash.substr(0, 8) + "-" + from.tool_commit.substr(0, 7)},
           {"libraries", libraries},
           {"files", from.files},
           {"design", study.design.kind},
@@ -67,7 +66,10 @@ Json provenance_json(const StudyData& study) {
 
 Json document_json(const StudyData& study) {
   const Json& plan = study.plan.whole;
-  return plan.is_object() ? plan.value("document", Json::object()) : Json::object();
+  Json document = plan.is_object() ? plan.value("document", Json::object()) : Json::object();
+  document["number"] =
+      study.provenance.study_hash.substr(0, 8) + "-" + study.provenance.tool_commit.substr(0, 7);
+  return document;
 }
 
 Json assumptions_json(const StudyData& study) {

@@ -86,8 +86,11 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
   const PageWriter writer{options.pages_dir, options.figures_dir, options.python, options.figures,
                           options.pdf};
   if (!map.is_null() && !std::filesystem::exists(file)) {
-    fmt::print("map: {}\n{}", (study_dir / "map" / "map.html").string(),
-               write_pages(writer, map_file));
+    const std::string problem = write_pages(writer, map_file);
+    fmt::print("{}",
+               options.json_to_stdout
+                   ? file_text(map_file)
+                   : fmt::format("map: {}/map.html\n{}", map_file.parent_path().string(), problem));
     return kDone;
   }
   const bool apart = !options.into.empty();
@@ -103,7 +106,10 @@ ExitCode run_report(const std::filesystem::path& study_dir, const ReportOptions&
       file.parent_path() == study_dir ? "DIR" : "DIR/" + file.parent_path().filename().string(),
       read_cage_peak(file.parent_path(), study), read_refining_ladder(file.parent_path()),
       assumptions, options.bearing ? options.bearing(file) : Json());
-  if (options.document) report["document"] = *options.document;
+  if (options.document) {
+    const Json number = report["document"]["number"];
+    (report["document"] = *options.document)["number"] = number;
+  }
   if (!map.is_null() && !options.restate) report["map"] = map;
   if (Json rare = read_rare(study_dir, study.plan); !rare.is_null())
     report["rare"] = std::move(rare);

@@ -90,7 +90,7 @@ double pareto_bound(std::span<const double> values, double limit, double thresho
 
 double extrapolated_bound(std::span<const double> values, double limit, double confidence) {
   double bound = 0;
-  for (const double share : {0.05, 0.1, 0.15, 0.2})
+  for (const double share : {50.0 / static_cast<double>(values.size()), 0.05, 0.1, 0.15, 0.2})
     bound = std::max(bound, pareto_bound(values, limit, share, confidence));
   return bound;
 }

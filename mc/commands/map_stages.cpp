@@ -115,8 +115,9 @@ int MapLeader::run(Cell& cell, const ScreenStage& stage) {
       fmt::format("{} {:g}, {} {:g}", axes_[0].key, cell.at[0], axes_[1].key, cell.at[1]);
   for (std::size_t d = 0; d < cell.answers.size(); ++d) {
     const Json of = row(cell, d);
-    text += fmt::format(": {} {} ({} to {}), {} decides", of["tolerance"], of["grade"],
-                        of["lower_grade"], of["upper_grade"], of["may_decide"].dump());
+    text +=
+        fmt::format(": {} {} ({} to {}), by {}", of["tolerance"], of["grade"], of["lower_grade"],
+                    of["upper_grade"], of["decides"] == "" ? "nothing" : of["may_decide"].dump());
   }
   print(text + (cell.problem.empty() ? "" : ": no answer: " + cell.problem) + "\n");
   return kDone;

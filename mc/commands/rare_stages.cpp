@@ -31,8 +31,8 @@ RareSettings settings_of(const Study& study) {
 std::string how(const RareLimit& limit, double runs) {
   if (limit.route == RareRoute::unstated)
     return fmt::format(
-        "cannot be stated: {} of {} runs miss it, {:.3g} standard deviations away; importance "
-        "sampling, not built, takes {:.2g} at best",
+        "cannot be stated by so few runs: {} of {} miss it, {:.3g} standard deviations away; "
+        "importance sampling, not built, takes {:.2g} at best",
         limit.missed, runs, limit.distance, limit.guided_runs);
   if (limit.route == RareRoute::counted || limit.missed > 0)
     return fmt::format("{} of {} runs miss it (Clopper-Pearson)", limit.missed, runs);
@@ -79,13 +79,12 @@ Json dimensions_json(const StudyData& runs) {
 
 Json rare_json(const Rare& rare, const RareSettings& settings, const StudyData& runs,
                double seconds) {
-  const double p = settings.target, r = settings.relative_error,
-               counting = showing_runs(p, runs.plan.confidence);
-  const auto geometry = rare.draws > 0 ? fmt::format("{:.0f} cages", rare.draws) : "integrated";
+  const double p = settings.target, r = settings.relative_error;
+  const double counting = showing_runs(p, runs.plan.confidence);
+  const char* how = rare.draws > 0 ? "exact: geometry of drawn cages" : "exact: geometry";
   const double least = std::max(2 * rare.jams - rare.jams_upper, 0.0);
   Json rows = Json::array();
-  rows.push_back(row_json("cages that do not fit", least, rare.jams_upper, rare.jams_upper,
-                          "exact: geometry, " + geometry));
+  rows.push_back(row_json("cages that do not fit", least, rare.jams_upper, rare.jams_upper, how));
   for (const RareLimit& limit : rare.limits) rows.push_back(limit_json(limit, rare.runs));
   const char* sum =
       std::isnan(rare.upper) ? "cannot be stated" : "sum, each at its share of the error";
@@ -104,19 +103,21 @@ Json rare_json(const Rare& rare, const RareSettings& settings, const StudyData& 
 }
 
 std::string rare_text(const Json& json) {
-  const auto number = [](const Json& of, const char* key, double unit) {
+  const auto text_of = [](const Json& of, const char* key, double unit) {
     const Json value = of.value(key, Json());
-    return value.is_null() ? "-" : fmt::format("{:.2g}", unit * value.get<double>());
+    if (value.is_null()) return std::string("-");
+    const double number = unit * value.get<double>();
+    return number < 100 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number);
   };
   std::string text = "  at least  at most  exact bound  if normal  [ppm]\n";
   for (const Json& row : json["rows"])
     text += fmt::format("{}\n{:>10} {:>8} {:>12} {:>10}  {}\n", row["name"].get<std::string>(),
-                        number(row, "lower", 1e6), number(row, "upper", 1e6),
-                        number(row, "exact_upper", 1e6), number(row, "if_normal", 1e6),
+                        text_of(row, "lower", 1e6), text_of(row, "upper", 1e6),
+                        text_of(row, "exact_upper", 1e6), text_of(row, "if_normal", 1e6),
                         row["how"].get<std::string>());
-  return text + fmt::format("counting: {:.0f} fresh runs without a miss show {} ppm, {} h\n",
-                            json["counting_runs"].get<double>(), number(json, "target", 1e6),
-                            number(json, "counting_hours", 1));
+  return text + fmt::format("counting: {} runs without a miss show {} ppm, {} h\n",
+                            text_of(json, "counting_runs", 1), text_of(json, "target", 1e6),
+                            text_of(json, "counting_hours", 1));
 }
 
 }  // namespace

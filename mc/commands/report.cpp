@@ -5,7 +5,7 @@
 #include "mc/commands/bearing_facts.hpp"
 #include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/commands/document.hpp"
+#include "mc/study/document.hpp"
 
 namespace cagetol {
 

@@ -28,6 +28,7 @@ std::vector<double> axis_values(const std::string& text, bool& logarithmic) {
   if (std::regex_match(text, list))
     for (std::sregex_iterator next(text.begin(), text.end(), number), end; next != end; ++next)
       values.push_back(std::stod(next->str()));
+  logarithmic = !values.empty() && values.front() > 0 && values.back() > 10 * values.front();
   if (!std::regex_match(text, found, range)) return values;
   const double first = std::stod(found[1]), last = std::stod(found[2]);
   const long count = std::min(std::stol(found[3]), kMostValues + 1);

@@ -10,7 +10,7 @@ namespace cagetol {
 
 struct MapAxis {
   std::string key;             ///< of a scene
-  bool logarithmic = false;    ///< as it was written, and how it is drawn
+  bool logarithmic = false;    ///< drawn so: with ":log", or where given values span a decade
   std::vector<double> values;  ///< ascending, in the key's unit
 };
 
@@ -20,9 +20,9 @@ struct MapAxis {
 MapAxis read_map_axis(const std::string& text, const Study& study);
 
 /// The study with these values of the axes at its scene and at each of its operating points; points
-/// that differ in nothing else become one, which has the limits of all,
-/// and one point alone is the scene's. Temperatures of a balance
-/// and limits by the maker's minimum load are found anew. Throws InputError.
+/// that differ in nothing else become one, which has the limits of all, and one point alone is the
+/// scene's. Temperatures of a balance and limits by the maker's minimum load are found anew. Throws
+/// InputError.
 Study study_at(const Study& study, const std::vector<MapAxis>& axes,
                const std::vector<double>& values);
 

@@ -151,7 +151,8 @@ Study study_of(toml::table root, const std::string& file) {
   if (study.fidelity == "auto") require_word_of_oil(study, file);
   MeasurementFiles measurements;
   study.inputs = read_inputs(scene, file, study.scene, measurements);
-  for (const MeasuredParts& from : measurements) study.files.emplace_back(from.file, from.hash);
+  for (const UncertainInput& input : study.inputs)
+    if (input.measured) study.files.emplace_back(input.measured->file, input.measured->hash);
   study.correlations = read_correlations(root, file, study.inputs);
   study.points = read_operating_points(root, file, study);
   study.limits = limits_at_points(read_limits(root, file, quantity_labels(study)), study.points);

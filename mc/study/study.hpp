@@ -56,7 +56,7 @@ struct ScreenPlan {
 /// How `cagetol map` goes about it.
 struct MapPlan {
   long budget_samples = 24;  ///< runs of each cell
-  long border_samples = 24;  ///< further runs at a border, or where nothing is resolved
+  long border_samples = 40;  ///< further runs at a border, or where nothing is resolved
 };
 
 /// How `cagetol rare` goes about it.

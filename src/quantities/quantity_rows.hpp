@@ -58,8 +58,8 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "whirl_radius_ratio_peak"},
     {"whirl_radius_ratio_peak", "-", Kind::peak, need::motion, bound::whirl,
      "how far the cage uses up its guide clearance; cage stability",
-     "largest radius of the cage centre, over every accepted step, over the radial guide "
-     "clearance"},
+     "largest value over every accepted step of the radius of the cage centre over the radial "
+     "guide clearance"},
     {"whirl_frequency_ratio", "-", Kind::mean, need::turning, bound::finite,
      "sense and rate of whirl",
      "mean angular rate of the cage centre's orbit about the middle over the mean cage speed: "
@@ -265,7 +265,8 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
      "cage_stress_peak_pocket)",
      "cage_fatigue_utilisation"},
     {"cage_fatigue_station", "-", Kind::place, need::flexible, bound::station, "where it happens",
-     "stress station of the largest fatigue utilisation in its sector", "cage_fatigue_utilisation"},
+     "stress station of the largest value of fatigue utilisation in its sector",
+     "cage_fatigue_utilisation"},
     {"cage_strength_utilisation", "-", Kind::peak, need::flexible, bound::not_negative,
      "limit on yielding of the cage",
      "cage_stress_peak_MPa over the yield stress of the cage's material"},

@@ -84,6 +84,7 @@ TEST(ProgramTest, FlexibleCagesMeetTheSameTablesOnAnyRankAndInAReplay) {
     auto command = sweep_of(kShippedStudy, directory, "scene.cage.model='flexible'");
     for (const char* setting :
          {"scene.cage.mesh_density=1", "scene.cage.modes=6", "scene.cage.corner_radius_mm=0",
+          "document.date='some day'",
           "scene.cage.pocket_width_mm.lot={law='uniform', lower=-0.2, upper=0.2}",
           "tolerance.dimension=[{key='cage.pocket_width_mm', tolerance_width_mm=0.1, "
           "candidates=[0.1]}]"})

@@ -18,7 +18,8 @@ coarse="--set scene.cage.mesh_density=1 --set scene.cage.corner_radius_mm=0"
 shorter() {
   case $1 in
     *" sweep "*) echo "--set samples=20 --set allowed_failure_share=0.1 $window $coarse $one_point" ;;
-    *" rare "* | *" screen "* | *" recommend "*) echo "$window $coarse $one_point $given $few --set tolerance.target_yield=0.8" ;;
+    *" rare "*) echo "$window $coarse $one_point $given --set rare.budget_samples=101" ;;
+    *" screen "* | *" recommend "*) echo "$window $coarse $one_point $given $few --set tolerance.target_yield=0.8" ;;
     *" map "*) echo "$window $coarse $one_point $given --set scene.cage.model=rigid --set map.budget_samples=20 --set map.border_samples=20" ;;
     *" ladder "*--refine*) echo "--samples 2" ;;
     *" ladder "*) echo "--samples 3 --set cage.mesh_density=2 --set cage.corner_radius_mm=0 $window" ;;

@@ -21,7 +21,7 @@ FIXED = ["ISO 286", "ISO/TS 16281", "L10", "C0/60", "0.135 %, 50 % and 99.865 %"
 FRONT = ["verdict", "margins", "passed_over", "bearing", "tolerance", "confirmation", "limits", "assumptions", "assumption_verdicts",
          "outcomes"]
 # The chapters of report.json that a section shows; "" for all others: the chapter of its name.
-CHAPTERS = {"verdict": FRONT + ["contributors"], "operating": ["bearing"], "curves": FRONT + ["contributors"], "appendix": [],
+CHAPTERS = {"verdict": FRONT + ["contributors", "document"], "operating": ["bearing"], "curves": FRONT + ["contributors"], "appendix": [],
             "outcomes": ["outcomes", "limits", "verdict"], "confirmation": ["confirmation", "verdict"], "tolerance": ["tolerance", "verdict"],
             "assumed": ["assumption_verdicts", "verdict"], "contributors": ["contributors", "outcomes", "quantities"],
             "quantities": ["quantities", "intervals"], "errors": ["error_budget"], "cage": ["cage", "bearing"],

@@ -364,6 +364,38 @@ TEST_F(Report, TimesMoveNothingButTheirOwnTable) {
   EXPECT_NE(written("times.csv"), times);
 }
 
+TEST_F(Report, ShowsRareFailuresThatItsOwnLimitsJudged) {
+  const StudyData study = make_synthetic_study({.rows = 40});
+  write_synthetic_study(study, directory_ / "study.h5");
+  nlohmann::ordered_json rare = {
+      {"judgement", judgement_of(read_study_data(directory_ / "study.h5").plan)},
+      {"runs", 1000},
+      {"lost", 0},
+      {"target", 63e-6},
+      {"relative_error", 0.3},
+      {"counting_runs", 47550},
+      {"counting_hours", 2.5},
+      {"measuring_runs", 176356},
+      {"dimensions", nlohmann::ordered_json::array()}};
+  rare["rows"].push_back({{"name", "stress, at most 100"},
+                          {"quantity", "stress"},
+                          {"lower", 0},
+                          {"upper", 21e-6},
+                          {"exact_upper", 0.002991},
+                          {"if_normal", 1e-9},
+                          {"how", "extrapolated"}});
+  std::filesystem::create_directory(directory_ / "rare");
+  const auto page = [&] {
+    std::ofstream(directory_ / "rare" / "rare.json") << rare.dump();
+    report_on(study, kNoFigures);
+    return page_text(directory_ / "report.html");
+  };
+  EXPECT_THAT(page(), testing::HasSubstr("<td class=\"n\">21</td><td class=\"n\">2991</td>"));
+  EXPECT_THAT(page(), testing::HasSubstr("47550 fresh runs"));
+  rare["judgement"]["confidence"] = 0.9;
+  EXPECT_THAT(page(), testing::Not(testing::HasSubstr("47550 fresh runs")));
+}
+
 TEST_F(Report, DirectoryWithoutStudyIsNamed) {
   EXPECT_THROW(run_report(directory_), StudyFileError);
 }

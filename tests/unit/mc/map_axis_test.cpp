@@ -44,6 +44,8 @@ TEST_F(MapAxes, AreSpacedEvenlyOrInEqualRatiosOrGiven) {
   EXPECT_THAT(ratio.values, ElementsAre(100, 251.2, 631, 1585, 3981, 10000));
   EXPECT_THAT(read_map_axis("load.radial_N=123.456..234.567:2", study).values,
               ElementsAre(123.456, 234.567));
+  EXPECT_TRUE(read_map_axis("load.radial_N=100,500,2000", study).logarithmic);
+  EXPECT_FALSE(read_map_axis("load.radial_N=100,500,900", study).logarithmic);
   EXPECT_THAT(read_map_axis("lubrication.temperature_C=-20,40.5,90", study).values,
               ElementsAre(-20, 40.5, 90));
 }

@@ -101,6 +101,7 @@ TEST_F(MeasuredStudy, ReadsBackFromItsOwnText) {
     const Study again = read_resolved_study(once.resolved_toml, "again");
     EXPECT_EQ(again.resolved_toml, once.resolved_toml);
     EXPECT_EQ(draw_sample(again, 7).inputs[0].value, draw_sample(once, 7).inputs[0].value);
+    EXPECT_EQ(again.hash, once.hash);
     EXPECT_EQ(again.inputs[0].measured->hash, once.files[0].second);
   }
   std::string broken = study().resolved_toml;

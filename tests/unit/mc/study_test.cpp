@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "mc/commands/document.hpp"
+#include "mc/study/document.hpp"
 #include "mc/study/sample.hpp"
 #include "mc/study/study_inputs.hpp"
 #include "src/input/input_error.hpp"

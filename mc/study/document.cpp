@@ -1,4 +1,4 @@
-#include "mc/commands/document.hpp"
+#include "mc/study/document.hpp"
 
 #include "mc/study/study_keys.hpp"
 
