@@ -22,7 +22,7 @@ from matplotlib import cm, colors, patches  # after report, which chooses the ba
 SCENES = ROOT / "inputs/scenes"
 SIZE = 2.6  # inch
 STEEL, CAGE = "0.85", "tab:olive"
-HIDDEN = ("nu205-paper-tight", "speed-z16", "speed-z16-skew")  # a variant of nu205-paper, and what speed is measured on
+HIDDEN = ("nu205-jams", "nu205-paper-tight", "speed-z16", "speed-z16-skew")  # variants of nu205 and nu205-paper, and what speed is measured on
 
 
 def ring(axis, inside, outside):
