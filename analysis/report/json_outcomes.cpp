@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
 #include <limits>
 #include <numeric>
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/statistics/median.hpp"
+#include "analysis/tolerance/limit_margin.hpp"
 
 namespace cagetol {
 namespace {
@@ -20,14 +20,6 @@ constexpr std::array kStatuses = {RunStatus::ok,       RunStatus::jammed,  RunSt
 
 std::string replay_command(const ReportBasis& basis, std::int64_t id) {
   return fmt::format("cagetol replay {} --sample {}", basis.directory, id);
-}
-
-/// How far beyond the nearer limit, relative to the limit's size; negative inside.
-double excess(double value, const Limit& limit) {
-  double largest = -std::numeric_limits<double>::infinity();
-  if (limit.maximum) largest = std::max(largest, value - *limit.maximum);
-  if (limit.minimum) largest = std::max(largest, *limit.minimum - value);
-  return largest;
 }
 
 }  // namespace
@@ -203,7 +195,7 @@ Json worst_samples_json(const ReportBasis& basis) {
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (!std::isnan(column->values[i])) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return excess(column->values[a], limit) > excess(column->values[b], limit);
+      return margin_of(limit, column->values[a]) < margin_of(limit, column->values[b]);
     });
     order.resize(std::min(order.size(), kWorstSamples));
     for (const std::size_t i : order)
@@ -211,7 +203,7 @@ Json worst_samples_json(const ReportBasis& basis) {
                        {"unit", column->unit},
                        {"id", runs.id[i]},
                        {"value", column->values[i]},
-                       {"meets_limit", excess(column->values[i], limit) <= 0},
+                       {"meets_limit", margin_of(limit, column->values[i]) >= 0},
                        {"limit", limit_text(limit, column->unit)},
                        {"replay", replay_command(basis, runs.id[i])}});
   }

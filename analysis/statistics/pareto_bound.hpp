@@ -16,7 +16,7 @@
 // ch. 4) among laws that reach the limit with -0.5 <= xi <= 1: above -0.5 the likelihood is regular
 // (Smith 1985, doi:10.1093/biomet/72.1.67). Where the sample's excess kurtosis exceeds
 // 3 sqrt(24 / n), three standard errors of a normal law's, xi >= 0: samples of heavy tails that end
-// by chance without an outlier would have bounds at 95 % that hold in 88 %. The bound is blind to
+// by chance without an outlier would have bounds that hold too seldom. The bound is blind to
 // whatever has not shown in the sample: a second kind of failure does not move it.
 // tests/unit/analysis/pareto_bound_test.cpp tries it on responses of known share.
 #pragma once

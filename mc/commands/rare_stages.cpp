@@ -32,7 +32,7 @@ std::string how(const RareLimit& limit, double runs) {
   if (limit.route == RareRoute::unstated)
     return fmt::format(
         "cannot be stated by so few runs: {} of {} miss it, {:.3g} standard deviations away; "
-        "importance sampling, not built, takes {:.2g} at best",
+        "importance sampling, which is not done here, would take {:.2g} runs at best",
         limit.missed, runs, limit.distance, limit.guided_runs);
   if (limit.route == RareRoute::counted || limit.missed > 0)
     return fmt::format("{} of {} runs miss it (Clopper-Pearson)", limit.missed, runs);

@@ -1,4 +1,5 @@
-// A recommendation in its stages: any number of ranks, ended anywhere, the same files.
+// A recommendation in its stages: any number of ranks, ended anywhere, the same files. Above 400
+// lines: one stage after another.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
