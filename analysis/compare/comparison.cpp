@@ -274,6 +274,17 @@ void Comparer::compare_outcomes() {
 
 }  // namespace
 
+nlohmann::ordered_json to_json(const StatisticChange& change) {
+  return {{"quantity", change.quantity},
+          {"unit", change.unit},
+          {"statistic", change.statistic},
+          {"old", change.before},
+          {"new", change.after},
+          {"p_value", change.p_value},
+          {"adjusted_p_value", change.adjusted_p_value},
+          {"changed", change.changed}};
+}
+
 void require_comparable(const StudyData& before, const StudyData& after, bool despite_keys,
                         std::vector<std::string>& notes) {
   std::vector<std::string> differences;

@@ -12,6 +12,7 @@
 // and are compared pair by pair.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct Comparison {
   std::vector<std::string> notes;
   bool same() const;
 };
+
+/// As `compare --json` and history.json have it.
+nlohmann::ordered_json to_json(const StatisticChange& change);
 
 /// Notes the differences of the two files. Throws Refused with the reason if they are not runs of
 /// one study; with `despite_keys`, keys that differ are noted instead.

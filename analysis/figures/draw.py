@@ -27,6 +27,7 @@ def main(report_file, output_dir):
     import error_budget
     import fidelity
     import heat
+    import history
     import operating_map
     import pocket
     import process
@@ -54,7 +55,7 @@ def main(report_file, output_dir):
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
                  "ladder": {"ladder": fidelity.ladder}, "cage": {"pocket": pocket.pocket},
                  "rig": {"rig": rig.rig}, "rare": {"rare": rare.rare}, "screen": {"screen": screen.screen},
-                 "map": {"map": operating_map.operating_map}}
+                 "map": {"map": operating_map.operating_map}, "history": {"history": history.history}}
     with open(report_file, encoding="utf-8") as source:
         report = json.load(source)
     of_limits = {"limit_curves": tolerance.limit_curves, "yield_curves": tolerance.yield_curves}

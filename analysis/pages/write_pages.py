@@ -1,4 +1,4 @@
-"""Lays report.json, or rig.json, out: write_pages.py REPORT_JSON REPORT_HTML [--figures SCRIPTS OUTPUT_DIR] [--pdf REPORT_PDF].
+"""Lays KIND.json out (report, rig, map, history): write_pages.py REPORT_JSON REPORT_HTML [--figures SCRIPTS OUTPUT_DIR] [--pdf REPORT_PDF].
 
 The PDF has the front pages; appendix.pdf beside it the rest of a report.
 

@@ -19,7 +19,7 @@ struct PageWriter {
 void remove_pages(const std::filesystem::path& directory);
 
 /// Writes report.html (and the PDFs) and figures/ beside `report_json`, each whole or not at all;
-/// beside rig.json of `cagetol rig` its rig.html, beside map.json map.html and map.pdf.
+/// beside KIND.json of `cagetol rig`, `history` and `map` KIND.html, and map.pdf.
 /// Returns what went wrong, with the package to install where one is missing; empty when nothing
 /// did. Never throws for want of Python; throws UnfinishedWrite where the disk is full.
 std::string write_pages(const PageWriter& writer, const std::filesystem::path& report_json);

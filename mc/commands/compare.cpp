@@ -36,15 +36,7 @@ constexpr std::size_t kUnchangedShown = 5;
 
 Json to_json(const Comparison& comparison) {
   Json statistics = Json::array();
-  for (const StatisticChange& change : comparison.statistics)
-    statistics.push_back({{"quantity", change.quantity},
-                          {"unit", change.unit},
-                          {"statistic", change.statistic},
-                          {"old", json_number(change.before)},
-                          {"new", json_number(change.after)},
-                          {"p_value", change.p_value},
-                          {"adjusted_p_value", change.adjusted_p_value},
-                          {"changed", change.changed}});
+  for (const StatisticChange& change : comparison.statistics) statistics.push_back(to_json(change));
   return {{"comparable", true},
           {"same", comparison.same()},
           {"same_cages", comparison.paired},

@@ -14,6 +14,7 @@ Chosen cage_command(CLI::App& command);
 Chosen chart_command(CLI::App& command);
 Chosen check_command(CLI::App& command);
 Chosen compare_command(CLI::App& command);
+Chosen history_command(CLI::App& command);
 Chosen judge_command(CLI::App& command);
 Chosen ladder_command(CLI::App& command);
 Chosen map_command(CLI::App& command);
@@ -56,6 +57,7 @@ const std::vector<Subcommand> kSubcommands = {
     {kResults, "judge", "Judge the runs of a directory by other limits: scatter, margins, which decide, a report", "judge out/nu205 --limit driving_slip_ratio=0.05", judge_command},
     {kResults, "worst", "Print the cages nearest to a limit, with every pocket of theirs, as CSV", "worst out/nu205 -n 3", worst_command},
     {kResults, "compare", "Say whether any statistic of a study has changed between two sweeps", "compare out/yesterday out/today", compare_command},
+    {kResults, "history", "Show yields and quantities over studies run again and again, and what has changed", "history out/monday out/tuesday -o out/history", history_command},
     {kResults, "rig", "Hold the model against a rig: measured slip of the cage beside runs of each load and speed", "rig inputs/scenes/nu205.toml rig.csv -o out/rig", rig_command},
     {kResults, "replay", "Run one sample of a sweep again and compare it to the bit with what is stored", "replay out/nu205 --sample 17", replay_command},
     {kResults, "animate", "Write a page that plays the motion of one sample of a sweep", "animate out/nu205 --sample 17", animate_command},
