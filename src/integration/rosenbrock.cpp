@@ -144,6 +144,11 @@ StepStatus Rosenbrock::step(System& system, double& t, double* y, double t_end) 
       if (!last) system.counts.smallest_step = std::min(system.counts.smallest_step, h);
       last_log_error_ = std::max(log_error, std::log(kStepControl.minimum_error));
       next_step_ = last ? std::max(next_step_, h * factor) : h * factor;
+      stalled_ = h < kStepControl.stalled ? stalled_ + 1 : 0;
+      if (stalled_ == kStepControl.stalled_steps) {
+        stalled_ = 0;
+        next_step_ = std::max(kStepControl.dive * h, 2 * kStepControl.smallest_step);
+      }
       return StepStatus::accepted;
     }
     ++system.counts.rejected;

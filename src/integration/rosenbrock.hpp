@@ -54,6 +54,7 @@ class Rosenbrock : public Integrator {
   NewtonMatrix newton_;
   double next_step_;
   double last_log_error_ = 0;
+  int stalled_ = 0;  ///< steps in a row shorter than kStepControl.stalled
   std::vector<PackVector> stage_;
   PackVector rates_, argument_, time_rates_;
 };

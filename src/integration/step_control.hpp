@@ -31,6 +31,15 @@ struct StepControl {
   double minimum_error = 1e-2;                       ///< smaller last errors count as this
   double shortest = 0.2, longest = 4;                ///< of the step just taken
   double shortest_again = 0.1, longest_again = 0.7;  ///< of the step just rejected
+
+  // The traction of a thin film under high pressure turns over within 1e-6 m/s of sliding speed. A
+  // step that begins beyond sees a slope too small and lands on the other side of rolling; the next
+  // one comes back. The error of such steps falls with h alone, so that they neither fail nor grow.
+  // So many of them in a row, each shorter than `stalled`, are followed by a dive to where the
+  // slope is that of rolling, from which steps grow again.
+  int stalled_steps = 30;
+  double stalled = 1e-7;  ///< [s]
+  double dive = 1e-3;     ///< next step over the last one
 };
 
 inline constexpr StepControl kStepControl;
