@@ -71,7 +71,8 @@ struct Runs {
 
 Runs runs_of(const StudyData& study, const char* which) {
   Runs runs{select_samples(study, first_runs(study)), {}};
-  if (runs.data.size() < 2) throw Refused(fmt::format("the {} study has no runs", which));
+  if (runs.data.size() < 2)
+    throw Refused(fmt::format("the {} study has fewer than two runs", which));
   const std::int64_t scramble_rows = std::max<std::int64_t>(
       study.design.rows_planned / std::max<std::int64_t>(study.design.scrambles, 1), 1);
   for (std::size_t i = 0; i < runs.data.size(); ++i)

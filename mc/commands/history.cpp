@@ -124,6 +124,7 @@ int run_history(const HistoryArguments& options) {
     before = std::move(study);
     print(row_text(row));
   }
+  std::filesystem::create_directories(options.output);
   write_result(history, history["rows"], options.output);
   return kDone;
 }

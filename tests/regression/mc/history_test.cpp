@@ -16,12 +16,12 @@ using testing::HasSubstr;
 
 constexpr const char* kQuantity = "ring_displacement_mean_um";
 
-struct Ended {
+struct CommandEnd {
   int code;
   std::string output;
 };
 
-Ended run(std::vector<std::string> words) {
+CommandEnd run_program(std::vector<std::string> words) {
   words.insert(words.begin(), std::string(CAGETOL_BINARY_DIR) + "/cagetol");
   Process process(words);
   const int code = process.wait();
@@ -38,7 +38,7 @@ class History : public testing::Test {
          {"samples=40", "scene.model.motion=quasi-static", "scene.window.measure_revolutions=1"})
       words.insert(words.end(), {"--set", setting});
     for (const std::string& setting : settings) words.insert(words.end(), {"--set", setting});
-    const Ended ended = run(words);
+    const CommandEnd ended = run_program(words);
     EXPECT_EQ(ended.code, 0) << ended.output;
     return scratch_ / night;
   }
@@ -51,7 +51,7 @@ TEST_F(History, NamesWhatChangedFromNightToNight) {
                                    {"scene.bearing.internal_clearance_um={nominal=40, lot={law="
                                     "'normal', sigma=2.5}}"}),
                     out = scratch_ / "out";
-  const Ended ended = run({"history", first, same, looser, "-o", out});
+  const CommandEnd ended = run_program({"history", first, same, looser, "-o", out});
   ASSERT_EQ(ended.code, 0) << ended.output;
   EXPECT_THAT(ended.output, HasSubstr(std::string("changed: mean of ") + kQuantity));
   EXPECT_THAT(ended.output, HasSubstr("scene.bearing.internal_clearance_um"));
@@ -65,8 +65,9 @@ TEST_F(History, NamesWhatChangedFromNightToNight) {
   EXPECT_GT(after["mean"].get<double>(), 1.1 * before["mean"].get<double>());
   EXPECT_LT(before["mean_lower"], before["mean"]);
   for (const auto& change : rows[2]["changes"])
-    if (change["quantity"] == kQuantity && change["statistic"] == "mean")
+    if (change["quantity"] == kQuantity && change["statistic"] == "mean") {
       EXPECT_NEAR(change["new"].get<double>(), after["mean"].get<double>(), 1e-9);
+    }
   for (const char* file : {"/history.html", "/history.csv", "/figures/history.svg"})
     EXPECT_TRUE(std::filesystem::exists(out + file)) << file;
   EXPECT_THAT(file_bytes(out + "/history.html"), HasSubstr("scene.bearing.internal_clearance_um"));
@@ -75,11 +76,13 @@ TEST_F(History, NamesWhatChangedFromNightToNight) {
 TEST_F(History, SaysWhyTwoStudiesCannotBeCompared) {
   const std::string first = sweep("first", {}),
                     lone = sweep("lone", {"samples=1", "allowed_failure_share=1"});
-  const Ended ended = run({"history", first, lone, "-o", scratch_ / "out"});
+  const CommandEnd ended = run_program({"history", first, lone, "-o", scratch_ / "out"});
   EXPECT_EQ(ended.code, 0) << ended.output;
-  EXPECT_THAT(ended.output, HasSubstr("not comparable with the study before: the new study"));
-  EXPECT_EQ(run({"history", first, "-o", scratch_ / "out"}).code, 2);
-  const Ended missing = run({"history", first, scratch_ / "nowhere", "-o", scratch_ / "out"});
+  EXPECT_THAT(ended.output,
+              HasSubstr("not comparable with the study before: the new study has fewer"));
+  EXPECT_EQ(run_program({"history", first, "-o", scratch_ / "out"}).code, 2);
+  const CommandEnd missing =
+      run_program({"history", first, scratch_ / "nowhere", "-o", scratch_ / "out"});
   EXPECT_EQ(missing.code, 2);
   EXPECT_THAT(missing.output, HasSubstr("nowhere"));
 }
