@@ -56,6 +56,13 @@ void collect_differences(const nlohmann::ordered_json& a, const nlohmann::ordere
     return;
   }
   if (a == b) return;
+  if (a.is_array() && b.is_array() && a.size() == b.size() && a[0].is_object()) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      collect_differences(a[i], b[i],
+                          fmt::format("{}[{}]", path, a[i].value("key", std::to_string(i))),
+                          differences, notes);
+    return;
+  }
   const auto shown = [](const nlohmann::ordered_json& value) {
     std::string text = value.dump();
     return text.size() > 60 ? text.substr(0, 57) + "..." : text;

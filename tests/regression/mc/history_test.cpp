@@ -54,7 +54,7 @@ TEST_F(History, NamesWhatChangedFromNightToNight) {
   const CommandEnd ended = run_program({"history", first, same, looser, "-o", out});
   ASSERT_EQ(ended.code, 0) << ended.output;
   EXPECT_THAT(ended.output, HasSubstr(std::string("changed: mean of ") + kQuantity));
-  EXPECT_THAT(ended.output, HasSubstr("scene.bearing.internal_clearance_um"));
+  EXPECT_THAT(ended.output, HasSubstr("inputs[bearing.internal_clearance_um].nominal"));
   const auto rows = nlohmann::json::parse(file_bytes(out + "/history.json"))["rows"];
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_TRUE(rows[0]["changed"].is_null());
