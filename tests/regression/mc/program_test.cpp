@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -450,6 +451,9 @@ TEST(Program, ChecksEveryShippedFile) {
         "studies/nu205-slip.toml", "studies/nu205-displacement.toml", "studies/nu205-fit.toml",
         "studies/nu205-measured.toml", "studies/nightly.toml", "studies/nu205-duty.toml",
         "studies/own-bearing-lips.toml", "scenes/nu2206-moulded.toml"}) {
+    // A million cages with lips are drawn for their jams.
+    if (std::string(path).find("-lips") != std::string::npos && !std::getenv("CAGETOL_NIGHTLY"))
+      continue;
     const auto ended = run({"check", shipped(path)});
     EXPECT_EQ(ended.code, 0) << path << ended.output;
     EXPECT_THAT(ended.output, HasSubstr("no mistakes found"));
