@@ -129,7 +129,10 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
                          "cagetol recommend STUDY -o DIR"));
   if (status == "none_meets" || status == "not_confirmed") {
     if (report["tolerance"].is_object() && some_dimension_binds(report["tolerance"]))
-      steps.push_back(step("Narrower candidates than those studied.", narrower_command(basis)));
+      steps.push_back(
+          step("Narrower candidates than those studied. A limit of which more than 100 % are used "
+               "at the narrowest width, too, asks for another design instead.",
+               narrower_command(basis)));
     else
       steps.push_back(
           step("A dimension whose tolerance changes the yield: no difference between the widths "
