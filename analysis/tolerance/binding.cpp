@@ -15,8 +15,8 @@ namespace cagetol {
 namespace {
 
 constexpr double kFewFailing = 5;
-/// A loss by cages that do not fit is known: above this share of what the target allows to fail it
-/// counts as significant.
+/// A loss of good cages because they do not fit is known: above this share of what the target
+/// allows to fail it counts as significant.
 constexpr double kKnownLoss = 0.05;
 
 /// The candidate's tolerances without those of dimension d, and its centres.
@@ -132,7 +132,8 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
   const LevelYield& narrowest = curve.levels.front();
   const LevelRuns narrow = runs_of_level(narrowest, mixture, relevant);
   const EffectiveRuns narrow_runs = effective_runs(joint, narrow.weights);
-  const double margin = narrow.fits * (1 - narrow_runs.failing / narrow_runs.all) - target_yield;
+  const double meeting = 1 - narrow_runs.failing / narrow_runs.all,  // of cages that fit
+      margin = narrow.fits * meeting - target_yield;
   BindingTest test{
       curve.key,
       Binding::undecided,
@@ -149,7 +150,7 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
     const double lots = std::min(effective_lots(narrow.weights, resampling),
                                  effective_lots(wide.weights, resampling));
     const double known = narrow.fits - wide.fits;
-    significant = significant || known > kKnownLoss * (1 - target_yield);
+    significant = significant || meeting * known > kKnownLoss * (1 - target_yield);
     test.largest_loss = std::max(test.largest_loss, loss.largest.value);
     if (lots < kFewestLots || std::min(runs.all, narrow_runs.all) < kFewestEffectiveRuns) {
       enough = false;

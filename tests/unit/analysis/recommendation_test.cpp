@@ -198,6 +198,19 @@ TEST(Recommendation, AllJammedIsNotCalledNotBinding) {
     EXPECT_EQ(test.answer, Binding::undecided);
 }
 
+// More jams cost no good cages where there are none.
+TEST(Recommendation, JamsBindNothingWhereEveryCageThatFitsMissesALimit) {
+  StudyData study =
+      tolerance_standin(2000, 35, {kPrintedWidth, kPrintedLength}, 0.95, widest_pocket);
+  study.plan.redraw_jams = true;
+  for (std::size_t k = 0; k < study.plan.candidates.size(); ++k)
+    study.jam.candidate.push_back(0.01 * static_cast<double>(k));
+  EXPECT_EQ(judge_study(study, 50).tests[0].answer, Binding::binding);
+  for (double& value : study.quantities[0].values) value += 1e3;
+  for (const BindingTest& test : judge_study(study, 50).tests)
+    EXPECT_EQ(test.answer, Binding::undecided);
+}
+
 TEST(Recommendation, FewLotsDecideNothing) {
   // All runs of a lot share its deviations: one lot has no scatter to tell an effect from chance.
   StandinDimension width = kPrintedWidth;
