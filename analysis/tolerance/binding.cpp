@@ -14,7 +14,7 @@
 namespace cagetol {
 namespace {
 
-constexpr double kFewFailing = 5;
+constexpr double kFew = 5;
 /// A loss of good cages because they do not fit is known: above this share of what the target
 /// allows to fail it counts as significant.
 constexpr double kKnownLoss = 0.05;
@@ -159,14 +159,17 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
     }
     const double two_sided = gsl_cdf_tdist_Qinv(0.5 * error_each, lots - 1);
     const double one_sided = gsl_cdf_tdist_Qinv(error_each, lots - 1);
-    if (runs.failing < kFewFailing) {
+    if (runs.failing < kFew) {
       const double bound =
           std::max(known, 0.0) + clopper_pearson_upper(runs.failing, runs.all, 1 - error_each);
       test.largest_loss_bound = std::max(test.largest_loss_bound, bound);
       continue;
     }
-    significant = significant || loss.minimum.value > two_sided * loss.minimum.standard_error ||
-                  loss.largest.value < -two_sided * loss.largest.standard_error;
+    // Of few runs that pass, as of few that fail, the scatter says too little.
+    const double passing = std::max(runs.all - runs.failing, narrow_runs.all - narrow_runs.failing);
+    if (passing >= kFew)
+      significant = significant || loss.minimum.value > two_sided * loss.minimum.standard_error ||
+                    loss.largest.value < -two_sided * loss.largest.standard_error;
     test.largest_loss_bound = std::max(
         test.largest_loss_bound, loss.largest.value + one_sided * loss.largest.standard_error);
   }

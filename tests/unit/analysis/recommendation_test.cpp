@@ -209,6 +209,12 @@ TEST(Recommendation, JamsBindNothingWhereEveryCageThatFitsMissesALimit) {
   for (double& value : study.quantities[0].values) value += 1e3;
   for (const BindingTest& test : judge_study(study, 50).tests)
     EXPECT_EQ(test.answer, Binding::undecided);
+  // One that meets it, of the widest tolerances: its weight at narrow ones is nothing.
+  const auto last = std::find(study.candidate.begin(), study.candidate.end(),
+                              static_cast<std::int64_t>(study.plan.candidates.size()) - 1);
+  study.quantities[0].values[static_cast<std::size_t>(last - study.candidate.begin())] = -1e3;
+  for (const BindingTest& test : judge_study(study, 50).tests)
+    EXPECT_EQ(test.answer, Binding::undecided);
 }
 
 TEST(Recommendation, FewLotsDecideNothing) {
