@@ -257,12 +257,17 @@ class LimitModel {
         of_both += slopes[i].mean * of * slopes[k].deviation;
         of_deviation += slopes[i].deviation * of * slopes[k].deviation;
       }
-    // a z^2 - 2 b z + d = 0; a <= 0: the deviation may be none.
+    // a z^2 - 2 b z + d <= 0. a <= 0: the deviation may be none, and z is without end on its side of
+    // zero; beyond zero it ends where the mean is surely on its side of the bound, d > 0.
     const double e = errors * errors, a = deviation * deviation - e * of_deviation,
                  b = room * deviation + e * of_both, d = room * room - e * of_mean,
                  root = std::sqrt(std::max(b * b - a * d, 0.0));
-    if (errors > 0) return b + root > 0 ? d / (b + root) : a > 0 ? (b - root) / a : -HUGE_VAL;
-    return a > 0 ? (b + root) / a : b < 0 ? d / (b - root) : HUGE_VAL;
+    if (errors > 0) {
+      if (a <= 0 && (room <= 0 || d <= 0)) return -HUGE_VAL;
+      return b + root > 0 ? d / (b + root) : (b - root) / a;
+    }
+    if (a <= 0 && (room >= 0 || d <= 0)) return HUGE_VAL;
+    return a > 0 ? (b + root) / a : d / (b - root);
   }
 
  private:

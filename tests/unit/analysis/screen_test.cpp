@@ -118,6 +118,19 @@ TEST(Screen, IntervalsHoldWhatMovesAStandIn) {
   }
 }
 
+// Also where the runs are so few that a deviation may be none.
+TEST(Screen, AnIntervalHoldsItsEstimate) {
+  const auto place = [](const std::optional<double>& width) { return width.value_or(HUGE_VAL); };
+  for (std::uint64_t seed = 0; seed < 300; ++seed)
+    for (const double limit : {1.1, 1.25, 1.5}) {
+      const Screen screen = screen_limits(standin(seed, 0.05, 0.02, limit), kBoth, 0.001);
+      for (const LimitReach& reach : screen.limits[0].reach) {
+        EXPECT_LE(place(reach.lower_mm), place(reach.width_mm)) << seed << ", " << limit;
+        EXPECT_GE(place(reach.upper_mm), place(reach.width_mm)) << seed << ", " << limit;
+      }
+    }
+}
+
 TEST(Screen, SaysWhatIsNotResolvedAndWhatJamsDecide) {
   const Screen far = screen_limits(standin(1, 0.02, 0.03, 9), kBoth, 0.001);
   EXPECT_TRUE(far.jams_alone);
