@@ -82,8 +82,9 @@ def draw_points(axis, data, up, across):
             continue
         axis.plot(x, y, "*", markersize=11, markerfacecolor="white", markeredgecolor=BLACK, zorder=6, clip_on=False,
                   label="the study's own points" if number == 0 else None)
-        axis.annotate(point["name"], (x, y), xytext=(6, 5), textcoords="offset points", fontsize=7, zorder=7,
-                      bbox=dict(facecolor="white", alpha=0.7, linewidth=0, pad=0.6))
+        words = min(up["values"], key=lambda value: abs(np.log(value / y) if up["logarithmic"] else value - y))  # of its cell
+        axis.annotate(point["name"], (x, y), xytext=(0, 6 if y > words else -13), textcoords="offset points", fontsize=7, zorder=7,
+                      ha="center", bbox=dict(facecolor="white", alpha=0.7, linewidth=0, pad=0.6))
 
 
 def draw_cells(axis, dimension, rows, up, across, causes):
