@@ -59,7 +59,7 @@ std::string centre_text(const StudyData& runs, const Candidate& candidate, std::
   const ToleranceDimension& plan = runs.plan.dimensions[dimension];
   const InputColumns* input = find_input(runs, plan.key);
   if (plan.centres.empty() || input == nullptr) return {};
-  return fmt::format(" about {:.6g}", input->nominal.front() + candidate.shift(dimension));
+  return fmt::format(" about {:.6g}", input->nominal.front() + candidate.centre_shift(dimension));
 }
 
 /// The command that would confirm a candidate that was passed over, in a directory of its own and
@@ -76,7 +76,8 @@ std::string confirming_command(const StudyData& runs, std::int64_t seed, const C
     const std::string centre =
         plan.dimensions[d].centres.empty() || input == nullptr
             ? ""
-            : fmt::format(", centres=[{:.12g}]", input->nominal.front() + candidate.shift(d));
+            : fmt::format(", centres=[{:.12g}]",
+                          input->nominal.front() + candidate.centre_shift(d));
     dimensions += fmt::format("{}{{key=\"{}\", tolerance_width_mm={}, candidates=[{}]{}}}",
                               d == 0 ? "" : ", ", plan.dimensions[d].key,
                               plan.dimensions[d].tolerance_width_mm, width, centre);

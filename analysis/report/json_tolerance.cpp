@@ -40,7 +40,8 @@ Json candidate_centres(const ReportBasis& basis, const Candidate& candidate) {
   Json list = Json::array();
   for (std::size_t d = 0; d < basis.study.plan.dimensions.size(); ++d) {
     const Json nominal = nominal_json(basis, d);
-    list.push_back(nominal.is_null() ? Json() : Json(nominal.get<double>() + candidate.shift(d)));
+    list.push_back(nominal.is_null() ? Json()
+                                     : Json(nominal.get<double>() + candidate.centre_shift(d)));
   }
   return list;
 }
@@ -53,7 +54,7 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
     list.push_back(
         {{"candidate", k},
          {"tolerance_widths_mm", plan.tolerance_widths_mm},
-         {"shifts", plan.shifts},
+         {"shifts", plan.all_shifts()},
          {"grades", plan.grades},
          {"centres", candidate_centres(basis, plan)},
          {"shown", shown(curves.candidates[k])},
@@ -353,7 +354,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     Tolerance chosen;
     for (const RecommendedTolerance& tolerance : result.tolerances)
       chosen.tolerance_widths_mm.push_back(tolerance.tolerance_width_mm);
-    if (result.possible) chosen.shifts = plan.candidates[result.candidate].shifts;
+    if (result.possible) chosen.shifts = plan.candidates[result.candidate].all_shifts();
     if (confirmations.empty() && result.possible && result.meets_target)
       part.passed_over = passed_over(
           basis.runs, curves, {snapped_tolerance(basis.runs, plan.candidates[result.candidate])});

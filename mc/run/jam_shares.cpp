@@ -344,10 +344,16 @@ std::vector<JamShare> drawn(const Geometry& geometry, const std::vector<ScaledLa
 std::vector<ScaledLaws> laws_of_candidates(const Study& study) {
   std::vector<ScaledLaws> all;
   for (const Candidate& candidate : study.candidates) {
-    all.push_back({candidate.scales, candidate.scales, candidate.shifts});
-    all.back().shift.resize(candidate.scales.size());
+    all.push_back({candidate.scales, candidate.scales, candidate.all_shifts()});
   }
   return all;
+}
+
+/// Where the zone of a dimension lies at another width: as that of the candidate of nearest width.
+double middle_at(const Study& study, std::size_t d, double scale) {
+  const auto away = [&](const Candidate& of) { return std::abs(std::log(of.scales[d] / scale)); };
+  const Candidate& nearest = *std::ranges::min_element(study.candidates, {}, away);
+  return nearest.middle(d) / nearest.scales[d] * scale;
 }
 
 /// The points of one curve for each dimension.
@@ -367,7 +373,9 @@ void add_curves(const Study& study, std::vector<JamCurve>& curves, std::vector<S
       auto point = narrowest;
       point[d] = least * std::pow(ratio, static_cast<double>(p) / (kPoints - 1));
       curve.tolerance_width_mm.push_back(point[d] * dimension.tolerance_width_mm);
-      all.push_back({point, point, std::vector<double>(point.size())});
+      all.push_back({point, point, {}});
+      for (std::size_t i = 0; i < point.size(); ++i)
+        all.back().shift.push_back(middle_at(study, i, point[i]));
     }
     curves.push_back(std::move(curve));
   }

@@ -1,6 +1,32 @@
 #include "mc/study_file/tolerance.hpp"
 
+#include <cmath>
+#include <cstdio>
+
+#include "distributions/iso286.hpp"
+
 namespace cagetol {
+
+std::vector<double> Candidate::all_shifts() const {
+  std::vector<double> all;
+  for (std::size_t d = 0; d < scales.size(); ++d) all.push_back(shift(d));
+  return all;
+}
+
+std::optional<Deviations> deviations_of(const std::string& name) {
+  Deviations of;
+  char more = 0;
+  const int read = std::sscanf(name.c_str(), "%lf/%lf%c", &of.upper, &of.lower, &more);
+  if (read != 2 || !std::isfinite(of.upper - of.lower) || !(of.upper > of.lower))
+    return std::nullopt;
+  return of;
+}
+
+double zone_middle(const std::string& name, double tolerance_width_mm) {
+  if (const auto ends = deviations_of(name)) return (ends->upper + ends->lower) / 2;
+  const auto of_class = tolerance_class(name);
+  return of_class ? of_class->middle * tolerance_width_mm : 0;
+}
 
 bool is_size(const std::string& key) {
   const std::string name = key.substr(key.rfind('.') + 1);
