@@ -57,6 +57,10 @@ std::optional<Deviations> deviations_of(const std::string& name);
 /// Middle of a tolerance zone less its nominal value [mm], by a candidate's name and width.
 double zone_middle(const std::string& name, double tolerance_width_mm);
 
+/// As a drawing has it, behind the nominal size: "+0.1/-0.02 mm", "H9 (+0.036/0 mm)",
+/// "±0.018 mm (IT9, js9)"; grade as in Candidate.
+std::string drawing_text(const std::string& grade, double tolerance_width_mm);
+
 /// True where grades of ISO 286 mean something: a diameter, width or length in mm. A clearance, a
 /// radius, an offset or a layer is no size; its tolerances are given in mm.
 bool is_size(const std::string& key);

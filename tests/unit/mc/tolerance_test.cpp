@@ -26,6 +26,15 @@ TEST(Tolerance, ZonesHaveTheirMiddle) {
   EXPECT_DOUBLE_EQ(zone_middle("+0.05/-0.02", 0.07), 0.015);
 }
 
+TEST(Tolerance, IsWrittenAsOnADrawing) {
+  EXPECT_EQ(drawing_text("", 0.1), "±0.050 mm");
+  EXPECT_EQ(drawing_text("IT13", 0.22), "±0.110 mm (IT13, js13)");
+  EXPECT_EQ(drawing_text("js11", 0.09), "±0.045 mm (js11)");
+  EXPECT_EQ(drawing_text("IT7", 0.015), "±0.0075 mm (IT7, js7)");
+  EXPECT_EQ(drawing_text("H11", 0.09), "H11 (+0.090/0 mm)");
+  EXPECT_EQ(drawing_text("+0.10/0", 0.1), "+0.10/0 mm");
+}
+
 TEST(Tolerance, ACandidateIsMovedByItsCentreAndTheMiddleOfItsZone) {
   Candidate candidate{{0.1, 0.2}, {"H9", ""}, {1, 2}};
   EXPECT_EQ(candidate.all_shifts(), (std::vector<double>{0, 0}));
