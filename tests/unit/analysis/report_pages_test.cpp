@@ -263,6 +263,24 @@ TEST(ReportPages, AToleranceAboveTheNominalValueIsPrintedAsOnADrawing) {
   EXPECT_THAT(text_of(section_of(page_of(report), "verdict")), HasSubstr("9.000 to 9.090 mm"));
 }
 
+TEST(ReportPages, ClearanceChainsStandBesideEachOther) {
+  Json report = make_report(make_synthetic_study());
+  report["bearing"] = bearing();
+  report["bearing"]["chains"] = {{{"name", "roller to both bars"},
+                                  {"keys", {"cage.pocket_width_mm"}},
+                                  {"nominal_um", 150},
+                                  {"worst_um", {98, 202}},
+                                  {"rss_um", {99.6, 200.4}},
+                                  {"sampled_um", {121, 181}},
+                                  {"cages", 20000},
+                                  {"tail", 0.00135}}};
+  const std::string page = text_of(section_of(page_of(report), "operating"));
+  EXPECT_THAT(page, HasSubstr("98 to 202"));
+  EXPECT_THAT(page, HasSubstr("100 to 200"));
+  EXPECT_THAT(page, HasSubstr("121 to 181"));
+  EXPECT_THAT(page, HasSubstr("sampled: 0.135 to 99.865 % of 20000 drawn cages"));
+}
+
 TEST(ReportPages, ASweepThatWasStoppedAsksForTheSameCommand) {
   const StudyData study = make_synthetic_study({.rows = 1500});
   std::vector<std::size_t> there(40);
