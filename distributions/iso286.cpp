@@ -69,6 +69,14 @@ std::optional<int> grade_number(std::string_view name) {
   return grade;
 }
 
+std::optional<ToleranceClass> tolerance_class(std::string_view name) {
+  const auto letters = name.substr(0, name.find_first_of("0123456789"));
+  const auto grade = grade_number("IT" + std::string(name.substr(letters.size())));
+  if (!grade || (letters != "IT" && letters != "js" && letters != "JS" && letters != "H"))
+    return std::nullopt;
+  return ToleranceClass{*grade, letters == "H" ? 0.5 : 0};
+}
+
 std::string grade_name(int grade) {
   return "IT" + std::to_string(grade);
 }

@@ -23,6 +23,17 @@ std::optional<int> grade_within(double width_um, double nominal_mm);
 /// 9 for "IT9"; empty for any other form. Does not check that the table has the grade.
 std::optional<int> grade_number(std::string_view name);
 
+/// A tolerance class: its grade, and the middle of its zone above the nominal size, as a share of
+/// its width.
+struct ToleranceClass {
+  int grade = 0;
+  double middle = 0;
+};
+
+/// Of "IT9", "js9" and "JS9", which lie about the nominal size, and of "H9", which begins there;
+/// empty for any other form. Does not check that the table has the grade.
+std::optional<ToleranceClass> tolerance_class(std::string_view name);
+
 /// "IT9".
 std::string grade_name(int grade);
 

@@ -10,10 +10,18 @@ from engine import legend_below
 
 
 def confirmed_tolerances(report):
-    """Tolerances of the attempt that confirmed, by key."""
+    """Tolerances of the attempt that confirmed, by key: full width, attempt, as on a drawing."""
     attempts = (report["confirmation"] or {"attempts": []})["attempts"]
-    return {tolerance["key"]: (tolerance["tolerance_width_mm"], attempt) for attempt in attempts if attempt["passed"] and not attempt["judged_again"]
+    return {tolerance["key"]: (tolerance["tolerance_width_mm"], attempt, tolerance["drawing"].split(" (")[0]) for attempt in attempts if attempt["passed"] and not attempt["judged_again"]
             for tolerance in attempt["tolerances"]}
+
+
+def side_by_side(widths):
+    """Places of tolerances on an axis: those of the same width side by side."""
+    places = []
+    for width in widths:
+        places.append(1.12 * places[-1] if places and places[-1] >= 0.999 * width else width)
+    return places
 
 
 def limit_curves(report):
@@ -76,7 +84,7 @@ def width_curves(report):
     confirmed, jams = confirmed_tolerances(report), {jam["key"]: jam for jam in report["tolerance"]["jams"]}
     figure, axes = plt.subplots(1, len(dimensions), figsize=(WIDTH, 2.7), sharey=True, squeeze=False)
     for axis, dimension in zip(axes[0], dimensions):
-        widths = [1e3 * width for width in dimension["tolerance_widths_mm"]]
+        widths = side_by_side([1e3 * width for width in dimension["tolerance_widths_mm"]])
         edges = [0] + [(a + b) / 2 for a, b in zip(widths, widths[1:])] + [1.5 * widths[-1] - 0.5 * widths[-2]]
         for i, (left, right) in enumerate(zip(edges, edges[1:])):
             if i % 2:
@@ -99,14 +107,14 @@ def width_curves(report):
             axis.axvspan(1e3 * jam["limit_mm"], edges[-1], facecolor="none", edgecolor=BLACK, alpha=0.5, hatch="//", linewidth=0,
                          label="jams alone miss the target")
         if dimension["key"] in confirmed:
-            width = 1e3 * confirmed[dimension["key"]][0]
+            width, words = 1e3 * confirmed[dimension["key"]][0], confirmed[dimension["key"]][2]
             axis.axvline(width, color=BLACK, linewidth=1.5, label="confirmed")
-            axis.annotate(f"±{width / 2:.0f} µm", (width, 1), xycoords=("data", "axes fraction"), xytext=(-3, -30),
+            axis.annotate(words, (width, 1), xycoords=("data", "axes fraction"), xytext=(-3, -30),
                           textcoords="offset points", ha="right", va="top", fontsize=8.5)
         axis.set_xlim(0, edges[-1])
         axis.set_ylim(0, None)
         axis.set_xticks(widths, [f"{grade.removeprefix('IT') or f'{width:.0f}'}" for width, grade in zip(widths, dimension["grades"])])
-        axis.set_xlabel(f"{dimension['name']}: " + ("ISO 286 grade at its width" if all(dimension["grades"]) else "full width [µm]"),
+        axis.set_xlabel(f"{dimension['name']}: " + ("tolerance at its width" if all(dimension["grades"]) else "full width [µm]"),
                         fontsize=8.5)
     axes[0][0].set_ylabel("share of the limit [%]")
     handles = {label: handle for axis in axes[0] for handle, label in zip(*axis.get_legend_handles_labels())}
@@ -131,7 +139,7 @@ def yield_curves(report):
         axis.set_visible(False)
     for axis, dimension in zip(axes.flat, dimensions):
         levels = [level for level in dimension["levels"] if level["shown"]]
-        tolerances = [1e3 * level["tolerance_width_mm"] for level in levels]
+        tolerances = side_by_side([1e3 * level["tolerance_width_mm"] for level in levels])
         low = [100 * known(level["yield"]["if_unknown_fail"]) for level in levels]
         high = [100 * known(level["yield"]["if_unknown_pass"]) for level in levels]
         lower = [100 * known(level["yield"]["lower_bound"]) for level in levels]
@@ -143,7 +151,7 @@ def yield_curves(report):
             axis.plot(tolerances, high, "s:", color=BLUE, markerfacecolor="white", label="runs without result pass")
         axis.axhline(100 * report["verdict"]["target_yield"], color=RED, linestyle="--", linewidth=1.2, label="target")
         if dimension["key"] in confirmed:
-            tolerance, attempt = confirmed[dimension["key"]]
+            tolerance, attempt, _ = confirmed[dimension["key"]]
             bound, value = 100 * attempt["yield"]["lower_bound"], 100 * attempt["yield"]["if_unknown_fail"]
             axis.plot([1e3 * tolerance] * 2, [bound, value], color=GREEN, linewidth=2.5, label="confirmed, bound to estimate", zorder=4)
             axis.plot(1e3 * tolerance, bound, "_", color=GREEN, markersize=9, zorder=4)
@@ -152,8 +160,8 @@ def yield_curves(report):
             axis.set_xscale("log")
             axis.minorticks_off()
         axis.set_xticks(tolerances)
-        axis.set_xticklabels([f"{tolerance:.0f}\n{level['grade']}\n({level['yield']['effective_runs']:.0f})"
-                              for tolerance, level in zip(tolerances, levels)], fontsize=7 if len(levels) > 4 or columns > 2 else 8.5)
+        axis.set_xticklabels([f"{1e3 * level['tolerance_width_mm']:.0f}\n{level['grade']}\n({level['yield']['effective_runs']:.0f})"
+                              for level in levels], fontsize=7 if len(levels) > 4 or columns > 2 else 8.5)
         axis.margins(x=0.08)
     for row in axes:
         row[0].set_ylabel("yield [%]")
@@ -170,12 +178,12 @@ def yield_map(report):
     if len({round(c["yield"]["if_unknown_fail"], 4) for c in tolerance["candidates"] if c["shown"]}) < 2:
         return None  # nothing to see
     first, second = tolerance["dimensions"]
-    rows = [level["tolerance_width_mm"] for level in first["levels"]]
-    columns = [level["tolerance_width_mm"] for level in second["levels"]]
+    rows, columns = ([(level["tolerance_width_mm"], level["grade"]) for level in dimension["levels"]] for dimension in (first, second))
+    places = lambda candidate: list(zip(candidate["tolerance_widths_mm"], candidate["grades"]))
     bound = np.full((len(rows), len(columns)), np.nan)
     text = {}
     for candidate in tolerance["candidates"]:
-        place = rows.index(candidate["tolerance_widths_mm"][0]), columns.index(candidate["tolerance_widths_mm"][1])
+        place = rows.index(places(candidate)[0]), columns.index(places(candidate)[1])
         if not candidate["shown"]:
             text[place] = f"too few\n({candidate['yield']['effective_runs']:.0f} runs)"
             continue
@@ -192,7 +200,7 @@ def yield_map(report):
         axis.text(place[1], place[0], words, ha="center", va="center", fontsize=8 if len(columns) < 6 else 6.5,
                   color="white" if strong else "black")
     if chosen is not None:
-        tolerances = tolerance["candidates"][chosen]["tolerance_widths_mm"]
+        tolerances = places(tolerance["candidates"][chosen])
         axis.add_patch(plt.Rectangle((columns.index(tolerances[1]) - 0.48, rows.index(tolerances[0]) - 0.46), 0.96, 0.92,
                                      fill=False, edgecolor="black", linewidth=2))
     label = lambda levels, between: [f"{1e3 * level['tolerance_width_mm']:.0f} µm{between}{level['grade']}" for level in levels]

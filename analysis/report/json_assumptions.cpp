@@ -24,7 +24,7 @@ std::string with_value(const AssumedValue& alternative) {
 /// candidates have few runs. Nothing where a tolerance has too few effective runs.
 class ToleranceChange {
  public:
-  ToleranceChange(const ReportBasis& basis, const Tolerance& tolerance) : basis_(basis) {
+  ToleranceChange(const ReportBasis& basis, const Candidate& tolerance) : basis_(basis) {
     const auto& candidates = basis.runs.plan.candidates;
     if (candidates.empty()) return;
     const MixtureWeights mixture = mixture_weights(basis.runs);
@@ -65,16 +65,23 @@ class ToleranceChange {
     std::vector<double> wide, narrow;
   };
 
-  /// All candidates with this tolerance of a dimension, at the centres of the tolerance.
-  std::vector<double> weights_with(const MixtureWeights& mixture, const Tolerance& tolerance,
+  /// All candidates with this tolerance of a dimension, at the centres of the tolerance; as wide as
+  /// it, in the same zone.
+  std::vector<double> weights_with(const MixtureWeights& mixture, const Candidate& tolerance,
                                    std::size_t dimension, double tolerance_width_mm) const {
     const auto& candidates = basis_.runs.plan.candidates;
     std::vector<std::size_t> with;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-      const Tolerance snapped = snapped_tolerance(basis_.runs, candidates[k]);
-      if (same_centres(snapped, tolerance) &&
-          (same_tolerances({snapped.tolerance_widths_mm[dimension]}, {tolerance_width_mm}) ||
-           same_tolerances({candidates[k].tolerance_widths_mm[dimension]}, {tolerance_width_mm})))
+      const Candidate& own = candidates[k];
+      const double snapped = snapped_tolerances(basis_.runs, own)[dimension],
+                   width = own.tolerance_widths_mm[dimension];
+      const bool other_zone = tolerance_width_mm == tolerance.tolerance_widths_mm[dimension] &&
+                              own.middle(dimension) != tolerance.middle(dimension);
+      if (!other_zone &&
+          same_centres({own.tolerance_widths_mm, own.shifts},
+                       {tolerance.tolerance_widths_mm, tolerance.shifts}) &&
+          (same_tolerances({snapped}, {tolerance_width_mm}) ||
+           same_tolerances({width}, {tolerance_width_mm})))
         with.push_back(k);
     }
     if (with.empty()) return std::vector<double>(basis_.runs.size(), 0.0);
@@ -195,7 +202,7 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
   if (!runs->alternatives.empty()) {
     const StudyData& attempt = confirmations[plan.attempt - 1];
     verdicts = judge_assumptions(attempt, runs->runs, confirmation_rules(attempt.plan, 0));
-    const ToleranceChange tolerance(basis, tolerance_tried(attempt));
+    const ToleranceChange tolerance(basis, attempt.plan.candidates.front());
     for (std::size_t k = 0; k < runs->alternatives.size(); ++k)
       alternatives.push_back(
           alternative_json(plan, runs->alternatives[k], verdicts.alternatives[k], tolerance));

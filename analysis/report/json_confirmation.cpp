@@ -16,11 +16,6 @@
 namespace cagetol {
 namespace {
 
-std::string unit_of_input(const StudyData& runs, const std::string& key) {
-  const InputColumns* input = find_input(runs, key);
-  return input == nullptr ? "" : input->unit;
-}
-
 /// Nominal value that an attempt gave a dimension; null where it is not in question.
 Json centre_of(const StudyData& attempt, std::size_t dimension) {
   const auto& centres = attempt.plan.dimensions[dimension].centres;
@@ -33,12 +28,14 @@ Json attempt_json(const StudyData& runs, const Confirmation& result, std::size_t
   const Candidate& tolerance = runs.plan.candidates.front();
   Json widths = Json::array();
   for (std::size_t d = 0; d < tolerance.tolerance_widths_mm.size(); ++d)
-    widths.push_back({{"key", runs.plan.dimensions[d].key},
-                      {"name", plain_name(runs.plan.dimensions[d].key)},
-                      {"tolerance_width_mm", tolerance.tolerance_widths_mm[d]},
-                      {"grade", tolerance.grades[d]},
-                      {"centre", centre_of(runs, d)},
-                      {"centre_unit", unit_of_input(runs, runs.plan.dimensions[d].key)}});
+    widths.push_back(
+        {{"key", runs.plan.dimensions[d].key},
+         {"name", plain_name(runs.plan.dimensions[d].key)},
+         {"tolerance_width_mm", tolerance.tolerance_widths_mm[d]},
+         {"grade", tolerance.grades[d]},
+         {"drawing", drawing_of(runs, d, tolerance.grades[d], tolerance.tolerance_widths_mm[d],
+                                tolerance.centre_shift(d))},
+         {"centre", centre_of(runs, d)}});
   const auto allowed = allowed_failures(std::max(planned, result.runs), rules);
   return {{"stage", fmt::format("confirm-{}", number)},
           {"tolerances", widths},
@@ -59,7 +56,7 @@ std::string centre_text(const StudyData& runs, const Candidate& candidate, std::
   const ToleranceDimension& plan = runs.plan.dimensions[dimension];
   const InputColumns* input = find_input(runs, plan.key);
   if (plan.centres.empty() || input == nullptr) return {};
-  return fmt::format(" about {:.6g}", input->nominal.front() + candidate.shift(dimension));
+  return fmt::format(" about {:.6g}", input->nominal.front() + candidate.centre_shift(dimension));
 }
 
 /// The command that would confirm a candidate that was passed over, in a directory of its own and
@@ -76,7 +73,8 @@ std::string confirming_command(const StudyData& runs, std::int64_t seed, const C
     const std::string centre =
         plan.dimensions[d].centres.empty() || input == nullptr
             ? ""
-            : fmt::format(", centres=[{:.12g}]", input->nominal.front() + candidate.shift(d));
+            : fmt::format(", centres=[{:.12g}]",
+                          input->nominal.front() + candidate.centre_shift(d));
     dimensions += fmt::format("{}{{key=\"{}\", tolerance_width_mm={}, candidates=[{}]{}}}",
                               d == 0 ? "" : ", ", plan.dimensions[d].key,
                               plan.dimensions[d].tolerance_width_mm, width, centre);
@@ -95,16 +93,9 @@ std::string percent_down(double share) {
   return fmt::format("{:.1f} %", std::floor(1000 * share) / 10);
 }
 
-/// "pocket width 0.220 mm (IT13)".
+/// "pocket width 7.65 ±0.110 mm (IT13, js13)".
 std::string tolerance_text(const Json& width) {
-  const std::string grade = width["grade"];
-  return fmt::format("{}{} {:.3f} mm{}", width["name"].get<std::string>(),
-                     width["centre"].is_number()
-                         ? fmt::format(" {:g} {}, tolerance", width["centre"].get<double>(),
-                                       width["centre_unit"].get<std::string>())
-                         : std::string(),
-                     width["tolerance_width_mm"].get<double>(),
-                     grade.empty() ? "" : " (" + grade + ")");
+  return width["name"].get<std::string>() + " " + width["drawing"].get<std::string>();
 }
 
 /// Whether other random numbers might have decided otherwise about an attempt: it was not confirmed
@@ -169,10 +160,9 @@ std::string statement(const Json& attempt, double lower_bound, const Json& not_b
         "{}{}. {}: with {:.6g} % confidence at least {} "
         "of the cages {}, {}; the target is {:.6g} %.{}",
         again ? "Judged again, not confirmed" : "Confirmed",
-        widths.empty() ? ", though no tolerance studied limits the yield"
-                       : ": " + widths + ", full width of the tolerance",
-        counted, 100 * plan.confidence, percent_down(lower_bound),
-        jams > 0 ? "fit and meet them" : "do", judged_by(plan), 100 * plan.target_yield,
+        widths.empty() ? ", though no tolerance studied limits the yield" : ": " + widths, counted,
+        100 * plan.confidence, percent_down(lower_bound), jams > 0 ? "fit and meet them" : "do",
+        judged_by(plan), 100 * plan.target_yield,
         again ? " These runs had been seen before limits or target were stated: fresh ones alone "
                 "confirm it."
               : "");
@@ -198,6 +188,17 @@ std::string candidate_name(const StudyData& runs, const Candidate& candidate) {
                         tolerance_name(candidate.grades[d], candidate.tolerance_widths_mm[d]),
                         centre_text(runs, candidate, d));
   return name;
+}
+
+std::string drawing_of(const StudyData& runs, std::size_t dimension, const std::string& grade,
+                       double tolerance_width_mm, double centre_shift) {
+  const InputColumns* input = find_input(runs, runs.plan.dimensions[dimension].key);
+  const std::string text = drawing_text(grade, tolerance_width_mm);
+  if (input == nullptr || std::set(input->nominal.begin(), input->nominal.end()).size() != 1)
+    return text;
+  const double nominal = input->nominal.front() + centre_shift;
+  return input->unit == "mm" ? fmt::format("{:.6g} {}", nominal, text)
+                             : fmt::format("{:.6g} {}, tolerance {}", nominal, input->unit, text);
 }
 
 Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& candidates) {

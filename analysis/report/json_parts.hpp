@@ -86,6 +86,10 @@ Json width_curves_json(const ReportBasis& basis);
 /// "pocket width IT13, pocket length 0.2 mm about 9".
 std::string candidate_name(const StudyData& runs, const Candidate& candidate);
 
+/// "7.65 ±0.045 mm (IT11, js11)": what a drawing says of a dimension whose centre is moved so far.
+std::string drawing_of(const StudyData& runs, std::size_t dimension, const std::string& grade,
+                       double tolerance_width_mm, double centre_shift);
+
 /// Of a study that is judged again: what is other than stored, in a sentence; and the settings with
 /// which a command judges by it.
 std::string judgement_text(const StudyData& study);

@@ -40,7 +40,8 @@ Json candidate_centres(const ReportBasis& basis, const Candidate& candidate) {
   Json list = Json::array();
   for (std::size_t d = 0; d < basis.study.plan.dimensions.size(); ++d) {
     const Json nominal = nominal_json(basis, d);
-    list.push_back(nominal.is_null() ? Json() : Json(nominal.get<double>() + candidate.shift(d)));
+    list.push_back(nominal.is_null() ? Json()
+                                     : Json(nominal.get<double>() + candidate.centre_shift(d)));
   }
   return list;
 }
@@ -50,11 +51,16 @@ Json candidates_json(const ReportBasis& basis, const YieldCurves& curves) {
   for (std::size_t k = 0; k < curves.candidates.size(); ++k) {
     const Candidate& plan = basis.study.plan.candidates[k];
     const auto& jam = basis.study.jam.candidate;
+    Json drawings = Json::array();
+    for (std::size_t d = 0; d < plan.grades.size(); ++d)
+      drawings.push_back(drawing_of(basis.study, d, plan.grades[d], plan.tolerance_widths_mm[d],
+                                    plan.centre_shift(d)));
     list.push_back(
         {{"candidate", k},
          {"tolerance_widths_mm", plan.tolerance_widths_mm},
-         {"shifts", plan.shifts},
+         {"shifts", plan.all_shifts()},
          {"grades", plan.grades},
+         {"drawings", drawings},
          {"centres", candidate_centres(basis, plan)},
          {"shown", shown(curves.candidates[k])},
          {"pooled", curves.candidates[k].pooled},
@@ -131,6 +137,12 @@ Json fit_json(const StudyData& runs, const Recommendation& result, std::size_t d
           {"lots_alone", 1 - jam.lots_alone[place]}};
 }
 
+std::string drawing_of(const StudyData& runs, const Recommendation& result, std::size_t d) {
+  const RecommendedTolerance& tolerance = result.tolerances[d];
+  return drawing_of(runs, d, tolerance.grade, tolerance.tolerance_width_mm,
+                    runs.plan.candidates[result.candidate].centre_shift(d));
+}
+
 Json tolerances_json(const StudyData& runs, const Recommendation& result) {
   Json widths = Json::array();
   for (std::size_t d = 0; d < result.tolerances.size(); ++d) {
@@ -140,6 +152,7 @@ Json tolerances_json(const StudyData& runs, const Recommendation& result) {
                       {"not_binding", tolerance.not_binding},
                       {"tolerance_width_mm", tolerance.tolerance_width_mm},
                       {"grade", tolerance.grade},
+                      {"drawing", drawing_of(runs, result, d)},
                       {"centre", tolerance.centre ? Json(*tolerance.centre) : Json()},
                       {"widest_studied", tolerance.widest_studied},
                       {"fit", fit_json(runs, result, d)}});
@@ -177,20 +190,14 @@ std::string statement_of(const ReportBasis& basis, const Recommendation& result,
                          bool some_binding) {
   const StudyPlan& plan = basis.study.plan;
   std::vector<std::string> widths, free;
-  for (const RecommendedTolerance& tolerance : result.tolerances) {
-    const std::string text_of_one = fmt::format(
-        "{}{} {:.3f} mm{}", tolerance.name,
-        tolerance.centre ? fmt::format(" {:g} {}, tolerance", *tolerance.centre,
-                                       find_input(basis.study, tolerance.key)->unit)
-                         : "",
-        tolerance.tolerance_width_mm, tolerance.grade.empty() ? "" : " (" + tolerance.grade + ")");
-    (tolerance.not_binding ? free : widths).push_back(text_of_one);
-  }
+  for (std::size_t d = 0; d < result.tolerances.size(); ++d)
+    (result.tolerances[d].not_binding ? free : widths)
+        .push_back(result.tolerances[d].name + " " + drawing_of(basis.study, result, d));
   std::string text;
   if (widths.empty())
     text = "No tolerance studied limits the yield: the study gives no tolerance to print.";
   else if (result.meets_target)
-    text = fmt::format("Recommended: {}, full width of the tolerance.", list_of(widths));
+    text = fmt::format("Recommended: {}.", list_of(widths));
   else if (unknown_runs_decide(plan, result.yield))
     text = fmt::format(
         "Not known whether a candidate tolerance meets the target: {:.0f} of {:.0f} runs give no "
@@ -287,16 +294,17 @@ void add_limits_of_size(const Json& bearing, Json& tolerance) {
       const Json& middle =
           printed.at("centre").is_null() ? dimension.at("nominal_mm") : printed.at("centre");
       if (!middle.is_number()) continue;
-      const double nominal = middle, half = printed.at("tolerance_width_mm").get<double>() / 2;
+      const double width = printed.at("tolerance_width_mm"), nominal = middle,
+                   minimum = nominal + zone_middle(printed.at("grade"), width) - width / 2;
       const Json& fit = dimension.at("counterpart_mm");
       printed["size"] = {{"nominal_mm", nominal},
-                         {"half_tolerance_mm", half},
-                         {"minimum_mm", nominal - half},
-                         {"maximum_mm", nominal + half},
+                         {"half_tolerance_mm", width / 2},
+                         {"minimum_mm", minimum},
+                         {"maximum_mm", minimum + width},
                          {"capability", dimension.at("capability")},
                          {"counterpart", dimension.at("counterpart")},
                          {"counterpart_mm", fit},
-                         {"takes_counterpart", !fit.is_number() || nominal - half >= fit}};
+                         {"takes_counterpart", !fit.is_number() || minimum >= fit}};
     }
 }
 
@@ -353,7 +361,7 @@ TolerancePart tolerance_json(const ReportBasis& basis,
     Tolerance chosen;
     for (const RecommendedTolerance& tolerance : result.tolerances)
       chosen.tolerance_widths_mm.push_back(tolerance.tolerance_width_mm);
-    if (result.possible) chosen.shifts = plan.candidates[result.candidate].shifts;
+    if (result.possible) chosen.shifts = plan.candidates[result.candidate].all_shifts();
     if (confirmations.empty() && result.possible && result.meets_target)
       part.passed_over = passed_over(
           basis.runs, curves, {snapped_tolerance(basis.runs, plan.candidates[result.candidate])});

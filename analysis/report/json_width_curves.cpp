@@ -14,13 +14,15 @@ Json width_curves_json(const ReportBasis& basis) {
   const StudyPlan& plan = basis.study.plan;
   Json dimensions = Json::array();
   for (std::size_t d = 0; d < plan.dimensions.size(); ++d) {
-    std::map<double, std::vector<std::size_t>> runs_at;  // of each width
-    std::map<double, std::string> grades;
+    using Zone = std::pair<double, double>;            // width, middle
+    std::map<Zone, std::vector<std::size_t>> runs_at;  // of each tolerance
+    std::map<Zone, std::string> grades;
     for (std::size_t i = 0; i < basis.runs.size(); ++i) {
       if (basis.runs.candidate[i] < 0) continue;
       const Candidate& drawn = plan.candidates[static_cast<std::size_t>(basis.runs.candidate[i])];
-      runs_at[drawn.tolerance_widths_mm[d]].push_back(i);
-      grades[drawn.tolerance_widths_mm[d]] = drawn.grades[d];
+      const Zone zone(drawn.tolerance_widths_mm[d], drawn.middle(d));
+      runs_at[zone].push_back(i);
+      grades[zone] = drawn.grades[d];
     }
     Json limits = Json::array();
     for (const Limit& limit : plan.limits) {
@@ -28,7 +30,7 @@ Json width_curves_json(const ReportBasis& basis) {
       if (column == nullptr) continue;
       const auto values = ok_values(basis.runs, column->values);
       Json bands = Json::array();
-      for (const auto& [width, runs] : runs_at) {
+      for (const auto& [zone, runs] : runs_at) {
         std::vector<double> here;
         for (const std::size_t i : runs) here.push_back(values[i]);
         bands.push_back(band_json(here));
@@ -41,7 +43,7 @@ Json width_curves_json(const ReportBasis& basis) {
                         {"bands", bands}});
     }
     Json widths = Json::array(), names = Json::array();
-    for (const auto& [width, grade] : grades) widths.push_back(width), names.push_back(grade);
+    for (const auto& [zone, grade] : grades) widths.push_back(zone.first), names.push_back(grade);
     dimensions.push_back({{"key", plan.dimensions[d].key},
                           {"name", plain_name(plan.dimensions[d].key)},
                           {"tolerance_widths_mm", widths},

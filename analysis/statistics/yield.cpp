@@ -53,7 +53,7 @@ double effective_trials(std::span<const double> passes, std::span<const double> 
   for (const double residual : sums.residual) variance += residual * residual;
   const auto lots = static_cast<double>(resampling.lots());
   variance *= lots / (lots - 1) / (total * total);
-  if (!(variance > 0)) return ess;
+  if (!(variance > 0) || share == 1) return ess;  // 1: up to rounding, where misses weigh nothing
   const double trials = std::min(share * (1 - share) / variance, lots);
   return (1 - share) * ess < kFewFailures ? std::min(trials, ess) : trials;
 }

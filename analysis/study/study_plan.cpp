@@ -58,6 +58,7 @@ Candidate read_candidate(const Json& object) {
                       {}};
   candidate.shifts = object.contains("shifts") ? object.at("shifts").get<std::vector<double>>()
                                                : std::vector<double>(candidate.scales.size(), 0.0);
+  if (object.contains("middles")) object.at("middles").get_to(candidate.middles);
   return candidate;
 }
 

@@ -186,7 +186,7 @@ class Choice {
   /// Narrower than what failed, or as wide about another centre; wider than what is confirmed.
   bool untried(std::size_t k) const {
     const StudyPlan& study = mixture_.runs.plan;
-    const Tolerance own{widths(k), study.candidates[k].shifts};
+    const Tolerance own{widths(k), study.candidates[k].all_shifts()};
     return std::all_of(tried_.begin(), tried_.end(), [&](const Tried& each) {
       const auto& other = each.tolerance.tolerance_widths_mm;
       if (each.passed) {

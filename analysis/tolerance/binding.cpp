@@ -19,14 +19,6 @@ constexpr double kFew = 5;
 /// allows to fail it counts as significant.
 constexpr double kKnownLoss = 0.05;
 
-/// The candidate's tolerances without those of dimension d, and its centres.
-std::vector<double> rest_of(const Candidate& candidate, std::size_t d) {
-  auto rest = candidate.tolerance_widths_mm;
-  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(d));
-  rest.insert(rest.end(), candidate.shifts.begin(), candidate.shifts.end());
-  return rest;
-}
-
 /// Candidates among which the decision lies: those whose other tolerances meet the target with at
 /// least one tolerance of dimension d. All of them where none does.
 std::vector<bool> relevant_candidates(const StudyPlan& plan, const YieldCurves& curves,
@@ -214,6 +206,14 @@ std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeight
                                    runs.plan.target_yield, at_widest));
   }
   return tests;
+}
+
+std::vector<double> rest_of(const Candidate& candidate, std::size_t d) {
+  auto rest = candidate.shifts;
+  for (const auto* of : {&candidate.tolerance_widths_mm, &candidate.middles})
+    for (std::size_t other = 0; other < of->size(); ++other)
+      if (other != d) rest.push_back((*of)[other]);
+  return rest;
 }
 
 std::string tolerance_name(const std::string& grade, double tolerance_width_mm) {

@@ -45,6 +45,9 @@ std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeight
                                       const std::vector<Judgement>& joint,
                                       const Resampling& resampling);
 
+/// The candidate's tolerances without that of dimension d, and its centres.
+std::vector<double> rest_of(const Candidate& candidate, std::size_t d);
+
 /// "IT9", or "0.05 mm" where the tolerance is no grade.
 std::string tolerance_name(const std::string& grade, double tolerance_width_mm);
 

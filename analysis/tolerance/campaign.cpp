@@ -10,7 +10,7 @@ namespace cagetol {
 namespace {
 
 Tolerance tolerance_of(const StudyPlan& plan, const Recommendation& recommendation) {
-  Tolerance chosen{{}, plan.candidates[recommendation.candidate].shifts};
+  Tolerance chosen{{}, plan.candidates[recommendation.candidate].all_shifts()};
   for (const RecommendedTolerance& tolerance : recommendation.tolerances)
     chosen.tolerance_widths_mm.push_back(tolerance.tolerance_width_mm);
   return chosen;

@@ -44,10 +44,11 @@ MixtureWeights mixture_weights(const StudyData& runs) {
     std::vector<std::vector<double>> log_densities;
     for (std::size_t k = 0; k < shares.size(); ++k) {
       const Candidate& candidate = runs.plan.candidates[k];
+      const auto shifts = candidate.all_shifts();
       const double fits = std::log(std::max(mixture.fit[k].share, kLeastFit));
       std::vector<double> column(runs.size());
       for (std::size_t i = 0; i < runs.size(); ++i)
-        column[i] = density.log_density(i, candidate.scales, candidate.shifts) - fits;
+        column[i] = density.log_density(i, candidate.scales, shifts) - fits;
       log_densities.push_back(std::move(column));
     }
     mixture.candidate = weights_of_densities(log_densities, shares, &mixture.log_mixture);

@@ -83,9 +83,9 @@ void choose(const StudyData& runs, const MixtureWeights& mixture, const YieldCur
     const double worth = cost ? -*cost : width_of(plan.candidates[k], curves, tests);
     if (result.meets_target && !meets) continue;
     const bool first_to_meet = meets && !result.meets_target;
-    const bool same_tolerances_chosen =
-        result.meets_target && plan.candidates[result.candidate].tolerance_widths_mm ==
-                                   plan.candidates[k].tolerance_widths_mm;
+    const Candidate &own = plan.candidates[k], &chosen = plan.candidates[result.candidate];
+    const bool same_tolerances_chosen = result.meets_target && own.middles == chosen.middles &&
+                                        own.tolerance_widths_mm == chosen.tolerance_widths_mm;
     const bool better = !meets                   ? yield.lower_bound > best
                         : worth != most          ? worth > most
                         : same_tolerances_chosen ? better_centre(runs, mixture, k, result.candidate)
@@ -133,7 +133,7 @@ bool set_tolerances(const StudyData& runs, const YieldCurves& curves,
                                std::nullopt,
                                false};
     if (!runs.plan.dimensions[d].centres.empty())
-      width.centre = nominal_of(runs, key) + chosen.shift(d);
+      width.centre = nominal_of(runs, key) + chosen.centre_shift(d);
     width.widest_studied =
         chosen.tolerance_widths_mm[d] == curves.dimensions[d].levels.back().tolerance_width_mm;
     if (width.grade.empty()) {
@@ -158,7 +158,7 @@ void judge_snapped(const StudyData& runs, const MixtureWeights& mixture,
     scales.push_back(result.tolerances[d].tolerance_width_mm /
                      runs.plan.dimensions[d].tolerance_width_mm);
   auto weights =
-      weights_of_scales(runs, mixture, scales, runs.plan.candidates[result.candidate].shifts);
+      weights_of_scales(runs, mixture, scales, runs.plan.candidates[result.candidate].all_shifts());
   if (effective_sample_size(weights) < kMinimumEffectiveRuns) return;
   // No fewer cages fit than under the wider candidate.
   result.yield =
@@ -168,21 +168,20 @@ void judge_snapped(const StudyData& runs, const MixtureWeights& mixture,
 }
 
 /// The candidate that differs from `chosen` only in dimension d, one tolerance narrower (step -1)
-/// or wider (+1); npos for none.
-std::size_t neighbour(const StudyPlan& plan, const YieldCurves& curves, std::size_t chosen,
-                      std::size_t d, int step) {
-  const auto& levels = curves.dimensions[d].levels;
-  auto widths = plan.candidates[chosen].tolerance_widths_mm;
-  std::ptrdiff_t level = 0;
-  while (levels[static_cast<std::size_t>(level)].tolerance_width_mm != widths[d]) ++level;
-  level += step;
-  if (level < 0 || level >= static_cast<std::ptrdiff_t>(levels.size())) return std::string::npos;
-  widths[d] = levels[static_cast<std::size_t>(level)].tolerance_width_mm;
-  for (std::size_t k = 0; k < plan.candidates.size(); ++k)
-    if (plan.candidates[k].tolerance_widths_mm == widths &&
-        plan.candidates[k].shifts == plan.candidates[chosen].shifts)
-      return k;
-  return std::string::npos;
+/// or wider (+1), the one whose zone lies most alike where there are several; npos for none.
+std::size_t neighbour(const StudyPlan& plan, std::size_t chosen, std::size_t d, int step) {
+  const Candidate& own = plan.candidates[chosen];
+  const auto place = [d](const Candidate& of) { return of.middle(d) / of.tolerance_widths_mm[d]; };
+  std::size_t best = std::string::npos;
+  std::pair<double, double> least;
+  for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
+    const Candidate& other = plan.candidates[k];
+    const double wider = step * (other.tolerance_widths_mm[d] - own.tolerance_widths_mm[d]);
+    if (!(wider > 0) || rest_of(other, d) != rest_of(own, d)) continue;
+    const std::pair away(wider, std::abs(place(other) - place(own)));
+    if (best == std::string::npos || away < least) best = k, least = away;
+  }
+  return best;
 }
 
 void add_steps(const StudyData& runs, const MixtureWeights& mixture, const YieldCurves& curves,
@@ -192,7 +191,7 @@ void add_steps(const StudyData& runs, const MixtureWeights& mixture, const Yield
   const double z = gsl_cdf_ugaussian_Qinv(0.5 * (1 - plan.confidence));
   for (std::size_t d = 0; d < plan.dimensions.size(); ++d)
     for (const int step : {-1, 1}) {
-      const std::size_t other = neighbour(plan, curves, result.candidate, d, step);
+      const std::size_t other = neighbour(plan, result.candidate, d, step);
       if (other == std::string::npos || curves.candidates[other].pooled ||
           curves.candidates[other].ess < kFewestEffectiveRuns)
         continue;
@@ -268,11 +267,11 @@ bool same_tolerance(const Tolerance& one, const Tolerance& other) {
 
 Tolerance tolerance_tried(const StudyData& attempt) {
   const Candidate& candidate = attempt.plan.candidates.front();
-  return {candidate.tolerance_widths_mm, candidate.shifts};
+  return {candidate.tolerance_widths_mm, candidate.all_shifts()};
 }
 
 Tolerance snapped_tolerance(const StudyData& runs, const Candidate& candidate) {
-  return {snapped_tolerances(runs, candidate), candidate.shifts};
+  return {snapped_tolerances(runs, candidate), candidate.all_shifts()};
 }
 
 std::vector<double> snapped_tolerances(const StudyData& runs, const Candidate& candidate) {

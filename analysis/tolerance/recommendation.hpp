@@ -26,9 +26,9 @@ struct RecommendedTolerance {
   std::string key, name;  ///< "cage.pocket_width_mm", "pocket width"
   bool not_binding = false;
   double tolerance_width_mm =
-      0;  ///< of a dimension that is not binding: the tolerance for which the yield is
-          ///< stated, no recommendation
-  std::string grade;
+      0;              ///< of a dimension that is not binding: the tolerance for which the yield is
+                      ///< stated, no recommendation
+  std::string grade;  ///< as in Candidate, or that of ISO 286 snapped to
   std::optional<double> centre = {};  ///< nominal value in the key's unit, where it is in question
   bool widest_studied = false;        ///< there is no wider candidate: more may be possible
 };
@@ -72,7 +72,7 @@ Recommendation recommend_allowed(const StudyData& runs, const MixtureWeights& mi
                                  const std::vector<Judgement>& joint, const Resampling& resampling,
                                  const CandidateFilter& allowed);
 
-/// Tolerances in mm and shifts of the centres (Candidate::shifts).
+/// Tolerances in mm, and by which their laws are moved (Candidate::all_shifts).
 struct Tolerance {
   std::vector<double> tolerance_widths_mm, shifts;
 };

@@ -58,8 +58,8 @@ std::vector<Term> terms_of(const StudyData& runs, const std::vector<ScreenDimens
     for (std::size_t i = 0; i < runs.size() && d >= 0; ++i) {
       Values deviations(width);
       for (std::size_t j = 0; j < width; ++j)
-        deviations[j] =
-            input.value[i * width + j] - input.nominal[input.nominal.size() == 1 ? 0 : j];
+        deviations[j] = input.value[i * width + j] -
+                        input.nominal[input.nominal.size() == 1 ? 0 : j] - found->middle;
       mean.push_back(mean_of(deviations));
       scatter.push_back(std::sqrt(variance_of(deviations)));
       square.push_back(mean.back() * mean.back());
@@ -218,6 +218,7 @@ class LimitModel {
   /// Of cages, where tolerances have these widths, as shares of the screened.
   Moments moments(const Values& c, const Values& widths) const {
     double mean = c[0], variance = rest(c);
+    Values slopes(dimensions_.size());  // of a square, its mean stands before it
     for (std::size_t k = 0; k < terms_.size(); ++k) {
       const Term& term = terms_[k];
       if (term.dimension < 0) continue;
@@ -225,9 +226,13 @@ class LimitModel {
       const ScreenDimension& of = dimensions_[d];
       const double v = widths[d] * widths[d] *
                        (of.lot_sigma * of.lot_sigma + of.pocket_sigma * of.pocket_sigma / pockets_);
-      if (term.kind == Term::Kind::mean) variance += c[k] * c[k] * v;
+      const double moved = (widths[d] - 1) * of.middle;
+      if (term.kind == Term::Kind::mean)
+        slopes[d] = c[k], mean += c[k] * moved, variance += c[k] * c[k] * v;
       if (term.kind == Term::Kind::scatter) mean += c[k] * widths[d] * of.pocket_sigma;
-      if (term.kind == Term::Kind::square) mean += c[k] * v, variance += 2 * c[k] * c[k] * v * v;
+      if (term.kind == Term::Kind::square)
+        mean += c[k] * (v + moved * moved),
+            variance += 2 * c[k] * c[k] * v * v + 4 * c[k] * moved * (slopes[d] + c[k] * moved) * v;
     }
     return {mean, std::sqrt(variance)};
   }

@@ -14,9 +14,10 @@
 //
 // At the widths w_d, as shares of those screened, the quantity has among cages
 //
-//   mean      c + sum_d (q_d v_d + p_d w_d pocket_sigma_d)
-//   variance  sum_d (b_d^2 v_d + 2 q_d^2 v_d^2) + sum_k a_k^2 var(x_k) + var(e)
+//   mean      c + sum_d (b_d m_d + q_d (v_d + m_d^2) + p_d w_d pocket_sigma_d)
+//   variance  sum_d ((b_d + 2 q_d m_d)^2 v_d + 2 q_d^2 v_d^2) + sum_k a_k^2 var(x_k) + var(e)
 //   v_d = w_d^2 (lot_sigma_d^2 + pocket_sigma_d^2 / pockets)
+//   m_d = (w_d - 1) middle_d, as the zone of a tolerance keeps its form; u_d is about middle_d
 //
 // and is taken for normal. It reaches its limit where as many cages miss it as the target allows.
 // Errors of mean and deviation follow from those of all coefficients and of var(e) to first order.
@@ -38,6 +39,7 @@ struct ScreenDimension {
   double width_mm = 0, narrowest_mm = 0;  ///< screened, and the narrowest candidate
   /// Standard deviations at width_mm, in the key's unit; 0: no such part.
   double lot_sigma = 0, pocket_sigma = 0;
+  double middle = 0;  ///< of the zone screened less the nominal value, in the key's unit
   JamCurve jams = {};
 };
 

@@ -1,7 +1,7 @@
 // How likely a sample's deviations are under a tolerance: the density that weights are made of.
 //
 // A tolerance scales the study's laws: deviation x of a key with scale s has the density p(x/s)/s,
-// and p((x-c)/s)/s when its centre lies c beside the nominal value.
+// and p((x-c)/s)/s when the middle of its zone lies c beside the nominal value.
 // Only the parts that a tolerance scales enter: the lot and pocket deviations of its dimensions;
 // everything else has the same density under every tolerance and cancels. Keys tied to them by a
 // Gaussian copula enter through the copula: with z_i = Phi^-1(F_i(x_i/s_i)),

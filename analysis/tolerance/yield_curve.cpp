@@ -30,16 +30,19 @@ std::vector<LevelYield> levels_at_centres(const StudyPlan& plan, std::size_t dim
 DimensionCurve curve_of(const StudyPlan& plan, std::size_t dimension) {
   DimensionCurve curve{plan.dimensions[dimension].key, {}, levels_at_centres(plan, dimension)};
   for (std::size_t k = 0; k < plan.candidates.size(); ++k) {
-    const double width = plan.candidates[k].tolerance_widths_mm[dimension];
+    const Candidate& candidate = plan.candidates[k];
+    const double width = candidate.tolerance_widths_mm[dimension],
+                 middle = candidate.middle(dimension);
     auto level =
-        std::find_if(curve.levels.begin(), curve.levels.end(),
-                     [&](const LevelYield& known) { return known.tolerance_width_mm == width; });
+        std::find_if(curve.levels.begin(), curve.levels.end(), [&](const LevelYield& known) {
+          return known.tolerance_width_mm == width && known.middle == middle;
+        });
     if (level == curve.levels.end())
-      level = curve.levels.insert(level, {width, plan.candidates[k].grades[dimension], {}, {}});
+      level = curve.levels.insert(level, {width, candidate.grades[dimension], {}, {}, middle});
     level->candidates.push_back(k);
   }
   std::sort(curve.levels.begin(), curve.levels.end(), [](const LevelYield& a, const LevelYield& b) {
-    return a.tolerance_width_mm < b.tolerance_width_mm;
+    return std::pair(a.tolerance_width_mm, a.middle) < std::pair(b.tolerance_width_mm, b.middle);
   });
   return curve;
 }

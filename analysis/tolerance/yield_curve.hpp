@@ -21,6 +21,7 @@ struct LevelYield {
   std::string grade;
   std::vector<std::size_t> candidates;  ///< the combinations with this tolerance
   Yield yield;
+  double middle = 0;  ///< of its zone, as in Candidate
 };
 
 struct DimensionCurve {

@@ -8,6 +8,7 @@
 
 #include "mc/commands/cage_drawing.hpp"
 #include "mc/commands/operating_text.hpp"
+#include "mc/run/clearance_chains.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study.hpp"
 #include "mc/study/tolerance_filling.hpp"
@@ -325,6 +326,23 @@ Json dimensions_json(const Study& study) {
   return list;
 }
 
+/// Of the clearances that scatter.
+Json chains_json(const Study& study) {
+  const auto um = [](const Interval& of) { return Json{1e6 * of.lower, 1e6 * of.upper}; };
+  Json list = Json::array();
+  for (const ClearanceChain& chain : clearance_chains(study))
+    if (!chain.keys.empty())
+      list.push_back({{"name", chain.name},
+                      {"keys", chain.keys},
+                      {"nominal_um", 1e6 * chain.nominal},
+                      {"worst_um", um(chain.worst)},
+                      {"rss_um", um(chain.rss)},
+                      {"sampled_um", um(chain.sampled)},
+                      {"cages", kChainCages},
+                      {"tail", kChainTail}});
+  return list;
+}
+
 Json facts_of(const Study& study, const OutcomesById& outcomes) {
   const Scene& scene = study.scene;
   const OperatingPoint at = operating_point(scene);
@@ -349,6 +367,7 @@ Json facts_of(const Study& study, const OutcomesById& outcomes) {
       {"points", points_json(study, outcomes)},
       {"assumed", assumed_json(scene)},
       {"dimensions", dimensions_json(study)},
+      {"chains", chains_json(study)},
       {"warnings",
        warnings_of(scene, study.points.empty() ? mean_of("power_loss_W", study, outcomes) : kAuto)},
       {"strength", strength},

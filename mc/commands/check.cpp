@@ -12,6 +12,7 @@
 #include "mc/commands/judgeable.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/commands/rare_stages.hpp"
+#include "mc/run/clearance_chains.hpp"
 #include "mc/run/forecast.hpp"
 #include "mc/run/jam_shares.hpp"
 #include "mc/study/assumption_ranges.hpp"
@@ -155,6 +156,7 @@ std::string summary(const Study& study) {
     text +=
         (std::count(doubts.begin(), doubts.end(), note) > 0 ? "warning: " : "note: ") + note + "\n";
   text += operating_table(study.scene) + duty_text(study.scene);
+  if (!study.inputs.empty()) text += chains_text(clearance_chains(study));
   const SweepForecast forecast = forecast_sweep(study);
   if (const std::string points = operating_points_text(study); !points.empty())
     text += points + "\n";

@@ -47,8 +47,16 @@ class MapLeader {
       : base_(base), axes_(axes), directory_(directory), stages_(stages) {
     candidates_.resize(base.tolerance.dimensions.size());
     for (const Candidate& each : base.candidates)
-      for (std::size_t d = 0; d < candidates_.size(); ++d)
+      for (std::size_t d = 0; d < candidates_.size(); ++d) {
+        const Candidate& first = base.candidates.front();
+        if (const double away = each.middle(d) / each.scales[d] - first.middle(d) / first.scales[d];
+            std::abs(away) > 1e-9)
+          throw InputError({}, "tolerance.dimension.candidates", each.grades[d],
+                           "a map orders the candidates of a dimension by their widths alone, and "
+                           "the zones of these do not lie alike",
+                           "give such as lie alike, all H or all js");
         candidates_[d][each.tolerance_widths_mm[d]] = each.grades[d];
+      }
     for (const double up : axes_[0].values)
       for (const double across : axes_[1].values) cells_.emplace_back().at = {up, across};
   }

@@ -19,7 +19,7 @@ struct Options {
   std::vector<std::string> designation;
   std::string make, guidance, clearance = spelled(ClearanceClass::CN);
   std::optional<std::string> lubricant;
-  std::optional<double> temperature, load, rpm;
+  std::optional<double> temperature, load, axial, rpm;
   bool rigid = false, list = false;
 
   std::string name() const {
@@ -38,6 +38,7 @@ SceneRequest request_of(const Options& options) {
   request.lubricant = options.lubricant;
   request.temperature = options.temperature;
   request.load = options.load;
+  request.axial = options.axial;
   if (options.rpm) request.speed = *options.rpm * kRpm;
   if (options.rigid) request.model = CageKind::rigid;
   return request;
@@ -100,6 +101,7 @@ Chosen scene_command(CLI::App& command) {
       "  cagetol scene NU208 > nu208.toml\n"
       "  cagetol scene NU 2310 --cage brass-machined --guidance outer --clearance C3\n"
       "  cagetol scene NU1014 --cage peek-machined --lubricant iso-vg-32 --speed 6000 --load 2000\n"
+      "  cagetol scene NJ308 --axial 300\n"
       "  cagetol scene --list 22");
   auto options = std::make_shared<Options>();
   command.add_option(
@@ -121,6 +123,10 @@ Chosen scene_command(CLI::App& command) {
                   "Of the oil [degC]; left out: found from the heat that the bearing loses")
       ->check(CLI::Range(-60.0, 250.0));
   command.add_option("--load", options->load, "Radial load [N]; left out: 0.1 C");
+  command
+      .add_option("--axial", options->axial,
+                  "Axial load [N] that flanges of both rings carry (NJ, NUP); left out: none")
+      ->check(CLI::PositiveNumber);
   command.add_option("--speed", options->rpm,
                      "Speed of the inner ring [r/min]; left out: half the limiting speed");
   command.add_flag("--rigid", options->rigid, "A rigid cage instead of a flexible one");

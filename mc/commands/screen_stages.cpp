@@ -79,9 +79,15 @@ ScreenDesign screen_design(const Study& base, const ScreenStage& planned) {
         input.lot = Normal{scale * mean(*input.lot), screened.lot_sigma};
       }
       dimension.cost.reset();
-      dimension.candidates = {number_text(width)};
+      screened.middle = candidate.middle(d);
+      const double middle = zone_middle(candidate.grades[d], width);
+      const auto zone = [middle](double wide) {
+        return middle == 0 ? number_text(wide)
+                           : fmt::format("{}/{}", middle + wide / 2, middle - wide / 2);
+      };
+      dimension.candidates = {zone(width)};
       if (screened.pocket_sigma > 0)
-        dimension.candidates.insert(dimension.candidates.begin(), number_text(kNoScatter * width));
+        dimension.candidates.insert(dimension.candidates.begin(), zone(kNoScatter * width));
       std::erase_if(study.correlations, [&](const Correlation& pair) {
         return pair.first == dimension.key + ":lot" || pair.second == dimension.key + ":lot";
       });

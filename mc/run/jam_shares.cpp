@@ -16,11 +16,10 @@
 namespace cagetol {
 namespace {
 
-constexpr double kJamError = 1e-6;         ///< largest of an integral that is taken for exact
-constexpr double kSmallestEffect = 1e-13;  ///< of an input on a gap [m]
-constexpr long kProbes = 256;              ///< cages that delta is measured on
-constexpr double kReach = 8.5;             ///< of a normal number, in integrals
-constexpr std::size_t kPoints = 65;        ///< of a curve
+constexpr double kJamError = 1e-6;   ///< largest of an integral that is taken for exact
+constexpr long kProbes = 256;        ///< cages that delta is measured on
+constexpr double kReach = 8.5;       ///< of a normal number, in integrals
+constexpr std::size_t kPoints = 65;  ///< of a curve
 /// Narrowest tolerance of a curve, as a share of the narrowest candidate.
 constexpr double kNarrowestJamTolerance = 0.5;
 
@@ -34,15 +33,12 @@ struct JamShare {
   double share = 0, error = 0;
 };
 
-/// What a place loses by a unit of an input [m].
-using Slopes = std::array<double, kGapPlaces>;
-
 struct Geometry {
   Study study;  ///< its inputs are those that matter
-  std::vector<Slopes> slopes;
+  std::vector<GapSlopes> slopes;
   std::vector<long> dimension;  ///< of each input among the tolerances, or -1
   CageGaps base;
-  Slopes delta{};
+  GapSlopes delta{};
 
   double scale(std::size_t i, const std::vector<double>& scales) const {
     return dimension[i] < 0 ? 1 : scales[static_cast<std::size_t>(dimension[i])];
@@ -70,20 +66,8 @@ void measure_slopes(const std::vector<UncertainInput>& inputs, Geometry& geometr
     const auto found = std::find_if(dimensions.begin(), dimensions.end(),
                                     [&](const auto& of) { return of.key == input.key; });
     const long d = found == dimensions.end() ? -1 : found - dimensions.begin();
-    double step = 0;
-    for (const auto* law : {&input.lot, &input.pocket, &input.noise})
-      if (*law) step = std::hypot(step, standard_deviation(**law));
-    const auto gaps_at = [&](double deviation) {
-      Scene scene = study.scene;
-      set_key_numbers(*find_key(scene_keys(), input.key), shifted(input.nominal, deviation), scene);
-      return gaps_in_service(study, scene);
-    };
-    const CageGaps above = gaps_at(step), below = gaps_at(-step);
-    Slopes slopes{};
-    for (std::size_t place = 0; place < kGapPlaces; ++place)
-      if (!above[place].empty() && std::abs(above[place][0] - below[place][0]) > kSmallestEffect)
-        slopes[place] = (above[place][0] - below[place][0]) / (2 * step);
-    if (slopes == Slopes{}) continue;
+    const GapSlopes slopes = gap_slopes(study, input);
+    if (slopes == GapSlopes{}) continue;
     geometry.study.inputs.push_back(input);
     geometry.slopes.push_back(slopes);
     geometry.dimension.push_back(d);
@@ -231,9 +215,9 @@ std::optional<std::vector<JamShare>> integrals(const Geometry& geometry,
       all.share += own->share * (1 - all.share);
       // Dependent gaps jam together by min(P, Q) at most, independent ones by P Q.
       for (std::size_t other = 0; other < place; ++other)
-        if (std::any_of(geometry.slopes.begin(), geometry.slopes.end(), [&](const Slopes& slopes) {
-              return slopes[place] != 0 && slopes[other] != 0;
-            }))
+        if (std::any_of(
+                geometry.slopes.begin(), geometry.slopes.end(),
+                [&](const GapSlopes& slopes) { return slopes[place] != 0 && slopes[other] != 0; }))
           all.error += std::min(share[place], share[other]);
     }
   }
@@ -344,10 +328,16 @@ std::vector<JamShare> drawn(const Geometry& geometry, const std::vector<ScaledLa
 std::vector<ScaledLaws> laws_of_candidates(const Study& study) {
   std::vector<ScaledLaws> all;
   for (const Candidate& candidate : study.candidates) {
-    all.push_back({candidate.scales, candidate.scales, candidate.shifts});
-    all.back().shift.resize(candidate.scales.size());
+    all.push_back({candidate.scales, candidate.scales, candidate.all_shifts()});
   }
   return all;
+}
+
+/// Where the zone of a dimension lies at another width: as that of the candidate of nearest width.
+double middle_at(const Study& study, std::size_t d, double scale) {
+  const auto away = [&](const Candidate& of) { return std::abs(std::log(of.scales[d] / scale)); };
+  const Candidate& nearest = *std::ranges::min_element(study.candidates, {}, away);
+  return nearest.middle(d) / nearest.scales[d] * scale;
 }
 
 /// The points of one curve for each dimension.
@@ -367,7 +357,9 @@ void add_curves(const Study& study, std::vector<JamCurve>& curves, std::vector<S
       auto point = narrowest;
       point[d] = least * std::pow(ratio, static_cast<double>(p) / (kPoints - 1));
       curve.tolerance_width_mm.push_back(point[d] * dimension.tolerance_width_mm);
-      all.push_back({point, point, std::vector<double>(point.size())});
+      all.push_back({point, point, {}});
+      for (std::size_t i = 0; i < point.size(); ++i)
+        all.back().shift.push_back(middle_at(study, i, point[i]));
     }
     curves.push_back(std::move(curve));
   }

@@ -22,7 +22,7 @@ constexpr const char* kExamples = R"(
 #   [[tolerance.dimension]]
 #   key = "cage.pocket_width_mm"
 #   tolerance_width_mm = 0.1
-#   candidates = ["IT9", "IT10", 0.08]
+#   candidates = ["IT9", "H10", "+0.05/-0.02", 0.08]
 # Several operating points, at each of which every sample runs:
 #   [[operating_point]]
 #   name = "idle"
@@ -138,7 +138,8 @@ std::string key_documentation() {
                     "`key`, `tolerance_width_mm` and `candidates` must be given. Costs: for every "
                     "dimension or "
                     "for none; then the cheapest tolerance that meets the target is chosen instead "
-                    "of the widest.");
+                    "of the widest. A candidate scales the laws, which belong to a tolerance that "
+                    "lies about the nominal value, and moves them to the middle of its zone.");
   text +=
       "\n### `[[operating_point]]`: where every sample runs\n\n" +
       list_rows(operating_point_keys(),

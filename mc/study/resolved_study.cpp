@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include "distributions/iso286.hpp"
 #include "mc/study/law_reader.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study_keys.hpp"
@@ -63,7 +64,7 @@ toml::table dimension_table(const ToleranceDimension& dimension) {
   table.insert("tolerance_width_mm", dimension.tolerance_width_mm);
   toml::array candidates;
   for (const auto& name : dimension.candidates) {
-    if (name.starts_with("IT"))
+    if (tolerance_class(name) || deviations_of(name))
       candidates.push_back(name);
     else
       candidates.push_back(std::stod(name));
@@ -105,6 +106,8 @@ toml::table candidate_table(const Candidate& candidate) {
   table.insert("grades", array_of(candidate.grades));
   table.insert("scales", array_of(candidate.scales));
   table.insert("shifts", array_of(candidate.shifts));
+  if (candidate.all_shifts() != candidate.shifts)
+    table.insert("middles", array_of(candidate.middles));
   return table;
 }
 

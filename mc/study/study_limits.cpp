@@ -66,6 +66,28 @@ const UncertainInput* find_input(const std::vector<UncertainInput>& inputs,
   return nullptr;
 }
 
+/// Of a candidate that is none: what it may be meant to be.
+InputError no_tolerance(const toml::node& element, const std::string& text,
+                        const std::string& file) {
+  const std::string letters = text.substr(0, text.find_first_of("0123456789 ,.+-")),
+                    meant =
+                        "IT" + text.substr(std::min(text.find_first_of("0123456789"), text.size()));
+  const bool ends = text.find('/') != std::string::npos, grade = grade_number(meant).has_value(),
+             other = grade && !letters.empty() && letters != "it" && letters != "IT";
+  return InputError(
+      place_of(element, file), "tolerance.dimension.candidates", shown(element),
+      ends    ? "these are no deviations in mm, the upper one first and above the lower one"
+      : other ? "the fundamental deviation " + letters + " is not known here"
+              : "this is neither an ISO 286 grade nor a tolerance",
+      ends ? "write \"+0.10/0\" or \"+0.05/-0.02\""
+      : other
+          ? "known are H (from the nominal size upwards), js, JS and IT (about it); give others "
+            "as deviations in mm, \"+0.05/-0.02\""
+      : grade ? "did you mean \"" + meant + "\"?"
+              : "give a grade like \"IT9\" or a full width in mm above 0, a class like \"H9\" or "
+                "deviations like \"+0.10/0\"");
+}
+
 std::vector<std::string> candidate_names(const toml::node* node, const toml::table& entry,
                                          const std::string& file) {
   const auto* array = node ? node->as_array() : nullptr;
@@ -80,18 +102,11 @@ std::vector<std::string> candidate_names(const toml::node* node, const toml::tab
   for (const auto& element : *array) {
     const auto text = element.value<std::string>();
     const auto width = element.value<double>();
-    const bool grade = text && grade_number(*text);
+    const bool zone = text && (tolerance_class(*text) || deviations_of(*text));
     // std::stod, which reads the name again, takes subnormal numbers for errors.
     const bool usable = element.is_number() && width && std::isnormal(*width) && *width > 0;
-    const std::string meant =
-        text ? "IT" + text->substr(std::min(text->find_first_of("0123456789"), text->size())) : "";
-    if (!grade && !usable)
-      throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
-                       "this is neither an ISO 286 grade nor a tolerance",
-                       grade_number(meant)
-                           ? "did you mean \"" + meant + "\"?"
-                           : "give a grade like \"IT9\" or a full width in mm above 0");
-    names.push_back(grade ? *text : number_text(*width));
+    if (!zone && !usable) throw no_tolerance(element, text.value_or(""), file);
+    names.push_back(zone ? *text : number_text(*width));
     if (std::find(names.begin(), names.end() - 1, names.back()) != names.end() - 1)
       throw InputError(place_of(element, file), "tolerance.dimension.candidates", shown(element),
                        "this candidate is named twice", "name each once");
@@ -321,24 +336,28 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
       for (const auto& name : dimension.candidates) {
         Candidate candidate = shorter;
         double width = 0;
-        if (const auto grade = grade_number(name)) {
+        const auto deviations = deviations_of(name);
+        if (const auto of_class = tolerance_class(name)) {
           if (!is_size(dimension.key))
             throw InputError(place, "tolerance.dimension.candidates", name,
                              "ISO 286 grades sizes, and " + dimension.key +
                                  " is no diameter, width or length in mm",
                              "give full widths in mm, such as 0.01");
           try {
-            width =
-                grade_width_um(*grade, nominal_mm(*find_input(study.inputs, dimension.key))) / 1000;
+            width = grade_width_um(of_class->grade,
+                                   nominal_mm(*find_input(study.inputs, dimension.key))) /
+                    1000;
           } catch (const std::invalid_argument& error) {
             throw InputError(place, "tolerance.dimension.candidates", name, error.what(),
                              "choose another grade or give the full width in mm");
           }
         } else {
-          width = std::stod(name);
+          width = deviations ? deviations->upper - deviations->lower : std::stod(name);
         }
         require_narrower(width, *find_input(study.inputs, dimension.key), place, "candidates");
-        candidate.grades.push_back(grade_number(name) ? name : "");
+        candidate.middles.push_back(
+            from_si(to_si(zone_middle(name, width), 1e-3), unit_of(dimension.key).to_si));
+        candidate.grades.push_back(deviations || tolerance_class(name) ? name : "");
         candidate.tolerance_widths_mm.push_back(width);
         candidate.scales.push_back(width / dimension.tolerance_width_mm);
         for (const double centre : centres) {

@@ -75,8 +75,8 @@ std::vector<std::string> tolerance_notes(const Study& study) {
     const ToleranceFilling& filling = fillings[d];
     double narrowest = std::numeric_limits<double>::infinity(), reached = 0;
     for (const Candidate& candidate : study.candidates) {
-      const double shift = candidate.shifts.empty() ? 0 : candidate.shifts[d];
-      const double smallest = filling.nominal_mm + shift - candidate.tolerance_widths_mm[d] / 2;
+      const double smallest =
+          filling.nominal_mm + candidate.shift(d) - candidate.tolerance_widths_mm[d] / 2;
       if (!(smallest < filling.counterpart_mm) || candidate.tolerance_widths_mm[d] >= narrowest)
         continue;
       narrowest = candidate.tolerance_widths_mm[d];

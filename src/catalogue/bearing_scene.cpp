@@ -73,8 +73,8 @@ void write_flanges(const CatalogueRow& row, SceneText& out) {
     out.word("shoulder_diameter_mm", "auto", "the outer ring has no flanges");
   if (!has_inner_flanges(row.type)) return;
   const std::string type = std::string("type ") + spelled(row.type);
-  const bool both = row.type == BearingType::N;
-  out.word("outer_flanges", both ? "none" : "both", type);
+  const bool both = row.type != BearingType::NJ;
+  out.word("outer_flanges", has_outer_flanges(row.type) ? "both" : "none", type);
   out.word("inner_flanges", both ? "both" : "right", type);
   out.number("inner_flange_diameter_mm", in_mm(row.inner_shoulder), "catalogue, d1");
   if (!both)
@@ -244,6 +244,16 @@ void write_oil(const SceneRequest& asked, SceneText& out) {
   out.assume("friction.dynamic_coefficient", "0.06 of full sliding", 0.03, 0.07);
 }
 
+/// Against -x, where the one flange of an NJ's inner ring carries it.
+void write_axial_load(double force, const CatalogueRow& row, SceneText& out) {
+  if (!has_outer_flanges(row.type) || !has_inner_flanges(row.type))
+    throw InputError({}, "--axial", number_text(force),
+                     row.designation + " has flanges on one ring alone, which carry no axial load",
+                     "take an NJ or NUP of this size (`cagetol scene --list`), or leave it out");
+  out.number("axial_N", -force,
+             std::string(kAsked) + "; the inner ring's right flange hands it to the outer's left");
+}
+
 /// Oil and rings as warm as the heat makes them that the bearing loses.
 void write_heat(const CatalogueRow& row, SceneText& out) {
   out.section("temperature");
@@ -266,6 +276,7 @@ void write_operation(const SceneRequest& asked, const CatalogueRow& row, SceneTe
   out.section("load");
   out.number("radial_N", asked.load.value_or(few_digits(kLoadShare * row.dynamic_rating)),
              asked.load ? kAsked : "0.1 C");
+  if (asked.axial) write_axial_load(*asked.axial, row, out);
   out.section("speed");
   const double half = std::round(kSpeedShare * row.limiting_speed / kRpm);
   out.number("inner_rpm", asked.speed ? std::round(1e6 * *asked.speed / kRpm) / 1e6 : half,

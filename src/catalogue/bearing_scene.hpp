@@ -22,6 +22,7 @@ struct SceneRequest {
   std::optional<std::string> lubricant = {};  ///< none: kUsualLubricant
   std::optional<double> temperature = {};     ///< of the oil; none: found [degC]
   std::optional<double> load = {};            ///< radial; none: 0.1 C [N]
+  std::optional<double> axial = {};           ///< on the inner ring, towards the left; none: 0 [N]
   std::optional<double> speed = {};  ///< of the inner ring; none: half the limiting speed [rad/s]
   CageKind model = CageKind::flexible;
 };

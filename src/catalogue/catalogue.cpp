@@ -60,7 +60,7 @@ class Fields {
     const std::string& field = text("type");
     const auto known = choice_texts<BearingType>();
     if (std::find(known.begin(), known.end(), field) == known.end())
-      throw InputError(place_, "type", field, "no such type of bearing", "NU, NJ or N");
+      throw InputError(place_, "type", field, "no such type of bearing", "NU, NJ, NUP or N");
     return choice_of<BearingType>(field);
   }
 

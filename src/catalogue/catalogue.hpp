@@ -12,11 +12,12 @@
 
 namespace cagetol {
 
-/// Flanges of the rings; NU: outer ring, NJ: outer ring and one side of the inner, N: inner ring.
-enum class BearingType { NU, NJ, N };
+/// Flanges of the rings; NU: outer ring, NJ: outer ring and one side of the inner, NUP: both rings,
+/// N: inner ring.
+enum class BearingType { NU, NJ, NUP, N };
 constexpr auto spellings(BearingType) {
   using enum BearingType;
-  return std::array{Spelling{NU, "NU"}, Spelling{NJ, "NJ"}, Spelling{N, "N"}};
+  return std::array{Spelling{NU, "NU"}, Spelling{NJ, "NJ"}, Spelling{NUP, "NUP"}, Spelling{N, "N"}};
 }
 
 inline bool has_outer_flanges(BearingType type) {

@@ -150,5 +150,25 @@ TEST_F(MapTest, EndsWithoutAMapWhereNoCellHasAnAnswer) {
   EXPECT_FALSE(fs::exists(scratch_ / "out/map/map.json"));
 }
 
+TEST_F(MapTest, ZonesMayLieAboveTheNominalValueButAllAlike) {
+  const auto with = [&](const std::string& candidates) {
+    std::string changed = kMapStudy;
+    const auto from = changed.find("candidates"), to = changed.find("[map]");
+    changed.replace(from, to - from, "candidates = " + candidates + "\n");
+    std::ofstream(scratch_ / "study.toml") << changed;
+  };
+  with("[\"js11\", \"H12\"]");
+  const Ended mixed = run(map("mixed", {}, "600,700"));
+  EXPECT_EQ(mixed.code, 2) << mixed.output;
+  EXPECT_THAT(mixed.output, testing::AllOf(HasSubstr("tolerance.dimension.candidates = H12"),
+                                           HasSubstr("all H or all js")));
+  // Above the nominal value no pocket is too narrow for its roller.
+  with("[\"H11\", \"H12\", \"H14\"]");
+  ASSERT_EQ(run(map("above", {}, "600,700")).code, 0);
+  const auto& row = nlohmann::json::parse(text("above"))["rows"][0];
+  EXPECT_EQ(row["grade"], "H14") << row.dump();
+  EXPECT_EQ(row["decides"], "");
+}
+
 }  // namespace
 }  // namespace cagetol

@@ -1,9 +1,11 @@
 #include "tests/support/tolerance_standin.hpp"
 
+#include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"
@@ -17,19 +19,25 @@ nlohmann::json law(double sigma) {
   return sigma > 0 ? nlohmann::json{{"law", "normal"}, {"sigma", sigma}} : nlohmann::json();
 }
 
-/// All combinations of the dimensions' scales, the first dimension slowest.
+/// All combinations of the dimensions' candidates, the first dimension slowest.
 void add_candidates(StudyPlan& plan, const std::vector<StandinDimension>& dimensions,
-                    std::vector<double> scales) {
-  if (scales.size() == dimensions.size()) {
-    Candidate candidate{{}, std::vector<std::string>(scales.size()), scales};
-    for (const double scale : scales) candidate.tolerance_widths_mm.push_back(0.1 * scale);
-    plan.candidates.push_back(std::move(candidate));
+                    const Candidate& shorter) {
+  const std::size_t d = shorter.scales.size();
+  if (d == dimensions.size()) {
+    plan.candidates.push_back(shorter);
     return;
   }
-  for (const double scale : dimensions[scales.size()].scales) {
-    auto longer = scales;
-    longer.push_back(scale);
-    add_candidates(plan, dimensions, std::move(longer));
+  const auto& [scales, middles] = std::tie(dimensions[d].scales, dimensions[d].middles);
+  for (std::size_t k = 0; k < scales.size(); ++k) {
+    Candidate longer = shorter;
+    longer.scales.push_back(scales[k]);
+    longer.tolerance_widths_mm.push_back(0.1 * scales[k]);
+    longer.middles.push_back(middles.empty() ? 0 : middles[k]);
+    const double half = 0.05 * scales[k], middle = longer.middles.back();
+    const auto end = [](double length) { return std::round(1e6 * length) / 1e6 + 0.0; };
+    longer.grades.push_back(
+        middle == 0 ? "" : fmt::format("{:+}/{:+}", end(middle + half), end(middle - half)));
+    add_candidates(plan, dimensions, longer);
   }
 }
 
@@ -53,18 +61,22 @@ StudyData tolerance_standin(std::int64_t rows, std::int64_t seed,
   const auto useed = static_cast<std::uint64_t>(seed);
   for (std::size_t i = 0; i < study.size(); ++i) {
     study.candidate[i] = study.row[i] % static_cast<std::int64_t>(study.plan.candidates.size());
-    const auto& scales = study.plan.candidates[static_cast<std::size_t>(study.candidate[i])].scales;
+    const auto& candidate = study.plan.candidates[static_cast<std::size_t>(study.candidate[i])];
+    const auto& scales = candidate.scales;
     StandinCage cage;
     for (std::size_t d = 0; d < dimensions.size(); ++d) {
       const auto stream = static_cast<std::uint32_t>(d);
       RandomStream lots(useed, Purpose::lot, static_cast<std::uint64_t>(study.lot[i]), stream);
       RandomStream pockets(useed, Purpose::pocket, static_cast<std::uint64_t>(study.row[i]),
                            stream);
-      cage.lot.push_back(scales[d] * dimensions[d].lot_sigma * gsl_cdf_ugaussian_Pinv(lots.next()));
+      const bool lot = dimensions[d].lot_sigma > 0;
+      cage.lot.push_back(scales[d] * dimensions[d].lot_sigma * gsl_cdf_ugaussian_Pinv(lots.next()) +
+                         (lot ? candidate.shift(d) : 0));
       cage.pocket.emplace_back();
       for (std::size_t j = 0; j < kPockets; ++j) {
         cage.pocket[d].push_back(scales[d] * dimensions[d].pocket_sigma *
-                                 gsl_cdf_ugaussian_Pinv(pockets.next()));
+                                     gsl_cdf_ugaussian_Pinv(pockets.next()) +
+                                 (lot ? 0 : candidate.shift(d)));
         study.inputs[d].value.push_back(9 + cage.lot[d] + cage.pocket[d][j]);
       }
       if (dimensions[d].lot_sigma > 0) study.inputs[d].lot.push_back(cage.lot[d]);

@@ -14,6 +14,7 @@ struct StandinDimension {
   std::string key;                         ///< "cage.pocket_width_mm"
   double lot_sigma = 0, pocket_sigma = 0;  ///< at scale 1; 0: no such part
   std::vector<double> scales;              ///< candidates; tolerances are 0.1 mm times these
+  std::vector<double> middles = {};        ///< of their zones [mm]; empty: about the nominal value
 };
 
 /// Deviations of one sample: lot and 13 pockets of each dimension.

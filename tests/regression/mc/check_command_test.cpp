@@ -66,6 +66,9 @@ candidates = [0.06, 0.03]
   const std::string capable = with_sigma("0.01"), wide = with_sigma("0.06");
   EXPECT_THAT(capable, HasSubstr("a standard deviation of 0.01 mm: Cp = 1.00"));
   EXPECT_THAT(capable, Not(HasSubstr("warning: cage")));
+  EXPECT_THAT(capable,
+              testing::ContainsRegex("roller to both bars +150.0 +120.0 to 180.0 +120.0 to "
+                                     "180.0 .*cage.pocket_width_mm"));
   // 0.15 mm of clearance is 2.5 standard deviations: 0.6 % of pockets, 8 % of cages of 13.
   EXPECT_THAT(wide, HasSubstr("Cp = 0.17"));
   EXPECT_THAT(wide, HasSubstr("warning: cage.pocket_width_mm: so many parts lie outside"));

@@ -610,15 +610,18 @@ TEST(Program, ListsCatalogueBearingsAndNamesNearOnes) {
   EXPECT_EQ(list.code, 0);
   EXPECT_THAT(list.output, AllOf(HasSubstr("\nNU 2205 ECP "), Not(HasSubstr("NU 205 ECP"))));
   EXPECT_THAT(run({"scene", "--list"}).output, HasSubstr("\nNU 330 ECM "));
-  const auto unknown = run({"scene", "NUP208"});
+  const auto unknown = run({"scene", "NUP1005"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.output, AllOf(HasSubstr("no bearing of this designation"),
-                                    HasSubstr("near ones: NU 208 ECP")));
+  EXPECT_THAT(unknown.output,
+              AllOf(HasSubstr("no bearing of this designation"), HasSubstr("near ones: NU 1005")));
   for (const auto& [arguments, words] :
        {std::pair<std::vector<std::string>, std::string>{{"scene"}, "no bearing is named"},
         {{"scene", "NU208", "--cage", "gold"}, "brass-machined"},
         {{"scene", "NU208", "--clearance", "C9"}, "C4"},
         {{"scene", "NU208", "--lubricant", "water"}, "iso-vg-460"},
+        {{"scene", "NU208", "--axial", "300"}, "take an NJ or NUP of this size"},
+        {{"scene", "N208", "--axial", "300"}, "flanges on one ring alone"},
+        {{"scene", "NJ208", "--axial", "-3"}, "--axial"},
         {{"scene", "NU208", "--load", "-1"}, "load.radial_N"}}) {
     const auto refused = run(arguments);
     EXPECT_EQ(refused.code, 2) << refused.output;

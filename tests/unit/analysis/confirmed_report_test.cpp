@@ -72,7 +72,7 @@ TEST_F(ConfirmedReport, TheVerdictIsThatOfTheFreshRuns) {
   // Two attempts are planned by default: each at 97.5 %.
   EXPECT_NEAR(verdict.at("yield_lower_bound"), clopper_pearson_lower(200, 200, 0.975), 1e-12);
   EXPECT_THAT(verdict.at("statement").get<std::string>(),
-              HasSubstr("Confirmed: pocket width 0.090 mm (IT11)"));
+              HasSubstr("Confirmed: pocket width 7.65 ±0.045 mm (IT11, js11)"));
   EXPECT_THAT(page(), HasSubstr("Fresh runs at the recommended tolerance"));
   EXPECT_THAT(page(), HasSubstr("Capability at this tolerance"));
   EXPECT_THAT(page(), HasSubstr("cagetol replay DIR/mixture --sample"));
@@ -96,7 +96,7 @@ TEST_F(ConfirmedReport, AnAttemptWhoseRunsWereSeenBeforeItsLimitsConfirmsNothing
   EXPECT_EQ(verdict.at("meets_target"), false);
   EXPECT_TRUE(verdict.at("tolerances").at("cage.pocket_width_mm").at("grade").is_null());
   EXPECT_THAT(verdict.at("headline").get<std::string>(),
-              HasSubstr("Judged again, not confirmed: pocket width 0.090 mm (IT11)"));
+              HasSubstr("Judged again, not confirmed: pocket width 7.65 ±0.045 mm (IT11, js11)"));
   EXPECT_THAT(verdict.at("next")[0].at("command").get<std::string>(),
               testing::AllOf(HasSubstr("cagetol recommend STUDY -o OTHER_DIR --set seed="),
                              HasSubstr("candidates=[\"IT11\"]")));

@@ -122,6 +122,57 @@ TEST(Recommendation, ToleranceOfAClearanceHasNoGrade) {
               result.meets_target && result.candidate >= 4 ? 0.095 : 0.05, 1e-12);
 }
 
+/// Narrow and wide widths, each about the nominal value and in the zone that begins there.
+StandinDimension widths_in_two_zones() {
+  StandinDimension width = kPrintedWidth;
+  width.scales = {0.36, 0.36, 0.9, 0.9};
+  width.middles = {0, 0.018, 0, 0.045};
+  return width;
+}
+
+TEST(YieldCurves, ZonesOfOneWidthAreTwoLevels) {
+  const StudyData study =
+      tolerance_standin(8000, 21, {widths_in_two_zones(), kPrintedLength}, 0.95, widest_pocket);
+  const Judged judged = judge_study(study, 2000, 0.999);
+  const auto& levels = judged.curves.dimensions[0].levels;
+  ASSERT_EQ(levels.size(), 4u);
+  for (const LevelYield& level : levels) {
+    const double z = (0.026 - level.middle) / (0.1 * level.tolerance_width_mm);
+    const double exact = std::pow(gsl_cdf_ugaussian_P(z), 13);
+    EXPECT_LE(level.yield.lower_bound, exact) << level.grade;
+    EXPECT_GE(level.yield.upper_bound, exact) << level.grade;
+    EXPECT_NEAR(level.yield.if_unknown_fail, exact, 0.03) << level.grade;
+  }
+}
+
+TEST(Recommendation, SaysInWhichZoneAWidthMeetsTheTarget) {
+  const auto recommended = [](double sign) {
+    const StudyData study = tolerance_standin(
+        4000, 23, {widths_in_two_zones(), kPrintedLength}, 0.95, [sign](const StandinCage& cage) {
+          double worst = -1;
+          for (const double pocket : cage.pocket[0])
+            worst = std::max(worst, sign * pocket - (sign > 0 ? 0.026 : 0.015));
+          return worst;
+        });
+    return judge_study(study).recommendation;
+  };
+  const Recommendation centred = recommended(1), above = recommended(-1);
+  ASSERT_TRUE(centred.meets_target && above.meets_target);
+  EXPECT_NEAR(centred.tolerances[0].tolerance_width_mm, 0.09, 1e-12);
+  EXPECT_EQ(centred.tolerances[0].grade, "IT11");  // snapped
+  EXPECT_NEAR(above.tolerances[0].tolerance_width_mm, 0.09, 1e-12);
+  EXPECT_EQ(above.tolerances[0].grade, "+0.09/+0");
+  EXPECT_FALSE(above.tolerances[0].centre);
+  // Narrower in the same zone.
+  const auto narrower = [](const Recommendation& of) {
+    for (const StepEffect& step : of.steps)
+      if (step.key == kPrintedWidth.key) return step.to;
+    return std::string();
+  };
+  EXPECT_EQ(narrower(centred), "0.036 mm");
+  EXPECT_EQ(narrower(above), "+0.036/+0");
+}
+
 TEST(Recommendation, DimensionThatChangesNothingIsNotBinding) {
   int not_binding = 0, recommended = 0;
   const int repeats = 40;

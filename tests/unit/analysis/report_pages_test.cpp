@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
@@ -14,6 +15,7 @@
 #include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_grid.hpp"
 #include "tests/support/synthetic_study.hpp"
+#include "tests/support/tolerance_standin.hpp"
 
 namespace cagetol {
 namespace {
@@ -226,10 +228,57 @@ TEST(ReportPages, ABandHasItsLimitsOfSizeAndTheScatterItHoldsFor) {
   EXPECT_FALSE(size["takes_counterpart"]);
   EXPECT_FALSE(widths[1].contains("size"));  // of another key
   const std::string first = text_of(section_of(page_of(report), "verdict"));
-  EXPECT_THAT(first, HasSubstr("7.65 \u00b1 0.045 mm"));
-  EXPECT_THAT(first, HasSubstr("7.605 to 7.695 mm: full width 0.090 mm (IT11)"));
+  EXPECT_THAT(first, HasSubstr("7.65 \u00b10.045 mm (IT11, js11)"));
+  EXPECT_THAT(first, HasSubstr("7.605 to 7.695 mm: full width 0.090 mm"));
   EXPECT_THAT(first, HasSubstr("Cp 1.31. Print that requirement with the tolerance"));
   EXPECT_THAT(first, HasSubstr("7.605 mm, is less than the roller&#39;s diameter of 7.62 mm"));
+}
+
+TEST(ReportPages, AToleranceAboveTheNominalValueIsPrintedAsOnADrawing) {
+  StandinDimension width = kPrintedWidth;
+  width.scales = {0.36, 0.9, 1.5};
+  width.middles = {0.018, 0.045, 0.075};
+  const auto beyond_a_tenth = [](const StandinCage& cage) {
+    return *std::max_element(cage.pocket[0].begin(), cage.pocket[0].end()) - 0.1;
+  };
+  Json report =
+      make_report(tolerance_standin(2000, 23, {width, kPrintedLength}, 0.95, beyond_a_tenth));
+  ASSERT_EQ(report["verdict"]["status"], "recommended");
+  EXPECT_EQ(report["tolerance"]["tolerances"][0]["drawing"], "9 +0.09/+0 mm");
+  EXPECT_EQ(report["tolerance"]["candidates"][0]["drawings"][0], "9 +0.036/+0 mm");
+  EXPECT_EQ(report["tolerance"]["dimensions"][0]["levels"][1]["grade"], "+0.09/+0");
+  EXPECT_THAT(report["verdict"]["statement"].get<std::string>(),
+              HasSubstr("Recommended: pocket width 9 +0.09/+0 mm"));
+  add_limits_of_size({{"dimensions",
+                       {{{"key", "cage.pocket_width_mm"},
+                         {"nominal_mm", 9},
+                         {"capability", 1.3},
+                         {"counterpart", "the roller's diameter"},
+                         {"counterpart_mm", 8.99}}}}},
+                     report["tolerance"]);
+  const Json& size = report["tolerance"]["tolerances"][0]["size"];
+  EXPECT_NEAR(size["minimum_mm"], 9, 1e-12);
+  EXPECT_NEAR(size["maximum_mm"], 9.09, 1e-12);
+  EXPECT_TRUE(size["takes_counterpart"]);
+  EXPECT_THAT(text_of(section_of(page_of(report), "verdict")), HasSubstr("9.000 to 9.090 mm"));
+}
+
+TEST(ReportPages, ClearanceChainsStandBesideEachOther) {
+  Json report = make_report(make_synthetic_study());
+  report["bearing"] = bearing();
+  report["bearing"]["chains"] = {{{"name", "roller to both bars"},
+                                  {"keys", {"cage.pocket_width_mm"}},
+                                  {"nominal_um", 150},
+                                  {"worst_um", {98, 202}},
+                                  {"rss_um", {99.6, 200.4}},
+                                  {"sampled_um", {121, 181}},
+                                  {"cages", 20000},
+                                  {"tail", 0.00135}}};
+  const std::string page = text_of(section_of(page_of(report), "operating"));
+  EXPECT_THAT(page, HasSubstr("98 to 202"));
+  EXPECT_THAT(page, HasSubstr("100 to 200"));
+  EXPECT_THAT(page, HasSubstr("121 to 181"));
+  EXPECT_THAT(page, HasSubstr("sampled: 0.135 to 99.865 % of 20000 drawn cages"));
 }
 
 TEST(ReportPages, ASweepThatWasStoppedAsksForTheSameCommand) {

@@ -325,8 +325,10 @@ TEST(ReportVerdict, DimensionsOfDifferentPartsKeepTheirNames) {
   const auto& verdict = report.at("verdict");
   EXPECT_EQ(verdict.at("tolerances").at("cage.pocket_length_mm").at("grade"), "IT11");
   EXPECT_TRUE(verdict.at("tolerances").at("roller.length_mm").at("grade").is_null());
-  EXPECT_THAT(verdict.at("statement"), testing::HasSubstr("pocket length 0.090 mm (IT11)"));
-  EXPECT_THAT(verdict.at("statement"), testing::HasSubstr("roller length 0.090 mm"));
+  EXPECT_THAT(verdict.at("statement"),
+              testing::HasSubstr("pocket length 9 ±0.045 mm (IT11, js11)"));
+  EXPECT_THAT(verdict.at("statement"),
+              testing::HasSubstr("roller length 9 ±0.045 mm (IT11, js11)"));
 }
 
 TEST(ReportConvergence, OneRunIsNotEnoughWhateverItsYield) {

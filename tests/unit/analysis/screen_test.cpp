@@ -131,6 +131,38 @@ TEST(Screen, AnIntervalHoldsItsEstimate) {
     }
 }
 
+/// The runs with a dimension of these middles at the width screened; deviations as they are, so that
+/// a quantity that follows them about the nominal value has its slope there.
+TEST(Screen, AZoneKeepsItsFormAsItsWidthChanges) {
+  constexpr double kMiddle = 0.1;
+  StudyData study = standin(3, 1e-4, 1e-4, 2.5);
+  for (double& value : study.inputs[0].value) value += kMiddle;
+  auto zoned = kBoth;
+  zoned[0].middle = kMiddle;
+  const Screen screen = screen_limits(study, zoned, 0.001);
+  // y = 1 + 3 u + 20 u^2 about the middle screened, where the level is that of a cage in it.
+  EXPECT_NEAR(screen.limits[0].level, 1, 0.01);
+  EXPECT_NEAR(screen.limits[0].parts[0].shift, 0.01 * kWidthSlope, 1e-3);
+  // Mean and variance at a width w: u lies about (w/0.4 - 1) 0.1 with the deviation of that width.
+  const auto z = [&](double width_mm) {
+    const double w = width_mm / 0.4, l = 0.1, m = (w - 1) * kMiddle,
+                 v = w * w * (kLot * kLot + kPocket * kPocket / kPockets);
+    const double mean =
+                     1 + kWidthSlope * m + kWidthSquare * (v + m * m) + kWidthScatter * w * kPocket,
+                 slope = kWidthSlope + 2 * kWidthSquare * m,
+                 variance = slope * slope * v + 2 * kWidthSquare * kWidthSquare * v * v +
+                            kLengthSlope * kLengthSlope * l * l * kLot * kLot +
+                            kLoadSlope * kLoadSlope * kLoad * kLoad;
+    return (2.5 - mean) / std::sqrt(variance);
+  };
+  double reached = 0.2;
+  while (z(reached) > gsl_cdf_ugaussian_Pinv(0.95)) reached += 1e-4;
+  ASSERT_TRUE(screen.limits[0].reach[0].width_mm);
+  EXPECT_NEAR(*screen.limits[0].reach[0].width_mm, reached, 0.02);
+  EXPECT_GT(std::abs(*screen_limits(study, kBoth, 0.001).limits[0].reach[0].width_mm - reached),
+            0.05);
+}
+
 TEST(Screen, SaysWhatIsNotResolvedAndWhatJamsDecide) {
   const Screen far = screen_limits(standin(1, 0.02, 0.03, 9), kBoth, 0.001);
   EXPECT_TRUE(far.jams_alone);

@@ -54,6 +54,17 @@ TEST(Iso286, SnapsDown) {
   EXPECT_EQ(grade_within(1e6, 7.65), 14);
 }
 
+TEST(Iso286, ClassesLieAboutTheNominalSizeOrAboveIt) {
+  for (const char* centred : {"IT9", "js9", "JS9"}) {
+    EXPECT_EQ(tolerance_class(centred)->grade, 9) << centred;
+    EXPECT_EQ(tolerance_class(centred)->middle, 0) << centred;
+  }
+  EXPECT_EQ(tolerance_class("H14")->grade, 14);
+  EXPECT_EQ(tolerance_class("H14")->middle, 0.5);
+  for (const char* other : {"", "H", "h9", "Js9", "G7", "H9x", "9", "js-9", "IT9H"})
+    EXPECT_FALSE(tolerance_class(other)) << other;
+}
+
 TEST(Iso286, Names) {
   EXPECT_EQ(grade_number("IT9"), 9);
   EXPECT_EQ(grade_number("IT14"), 14);

@@ -21,7 +21,8 @@ namespace {
 
 /// Pockets 7.65 mm wide that scatter one by one, rollers of 7.5 mm that do not.
 Study pockets_alone(const std::vector<std::string>& settings = {}, const std::string& law = "",
-                    const std::string& more = "") {
+                    const std::string& more = "",
+                    const std::string& candidates = "[0.2, 0.3, 0.6]") {
   const ScratchDirectory scratch;
   std::ofstream(scratch / "study.toml")
       << "[scene]\nfile = \"" << shipped("scenes/nu205.toml") << "\"\n"
@@ -29,12 +30,13 @@ Study pockets_alone(const std::vector<std::string>& settings = {}, const std::st
       << (law.empty() ? "pocket = { law = \"normal\", sigma = 0.05 }" : law) << " }\n"
       << more
       << "[[tolerance.dimension]]\nkey = \"cage.pocket_width_mm\"\ntolerance_width_mm = 0.3\n"
-         "candidates = [0.2, 0.3, 0.6]\n";
+         "candidates = "
+      << candidates << "\n";
   return read_study(scratch / "study.toml", settings);
 }
 
-double closed_form(double sigma_mm) {
-  return -std::expm1(13 * std::log1p(-gsl_cdf_gaussian_P(-0.15, sigma_mm)));
+double closed_form(double sigma_mm, double middle_mm = 0) {
+  return -std::expm1(13 * std::log1p(-gsl_cdf_gaussian_P(-0.15 - middle_mm, sigma_mm)));
 }
 
 /// Of 13 gaps with a common normal part.
@@ -59,6 +61,22 @@ TEST(JamShares, AgreeWithTheClosedForm) {
   EXPECT_NEAR(curve.tolerance_width_mm.back(), kWidestJamTolerance * 0.6, 1e-12);
   for (std::size_t p = 0; p < curve.share.size(); ++p)
     EXPECT_NEAR(curve.share[p] / closed_form(curve.tolerance_width_mm[p] / 6), 1, 1e-6);
+}
+
+// Of zones above and below the nominal value; a curve takes the zones of the nearest candidate.
+TEST(JamShares, FollowTheMiddleOfTheZone) {
+  const JamShares jams =
+      jam_shares(pockets_alone({}, "", "", "[0.3, \"+0.3/0\", \"+0.1/-0.2\", \"+0.7/-0.2\"]"));
+  ASSERT_EQ(jams.candidate.size(), 4u);
+  EXPECT_NEAR(jams.candidate[0], closed_form(0.05), 1e-12);
+  EXPECT_NEAR(jams.candidate[1], closed_form(0.05, 0.15), 1e-12);
+  EXPECT_NEAR(jams.candidate[2], closed_form(0.05, -0.05), 1e-9);
+  EXPECT_NEAR(jams.candidate[3], closed_form(0.15, 0.25), 1e-9);
+  EXPECT_GT(jams.candidate[2], 10 * jams.candidate[0]);
+  const JamCurve& curve = jams.curves[0];
+  const double narrow = curve.tolerance_width_mm.front(), wide = curve.tolerance_width_mm.back();
+  EXPECT_NEAR(curve.share.front(), closed_form(narrow / 6), 1e-12);
+  EXPECT_NEAR(curve.share.back() / closed_form(wide / 6, wide * 0.25 / 0.9), 1, 1e-6);
 }
 
 // Rollers 60 K warmer than the cage, of a material that expands by 60e-6/K.

@@ -190,6 +190,10 @@ TEST(Sample, ACandidateMovesTheCentreOfItsKey) {
     EXPECT_EQ(a.inputs[0].pocket, b.inputs[0].pocket);
     EXPECT_NEAR(a.inputs[0].value[5], b.inputs[0].value[5] + shift, 1e-12);
   }
+  Study zoned = study;
+  zoned.candidates[1].middles = {0.025};
+  EXPECT_EQ(Sampler(zoned).draw(1).inputs[0].lot[0],
+            unmoved.draw(1).inputs[0].lot[0] + (0.05 + 0.025));
   study.inputs[0].lot.reset();
   const auto a = Sampler(study).draw(1);
   plain.inputs[0].lot.reset();

@@ -218,6 +218,35 @@ TEST_F(StudyFile, CandidatesAreTheProductOfTheDimensions) {
   EXPECT_EQ(draw_sample(study, 7).candidate, 1);
 }
 
+TEST_F(StudyFile, CandidatesMayBeAsADrawingHasThem) {
+  const std::string keys =
+      "samples = 6\n[scene.cage]\npocket_width_mm = { nominal = 7.65, lot = { law = 'normal', "
+      "sigma = 0.01 } }\n[scene.bearing]\ninternal_clearance_um = { nominal = 30, lot = { law = "
+      "'normal', sigma = 1 } }\n"
+      "[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = 0.1\ncandidates "
+      "= ['H11', 'js11', '+0.10/0']\ncentres = [7.6, 7.65]\n"
+      "[[tolerance.dimension]]\nkey = 'bearing.internal_clearance_um'\ntolerance_width_mm = "
+      "0.01\ncandidates = ['+0.005/-0.002']\n";
+  const Study study = study_of(keys);
+  ASSERT_EQ(study.candidates.size(), 6u);
+  const auto& h = study.candidates[0];
+  EXPECT_THAT(h.grades, ElementsAre("H11", "+0.005/-0.002"));
+  EXPECT_DOUBLE_EQ(h.tolerance_widths_mm[0], 0.09);
+  EXPECT_DOUBLE_EQ(h.tolerance_widths_mm[1], 0.007);
+  EXPECT_DOUBLE_EQ(h.scales[1], 0.7);
+  EXPECT_DOUBLE_EQ(h.middles[0], 0.045);
+  EXPECT_DOUBLE_EQ(h.middles[1], 1.5);  // um, as the key
+  EXPECT_NEAR(h.shift(0), 7.6 + 0.045 - 7.65, 1e-15);
+  EXPECT_EQ(study.candidates[2].tolerance_widths_mm[0], h.tolerance_widths_mm[0]);
+  EXPECT_EQ(study.candidates[2].shift(0), h.centre_shift(0));
+  EXPECT_DOUBLE_EQ(study.candidates[5].shift(0), 0.05);
+  const Study again = read_resolved_study(study.resolved_toml, "again");
+  ASSERT_EQ(again.candidates.size(), 6u);
+  EXPECT_EQ(again.candidates[0].middles, h.middles);
+  EXPECT_EQ(again.candidates[0].grades, h.grades);
+  EXPECT_EQ(again.resolved_toml, study.resolved_toml);
+}
+
 TEST_F(StudyFile, RowsBeyondTheRangeAreRefusedWithTheirCount) {
   const std::string lot =
       " = { nominal = 7.65, lot = { law = 'uniform', lower = -0.1, upper = 0.1 } }\n";
@@ -365,6 +394,24 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
                "0.1\ncandidates = [-0.1]\n",
        {"study.toml:6: tolerance.dimension.candidates = -0.1",
         "neither an ISO 286 grade nor a tolerance"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
+               "0.1\ncandidates = ['e8']\n",
+       {"study.toml:6: tolerance.dimension.candidates = 'e8'",
+        "fundamental deviation e is not known", "known are H"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
+               "0.1\ncandidates = ['0/+0.1']\n",
+       {"study.toml:6: tolerance.dimension.candidates = '0/+0.1'", "no deviations in mm",
+        "write \"+0.10/0\""}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
+               "0.1\ncandidates = ['H15']\n",
+       {"tolerance.dimension.candidates = H15", "IT5 to IT14"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
+               "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
+               "0.1\ncandidates = ['+100/0']\n",
+       {"wider than the size itself", "100 um are 0.1"}},
       {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
                "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
                "0.1\ncandidates = [5e-324]\n",

@@ -100,6 +100,22 @@ TEST(DesignedBearing, ClearsTheFlangesOfEitherRing) {
   }
 }
 
+// The flange on the right of an NJ's inner ring pushes the rollers to the left one of the outer.
+TEST(BearingScene, AnAxialLoadIsCarriedByFlangesOfBothRings) {
+  for (const char* name : {"NJ308", "NUP308"}) {
+    SceneRequest request{name};
+    request.axial = 300;
+    const Scene scene = scene_of(bearing_scene(request));
+    EXPECT_EQ(scene.operation.axial_load, -300) << name;
+    EXPECT_EQ(scene.bearing.outer_flanges, FlangeSides::both) << name;
+    EXPECT_EQ(scene.bearing.inner_flanges,
+              std::string(name) == "NJ308" ? FlangeSides::right : FlangeSides::both);
+    EXPECT_THAT(operating_warnings(scene), IsEmpty()) << name;
+    request.axial.reset();
+    EXPECT_EQ(scene_of(bearing_scene(request)).operation.axial_load, 0);
+  }
+}
+
 // Bars at the bore of a cage on the inner raceway take room from the rollers; where too few are
 // left for the ratings, that is said.
 TEST(BearingScene, AnInnerGuidedCageHasFewerRollers) {
