@@ -189,7 +189,10 @@ def fit_requirement(width):
     fit = width.get("fit")
     if not fit:
         return ""
+    off = width["size"]["mean_mm"]
     words = f", centred within {fixed(1e3 * fit['offset_mm'], 0)} µm"
+    if abs(off) > fit["offset_mm"]:
+        words = f", its mean {fixed(1e3 * off, 0)} µm beside the middle{' and outside of the tolerance' if abs(off) > width['tolerance_width_mm'] / 2 else ''}"
     if is_number(fit["lot_share"]):
         share = fit["lot_share"]
         words += f", {'half' if abs(share - 0.5) < 0.005 else f'{100 * share:.0f} %'} of the variance from cage to cage"
@@ -205,7 +208,8 @@ def fit_matters(width):
 def fit_loss(width):
     fit = width["fit"]
     loss = lambda name: jam_share(1 - fit[name])
-    words = f"{width['name'].capitalize()}: {loss('share')} of the cages jam; with its mean off by {fixed(1e3 * fit['offset_mm'], 0)} µm {loss('off_centre')}"
+    off = "further off" if abs(width["size"]["mean_mm"]) > fit["offset_mm"] else "off"
+    words = f"{width['name'].capitalize()}: {loss('share')} of the cages jam; with its mean {off} by {fixed(1e3 * fit['offset_mm'], 0)} µm {loss('off_centre')}"
     if is_number(fit["lot_share"]):
         words += f", with all of its variance among the pockets of a cage {loss('pockets_alone')}, from cage to cage {loss('lots_alone')}"
     return words + "."

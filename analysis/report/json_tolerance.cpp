@@ -302,6 +302,7 @@ void add_limits_of_size(const Json& bearing, Json& tolerance) {
                          {"minimum_mm", minimum},
                          {"maximum_mm", minimum + width},
                          {"capability", dimension.at("capability")},
+                         {"mean_mm", dimension.at("mean_share").get<double>() * width},
                          {"counterpart", dimension.at("counterpart")},
                          {"counterpart_mm", fit},
                          {"takes_counterpart", !fit.is_number() || minimum >= fit}};

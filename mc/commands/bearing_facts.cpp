@@ -321,6 +321,7 @@ Json dimensions_json(const Study& study) {
     list.push_back({{"key", filling.key},
                     {"nominal_mm", known(filling.nominal_mm)},
                     {"capability", known(filling.capability)},
+                    {"mean_share", known(filling.mean_mm / filling.tolerance_width_mm)},
                     {"counterpart", filling.counterpart},
                     {"counterpart_mm", known(filling.counterpart_mm)}});
   return list;

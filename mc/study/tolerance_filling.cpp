@@ -49,6 +49,8 @@ std::vector<ToleranceFilling> tolerance_fillings(const Study& study) {
       if (*minimum == *most) filling.nominal_mm = *minimum;
       filling.deviation_mm = std::hypot(input.lot ? standard_deviation(*input.lot) : 0,
                                         input.pocket ? standard_deviation(*input.pocket) : 0);
+      filling.mean_mm =
+          (input.lot ? mean(*input.lot) : 0) + (input.pocket ? mean(*input.pocket) : 0);
       filling.capability = dimension.tolerance_width_mm / (6 * filling.deviation_mm);
       filling.within = ends_within(input, dimension.tolerance_width_mm);
       add_counterpart(study.scene, filling);
@@ -59,12 +61,19 @@ std::vector<ToleranceFilling> tolerance_fillings(const Study& study) {
 
 std::vector<std::string> tolerance_warnings(const Study& study) {
   std::vector<std::string> warnings;
-  for (const ToleranceFilling& filling : tolerance_fillings(study))
+  for (const ToleranceFilling& filling : tolerance_fillings(study)) {
+    if (std::abs(filling.mean_mm) > filling.tolerance_width_mm / 2)
+      warnings.push_back(fmt::format(
+          "{}: the mean of its laws lies {:.4g} mm from the nominal value, outside their tolerance "
+          "of {:.4g} mm, and every candidate scales both; give the nominal value that the parts "
+          "have, centred = true for measured ones, or the tolerance_width_mm that they fill",
+          filling.key, filling.mean_mm, filling.tolerance_width_mm));
     if (filling.capability < kMinimumCapability && !filling.within)
       warnings.push_back(fmt::format(
           "{}: so many parts lie outside their tolerance that no inspection would pass them; give "
           "tolerance_width_mm of the drawing that the laws were measured under, or narrower laws",
           filling.key));
+  }
   return warnings;
 }
 

@@ -16,6 +16,7 @@ struct ToleranceFilling {
   /// NaN where pockets have different ones [mm].
   double nominal_mm = std::numeric_limits<double>::quiet_NaN();
   double deviation_mm = 0;  ///< standard deviation of one part, lot and pocket together
+  double mean_mm = 0;       ///< of the laws, beside the nominal value
   /// Cp = tolerance/(6 deviation). That of every candidate, because its scatter scales with its
   /// tolerance.
   double capability = 0;

@@ -45,6 +45,7 @@ Json bearing() {
            {{{"key", "cage.pocket_width_mm"},
              {"nominal_mm", 7.65},
              {"capability", 1.31},
+             {"mean_share", 0},
              {"counterpart", "the roller's diameter"},
              {"counterpart_mm", 7.62}}}},
           {"warnings", {"load.radial_N = 100 N is too light"}},
@@ -227,6 +228,17 @@ TEST(ReportPages, ABandHasItsLimitsOfSizeAndTheScatterItHoldsFor) {
   EXPECT_DOUBLE_EQ(size["maximum_mm"], 7.695);
   EXPECT_FALSE(size["takes_counterpart"]);
   EXPECT_FALSE(widths[1].contains("size"));  // of another key
+  Json shifted = report;
+  Json off = bearing();
+  off["dimensions"][0]["mean_share"] = -0.6;
+  add_limits_of_size(off, shifted["tolerance"]);
+  EXPECT_DOUBLE_EQ(shifted["tolerance"]["tolerances"][0]["size"]["mean_mm"], -0.054);
+  shifted["tolerance"]["tolerances"][0]["fit"] = {{"share", 0.999},     {"offset_mm", 0.0045},
+                                                  {"off_centre", 0.99}, {"lot_share", 0.5},
+                                                  {"pockets_alone", 1}, {"lots_alone", 1}};
+  EXPECT_THAT(text_of(section_of(page_of(shifted), "verdict")),
+              AllOf(HasSubstr("its mean -54 µm beside the middle and outside of the tolerance"),
+                    HasSubstr("with its mean further off by 4 µm")));
   const std::string first = text_of(section_of(page_of(report), "verdict"));
   EXPECT_THAT(first, HasSubstr("7.65 \u00b10.045 mm (IT11, js11)"));
   EXPECT_THAT(first, HasSubstr("7.605 to 7.695 mm: full width 0.090 mm"));
@@ -253,6 +265,7 @@ TEST(ReportPages, AToleranceAboveTheNominalValueIsPrintedAsOnADrawing) {
                        {{{"key", "cage.pocket_width_mm"},
                          {"nominal_mm", 9},
                          {"capability", 1.3},
+                         {"mean_share", 0},
                          {"counterpart", "the roller's diameter"},
                          {"counterpart_mm", 8.99}}}}},
                      report["tolerance"]);

@@ -55,6 +55,18 @@ TEST(ToleranceFilling, AUniformLawThatFillsItsToleranceHasNoPartsOutside) {
   EXPECT_THAT(tolerance_warnings(outside), Contains(HasSubstr("lie outside")));
 }
 
+TEST(ToleranceFilling, WarnsOfPartsWhoseMeanLiesOutside) {
+  const auto off = [](const std::string& mean) {
+    return study_with(
+        "lot = { law = 'normal', mean = " + mean + ", sigma = 0.01 }, pocket = " + normal("0.006"),
+        "0.1");
+  };
+  EXPECT_DOUBLE_EQ(tolerance_fillings(off("-0.04"))[0].mean_mm, -0.04);
+  EXPECT_THAT(tolerance_warnings(off("-0.04")), testing::IsEmpty());
+  EXPECT_THAT(tolerance_warnings(off("-0.06")),
+              Contains(HasSubstr("mean of its laws lies -0.06 mm from the nominal value")));
+}
+
 TEST(ToleranceFilling, NamesTheToleranceFromWhichAPartMayBeSmallerThanItsRoller) {
   const std::string laws = "pocket = " + normal("0.0125");
   EXPECT_THAT(tolerance_notes(study_with(laws, "0.2, 0.3")), testing::IsEmpty());
