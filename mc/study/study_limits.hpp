@@ -28,8 +28,8 @@ std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const s
                                                 const std::vector<UncertainInput>& inputs);
 
 /// All combinations of the dimensions' candidates, the first dimension slowest. Grades become
-/// tolerances by ISO 286 for the nominal size of their key. Throws InputError for grades that it has
-/// not, and tolerances wider than the size.
+/// tolerances by ISO 286 for the nominal size of their key. Throws InputError for grades that it
+/// does not have, and for tolerances wider than the size.
 std::vector<Candidate> make_candidates(const Study& study, const toml::table& root,
                                        const std::string& file);
 
