@@ -113,7 +113,7 @@ def width_curves(report):
                           textcoords="offset points", ha="right", va="top", fontsize=8.5)
         axis.set_xlim(0, edges[-1])
         axis.set_ylim(0, None)
-        axis.set_xticks(widths, [f"{grade.removeprefix('IT') or f'{width:.0f}'}" for width, grade in zip(widths, dimension["grades"])])
+        axis.set_xticks(widths, [grade.removeprefix("IT").replace("/", "\n") or f"{width:.0f}" for width, grade in zip(widths, dimension["grades"])])
         axis.set_xlabel(f"{dimension['name']}: " + ("tolerance at its width" if all(dimension["grades"]) else "full width [µm]"),
                         fontsize=8.5)
     axes[0][0].set_ylabel("share of the limit [%]")

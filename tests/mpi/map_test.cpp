@@ -165,7 +165,7 @@ TEST_F(MapTest, ZonesMayLieAboveTheNominalValueButAllAlike) {
   // Above the nominal value no pocket is too narrow for its roller.
   with("[\"H11\", \"H12\", \"H14\"]");
   ASSERT_EQ(run(map("above", {}, "600,700")).code, 0);
-  const auto& row = nlohmann::json::parse(text("above"))["rows"][0];
+  const auto row = nlohmann::json::parse(text("above"))["rows"][0];
   EXPECT_EQ(row["grade"], "H14") << row.dump();
   EXPECT_EQ(row["decides"], "");
 }
