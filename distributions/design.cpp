@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "distributions/basics/require.hpp"
-#include "distributions/designs/grid.hpp"
 #include "distributions/designs/latin_hypercube.hpp"
 #include "distributions/designs/random_design.hpp"
 #include "distributions/designs/scrambled_sobol.hpp"
@@ -15,7 +14,7 @@ namespace cagetol {
 
 namespace {
 
-using AnyDesign = std::variant<RandomDesign, LatinHypercube, ScrambledSobol, Grid>;
+using AnyDesign = std::variant<RandomDesign, LatinHypercube, ScrambledSobol>;
 
 template <class Kind>
 struct Of {
@@ -31,11 +30,9 @@ auto with_kind(DesignKind kind, const Action& action) {
     case DesignKind::lhs:
       return action(Of<LatinHypercube>{});
     case DesignKind::sobol:
-      return action(Of<ScrambledSobol>{});
-    case DesignKind::grid:
       break;
   }
-  return action(Of<Grid>{});
+  return action(Of<ScrambledSobol>{});
 }
 
 void check_numbers(const DesignSpec& spec) {
@@ -47,7 +44,6 @@ void check_numbers(const DesignSpec& spec) {
           " spreads each column over all rows");
   require(spec.scrambles >= 1, "a sobol design needs at least one scramble; 8 to 16 are common");
   require(spec.classes >= 1, "rows fall into at least one class");
-  require(spec.trim >= 0 && spec.trim < 0.5, "trim = ", spec.trim, " lies outside 0 <= trim < 0.5");
 }
 
 void check_addresses(const DesignSpec& spec) {
@@ -87,10 +83,8 @@ const char* design_name(DesignKind kind) {
 struct Design::Implementation {
   DesignSpec spec;
   AnyDesign design;
-  std::uint32_t groups;
 
-  explicit Implementation(DesignSpec given)
-      : spec(std::move(given)), design(make_design(spec)), groups(group_count(spec)) {}
+  explicit Implementation(DesignSpec given) : spec(std::move(given)), design(make_design(spec)) {}
 };
 
 std::uint64_t complete_rows(const DesignSpec& spec) {
@@ -111,10 +105,6 @@ std::uint64_t Design::rows() const {
 
 std::size_t Design::dimensions() const {
   return implementation_->spec.columns.size();
-}
-
-std::uint32_t Design::groups() const {
-  return implementation_->groups;
 }
 
 void Design::point(std::uint64_t row, std::span<double> u) const {

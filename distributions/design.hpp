@@ -7,7 +7,6 @@
 //   random  any
 //   lhs     any up to 2^28
 //   sobol   scrambles * classes * 2^m, one scramble after the other
-//   grid    product of grid_levels
 #pragma once
 
 #include <cstddef>
@@ -22,8 +21,7 @@ namespace cagetol {
 
 const char* design_name(DesignKind kind);
 
-/// The smallest number of rows >= spec.rows of a complete design. A grid has exactly one such
-/// number.
+/// The smallest number of rows >= spec.rows of a complete design.
 std::uint64_t complete_rows(const DesignSpec& spec);
 
 class Design {
@@ -34,7 +32,6 @@ class Design {
   const DesignSpec& spec() const;
   std::uint64_t rows() const;
   std::size_t dimensions() const;
-  std::uint32_t groups() const;
 
   /// Writes the point of a row to u, which has dimensions() elements.
   void point(std::uint64_t row, std::span<double> u) const;

@@ -212,14 +212,6 @@ StudyData read_study_data(const std::filesystem::path& path) {
   study.interference_um = file.reals("/samples/interference_um").values;
   require_size(study.interference_um.size(), count, "/samples/interference_um", name);
 
-  if (file.has("/design/point")) {
-    study.design.columns = file.strings("/design/columns");
-    study.design.groups = file.strings("/design/groups");
-    study.design.point = file.reals("/design/point").values;
-    require_size(study.design.groups.size(), study.design.columns.size(), "/design/groups", name);
-    require_size(study.design.point.size(), count * study.design.columns.size(), "/design/point",
-                 name);
-  }
   for (const std::string& key : file.children("/inputs"))
     study.inputs.push_back(read_input(file, key, count, study.pockets, name));
   study.quantities = read_columns(file, "/quantities", count, name);
@@ -240,7 +232,6 @@ StudyData select_samples(const StudyData& study, const std::vector<std::size_t>&
   chosen.status = pick(study.status, keep);
   chosen.reason = pick(study.reason, keep);
   chosen.interference_um = pick(study.interference_um, keep);
-  chosen.design.point = pick(study.design.point, keep, study.design.columns.size());
   for (InputColumns& input : chosen.inputs) {
     input.lot = pick(input.lot, keep);
     input.noise = pick(input.noise, keep);
@@ -256,13 +247,7 @@ StudyData select_samples(const StudyData& study, const std::vector<std::size_t>&
 StudyData results_of(const StudyData& study) {
   StudyData results;
   results.provenance = study.provenance;
-  results.design = {.kind = study.design.kind,
-                    .rows_planned = study.design.rows_planned,
-                    .samples_planned = study.design.samples_planned,
-                    .scrambles = study.design.scrambles,
-                    .columns = {},
-                    .groups = {},
-                    .point = {}};
+  results.design = study.design;
   results.plan = study.plan;
   results.pockets = study.pockets;
   results.jam = study.jam;

@@ -9,24 +9,23 @@
 
 namespace cagetol {
 
-enum class DesignKind { random, lhs, sobol, grid };
+enum class DesignKind { random, lhs, sobol };
 
 /// A design and its name in study files.
 struct DesignName {
   DesignKind value;
   const char* text;
 };
-constexpr std::array<DesignName, 4> spellings(DesignKind) {
+constexpr std::array<DesignName, 3> spellings(DesignKind) {
   using enum DesignKind;
-  return {{{random, "random"}, {lhs, "lhs"}, {sobol, "sobol"}, {grid, "grid"}}};
+  return {{{random, "random"}, {lhs, "lhs"}, {sobol, "sobol"}}};
 }
 
-/// One coordinate: the address of its random numbers, and its group in a grid.
+/// One coordinate: the address of its random numbers.
 struct DesignColumn {
   Purpose purpose = Purpose::lot;
   std::uint32_t stream = 0;  ///< stream_address(name of the input)
   std::uint32_t draw = 0;    ///< pocket, for Purpose::pocket
-  std::uint32_t group = 0;   ///< 0, 1, 2, ...
 };
 
 struct DesignSpec {
@@ -43,12 +42,6 @@ struct DesignSpec {
 
   /// sobol: rows r, r + classes, r + 2 classes, ... of a scramble form a net of their own.
   std::uint64_t classes = 1;
-
-  /// grid: number of levels of each group.
-  std::vector<std::uint64_t> grid_levels;
-
-  /// grid: levels span [trim, 1 - trim]. Laws without ends need trim > 0.
-  double trim = 0;
 };
 
 }  // namespace cagetol

@@ -10,12 +10,6 @@ namespace cagetol {
 /// 64 bits.
 inline constexpr std::uint64_t most_rows = std::uint64_t{1} << 40;
 
-/// Groups of columns of a specification.
-std::uint32_t group_count(const DesignSpec& spec);
-
-/// Value of level 0 .. levels-1, equally spaced over [trim, 1 - trim]. A single level is at 1/2.
-double level_value(std::uint64_t level, std::uint64_t levels, double trim);
-
 inline std::uint64_t divided_up(std::uint64_t value, std::uint64_t unit) {
   return value / unit + (value % unit == 0 ? 0 : 1);
 }

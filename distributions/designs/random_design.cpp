@@ -10,7 +10,7 @@ RandomDesign::RandomDesign(const DesignSpec& spec)
 
 void RandomDesign::point(std::uint64_t row, std::span<double> u) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const auto& [purpose, stream, draw, group] = columns_[i];
+    const auto& [purpose, stream, draw] = columns_[i];
     const std::uint64_t id = purpose == Purpose::lot ? row / cages_per_lot_ : row;
     u[i] = uniform(seed_, purpose, id, stream, draw);
   }

@@ -239,7 +239,6 @@ Study rung_study(const Study& study, const Rung& rung, long samples) {
     changed.design = DesignKind::random;
     changed.cages_per_lot = 1;
     changed.extra_replicates = 0;
-    changed.grid_levels.clear();
     changed.allowed_failure_share = 1;  // a rung that fails is a finding
     if (changed.inputs.empty()) changed.inputs = start_scatter(changed.scene);
     changed.scene = on_rung(changed.scene, rung);

@@ -120,7 +120,6 @@ struct Study {
   std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
   long fidelity_samples = 24;       ///< runs on each rung of the model ladder
   double fidelity_budget = 0.1;     ///< largest shift allowed, in standard errors of the study
-  std::vector<long> grid_levels;    ///< of design "grid": levels per varied input
   Scene scene;                      ///< nominal
   bool names_lubrication = true;    ///< the scene gives lubrication.model
   std::vector<UncertainInput> inputs;

@@ -110,8 +110,8 @@ const std::vector<KeyInfo>& operating_point_keys() {
 // clang-format on
 
 bool is_study_section(const std::string& name) {
-  static const std::vector<std::string> lists = {
-      "scene", "limit", "correlation", "grid_levels", "inputs", "candidates", "operating_point"};
+  static const std::vector<std::string> lists = {"scene",  "limit",      "correlation",
+                                                 "inputs", "candidates", "operating_point"};
   if (std::find(lists.begin(), lists.end(), name) != lists.end()) return true;
   return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
     return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;

@@ -152,7 +152,7 @@ bool read_study_bytes(std::string_view bytes) {
 std::vector<std::string> study_seeds() {
   std::vector<std::string> seeds;
   for (const char* name :
-       {"nu205", "nu205-measured", "nu205-slip", "paper-width", "nu205-duty", "nu205-fit",
+       {"nu205", "nu205-measured", "nu205-slip", "nu205-stress", "nu205-duty", "nu205-fit",
         "nu205-centre", "axial", "own-bearing", "own-bearing-lips", "spindle"}) {
     std::string study = bare("studies/" + std::string(name) + ".toml");
     const auto scene = study.find("../scenes/") + 10;
@@ -172,7 +172,7 @@ bool read_resolved_bytes(std::string_view bytes) {
 std::vector<std::string> resolved_seeds() {
   std::vector<std::string> seeds;
   for (const char* name : {"studies/nu205-rated.toml", "studies/nu205-measured.toml",
-                           "studies/paper-length.toml", "studies/nu205-duty.toml"})
+                           "studies/nu205-centre.toml", "studies/nu205-duty.toml"})
     seeds.push_back(read_study(shipped(name)).resolved_toml);
   return seeds;
 }

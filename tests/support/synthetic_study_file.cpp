@@ -73,12 +73,6 @@ void write_synthetic_study(const StudyData& study, const std::filesystem::path& 
     write_h5(texts, "files", study.provenance.files, {"-", ""});
   }
   write_samples(file, study);
-  if (!study.design.columns.empty()) {
-    const H5Handle design = make_h5_group(file, "design");
-    write_h5(design, "point", study.design.point, {"-", ""}, study.design.columns.size());
-    write_h5(design, "columns", study.design.columns, {"-", ""});
-    write_h5(design, "groups", study.design.groups, {"-", ""});
-  }
   write_inputs(file, study);
   write_columns(file, "quantities", study.quantities);
   write_columns(file, "run", study.run);

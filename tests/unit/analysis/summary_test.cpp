@@ -19,7 +19,7 @@ TEST(Summary, QuantilesOfScramblesAreCovered) {
   DesignSpec spec;
   spec.kind = DesignKind::sobol;
   spec.rows = 256;
-  spec.columns = {{Purpose::lot, 0, 0, 0}, {Purpose::lot, 1, 0, 0}};
+  spec.columns = {{Purpose::lot, 0, 0}, {Purpose::lot, 1, 0}};
   std::vector<double> held(std::size(kQuantileLevels));
   for (int repeat = 0; repeat < repeats; ++repeat) {
     spec.seed = static_cast<std::uint64_t>(repeat) + 1;

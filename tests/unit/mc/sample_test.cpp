@@ -133,22 +133,6 @@ TEST(Sample, ReplicatesKeepTheRowAndChangeTheNoise) {
   EXPECT_NE(second.inputs[3].noise, third.inputs[3].noise);
 }
 
-TEST(Sample, InAGridEveryRowMeetsTheSameNoiseInItsKthRun) {
-  Study study = base_study();
-  study.inputs.erase(study.inputs.begin() + 1, study.inputs.begin() + 3);
-  study.inputs[0].lot = Uniform{-0.1, 0.1};
-  study.inputs[0].pocket.reset();
-  study.design = DesignKind::grid;
-  study.grid_levels = {4};
-  study.samples = 4;
-  study.extra_replicates = 2;
-  const Sampler sampler(study);
-  for (std::uint64_t k = 0; k < 3; ++k)
-    EXPECT_EQ(sampler.draw(4 * k).inputs[1].noise, sampler.draw(4 * k + 3).inputs[1].noise);
-  EXPECT_NE(sampler.draw(0).inputs[1].noise, sampler.draw(4).inputs[1].noise);
-  EXPECT_NE(sampler.draw(4).inputs[1].noise, sampler.draw(8).inputs[1].noise);
-}
-
 TEST(Sample, CagesOfALotShareItsDraw) {
   Study study = base_study();
   study.cages_per_lot = 4;
@@ -252,19 +236,6 @@ TEST(Sample, CorrelatedInputsMoveTogetherAndShareAGroup) {
   }
   EXPECT_NEAR(same / std::sqrt(xx * yy), 0.8, 0.03);
   EXPECT_NEAR(other / std::sqrt(xx * yy), 0, 0.05);
-}
-
-TEST(Sample, AGridHasTheLevelsAskedFor) {
-  Study study = base_study();
-  study.inputs = {study.inputs[2]};
-  study.design = DesignKind::grid;
-  study.grid_levels = {5};
-  EXPECT_EQ(design_spec(study).rows, 5u);
-  study.samples = 5;
-  const Sampler sampler(study);
-  EXPECT_EQ(sampler.draw(0).inputs[0].value[0], 990);
-  EXPECT_EQ(sampler.draw(2).inputs[0].value[0], 1000);
-  EXPECT_EQ(sampler.draw(4).inputs[0].value[0], 1010);
 }
 
 // Generous: the bound is there to catch a design or a factorisation made anew for every draw.
