@@ -75,7 +75,7 @@ std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
   const std::string directory = path(stage.name);
   const Study study = stage_study(base_, stage);
   if (!stage.tolerances.empty()) begin_attempt(study, stage);
-  code_ = stage.name == "mixture" ? sweep_grown(base_, stage, directory, stages_)
+  code_ = stage.name == "mixture" ? sweep_grown(study, directory, stages_)
                                   : stages_.sweep(study, directory, stage.allowed_failures);
   if (code_ != kDone) return std::nullopt;
   auto runs = read_study_data(study_file_path(directory));
