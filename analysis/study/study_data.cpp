@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::int64_t kMostPockets = 10'000, kMostScrambles = 10'000,
                        kMostSamples = 1'000'000'000'000;
-constexpr std::int64_t kOldestSchema = 1, kNewestSchema = 2;
+constexpr std::int64_t kSchema = 2;
 
 std::string text_or_empty(const Hdf5Reader& file, const std::string& object,
                           const std::string& name) {
   return file.has_attribute(object, name) ? file.text_attribute(object, name) : std::string();
 }
 
-/// A value that this program cannot have written: damage that no checksum guards (schema 1).
+/// A value that this program cannot have written.
 void require_range(const std::vector<std::int64_t>& values, std::int64_t lowest,
                    std::int64_t highest, const std::string& what, const std::string& file) {
   for (const std::int64_t value : values)
@@ -148,13 +148,11 @@ StudyData read_study_data(const std::filesystem::path& path) {
   const Hdf5Reader file(read_study_bytes(path), name);
   StudyData study;
   study.provenance.schema_version = file.integer_attribute("/", "schema_version");
-  if (study.provenance.schema_version < kOldestSchema ||
-      study.provenance.schema_version > kNewestSchema)
+  if (study.provenance.schema_version != kSchema)
     throw StudyFileError(name,
                          "its schema version is " +
                              std::to_string(study.provenance.schema_version) +
-                             ", this program reads versions " + std::to_string(kOldestSchema) +
-                             " to " + std::to_string(kNewestSchema),
+                             ", this program reads version " + std::to_string(kSchema),
                          "report it with the version of the program that wrote it");
   study.provenance.tool_version = text_or_empty(file, "/", "tool_version");
   study.provenance.tool_commit = text_or_empty(file, "/", "tool_commit");

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hdf5_hl.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <sstream>
 
 #include "mc/host/file_write.hpp"
+#include "mc/study_file/file_seal.hpp"
 #include "mc/study_file/h5.hpp"
 #include "mc/study_file/hdf5_reader.hpp"
 #include "mc/study_file/study_bytes.hpp"
@@ -222,8 +224,16 @@ TEST_F(StudyFileTest, ACutFileIsAnErrorNotACrash) {
 
 // Of a program that did not know today's quantities: said so, not called damaged.
 TEST_F(StudyFileTest, OfAnOlderProgramIsRefusedWithTheReason) {
+  const std::string path = written("study.h5", outcomes_);
+  std::string bytes = text_of(path).substr(kSealSize);
+  {
+    const H5Handle file(H5LTopen_file_image(bytes.data(), bytes.size(), H5LT_FILE_IMAGE_OPEN_RW),
+                        H5Fclose, "open");
+    H5Ldelete(file, "quantities/cage_slip_ratio", H5P_DEFAULT);
+    std::ofstream(path, std::ios::binary) << sealed_h5_image(file);
+  }
   try {
-    read_study_file(CAGETOL_SOURCE_DIR "/tests/unit/analysis/schema1_study.h5");
+    read_study_file(path);
     FAIL();
   } catch (const StudyFileError& error) {
     EXPECT_THAT(error.what(), HasSubstr("the file is of a cagetol without this quantity (build"));
