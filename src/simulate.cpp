@@ -1,5 +1,7 @@
 #include "src/simulate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -24,9 +26,7 @@ namespace {
 constexpr long kStepsBetweenQuestions = 256;
 
 std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
+  return fmt::format("{:.4g}", x);
 }
 
 Outcome jammed(const Jam& jam) {

@@ -7,7 +7,6 @@
 #include "src/input/printable.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -231,10 +230,7 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
                   given.text,
               "write " + key.name + ", in " + wanted.text};
     const auto in_wanted = [&](double amount) {
-      const double converted = from_si(cagetol::to_si(amount, given.to_si), wanted.to_si);
-      std::array<char, 40> text{};
-      std::snprintf(text.data(), text.size(), "%.12g", converted);
-      return std::string(text.data());
+      return fmt::format("{:.12g}", from_si(cagetol::to_si(amount, given.to_si), wanted.to_si));
     };
     return {place, leaf.name, value,
             "wrong unit: this key is in " + wanted.text + ", not in " + given.text,
