@@ -31,8 +31,4 @@ struct Share {
 /// one.
 double fisher_p_value(const Share& before, const Share& after);
 
-/// McNemar's exact test, two-sided, from the numbers of rows that gained and that lost the
-/// property.
-double mcnemar_p_value(std::size_t gained, std::size_t lost);
-
 }  // namespace cagetol

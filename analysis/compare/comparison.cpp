@@ -11,6 +11,7 @@
 #include "analysis/compare/holm.hpp"
 #include "analysis/compare/permutation_test.hpp"
 #include "analysis/statistics/order_statistics.hpp"
+#include "analysis/statistics/paired_share.hpp"
 #include "analysis/statistics/summary.hpp"
 #include "analysis/study/judgement.hpp"
 #include "analysis/study/refused.hpp"

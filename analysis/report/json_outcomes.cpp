@@ -53,7 +53,6 @@ Json to_json(const Yield& yield) {
           {"lower_bound", number(yield.lower_bound)},
           {"upper_bound", number(yield.upper_bound)},
           {"fits", yield.fits},
-          {"meets_if_fits", number(yield.if_unknown_fail / yield.fits)},
           {"method", yield.method}};
 }
 
@@ -174,15 +173,7 @@ Json failures_json(const ReportBasis& basis) {
          {"interference_um", study.pocket[i] >= 0 ? number(study.interference_um[i]) : Json()},
          {"replay", replay_command(basis, study.id[i])}});
   }
-  Json jams = Json::array();
-  for (std::size_t j = 0; j < study.pockets; ++j) {
-    double count = 0;
-    for (std::size_t i = 0; i < basis.runs.size(); ++i)
-      count += basis.runs.status[i] == RunStatus::jammed &&
-               basis.runs.pocket[i] == static_cast<std::int64_t>(j);
-    jams.push_back(count);
-  }
-  return {{"samples", list}, {"jams_by_pocket", jams}};
+  return {{"samples", list}};
 }
 
 Json worst_samples_json(const ReportBasis& basis) {

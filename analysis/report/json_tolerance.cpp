@@ -267,11 +267,7 @@ const char* status_without_candidates(const ReportBasis& basis, bool too_few) {
 }
 
 Json tolerance_verdict(const RecommendedTolerance& tolerance) {
-  if (tolerance.not_binding)
-    return {{"tolerance_width_mm", nullptr},
-            {"grade", nullptr},
-            {"yield_stated_at_mm", tolerance.tolerance_width_mm},
-            {"yield_stated_at_grade", tolerance.grade}};
+  if (tolerance.not_binding) return {{"tolerance_width_mm", nullptr}, {"grade", nullptr}};
   Json verdict{{"tolerance_width_mm", tolerance.tolerance_width_mm}, {"grade", tolerance.grade}};
   if (tolerance.centre) verdict["centre"] = *tolerance.centre;
   return verdict;

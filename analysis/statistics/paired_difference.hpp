@@ -10,9 +10,8 @@
 namespace cagetol {
 
 struct PairedDifference {
-  std::size_t pairs = 0;           ///< pairs with both values
-  Estimate difference;             ///< needs two pairs for an interval
-  double first_mean = kUndefined;  ///< over the pairs
+  std::size_t pairs = 0;  ///< pairs with both values
+  Estimate difference;    ///< needs two pairs for an interval
 };
 
 /// NaN: a run without a value. Both spans have one element per pair.

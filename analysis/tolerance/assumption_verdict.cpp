@@ -179,7 +179,6 @@ AssumptionVerdicts judge_assumptions(const StudyData& confirming,
   const std::vector<double> adjusted = holm_adjusted(p_values);
   for (std::size_t k = 0; k < adjusted.size(); ++k) {
     AlternativeVerdict& verdict = all.alternatives[k];
-    verdict.adjusted_p = adjusted[k];
     verdict.named = adjusted[k] <= kFalseAlarms / static_cast<double>(rules.attempts);
     all.holding += verdict.answer == AssumptionAnswer::holds;
     all.failing += verdict.answer == AssumptionAnswer::fails;
