@@ -8,32 +8,12 @@
 #include "distributions/basics/require.hpp"
 #include "distributions/designs/latin_hypercube.hpp"
 #include "distributions/designs/random_design.hpp"
-#include "distributions/designs/scrambled_sobol.hpp"
 
 namespace cagetol {
 
 namespace {
 
-using AnyDesign = std::variant<RandomDesign, LatinHypercube, ScrambledSobol>;
-
-template <class Kind>
-struct Of {
-  using Type = Kind;
-};
-
-/// Calls the action with Of<the class of the design> and returns its result.
-template <class Action>
-auto with_kind(DesignKind kind, const Action& action) {
-  switch (kind) {
-    case DesignKind::random:
-      return action(Of<RandomDesign>{});
-    case DesignKind::lhs:
-      return action(Of<LatinHypercube>{});
-    case DesignKind::sobol:
-      break;
-  }
-  return action(Of<ScrambledSobol>{});
-}
+using AnyDesign = std::variant<RandomDesign, LatinHypercube>;
 
 void check_numbers(const DesignSpec& spec) {
   require(spec.rows >= 1, "a design needs at least one row");
@@ -42,8 +22,6 @@ void check_numbers(const DesignSpec& spec) {
   require(spec.cages_per_lot == 1 || spec.kind == DesignKind::random,
           "cages_per_lot = ", spec.cages_per_lot, " needs design random: ", design_name(spec.kind),
           " spreads each column over all rows");
-  require(spec.scrambles >= 1, "a sobol design needs at least one scramble; 8 to 16 are common");
-  require(spec.classes >= 1, "rows fall into at least one class");
 }
 
 void check_addresses(const DesignSpec& spec) {
@@ -64,12 +42,8 @@ void check_addresses(const DesignSpec& spec) {
 AnyDesign make_design(const DesignSpec& spec) {
   check_numbers(spec);
   check_addresses(spec);
-  return with_kind(spec.kind, [&]<class Kind>(Of<Kind>) -> AnyDesign {
-    const std::uint64_t complete = Kind::complete_rows(spec);
-    require(spec.rows == complete, "a ", design_name(spec.kind), " design of ", spec.rows,
-            " rows is not complete: rows are ", Kind::row_rule(spec), "; use ", complete);
-    return Kind(spec);
-  });
+  if (spec.kind == DesignKind::lhs) return LatinHypercube(spec);
+  return RandomDesign(spec);
 }
 
 }  // namespace
@@ -86,11 +60,6 @@ struct Design::Implementation {
 
   explicit Implementation(DesignSpec given) : spec(std::move(given)), design(make_design(spec)) {}
 };
-
-std::uint64_t complete_rows(const DesignSpec& spec) {
-  check_numbers(spec);
-  return with_kind(spec.kind, [&]<class Kind>(Of<Kind>) { return Kind::complete_rows(spec); });
-}
 
 Design::Design(DesignSpec spec)
     : implementation_(std::make_shared<const Implementation>(std::move(spec))) {}

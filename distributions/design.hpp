@@ -6,7 +6,6 @@
 //   kind    rows
 //   random  any
 //   lhs     any up to 2^28
-//   sobol   scrambles * classes * 2^m, one scramble after the other
 #pragma once
 
 #include <cstddef>
@@ -20,9 +19,6 @@
 namespace cagetol {
 
 const char* design_name(DesignKind kind);
-
-/// The smallest number of rows >= spec.rows of a complete design.
-std::uint64_t complete_rows(const DesignSpec& spec);
 
 class Design {
  public:

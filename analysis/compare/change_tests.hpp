@@ -1,6 +1,6 @@
 // Tests whether a statistic of a study has changed.
 //
-// Runs within a cluster are dependent: cages of a lot, points of a Sobol' scramble. A smooth
+// Runs within a cluster are dependent: cages of a lot. A smooth
 // statistic is linearised; the sums of its influence over the clusters give its variance, and
 // Student's t gives the p-value (degrees of freedom: clusters - 1, Welch for two samples). A share
 // of independent runs has an exact test: Fisher's, or McNemar's if the same rows were run twice.

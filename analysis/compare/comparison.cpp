@@ -73,11 +73,7 @@ struct Runs {
 Runs runs_of(const StudyData& study, const char* which) {
   Runs runs{select_samples(study, first_runs(study)), {}};
   if (runs.data.size() < 2) throw Refused(fmt::format("the {} study has no runs", which));
-  const std::int64_t scramble_rows = std::max<std::int64_t>(
-      study.design.rows_planned / std::max<std::int64_t>(study.design.scrambles, 1), 1);
-  for (std::size_t i = 0; i < runs.data.size(); ++i)
-    runs.cluster.push_back(study.design.kind == "sobol" ? runs.data.row[i] / scramble_rows
-                                                        : runs.data.lot[i]);
+  runs.cluster = runs.data.lot;
   return runs;
 }
 
@@ -125,7 +121,7 @@ class Comparer {
       : before_(std::move(before)), after_(std::move(after)), result_(result) {
     const auto alone = [](const Runs& runs) {
       const std::set<std::int64_t> labels(runs.cluster.begin(), runs.cluster.end());
-      return runs.data.design.kind != "sobol" && labels.size() == runs.cluster.size();
+      return labels.size() == runs.cluster.size();
     };
     exact_ = alone(before_) && alone(after_);
     const auto clusters = [](const Runs& runs) {
@@ -289,7 +285,7 @@ void require_comparable(const StudyData& before, const StudyData& after, bool de
     throw Refused(text + "\n  remedy: --despite-keys compares them all the same");
   }
   const std::string& design = before.design.kind;
-  if (design != "random" && design != "lhs" && design != "sobol")
+  if (design != "random" && design != "lhs")
     throw Refused("the rows of a `" + design +
                   "` design have no random scatter to compare a change with");
   for (const Column& column : before.quantities)
@@ -301,8 +297,7 @@ void require_comparable(const StudyData& before, const StudyData& after, bool de
 
 bool same_cages(const StudyData& before, const StudyData& after) {
   return before.provenance.seed == after.provenance.seed &&
-         before.design.rows_planned == after.design.rows_planned &&
-         before.design.scrambles == after.design.scrambles;
+         before.design.rows_planned == after.design.rows_planned;
 }
 
 bool Comparison::same() const {

@@ -245,8 +245,7 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
   if (basis.study.plan.limits.empty())
     return "The study states no limits: there is nothing to judge a tolerance by.";
   if (std::string reason; !rows_follow_laws(basis.runs, &reason))
-    return fmt::format("No yield and no tolerance: {}. Use the design random, lhs or sobol.",
-                       reason);
+    return fmt::format("No yield and no tolerance: {}. Use the design random or lhs.", reason);
   return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
 }
 

@@ -10,8 +10,7 @@
 namespace cagetol {
 namespace {
 
-constexpr std::int64_t kMostPockets = 10'000, kMostScrambles = 10'000,
-                       kMostSamples = 1'000'000'000'000;
+constexpr std::int64_t kMostPockets = 10'000, kMostSamples = 1'000'000'000'000;
 constexpr std::int64_t kSchema = 2;
 
 std::string text_or_empty(const Hdf5Reader& file, const std::string& object,
@@ -165,15 +164,10 @@ StudyData read_study_data(const std::filesystem::path& path) {
   study.design.kind = file.text_attribute("/", "design");
   study.design.rows_planned = file.integer_attribute("/", "rows_planned");
   study.design.samples_planned = file.integer_attribute("/", "samples_planned");
-  study.design.scrambles = file.integer_attribute("/", "scrambles");
   const std::int64_t pockets = file.integer_attribute("/", "pockets");
   require_range({pockets}, 0, kMostPockets, "pockets", name);
-  require_range({study.design.rows_planned, study.design.samples_planned},
-                study.design.kind == "sobol" ? 1 : 0, kMostSamples,
+  require_range({study.design.rows_planned, study.design.samples_planned}, 0, kMostSamples,
                 "rows_planned or samples_planned", name);
-  require_range({study.design.scrambles}, 1,
-                std::clamp<std::int64_t>(study.design.rows_planned, 1, kMostScrambles), "scrambles",
-                name);
   study.pockets = static_cast<std::size_t>(pockets);
   const auto json = file.strings("/study/json");
   require_size(json.size(), 1, "/study/json", name);

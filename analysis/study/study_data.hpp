@@ -39,8 +39,8 @@ struct Provenance {
 
 /// How the rows were chosen.
 struct StudyDesign {
-  std::string kind;  ///< random, lhs, sobol; of old files also others
-  std::int64_t rows_planned = 0, samples_planned = 0, scrambles = 1;
+  std::string kind;  ///< random, lhs; of old files also others
+  std::int64_t rows_planned = 0, samples_planned = 0;
 };
 
 struct StudyData {

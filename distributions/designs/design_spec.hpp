@@ -9,16 +9,16 @@
 
 namespace cagetol {
 
-enum class DesignKind { random, lhs, sobol };
+enum class DesignKind { random, lhs };
 
 /// A design and its name in study files.
 struct DesignName {
   DesignKind value;
   const char* text;
 };
-constexpr std::array<DesignName, 3> spellings(DesignKind) {
+constexpr std::array<DesignName, 2> spellings(DesignKind) {
   using enum DesignKind;
-  return {{{random, "random"}, {lhs, "lhs"}, {sobol, "sobol"}}};
+  return {{{random, "random"}, {lhs, "lhs"}}};
 }
 
 /// One coordinate: the address of its random numbers.
@@ -36,12 +36,6 @@ struct DesignSpec {
 
   /// random only: the rows of one lot share their columns of Purpose::lot.
   std::uint64_t cages_per_lot = 1;
-
-  /// sobol: independent replicates.
-  std::uint64_t scrambles = 8;
-
-  /// sobol: rows r, r + classes, r + 2 classes, ... of a scramble form a net of their own.
-  std::uint64_t classes = 1;
 };
 
 }  // namespace cagetol

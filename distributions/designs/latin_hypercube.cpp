@@ -18,14 +18,9 @@ double jitter(std::uint64_t cell, PhiloxKey key) {
 }  // namespace
 
 LatinHypercube::LatinHypercube(const DesignSpec& spec) : rows_(spec.rows) {
+  require(rows_ <= most_strata, "a latin hypercube of ", rows_,
+          " rows has too many: at most 2^28 = ", most_strata, "; use random, or fewer rows");
   for (const DesignColumn& column : spec.columns) keys_.push_back(column_key(spec.seed, column));
-}
-
-std::uint64_t LatinHypercube::complete_rows(const DesignSpec& spec) {
-  require(spec.rows <= most_strata, "a latin hypercube of ", spec.rows,
-          " rows has too many: at most 2^28 = ", most_strata,
-          "; use random or sobol, or fewer rows");
-  return spec.rows;
 }
 
 void LatinHypercube::point(std::uint64_t row, std::span<double> u) const {

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "distributions/designs/layout.hpp"
@@ -15,9 +14,6 @@ namespace cagetol {
 class LatinHypercube {
  public:
   explicit LatinHypercube(const DesignSpec& spec);
-
-  static std::uint64_t complete_rows(const DesignSpec& spec);
-  static std::string row_rule(const DesignSpec&) { return "at most 2^28"; }
 
   void point(std::uint64_t row, std::span<double> u) const;
 

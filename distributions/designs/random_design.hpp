@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "distributions/designs/layout.hpp"
@@ -14,9 +13,6 @@ namespace cagetol {
 class RandomDesign {
  public:
   explicit RandomDesign(const DesignSpec& spec);
-
-  static std::uint64_t complete_rows(const DesignSpec& spec) { return spec.rows; }
-  static std::string row_rule(const DesignSpec&) { return "any number"; }
 
   void point(std::uint64_t row, std::span<double> u) const;
 

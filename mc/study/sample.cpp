@@ -129,8 +129,6 @@ DesignSpec spec_of(const Study& study, const SampleColumns& columns) {
   spec.seed = static_cast<std::uint64_t>(study.seed);
   spec.columns = columns.design;
   spec.cages_per_lot = static_cast<std::uint64_t>(study.cages_per_lot);
-  spec.scrambles = static_cast<std::uint64_t>(study.scrambles);
-  spec.classes = std::max<std::uint64_t>(1, study.candidates.size());
   spec.rows = static_cast<std::uint64_t>(study.samples);
   return spec;
 }
@@ -335,12 +333,6 @@ Sample draw_sample(const Study& study, std::uint64_t id) {
 DesignColumns design_columns(const Study& study) {
   auto columns = make_columns(study);
   return {std::move(columns.names), std::move(columns.groups)};
-}
-
-DesignSpec design_spec(const Study& study) {
-  auto spec = spec_of(study, make_columns(study));
-  spec.rows = refused_as_input("design", quoted_design(study), [&] { return complete_rows(spec); });
-  return spec;
 }
 
 }  // namespace cagetol

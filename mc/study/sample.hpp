@@ -41,10 +41,6 @@ struct DesignColumns {
 };
 DesignColumns design_columns(const Study& study);
 
-/// The design that the study asks for. `rows` is study.samples, rounded up where the design needs
-/// it.
-DesignSpec design_spec(const Study& study);
-
 /// Draws samples: owns the design and the correlations, made once. Immutable, cheap to copy, usable
 /// from any thread.
 class Sampler {

@@ -69,23 +69,6 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
   }
 }
 
-// The number of rows with which the design is complete. Throws what Sampler throws, and InputError
-// beyond the range of `samples`: the resolved study could not be read again.
-void complete_rows(Study& study, const toml::table& root, const std::string& file) {
-  const std::uint64_t rows = design_spec(study).rows;
-  const auto most =
-      static_cast<std::uint64_t>(info_of(key_infos(study_keys()), "samples").range.maximum);
-  if (rows > most) {
-    const auto* node = find_node(root, "samples");
-    throw InputError(
-        node ? place_of(*node, file) : SourcePlace{file, 0}, "samples", node ? shown(*node) : "",
-        std::string("design \"") + design_name(study.design) + "\" has " + std::to_string(rows) +
-            " rows when it is complete; a study has at most " + std::to_string(most),
-        "ask for fewer rows");
-  }
-  study.samples = static_cast<long>(rows);
-}
-
 void resolve(Study& study) {
   const toml::table table = resolved_table(study);
   std::ostringstream toml_text, json_text;
@@ -142,7 +125,6 @@ Study study_of(toml::table root, const std::string& file) {
   check_drawn_range(study, scene, file);
   check_flexible_cage(study, scene, file);
   check_assumption_ranges(study, scene, file);
-  complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
   if (study.redraw_jams && study.candidates.empty())
     throw InputError({}, "redraw_jams", "true",
@@ -237,8 +219,7 @@ std::vector<std::string> study_notes(const Study& study) {
           " cage revolutions, the window measures " + number_text(measured) + " (scene.window." +
           (in_part ? "peak_revolutions" : "measure_revolutions") + ")");
   }
-  if (!study.correlations.empty() &&
-      (study.design == DesignKind::lhs || study.design == DesignKind::sobol))
+  if (!study.correlations.empty() && study.design == DesignKind::lhs)
     notes.push_back(std::string("design = \"") + design_name(study.design) +
                     "\": of two correlated inputs the second is drawn given the first and fills no "
                     "strata of its own");

@@ -111,7 +111,6 @@ struct Study {
   double extra_replicates =
       0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
   DesignKind design = DesignKind::random;
-  long scrambles = 8;
   long cages_per_lot = 1;
   bool redraw_jams = false;       ///< cages that do not fit are drawn again (cage_fit.hpp)
   bool measured_in_turn = false;  ///< rows run the measured cages one after the other
@@ -145,8 +144,7 @@ std::uint64_t sample_count(const Study& study);
 
 /// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn).
 /// `settings` are "key=value" in TOML syntax; scene keys may be given with or without "scene." in
-/// front. Throws InputError. `Study::samples` is rounded up to the number of rows with which the
-/// design is complete (sobol, grid).
+/// front. Throws InputError.
 Study read_study(const std::string& path, const std::vector<std::string>& settings = {});
 
 /// Likewise, to run the measured cages of the CSV file `measured` one after the other: laws with a

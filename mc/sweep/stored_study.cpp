@@ -93,8 +93,6 @@ void write_root(hid_t root, const SweepPlan& plan, const BuildInfo& build) {
   write_h5_attribute(root, "design", std::string(design_name(study.design)));
   write_h5_attribute(root, "rows_planned", integer(plan.rows));
   write_h5_attribute(root, "samples_planned", integer(plan.samples));
-  write_h5_attribute(root, "scrambles",
-                     std::int64_t{study.design == DesignKind::sobol ? study.scrambles : 1});
   write_h5_attribute(root, "pockets", std::int64_t{study.scene.bearing.roller_count});
 }
 

@@ -19,7 +19,6 @@ void write_root(hid_t file, const StudyData& study) {
   write_h5_attribute(file, "design", study.design.kind);
   write_h5_attribute(file, "rows_planned", study.design.rows_planned);
   write_h5_attribute(file, "samples_planned", study.design.samples_planned);
-  write_h5_attribute(file, "scrambles", study.design.scrambles);
   write_h5_attribute(file, "pockets", static_cast<std::int64_t>(study.pockets));
 }
 

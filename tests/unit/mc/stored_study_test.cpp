@@ -163,9 +163,9 @@ TEST_F(StudyFileTest, HoldsTheRootAttributesThatTheFormatDocuments) {
   const std::string format = text_of(CAGETOL_SOURCE_DIR "/mc/RESULTS_FORMAT.md");
   const std::string path = written("study.h5", outcomes_);
   const Hdf5Reader file(read_study_bytes(path), path);
-  for (const char* name : {"schema_version", "tool_version", "tool_commit", "build", "libraries",
-                           "study_name", "study_hash", "seed", "design", "rows_planned",
-                           "samples_planned", "scrambles", "pockets"}) {
+  for (const char* name :
+       {"schema_version", "tool_version", "tool_commit", "build", "libraries", "study_name",
+        "study_hash", "seed", "design", "rows_planned", "samples_planned", "pockets"}) {
     EXPECT_TRUE(file.has_attribute("/", name)) << name;
     EXPECT_THAT(format, HasSubstr(name));
   }
