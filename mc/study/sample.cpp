@@ -281,12 +281,11 @@ struct Sampler::Implementation {
       if (study.measured_in_turn && !measured.empty()) sample.lot = sample.row % measured.size();
     if (!study.candidates.empty())
       sample.candidate = static_cast<long>(sample.row % study.candidates.size());
-    sample.design_point.resize(design.dimensions());
+    std::vector<double> u(design.dimensions());
     if (redraw == 0)
-      design.point(sample.row, sample.design_point);
+      design.point(sample.row, u);
     else
-      redraws.point(redrawn, sample.design_point);
-    std::vector<double> u = sample.design_point;
+      redraws.point(redrawn, u);
     copula.correlate(u);
     sample.inputs.clear();
     for (std::size_t i = 0; i < study.inputs.size(); ++i)

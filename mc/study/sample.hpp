@@ -28,7 +28,6 @@ struct Sample {
   std::uint64_t replicate = 0;  ///< 0, or the k-th repetition of the row with fresh noise
   std::uint64_t lot = 0;
   long candidate = -1;
-  std::vector<double> design_point;
   std::vector<DrawnInput> inputs;  ///< in the order of Study::inputs
   Scene scene;                     ///< ready to simulate
 };

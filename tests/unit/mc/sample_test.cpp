@@ -56,7 +56,6 @@ void expect_identical(const Sample& a, const Sample& b) {
   EXPECT_EQ(a.id, b.id);
   EXPECT_EQ(a.row, b.row);
   EXPECT_EQ(a.candidate, b.candidate);
-  EXPECT_EQ(a.design_point, b.design_point);
   ASSERT_EQ(a.inputs.size(), b.inputs.size());
   for (std::size_t i = 0; i < a.inputs.size(); ++i) {
     EXPECT_EQ(a.inputs[i].lot, b.inputs[i].lot);
