@@ -9,6 +9,7 @@
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/statistics/median.hpp"
+#include "analysis/tolerance/campaign.hpp"
 #include "analysis/tolerance/limit_margin.hpp"
 
 namespace cagetol {
@@ -93,11 +94,7 @@ Json outcomes_json(const ReportBasis& basis) {
     counts.push_back({{"status", run_status_name(status)}, {"samples", count}, {"rows", rows}});
   }
   outcomes["counts"] = counts;
-  const double lost = static_cast<double>(
-      std::count_if(basis.study.status.begin(), basis.study.status.end(), [](RunStatus status) {
-        return status == RunStatus::failed || status == RunStatus::censored ||
-               status == RunStatus::poisoned;
-      }));
+  const auto lost = static_cast<double>(count_lost(basis.study).lost);
   outcomes["failed_share"] =
       basis.study.size() > 0 ? lost / static_cast<double>(basis.study.size()) : 0.0;
   outcomes["allowed_failure_share"] = basis.study.plan.allowed_failure_share;

@@ -125,21 +125,8 @@ void pick_columns(std::vector<Column>& columns, const std::vector<std::size_t>& 
 }  // namespace
 
 const char* run_status_name(RunStatus status) {
-  switch (status) {
-    case RunStatus::ok:
-      return "ok";
-    case RunStatus::jammed:
-      return "jammed";
-    case RunStatus::failed:
-      return "failed";
-    case RunStatus::censored:
-      return "censored";
-    case RunStatus::not_run:
-      return "not run";
-    case RunStatus::poisoned:
-      return "poisoned";
-  }
-  return "unknown";
+  constexpr const char* kNames[] = {"ok", "jammed", "failed", "censored", "not run", "poisoned"};
+  return kNames[static_cast<int>(status)];
 }
 
 StudyData read_study_data(const std::filesystem::path& path) {

@@ -114,15 +114,8 @@ std::vector<std::size_t> threats_of(const std::vector<AlternativeVerdict>& verdi
 }  // namespace
 
 const char* answer_name(AssumptionAnswer answer) {
-  switch (answer) {
-    case AssumptionAnswer::holds:
-      return "holds";
-    case AssumptionAnswer::fails:
-      return "fails";
-    case AssumptionAnswer::not_resolved:
-      break;
-  }
-  return "not resolved";
+  constexpr const char* kNames[] = {"holds", "fails", "not resolved"};
+  return kNames[static_cast<int>(answer)];
 }
 
 std::size_t settling_runs(double yield, double target, double lower_confidence,
