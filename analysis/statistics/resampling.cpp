@@ -55,21 +55,14 @@ Resampling::Resampling(const StudyData& study, std::size_t resamples) {
 }
 
 std::string Resampling::description() const {
-  switch (kind_) {
-    case IntervalKind::lots:
-      return fmt::format(
-          "bootstrap: {} times, {} lots are drawn again with replacement; the interval holds the "
-          "middle "
-          "of the results{}",
-          weights_.size(), lots_,
-          latin_
-              ? ". It does not see what the Latin hypercube gains: standard errors and intervals "
-                "are too wide, those of means by much"
-              : "");
-    case IntervalKind::none:
-      break;
-  }
-  return why_none_;
+  if (kind_ == IntervalKind::none) return why_none_;
+  return fmt::format(
+      "bootstrap: {} times, {} lots are drawn again with replacement; the interval holds the "
+      "middle of the results{}",
+      weights_.size(), lots_,
+      latin_ ? ". It does not see what the Latin hypercube gains: standard errors and intervals "
+               "are too wide, those of means by much"
+             : "");
 }
 
 Estimate Resampling::estimate(const WeightedStatistic& statistic, double confidence,

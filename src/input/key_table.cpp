@@ -119,30 +119,19 @@ KeyRange any_value() {
 }
 
 KeyRange above(double minimum, double maximum) {
-  KeyRange range;
-  range.minimum = minimum;
-  range.maximum = maximum;
-  range.open_minimum = true;
-  return range;
+  return {.minimum = minimum, .maximum = maximum, .open_minimum = true};
 }
 
 KeyRange at_least(double minimum) {
-  KeyRange range;
-  range.minimum = minimum;
-  return range;
+  return {.minimum = minimum};
 }
 
 KeyRange within(double minimum, double maximum) {
-  KeyRange range;
-  range.minimum = minimum;
-  range.maximum = maximum;
-  return range;
+  return {.minimum = minimum, .maximum = maximum};
 }
 
 KeyRange one_of(std::vector<std::string> choices) {
-  KeyRange range;
-  range.choices = std::move(choices);
-  return range;
+  return {.choices = std::move(choices)};
 }
 
 KeyRange or_auto(KeyRange range) {
