@@ -1,7 +1,6 @@
 #include "analysis/statistics/resampling.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>

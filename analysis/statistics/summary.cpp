@@ -1,9 +1,7 @@
 #include "analysis/statistics/summary.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_cdf.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

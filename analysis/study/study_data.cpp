@@ -1,7 +1,5 @@
 #include "analysis/study/study_data.hpp"
 
-#include <algorithm>
-
 #include "analysis/study/estimate.hpp"
 #include "mc/study_file/hdf5_reader.hpp"
 #include "mc/study_file/study_bytes.hpp"
