@@ -31,8 +31,7 @@ src/catalogue: src/input src/scene src/reading src/operation src/quantities
 src: $run
 distributions/basics:
 distributions/laws: distributions/basics
-distributions/designs: distributions/basics
-distributions: distributions/basics distributions/laws distributions/designs
+distributions: distributions/basics distributions/laws
 mc/study_file: distributions
 mc/host: mc/study_file src/input src/quantities
 mc/ranks: mc/study_file mc/host src/input src/quantities

@@ -1,4 +1,4 @@
-#include "distributions/designs/random_design.hpp"
+#include "distributions/design.hpp"
 
 #include <gtest/gtest.h>
 
