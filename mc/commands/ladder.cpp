@@ -24,7 +24,6 @@ void write_ladder(const ModelLadder& ladder, const LadderArguments& options) {
   const std::filesystem::path directory = options.directory;
   const std::string json = ladder_json(ladder).dump(1) + "\n";
   replace_file(directory / "ladder.json", json);
-  replace_file(directory / "ladder.csv", ladder_csv(ladder));
   const std::string figures = draw_beside(directory / "ladder.json");
   print(options.json ? json : ladder_text(ladder) + "ladder: " + figures + "\n");
 }
@@ -70,7 +69,7 @@ Chosen ladder_command(CLI::App& command) {
   auto options = std::make_shared<LadderArguments>();
   command.add_option("FILE", options->file, "Scene or study file")->required();
   add_output_directory(command, options->directory,
-                       "Directory of ladder.json, ladder.csv, figures/ and rungs/");
+                       "Directory of ladder.json, figures/ and rungs/");
   command.add_option("--samples", options->ladder.samples, "Runs on each rung")
       ->check(CLI::Range(2L, 1000000000L))
       ->capture_default_str();
