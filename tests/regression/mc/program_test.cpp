@@ -420,10 +420,6 @@ TEST(Program, ALadderSaysWhyItCannotBeClimbed) {
   EXPECT_EQ(
       run({"ladder", shipped("scenes/nu205.toml"), "-o", scratch / "out", "--samples", "1"}).code,
       2);
-  const auto both = run(
-      {"ladder", shipped("scenes/nu205.toml"), "-o", scratch / "out", "--separate", "--refine"});
-  EXPECT_EQ(both.code, 2);
-  EXPECT_THAT(both.output, HasSubstr("excludes --"));
   const auto wrong = ladder("load.radial_N=-5");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.output, HasSubstr("outside the range"));
