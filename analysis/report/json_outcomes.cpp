@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "analysis/report/json_parts.hpp"
-#include "analysis/statistics/median.hpp"
 #include "analysis/tolerance/campaign.hpp"
 #include "analysis/tolerance/limit_margin.hpp"
 
@@ -110,25 +108,6 @@ Json outcomes_json(const ReportBasis& basis) {
   return outcomes;
 }
 
-/// Median of the runs with a result, and the one nearest to the limit or farthest beyond.
-void add_margins(const ReportBasis& basis, const Limit& limit, const Column* column, Json& entry) {
-  entry["median"] = entry["worst"] = nullptr;
-  if (column == nullptr) return;
-  std::vector<double> values;
-  for (const double value : ok_values(basis.runs, column->values))
-    if (!std::isnan(value)) values.push_back(value);
-  if (values.empty()) return;
-  entry["median"] = median(values);
-  const auto room = [&](double value) {
-    double minimum = std::numeric_limits<double>::infinity();
-    if (limit.minimum) minimum = std::min(minimum, value - *limit.minimum);
-    if (limit.maximum) minimum = std::min(minimum, *limit.maximum - value);
-    return minimum;
-  };
-  entry["worst"] = *std::min_element(values.begin(), values.end(),
-                                     [&](double a, double b) { return room(a) < room(b); });
-}
-
 Json limits_json(const ReportBasis& basis) {
   const std::vector<double> equal(basis.runs.size(), 1.0);
   Json limits;
@@ -148,7 +127,6 @@ Json limits_json(const ReportBasis& basis) {
                {"yield", to_json(yield)}};
     if (column == nullptr)
       entry["note"] = "the study has no such quantity: this limit cannot be judged";
-    add_margins(basis, limit, column, entry);
     single.push_back(std::move(entry));
   }
   limits["each"] = single;
