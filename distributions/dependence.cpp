@@ -143,7 +143,7 @@ void GaussianCopula::correlate(std::span<double> u) const {
     }
     if (independent) continue;
     require(!std::isnan(sum), "coordinate ", i, " depends on coordinates 0 and 1, whose normal ",
-            "numbers are infinite; give the design a trim > 0");
+            "numbers are infinite; they must lie inside (0, 1)");
     u[i] = gsl_cdf_ugaussian_P(sum);
     if (std::isfinite(sum)) u[i] = std::clamp(u[i], 0x1p-53, 1 - 0x1p-53);
   }

@@ -3,51 +3,26 @@
 #include <algorithm>
 #include <tuple>
 #include <utility>
-#include <variant>
 
+#include "distributions/basics/permutation.hpp"
 #include "distributions/basics/require.hpp"
-#include "distributions/designs/grid.hpp"
-#include "distributions/designs/latin_hypercube.hpp"
-#include "distributions/designs/random_design.hpp"
-#include "distributions/designs/scrambled_sobol.hpp"
 
 namespace cagetol {
 
 namespace {
 
-using AnyDesign = std::variant<RandomDesign, LatinHypercube, ScrambledSobol, Grid>;
-
-template <class Kind>
-struct Of {
-  using Type = Kind;
-};
-
-/// Calls the action with Of<the class of the design> and returns its result.
-template <class Action>
-auto with_kind(DesignKind kind, const Action& action) {
-  switch (kind) {
-    case DesignKind::random:
-      return action(Of<RandomDesign>{});
-    case DesignKind::lhs:
-      return action(Of<LatinHypercube>{});
-    case DesignKind::sobol:
-      return action(Of<ScrambledSobol>{});
-    case DesignKind::grid:
-      break;
-  }
-  return action(Of<Grid>{});
-}
+constexpr std::uint64_t most_rows = std::uint64_t{1} << 40, most_strata = std::uint64_t{1} << 28;
 
 void check_numbers(const DesignSpec& spec) {
   require(spec.rows >= 1, "a design needs at least one row");
   require(spec.rows <= most_rows, spec.rows, " rows are more than 2^40; ask for fewer");
+  require(spec.kind == DesignKind::random || spec.rows <= most_strata, "a latin hypercube of ",
+          spec.rows, " rows has too many: at most 2^28 = ", most_strata,
+          "; use random, or fewer rows");
   require(spec.cages_per_lot >= 1, "a lot holds at least one cage");
   require(spec.cages_per_lot == 1 || spec.kind == DesignKind::random,
           "cages_per_lot = ", spec.cages_per_lot, " needs design random: ", design_name(spec.kind),
           " spreads each column over all rows");
-  require(spec.scrambles >= 1, "a sobol design needs at least one scramble; 8 to 16 are common");
-  require(spec.classes >= 1, "rows fall into at least one class");
-  require(spec.trim >= 0 && spec.trim < 0.5, "trim = ", spec.trim, " lies outside 0 <= trim < 0.5");
 }
 
 void check_addresses(const DesignSpec& spec) {
@@ -65,67 +40,48 @@ void check_addresses(const DesignSpec& spec) {
           ") and would always be equal; give every input a stream of its own");
 }
 
-AnyDesign make_design(const DesignSpec& spec) {
-  check_numbers(spec);
-  check_addresses(spec);
-  return with_kind(spec.kind, [&]<class Kind>(Of<Kind>) -> AnyDesign {
-    const std::uint64_t complete = Kind::complete_rows(spec);
-    require(spec.rows == complete, "a ", design_name(spec.kind), " design of ", spec.rows,
-            " rows is not complete: rows are ", Kind::row_rule(spec), "; use ", complete);
-    return Kind(spec);
-  });
+/// It depends on the address of the column, not on its position.
+PhiloxKey column_key(std::uint64_t seed, const DesignColumn& column) {
+  const PhiloxCounter block =
+      philox({static_cast<std::uint32_t>(column.purpose), column.stream, column.draw, 0},
+             stream_key(seed, Purpose::scramble));
+  return {block[0], block[1]};
+}
+
+// 24 bits: with at most 2^28 cells, cell + jitter is exact and never rounds into the next cell.
+double jitter(std::uint64_t cell, PhiloxKey key) {
+  const PhiloxCounter block = philox({static_cast<std::uint32_t>(cell), 0, 0, 1}, key);
+  return (static_cast<double>(block[0] >> 8) + 0.5) * 0x1p-24;
 }
 
 }  // namespace
 
 const char* design_name(DesignKind kind) {
-  for (const DesignName& name : spellings(kind))
-    if (name.value == kind) return name.text;
-  return "";
+  return spellings(kind)[static_cast<std::size_t>(kind)].text;
 }
 
-struct Design::Implementation {
-  DesignSpec spec;
-  AnyDesign design;
-  std::uint32_t groups;
-
-  explicit Implementation(DesignSpec given)
-      : spec(std::move(given)), design(make_design(spec)), groups(group_count(spec)) {}
-};
-
-std::uint64_t complete_rows(const DesignSpec& spec) {
-  check_numbers(spec);
-  return with_kind(spec.kind, [&]<class Kind>(Of<Kind>) { return Kind::complete_rows(spec); });
-}
-
-Design::Design(DesignSpec spec)
-    : implementation_(std::make_shared<const Implementation>(std::move(spec))) {}
-
-const DesignSpec& Design::spec() const {
-  return implementation_->spec;
-}
-
-std::uint64_t Design::rows() const {
-  return implementation_->spec.rows;
-}
-
-std::size_t Design::dimensions() const {
-  return implementation_->spec.columns.size();
-}
-
-std::uint32_t Design::groups() const {
-  return implementation_->groups;
+Design::Design(DesignSpec spec) : spec_(std::move(spec)) {
+  check_numbers(spec_);
+  check_addresses(spec_);
+  if (spec_.kind == DesignKind::lhs)
+    for (const DesignColumn& column : spec_.columns)
+      keys_.push_back(column_key(spec_.seed, column));
 }
 
 void Design::point(std::uint64_t row, std::span<double> u) const {
   require(row < rows(), "row ", row, " lies beyond the ", rows(), " rows of the design");
   require(u.size() == dimensions(), "a point of ", dimensions(), " coordinates does not fit into ",
           u.size());
-  std::visit([&](const auto& of) { of.point(row, u); }, implementation_->design);
-}
-
-std::uint64_t Design::lot_of(std::uint64_t row) const {
-  return row / spec().cages_per_lot;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    if (spec_.kind == DesignKind::lhs) {
+      const std::uint64_t cell = Permutation(rows(), keys_[i])(row);
+      u[i] = (static_cast<double>(cell) + jitter(cell, keys_[i])) / static_cast<double>(rows());
+    } else {
+      const auto& [purpose, stream, draw] = spec_.columns[i];
+      u[i] =
+          uniform(spec_.seed, purpose, purpose == Purpose::lot ? lot_of(row) : row, stream, draw);
+    }
+  }
 }
 
 }  // namespace cagetol

@@ -1,5 +1,7 @@
 #include "src/simulate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -24,9 +26,7 @@ namespace {
 constexpr long kStepsBetweenQuestions = 256;
 
 std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", x);
-  return text;
+  return fmt::format("{:.4g}", x);
 }
 
 Outcome jammed(const Jam& jam) {
@@ -192,7 +192,7 @@ struct Motion {
 };
 
 /// At the end of the window: settles longer where the motion drifts.
-void extend_window(const Scene& scene, const SimulateOptions& options, Motion& run) {
+void extend_window(const Scene& scene, Motion& run) {
   WindowTimes& times = run.times;
   if (run.t > times.longest_settle || find_drift(scene, run.model, *run.observer).empty()) return;
   times.settle = run.t;
@@ -200,7 +200,6 @@ void extend_window(const Scene& scene, const SimulateOptions& options, Motion& r
   run.set_step_budget(scene.integration);
   run.observer.emplace(run.model, times);
   run.observer->record(run.t, run.y.data(), run.system);
-  if (options.on_window) options.on_window(times.settle);
 }
 
 /// Why the run ends before its time; empty if it does not.
@@ -243,7 +242,7 @@ std::string integrate(const Scene& scene, const SimulateOptions& options, Clock:
   run.finite = run.system.linearise_at(run.t, run.y.data());
   for (long n = 0; run.finite && run.status == StepStatus::accepted; ++n) {
     record(run);
-    if (run.has_ended()) extend_window(scene, options, run);
+    if (run.has_ended()) extend_window(scene, run);
     if (options.on_state) options.on_state(run.t, run.y.data(), run.system);
     if (run.has_ended()) break;
     if (n % kStepsBetweenQuestions == 0)

@@ -28,8 +28,6 @@ struct SimulateOptions {
   /// Called at every accepted state, after its linearisation (src/integration/system.hpp). For time
   /// histories and tests.
   std::function<void(double t, const double* y, const System& system)> on_state = {};
-  /// Called before on_state when settling is extended and the measuring window starts again.
-  std::function<void(double begin)> on_window = {};
   /// Called every few hundred steps; true ends the run as not_run. For signals and wall-clock
   /// limits only.
   std::function<bool()> stop_requested = {};

@@ -25,17 +25,8 @@ Moments moments(const std::vector<double>& x) {
 }  // namespace
 
 const char* verdict_name(BiasVerdict verdict) {
-  switch (verdict) {
-    case BiasVerdict::unbiased:
-      return "unbiased";
-    case BiasVerdict::biased:
-      return "biased";
-    case BiasVerdict::steady:
-      return "steady";
-    case BiasVerdict::unresolved:
-      break;
-  }
-  return "unresolved";
+  constexpr const char* kNames[] = {"unbiased", "biased", "unresolved", "steady"};
+  return kNames[static_cast<int>(verdict)];
 }
 
 double replicas_to_resolve() {

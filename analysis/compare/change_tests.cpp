@@ -70,9 +70,4 @@ double fisher_p_value(const Share& before, const Share& after) {
   return std::min(p, 1.0);
 }
 
-double mcnemar_p_value(std::size_t gained, std::size_t lost) {
-  const auto fewer = static_cast<unsigned>(std::min(gained, lost));
-  return std::min(1.0, 2 * gsl_cdf_binomial_P(fewer, 0.5, static_cast<unsigned>(gained + lost)));
-}
-
 }  // namespace cagetol

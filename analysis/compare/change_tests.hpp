@@ -1,6 +1,6 @@
 // Tests whether a statistic of a study has changed.
 //
-// Runs within a cluster are dependent: cages of a lot, points of a Sobol' scramble. A smooth
+// Runs within a cluster are dependent: cages of a lot. A smooth
 // statistic is linearised; the sums of its influence over the clusters give its variance, and
 // Student's t gives the p-value (degrees of freedom: clusters - 1, Welch for two samples). A share
 // of independent runs has an exact test: Fisher's, or McNemar's if the same rows were run twice.
@@ -30,9 +30,5 @@ struct Share {
 /// Fisher's exact test, two-sided: sums all tables that are not more probable than the observed
 /// one.
 double fisher_p_value(const Share& before, const Share& after);
-
-/// McNemar's exact test, two-sided, from the numbers of rows that gained and that lost the
-/// property.
-double mcnemar_p_value(std::size_t gained, std::size_t lost);
 
 }  // namespace cagetol

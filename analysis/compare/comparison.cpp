@@ -11,6 +11,7 @@
 #include "analysis/compare/holm.hpp"
 #include "analysis/compare/permutation_test.hpp"
 #include "analysis/statistics/order_statistics.hpp"
+#include "analysis/statistics/paired_share.hpp"
 #include "analysis/statistics/summary.hpp"
 #include "analysis/study/judgement.hpp"
 #include "analysis/study/refused.hpp"
@@ -80,11 +81,7 @@ Runs runs_of(const StudyData& study, const char* which) {
   Runs runs{select_samples(study, first_runs(study)), {}};
   if (runs.data.size() < 2)
     throw Refused(fmt::format("the {} study has fewer than two runs", which));
-  const std::int64_t scramble_rows = std::max<std::int64_t>(
-      study.design.rows_planned / std::max<std::int64_t>(study.design.scrambles, 1), 1);
-  for (std::size_t i = 0; i < runs.data.size(); ++i)
-    runs.cluster.push_back(study.design.kind == "sobol" ? runs.data.row[i] / scramble_rows
-                                                        : runs.data.lot[i]);
+  runs.cluster = runs.data.lot;
   return runs;
 }
 
@@ -132,7 +129,7 @@ class Comparer {
       : before_(std::move(before)), after_(std::move(after)), result_(result) {
     const auto alone = [](const Runs& runs) {
       const std::set<std::int64_t> labels(runs.cluster.begin(), runs.cluster.end());
-      return runs.data.design.kind != "sobol" && labels.size() == runs.cluster.size();
+      return labels.size() == runs.cluster.size();
     };
     exact_ = alone(before_) && alone(after_);
     const auto clusters = [](const Runs& runs) {
@@ -307,7 +304,7 @@ void require_comparable(const StudyData& before, const StudyData& after, bool de
     throw Refused(text + "\n  remedy: --despite-keys compares them all the same");
   }
   const std::string& design = before.design.kind;
-  if (design != "random" && design != "lhs" && design != "sobol")
+  if (design != "random" && design != "lhs")
     throw Refused("the rows of a `" + design +
                   "` design have no random scatter to compare a change with");
   for (const Column& column : before.quantities)
@@ -319,8 +316,7 @@ void require_comparable(const StudyData& before, const StudyData& after, bool de
 
 bool same_cages(const StudyData& before, const StudyData& after) {
   return before.provenance.seed == after.provenance.seed &&
-         before.design.rows_planned == after.design.rows_planned &&
-         before.design.scrambles == after.design.scrambles;
+         before.design.rows_planned == after.design.rows_planned;
 }
 
 bool Comparison::same() const {

@@ -90,17 +90,8 @@ void compare_sources(ErrorBudget& budget) {
 }  // namespace
 
 const char* error_state_name(ErrorState state) {
-  switch (state) {
-    case ErrorState::resolved:
-      return "resolved";
-    case ErrorState::unresolved:
-      return "unresolved";
-    case ErrorState::lost:
-      return "runs lost";
-    case ErrorState::not_measured:
-      break;
-  }
-  return "not measured";
+  constexpr const char* kNames[] = {"resolved", "unresolved", "runs lost", "not measured"};
+  return kNames[static_cast<int>(state)];
 }
 
 ErrorBudget error_budget(const ReportedMean& mean, std::span<const RefinedShift> shifts,

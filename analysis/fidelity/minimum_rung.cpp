@@ -76,19 +76,8 @@ RungShift judged(const std::vector<double>& values, const std::vector<double>& r
 }  // namespace
 
 const char* rung_verdict_name(RungVerdict verdict) {
-  switch (verdict) {
-    case RungVerdict::adequate:
-      return "adequate";
-    case RungVerdict::settled:
-      return "settled";
-    case RungVerdict::biased:
-      return "biased";
-    case RungVerdict::unusable:
-      return "unusable";
-    case RungVerdict::unresolved:
-      break;
-  }
-  return "unresolved";
+  constexpr const char* kNames[] = {"adequate", "settled", "biased", "unresolved", "unusable"};
+  return kNames[static_cast<int>(verdict)];
 }
 
 bool will_do(RungVerdict verdict) {

@@ -53,7 +53,6 @@ std::size_t chosen_rung(const ModelLadder& ladder);
 std::string limits_text(const std::vector<Limit>& limits);
 
 nlohmann::ordered_json ladder_json(const ModelLadder& ladder);
-std::string ladder_csv(const ModelLadder& ladder);
 std::string ladder_text(const ModelLadder& ladder);
 
 }  // namespace cagetol

@@ -33,7 +33,6 @@ def main(report_file, output_dir):
     import process
     import quantities
     import rare
-    import response
     import rig
     import screen
     import tolerance
@@ -50,7 +49,6 @@ def main(report_file, output_dir):
         "responses": contributors.responses, "convergence": quantities.convergence, "health": quantities.health,
         "process": process.process, "cage_stress": cage.cage_stress, "rare": rare.of_report,
         "error_budget": error_budget.error_budget,
-        **response.figures(),
     }
     of_engine = {"chart": {"chart": engine.chart}, "stability": {"stability": engine.stability},
                  "ladder": {"ladder": fidelity.ladder}, "cage": {"pocket": pocket.pocket},

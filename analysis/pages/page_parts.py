@@ -34,14 +34,7 @@ def may_be_printed(report):
     return report["verdict"]["status"] in ("confirmed", "recommended")
 
 
-def is_response(report):
-    """A grid that asks how the bearing answers, and looks for no tolerance."""
-    return bool(report["response"]) and not report["tolerance"]
-
-
 def verdict_title(report):
-    if is_response(report):
-        return "What the runs say"
     return "What may be printed on the drawing" if may_be_printed(report) else "No tolerance to print on the drawing yet"
 
 
@@ -304,7 +297,6 @@ def appendix(report):
     tolerance = report["tolerance"]
     contributors = report["contributors"]
     chapters = [
-        ("response", f"Response to the {report['response']['name']}" if report["response"] else "", report["response"]),
         ("map", "Where it matters", report.get("map")),
         ("outcomes", "Outcomes and limits", True),
         ("confirmation", "Fresh runs at the recommended tolerance", report["confirmation"]),
@@ -571,23 +563,3 @@ def libraries_text(libraries):
     if isinstance(libraries, dict):
         return ", ".join(f"{name} {value_text(version)}" for name, version in libraries.items())
     return value_text(libraries)
-
-
-RESPONSE_FIGURES = [
-    ("slip_bars",
-     "Roller slip by level: medians of the runs, with their 5 to 95 % range. Slip depends on the "
-     "friction law's transition speeds."),
-    ("response_quantities",
-     "The quantities whose change over the levels is significant, or all where none is: median of the runs, band from 5 to 95 % of them. Bands "
-     "that overlap all the way mean that the level is not felt in one run."),
-]
-
-
-def felt(response):
-    """The quantities of which some setting says how they go over the levels."""
-    return [entry for entry in response["quantities"] if {"rises", "falls", "not monotone"} & set(entry["course"])]
-
-
-def response_figures():
-    """Name and caption of each figure over the levels of a grid."""
-    return RESPONSE_FIGURES

@@ -83,10 +83,6 @@ def signed(value, decimals=1):
     return f"{value:+.{decimals}f}" if is_number(value) else "-"
 
 
-def signed_general(value):
-    return ("+" if value > 0 else "") + f"{value:g}" if is_number(value) else "-"
-
-
 def interval_ends(value, lower, upper):
     """The three as text, with as many decimals as the first digit of the interval's half width."""
     half = 0.5 * (upper - lower)
@@ -250,7 +246,7 @@ def width(value, answer):
 
 def filters():
     return {"rounded": rounded, "fixed": fixed, "whole": whole, "significant": significant, "plain": plain, "general": general, "signed": signed,
-            "signed_general": signed_general, "with_interval": with_interval, "percent": percent,
+            "with_interval": with_interval, "percent": percent,
             "percent_down": percent_down, "fit_percent": fit_percent, "estimated_percent": estimated_percent, "stated_percent": stated_percent, "percent_interval": percent_interval,
             "unit_suffix": unit_suffix, "bracketed": bracketed, "code": code, "kept": kept, "breakable": breakable,
             "value_text": value_text, "width": width, "law_text": law_text,

@@ -69,19 +69,6 @@ std::string samples_csv(const StudyData& study) {
   return text;
 }
 
-/// What differs between equal studies: no other table holds it.
-std::string times_csv(const StudyData& study) {
-  std::vector<std::string> header = {"id"};
-  for (const Column& column : study.timing) header.push_back(named(column.name, column.unit));
-  std::string text = line(header);
-  for (std::size_t i = 0; i < study.size(); ++i) {
-    std::vector<std::string> cells = {std::to_string(study.id[i])};
-    for (const Column& column : study.timing) cells.push_back(cell(column.values[i]));
-    text += line(cells);
-  }
-  return text;
-}
-
 void add_estimate(std::vector<std::string>& cells, const Json& estimate) {
   for (const char* key : {"value", "lower", "upper"}) cells.push_back(cell(estimate.at(key)));
 }
@@ -106,38 +93,6 @@ std::string quantities_csv(const Json& report) {
     cells.push_back(cell(statistics["bound_of_95_quantile"]));
     add_estimate(cells, quantity["noise"]["share"]);
     text += line(cells);
-  }
-  return text;
-}
-
-std::string error_budget_csv(const Json& report) {
-  std::string text =
-      "quantity,unit,mean,source,state,error,lower,upper,bound,standard_errors,pairs,lost,"
-      "largest\n";
-  for (const Json& quantity : report["error_budget"]["quantities"])
-    for (const Json& source : quantity["sources"]) {
-      std::vector<std::string> cells = {cell(quantity["quantity"]), cell(quantity["unit"]),
-                                        cell(quantity["mean"]), cell(source["source"]),
-                                        cell(source["state"])};
-      add_estimate(cells, source["error"]);
-      for (const char* key : {"bound", "standard_errors", "pairs", "lost"})
-        cells.push_back(cell(source[key]));
-      cells.emplace_back(source["source"] == quantity["largest"] ? "yes" : "no");
-      text += line(cells);
-    }
-  return text;
-}
-
-std::string contributors_csv(const Json& report) {
-  std::string text = "output,feature,share,share_lower,share_upper\n";
-  for (const Json& output : report["contributors"]["outputs"]) {
-    const auto add = [&](const std::string& feature, const Json& share) {
-      std::vector<std::string> cells = {cell(output["output"]), feature};
-      add_estimate(cells, share);
-      text += line(cells);
-    };
-    for (const Json& share : output["shares"]) add(cell(share["feature"]), share);
-    add("not explained by any feature", output["not_explained"]);
   }
   return text;
 }
@@ -198,10 +153,7 @@ std::string limit_curves_csv(const Json& curves) {
 void write_csv_tables(const std::filesystem::path& directory, const StudyData& study,
                       const Json& report) {
   write_text(directory / "samples.csv", samples_csv(study));
-  write_text(directory / "times.csv", times_csv(study));
   write_text(directory / "quantities.csv", quantities_csv(report));
-  write_text(directory / "error_budget.csv", error_budget_csv(report));
-  write_text(directory / "contributors.csv", contributors_csv(report));
   write_text(directory / "yield.csv", yield_csv(report));
   if (report.contains("limit_curves"))
     write_text(directory / "limit_curves.csv", limit_curves_csv(report["limit_curves"]));

@@ -8,11 +8,10 @@
 
 namespace cagetol {
 
-/// samples.csv: one line a sample, with outcome, features of the cage and quantities. times.csv:
-/// the wall-clock time of each, which differs between equal studies.
-/// quantities.csv, error_budget.csv, contributors.csv and yield.csv: the tables of report.json.
-/// limit_curves.csv where the report has them: one line for each value of a limit and candidate.
-/// Throws StudyFileError when a file cannot be written.
+/// samples.csv: one line a sample, with outcome, features of the cage and quantities.
+/// quantities.csv and yield.csv: tables of report.json. limit_curves.csv where the report has them:
+/// one line for each value of a limit and candidate. Throws StudyFileError when a file cannot be
+/// written.
 void write_csv_tables(const std::filesystem::path& directory, const StudyData& study,
                       const Json& report);
 

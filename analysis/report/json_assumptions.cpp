@@ -95,11 +95,8 @@ class ToleranceChange {
 
 Json change_json(const AlternativeVerdict& verdict) {
   Json change = to_json(verdict.change.change);
-  change["pairs"] = verdict.change.pairs;
   change["gained"] = verdict.change.gained;
   change["lost"] = verdict.change.lost;
-  change["p_value"] = verdict.change.p_value;
-  change["adjusted_p_value"] = verdict.adjusted_p;
   change["named"] = verdict.named;
   return change;
 }
@@ -111,7 +108,6 @@ Json alternative_json(const AssumptionPlan& plan, const AssumedValue& alternativ
     quantities.push_back({{"quantity", quantity.quantity},
                           {"unit", quantity.unit},
                           {"pairs", quantity.paired.pairs},
-                          {"confirming_mean", number(quantity.paired.first_mean)},
                           {"change", to_json(quantity.paired.difference)},
                           {"change_by_tolerance", tolerance.of(quantity.quantity)}});
   return {{"key", alternative.key},
@@ -214,9 +210,6 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
       {"attempt", plan.attempt > 0 ? Json(fmt::format("confirm-{}", plan.attempt)) : Json()},
       {"planned", plan.alternatives.size()},
       {"judged", alternatives.size()},
-      {"runs_each", plan.runs},
-      {"confirming_runs", plan.confirming},
-      {"settling_runs", plan.settling > 0 ? Json(plan.settling) : Json()},
       {"runs_in_all",
        plan.alternatives.size() * (plan.runs > 0 ? plan.runs : automatic_runs(plan))},
       {"command", alternatives.empty() && plan.attempt > 0

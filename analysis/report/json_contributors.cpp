@@ -116,8 +116,7 @@ Json contributors_json(const ReportBasis& basis) {
     feature_list.push_back({{"name", feature.name},
                             {"input", feature.input},
                             {"unit", feature.unit},
-                            {"definition", feature.definition},
-                            {"bins", binnings.back().bins}});
+                            {"definition", feature.definition}});
   }
   Json matrix = Json::array();
   for (const Output& output : outputs) {

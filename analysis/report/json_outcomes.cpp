@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "analysis/report/json_parts.hpp"
-#include "analysis/statistics/median.hpp"
+#include "analysis/tolerance/campaign.hpp"
 #include "analysis/tolerance/limit_margin.hpp"
 
 namespace cagetol {
@@ -53,7 +52,6 @@ Json to_json(const Yield& yield) {
           {"lower_bound", number(yield.lower_bound)},
           {"upper_bound", number(yield.upper_bound)},
           {"fits", yield.fits},
-          {"meets_if_fits", number(yield.if_unknown_fail / yield.fits)},
           {"method", yield.method}};
 }
 
@@ -94,11 +92,7 @@ Json outcomes_json(const ReportBasis& basis) {
     counts.push_back({{"status", run_status_name(status)}, {"samples", count}, {"rows", rows}});
   }
   outcomes["counts"] = counts;
-  const double lost = static_cast<double>(
-      std::count_if(basis.study.status.begin(), basis.study.status.end(), [](RunStatus status) {
-        return status == RunStatus::failed || status == RunStatus::censored ||
-               status == RunStatus::poisoned;
-      }));
+  const auto lost = static_cast<double>(count_lost(basis.study).lost);
   outcomes["failed_share"] =
       basis.study.size() > 0 ? lost / static_cast<double>(basis.study.size()) : 0.0;
   outcomes["allowed_failure_share"] = basis.study.plan.allowed_failure_share;
@@ -112,25 +106,6 @@ Json outcomes_json(const ReportBasis& basis) {
   outcomes["success_share"] =
       basis.runs.size() > 0 ? ok / static_cast<double>(basis.runs.size()) : 0.0;
   return outcomes;
-}
-
-/// Median of the runs with a result, and the one nearest to the limit or farthest beyond.
-void add_margins(const ReportBasis& basis, const Limit& limit, const Column* column, Json& entry) {
-  entry["median"] = entry["worst"] = nullptr;
-  if (column == nullptr) return;
-  std::vector<double> values;
-  for (const double value : ok_values(basis.runs, column->values))
-    if (!std::isnan(value)) values.push_back(value);
-  if (values.empty()) return;
-  entry["median"] = median(values);
-  const auto room = [&](double value) {
-    double minimum = std::numeric_limits<double>::infinity();
-    if (limit.minimum) minimum = std::min(minimum, value - *limit.minimum);
-    if (limit.maximum) minimum = std::min(minimum, *limit.maximum - value);
-    return minimum;
-  };
-  entry["worst"] = *std::min_element(values.begin(), values.end(),
-                                     [&](double a, double b) { return room(a) < room(b); });
 }
 
 Json limits_json(const ReportBasis& basis) {
@@ -152,7 +127,6 @@ Json limits_json(const ReportBasis& basis) {
                {"yield", to_json(yield)}};
     if (column == nullptr)
       entry["note"] = "the study has no such quantity: this limit cannot be judged";
-    add_margins(basis, limit, column, entry);
     single.push_back(std::move(entry));
   }
   limits["each"] = single;
@@ -174,15 +148,7 @@ Json failures_json(const ReportBasis& basis) {
          {"interference_um", study.pocket[i] >= 0 ? number(study.interference_um[i]) : Json()},
          {"replay", replay_command(basis, study.id[i])}});
   }
-  Json jams = Json::array();
-  for (std::size_t j = 0; j < study.pockets; ++j) {
-    double count = 0;
-    for (std::size_t i = 0; i < basis.runs.size(); ++i)
-      count += basis.runs.status[i] == RunStatus::jammed &&
-               basis.runs.pocket[i] == static_cast<std::int64_t>(j);
-    jams.push_back(count);
-  }
-  return {{"samples", list}, {"jams_by_pocket", jams}};
+  return {{"samples", list}};
 }
 
 Json worst_samples_json(const ReportBasis& basis) {

@@ -31,9 +31,6 @@ Json to_json(const Yield& yield);
 /// NaN and infinities become null.
 Json number(double value);
 
-/// Number of runs with a value, their median and 5 and 95 % quantiles.
-Json band_json(const std::vector<double>& values);
-
 Json provenance_json(const StudyData& study);
 Json assumptions_json(const StudyData& study);
 /// The model that a pilot has chosen, with its evidence; null where the study pins it.
@@ -64,10 +61,8 @@ Json measured_json(const ReportBasis& basis);
 /// Where the measured cages ran one after the other: runs of each that miss a limit and the nearest
 /// limit, those at risk first. `measured`: that of measured_json.
 Json measured_cages_json(const ReportBasis& basis, const Json& measured);
-/// null where the study is no grid.
 /// The title block as the study states it, with a number from study and build.
 Json document_json(const StudyData& study);
-Json response_json(const ReportBasis& basis);
 
 /// Gives each entry of a chapter's `list` of assumptions whose value `name` is null the one that
 /// runs take (`assumed` of the bearing), and `automatic`: whether the scene leaves it to auto.

@@ -56,7 +56,6 @@ Json provenance_json(const StudyData& study) {
           {"libraries", libraries},
           {"files", from.files},
           {"design", study.design.kind},
-          {"scrambles", study.design.scrambles},
           {"cages_per_lot", study.plan.cages_per_lot},
           {"pockets", study.pockets},
           {"inputs", inputs},

@@ -113,8 +113,7 @@ Json quantities_json(const ReportBasis& basis) {
     entry["constant"] = summary.largest - summary.smallest <=
                         kRounding * std::max(std::abs(summary.largest), std::abs(summary.smallest));
     entry["statistics"] = summary_json(summary);
-    entry["noise"] = {{"rows_repeated", noise.rows},
-                      {"share", to_json(noise.share)},
+    entry["noise"] = {{"share", to_json(noise.share)},
                       {"standard_deviation", number(noise.standard_deviation)}};
     entry["histogram"] = histogram_json(column.values);
     list.push_back(std::move(entry));
@@ -137,7 +136,6 @@ Json capability_json(const ReportBasis& basis) {
     const Yield yield = estimate_yield(basis.runs, judge(basis.runs, limit), equal,
                                        basis.resampling, basis.confidence);
     list.push_back({{"quantity", limit.quantity},
-                    {"two_sided", limit.minimum && limit.maximum},
                     {"runs_with_value", result.defined},
                     {"cp", to_json(result.cp)},
                     {"cpk", to_json(result.cpk)},

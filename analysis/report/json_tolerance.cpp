@@ -252,8 +252,7 @@ std::string statement_without_candidates(const ReportBasis& basis, bool too_few)
   if (basis.study.plan.limits.empty())
     return "The study states no limits: there is nothing to judge a tolerance by.";
   if (std::string reason; !rows_follow_laws(basis.runs, &reason))
-    return fmt::format("No yield and no tolerance: {}. Use the design random, lhs or sobol.",
-                       reason);
+    return fmt::format("No yield and no tolerance: {}. Use the design random or lhs.", reason);
   return "The study has no candidate tolerances: the yield is that of the scatter as stated.";
 }
 
@@ -274,11 +273,7 @@ const char* status_without_candidates(const ReportBasis& basis, bool too_few) {
 }
 
 Json tolerance_verdict(const RecommendedTolerance& tolerance) {
-  if (tolerance.not_binding)
-    return {{"tolerance_width_mm", nullptr},
-            {"grade", nullptr},
-            {"yield_stated_at_mm", tolerance.tolerance_width_mm},
-            {"yield_stated_at_grade", tolerance.grade}};
+  if (tolerance.not_binding) return {{"tolerance_width_mm", nullptr}, {"grade", nullptr}};
   Json verdict{{"tolerance_width_mm", tolerance.tolerance_width_mm}, {"grade", tolerance.grade}};
   if (tolerance.centre) verdict["centre"] = *tolerance.centre;
   return verdict;

@@ -151,7 +151,7 @@ Json next_steps(const ReportBasis& basis, const Json& report) {
                          "'tolerance.dimension=[{{key=\"{}\", tolerance_width_mm=WIDTH, "
                          "candidates=[\"IT9\", \"IT10\", \"IT11\", \"IT12\"]}}]'",
                          "cage.pocket_width_mm")));
-  if (status == "no_yield" && report["response"].is_null())
+  if (status == "no_yield")
     steps.push_back(step("Rows that follow the laws of the inputs.",
                          "cagetol sweep STUDY -o OTHER_DIR --set design='\"random\"'"));
   if (status == "no_runs")

@@ -1,14 +1,30 @@
 // How near each limit is over the width of each tolerance: quantiles of the runs at each width that
 // the candidates have, the other dimensions as the rows drew them.
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/sensitivity/features.hpp"
+#include "analysis/statistics/order_statistics.hpp"
 
 namespace cagetol {
 namespace {
 constexpr long kFewestRuns = 8;  // for quantiles of 5 and 95 %
+
+/// Number of runs with a value, their median and 5 and 95 % quantiles.
+Json band_json(const std::vector<double>& values) {
+  const auto order = ascending_order(values);
+  const std::vector<double> equal(values.size(), 1.0);
+  const auto defined =
+      std::count_if(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+  return {{"runs", defined},
+          {"median", number(weighted_quantile(values, order, equal, 0.5))},
+          {"low", number(weighted_quantile(values, order, equal, 0.05))},
+          {"high", number(weighted_quantile(values, order, equal, 0.95))}};
 }
+
+}  // namespace
 
 Json width_curves_json(const ReportBasis& basis) {
   const StudyPlan& plan = basis.study.plan;

@@ -140,24 +140,6 @@ Json ladder_json(const ModelLadder& ladder) {
   return json;
 }
 
-std::string ladder_csv(const ModelLadder& ladder) {
-  std::string text =
-      "quantity,unit,rung,shift,lower,upper,budget,correlation,pairs,lost,pairs_needed,wrong_share,"
-      "allowed_wrong_share,verdict,minimum_rung,cost_ratio\n";
-  for (const LadderQuantity& quantity : ladder.quantities)
-    for (std::size_t r = 0; r < ladder.rungs.size(); ++r) {
-      const RungShift& shift = quantity.ladder.rungs[r];
-      text += fmt::format(
-          "{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.6g},{:.6g},{:.6g},{},{},{:.6g}\n",
-          quantity.name, quantity.unit, ladder.rungs[r].name, shift.shift.value, shift.shift.lower,
-          shift.shift.upper, quantity.ladder.budget, shift.correlation, shift.pairs, shift.lost,
-          shift.pairs_needed, shift.wrong_share, quantity.ladder.allowed_wrong_share,
-          rung_verdict_name(shift.verdict),
-          ladder.refining ? "" : minimum_name(ladder, quantity.ladder), ladder.rungs[r].cost_ratio);
-    }
-  return text;
-}
-
 std::string ladder_text(const ModelLadder& ladder) {
   std::string text = fmt::format(
       "{} samples on each of {} rungs; budget: {:g} standard errors of a {:g}-sample study\n\n"

@@ -38,7 +38,6 @@ nlohmann::ordered_json make_report(const StudyData& study,
   report["passed_over"] = std::move(wider);
   report["bearing"] = bearing;
   report["tolerance"] = std::move(tolerance.tolerance);
-  report["response"] = response_json(basis);
   report["confirmation"] = std::move(confirmation);
   report["assumption_verdicts"] = std::move(assumed);
   report["outcomes"] = outcomes_json(basis);

@@ -11,25 +11,15 @@ PairedDifference paired_difference(std::span<const double> first, std::span<cons
                                    double confidence) {
   PairedDifference result;
   std::vector<double> differences;
-  double first_sum = 0, second_sum = 0;
   for (std::size_t k = 0; k < first.size(); ++k) {
     if (std::isnan(first[k]) || std::isnan(second[k])) continue;
     differences.push_back(second[k] - first[k]);
-    first_sum += first[k];
-    second_sum += second[k];
   }
   result.pairs = differences.size();
-  result.missing = first.size() - result.pairs;
   if (result.pairs == 0) return result;
   const auto count = static_cast<double>(result.pairs);
-  result.first_mean = first_sum / count;
-  result.second_mean = second_sum / count;
   double sum = 0;
-  result.identical = true;
-  for (const double d : differences) {
-    sum += d;
-    result.identical = result.identical && d == 0;
-  }
+  for (const double d : differences) sum += d;
   Estimate& mean = result.difference;
   mean.value = sum / count;
   if (result.pairs < 2) return result;

@@ -10,11 +10,8 @@
 namespace cagetol {
 
 struct PairedDifference {
-  std::size_t pairs = 0;                                     ///< pairs with both values
-  std::size_t missing = 0;                                   ///< pairs without one
-  Estimate difference;                                       ///< needs two pairs for an interval
-  double first_mean = kUndefined, second_mean = kUndefined;  ///< over the pairs
-  bool identical = false;  ///< the values of every pair have equal bits
+  std::size_t pairs = 0;  ///< pairs with both values
+  Estimate difference;    ///< needs two pairs for an interval
 };
 
 /// NaN: a run without a value. Both spans have one element per pair.

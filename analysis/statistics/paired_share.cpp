@@ -13,13 +13,6 @@ namespace {
 /// differ.
 constexpr double kOfGains = 0.8;
 
-/// Twice the smaller tail of a binomial variable with p = 1/2.
-double exact_p_value(std::size_t gained, std::size_t lost) {
-  const auto differing = static_cast<unsigned>(gained + lost);
-  const auto fewer = static_cast<unsigned>(std::min(gained, lost));
-  return std::min(1.0, 2 * gsl_cdf_binomial_P(fewer, 0.5, differing));
-}
-
 /// Upper end of delta at this one-sided error; the lower one is that of losses taken for gains.
 double upper_end(double pairs, double gained, double lost, double error) {
   const double differing = gained + lost;
@@ -32,6 +25,11 @@ double upper_end(double pairs, double gained, double lost, double error) {
 
 }  // namespace
 
+double mcnemar_p_value(std::size_t gained, std::size_t lost) {
+  const auto fewer = static_cast<unsigned>(std::min(gained, lost));
+  return std::min(1.0, 2 * gsl_cdf_binomial_P(fewer, 0.5, static_cast<unsigned>(gained + lost)));
+}
+
 PairedShare paired_share(std::size_t pairs, std::size_t gained, std::size_t lost,
                          double confidence) {
   PairedShare share{pairs, gained, lost, {}, 1};
@@ -40,7 +38,7 @@ PairedShare paired_share(std::size_t pairs, std::size_t gained, std::size_t lost
              l = static_cast<double>(lost);
   const double error = 0.5 * (1 - confidence);
   share.change = {(g - l) / n, -upper_end(n, l, g, error), upper_end(n, g, l, error)};
-  if (gained + lost > 0) share.p_value = exact_p_value(gained, lost);
+  share.p_value = mcnemar_p_value(gained, lost);
   return share;
 }
 

@@ -23,6 +23,9 @@ struct PairedShare {
   double p_value = 1;  ///< two-sided, of no change
 };
 
+/// McNemar's exact test, two-sided, from the numbers of pairs that gained and that lost.
+double mcnemar_p_value(std::size_t gained, std::size_t lost);
+
 PairedShare paired_share(std::size_t pairs, std::size_t gained, std::size_t lost,
                          double confidence);
 

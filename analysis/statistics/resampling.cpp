@@ -1,7 +1,6 @@
 #include "analysis/statistics/resampling.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
@@ -15,8 +14,8 @@
 namespace cagetol {
 namespace {
 
-/// With fewer scrambles their scatter says too little about itself.
-constexpr std::int64_t kFewestScrambles = 4;
+/// Of resamples that define a statistic.
+constexpr std::int64_t kFewestResults = 4;
 
 std::vector<std::size_t> number_lots(const StudyData& study, std::size_t& lots) {
   std::map<std::int64_t, std::size_t> numbers;
@@ -32,22 +31,8 @@ std::vector<std::size_t> number_lots(const StudyData& study, std::size_t& lots) 
 Resampling::Resampling(const StudyData& study, std::size_t resamples) {
   lot_of_ = number_lots(study, lots_);
   const std::string& design = study.design.kind;
-  if (design == "sobol") {
-    if (study.design.scrambles < kFewestScrambles) {
-      why_none_ = fmt::format("none: {} scrambles, fewer than {}, say too little of their scatter",
-                              study.design.scrambles, kFewestScrambles);
-      return;
-    }
-    kind_ = IntervalKind::scrambles;
-    const auto scrambles = static_cast<std::size_t>(study.design.scrambles);
-    const auto rows = static_cast<std::size_t>(study.design.rows_planned) / scrambles;
-    weights_.assign(scrambles, std::vector<double>(study.size(), 0.0));
-    for (std::size_t i = 0; i < study.size(); ++i)
-      weights_[std::min(static_cast<std::size_t>(study.row[i]) / rows, scrambles - 1)][i] = 1;
-    return;
-  }
-  if (!rows_follow_laws(study)) {
-    why_none_ = "none: this design has no independent repeats to tell how far a result would move";
+  if (design != "random" && design != "lhs") {
+    why_none_ = "none: this program knows no interval of this design";
     return;
   }
   if (lots_ < kFewestLots) {
@@ -69,24 +54,14 @@ Resampling::Resampling(const StudyData& study, std::size_t resamples) {
 }
 
 std::string Resampling::description() const {
-  switch (kind_) {
-    case IntervalKind::lots:
-      return fmt::format(
-          "bootstrap: {} times, {} lots are drawn again with replacement; the interval holds the "
-          "middle "
-          "of the results{}",
-          weights_.size(), lots_,
-          latin_
-              ? ". It does not see what the Latin hypercube gains: standard errors and intervals "
-                "are too wide, those of means by much"
-              : "");
-    case IntervalKind::scrambles:
-      return fmt::format("scatter of {} independent scrambles of the Sobol' points (Student t)",
-                         weights_.size());
-    case IntervalKind::none:
-      break;
-  }
-  return why_none_;
+  if (kind_ == IntervalKind::none) return why_none_;
+  return fmt::format(
+      "bootstrap: {} times, {} lots are drawn again with replacement; the interval holds the "
+      "middle of the results{}",
+      weights_.size(), lots_,
+      latin_ ? ". It does not see what the Latin hypercube gains: standard errors and intervals "
+               "are too wide, those of means by much"
+             : "");
 }
 
 Estimate Resampling::estimate(const WeightedStatistic& statistic, double confidence,
@@ -108,14 +83,6 @@ Estimate Resampling::interval(const WeightedStatistic& statistic, double tail,
   if (kind_ == IntervalKind::none || std::isnan(estimate.value)) return estimate;
   const std::vector<double> results = resampled(statistic, base);
   if (results.empty()) return estimate;
-  if (kind_ == IntervalKind::scrambles) {
-    const auto count = static_cast<double>(results.size());
-    const double error = gsl_stats_sd(results.data(), 1, results.size()) / std::sqrt(count);
-    const double t = gsl_cdf_tdist_Qinv(tail, count - 1);
-    estimate.lower = estimate.value - t * error;
-    estimate.upper = estimate.value + t * error;
-    return estimate;
-  }
   const std::vector<double> equal(results.size(), 1.0);
   const auto order = ascending_order(results);
   estimate.lower = weighted_quantile(results, order, equal, tail);
@@ -132,8 +99,7 @@ std::vector<double> Resampling::resampled(const WeightedStatistic& statistic,
     const double result = statistic(weights);
     if (!std::isnan(result)) results.push_back(result);
   }
-  if (2 * results.size() < weights_.size() || std::ssize(results) < kFewestScrambles)
-    results.clear();
+  if (2 * results.size() < weights_.size() || std::ssize(results) < kFewestResults) results.clear();
   return results;
 }
 
@@ -141,9 +107,7 @@ double Resampling::standard_error(const WeightedStatistic& statistic,
                                   std::span<const double> base) const {
   const auto results = resampled(statistic, base);
   if (results.empty()) return kUndefined;
-  const double scatter = gsl_stats_sd(results.data(), 1, results.size());
-  return kind_ == IntervalKind::scrambles ? scatter / std::sqrt(static_cast<double>(results.size()))
-                                          : scatter;
+  return gsl_stats_sd(results.data(), 1, results.size());
 }
 
 bool independent_runs(const StudyData& study, std::string* why_not) {

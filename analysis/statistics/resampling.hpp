@@ -1,11 +1,9 @@
 // Intervals from the runs of a study, depending on its design.
 //
 // Runs of a lot are dependent, and so are repeated runs of a row. The bootstrap therefore draws
-// whole lots with replacement (cluster bootstrap). A scrambled Sobol' design consists of R
-// independent scrambles; the scatter of a statistic between scrambles gives a Student t interval. A
-// grid has no interval, because only the noise is random. A Latin hypercube has no independent
-// repeats either: the bootstrap takes its rows for independent, so that its intervals are too wide,
-// which description() says.
+// whole lots with replacement (cluster bootstrap). A Latin hypercube has no independent repeats:
+// the bootstrap takes its rows for independent, so that its intervals are too wide, which
+// description() says. Designs of former programs have no interval.
 //
 // A resample is a weight for every sample: the number of times that its lot was drawn. A statistic
 // is a function of these weights.
@@ -27,7 +25,7 @@ using WeightedStatistic = std::function<double(std::span<const double> weights)>
 /// With fewer lots their scatter says too little about itself.
 inline constexpr std::size_t kFewestLots = 8;
 
-enum class IntervalKind { lots, scrambles, none };
+enum class IntervalKind { lots, none };
 
 /// Resamples behind an interval where nothing else is said.
 inline constexpr std::size_t kUsualResamples = 500;

@@ -1,9 +1,7 @@
 #include "analysis/statistics/summary.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_cdf.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -39,30 +37,9 @@ double weighted_standard_deviation(std::span<const double> values,
 Estimate quantile_estimate(std::span<const double> values, std::span<const std::size_t> order,
                            double p, const Resampling& resampling, double confidence,
                            std::span<const double> weights) {
-  Estimate estimate = resampling.estimate(
+  return resampling.estimate(
       [&](std::span<const double> w) { return weighted_quantile(values, order, w, p); }, confidence,
       weights);
-  if (resampling.kind() != IntervalKind::scrambles || std::isnan(estimate.value)) return estimate;
-  const auto scrambles = static_cast<double>(resampling.resamples());
-  const double error = resampling.standard_error(
-      [&](std::span<const double> w) {
-        double below = 0, all = 0;
-        for (const std::size_t i : order) {
-          all += w[i];
-          if (values[i] <= estimate.value) below += w[i];
-        }
-        return all > 0 ? below / all : kUndefined;
-      },
-      weights);
-  if (std::isnan(error)) return estimate;
-  const double rounding = std::sqrt(scrambles / 12) / static_cast<double>(order.size());
-  const double half =
-      gsl_cdf_tdist_Qinv(0.5 * (1 - confidence), scrambles - 1) * std::max(error, rounding);
-  const std::vector<double> ones(weights.empty() ? values.size() : 0, 1.0);
-  const std::span<const double> base = weights.empty() ? std::span<const double>(ones) : weights;
-  estimate.lower = weighted_quantile(values, order, base, std::max(p - half, 0.0));
-  estimate.upper = weighted_quantile(values, order, base, std::min(p + half, 1.0));
-  return estimate;
 }
 
 Summary summarise(const StudyData& runs, std::span<const double> values,

@@ -28,10 +28,7 @@ double weighted_mean(std::span<const double> values, std::span<const double> wei
 /// Weighted mean and standard deviation without NaN values. Unbiased for equal weights.
 double weighted_standard_deviation(std::span<const double> values, std::span<const double> weights);
 
-/// Quantile at p with its interval. From scrambles the interval is that of the share of runs below
-/// the value (Student t over scrambles, at least the rounding of counts to whole runs), carried
-/// over to the values (Woodruff 1952, doi:10.1080/01621459.1952.10483443): quantiles of single
-/// scrambles have few runs beyond them, and their scatter and mean mislead.
+/// Quantile at p with its interval.
 Estimate quantile_estimate(std::span<const double> values, std::span<const std::size_t> order,
                            double p, const Resampling& resampling, double confidence,
                            std::span<const double> weights = {});

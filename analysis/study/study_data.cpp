@@ -1,7 +1,5 @@
 #include "analysis/study/study_data.hpp"
 
-#include <algorithm>
-
 #include "analysis/study/estimate.hpp"
 #include "mc/study_file/hdf5_reader.hpp"
 #include "mc/study_file/study_bytes.hpp"
@@ -10,16 +8,15 @@
 namespace cagetol {
 namespace {
 
-constexpr std::int64_t kMostPockets = 10'000, kMostScrambles = 10'000,
-                       kMostSamples = 1'000'000'000'000;
-constexpr std::int64_t kOldestSchema = 1, kNewestSchema = 2;
+constexpr std::int64_t kMostPockets = 10'000, kMostSamples = 1'000'000'000'000;
+constexpr std::int64_t kSchema = 2;
 
 std::string text_or_empty(const Hdf5Reader& file, const std::string& object,
                           const std::string& name) {
   return file.has_attribute(object, name) ? file.text_attribute(object, name) : std::string();
 }
 
-/// A value that this program cannot have written: damage that no checksum guards (schema 1).
+/// A value that this program cannot have written.
 void require_range(const std::vector<std::int64_t>& values, std::int64_t lowest,
                    std::int64_t highest, const std::string& what, const std::string& file) {
   for (const std::int64_t value : values)
@@ -126,21 +123,8 @@ void pick_columns(std::vector<Column>& columns, const std::vector<std::size_t>& 
 }  // namespace
 
 const char* run_status_name(RunStatus status) {
-  switch (status) {
-    case RunStatus::ok:
-      return "ok";
-    case RunStatus::jammed:
-      return "jammed";
-    case RunStatus::failed:
-      return "failed";
-    case RunStatus::censored:
-      return "censored";
-    case RunStatus::not_run:
-      return "not run";
-    case RunStatus::poisoned:
-      return "poisoned";
-  }
-  return "unknown";
+  constexpr const char* kNames[] = {"ok", "jammed", "failed", "censored", "not run", "poisoned"};
+  return kNames[static_cast<int>(status)];
 }
 
 StudyData read_study_data(const std::filesystem::path& path) {
@@ -148,13 +132,11 @@ StudyData read_study_data(const std::filesystem::path& path) {
   const Hdf5Reader file(read_study_bytes(path), name);
   StudyData study;
   study.provenance.schema_version = file.integer_attribute("/", "schema_version");
-  if (study.provenance.schema_version < kOldestSchema ||
-      study.provenance.schema_version > kNewestSchema)
+  if (study.provenance.schema_version != kSchema)
     throw StudyFileError(name,
                          "its schema version is " +
                              std::to_string(study.provenance.schema_version) +
-                             ", this program reads versions " + std::to_string(kOldestSchema) +
-                             " to " + std::to_string(kNewestSchema),
+                             ", this program reads version " + std::to_string(kSchema),
                          "report it with the version of the program that wrote it");
   study.provenance.tool_version = text_or_empty(file, "/", "tool_version");
   study.provenance.tool_commit = text_or_empty(file, "/", "tool_commit");
@@ -167,15 +149,10 @@ StudyData read_study_data(const std::filesystem::path& path) {
   study.design.kind = file.text_attribute("/", "design");
   study.design.rows_planned = file.integer_attribute("/", "rows_planned");
   study.design.samples_planned = file.integer_attribute("/", "samples_planned");
-  study.design.scrambles = file.integer_attribute("/", "scrambles");
   const std::int64_t pockets = file.integer_attribute("/", "pockets");
   require_range({pockets}, 0, kMostPockets, "pockets", name);
-  require_range({study.design.rows_planned, study.design.samples_planned},
-                study.design.kind == "sobol" ? 1 : 0, kMostSamples,
+  require_range({study.design.rows_planned, study.design.samples_planned}, 0, kMostSamples,
                 "rows_planned or samples_planned", name);
-  require_range({study.design.scrambles}, 1,
-                std::clamp<std::int64_t>(study.design.rows_planned, 1, kMostScrambles), "scrambles",
-                name);
   study.pockets = static_cast<std::size_t>(pockets);
   const auto json = file.strings("/study/json");
   require_size(json.size(), 1, "/study/json", name);
@@ -212,14 +189,6 @@ StudyData read_study_data(const std::filesystem::path& path) {
   study.interference_um = file.reals("/samples/interference_um").values;
   require_size(study.interference_um.size(), count, "/samples/interference_um", name);
 
-  if (file.has("/design/point")) {
-    study.design.columns = file.strings("/design/columns");
-    study.design.groups = file.strings("/design/groups");
-    study.design.point = file.reals("/design/point").values;
-    require_size(study.design.groups.size(), study.design.columns.size(), "/design/groups", name);
-    require_size(study.design.point.size(), count * study.design.columns.size(), "/design/point",
-                 name);
-  }
   for (const std::string& key : file.children("/inputs"))
     study.inputs.push_back(read_input(file, key, count, study.pockets, name));
   study.quantities = read_columns(file, "/quantities", count, name);
@@ -240,7 +209,6 @@ StudyData select_samples(const StudyData& study, const std::vector<std::size_t>&
   chosen.status = pick(study.status, keep);
   chosen.reason = pick(study.reason, keep);
   chosen.interference_um = pick(study.interference_um, keep);
-  chosen.design.point = pick(study.design.point, keep, study.design.columns.size());
   for (InputColumns& input : chosen.inputs) {
     input.lot = pick(input.lot, keep);
     input.noise = pick(input.noise, keep);
@@ -256,13 +224,7 @@ StudyData select_samples(const StudyData& study, const std::vector<std::size_t>&
 StudyData results_of(const StudyData& study) {
   StudyData results;
   results.provenance = study.provenance;
-  results.design = {.kind = study.design.kind,
-                    .rows_planned = study.design.rows_planned,
-                    .samples_planned = study.design.samples_planned,
-                    .scrambles = study.design.scrambles,
-                    .columns = {},
-                    .groups = {},
-                    .point = {}};
+  results.design = study.design;
   results.plan = study.plan;
   results.pockets = study.pockets;
   results.jam = study.jam;

@@ -39,10 +39,8 @@ struct Provenance {
 
 /// How the rows were chosen.
 struct StudyDesign {
-  std::string kind;  ///< random, lhs, sobol, grid
-  std::int64_t rows_planned = 0, samples_planned = 0, scrambles = 1;
-  std::vector<std::string> columns, groups;
-  std::vector<double> point;  ///< N x columns, row-major
+  std::string kind;  ///< random, lhs; of old files also others
+  std::int64_t rows_planned = 0, samples_planned = 0;
 };
 
 struct StudyData {

@@ -114,15 +114,8 @@ std::vector<std::size_t> threats_of(const std::vector<AlternativeVerdict>& verdi
 }  // namespace
 
 const char* answer_name(AssumptionAnswer answer) {
-  switch (answer) {
-    case AssumptionAnswer::holds:
-      return "holds";
-    case AssumptionAnswer::fails:
-      return "fails";
-    case AssumptionAnswer::not_resolved:
-      break;
-  }
-  return "not resolved";
+  constexpr const char* kNames[] = {"holds", "fails", "not resolved"};
+  return kNames[static_cast<int>(answer)];
 }
 
 std::size_t settling_runs(double yield, double target, double lower_confidence,
@@ -179,7 +172,6 @@ AssumptionVerdicts judge_assumptions(const StudyData& confirming,
   const std::vector<double> adjusted = holm_adjusted(p_values);
   for (std::size_t k = 0; k < adjusted.size(); ++k) {
     AlternativeVerdict& verdict = all.alternatives[k];
-    verdict.adjusted_p = adjusted[k];
     verdict.named = adjusted[k] <= kFalseAlarms / static_cast<double>(rules.attempts);
     all.holding += verdict.answer == AssumptionAnswer::holds;
     all.failing += verdict.answer == AssumptionAnswer::fails;

@@ -45,7 +45,6 @@ struct AlternativeVerdict {
   /// kWantedPower, if the yield is as estimated; 0: more than kMostSettlingRuns.
   std::size_t runs_needed = 0;
   PairedShare change;
-  double adjusted_p = 1;  ///< Holm
   bool named = false;
   std::vector<QuantityChange> quantities;
 };

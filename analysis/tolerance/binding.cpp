@@ -176,15 +176,8 @@ BindingTest test_dimension(const DimensionCurve& curve, const MixtureWeights& mi
 }  // namespace
 
 const char* binding_name(Binding binding) {
-  switch (binding) {
-    case Binding::binding:
-      return "binding";
-    case Binding::not_binding:
-      return "not binding";
-    case Binding::undecided:
-      break;
-  }
-  return "undecided";
+  constexpr const char* kNames[] = {"binding", "not binding", "undecided"};
+  return kNames[static_cast<int>(binding)];
 }
 
 std::vector<BindingTest> test_binding(const StudyData& runs, const MixtureWeights& mixture,

@@ -72,19 +72,9 @@ std::size_t runs_without_miss(double confidence, double target_yield) {
 }
 
 const char* limit_role_name(LimitRole role) {
-  switch (role) {
-    case LimitRole::decides:
-      return "decides";
-    case LimitRole::follows:
-      return "follows other limits";
-    case LimitRole::met:
-      return "met by enough runs";
-    case LimitRole::open:
-      return "open";
-    case LimitRole::within_model_error:
-      return "within the model's error";
-  }
-  return "";
+  constexpr const char* kNames[] = {"decides", "follows other limits", "met by enough runs", "open",
+                                    "within the model's error"};
+  return kNames[static_cast<int>(role)];
 }
 
 std::vector<LimitMargin> limit_margins(const StudyData& runs,

@@ -32,7 +32,7 @@ enum class Purpose : std::uint32_t {
   lot = 1,        ///< deviations shared by the cages of a lot; id = lot
   pocket = 2,     ///< deviations of single pockets; id = design row, draw = pocket
   noise = 3,      ///< initial state and noise inputs of one run; id = sample
-  scramble = 4,   ///< scrambles, permutations and jitter of designs
+  scramble = 4,   ///< permutations and jitter of designs
   bootstrap = 5,  ///< resampling in analysis; id = resample
   check = 6,      ///< which samples are checked more closely; id = sample
 };

@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "analysis/statistics/median.hpp"
-#include "mc/benchmark/call_time.hpp"
 #include "mc/benchmark/setting.hpp"
 #include "mc/host/json_number.hpp"
+#include "src/integration/system.hpp"
 #include "src/newton/newton_matrix.hpp"
 #include "src/simulate.hpp"
 
@@ -19,6 +20,20 @@ namespace cagetol {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Microseconds of one call: the median of batches.
+template <class Call>
+double call_time_us(const Call& call) {
+  constexpr int kCalls = 100, kBatches = 31;
+  std::vector<double> times;
+  for (int batch = 0; batch < kBatches; ++batch) {
+    const auto began = std::chrono::steady_clock::now();
+    for (int k = 0; k < kCalls; ++k) call();
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - began;
+    times.push_back(took.count() / kCalls);
+  }
+  return median(std::move(times));
+}
 
 KernelTimes kernel_times(double t, const double* y, const System& system, double step) {
   const BearingModel& model = system.model;
@@ -33,15 +48,13 @@ KernelTimes kernel_times(double t, const double* y, const System& system, double
   return times;
 }
 
-/// Kernels and mechanisms at the last state of the scene's run. The first of the two runs says when
-/// that is and warms the caches for what follows.
+/// Kernels at the last state of the scene's run. The first of the two runs says when that is and
+/// warms the caches for what follows.
 void measure_kernels(const Scene& scene, SimulateOptions options, BenchResult& result) {
   result.kernels = {kNone, kNone, kNone, kNone};
   const RunRecord run = simulate(scene, options).run;
   options.on_state = [&](double t, const double* y, const System& system) {
-    if (t < run.simulated_s) return;
-    result.kernels = kernel_times(t, y, system, t / run.steps);
-    result.mechanisms = mechanism_parts(t, y, system);
+    if (t >= run.simulated_s) result.kernels = kernel_times(t, y, system, t / run.steps);
   };
   simulate(scene, options);
 }
@@ -56,19 +69,11 @@ std::vector<IntegrationMethod> methods_to_run(const Scene& scene, const BenchOpt
   return methods;
 }
 
-std::string shares_text(const char* title, const std::vector<CostPart>& parts) {
-  std::string text;
-  for (const CostPart& part : parts)
-    if (std::isfinite(part.share))
-      text += fmt::format("{} {} {:.0f} %", text.empty() ? "" : ",", part.name, 100 * part.share);
-  return text.empty() ? "" : title + text + "\n";
-}
-
 }  // namespace
 
 BenchResult bench(const Scene& scene, const BenchOptions& options) {
   const SimulateOptions shared = with_cage_table(scene);
-  BenchResult result{scene.name, scene.integration.method, {}, {}, {}};
+  BenchResult result{scene.name, scene.integration.method, {}, {}};
   measure_kernels(scene, shared, result);
   for (const IntegrationMethod method : methods_to_run(scene, options))
     result.methods.push_back({.method = method, .reason = {}, .rtf_runs = {}, .run = {}});
@@ -129,12 +134,8 @@ nlohmann::ordered_json bench_json(const BenchResult& result) {
         {"linearise", json_number(result.kernels.linearise_us)},
         {"factorise", json_number(result.kernels.factorise_us)},
         {"solve", json_number(result.kernels.solve_us)}}}};
-  const auto shares = [&](const char* key, const std::vector<CostPart>& parts) {
-    json[key] = nlohmann::ordered_json::object();
-    for (const CostPart& part : parts) json[key][part.name] = json_number(part.share);
-  };
-  shares("run_shares", run_parts(result));
-  shares("mechanism_shares_of_rhs", result.mechanisms);
+  for (const CostPart& part : run_parts(result))
+    json["run_shares"][part.name] = json_number(part.share);
   auto& methods = json["methods"] = nlohmann::ordered_json::array();
   for (const MethodCost& cost : result.methods) {
     const double simulated = cost.run.simulated_s;
@@ -177,9 +178,12 @@ std::string bench_text(const BenchResult& result) {
                     cost.against_default, cost.run.steps / s, cost.run.rejected_steps / s,
                     cost.run.rhs_evaluations / s, cost.run.factorisations / s);
   }
-  text += shares_text("\nwall time of the default:", run_parts(result));
-  text += shares_text("a right-hand side is cheaper without:", result.mechanisms);
-  return text;
+  std::string shares;
+  for (const CostPart& part : run_parts(result))
+    if (std::isfinite(part.share))
+      shares +=
+          fmt::format("{} {} {:.0f} %", shares.empty() ? "" : ",", part.name, 100 * part.share);
+  return shares.empty() ? text : text + "\nwall time of the default:" + shares + "\n";
 }
 
 }  // namespace cagetol

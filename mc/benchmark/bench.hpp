@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "mc/benchmark/mechanism_cost.hpp"
 #include "src/quantities/outcome.hpp"
 #include "src/scene/scene.hpp"
 
@@ -40,10 +39,13 @@ struct BenchResult {
   std::string scene;
   IntegrationMethod default_method = IntegrationMethod::rodasp;  ///< the scene's own
   KernelTimes kernels;
-  /// Mechanisms that the scene has: by how much of itself a right-hand side gets cheaper without
-  /// each, at the last state of the scene's run (noise may make little of it negative).
-  std::vector<CostPart> mechanisms;
   std::vector<MethodCost> methods;  ///< the scene's own first
+};
+
+/// A part of a cost, and its share of the whole.
+struct CostPart {
+  std::string name;
+  double share = 0;
 };
 
 /// Where the wall time of the scene's own method goes: kernels by their counts, the rest last.

@@ -74,7 +74,6 @@ Chart make_chart(const Study& study, const ChartOptions& options,
                  const std::function<void(const std::string&)>& say);
 
 nlohmann::ordered_json chart_json(const Chart& chart);
-std::string chart_csv(const Chart& chart);
 /// What to read in the chart, in sentences.
 std::string chart_text(const Chart& chart);
 

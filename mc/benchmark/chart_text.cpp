@@ -1,4 +1,4 @@
-// The chart as JSON, CSV and sentences.
+// The chart as JSON and sentences.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,10 +12,6 @@ namespace cagetol {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string quoted(const std::string& s) {
-  return s.empty() ? s : "\"" + s + "\"";
-}
 
 Json cost_json(const ChartCost& cost) {
   return {{"rtf", json_number(cost.rtf)},
@@ -44,18 +40,6 @@ Json window_json(const WindowErrors& p) {
   json["bias_noise"] = json_number(p.bias_noise);
   json["biases"] = biases_json(p);
   return json;
-}
-
-std::string window_rows(const std::string& head, const WindowErrors& p) {
-  std::string text;
-  for (std::size_t q = 0; q < p.biases.size(); ++q) {
-    const Bias& b = p.biases[q];
-    text += fmt::format("{}window,{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.6g},{:.6g},{},{}\n", head,
-                        quantity_table()[q].key, b.bias, b.standard_error, b.upper_limit, b.allowed,
-                        verdict_name(b.verdict), p.window.rtf, p.window.rhs_per_s,
-                        p.window.on_front ? 1 : 0, quoted(p.window.problem));
-  }
-  return text;
 }
 
 std::string rungs_text(const Chart& chart) {
@@ -109,24 +93,6 @@ Json chart_json(const Chart& chart) {
                              {"quantities", p.quantities},
                              {"window", window_json(p)}});
   return json;
-}
-
-std::string chart_csv(const Chart& chart) {
-  std::string text =
-      "setting,default,horizon,quantity,error,standard_error,upper_limit_95,allowed,verdict,rtf,"
-      "rhs_evaluations_per_s,on_front,problem\n";
-  for (const ChartPoint& p : chart.points) {
-    const std::string head =
-        setting_label(p.setting) + (&p == &chart.points.front() ? ",1," : ",0,");
-    for (std::size_t k = 0; k < 2; ++k)
-      text += fmt::format("{}{} ms,trajectory,{:.6g},,,,,{:.6g},{:.6g},{},{}\n", head,
-                          1e3 * chart.options.horizon * (k ? 1 : 0.5), p.trajectory_error[k],
-                          p.brief.rtf, p.brief.rhs_per_s, p.brief.on_front ? 1 : 0,
-                          quoted(p.brief.problem));
-    text += window_rows(head, p);
-  }
-  for (const RungPoint& p : chart.rungs) text += window_rows("rung " + p.rung.name + ",0,", p);
-  return text;
 }
 
 std::string chart_text(const Chart& chart) {

@@ -50,13 +50,8 @@ SimulateOptions with_cage_table(const Scene& scene) {
 }
 
 Setting reference_setting(IntegrationMethod method) {
-  switch (method) {
-    case IntegrationMethod::rodas3:
-    case IntegrationMethod::rodasp:
-      return {IntegrationMethod::arkode_erk, kTight};
-    default:
-      return {IntegrationMethod::rodasp, kTight};
-  }
+  const bool ours = method == IntegrationMethod::rodas3 || method == IntegrationMethod::rodasp;
+  return {ours ? IntegrationMethod::arkode_erk : IntegrationMethod::rodasp, kTight};
 }
 
 }  // namespace cagetol

@@ -106,19 +106,8 @@ Outcome speaking_for(std::vector<Outcome> outcomes) {
 }  // namespace
 
 const char* soundness_name(Soundness soundness) {
-  switch (soundness) {
-    case Soundness::right:
-      return "right";
-    case Soundness::degraded:
-      return "degraded";
-    case Soundness::wrong:
-      return "wrong";
-    case Soundness::unresolved:
-      return "unresolved";
-    case Soundness::failed:
-      break;
-  }
-  return "failed";
+  constexpr const char* kNames[] = {"right", "degraded", "wrong", "unresolved", "failed"};
+  return kNames[static_cast<int>(soundness)];
 }
 
 Soundness judge_soundness(Status status, double trajectory_error, double reference_gap) {

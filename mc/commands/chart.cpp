@@ -39,7 +39,6 @@ int run_chart(const ChartArguments& options) {
   const Chart chart = make_chart(study, wanted, [](const std::string& what) { say("{}\n", what); });
   const std::filesystem::path directory = options.directory;
   replace_file(directory / "chart.json", chart_json(chart).dump(1) + "\n");
-  replace_file(directory / "chart.csv", chart_csv(chart));
   print(chart_text(chart) + "chart: " + draw_beside(directory / "chart.json") + "\n");
   return kDone;
 }
@@ -56,8 +55,7 @@ Chosen chart_command(CLI::App& command) {
       "  cagetol chart inputs/scenes/nu205.toml -o out/models --methods rodas3 --rungs");
   auto options = std::make_shared<ChartArguments>();
   command.add_option("SCENE", options->file, "Scene file (or study: its first row)")->required();
-  add_output_directory(command, options->directory,
-                       "Directory of chart.json, chart.csv and figures/");
+  add_output_directory(command, options->directory, "Directory of chart.json and figures/");
   add_methods_option(command, options->chart.methods);
   command
       .add_option("--replicas", options->chart.replicas,

@@ -100,28 +100,24 @@ Json distributions(const StudyData& runs) {
   return list;
 }
 
-double real(const Json& value) {
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
 std::string margin_text(const Json& m) {
   std::string text = "  " + m["quantity"].get<std::string>();
-  if (m["min"].is_number()) text += fmt::format(", at least {:.6g}", real(m["min"]));
-  if (m["max"].is_number()) text += fmt::format(", at most {:.6g}", real(m["max"]));
+  if (m["min"].is_number()) text += fmt::format(", at least {:.6g}", known(m["min"]));
+  if (m["max"].is_number()) text += fmt::format(", at most {:.6g}", known(m["max"]));
   const std::string role = m["role"];
   text += ": " + role;
   if (role == limit_role_name(LimitRole::open))
     text += fmt::format(" (none of {} runs misses it; {} without a miss would be enough)",
                         m["judged"].get<long>(), m["runs_needed"].get<long>());
   text += fmt::format("\n    median {:.4g}, margin {:.1f} %; extreme {:.4g}, margin {:.1f} %\n",
-                      real(m["median"]), 100 * real(m["median_margin"]), real(m["extreme"]),
-                      100 * real(m["extreme_margin"]));
+                      known(m["median"]), 100 * known(m["median_margin"]), known(m["extreme"]),
+                      100 * known(m["extreme_margin"]));
   text += fmt::format("    missed by {} of {} runs ({:.1f} to {:.1f} %), by {} alone; {} unknown\n",
                       m["missed"].get<long>(), m["judged"].get<long>(),
-                      100 * real(m["missed_share_lower"]), 100 * real(m["missed_share_upper"]),
+                      100 * known(m["missed_share_lower"]), 100 * known(m["missed_share_upper"]),
                       m["missed_alone"].get<long>(), m["unknown"].get<long>());
   return text + (m["model_error"].is_number()
-                     ? fmt::format("    known bias of the model {:.3g}\n", real(m["model_error"]))
+                     ? fmt::format("    known bias of the model {:.3g}\n", known(m["model_error"]))
                      : std::string("    error of the model not measured\n"));
 }
 
@@ -131,10 +127,10 @@ std::string limits_text(const Json& all, const std::string& directory) {
                   all["runs"].get<long>(), all["runs_ok"].get<long>(), "quantity", "5 %", "50 %",
                   "95 %", "99 %");
   for (const auto& q : all["quantities"])
-    text +=
-        fmt::format("  {:<40}{:>12.5g}{:>12.5g}{:>12.5g}{:>12.5g}  {}\n",
-                    q["quantity"].get<std::string>(), real(q["p5"]), real(q["p50"]), real(q["p95"]),
-                    real(q["p99"]), q["unit"] == "-" ? "" : q["unit"].get<std::string>());
+    text += fmt::format("  {:<40}{:>12.5g}{:>12.5g}{:>12.5g}{:>12.5g}  {}\n",
+                        q["quantity"].get<std::string>(), known(q["p5"]), known(q["p50"]),
+                        known(q["p95"]), known(q["p99"]),
+                        q["unit"] == "-" ? "" : q["unit"].get<std::string>());
   text += all["limits"].empty() ? "the study has no limits\n" : "limits\n";
   bool measured = true, missed = false;
   const Json* nearest = nullptr;
@@ -142,8 +138,8 @@ std::string limits_text(const Json& all, const std::string& directory) {
     text += margin_text(limit);
     measured = measured && limit["model_error"].is_number();
     missed = missed || limit["missed"] > 0;
-    const double margin = real(limit["extreme_margin"]);
-    if (nearest == nullptr || margin < real((*nearest)["extreme_margin"])) nearest = &limit;
+    const double margin = known(limit["extreme_margin"]);
+    if (nearest == nullptr || margin < known((*nearest)["extreme_margin"])) nearest = &limit;
   }
   if (nearest != nullptr && !missed)
     text += fmt::format("no run misses a limit; the nearest is that of {}\n",

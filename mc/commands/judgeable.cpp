@@ -64,10 +64,6 @@ std::vector<InputError> judgement_faults(const Study& study) {
                           "change the scene, or leave the limit out");
   }
   if (study.candidates.empty()) return faults;
-  if (study.design != DesignKind::random && study.design != DesignKind::lhs &&
-      study.design != DesignKind::sobol)
-    faults.emplace_back(SourcePlace{}, "design", design_name(study.design),
-                        "this design does not sample tolerances", "use random, lhs or sobol");
   if (study.tolerance.target_yield >= 1) {
     faults.emplace_back(
         SourcePlace{}, "tolerance.target_yield", number_text(study.tolerance.target_yield),

@@ -16,7 +16,7 @@ struct LadderArguments {
   std::string file, directory;
   std::vector<std::string> settings;
   LadderOptions ladder;
-  bool separate = false, refine = false, json = false;
+  bool refine = false, json = false;
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
@@ -24,7 +24,6 @@ void write_ladder(const ModelLadder& ladder, const LadderArguments& options) {
   const std::filesystem::path directory = options.directory;
   const std::string json = ladder_json(ladder).dump(1) + "\n";
   replace_file(directory / "ladder.json", json);
-  replace_file(directory / "ladder.csv", ladder_csv(ladder));
   const std::string figures = draw_beside(directory / "ladder.json");
   print(options.json ? json : ladder_text(ladder) + "ladder: " + figures + "\n");
 }
@@ -36,9 +35,7 @@ int run_ladder(const LadderArguments& options) {
       require_dynamic(study.scene, "--refine", options.file, "integration to refine");
     else
       require_word_of_oil(study, options.file);
-    const auto rungs = options.refine     ? refining_rungs(study.scene)
-                       : options.separate ? separate_rungs(study.scene)
-                                          : climbing_rungs();
+    const auto rungs = options.refine ? refining_rungs(study.scene) : climbing_rungs();
     const auto own = rungs_for(study.scene, rungs);
     auto climbed = climb(study, own, options.ladder, options.directory + "/rungs", stages);
     if (const int* code = std::get_if<int>(&climbed)) return *code;
@@ -63,14 +60,12 @@ Chosen ladder_command(CLI::App& command) {
       "error budget in the report of the sweep whose directory holds it as ladder-refine.\n\n"
       "Examples:\n  cagetol ladder inputs/scenes/nu205.toml -o out/ladder\n"
       "  mpirun cagetol ladder inputs/studies/nu205.toml -o out/ladder-study --samples 200 "
-      "--budget "
-      "1\n"
-      "  cagetol ladder inputs/scenes/nu205-thin.toml -o out/worth --separate --json\n"
+      "--budget 1\n"
       "  cagetol ladder out/nu205/study.toml --refine -o out/nu205/ladder-refine");
   auto options = std::make_shared<LadderArguments>();
   command.add_option("FILE", options->file, "Scene or study file")->required();
   add_output_directory(command, options->directory,
-                       "Directory of ladder.json, ladder.csv, figures/ and rungs/");
+                       "Directory of ladder.json, figures/ and rungs/");
   command.add_option("--samples", options->ladder.samples, "Runs on each rung")
       ->check(CLI::Range(2L, 1000000000L))
       ->capture_default_str();
@@ -80,13 +75,9 @@ Chosen ladder_command(CLI::App& command) {
                   "scene)")
       ->check(CLI::Range(1e-6, 1e6))
       ->capture_default_str();
-  auto* separate = command.add_flag("--separate", options->separate,
-                                    "Take one thing at a time away from the highest rung");
-  command
-      .add_flag("--refine", options->refine,
-                "Refine one thing at a time of the scene as it is: integrator, modes, slices, "
-                "mesh, window")
-      ->excludes(separate);
+  command.add_flag("--refine", options->refine,
+                   "Refine one thing at a time of the scene as it is: integrator, modes, slices, "
+                   "mesh, window");
   command.add_flag("--json", options->json, "Print ladder.json on standard output");
   add_settings_option(command, options->settings);
   add_progress_option(command, options->progress);

@@ -2,18 +2,17 @@
 
 #include <optional>
 
+#include "mc/commands/command.hpp"
 #include "mc/commands/output_path.hpp"
+#include "mc/run/cage_cache.hpp"
+#include "mc/run/run_history.hpp"
+#include "mc/run/sample_run.hpp"
 #include "src/cage/table/cage_snapshot.hpp"
 #include "src/cage/table/scene_cage.hpp"
 #include "src/input/input_error.hpp"
 #include "src/operation/operating_clearance.hpp"
 
 namespace cagetol {
-
-void add_snapshot_option(CLI::App& command, std::string& file) {
-  add_output_file(command, "--snapshot", file, "<?xml version=\"1.0\"?>\n<VTKFile",
-                  "Write the flexible cage at its largest stress to this VTU file (ParaView)");
-}
 
 CageStates state_of(const CagePeak& peak, const CageGeometry& cage) {
   const auto column = [](const std::vector<double>& values) {
@@ -22,6 +21,8 @@ CageStates state_of(const CagePeak& peak, const CageGeometry& cage) {
   return {column(peak.modes), column(peak.bar_force), Eigen::VectorXd::Constant(1, peak.spin),
           cage.bar_modes};
 }
+
+namespace {
 
 void write_peak_snapshot(const std::string& file, const Scene& scene, const CageTable* table,
                          const Outcome& outcome) {
@@ -40,6 +41,30 @@ void write_peak_snapshot(const std::string& file, const Scene& scene, const Cage
     throw InputError({}, "--snapshot", file, problem.what(), "choose a place that can be written");
   }
   if (fault) throw InputError({}, "--snapshot", file, fault->reason, "choose another sample");
+}
+
+}  // namespace
+
+void add_run_file_options(CLI::App& command, RunFiles& files) {
+  add_output_file(command, "-o,--output", files.history, "cagetol sealed HDF5",
+                  "Write time histories to this HDF5 file");
+  add_output_file(command, "--snapshot", files.snapshot, "<?xml version=\"1.0\"?>\n<VTKFile",
+                  "Write the flexible cage at its largest stress to this VTU file (ParaView)");
+}
+
+Outcome run_with_files(const Study& study, const Sample& sample, const RunFiles& files) {
+  if (!files.history.empty())
+    require_dynamic(sample.scene, "--output", files.history, "time history");
+  RunHistory history(sample.scene);
+  std::function<void(const Instant&)> record;
+  if (!files.history.empty()) record = [&history](const Instant& at) { history.record(at); };
+  SimulateOptions options;
+  if (is_flexible(study.scene)) options = CageTables(study.scene).options_of(sample.scene);
+  const Outcome outcome = run_sample(study, sample, options, record);
+  if (!files.history.empty()) history.write(files.history);
+  if (!files.snapshot.empty())
+    write_peak_snapshot(files.snapshot, sample.scene, options.cage_table.get(), outcome);
+  return outcome;
 }
 
 }  // namespace cagetol

@@ -1,22 +1,27 @@
-// --snapshot FILE.vtu: the flexible cage at the instant of its largest stress, for ParaView.
+// Files that one run leaves: -o FILE.h5, its time histories; --snapshot FILE.vtu, the flexible cage
+// at the instant of its largest stress, for ParaView.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "mc/study/sample.hpp"
 #include "src/cage/table/cage_recovery.hpp"
-#include "src/cage/table/scene_cage.hpp"
 #include "src/quantities/outcome.hpp"
 
 namespace cagetol {
 
-void add_snapshot_option(CLI::App& command, std::string& file);
+struct RunFiles {
+  std::string history, snapshot;  ///< empty: not asked for
+};
+
+void add_run_file_options(CLI::App& command, RunFiles& files);
+
+/// Runs the sample and writes the files. Throws InputError where it has no histories, no flexible
+/// cage or no stress, or a file cannot be written.
+Outcome run_with_files(const Study& study, const Sample& sample, const RunFiles& files);
 
 /// The one state of a run's peak.
 CageStates state_of(const CagePeak& peak, const CageGeometry& cage);
-
-/// Throws InputError where the run has no flexible cage, no stress, or the file cannot be written.
-void write_peak_snapshot(const std::string& file, const Scene& scene, const CageTable* table,
-                         const Outcome& outcome);
 
 }  // namespace cagetol

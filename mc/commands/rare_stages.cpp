@@ -135,9 +135,8 @@ int rare_stage(const Study& base, const std::string& directory,
   const auto routes = rare_routes(pilot, settings);
   const auto is_stated = [](const RareLimit& of) { return of.route != RareRoute::unstated; };
   if (std::any_of(routes.begin(), routes.end(), is_stated)) {
-    const int code =
-        sweep_grown(base, {"rare-tail", settings.fresh_runs, tolerances}, tail, stages);
-    if (code != kDone) return code;
+    const Study fresh = stage_study(base, {"rare-tail", settings.fresh_runs, tolerances});
+    if (const int code = sweep_grown(fresh, tail, stages)) return code;
     runs = read_study_data(study_file_path(tail));
   }
   const Json json = rare_json(judge_rare(pilot, runs, settings), settings, runs,

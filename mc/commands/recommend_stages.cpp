@@ -75,7 +75,7 @@ std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
   const std::string directory = path(stage.name);
   const Study study = stage_study(base_, stage);
   if (!stage.tolerances.empty()) begin_attempt(study, stage);
-  code_ = stage.name == "mixture" ? sweep_grown(base_, stage, directory, stages_)
+  code_ = stage.name == "mixture" ? sweep_grown(study, directory, stages_)
                                   : stages_.sweep(study, directory, stage.allowed_failures);
   if (code_ != kDone) return std::nullopt;
   auto runs = read_study_data(study_file_path(directory));
@@ -202,20 +202,11 @@ int StageLeader::lead() {
     code_ = rare_stage(base_, path("rare"), confirmed->recommendation.tolerances, stages_);
   if (code_ == kInterrupted) spdlog::warn(kInterruptedText);
   if (code_ != kDone || campaign.end == CampaignEnd::interrupted) return code_;
-  switch (campaign.end) {
-    case CampaignEnd::interrupted:
-    case CampaignEnd::confirmed:
-      return kDone;
-    case CampaignEnd::budget_spent:
-      spdlog::warn(
-          "the runs left are too few for another attempt: the same command goes on with a larger "
-          "recommend.budget_samples or recommend.budget_h");
-      break;
-    case CampaignEnd::judged_again:
-    case CampaignEnd::no_candidate:
-    case CampaignEnd::not_confirmed:
-      break;
-  }
+  if (campaign.end == CampaignEnd::confirmed) return kDone;
+  if (campaign.end == CampaignEnd::budget_spent)
+    spdlog::warn(
+        "the runs left are too few for another attempt: the same command goes on with a larger "
+        "recommend.budget_samples or recommend.budget_h");
   return unconfirmed_code_;
 }
 

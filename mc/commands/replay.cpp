@@ -12,15 +12,13 @@
 #include "mc/commands/output_path.hpp"
 #include "mc/commands/peak_snapshot.hpp"
 #include "mc/host/log.hpp"
-#include "mc/run/cage_cache.hpp"
-#include "mc/run/run_history.hpp"
-#include "mc/run/sample_run.hpp"
 
 namespace cagetol {
 namespace {
 
 struct ReplayArguments {
-  std::string directory, history, snapshot;
+  std::string directory;
+  RunFiles files;
   std::uint64_t sample = 0;
   bool json = false;
 };
@@ -45,30 +43,13 @@ std::string json_text(const StoredSample& stored, const Outcome& outcome,
   return json.dump(2) + "\n";
 }
 
-Outcome run_again(const StoredSample& stored, const std::string& history_file,
-                  const std::string& snapshot_file) {
-  if (!history_file.empty())
-    require_dynamic(stored.sample.scene, "--output", history_file, "time history");
-  RunHistory history(stored.sample.scene);
-  std::function<void(const Instant&)> record;
-  if (!history_file.empty()) record = [&history](const Instant& at) { history.record(at); };
-  SimulateOptions options;
-  if (is_flexible(stored.study.scene))
-    options = CageTables(stored.study.scene).options_of(stored.sample.scene);
-  const Outcome again = run_sample(stored.study, stored.sample, options, record);
-  if (!history_file.empty()) history.write(history_file);
-  if (!snapshot_file.empty())
-    write_peak_snapshot(snapshot_file, stored.sample.scene, options.cage_table.get(), again);
-  return again;
-}
-
 int run_replay(const ReplayArguments& options) {
   const StoredSample stored = read_stored_sample(options.directory, options.sample);
   for (const std::string& note : stored.notes) say("cagetol: {}\n", note);
   if (stored.stored && stored.stored->status == Status::poisoned)
     say("cagetol: this sample ended its process during the sweep and may do so now\n");
 
-  const Outcome again = run_again(stored, options.history, options.snapshot);
+  const Outcome again = run_with_files(stored.study, stored.sample, options.files);
   const auto differences =
       stored.stored
           ? outcome_differences(*stored.stored, make_stored_outcome(options.sample, again, 0, 0))
@@ -93,9 +74,7 @@ Chosen replay_command(CLI::App& command) {
       ->required()
       ->check(CLI::Range(0L, kMostSamples));
   command.add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
-  add_output_file(command, "-o,--output", options->history, "cagetol sealed HDF5",
-                  "Write time histories to this HDF5 file");
-  add_snapshot_option(command, options->snapshot);
+  add_run_file_options(command, options->files);
   return [options] { return run_replay(*options); };
 }
 

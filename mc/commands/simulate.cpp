@@ -7,11 +7,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/commands/outcome_text.hpp"
-#include "mc/commands/output_path.hpp"
 #include "mc/commands/peak_snapshot.hpp"
-#include "mc/run/cage_cache.hpp"
-#include "mc/run/run_history.hpp"
-#include "mc/run/sample_run.hpp"
 #include "mc/study/sample.hpp"
 #include "mc/study/study.hpp"
 #include "src/input/input_error.hpp"
@@ -21,7 +17,8 @@ namespace cagetol {
 namespace {
 
 struct SimulateArguments {
-  std::string file, history, snapshot;
+  std::string file;
+  RunFiles files;
   std::vector<std::string> settings;
   std::uint64_t sample = 0;
   bool json = false;
@@ -57,17 +54,7 @@ int run_simulate(const SimulateArguments& options) {
                      fmt::format("the study has the samples 0 to {}", sample_count(study) - 1),
                      "choose one of them, or ask for more with --set samples=...");
   const Sample sample = draw_sample(study, options.sample);
-  if (!options.history.empty())
-    require_dynamic(sample.scene, "--output", options.history, "time history");
-  RunHistory history(sample.scene);
-  std::function<void(const Instant&)> record;
-  if (!options.history.empty()) record = [&history](const Instant& at) { history.record(at); };
-  SimulateOptions extras;
-  if (is_flexible(study.scene)) extras = CageTables(study.scene).options_of(sample.scene);
-  const Outcome outcome = run_sample(study, sample, extras, record);
-  if (!options.history.empty()) history.write(options.history);
-  if (!options.snapshot.empty())
-    write_peak_snapshot(options.snapshot, sample.scene, extras.cage_table.get(), outcome);
+  const Outcome outcome = run_with_files(study, sample, options.files);
   print(options.json ? json_text(sample.scene, outcome)
                      : table_text(study, sample.scene, outcome, options.sample));
   return exit_code(outcome.status);
@@ -83,9 +70,7 @@ Chosen simulate_command(CLI::App& command) {
   auto options = std::make_shared<SimulateArguments>();
   command.add_option("SCENE", options->file, "Scene or study file")->required();
   command.add_flag("--json", options->json, "Print status, quantities and run as JSON");
-  add_output_file(command, "-o,--output", options->history, "cagetol sealed HDF5",
-                  "Write time histories to this HDF5 file");
-  add_snapshot_option(command, options->snapshot);
+  add_run_file_options(command, options->files);
   command.add_option("--sample", options->sample, "Sample of the study to run")
       ->check(CLI::Range(0L, kMostSamples))
       ->capture_default_str();

@@ -56,17 +56,14 @@ Study stage_study(const Study& base, const Stage& stage) {
   });
 }
 
-int sweep_grown(const Study& base, const Stage& stage, const std::string& directory,
-                StagedSweeps& stages) {
-  const Study study = stage_study(base, stage);
+int sweep_grown(const Study& study, const std::string& directory, StagedSweeps& stages) {
   const long rows = stored_rows(directory);
   if (rows > 0 && rows < study.samples) {
-    Stage smaller = stage;
-    smaller.rows = static_cast<std::size_t>(rows);
-    if (const int code = stages.sweep(stage_study(base, smaller), directory)) return code;
+    const Study smaller = changed_study(study, [&](Study& stored) { stored.samples = rows; });
+    if (const int code = stages.sweep(smaller, directory)) return code;
     grow_directory(study, directory);
   }
-  return stages.sweep(study, directory, stage.allowed_failures);
+  return stages.sweep(study, directory);
 }
 
 int run_staged_study(const std::function<Study()>& read, const MakePlan& make_plan,

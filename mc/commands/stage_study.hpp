@@ -13,10 +13,9 @@ namespace cagetol {
 /// from the study's seed and the stage's name.
 Study stage_study(const Study& base, const Stage& stage);
 
-/// Runs a stage of the design "random" in a directory that may hold fewer rows of it: they are
-/// finished and keep their runs. The exit code of StagedSweeps::sweep.
-int sweep_grown(const Study& base, const Stage& stage, const std::string& directory,
-                StagedSweeps& stages);
+/// Runs a stage's study of the design "random" in a directory that may hold fewer rows of it: they
+/// are finished and keep their runs. The exit code of StagedSweeps::sweep.
+int sweep_grown(const Study& study, const std::string& directory, StagedSweeps& stages);
 
 /// What such a command leads on rank 0, with the study on the rung that its fidelity chooses.
 using LeadStages = std::function<int(const Study& base, StagedSweeps& stages)>;

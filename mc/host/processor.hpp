@@ -2,29 +2,28 @@
 // would end with SIGILL and no word; this says what is missing, before any other code runs.
 #pragma once
 
-namespace cagetol {
+/// What a build may need: FEATURE(name in the C library, the compiler's macro).
+#define CAGETOL_PROCESSOR_FEATURES(FEATURE) \
+  FEATURE(SSE4_2, __SSE4_2__)               \
+  FEATURE(POPCNT, __POPCNT__)               \
+  FEATURE(AVX, __AVX__)                     \
+  FEATURE(AVX2, __AVX2__)                   \
+  FEATURE(FMA, __FMA__)                     \
+  FEATURE(BMI2, __BMI2__)                   \
+  FEATURE(F16C, __F16C__)                   \
+  FEATURE(AVX512F, __AVX512F__)             \
+  FEATURE(AVX512CD, __AVX512CD__)           \
+  FEATURE(AVX512BW, __AVX512BW__)           \
+  FEATURE(AVX512DQ, __AVX512DQ__)           \
+  FEATURE(AVX512VL, __AVX512VL__)           \
+  FEATURE(AVX512_VBMI2, __AVX512VBMI2__)    \
+  FEATURE(AVX512_VNNI, __AVX512VNNI__)      \
+  FEATURE(AVX512_BF16, __AVX512BF16__)      \
+  FEATURE(AVX512_FP16, __AVX512FP16__)      \
+  FEATURE(AVX_VNNI, __AVXVNNI__)            \
+  FEATURE(GFNI, __GFNI__)                   \
+  FEATURE(VAES, __VAES__)
 
-/// Bits of what the compiler may use, from its own macros; see processor.cpp for their names.
-enum ProcessorFeature : unsigned {
-  kSse42 = 1u << 0,
-  kPopcnt = 1u << 1,
-  kAvx = 1u << 2,
-  kAvx2 = 1u << 3,
-  kFma = 1u << 4,
-  kBmi2 = 1u << 5,
-  kF16c = 1u << 6,
-  kAvx512 = 1u << 7,  ///< F, CD, BW, DQ and VL
-  kAvx512Vbmi2 = 1u << 8,
-  kAvx512Vnni = 1u << 9,
-  kAvx512Bf16 = 1u << 10,
-  kAvx512Fp16 = 1u << 11,
-  kAvxVnni = 1u << 12,
-  kGfni = 1u << 13,
-  kVaes = 1u << 14,
-};
-
-}  // namespace cagetol
-
-/// What this program is compiled for (processor_needs.cpp, with the program's flags). Data alone:
-/// reading it takes no instruction that a processor may lack.
-extern "C" const unsigned cagetol_processor_needs;
+/// Which of these this program is compiled for (processor_needs.cpp, with the program's flags).
+/// Data alone: reading it takes no instruction that a processor may lack.
+extern "C" const bool cagetol_processor_needs[];

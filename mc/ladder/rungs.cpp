@@ -8,7 +8,6 @@
 
 #include "src/operation/operating_scene.hpp"
 #include "src/reading/scene_keys.hpp"
-#include "src/scene/oil_supply.hpp"
 #include "src/scene/pocket_clearances.hpp"
 
 namespace cagetol {
@@ -18,7 +17,6 @@ constexpr double kOffsetShare = 0.1;    // of the narrowest pocket's clearance
 constexpr double kSceneSamples = 1000;  // a usual study
 // As far as the keys go (scene_keys.cpp).
 constexpr long kFinestMesh = 12, kFinestSlices = 100;
-constexpr double kSharpEdge = 0.05e-3;  ///< [m]
 
 /// Later settings replace earlier ones of the same key.
 std::vector<std::string> joined(std::vector<std::string> settings,
@@ -85,68 +83,6 @@ const std::vector<Rung>& climbing_rungs() {
         fmt::format("integration.tolerance={}", Integration{}.tolerance)}},
   });
   return rungs;
-}
-
-std::vector<Rung> separate_rungs(const Scene& scene) {
-  const Rung& full = climbing_rungs().back();
-  std::vector<Rung> less = {
-      {"tolerance-0.02", "integration tolerance 0.02", {"integration.tolerance=0.02"}},
-      {"tolerance-0.005", "integration tolerance 0.005", {"integration.tolerance=0.005"}},
-      {"rigid", "rigid cage", {"cage.model='rigid'"}},
-      {"slices-3", "three slices", {"discretisation.race_slices=3"}},
-      {"no-bar-modes", "bars deflect by the elastic modes alone", {"cage.bar_modes=false"}},
-      {"sharp-corners",
-       "stress of sharp pocket corners, by the cage's own mesh",
-       {"cage.corner_radius_mm=0"}},
-      {"at-rest", "modes without rotation", {"cage.centrifugal=false", "cage.coriolis=false"}},
-  };
-  if (scene.cage.edge_radius > kSharpEdge)
-    less.push_back({"sharp-edges",
-                    fmt::format("bars with edges of {:g} mm radius", 1e3 * kSharpEdge),
-                    {fmt::format("cage.edge_radius_mm={}", 1e3 * kSharpEdge)}});
-  if (scene.contact.race.law == ForceLaw::hertz)  // the law that the scene has not
-    less.push_back(scene.contact.race_approach == RaceApproach::palmgren
-                       ? Rung{"line-approach",
-                              "races by the two-dimensional line contact",
-                              {"contact.race.approach='line'"}}
-                       : Rung{"palmgren",
-                              "races by Palmgren's approach",
-                              {"contact.race.approach='palmgren'"}});
-  if (scene.film.model != FilmModel::none)
-    less.push_back({"no-film", "no oil film", {"film.model='none'"}});
-  if (is_lubricated(scene)) {
-    const Lubrication& on = scene.lubrication;
-    const auto without = [&](bool present, const char* name, const char* meaning, const char* key) {
-      if (present) less.push_back({name, meaning, {std::string("lubrication.") + key + "=false"}});
-    };
-    without(on.rolling_resistance, "no-rolling", "no rolling resistance", "rolling_resistance");
-    without(on.inlet_heating, "no-heating", "cold inlets", "inlet_heating");
-    without(on.film_traction, "no-traction", "contacts slide as without oil", "film_traction");
-    without(on.squeeze, "no-squeeze", "films do not resist approach", "squeeze");
-    without(on.pocket_film, "no-pocket-film", "dry pocket bars", "pocket_film");
-    without(on.end_film, "no-end-film", "dry roller ends", "end_film");
-    without(on.land_film, "no-land-film", "dry guide lands", "land_film");
-    if (const OilLayers oil = oil_layers(on);
-        std::isfinite(std::min({oil.inner, oil.outer, oil.land})))
-      less.push_back(
-          {"flooded",
-           "races and guide lands full of oil",
-           {"lubrication.race_layer_um='flooded'", "lubrication.outer_layer_um='flooded'",
-            "lubrication.land_layer_um='flooded'"}});
-    without(on.churning, "no-churning", "no drag of oil and air", "churning");
-  }
-  if (has_free_ring_tilt(scene)) {
-    Rung held{"held-ring", "tilt of the inner ring prescribed", {"model.ring_tilt='prescribed'"}};
-    const auto& load = scene.operation;  // moments go to the shaft
-    if (load.tilting_moment_y != 0) held.settings.push_back("load.tilting_moment_y_N_m=0");
-    if (load.tilting_moment_z != 0) held.settings.push_back("load.tilting_moment_z_N_m=0");
-    less.push_back(held);
-  }
-  std::vector<Rung> all;
-  for (const Rung& rung : less)
-    all.push_back({rung.name, rung.meaning, joined(full.settings, rung.settings)});
-  all.push_back(full);
-  return all;
 }
 
 std::vector<Rung> refining_rungs(const Scene& scene) {
@@ -239,7 +175,6 @@ Study rung_study(const Study& study, const Rung& rung, long samples) {
     changed.design = DesignKind::random;
     changed.cages_per_lot = 1;
     changed.extra_replicates = 0;
-    changed.grid_levels.clear();
     changed.allowed_failure_share = 1;  // a rung that fails is a finding
     if (changed.inputs.empty()) changed.inputs = start_scatter(changed.scene);
     changed.scene = on_rung(changed.scene, rung);

@@ -22,10 +22,6 @@ struct Rung {
 /// data are the scene's to give; equilibria are dry.
 const std::vector<Rung>& climbing_rungs();
 
-/// The reference with one thing taken away at a time, and the reference last: what each is worth.
-/// Where the scene has an oil film or an inner ring whose tilt is free, it is one of these things.
-std::vector<Rung> separate_rungs(const Scene& scene);
-
 /// The scene as it is, "as-run", last, and before it the scene with one setting refined at a time:
 /// `integrator` (a tenth of its tolerance, the default method), `modes` (a rigid cage becomes
 /// flexible with the default modes, a flexible one gets 36), `slices` (2 n + 1), `mesh` (two more

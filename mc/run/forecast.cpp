@@ -23,10 +23,10 @@ constexpr double kEmptyStudyFile = 150e3;   // names, units and descriptions of 
 constexpr double kReason = 32;              // of a sample that has none, in study.h5
 constexpr double kCageBytesPerNode = 24e3;  // measured: 17 kB at 6,000 nodes, 26 kB at 36,000
 
-/// Numbers of one sample that are drawn again for study.h5: row, replicate, lot, candidate, the
-/// design point, and of each input its parts and its value.
+/// Numbers of one sample that are drawn again for study.h5: row, replicate, lot, candidate, and of
+/// each input its parts and its value.
 double drawn_numbers(const Study& study) {
-  double numbers = 4 + static_cast<double>(design_columns(study).names.size());
+  double numbers = 4;
   for (const UncertainInput& input : study.inputs) {
     const auto width = static_cast<double>(input.per_pocket ? study.scene.bearing.roller_count : 1);
     numbers += width + (input.lot ? 1 : 0) + (input.pocket ? width : 0) + (input.noise ? 1 : 0);

@@ -38,8 +38,6 @@ constexpr const char* kExamples = R"(
 #   note = "nobody measured it"
 #   low = 5
 #   high = 50
-# Levels of design "grid", one number for each group of inputs or one for all (above the first section):
-#   grid_levels = [5]
 )";
 
 // Keys of list entries have no default; the dots of their lists are shown as users write them.
@@ -126,10 +124,6 @@ std::string key_documentation() {
       "the study; every key of a scene may be given again there, and any number may be a "
       "distribution.\n\n";
   text += key_table_markdown(study_keys(), Study{});
-  text +=
-      "| `grid_levels` | - | none | whole numbers above 0 | design grid: levels of each group of "
-      "inputs, or one "
-      "number for all |\n";
   text += "| `scene.file` | - | none | a path | scene file on which the study builds |\n";
   text += "\n### `[[limit]]`: what a cage must meet\n\n" +
           list_rows(limit_keys(), "`quantity`, `source` and one of `min` and `max` must be given.");

@@ -116,11 +116,6 @@ toml::table candidate_table(const Candidate& candidate) {
 toml::table resolved_table(const Study& study) {
   toml::table root;
   for (const auto& key : study_keys()) insert_key(key, study, root);
-  if (!study.grid_levels.empty()) {
-    toml::array levels;
-    for (const long count : study.grid_levels) levels.push_back(static_cast<int64_t>(count));
-    root.insert("grid_levels", std::move(levels));
-  }
   toml::table scene;
   for (const auto& key : scene_keys())
     if (successor_of(study.scene, key.name).empty()) insert_key(key, study.scene, scene);

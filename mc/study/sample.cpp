@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 
 #include "distributions/dependence.hpp"
@@ -88,17 +87,12 @@ SampleColumns make_columns(const Study& study) {
     if (is_varied(input.pocket) && !input.draws_cages()) scopes.push_back(input.key + ":pocket");
   }
   const auto groups = group_names(study, scopes);
-  std::map<std::string, std::uint32_t> group_index;
   SampleColumns columns;
   const auto add = [&](const std::string& key, const std::string& scope, Purpose purpose,
                        std::uint32_t draw, const std::string& name) {
-    const std::string& group = groups.at(scope);
-    const auto index =
-        group_index.try_emplace(group, static_cast<std::uint32_t>(group_index.size()))
-            .first->second;
-    columns.design.push_back({purpose, stream_address(key), draw, index});
+    columns.design.push_back({purpose, stream_address(key), draw});
     columns.names.push_back(name);
-    columns.groups.push_back(group);
+    columns.groups.push_back(groups.at(scope));
   };
   for (std::size_t i = 0; i < study.inputs.size(); ++i) {
     const auto& input = study.inputs[i];
@@ -120,17 +114,6 @@ SampleColumns make_columns(const Study& study) {
   return columns;
 }
 
-bool has_endless_law(const Study& study) {
-  const auto endless = [](const std::optional<Law>& law) {
-    if (!law) return false;
-    const auto range = support(*law);
-    return std::isinf(range.lower) || std::isinf(range.upper);
-  };
-  return std::any_of(study.inputs.begin(), study.inputs.end(), [&](const auto& input) {
-    return endless(input.lot) || endless(input.pocket);
-  });
-}
-
 /// Of redraws: independent, and each with a lot of its own.
 DesignSpec redraw_spec(DesignSpec spec) {
   spec.kind = DesignKind::random;
@@ -145,14 +128,6 @@ DesignSpec spec_of(const Study& study, const SampleColumns& columns) {
   spec.seed = static_cast<std::uint64_t>(study.seed);
   spec.columns = columns.design;
   spec.cages_per_lot = static_cast<std::uint64_t>(study.cages_per_lot);
-  spec.scrambles = static_cast<std::uint64_t>(study.scrambles);
-  spec.classes = std::max<std::uint64_t>(1, study.candidates.size());
-  std::uint32_t groups = 0;
-  for (const auto& column : columns.design) groups = std::max(groups, column.group + 1);
-  spec.grid_levels.assign(study.grid_levels.begin(), study.grid_levels.end());
-  if (spec.grid_levels.size() == 1) spec.grid_levels.resize(groups, spec.grid_levels[0]);
-  // Levels of laws without ends span plus and minus three standard deviations of a normal law.
-  spec.trim = has_endless_law(study) ? 0.00135 : 0;
   spec.rows = static_cast<std::uint64_t>(study.samples);
   return spec;
 }
@@ -239,11 +214,8 @@ struct Sampler::Implementation {
   }
 
   double noise(const UncertainInput& input, const Sample& sample) const {
-    // In a grid every row meets the same noise in its k-th run: differences between rows are
-    // paired.
-    const std::uint64_t id = study.design == DesignKind::grid ? sample.replicate : sample.id;
-    return quantile(*input.noise,
-                    uniform(design.spec().seed, Purpose::noise, id, stream_address(input.key), 0));
+    return quantile(*input.noise, uniform(design.spec().seed, Purpose::noise, sample.id,
+                                          stream_address(input.key), 0));
   }
 
   /// Deviations of the pockets of a sample's measured cage.
@@ -308,12 +280,11 @@ struct Sampler::Implementation {
       if (study.measured_in_turn && !measured.empty()) sample.lot = sample.row % measured.size();
     if (!study.candidates.empty())
       sample.candidate = static_cast<long>(sample.row % study.candidates.size());
-    sample.design_point.resize(design.dimensions());
+    std::vector<double> u(design.dimensions());
     if (redraw == 0)
-      design.point(sample.row, sample.design_point);
+      design.point(sample.row, u);
     else
-      redraws.point(redrawn, sample.design_point);
-    std::vector<double> u = sample.design_point;
+      redraws.point(redrawn, u);
     copula.correlate(u);
     sample.inputs.clear();
     for (std::size_t i = 0; i < study.inputs.size(); ++i)
@@ -360,12 +331,6 @@ Sample draw_sample(const Study& study, std::uint64_t id) {
 DesignColumns design_columns(const Study& study) {
   auto columns = make_columns(study);
   return {std::move(columns.names), std::move(columns.groups)};
-}
-
-DesignSpec design_spec(const Study& study) {
-  auto spec = spec_of(study, make_columns(study));
-  spec.rows = refused_as_input("design", quoted_design(study), [&] { return complete_rows(spec); });
-  return spec;
 }
 
 }  // namespace cagetol

@@ -28,7 +28,6 @@ struct Sample {
   std::uint64_t replicate = 0;  ///< 0, or the k-th repetition of the row with fresh noise
   std::uint64_t lot = 0;
   long candidate = -1;
-  std::vector<double> design_point;
   std::vector<DrawnInput> inputs;  ///< in the order of Study::inputs
   Scene scene;                     ///< ready to simulate
 };
@@ -40,10 +39,6 @@ struct DesignColumns {
   std::vector<std::string> names, groups;
 };
 DesignColumns design_columns(const Study& study);
-
-/// The design that the study asks for. `rows` is study.samples, rounded up where the design needs
-/// it.
-DesignSpec design_spec(const Study& study);
 
 /// Draws samples: owns the design and the correlations, made once. Immutable, cheap to copy, usable
 /// from any thread.

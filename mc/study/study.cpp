@@ -39,21 +39,6 @@ const toml::table& scene_table(const toml::table& root, const std::string& file)
   return *scene->as_table();
 }
 
-std::vector<long> read_grid_levels(const toml::node& node, const std::string& file) {
-  const toml::array alone{node.value_exact<std::int64_t>().value_or(0)};
-  const auto& array = node.is_array() ? *node.as_array() : alone;
-  std::vector<long> levels;
-  for (const auto& element : array)
-    if (element.is_integer() && element.as_integer()->get() >= 1)
-      levels.push_back(element.as_integer()->get());
-  if (array.empty() || levels.size() != array.size())
-    throw InputError(place_of(node, file), "grid_levels", shown(node),
-                     "expected whole numbers above 0",
-                     "give one number of levels for each group of inputs (`cagetol check` lists "
-                     "the groups), or a single one for all");
-  return levels;
-}
-
 // Every key outside the scene that holds one value; the lists are read elsewhere.
 void read_plain_keys(const toml::table& root, const std::string& file, Study& study) {
   for (const auto& leaf : toml_leaves(root, {})) {
@@ -68,9 +53,7 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
         throw InputError(place_of(*leaf.node, file), leaf.name, shown(*leaf.node),
                          "there may be several of these: they are a list of tables",
                          "write [[" + list + "]] with two brackets on each side");
-    if (leaf.name == "grid_levels") {
-      study.grid_levels = read_grid_levels(*leaf.node, file);
-    } else if (const auto* key = find_key(study_keys(), leaf.name)) {
+    if (const auto* key = find_key(study_keys(), leaf.name)) {
       read_key(*key, *leaf.node, file, 1, study);
     } else if (is_scene_section(leaf.name.substr(0, leaf.name.find('.')))) {
       throw InputError(place_of(*leaf.node, file), leaf.name, "", "this is a key of a scene",
@@ -78,32 +61,12 @@ void read_plain_keys(const toml::table& root, const std::string& file, Study& st
                            ", or its section as [scene.SECTION]; a scene has no keys like samples");
     } else {
       auto known = key_infos(study_keys());
-      for (const char* list : {"grid_levels", "scene", "limit", "correlation",
-                               "tolerance.dimension", "assumption", "operating_point"})
+      for (const char* list : {"scene", "limit", "correlation", "tolerance.dimension", "assumption",
+                               "operating_point"})
         known.emplace_back(list, any_value(), "", KeyKind::text);
       throw unknown_key(leaf, file, known);
     }
   }
-}
-
-// The number of rows with which the design is complete. Throws what Sampler throws, and InputError
-// beyond the range of `samples`: the resolved study could not be read again.
-void complete_rows(Study& study, const toml::table& root, const std::string& file) {
-  const std::uint64_t rows = design_spec(study).rows;
-  const auto most =
-      static_cast<std::uint64_t>(info_of(key_infos(study_keys()), "samples").range.maximum);
-  if (rows > most) {
-    const bool grid = study.design == DesignKind::grid;
-    const char* name = grid ? "grid_levels" : "samples";
-    const auto* node = find_node(root, name);
-    throw InputError(node ? place_of(*node, file) : SourcePlace{file, 0}, name,
-                     node ? shown(*node) : "",
-                     std::string("design \"") + design_name(study.design) + "\" has " +
-                         std::to_string(rows) + " rows" + (grid ? "" : " when it is complete") +
-                         "; a study has at most " + std::to_string(most),
-                     grid ? "use fewer levels" : "ask for fewer rows");
-  }
-  study.samples = static_cast<long>(rows);
 }
 
 void resolve(Study& study) {
@@ -162,14 +125,11 @@ Study study_of(toml::table root, const std::string& file) {
   check_drawn_range(study, scene, file);
   check_flexible_cage(study, scene, file);
   check_assumption_ranges(study, scene, file);
-  complete_rows(study, root, file);
   const Sampler sampler(study);  // refuses what makes no design
-  if (study.redraw_jams && (study.candidates.empty() || study.design == DesignKind::grid))
+  if (study.redraw_jams && study.candidates.empty())
     throw InputError({}, "redraw_jams", "true",
-                     "the share of cages that fit is known of candidate tolerances alone, and rows "
-                     "of the design grid belong together",
-                     "leave it out, or give [[tolerance.dimension]] and a design that is random, "
-                     "lhs or sobol");
+                     "the share of cages that fit is known of candidate tolerances alone",
+                     "leave it out, or give [[tolerance.dimension]]");
   find_temperatures(study);
   find_whirl_clearance(study);
   find_nominal_limits(study);
@@ -259,8 +219,7 @@ std::vector<std::string> study_notes(const Study& study) {
           " cage revolutions, the window measures " + number_text(measured) + " (scene.window." +
           (in_part ? "peak_revolutions" : "measure_revolutions") + ")");
   }
-  if (!study.correlations.empty() &&
-      (study.design == DesignKind::lhs || study.design == DesignKind::sobol))
+  if (!study.correlations.empty() && study.design == DesignKind::lhs)
     notes.push_back(std::string("design = \"") + design_name(study.design) +
                     "\": of two correlated inputs the second is drawn given the first and fills no "
                     "strata of its own");

@@ -111,7 +111,6 @@ struct Study {
   double extra_replicates =
       0;  ///< additional runs with fresh noise, as a share of rows; 15 means 16 runs of every row
   DesignKind design = DesignKind::random;
-  long scrambles = 8;
   long cages_per_lot = 1;
   bool redraw_jams = false;       ///< cages that do not fit are drawn again (cage_fit.hpp)
   bool measured_in_turn = false;  ///< rows run the measured cages one after the other
@@ -120,7 +119,6 @@ struct Study {
   std::string fidelity = "pinned";  ///< of the model: "pinned" as the scene says, or "auto"
   long fidelity_samples = 24;       ///< runs on each rung of the model ladder
   double fidelity_budget = 0.1;     ///< largest shift allowed, in standard errors of the study
-  std::vector<long> grid_levels;    ///< of design "grid": levels per varied input
   Scene scene;                      ///< nominal
   bool names_lubrication = true;    ///< the scene gives lubrication.model
   std::vector<UncertainInput> inputs;
@@ -146,8 +144,7 @@ std::uint64_t sample_count(const Study& study);
 
 /// Reads a study file, or a scene file (then: one row, every distribution of the scene drawn).
 /// `settings` are "key=value" in TOML syntax; scene keys may be given with or without "scene." in
-/// front. Throws InputError. `Study::samples` is rounded up to the number of rows with which the
-/// design is complete (sobol, grid).
+/// front. Throws InputError.
 Study read_study(const std::string& path, const std::vector<std::string>& settings = {});
 
 /// Likewise, to run the measured cages of the CSV file `measured` one after the other: laws with a

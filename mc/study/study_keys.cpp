@@ -15,7 +15,6 @@ const KeyTable<Study>& study_keys() {
       {"samples", within(1, 1e9), AT(samples), "rows of the design; rounded up where the design needs it"},
       {"extra_replicates", within(0, 1000), AT(extra_replicates), "runs repeated with fresh noise, as a share of the rows; 15: every row 16 times"},
       {"design", any_value(), AT(design), "how the rows fill the space of deviations"},
-      {"scrambles", within(1, 1024), AT(scrambles), "design sobol: independent scrambles"},
       {"cages_per_lot", within(1, 1e6), AT(cages_per_lot), "design random: cages that share one draw of the lot"},
       {"redraw_jams", any_value(), AT(redraw_jams), "true: a cage that does not fit (rollers, lips, rings) is drawn again, so that every run is of one that does, and the yields of candidate tolerances are those of cages that fit times the share that fits; the stages of `recommend` do so. false: such a cage is a sample that jams"},
       {"measured_in_turn", any_value(), AT(measured_in_turn), "true: the rows run the measured cages of a CSV file one after the other in place of drawing them, as `sweep --measured FILE` does, and no tolerance is asked for"},
@@ -110,8 +109,8 @@ const std::vector<KeyInfo>& operating_point_keys() {
 // clang-format on
 
 bool is_study_section(const std::string& name) {
-  static const std::vector<std::string> lists = {
-      "scene", "limit", "correlation", "grid_levels", "inputs", "candidates", "operating_point"};
+  static const std::vector<std::string> lists = {"scene",  "limit",      "correlation",
+                                                 "inputs", "candidates", "operating_point"};
   if (std::find(lists.begin(), lists.end(), name) != lists.end()) return true;
   return std::any_of(study_keys().begin(), study_keys().end(), [&](const auto& key) {
     return key.name != "name" && key.name.substr(0, key.name.find('.')) == name;

@@ -18,10 +18,11 @@ std::string seal_of(std::string_view content) {
   return seal;
 }
 
-/// Of a file that is neither whole nor unsealed.
 std::string problem_of(std::string_view file, std::string_view expected) {
   const std::string_view seal = file.substr(0, kSealSize);
   if (file.empty()) return "it is empty";
+  if (file.starts_with(kHdf5))
+    return "it has no checksum: another program wrote it, or a cagetol of schema 1";
   if (!seal.starts_with(kTitle)) {
     if (kTitle.starts_with(seal.substr(0, kTitle.size())))
       return fmt::format("it is cut short: {} bytes are left", file.size());
@@ -51,12 +52,10 @@ std::string sealed(std::string file) {
   return file.replace(0, kSealSize, seal);
 }
 
-SealCheck check_seal(std::string_view file) {
-  if (file.starts_with(kHdf5)) return {SealState::unsealed, ""};
+std::string seal_problem(std::string_view file) {
   const std::string expected =
       seal_of(file.size() < kSealSize ? std::string_view() : file.substr(kSealSize));
-  if (file.substr(0, kSealSize) == expected) return {SealState::whole, ""};
-  return {SealState::broken, problem_of(file, expected)};
+  return file.substr(0, kSealSize) == expected ? "" : problem_of(file, expected);
 }
 
 }  // namespace cagetol

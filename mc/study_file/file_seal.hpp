@@ -18,16 +18,7 @@ inline constexpr std::size_t kSealSize = 512;
 /// The file with its first kSealSize bytes replaced by the seal of those behind them.
 std::string sealed(std::string file);
 
-enum class SealState {
-  whole,     ///< every byte is as written
-  unsealed,  ///< an HDF5 file without seal: an older build or another program wrote it
-  broken
-};
-
-struct SealCheck {
-  SealState state = SealState::broken;
-  std::string problem;  ///< why it is broken
-};
-SealCheck check_seal(std::string_view file);
+/// Why not every byte is as written; empty where each is.
+std::string seal_problem(std::string_view file);
 
 }  // namespace cagetol

@@ -38,55 +38,19 @@ bool is_utf8(const std::string& text) {
   }
 }
 
-H5Kind kind_of(hid_t type) {
-  switch (H5Tget_class(type)) {
-    case H5T_STRING:
-      return H5Kind::text;
-    case H5T_FLOAT:
-      return H5Kind::real;
-    case H5T_INTEGER:
-      return H5Kind::integer;
-    default:
-      return H5Kind::other;
-  }
-}
-
-/// Texts of variable length, as older builds and other programs write them. `read` fills a buffer
-/// of the memory type given.
+/// Every text; false where they cannot be read or are not UTF-8. `read` fills a buffer of the type.
 template <class Read>
-bool read_variable(hid_t stored, hid_t space, const Read& read, std::vector<std::string>& texts) {
-  const H5Handle memory(H5Tcopy(H5T_C_S1), H5Tclose, "make a string type");
-  H5Tset_size(memory, H5T_VARIABLE);
-  H5Tset_cset(memory, H5Tget_cset(stored));
-  std::vector<char*> pointers(texts.size(), nullptr);
-  if (read(memory, static_cast<void*>(pointers.data())) < 0) return false;
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    if (pointers[i] != nullptr) texts[i] = pointers[i];
-  H5Dvlen_reclaim(memory, space, H5P_DEFAULT, static_cast<void*>(pointers.data()));
-  return true;
-}
-
-template <class Read>
-bool read_fixed(hid_t stored, const Read& read, std::vector<std::string>& texts) {
-  const std::size_t size = H5Tget_size(stored);
+bool read_texts(hid_t type, hid_t space, const Read& read, std::vector<std::string>& texts) {
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return false;
+  const std::size_t size = H5Tget_size(type);
+  texts.resize(count_of(space));
   std::vector<char> buffer(size * texts.size());
-  if (read(stored, static_cast<void*>(buffer.data())) < 0) return false;
+  if (!texts.empty() && read(static_cast<void*>(buffer.data())) < 0) return false;
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const char* begin = buffer.data() + i * size;
     texts[i].assign(begin, std::find(begin, begin + size, '\0'));
   }
-  return true;
-}
-
-/// Every text; false where they cannot be read or are not UTF-8.
-template <class Read>
-bool read_texts(hid_t type, hid_t space, const Read& read, std::vector<std::string>& texts) {
-  if (kind_of(type) != H5Kind::text) return false;
-  texts.resize(count_of(space));
-  if (texts.empty()) return true;
-  return (H5Tis_variable_str(type) > 0 ? read_variable(type, space, read, texts)
-                                       : read_fixed(type, read, texts)) &&
-         std::all_of(texts.begin(), texts.end(), is_utf8);
+  return std::all_of(texts.begin(), texts.end(), is_utf8);
 }
 
 }  // namespace
@@ -138,15 +102,6 @@ std::vector<std::string> Hdf5Reader::children(const std::string& group) const {
   return names;
 }
 
-H5Kind Hdf5Reader::kind(const std::string& path) const {
-  const H5Handle object =
-      opened(H5Oopen(file_, path.c_str(), H5P_DEFAULT), H5Oclose, path, "cannot be opened");
-  const H5I_type_t type = H5Iget_type(object);
-  if (type == H5I_GROUP) return H5Kind::group;
-  if (type != H5I_DATASET) return H5Kind::other;
-  return kind_of(opened(H5Dget_type(object), H5Tclose, path, "its type cannot be read"));
-}
-
 Hdf5Reader::Dataset Hdf5Reader::opened_dataset(const std::string& dataset) const {
   H5Handle data =
       opened(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose, dataset, "is missing");
@@ -179,8 +134,8 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
   const Dataset found = opened_dataset(dataset);
   const H5Handle type =
       opened(H5Dget_type(found.data), H5Tclose, dataset, "its type cannot be read");
-  const auto read = [&](hid_t memory, void* buffer) {
-    return H5Dread(found.data, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+  const auto read = [&](void* buffer) {
+    return H5Dread(found.data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
   };
   std::vector<std::string> texts;
   if (!read_texts(type, found.space, read, texts))
@@ -188,31 +143,9 @@ std::vector<std::string> Hdf5Reader::strings(const std::string& dataset) const {
   return texts;
 }
 
-std::vector<std::string> Hdf5Reader::attributes(const std::string& object) const {
-  const H5Handle handle =
-      opened(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose, object, "cannot be opened");
-  std::vector<std::string> names;
-  const int count = H5Aget_num_attrs(handle);
-  for (hsize_t i = 0; i < static_cast<hsize_t>(std::max(count, 0)); ++i) {
-    const H5Handle attribute =
-        opened(H5Aopen_by_idx(handle, ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT),
-               H5Aclose, object, "its attributes cannot be read");
-    std::string name(
-        static_cast<std::size_t>(std::max<ssize_t>(H5Aget_name(attribute, 0, nullptr), 0)), '\0');
-    H5Aget_name(attribute, name.size() + 1, name.data());
-    names.push_back(std::move(name));
-  }
-  return names;
-}
-
 H5Handle Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
   return opened(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
                 H5Aclose, object, "has no attribute `" + name + "`");
-}
-
-H5Kind Hdf5Reader::attribute_kind(const std::string& object, const std::string& name) const {
-  return kind_of(opened(H5Aget_type(attribute(object, name)), H5Tclose, object,
-                        "the type of its attribute `" + name + "` cannot be read"));
 }
 
 bool Hdf5Reader::has_attribute(const std::string& object, const std::string& name) const {
@@ -223,7 +156,7 @@ std::string Hdf5Reader::text_attribute(const std::string& object, const std::str
   const H5Handle found = attribute(object, name);
   const H5Handle space = opened(H5Aget_space(found), H5Sclose, object, kSpace);
   const H5Handle type = opened(H5Aget_type(found), H5Tclose, object, "its type cannot be read");
-  const auto read = [&](hid_t memory, void* buffer) { return H5Aread(found, memory, buffer); };
+  const auto read = [&](void* buffer) { return H5Aread(found, type, buffer); };
   std::vector<std::string> texts;
   if (!read_texts(type, space, read, texts) || texts.empty())
     fail(object, "its attribute `" + name + "` cannot be read as text, or is not UTF-8");

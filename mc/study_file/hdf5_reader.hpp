@@ -16,8 +16,6 @@ struct RealArray {
   std::vector<double> values;
 };
 
-enum class H5Kind { group, text, real, integer, other };
-
 /// Reads from the bytes of a file (study_bytes.hpp). Every member throws StudyFileError naming the
 /// file and the object that is missing or broken.
 class Hdf5Reader {
@@ -31,15 +29,10 @@ class Hdf5Reader {
   /// Names of the links of a group in alphabetical order; empty where the group is absent.
   std::vector<std::string> children(const std::string& group) const;
 
-  H5Kind kind(const std::string& path) const;
-
   RealArray reals(const std::string& dataset) const;
   std::vector<std::int64_t> integers(const std::string& dataset) const;
   std::vector<std::string> strings(const std::string& dataset) const;
 
-  /// Names of the attributes of an object in alphabetical order, and what one holds.
-  std::vector<std::string> attributes(const std::string& object) const;
-  H5Kind attribute_kind(const std::string& object, const std::string& name) const;
   bool has_attribute(const std::string& object, const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
   std::int64_t integer_attribute(const std::string& object, const std::string& name) const;

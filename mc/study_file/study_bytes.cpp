@@ -11,7 +11,6 @@
 
 #include "mc/study_file/file_seal.hpp"
 #include "mc/study_file/study_file_error.hpp"
-#include "mc/study_file/unsealed_file.hpp"
 
 namespace cagetol {
 namespace {
@@ -85,15 +84,12 @@ std::string read_study_bytes(const std::filesystem::path& path) {
   const OpenFile file(name);
   if (file.get() < 0) cannot_open(name, errno);
   std::string bytes = all_of(file, name);
-  const SealCheck seal = check_seal(bytes);
-  if (seal.state == SealState::whole) return bytes;
+  const std::string problem = seal_problem(bytes);
+  if (problem.empty()) return bytes;
   if (is_locked(file))
-    throw StudyFileError(name,
-                         "another program has locked it and may be changing it" +
-                             (seal.problem.empty() ? "" : "; " + seal.problem),
+    throw StudyFileError(name, "another program has locked it and may be changing it; " + problem,
                          "end that program, then try again");
-  if (seal.state == SealState::broken) throw StudyFileError(name, seal.problem, kRebuildRemedy);
-  return read_unsealed(bytes, name);
+  throw StudyFileError(name, problem, kRebuildRemedy);
 }
 
 }  // namespace cagetol

@@ -6,10 +6,9 @@
 
 namespace cagetol {
 
-/// A sealed file is given back as it is. A file without seal (schema 1, or written by another
-/// program) is read and written again by a process of its own (unsealed_file.hpp). Locks do not
-/// matter: a file that is being written does not match its seal. Throws StudyFileError, which tells
-/// apart: missing, no permission, cut short, damaged, locked, no HDF5 file.
+/// Locks do not matter: a file that is being written does not match its seal. Throws
+/// StudyFileError, which tells apart: missing, no permission, cut short, damaged, without seal,
+/// locked, no HDF5 file.
 std::string read_study_bytes(const std::filesystem::path& file);
 
 }  // namespace cagetol

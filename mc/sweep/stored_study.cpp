@@ -32,7 +32,6 @@ struct InputColumns {
 /// Everything that comes from drawing the samples again, so that journals need not carry it.
 struct DrawnColumns {
   std::vector<std::int64_t> row, replicate, lot, candidate;
-  std::vector<double> points;
   std::vector<InputColumns> inputs;
 };
 
@@ -57,8 +56,6 @@ DrawnColumns draw_columns(const SweepPlan& plan, const OutcomesById& outcomes) {
     columns.replicate.push_back(integer(sample.replicate));
     columns.lot.push_back(integer(sample.lot));
     columns.candidate.push_back(sample.candidate);
-    columns.points.insert(columns.points.end(), sample.design_point.begin(),
-                          sample.design_point.end());
     for (std::size_t k = 0; k < study.inputs.size(); ++k) {
       const std::size_t width = width_of(study.inputs[k], study);
       const DrawnInput& drawn = sample.inputs[k];
@@ -93,8 +90,6 @@ void write_root(hid_t root, const SweepPlan& plan, const BuildInfo& build) {
   write_h5_attribute(root, "design", std::string(design_name(study.design)));
   write_h5_attribute(root, "rows_planned", integer(plan.rows));
   write_h5_attribute(root, "samples_planned", integer(plan.samples));
-  write_h5_attribute(root, "scrambles",
-                     std::int64_t{study.design == DesignKind::sobol ? study.scrambles : 1});
   write_h5_attribute(root, "pockets", std::int64_t{study.scene.bearing.roller_count});
 }
 
@@ -140,14 +135,6 @@ void write_samples(hid_t root, const DrawnColumns& drawn, const OutcomesById& ou
   write_h5(group, "interference_um",
            column<double>(outcomes, [](const S& s) { return s.interference_um; }),
            {"um", "by how much the roller is too large for the pocket that jams"});
-}
-
-void write_design(hid_t root, const SweepPlan& plan, const DrawnColumns& drawn) {
-  const H5Handle group = make_h5_group(root, "design");
-  write_h5(group, "point", drawn.points, {"-", "design point of the row, in [0,1]"},
-           plan.columns.names.size());
-  write_h5(group, "columns", plan.columns.names, {"-", "input of each column"});
-  write_h5(group, "groups", plan.columns.groups, {"-", "group of each column"});
 }
 
 /// The laws of one input as JSON, taken from the resolved study.
@@ -287,7 +274,6 @@ std::string make_study_file(const SweepPlan& plan, const OutcomesById& outcomes,
     // Freed before the file is copied out: of many samples it is as large as the file.
     const DrawnColumns drawn = draw_columns(plan, outcomes);
     write_samples(root, drawn, outcomes);
-    write_design(root, plan, drawn);
     write_inputs(root, plan.study, drawn);
   }
   write_jams(root, jam_shares(plan.study));

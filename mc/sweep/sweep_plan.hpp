@@ -16,7 +16,6 @@ using StopRequested = std::function<bool()>;
 
 struct SweepPlan {
   Study study;
-  DesignColumns columns;
   std::uint64_t rows = 0;     ///< of the design
   std::uint64_t samples = 0;  ///< ids are 0 .. samples-1
   /// Makes what samples share and takes long, and keeps it where all ranks find it: each rank makes

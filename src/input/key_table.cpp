@@ -7,7 +7,6 @@
 #include "src/input/printable.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -120,30 +119,19 @@ KeyRange any_value() {
 }
 
 KeyRange above(double minimum, double maximum) {
-  KeyRange range;
-  range.minimum = minimum;
-  range.maximum = maximum;
-  range.open_minimum = true;
-  return range;
+  return {.minimum = minimum, .maximum = maximum, .open_minimum = true};
 }
 
 KeyRange at_least(double minimum) {
-  KeyRange range;
-  range.minimum = minimum;
-  return range;
+  return {.minimum = minimum};
 }
 
 KeyRange within(double minimum, double maximum) {
-  KeyRange range;
-  range.minimum = minimum;
-  range.maximum = maximum;
-  return range;
+  return {.minimum = minimum, .maximum = maximum};
 }
 
 KeyRange one_of(std::vector<std::string> choices) {
-  KeyRange range;
-  range.choices = std::move(choices);
-  return range;
+  return {.choices = std::move(choices)};
 }
 
 KeyRange or_auto(KeyRange range) {
@@ -231,10 +219,7 @@ InputError unknown_key(const TomlLeaf& leaf, const std::string& file,
                   given.text,
               "write " + key.name + ", in " + wanted.text};
     const auto in_wanted = [&](double amount) {
-      const double converted = from_si(cagetol::to_si(amount, given.to_si), wanted.to_si);
-      std::array<char, 40> text{};
-      std::snprintf(text.data(), text.size(), "%.12g", converted);
-      return std::string(text.data());
+      return fmt::format("{:.12g}", from_si(cagetol::to_si(amount, given.to_si), wanted.to_si));
     };
     return {place, leaf.name, value,
             "wrong unit: this key is in " + wanted.text + ", not in " + given.text,

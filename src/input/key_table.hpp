@@ -38,8 +38,8 @@ struct KeyRange {
   bool required = false;        ///< the key has no default and must be given
   /// The key must be given if another key has this value, for example "model.motion = \"dynamic\"".
   /// Empty: no such condition.
-  std::string required_where;
-  std::vector<std::string> choices;
+  std::string required_where = {};
+  std::vector<std::string> choices = {};
 };
 KeyRange any_value();
 KeyRange above(double minimum, double maximum = std::numeric_limits<double>::infinity());

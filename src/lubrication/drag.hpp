@@ -34,12 +34,6 @@ struct FreeSpaceFluid {
 /// `fill`: share of the free space that is oil, in [0, 1].
 FreeSpaceFluid free_space_fluid(double fill, double oil_density, double oil_viscosity);
 
-/// Force against `v` [N].
-template <class T>
-T cylinder_drag(double density, double coefficient, double diameter, double length, T v) {
-  return (0.5 * density * coefficient * diameter * length) * v * abs(v);
-}
-
 namespace drag_detail {
 template <class T>
 T blended(T re, double transition, T laminar, T turbulent) {

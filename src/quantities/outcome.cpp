@@ -3,21 +3,8 @@
 namespace cagetol {
 
 const char* status_name(Status status) {
-  switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::jammed:
-      return "jammed";
-    case Status::failed:
-      return "failed";
-    case Status::censored:
-      return "censored";
-    case Status::not_run:
-      return "not_run";
-    case Status::poisoned:
-      return "poisoned";
-  }
-  return "unknown";
+  constexpr const char* kNames[] = {"ok", "jammed", "failed", "censored", "not_run", "poisoned"};
+  return kNames[static_cast<int>(status)];
 }
 
 const std::vector<RunField>& run_fields() {

@@ -1,8 +1,9 @@
 #include "src/quantities/quantity_bounds.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -98,9 +99,7 @@ bool turns(Run run) {
 }
 
 std::string digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  return fmt::format("{:.4g}", value);
 }
 
 /// A quantity and its value.

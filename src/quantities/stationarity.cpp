@@ -1,8 +1,9 @@
 #include "src/quantities/stationarity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace cagetol {
@@ -15,9 +16,7 @@ constexpr double kBlocks = kDriftBlocks;
 constexpr double kChance = 5;
 
 std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
+  return fmt::format("{:.3g}", x);
 }
 std::string percent(double share) {
   return number(100 * share) + " %";

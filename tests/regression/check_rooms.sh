@@ -31,8 +31,7 @@ src/catalogue: src/input src/scene src/reading src/operation src/quantities
 src: $run
 distributions/basics:
 distributions/laws: distributions/basics
-distributions/designs: distributions/basics
-distributions: distributions/basics distributions/laws distributions/designs
+distributions: distributions/basics distributions/laws
 mc/study_file: distributions
 mc/host: mc/study_file src/input src/quantities
 mc/ranks: mc/study_file mc/host src/input src/quantities
@@ -47,10 +46,9 @@ analysis/study: mc/study_file distributions
 analysis/statistics: analysis/study mc/study_file distributions
 analysis/sensitivity: analysis/study analysis/statistics mc/study_file distributions
 analysis/compare: analysis/study analysis/statistics mc/study_file distributions
-analysis/response: analysis/study analysis/statistics analysis/sensitivity mc/study_file
 analysis/tolerance: analysis/study analysis/statistics analysis/sensitivity analysis/compare mc/study_file distributions
 analysis/fidelity: analysis/study analysis/statistics analysis/compare mc/study_file distributions
-analysis/report: analysis/study analysis/statistics analysis/sensitivity analysis/compare analysis/response analysis/tolerance analysis/fidelity mc/study_file distributions
+analysis/report: analysis/study analysis/statistics analysis/sensitivity analysis/compare analysis/tolerance analysis/fidelity mc/study_file distributions
 TABLE
 )
 includes=$(find src mc analysis distributions -name '*.[hc]pp' -print0 |

@@ -61,11 +61,9 @@ Sample draw(const Study& study, std::uint64_t id) {
   sample.id = sample.row = sample.lot = id;
   sample.scene = study.scene;
   DrawnInput width, phase;
-  for (std::uint64_t column = 0; column <= kPockets; ++column)
-    sample.design_point.push_back(uniform(id, column));
-  width.lot = {0.01 * (sample.design_point[0] - 0.5)};
+  width.lot = {0.01 * (uniform(id, 0) - 0.5)};
   for (std::size_t j = 0; j < kPockets; ++j) {
-    width.pocket.push_back(0.02 * (sample.design_point[j + 1] - 0.5));
+    width.pocket.push_back(0.02 * (uniform(id, j + 1) - 0.5));
     width.value.push_back(7.65 + width.lot[0] + width.pocket[j]);
   }
   phase.noise = phase.value = {360 * uniform(id, 100)};
@@ -126,12 +124,6 @@ Outcome run(const StandinOptions& options, const Sample& sample, const StopReque
 SweepPlan make_standin_plan(const StandinOptions& options) {
   SweepPlan plan;
   plan.study = make_study(options);
-  plan.columns.names = {"cage.pocket_width_mm:lot"};
-  plan.columns.groups = {"cage.pocket_width_mm:lot"};
-  for (long j = 0; j < kPockets; ++j) {
-    plan.columns.names.push_back(fmt::format("cage.pocket_width_mm:pocket[{}]", j));
-    plan.columns.groups.push_back("cage.pocket_width_mm:pocket");
-  }
   plan.rows = plan.samples = static_cast<std::uint64_t>(options.samples);
   plan.draw = [study = plan.study](std::uint64_t id) { return draw(study, id); };
   plan.job = [options](const Sample& sample, const StopRequested& stop) {

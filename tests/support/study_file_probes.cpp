@@ -95,9 +95,9 @@ void edit(hid_t file, const Objects& objects, Commands& commands) {
   const std::size_t what = commands.number(), which = commands.number();
   const std::string& dataset = objects.datasets[which % objects.datasets.size()];
   const std::string& group = objects.groups[which % objects.groups.size()];
-  static const char* attributes[] = {"schema_version", "pockets",         "seed",
-                                     "study_hash",     "build",           "design",
-                                     "rows_planned",   "samples_planned", "scrambles"};
+  static const char* attributes[] = {"schema_version", "pockets",        "seed",
+                                     "study_hash",     "build",          "design",
+                                     "rows_planned",   "samples_planned"};
   const std::string attribute = attributes[which % std::size(attributes)];
   switch (what % 6) {
     case 0:

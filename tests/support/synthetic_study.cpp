@@ -175,7 +175,7 @@ StudyData make_synthetic_study(const SyntheticOptions& options) {
                       R"({"HDF5":"1.10.8","SUNDIALS":"6.4.1"})",
                       "synthetic",
                       "00c0ffee00c0ffee",
-                      1,
+                      2,
                       options.seed,
                       {}};
   study.design.kind = options.design;

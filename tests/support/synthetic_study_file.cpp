@@ -19,7 +19,6 @@ void write_root(hid_t file, const StudyData& study) {
   write_h5_attribute(file, "design", study.design.kind);
   write_h5_attribute(file, "rows_planned", study.design.rows_planned);
   write_h5_attribute(file, "samples_planned", study.design.samples_planned);
-  write_h5_attribute(file, "scrambles", study.design.scrambles);
   write_h5_attribute(file, "pockets", static_cast<std::int64_t>(study.pockets));
 }
 
@@ -73,12 +72,6 @@ void write_synthetic_study(const StudyData& study, const std::filesystem::path& 
     write_h5(texts, "files", study.provenance.files, {"-", ""});
   }
   write_samples(file, study);
-  if (!study.design.columns.empty()) {
-    const H5Handle design = make_h5_group(file, "design");
-    write_h5(design, "point", study.design.point, {"-", ""}, study.design.columns.size());
-    write_h5(design, "columns", study.design.columns, {"-", ""});
-    write_h5(design, "groups", study.design.groups, {"-", ""});
-  }
   write_inputs(file, study);
   write_columns(file, "quantities", study.quantities);
   write_columns(file, "run", study.run);

@@ -1,9 +1,10 @@
 #include "src/cage/mesh/cage_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numbers>
 
@@ -42,12 +43,6 @@ Fillet fillet_at(const CageDimensions& cage, double half_length, double half_wid
   return {inward, along - (1 - s) * half_width};
 }
 
-std::string format_reason(const char* text, double value) {
-  char line[200];
-  std::snprintf(line, sizeof line, text, value);
-  return line;
-}
-
 CageFault geometry_fault(long pocket, std::string reason) {
   return {CageFaultKind::geometry, static_cast<int>(pocket), std::move(reason)};
 }
@@ -60,19 +55,19 @@ std::optional<CageFault> pocket_fault(const CageDimensions& cage, const PocketDe
     return geometry_fault(pocket, "a deviation of the pocket is not a finite number");
   }
   if (width <= 0)
-    return geometry_fault(pocket, format_reason("pocket width is %.4g mm", 1e3 * width));
+    return geometry_fault(pocket, fmt::format("pocket width is {:.4g} mm", 1e3 * width));
   if (length <= 0) {
-    return geometry_fault(pocket, format_reason("pocket length is %.4g mm", 1e3 * length));
+    return geometry_fault(pocket, fmt::format("pocket length is {:.4g} mm", 1e3 * length));
   }
   const double side = 0.5 * (cage.width - length);
   if (side <= 0) {
     return geometry_fault(
         pocket,
-        format_reason("pocket breaks through the side rings, which are %.4g mm thick", 1e3 * side));
+        fmt::format("pocket breaks through the side rings, which are {:.4g} mm thick", 1e3 * side));
   }
   if (2 * cage.corner_radius >= std::min(width, length)) {
-    return geometry_fault(pocket, format_reason("pocket has no room for corners of radius %.4g mm",
-                                                1e3 * cage.corner_radius));
+    return geometry_fault(pocket, fmt::format("pocket has no room for corners of radius {:.4g} mm",
+                                              1e3 * cage.corner_radius));
   }
   // The narrowest place of a half bar: inner surface, at the pocket end towards which the face
   // leans.
@@ -83,9 +78,9 @@ std::optional<CageFault> pocket_fault(const CageDimensions& cage, const PocketDe
                          : -1.0;
   if (bar <= 0) {
     return geometry_fault(pocket,
-                          format_reason("pocket reaches past the middle of a bar, which keeps "
-                                        "%.4g mm of its half at the inner surface",
-                                        1e3 * bar * cage.inner_radius));
+                          fmt::format("pocket reaches past the middle of a bar, which keeps "
+                                      "{:.4g} mm of its half at the inner surface",
+                                      1e3 * bar * cage.inner_radius));
   }
   return std::nullopt;
 }

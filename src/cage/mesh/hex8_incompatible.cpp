@@ -122,11 +122,6 @@ Eigen::Matrix<double, 6, 6> elasticity(const Material& material) {
   return d;
 }
 
-Hex8Derivatives hex8_derivatives(const Hex8Nodes& nodes, const Eigen::Vector3d& xi) {
-  const Eigen::Matrix3d centre = jacobian(nodes, shape_derivatives(Eigen::Vector3d::Zero()));
-  return derivatives_at(nodes, centre.inverse(), centre.determinant(), xi).derivatives;
-}
-
 Hex8 hex8_stiffness(const Hex8Nodes& nodes, const Material& material) {
   const Eigen::Matrix3d centre = jacobian(nodes, shape_derivatives(Eigen::Vector3d::Zero()));
   const Eigen::Matrix3d centre_inverse = centre.inverse();
@@ -158,11 +153,6 @@ Eigen::Matrix<double, 8, 8> hex8_mass(const Hex8Nodes& nodes, double density) {
     mass.noalias() += weight * n * n.transpose();
   }
   return mass;
-}
-
-Eigen::Matrix<double, 6, 24> hex8_strain(const Hex8Nodes& nodes, const Hex8Internal& internal,
-                                         const Eigen::Vector3d& xi) {
-  return eliminate_internal(strain_matrix(hex8_derivatives(nodes, xi)), internal);
 }
 
 std::array<Eigen::Matrix<double, 6, 24>, 8> hex8_corner_strain(const Hex8Nodes& nodes,

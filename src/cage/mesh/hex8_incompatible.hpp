@@ -43,13 +43,6 @@ Hex8 hex8_stiffness(const Hex8Nodes& nodes, const Material& material);
 /// Consistent mass between corners, one direction (directions do not couple) [kg].
 Eigen::Matrix<double, 8, 8> hex8_mass(const Hex8Nodes& nodes, double density);
 
-/// Derivatives at local coordinates xi in [-1, 1]^3.
-Hex8Derivatives hex8_derivatives(const Hex8Nodes& nodes, const Eigen::Vector3d& xi);
-
-/// Strain operator on the 24 corner displacements, incompatible part included, at xi.
-Eigen::Matrix<double, 6, 24> hex8_strain(const Hex8Nodes& nodes, const Hex8Internal& internal,
-                                         const Eigen::Vector3d& xi);
-
 /// Local coordinates of corner a.
 Eigen::Vector3d hex8_corner(int a);
 

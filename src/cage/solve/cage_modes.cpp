@@ -82,11 +82,6 @@ double eigenvalue_unit(const ElasticInverse& inverse, const SparseMatrix& mass,
   return std::exp2(2 * std::floor(0.5 * std::log2(start.dot(load) / response.dot(load))));
 }
 
-void keep(FreeModes& modes, Eigen::Index count) {
-  modes.frequency = modes.frequency.head(count).eval();
-  modes.shape = modes.shape.leftCols(count).eval();
-}
-
 Eigen::MatrixXd free_motions(const HexMesh& mesh, const SparseMatrix& mass) {
   return mass_orthonormal(rigid_motions(mesh.nodes), mass);
 }
@@ -141,23 +136,6 @@ long modes_below(const BodyMatrices& body, double frequency) {
 Eigen::Index whole_pairs(const Eigen::VectorXd& frequency, Eigen::Index count) {
   while (count > 1 && frequency[count] / frequency[count - 1] - 1 < 1e-6) --count;
   return count;
-}
-
-FreeModes checked_free_modes(const HexMesh& mesh, const BodyMatrices& body,
-                             const HeldFactor& factor, long count) {
-  // Two modes more than asked for, so that a gap to count below and a split pair can be seen.
-  const long wanted = count + 2;
-  const Eigen::MatrixXd rigid = free_motions(mesh, body.mass);
-  for (long attempt = 1; attempt <= 4; ++attempt) {
-    FreeModes modes = lowest_modes(body, factor, rigid, wanted, (attempt + 1) * wanted + 20);
-    const Eigen::Index kept = whole_pairs(modes.frequency, count);
-    const double between = 0.5 * (modes.frequency[kept - 1] + modes.frequency[kept]);
-    if (modes_below(body, between) == kept + rigid.cols()) {
-      keep(modes, kept);
-      return modes;
-    }
-  }
-  throw UnsolvedCage("the search for its modes leaves some out");
 }
 
 }  // namespace cagetol

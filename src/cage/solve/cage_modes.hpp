@@ -33,10 +33,4 @@ long modes_below(const BodyMatrices& body, double frequency);
 /// How many of the ascending frequencies to keep: `count`, or fewer if that would split a pair.
 Eigen::Index whole_pairs(const Eigen::VectorXd& frequency, Eigen::Index count);
 
-/// Like free_modes(), and checks with modes_below() that no mode is missing; if one is, the
-/// iteration is repeated with more vectors. Keeps whole_pairs().
-/// Throws UnsolvedCage if modes are still missing.
-FreeModes checked_free_modes(const HexMesh& mesh, const BodyMatrices& body,
-                             const HeldFactor& factor, long count);
-
 }  // namespace cagetol

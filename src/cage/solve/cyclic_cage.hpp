@@ -31,8 +31,8 @@ class CyclicCage {
   /// Mass of the whole cage, lower triangle.
   const SparseMatrix& mass() const { return mass_; }
 
-  /// The lowest elastic modes of the whole cage: what checked_free_modes() gives, with the modes of
-  /// a pair at cos(n j a) and sin(n j a).
+  /// The lowest elastic modes of the whole cage, whole_pairs() of them, with the modes of a pair at
+  /// cos(n j a) and sin(n j a). Throws UnsolvedCage where modes_below() counts others.
   FreeModes modes(long count) const;
 
   /// Of the whole cage, as free_static_response() gives it.

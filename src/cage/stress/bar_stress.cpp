@@ -60,7 +60,6 @@ struct BarStress::Parts {
   std::array<MatrixXd, 2>
       drive{};  ///< per face: all columns, displacement beyond the sector mesh's at
                 ///< cuts, and whole displacement on the middle plane
-  std::array<CutResultants, 2> cuts{};  ///< per face
 
   void place(const PocketDeviation& deviation);
   RowMatrix read(const MatrixXd& fields, bool only_cuts = false) const;
@@ -209,7 +208,6 @@ void BarStress::Parts::solve_undeviated() {
     const MatrixXd beside = on_sector(turn, basis.fields, face);
     const MatrixXd own = face < 0 ? mirror_field(mirror, basis.fields) : basis.fields;
     const MatrixXd next = face < 0 ? beside : mirror_field(mirror, beside);
-    cuts[face < 0 ? 0 : 1] = {MatrixXd::Zero(12, turn.all()), MatrixXd::Zero(12, turn.all())};
     MatrixXd whole = MatrixXd::Zero(3 * static_cast<Index>(strip.place.size()), turn.all());
     for (const int symmetry : {1, -1}) {
       const MatrixXd fields = 0.5 * (own + symmetry * next);
@@ -239,8 +237,6 @@ void BarStress::Parts::solve_undeviated() {
       inverse.compute(influence);
       const MatrixXd missing = wanted - found;
       const MatrixXd fit = inverse.solve(missing);
-      cuts[face < 0 ? 0 : 1].sector_mesh += wanted;
-      cuts[face < 0 ? 0 : 1].fine += found;
       whole += first + unit * fit;
     }
     // Columns whose loads act on middle planes: displacements of the sector mesh.
@@ -280,10 +276,6 @@ BarStress::BarStress(const CageDimensions& cage, const CageStations& stations,
 }
 
 BarStress::~BarStress() = default;
-
-const BarStress::CutResultants& BarStress::cut_resultants(int face) const {
-  return parts_->cuts[face < 0 ? 0 : 1];
-}
 
 void BarStress::deviate(const PocketDeviation& deviation) {
   parts_->place(deviation);

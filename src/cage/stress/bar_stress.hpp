@@ -47,14 +47,6 @@ class BarStress {
   Eigen::MatrixXd stress(int face, const std::vector<Eigen::Index>& all,
                          const Eigen::MatrixXd& fields, const Eigen::MatrixXd& accelerations) const;
 
-  /// Forces and moments (over half the section's height) on the two cuts of a face's half bar, rows
-  /// 6 (cut at x > 0) + component, for all columns: of the sector mesh, and of the fine mesh before
-  /// its sections are moved to have the same.
-  struct CutResultants {
-    Eigen::MatrixXd sector_mesh, fine;
-  };
-  const CutResultants& cut_resultants(int face) const;
-
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;

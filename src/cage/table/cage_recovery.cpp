@@ -48,15 +48,6 @@ std::vector<int> every_node(const HexMesh& mesh) {
   return nodes;
 }
 
-CageModelOptions model_options(const CageTable& table, const CageStates& states, bool stress) {
-  return {.modes = states.q.rows() - (states.bar_modes ? table.turn.sectors : 0),
-          .bar_modes = states.bar_modes,
-          .stress = stress};
-}
-
-/// States whose stress is recovered together, by the same matrices of each element.
-constexpr Index kFieldsAtOnce = 16;
-
 }  // namespace
 
 Eigen::VectorXd bar_forces_on_nodes(const CageMesh& mesh, const CageStations& stations,
@@ -81,7 +72,11 @@ std::variant<CageRecovery, CageFault> recover_cage(const CageTable& table,
                                                    const std::vector<PocketDeviation>& deviations,
                                                    const CageStates& states) {
   const MatrixXd& q = states.q;
-  const auto made = make_cage_model(table, deviations, model_options(table, states, false));
+  const auto made =
+      make_cage_model(table, deviations,
+                      {.modes = states.q.rows() - (states.bar_modes ? table.turn.sectors : 0),
+                       .bar_modes = states.bar_modes,
+                       .stress = false});
   if (const auto* fault = std::get_if<CageFault>(&made)) return *fault;
   const CageModel& model = std::get<CageModel>(made);
   auto meshed = make_cage_mesh(table.cage, deviations, table.counts);
@@ -130,36 +125,6 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> stress_everywhere(const HexMesh& mesh,
                                                            const Eigen::VectorXd& displacement) {
   return nodal_stress(mesh, material, displacement, every_node(mesh))
       .reshaped(6, mesh.nodes.cols());
-}
-
-std::variant<std::vector<PeakStress>, CageFault> compare_peak_stress(
-    const CageTable& table, const std::vector<PocketDeviation>& deviations,
-    const CageStates& states) {
-  const auto recovered = recover_cage(table, deviations, states);
-  if (const auto* fault = std::get_if<CageFault>(&recovered)) return *fault;
-  const auto& recovery = std::get<CageRecovery>(recovered);
-  const CageModel model =
-      std::get<CageModel>(make_cage_model(table, deviations, model_options(table, states, true)));
-  const HexMesh& mesh = recovery.mesh.mesh;
-  const std::vector<int> nodes = every_node(mesh);
-  std::vector<PeakStress> peaks(static_cast<std::size_t>(states.q.cols()));
-  Eigen::MatrixXd stress;
-  for (Index i = 0; i < states.q.cols(); ++i) {
-    const Index field = i % kFieldsAtOnce;
-    if (field == 0) {
-      const Index fields = std::min(kFieldsAtOnce, states.q.cols() - i);
-      stress =
-          nodal_stress(mesh, table.material, recovery.displacement.middleCols(i, fields), nodes);
-    }
-    PeakStress& peak = peaks[static_cast<std::size_t>(i)];
-    peak.stations =
-        station_stress(model, states.q.col(i), states.bar_force.col(i), states.spin[i]).maxCoeff();
-    for (Index n = 0; n < mesh.nodes.cols(); ++n) {
-      const double value = von_mises(stress.col(field).segment<6>(6 * n));
-      if (value > peak.full) peak = {peak.stations, value, static_cast<int>(n)};
-    }
-  }
-  return peaks;
 }
 
 }  // namespace cagetol

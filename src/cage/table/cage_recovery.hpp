@@ -47,15 +47,4 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> stress_everywhere(const HexMesh& mesh,
                                                            const Material& material,
                                                            const Eigen::VectorXd& displacement);
 
-/// Largest von Mises stress of a state, from the per-sample model and from the full recovery [Pa].
-struct PeakStress {
-  double stations = 0;  ///< station_stress() of the per-sample model
-  double full = 0;      ///< over all nodes of the full recovery
-  int node = -1;        ///< node of `full`
-};
-/// One entry for each state.
-std::variant<std::vector<PeakStress>, CageFault> compare_peak_stress(
-    const CageTable& table, const std::vector<PocketDeviation>& deviations,
-    const CageStates& states);
-
 }  // namespace cagetol

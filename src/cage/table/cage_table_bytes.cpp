@@ -1,9 +1,10 @@
 // Every array as its sizes and its numbers, in the machine's own byte order.
 #include "src/cage/table/cage_table_bytes.hpp"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <type_traits>
 
@@ -142,9 +143,7 @@ std::string cage_table_key(const CageDimensions& cage, const Material& material,
     hash.add(static_cast<double>(count));
   for (double x : stations.bar_x) hash.add(x);
   for (double half : stations.bar_half) hash.add(half);
-  char text[20];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value()));
-  return text;
+  return fmt::format("{:016x}", hash.value());
 }
 
 std::string cage_table_bytes(const CageTable& table) {

@@ -43,7 +43,6 @@ const std::vector<Mistake>& mistakes() {
       {"seed=-1", "give a value from 0 to"},
       // Choices.
       {"design='latin'", "nearest: lhs"},
-      {"design='grid'", "give grid_levels = [5] for all groups, or one number for each"},
       {"lubrication.lubricant='VG68'", "nearest: iso-vg-68", 2, true},
       {"cage.material='PA66'", "nearest: pa66-gf25", 2, true},
       // Distributions and correlations.

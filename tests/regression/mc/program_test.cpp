@@ -159,10 +159,6 @@ TEST(Program, PlansBeyondTheMachineAreRefusedWithTheirCounts) {
       run({"check", study, "--set", "samples=1000000"}, limited(RLIMIT_AS, rlim_t{600} << 20));
   EXPECT_EQ(tight.code, 2);
   EXPECT_THAT(tight.output, HasSubstr("(ulimit -v)"));
-  const auto grid = run({"check", study, "--set", "design=grid", "--set",
-                         "grid_levels=[2, 1000, 1000, 1000, 1, 1, 1, 1, 1, 1]"});
-  EXPECT_EQ(grid.code, 2) << grid.output;
-  EXPECT_THAT(grid.output, HasSubstr("2000000000 rows"));
 }
 
 TEST(Program, ReplacesNoFileThatItDidNotWrite) {
@@ -425,10 +421,6 @@ TEST(Program, ALadderSaysWhyItCannotBeClimbed) {
   EXPECT_EQ(
       run({"ladder", shipped("scenes/nu205.toml"), "-o", scratch / "out", "--samples", "1"}).code,
       2);
-  const auto both = run(
-      {"ladder", shipped("scenes/nu205.toml"), "-o", scratch / "out", "--separate", "--refine"});
-  EXPECT_EQ(both.code, 2);
-  EXPECT_THAT(both.output, HasSubstr("excludes --"));
   const auto wrong = ladder("load.radial_N=-5");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.output, HasSubstr("outside the range"));

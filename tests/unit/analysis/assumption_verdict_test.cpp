@@ -98,7 +98,9 @@ TEST(AssumptionVerdict, PairsAreThoseOfTheSameCages) {
   EXPECT_EQ(all.alternatives[0].runs, 900u);
   EXPECT_EQ(all.alternatives[0].change.pairs, 300u);
   EXPECT_EQ(all.alternatives[0].change.gained + all.alternatives[0].change.lost, 0u);
-  EXPECT_TRUE(all.alternatives[0].quantities[0].paired.identical);
+  const Estimate& same = all.alternatives[0].quantities[0].paired.difference;
+  EXPECT_EQ(same.value, 0);
+  EXPECT_EQ(same.upper - same.lower, 0);
   StudyData lots = cages(300, 7, 0.97);
   lots.lot[1] = lots.lot[0];
   EXPECT_THROW(judge_assumptions(lots, {cages(300, 7, 0.97)}, kRules), Refused);

@@ -12,6 +12,7 @@
 #include "analysis/compare/change_tests.hpp"
 #include "analysis/compare/holm.hpp"
 #include "analysis/compare/matched_runs.hpp"
+#include "analysis/statistics/paired_share.hpp"
 #include "analysis/study/refused.hpp"
 #include "distributions/basics/random_stream.hpp"
 #include "tests/support/synthetic_study.hpp"

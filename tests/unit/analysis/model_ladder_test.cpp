@@ -44,7 +44,6 @@ TEST(ModelLadder, NamesTheMinimumRungOfEachQuantity) {
   EXPECT_THAT(ladder_text(ladder), HasSubstr("minimum rung: middle"));
   EXPECT_THAT(ladder_text(ladder), HasSubstr("no run has a value"));
   EXPECT_THAT(ladder_text(ladder), Not(HasSubstr("nan")));
-  EXPECT_THAT(ladder_csv(ladder), HasSubstr("\ncage_slip_ratio,-,low,0.5,0.5,0.5,"));
 }
 
 TEST(ModelLadder, RefiningSeeksNoMinimumRung) {

@@ -20,24 +20,18 @@ TEST(PairedDifference, IsTheMeanWithStudentsInterval) {
   EXPECT_DOUBLE_EQ(seen.difference.value, 2);
   EXPECT_NEAR(seen.difference.upper - 2, 4.302653 / std::sqrt(3.0), 1e-6);
   EXPECT_NEAR(2 - seen.difference.lower, 4.302653 / std::sqrt(3.0), 1e-6);
-  EXPECT_DOUBLE_EQ(seen.first_mean, 20);
-  EXPECT_DOUBLE_EQ(seen.second_mean, 22);
-  EXPECT_FALSE(seen.identical);
 }
 
 TEST(PairedDifference, LeavesOutPairsWithoutAValue) {
   const std::vector<double> first = {1, kNan, 3, 4}, second = {2, 5, kNan, 6};
   const PairedDifference seen = paired_difference(first, second, 0.95);
   EXPECT_EQ(seen.pairs, 2u);
-  EXPECT_EQ(seen.missing, 2u);
   EXPECT_DOUBLE_EQ(seen.difference.value, 1.5);
-  EXPECT_DOUBLE_EQ(seen.first_mean, 2.5);
 }
 
 TEST(PairedDifference, SaysWhenNothingDiffersAtAll) {
   const std::vector<double> values = {0.1, 0.2, 0.3};
   const PairedDifference seen = paired_difference(values, values, 0.95);
-  EXPECT_TRUE(seen.identical);
   EXPECT_EQ(seen.difference.lower, 0);
   EXPECT_EQ(seen.difference.upper, 0);
 }

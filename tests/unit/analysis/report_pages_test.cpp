@@ -13,7 +13,6 @@
 #include "analysis/report/report.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/report_page.hpp"
-#include "tests/support/synthetic_grid.hpp"
 #include "tests/support/synthetic_study.hpp"
 #include "tests/support/tolerance_standin.hpp"
 
@@ -157,7 +156,6 @@ TEST(ReportPages, EveryNumberIsOneOfReportJson) {
   const StudyData study = make_synthetic_study();
   for (Json report :
        {make_report(study, {fresh_runs(30), fresh_runs(1)}, "DIR/mixture", {}, {}, {}, bearing()),
-        make_report(make_synthetic_grid(4)),
         make_report(make_synthetic_study({.rows = 300, .failed_share = 0.1}))}) {
     report["document"]["date"] = "1 May 2026";
     EXPECT_EQ(problems(report, page_of(report)), "");

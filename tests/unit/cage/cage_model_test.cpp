@@ -11,6 +11,7 @@
 #include "src/cage/table/cage_check.hpp"
 #include "src/cage/table/cage_recovery.hpp"
 #include "src/cage/table/cage_table_bytes.hpp"
+#include "tests/support/checked_modes.hpp"
 #include "tests/support/flexible_cage.hpp"
 
 namespace cagetol {

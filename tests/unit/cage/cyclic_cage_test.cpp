@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "tests/support/checked_modes.hpp"
+
 namespace cagetol {
 namespace {
 

@@ -8,11 +8,11 @@
 
 namespace cagetol {
 
-/// Columns of inputs "0", "1", ...; each is a group of its own.
+/// Columns of inputs "0", "1", ...
 inline std::vector<DesignColumn> single_columns(std::uint32_t count) {
   std::vector<DesignColumn> columns;
   for (std::uint32_t i = 0; i < count; ++i) {
-    columns.push_back({Purpose::lot, stream_address(std::to_string(i)), 0, i});
+    columns.push_back({Purpose::lot, stream_address(std::to_string(i)), 0});
   }
   return columns;
 }

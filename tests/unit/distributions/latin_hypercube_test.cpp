@@ -1,4 +1,4 @@
-#include "distributions/designs/latin_hypercube.hpp"
+#include "distributions/design.hpp"
 
 #include <gtest/gtest.h>
 

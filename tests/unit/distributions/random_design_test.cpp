@@ -1,4 +1,4 @@
-#include "distributions/designs/random_design.hpp"
+#include "distributions/design.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@ const std::uint32_t width = stream_address("cage.pocket_width_mm");
 
 DesignSpec cage_spec(std::uint32_t pockets) {
   DesignSpec spec = spec_of(DesignKind::random, 60, 0);
-  spec.columns.push_back({Purpose::lot, width, 0, 0});
+  spec.columns.push_back({Purpose::lot, width, 0});
   for (std::uint32_t j = 0; j < pockets; ++j) {
-    spec.columns.push_back({Purpose::pocket, width, j, 1});
+    spec.columns.push_back({Purpose::pocket, width, j});
   }
   return spec;
 }
@@ -28,7 +28,7 @@ TEST(RandomDesign, IsTheAddressedUniformNumber) {
 
 TEST(RandomDesign, AddingAnInputInFrontOrAPocketShiftsNothing) {
   DesignSpec more = cage_spec(4);
-  more.columns.insert(more.columns.begin(), {Purpose::lot, stream_address("new"), 0, 2});
+  more.columns.insert(more.columns.begin(), {Purpose::lot, stream_address("new"), 0});
   const Design design(cage_spec(3)), larger(more);
   for (std::uint64_t row = 0; row < design.rows(); ++row) {
     const std::vector<double> u = point_of(design, row), v = point_of(larger, row);

@@ -49,29 +49,15 @@ TEST(Bench, CountsAndKernelsAreThoseOfTheRun) {
               1e-6);
 }
 
-TEST(Bench, SharesAreOfTheWholeRunAndOfWhatTheBearingHas) {
+TEST(Bench, SharesAreOfTheWholeRun) {
   Scene scene = shipped_scene("nu205");
   scene.window.settle_time = 2e-3;
   scene.window.measure_time = 2e-3;
-  const auto names = [](const std::vector<CostPart>& parts) {
-    std::vector<std::string> all;
-    for (const CostPart& part : parts) all.push_back(part.name);
-    return all;
-  };
   const BenchResult oiled = bench(scene, {.methods = {IntegrationMethod::rodas3}, .repeats = 1});
   double sum = 0;
   for (const CostPart& part : run_parts(oiled)) sum += part.share;
   EXPECT_NEAR(sum, 1, 1e-12);
-  EXPECT_THAT(names(oiled.mechanisms),
-              testing::ElementsAre("traction of films", "rolling resistance", "squeeze",
-                                   "pocket films", "churning"));
-  EXPECT_GT(oiled.mechanisms[0].share, 0.02);  // measured 0.2
-  EXPECT_THAT(bench_text(oiled), testing::HasSubstr("cheaper without: traction of films"));
-  scene.lubrication.churning = false;
-  EXPECT_EQ(bench(scene, {.methods = {IntegrationMethod::rodas3}, .repeats = 1}).mechanisms.size(),
-            4u);
-  EXPECT_TRUE(bench(short_scene(), {.methods = {IntegrationMethod::rodas3}, .repeats = 1})
-                  .mechanisms.empty());
+  EXPECT_THAT(bench_text(oiled), testing::HasSubstr("wall time of the default: right-hand sides "));
 }
 
 TEST(Bench, AMethodThatFailsSaysSo) {

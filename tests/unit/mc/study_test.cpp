@@ -251,19 +251,9 @@ TEST_F(StudyFile, RowsBeyondTheRangeAreRefusedWithTheirCount) {
   const std::string lot =
       " = { nominal = 7.65, lot = { law = 'uniform', lower = -0.1, upper = 0.1 } }\n";
   const std::string inputs = "[scene.cage]\npocket_width_mm" + lot;
-  EXPECT_THAT(problem_of("seed = 1\nsamples = 1000000000\ndesign = 'sobol'\n" + inputs),
-              AllOf(HasSubstr("study.toml:2: samples = 1000000000: design \"sobol\" has 1073741824 "
-                              "rows when it is complete; a study has at most 1000000000"),
-                    HasSubstr("remedy: ask for fewer rows")));
   EXPECT_THAT(problem_of("samples = 1000000000\ndesign = 'lhs'\n" + inputs),
               AllOf(HasSubstr("1000000000 rows"), HasSubstr("at most 2^28 = 268435456"),
-                    HasSubstr("remedy: use random or sobol, or fewer rows")));
-  EXPECT_THAT(
-      problem_of("design = 'grid'\ngrid_levels = [2000000000]\n" + inputs),
-      HasSubstr("study.toml:2: grid_levels = [ 2000000000 ]: design \"grid\" has 2000000000 "
-                "rows; a study has at most 1000000000"));
-  EXPECT_EQ(study_of("design = 'grid'\ngrid_levels = 2\n" + inputs).grid_levels,
-            std::vector<long>{2});
+                    HasSubstr("remedy: use random, or fewer rows")));
   // In range, and resolved to a study that can be read again.
   const Study study = study_of("samples = 999999990\n" + inputs);
   EXPECT_EQ(read_resolved_study(study.resolved_toml, "again").samples, study.samples);
@@ -290,7 +280,7 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
       {"samples = -3\n", {"study.toml:1: samples = -3: outside the range", "from 1 to 1e+09"}},
       {"samples = 10.5\n", {"samples = 10.5", "expected a whole number"}},
       {"samples = 99999999999999999999999\n", {"study.toml:1: not valid TOML", "remedy"}},
-      {"seed = 1\ndesign = 'sobl'\n", {"study.toml:2: design = 'sobl'", "nearest: sobol"}},
+      {"seed = 1\ndesign = 'radnom'\n", {"study.toml:2: design = 'radnom'", "nearest: random"}},
       {"samples = 4\n[scene]\nfile = 'absent.toml'\n",
        {"study.toml:3: scene.file = 'absent.toml'", "no such file"}},
       {"samples = 4\n[scene]\nfile = 7\n",
@@ -430,10 +420,6 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
       {"samples = 8\ncages_per_lot = 4\ndesign = 'lhs'\n[scene.cage]\npocket_pitch_mrad = { lot = "
        "{ law = 'normal', sigma = 0.3 } }\n",
        {"design = \"lhs\"", "cages_per_lot = 4"}},
-      {"samples = 8\ndesign = 'grid'\ngrid_levels = [3, 4]\n[scene.cage]\npocket_pitch_mrad = { "
-       "lot = { law = 'normal', sigma = 0.3 } }\n",
-       {"design = \"grid\"", "levels"}},
-      {"samples = 8\ngrid_levels = [0]\n", {"study.toml:2: grid_levels", "whole numbers above 0"}},
       {"tolerance = 5\nsamples = 1\n", {"study.toml:1: tolerance = 5", "section"}},
       {"inputs = 5\n", {"study.toml:1: inputs = 5"}},
   };
@@ -587,25 +573,6 @@ TEST_F(StudyFile, NotesNameTheOilThatADryBearingLeavesOut) {
   EXPECT_THAT(model_notes(study_of(text)),
               ElementsAre(HasSubstr("(lubrication.model = \"none\"): lubrication.temperature_C")));
   EXPECT_TRUE(model_notes(study_of(text, {"lubrication.model=film"})).empty());
-}
-
-TEST(ShippedStudies, OfThePaperHaveItsLevelsAndOneSwitch) {
-  const std::map<std::string, long> levels = {{"paper-length", 5},
-                                              {"paper-length-tight", 5},
-                                              {"paper-width", 5},
-                                              {"paper-width-tight", 12}};
-  for (const auto& [name, count] : levels) {
-    const Study study = read_study(shipped("studies/" + name + ".toml"));
-    EXPECT_EQ(study.samples, 2 * count);
-    EXPECT_EQ(static_cast<long>(sample_count(study)), 16 * 2 * count);
-    const Sampler sampler(study);
-    const Sample square = sampler.draw(0),
-                 skewed = sampler.draw(static_cast<std::uint64_t>(2 * count - 1));
-    EXPECT_EQ(square.scene.bearing.misalignment_z, 0);
-    EXPECT_EQ(square.scene.cage.pocket_squareness[12], 0);
-    EXPECT_NEAR(skewed.scene.bearing.misalignment_z, 2e-3, 1e-15);
-    EXPECT_NEAR(skewed.scene.cage.pocket_squareness[12], 1e-3, 1e-15);
-  }
 }
 
 TEST_F(StudyFile, NotesSayWhatToKnow) {

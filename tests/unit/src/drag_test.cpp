@@ -17,12 +17,6 @@ TEST(Drag, FluidOfTheFreeSpaceLiesBetweenAirAndOil) {
   EXPECT_THROW(free_space_fluid(1.1, 850, 0.02), std::domain_error);
 }
 
-TEST(Drag, CylinderOpposesItsMotion) {
-  EXPECT_NEAR(cylinder_drag(18.6, 1.0, 7.5e-3, 9e-3, 2.0), 0.5 * 18.6 * 7.5e-3 * 9e-3 * 4, 1e-15);
-  EXPECT_EQ(cylinder_drag(18.6, 1.0, 7.5e-3, 9e-3, -2.0),
-            -cylinder_drag(18.6, 1.0, 7.5e-3, 9e-3, 2.0));
-}
-
 TEST(Drag, CoefficientsOfBothRegimes) {
   EXPECT_DOUBLE_EQ(disc_coefficient(1e4), 1.935 / 100);
   EXPECT_DOUBLE_EQ(disc_coefficient(1e7), 0.073 * std::pow(1e7, -0.2));

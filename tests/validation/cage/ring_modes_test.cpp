@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "src/cage/solve/cage_modes.hpp"
+#include "tests/support/checked_modes.hpp"
 #include "tests/support/hex_meshes.hpp"
 
 namespace cagetol {

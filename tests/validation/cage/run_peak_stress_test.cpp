@@ -9,6 +9,7 @@
 #include "src/cage/table/scene_cage.hpp"
 #include "src/integration/system.hpp"
 #include "src/simulate.hpp"
+#include "tests/support/peak_comparison.hpp"
 
 namespace cagetol {
 namespace {
@@ -46,8 +47,7 @@ std::vector<PeakStress> peaks(Scene scene, const PocketDeviation& all = {}, doub
     states.q.col(static_cast<Eigen::Index>(i)) = q[i];
     states.bar_force.col(static_cast<Eigen::Index>(i)) = force[i];
   }
-  return std::get<std::vector<PeakStress>>(
-      compare_peak_stress(*table, pocket_deviations(scene, table->cage), states));
+  return compare_peak_stress(*table, pocket_deviations(scene, table->cage), states);
 }
 
 /// Relative errors of the reported peaks, rising.

@@ -1,9 +1,9 @@
-"""What Xin et al. 2024 say of pocket dimensions beside the shipped studies of their bearing: tests/PAPER.md.
+"""What Xin et al. 2024 say of pocket dimensions beside runs of their bearing: tests/PAPER.md.
 
     python3 tests/validation/page/paper_page.py --program build/cagetol
 
 Claims are in paper.toml, verdicts in paper_judge.py. Needs Debian's python3-scipy, python3-h5py and python3-pandas.
-Sweeps are kept in build/paper-page by program and study. --runs N takes N runs of each cage instead of the studies' 16.
+Sweeps are kept in build/paper-page by program and study. --runs N takes N runs of each cage instead of 16.
 """
 
 import argparse
@@ -18,14 +18,14 @@ from report import ROOT, number, table
 from results import stamp
 
 sys.path.insert(0, str(ROOT / "analysis/python"))
+from cagetol.study import read_study  # noqa: E402
 
 PAGE = Path(__file__).resolve().parent
+STUDY = PAGE / "paper_study.toml"
 CLAIMS = tomllib.loads((PAGE / "paper.toml").read_text(encoding="utf-8"))["claim"]
-WIDTH, LENGTH = "cage.pocket_width_mm", "cage.pocket_length_mm"
-STUDIES = {name: (ROOT / f"inputs/studies/{name}.toml", WIDTH if "width" in name else LENGTH)
-           for name in ("paper-length", "paper-length-tight", "paper-width", "paper-width-tight")}
-SETTINGS = {0: "square, aligned", 2: "askew, misaligned"}  # by bearing.misalignment_z_mrad
-ROLLER = {WIDTH: "diameter_mm", LENGTH: "length_mm"}
+STUDIES = tomllib.loads((PAGE / "paper.toml").read_text(encoding="utf-8"))["study"]
+SETTINGS = {0: "square, aligned", 1: "askew, misaligned"}  # pockets out of square [mrad]; the ring by twice that
+ROLLER = {"pocket_width_mm": "diameter_mm", "pocket_length_mm": "length_mm"}
 
 
 def allowed_change(claim, first):
@@ -33,26 +33,34 @@ def allowed_change(claim, first):
     return claim.get("within_value", max(claim.get("within", 0), claim.get("at_least", 0)) * abs(first))
 
 
-class Responses:
-    """Values of the runs of a study by setting, level and start."""
+def first_of(value):
+    return value[0] if isinstance(value, list) else value
 
-    def __init__(self, study, key):
-        samples = study.samples
-        nominal = next(entry["nominal"] for entry in study.plan["inputs"] if entry["key"] == key)
-        nominal = nominal[0] if isinstance(nominal, list) else nominal
-        levels = (samples[f"{key}[0]"] - nominal).round(6) + 0.0
-        self.cells = [samples["bearing.misalignment_z_mrad"].round(6), levels]
-        self.levels = sorted(levels.unique())
-        self.values = study.quantities.where(samples["status"] == "ok").assign(start=samples["replicate"])
-        self.runs = int(samples["replicate"].max()) + 1
-        self.failed = f"{(samples['status'] != 'ok').sum()} of {len(samples)} runs failed"
-        roller = study.plan["scene"]["roller"][ROLLER[key]]
-        self.clearance = nominal - (roller[0] if isinstance(roller, list) else roller)
+
+class Responses:
+    """Values of the runs of a study by setting, level and start. The k-th runs of all cages start alike."""
+
+    def __init__(self, program, plan, runs):
+        scene_file = ROOT / f"inputs/scenes/{plan['scene']}.toml"
+        scene = tomllib.loads(scene_file.read_text(encoding="utf-8"))
+        nominal = plan.get("nominal", first_of(scene["cage"][plan["key"]]))
+        self.clearance = nominal - first_of(scene["roller"][ROLLER[plan["key"]]])
+        self.levels, self.runs = sorted(plan["levels"]), runs
+        self.values, failed = {}, 0
+        for setting in SETTINGS:
+            for level in self.levels:
+                settings = {"scene.file": str(scene_file), "samples": runs, "scene.bearing.misalignment_z_mrad": 2.0 * setting,
+                            "scene.cage.pocket_squareness_mrad": 1.0 * setting, f"scene.cage.{plan['key']}": nominal + level}
+                place = program.directory("sweep", STUDY, "study.h5", settings=settings, reads=[scene_file])
+                study = read_study(place)
+                ok = study.samples["status"] == "ok"
+                failed += (~ok).sum()
+                self.values[setting, level] = study.quantities.where(ok)
+        self.failed = f"{failed} of {len(self.values) * runs} runs failed"
 
     def of(self, quantity, setting, level):
         """By start; NaN for a run without a value."""
-        here = (self.cells[0] == setting) & (self.cells[1] == level)
-        return self.values[here].set_index("start")[quantity].reindex(range(self.runs)).to_numpy()
+        return self.values[setting, level][quantity].to_numpy()
 
     def means(self, quantity, setting):
         return [with_half(*mean_interval(self.of(quantity, setting, level))) for level in self.levels]
@@ -103,7 +111,7 @@ def head(made, command):
             "Xin et al., Appl. Sci. 2024, 14, 9433 ([doi](https://doi.org/10.3390/app14209433)) simulate one bearing",
             "with three lengths and three widths of its pockets, one run each. Their text does not state bearing, oil,",
             "clearances, start or length of a run: these are assumptions of `inputs/scenes/nu205-paper.toml`. The",
-            "studies run every level from several starts, with pockets square and the ring aligned, as in the paper,",
+            "runs start every level from several places, with pockets square and the ring aligned, as in the paper,",
             "and with pockets 1 mrad out of square and the ring misaligned by 2 mrad.", "",
             "A claim counts once and agrees where all its readings do. A reading is judged by the 95 % interval of the",
             "paired difference, second level less first (Student's t, the k-th runs of all levels start alike): it",
@@ -115,18 +123,14 @@ def head(made, command):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=str(ROOT / "build/cagetol"), help="executable (build/cagetol)")
-    parser.add_argument("--runs", type=int, default=16, help="runs of each cage (16, as in the studies)")
+    parser.add_argument("--runs", type=int, default=16, help="runs of each cage (16, as in the study)")
     parser.add_argument("--page", default=ROOT / "tests/PAPER.md", help="file for the page")
     options = parser.parse_args()
-    from cagetol.study import read_study  # pandas
 
     program = Program(options.program, Path(options.program).resolve().parent / "paper-page")
     lines = []
-    for name, (path, key) in STUDIES.items():
-        scene = path.parent / tomllib.loads(path.read_text(encoding="utf-8"))["scene"]["file"]
-        settings = {"extra_replicates": options.runs - 1, "allowed_failure_share": 1}
-        place = program.directory("sweep", path, "study.h5", settings=settings, reads=[scene])
-        lines += study_chapter(name, Responses(read_study(place), key))
+    for name, plan in STUDIES.items():
+        lines += study_chapter(name, Responses(program, plan, options.runs))
     command = "python3 tests/validation/page/paper_page.py --program build/cagetol"
     command += f" --runs {options.runs}" if options.runs != 16 else ""
     Path(options.page).write_text("\n".join(head(stamp(program), command) + lines).rstrip() + "\n", encoding="utf-8")

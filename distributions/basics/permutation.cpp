@@ -1,4 +1,4 @@
-#include "distributions/designs/permutation.hpp"
+#include "distributions/basics/permutation.hpp"
 
 #include <cmath>
 
