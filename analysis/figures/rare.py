@@ -6,6 +6,7 @@ from common import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RED, SKY, WIDTH, read
 from engine import legend_below
 
 COLOURS = (BLUE, ORANGE, GREEN, PINK, SKY, RED)
+DASHES = ("-", "--", "-.", (0, (1, 1)))  # told apart in grey, too
 LEAST, MOST = 0.1, 1e6  # ppm
 
 
@@ -13,20 +14,20 @@ def ppm(shares):
     return [max(1e6 * share, LEAST) for share in shares]
 
 
-def draw_limit(axis, row, place, dimension, colour):
+def draw_limit(axis, row, place, dimension, colour, dashes):
     """A line with its band where the bound is extrapolated, else what the runs at their width say."""
     label, width = readable(row["quantity"]) + row["name"].removeprefix(row["quantity"]), dimension["width_mm"]
     if not row["upper_at"]:
         stated = row["upper"] is not None
         axis.plot([width, width], ppm([row["lower"] if stated else 0, row["exact_upper"]]), color=colour,
-                  linewidth=3 if stated else 1, linestyle="-" if stated else ":", label=label + (": counted" if stated else ": not stated"))
+                  linewidth=3 if stated else 1, linestyle="-" if stated else ":", label=label + (" (counted)" if stated else " (not stated)"))
         axis.plot(width, 1e6 * row["exact_upper"], "v", color=colour, markersize=5)
         return
     upper = ppm(row["upper_at"][place])
     axis.fill_between(dimension["widths_mm"], LEAST, upper, color=colour, alpha=0.1, linewidth=0)
-    axis.plot(dimension["widths_mm"], upper, color=colour, label=label + ": at most, extrapolated")
+    axis.plot(dimension["widths_mm"], upper, color=colour, linestyle=dashes, label=label + " (extrapolated)")
     axis.plot(width, 1e6 * row["upper"], "v", color=colour, markersize=5)
-    axis.plot(width, max(1e6 * row["if_normal"], LEAST), "x", color=colour, markersize=5, label=label + ": if normal")
+    axis.plot(width, max(1e6 * row["if_normal"], LEAST), "x", color=colour, markersize=5)
 
 
 def rare(data):
@@ -39,21 +40,24 @@ def rare(data):
     for d, (axis, dimension) in enumerate(zip(axes[0], dimensions)):
         axis.plot(dimension["jams"]["widths_mm"], ppm(dimension["jams"]["share"]), color=BLACK, label="does not fit, exact")
         for place, row in enumerate(rows):
-            draw_limit(axis, row, d, dimension, COLOURS[place % len(COLOURS)])
+            draw_limit(axis, row, d, dimension, COLOURS[place % len(COLOURS)], DASHES[place % len(DASHES)])
         for mark in (63, 1):
             axis.axhline(mark, color=GREY, linestyle="--", linewidth=0.8)
             axis.annotate(f"{mark} ppm", (1, mark), xycoords=("axes fraction", "data"), xytext=(-2, 2), textcoords="offset points",
                           ha="right", fontsize=7, color=GREY)
         axis.axvline(dimension["width_mm"], color=GREY, linestyle=":", linewidth=0.8)
+        axis.plot([], [], "x", color=GREY, markersize=5, label="at the width studied, if normal")
         axis.set_yscale("log")
+        axis.locator_params(axis="x", nbins=5)
         axis.set_ylim(LEAST, MOST)
         axis.set_xlim(dimension["widths_mm"][0], dimension["widths_mm"][-1])
         axis.set_xlabel(f"{readable(dimension['key'].split('.')[-1])}, full width [mm]")
     axes[0][0].set_ylabel("bad cages [ppm]")
     entries = {label: handle for axis in axes[0] for handle, label in zip(*axis.get_legend_handles_labels())}
-    height = 2.6 + 0.17 * ((len(entries) + 1) // 2)
+    columns = 2 if max(map(len, entries)) < 45 else 1  # that fit into the figure's width
+    height = 2.6 + 0.17 * -(-len(entries) // columns)
     figure.set_size_inches(WIDTH, height)
-    legend_below(figure, list(entries.values()), list(entries), (height - 2.3) / height, 2)
+    legend_below(figure, list(entries.values()), list(entries), (height - 2.3) / height, columns)
     return figure
 
 
