@@ -249,7 +249,8 @@ TEST(Comparison, RefusesWhatIsNotOneStudy) {
   EXPECT_EQ(refusal_of(night(1), other), "no refusal");
   other.quantities[0].unit = "N";
   EXPECT_THAT(refusal_of(night(1), other), HasSubstr("q0 is in - in one and in N in the other"));
-  EXPECT_THAT(refusal_of(night(1), select_samples(night(2), {})), HasSubstr("has no runs"));
+  EXPECT_THAT(refusal_of(night(1), select_samples(night(2), {})),
+              HasSubstr("has fewer than two runs"));
   other = night(2);
   other.design.kind = "grid";
   EXPECT_THAT(refusal_of(other, other), HasSubstr("`grid`"));
