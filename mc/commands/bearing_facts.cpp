@@ -340,7 +340,7 @@ Json chains_json(const Study& study) {
                       {"rss_um", um(chain.rss)},
                       {"sampled_um", um(chain.sampled)},
                       {"cages", kChainCages},
-                      {"tail", kChainTail}});
+                      {"levels", {kChainTail, 1 - kChainTail}}});
   return list;
 }
 

@@ -284,7 +284,7 @@ TEST(ReportPages, ClearanceChainsStandBesideEachOther) {
                                   {"rss_um", {99.6, 200.4}},
                                   {"sampled_um", {121, 181}},
                                   {"cages", 20000},
-                                  {"tail", 0.00135}}};
+                                  {"levels", {0.00135, 0.99865}}}};
   const std::string page = text_of(section_of(page_of(report), "operating"));
   EXPECT_THAT(page, HasSubstr("98 to 202"));
   EXPECT_THAT(page, HasSubstr("100 to 200"));
