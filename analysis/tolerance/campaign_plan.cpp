@@ -145,8 +145,13 @@ void share_out(CampaignPlan& plan, const StudyData& pilot, std::size_t study_row
     const double least = kMinimumMixture * *left,
                  most = std::clamp(*left - attempts * static_cast<double>(fewest), least,
                                    kMostMixture * *left),
-                 first = runs_of_rows(study, kFirstRows * judged_tolerances(study)),
-                 mixture = std::clamp(std::max(*left - attempts * wanted, first), least, most);
+                 tolerances = judged_tolerances(study),
+                 first = runs_of_rows(study, kFirstRows * tolerances),
+                 judging = runs_of_rows(study, kMinimumEffectiveRuns * tolerances),
+                 mixture =
+                     settings.jams_alone
+                         ? std::min(judging, most)
+                         : std::clamp(std::max(*left - attempts * wanted, first), least, most);
     const auto rows = static_cast<std::size_t>(std::max(0.0, mixture / runs_of_rows(study, 1)));
     const double lost = repeats_of(study, plan);
     const bool extensible = plan.attempts.empty() && pilot.design.kind == "random";
@@ -274,6 +279,7 @@ nlohmann::ordered_json to_json(const CampaignPlan& plan) {
           {"budget_samples", plan.settings.budget_samples},
           {"budget_h", plan.settings.budget_h},
           {"screen_samples", plan.settings.screen_samples},
+          {"jams_alone", plan.settings.jams_alone},
           {"judgement", plan.judgement},
           {"attempts", attempts}};
 }
@@ -290,6 +296,7 @@ CampaignPlan campaign_plan_of(const nlohmann::ordered_json& json) {
   json.at("budget_samples").get_to(plan.settings.budget_samples);
   json.at("budget_h").get_to(plan.settings.budget_h);
   json.at("screen_samples").get_to(plan.settings.screen_samples);
+  plan.settings.jams_alone = json.value("jams_alone", false);
   plan.judgement = json.at("judgement");
   for (const auto& attempt : json.at("attempts")) {
     const auto runs = attempt.at("runs").get<std::size_t>();

@@ -14,6 +14,7 @@
 #include "mc/host/json_number.hpp"
 #include "src/integration/system.hpp"
 #include "src/newton/newton_matrix.hpp"
+#include "src/quantities/observer.hpp"
 #include "src/simulate.hpp"
 
 namespace cagetol {
@@ -24,7 +25,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Microseconds of one call: the median of batches.
 template <class Call>
 double call_time_us(const Call& call) {
-  constexpr int kCalls = 100, kBatches = 31;
+  constexpr int kCalls = 20, kBatches = 7;
   std::vector<double> times;
   for (int batch = 0; batch < kBatches; ++batch) {
     const auto began = std::chrono::steady_clock::now();
@@ -35,28 +36,62 @@ double call_time_us(const Call& call) {
   return median(std::move(times));
 }
 
+constexpr double KernelTimes::*kKernels[] = {
+    &KernelTimes::rhs_us,       &KernelTimes::linearise_us,
+    &KernelTimes::free_rhs_us,  &KernelTimes::free_linearise_us,
+    &KernelTimes::factorise_us, &KernelTimes::solve_us,
+    &KernelTimes::record_us};
+
+/// With pockets that no roller can touch.
+BearingModel without_pockets(BearingModel model) {
+  constexpr double kFar = 1;  // [m]
+  for (RollerGroup& group : model.groups) {
+    group.half_width += kFar;
+    group.half_length += kFar;
+    group.face_low -= kFar;
+    group.face_high += kFar;
+  }
+  return model;
+}
+
 KernelTimes kernel_times(double t, const double* y, const System& system, double step) {
-  const BearingModel& model = system.model;
-  System own(model);
+  const BearingModel &model = system.model, free_model = without_pockets(model);
+  System own(model), free(free_model);
   PackVector rate(static_cast<std::size_t>(system.size)), solution(rate.size());
   NewtonMatrix newton(model);
+  Observer observer(model, t, 2 * t);
   KernelTimes times;
   times.rhs_us = call_time_us([&] { own.rates(t, y, rate.data()); });
+  times.free_rhs_us = call_time_us([&] { free.rates(t, y, rate.data()); });
+  times.free_linearise_us = call_time_us([&] { free.linearise_at(t, y); });
   times.linearise_us = call_time_us([&] { own.linearise_at(t, y); });
   times.factorise_us = call_time_us([&] { newton.factor(own.linear, step); });
   times.solve_us = call_time_us([&] { newton.solve(rate.data(), solution.data()); });
+  times.record_us = call_time_us([&] { observer.record(t += step, y, own); });
   return times;
 }
 
-/// Kernels at the last state of the scene's run. The first of the two runs says when that is and
-/// warms the caches for what follows.
+/// Kernels, and the start, of the scene's run. The first of the two runs says how many steps there
+/// are and warms the caches for what follows.
 void measure_kernels(const Scene& scene, SimulateOptions options, BenchResult& result) {
-  result.kernels = {kNone, kNone, kNone, kNone};
+  constexpr long kInstants = 8;
   const RunRecord run = simulate(scene, options).run;
+  const long every = std::max(1L, static_cast<long>(run.steps) / (2 * kInstants));
+  long state = 0, instants = 0;
+  const auto began = std::chrono::steady_clock::now();
   options.on_state = [&](double t, const double* y, const System& system) {
-    if (t >= run.simulated_s) result.kernels = kernel_times(t, y, system, t / run.steps);
+    if (state == 0)
+      result.start_s =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    if (++state <= kInstants * every || state % every != 0) return;
+    ++instants;
+    const KernelTimes here = kernel_times(t, y, system, t / static_cast<double>(state));
+    for (const auto kernel : kKernels) result.kernels.*kernel += here.*kernel;
   };
   simulate(scene, options);
+  for (const auto kernel : kKernels)
+    result.kernels.*kernel =
+        instants > 0 ? result.kernels.*kernel / static_cast<double>(instants) : kNone;
 }
 
 std::vector<IntegrationMethod> methods_to_run(const Scene& scene, const BenchOptions& options) {
@@ -73,7 +108,7 @@ std::vector<IntegrationMethod> methods_to_run(const Scene& scene, const BenchOpt
 
 BenchResult bench(const Scene& scene, const BenchOptions& options) {
   const SimulateOptions shared = with_cage_table(scene);
-  BenchResult result{scene.name, scene.integration.method, {}, {}};
+  BenchResult result{scene.name, scene.integration.method, {}, 0, {}};
   measure_kernels(scene, shared, result);
   for (const IntegrationMethod method : methods_to_run(scene, options))
     result.methods.push_back({.method = method, .reason = {}, .rtf_runs = {}, .run = {}});
@@ -114,13 +149,20 @@ std::vector<CostPart> run_parts(const BenchResult& result) {
              derivatives = static_cast<double>(own.run.jacobian_evaluations),
              factored = static_cast<double>(own.run.factorisations);
   // A stage evaluates once and solves once; the first has its rates with the derivatives.
-  std::vector<CostPart> parts = {{"right-hand sides", (rates - derivatives) * k.rhs_us / wall_us},
-                                 {"with derivatives", derivatives * k.linearise_us / wall_us},
-                                 {"Newton matrix", factored * k.factorise_us / wall_us},
-                                 {"solutions", (factored > 0 ? rates : 0) * k.solve_us / wall_us}};
+  const double pockets = (rates - derivatives) * (k.rhs_us - k.free_rhs_us) +
+                         derivatives * (k.linearise_us - k.free_linearise_us);
+  std::vector<CostPart> parts = {
+      {"right-hand sides", (rates - derivatives) * k.free_rhs_us / wall_us},
+      {"with derivatives", derivatives * k.free_linearise_us / wall_us},
+      {"pockets of both", pockets / wall_us},
+      {"Newton matrix", factored * k.factorise_us / wall_us},
+      {"solutions", (factored > 0 ? rates : 0) * k.solve_us / wall_us},
+      {"quantities",
+       derivatives * k.record_us * own.run.measured_s / own.run.simulated_s / wall_us},
+      {"start", 1e6 * result.start_s / wall_us}};
   double rest = 1;
   for (const CostPart& part : parts) rest -= part.share;
-  parts.push_back({"observer, statics, sums of stages, start", rest});
+  parts.push_back({"sums of stages, step control", rest});
   return parts;
 }
 
@@ -133,7 +175,8 @@ nlohmann::ordered_json bench_json(const BenchResult& result) {
        {{"rhs", json_number(result.kernels.rhs_us)},
         {"linearise", json_number(result.kernels.linearise_us)},
         {"factorise", json_number(result.kernels.factorise_us)},
-        {"solve", json_number(result.kernels.solve_us)}}}};
+        {"solve", json_number(result.kernels.solve_us)},
+        {"record", json_number(result.kernels.record_us)}}}};
   for (const CostPart& part : run_parts(result))
     json["run_shares"][part.name] = json_number(part.share);
   auto& methods = json["methods"] = nlohmann::ordered_json::array();

@@ -16,12 +16,15 @@ struct BenchOptions {
   int repeats = 3;
 };
 
-/// Microseconds of one evaluation at the last state of the scene's run.
+/// Microseconds of one evaluation, mean of instants in the later half of the scene's run.
 struct KernelTimes {
-  double rhs_us = 0;        ///< all forces
-  double linearise_us = 0;  ///< all forces, their derivatives, the observation
-  double factorise_us = 0;  ///< of the Newton matrix
-  double solve_us = 0;      ///< with the factors
+  double rhs_us = 0;             ///< all forces
+  double linearise_us = 0;       ///< all forces, their derivatives, the observation
+  double free_rhs_us = 0;        ///< as rhs_us, with pockets too large to be touched
+  double free_linearise_us = 0;  ///< as linearise_us, likewise
+  double factorise_us = 0;       ///< of the Newton matrix
+  double solve_us = 0;           ///< with the factors
+  double record_us = 0;          ///< what a measured state adds to quantities, stress and fatigue
 };
 
 /// One method. RTF: wall seconds per simulated second.
@@ -39,6 +42,7 @@ struct BenchResult {
   std::string scene;
   IntegrationMethod default_method = IntegrationMethod::rodasp;  ///< the scene's own
   KernelTimes kernels;
+  double start_s = 0;  ///< of a run before its first step: elastic cage, model, statics
   std::vector<MethodCost> methods;  ///< the scene's own first
 };
 
@@ -48,7 +52,8 @@ struct CostPart {
   double share = 0;
 };
 
-/// Where the wall time of the scene's own method goes: kernels by their counts, the rest last.
+/// Where the wall time of the scene's own method goes: kernels by their counts, pockets by what
+/// the kernels cost without them, the rest last.
 std::vector<CostPart> run_parts(const BenchResult& result);
 
 /// Runs the methods in turn, `repeats` times, so that the noise of a shared machine meets all of

@@ -27,12 +27,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CampaignSettings campaign_settings(const Study& study) {
+CampaignSettings campaign_settings(const Study& study, bool jams_alone) {
   return {.attempts = static_cast<std::size_t>(study.recommend.attempts),
           .confirm_samples = static_cast<std::size_t>(study.recommend.confirm_samples),
           .budget_samples = static_cast<std::size_t>(study.recommend.budget_samples),
           .budget_h = study.recommend.budget_time / 3600,
-          .screen_samples = static_cast<std::size_t>(study.screen.budget_samples)};
+          .screen_samples = static_cast<std::size_t>(study.screen.budget_samples),
+          .jams_alone = jams_alone};
 }
 
 constexpr const char* kInterruptedText = "interrupted: start the same command again to go on";
@@ -67,8 +68,9 @@ class StageLeader {
   std::string directory_;
   StagedSweeps& stages_;
   int unconfirmed_code_;
-  int code_ = kDone;    ///< of the stage that ended early
-  LostRuns lost_ = {};  ///< in pilot and mixture; in confirmations lost runs count as failing
+  int code_ = kDone;         ///< of the stage that ended early
+  bool jams_alone_ = false;  ///< as the screen says
+  LostRuns lost_ = {};       ///< in pilot and mixture; in confirmations lost runs count as failing
 };
 
 std::optional<StudyData> StageLeader::run_stage(const Stage& stage) {
@@ -149,7 +151,7 @@ std::optional<CampaignPlan> StageLeader::stored_plan() const {
 
 /// The stored plan, brought to the budget of the study; made after the pilot, where there is none.
 CampaignPlan StageLeader::plan(const StudyData& pilot) const {
-  const CampaignSettings settings = campaign_settings(base_);
+  const CampaignSettings settings = campaign_settings(base_, jams_alone_);
   auto plan = stored_plan();
   try {
     if (!plan) {
@@ -181,6 +183,7 @@ int StageLeader::lead() {
     if (*ended == kInterrupted) spdlog::warn(kInterruptedText);
     return *ended;
   }
+  if (const auto* screen = std::get_if<Screen>(&screened)) jams_alone_ = screen->jams_alone;
   const Stage pilot{"pilot", static_cast<std::size_t>(base_.recommend.pilot_samples), {}};
   const Campaign campaign = run_campaign(
       pilot, [&](const StudyData& data) { return plan(data); },

@@ -58,6 +58,18 @@ TEST(PlanCampaign, LeavesConfirmationsMoreWhereTheYieldIsNearTheTarget) {
   EXPECT_EQ(plan_campaign(pilot_of(), settings, 480, 1).mixture_rows, 1000u);
 }
 
+// What a screen found leaves nothing to learn of limits: 30 rows for each of four widths, not 40.
+TEST(PlanCampaign, WhereJamsAloneDecideTheMixtureIsSmall) {
+  CampaignSettings settings{.confirm_samples = 900, .budget_samples = 2100};
+  EXPECT_EQ(plan_campaign(pilot_of(), settings, 480, 1).mixture_rows, 500u);
+  settings.jams_alone = true;
+  const CampaignPlan plan = plan_campaign(pilot_of(), settings, 480, 1);
+  EXPECT_EQ(plan.mixture_rows, 120u);
+  EXPECT_EQ(plan.confirm_runs, 1880u);
+  settings.budget_samples = 300;  // half of what is left, and no more
+  EXPECT_EQ(plan_campaign(pilot_of(), settings, 480, 1).mixture_rows, 56u);
+}
+
 TEST(PlanCampaign, TurnsHoursIntoRuns) {
   // 3600 s on 4 processes at 2 s are 7200 runs, less the pilot's 100.
   const CampaignSettings settings{.confirm_samples = 500, .budget_h = 1};
@@ -126,11 +138,13 @@ TEST(CampaignPlan, IsReadAsWritten) {
                            .confirm_samples = 7,
                            .budget_samples = 9,
                            .budget_h = 0.1,
-                           .screen_samples = 40},
+                           .screen_samples = 40,
+                           .jams_alone = true},
                           {{4, 300, 300}, {2, 150, 150}}};
   const CampaignPlan read = campaign_plan_of(to_json(plan));
   EXPECT_EQ(to_json(read), to_json(plan));
   EXPECT_EQ(read.settings.screen_samples, 40u);
+  EXPECT_TRUE(read.settings.jams_alone);
   EXPECT_EQ(read.mixture_rows, 1000u);
   EXPECT_EQ(read.seconds_per_run, plan.seconds_per_run);
   ASSERT_EQ(read.attempts.size(), 2u);
