@@ -248,43 +248,20 @@ Levels levels_of(const Geometry& geometry, std::size_t place,
   return levels;
 }
 
-/// Least and largest deviation of a cage's pockets, by input.
-using Extremes = std::vector<std::pair<double, double>>;
-
-void find_extremes(const Sample& cage, Extremes& extremes) {
-  extremes.assign(cage.inputs.size(), {0, 0});
-  for (std::size_t i = 0; i < cage.inputs.size(); ++i)
-    if (const auto& pocket = cage.inputs[i].pocket; !pocket.empty()) {
-      const auto [least, largest] = std::ranges::minmax_element(pocket);
-      extremes[i] = {*least, *largest};
-    }
-}
-
-/// Least room of a drawn cage under the laws. Where that is beyond `near`, no more than a bound
-/// beyond it: each input as if its worst pocket were the tightest.
+/// Least room of a drawn cage under the laws.
 double least_gap(const Geometry& geometry, std::size_t place, const ScaledLaws& laws,
-                 const Sample& cage, const Extremes& extremes, double near,
-                 std::vector<double>& gaps) {
-  double all = geometry.shift(place, laws), worst = 0;
-  for (std::size_t i = 0; i < geometry.slopes.size(); ++i) {
-    const double by = geometry.factor(i, place, laws.pocket);
-    worst += std::min(by * extremes[i].first, by * extremes[i].second);
-  }
+                 const Sample& cage, std::vector<double>& gaps) {
+  gaps = geometry.base[place];
+  double all = geometry.shift(place, laws);
   for (std::size_t i = 0; i < geometry.slopes.size(); ++i) {
     const double slope = geometry.slopes[i][place];
     if (slope == 0) continue;
     const DrawnInput& drawn = cage.inputs[i];
     if (!drawn.lot.empty()) all += geometry.factor(i, place, laws.lot) * drawn.lot[0];
     if (!drawn.noise.empty()) all += slope * drawn.noise[0];
-  }
-  gaps = geometry.base[place];
-  const double bound = all + worst + *std::min_element(gaps.begin(), gaps.end());
-  if (bound > near) return bound;
-  for (std::size_t i = 0; i < geometry.slopes.size(); ++i) {
+    if (drawn.pocket.empty()) continue;
     const double by = geometry.factor(i, place, laws.pocket);
-    const auto& pocket = cage.inputs[i].pocket;
-    if (by == 0 || pocket.empty()) continue;
-    for (std::size_t j = 0; j < gaps.size(); ++j) gaps[j] += by * pocket[j];
+    for (std::size_t j = 0; j < gaps.size(); ++j) gaps[j] += by * drawn.pocket[j];
   }
   return all + *std::min_element(gaps.begin(), gaps.end());
 }
@@ -325,17 +302,15 @@ std::vector<JamShare> drawn(const Geometry& geometry, const std::vector<ScaledLa
   std::vector<long> count(tolerances.size(), 0);
   Sample cage;
   std::vector<double> gaps;
-  Extremes extremes;
   for (long id = 0; id < cages; ++id) {
     sampler.draw_deviations(static_cast<std::uint64_t>(id), cage);
-    find_extremes(cage, extremes);
     for (std::size_t place = 0; place < kGapPlaces; ++place)
       for (std::size_t l = 0; l < places[place].laws.size(); ++l) {
         const ScaledLaws& laws = places[place].laws[l];
-        const double near = 4 * geometry.delta[place],
-                     least = least_gap(geometry, place, laws, cage, extremes, near, gaps);
-        places[place].jammed[l] =
-            std::abs(least) <= near ? jams_at(geometry, place, laws, cage) : least <= 0;
+        const double least = least_gap(geometry, place, laws, cage, gaps);
+        places[place].jammed[l] = std::abs(least) <= 4 * geometry.delta[place]
+                                      ? jams_at(geometry, place, laws, cage)
+                                      : least <= 0;
       }
     for (std::size_t t = 0; t < tolerances.size(); ++t)
       count[t] += std::any_of(places.begin(), places.end(), [t](const Levels& place) {
