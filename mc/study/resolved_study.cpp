@@ -9,7 +9,6 @@
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study_keys.hpp"
 #include "src/input/toml_file.hpp"
-#include "src/reading/oil_keys.hpp"
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
@@ -117,8 +116,7 @@ toml::table resolved_table(const Study& study) {
   toml::table root;
   for (const auto& key : study_keys()) insert_key(key, study, root);
   toml::table scene;
-  for (const auto& key : scene_keys())
-    if (successor_of(study.scene, key.name).empty()) insert_key(key, study.scene, scene);
+  for (const auto& key : scene_keys()) insert_key(key, study.scene, scene);
   toml::array assumptions;
   for (const auto& assumption : study.scene.assumptions) {
     toml::table entry{{"key", assumption.key}, {"note", assumption.note}};

@@ -187,9 +187,8 @@ std::vector<std::string> model_notes(const Study& study) {
   for (const std::string& idle : idle_notes(study.scene, varies)) notes.push_back(idle);
   if (is_quasi_static(study.scene))
     notes.emplace_back(
-        "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the "
-        "cage "
-        "and a film of scene.film.model are not (scene.model.motion)");
+        "quasi-static: the ring's displacement and the tilt of rollers are computed; slip and the "
+        "cage are not (scene.model.motion)");
   return notes;
 }
 

@@ -11,7 +11,6 @@ constexpr auto kFormerNames = std::to_array<FormerName>({
     // name, value, now, why, remedy
     {"lobes", "", "waviness", "", ""},
     {"bearing.least_load_factor", "", "bearing.minimum_load_factor", "", ""},
-    {"film.least_force_N", "", "film.minimum_force_N", "", ""},
     {"lubrication.land_film_least_um", "", "lubrication.land_film_minimum_um", "", ""},
     {"tolerance.dimension.band_mm", "", "tolerance.dimension.tolerance_width_mm", "", ""},
     {"cage_yield_utilisation", "", "cage_strength_utilisation", "", ""},
@@ -32,7 +31,7 @@ constexpr auto kFormerNames = std::to_array<FormerName>({
     {"cage.model", "none", "", "only bearings with a cage are modelled; the torque of full complements was off by 1.8", "choose a bearing with a cage"},
     {"integration.method", "semi-implicit-euler", "", "arkode-erk shows what explicit steps do", "use arkode-erk"},
     {"integration.fixed_step_us", "", "", "no method has fixed steps any more", "use integration.max_step_us"},
-    {"film.model", "series-bounded", "", "lubrication has films of light contacts", "use series, or lubrication.model = \"film\""},
+    {"film", "", "", "the older film of the races alone is gone", "use lubrication.model = \"film\" with the keys of lubrication, or leave the line out"},
     {"cage.guide_film", "", "", "lubrication has a film at guide lands", "use lubrication.model = \"film\" with lubrication.land_film"},
     {"cage.guide_film_viscosity_Pa_s", "", "", "lubrication has a film at guide lands", "use lubrication.viscosity_Pa_s"},
     {"cage.guide_film_width_mm", "", "", "lubrication has a film at guide lands", "use lubrication.land_film_width_mm"},

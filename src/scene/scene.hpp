@@ -183,7 +183,6 @@ struct Contacts {
 /// Oil in the bearing: films, rolling resistance, traction and drag (src/lubrication). kAuto: the
 /// value of the named lubricant.
 struct Lubrication {
-  /// none: dry, or the film of OilFilm.
   LubricationModel model = LubricationModel::none;
   std::string lubricant = "iso-vg-68";  ///< a name of lubricant_presets()
   double temperature = 70;              ///< of the oil in the bearing [degC]
@@ -319,7 +318,6 @@ struct Scene {
   Fits fit;
   Temperatures temperature;
   Contacts contact;
-  OilFilm film;
   Lubrication lubrication;
   Operation operation;
   Phases phase;
