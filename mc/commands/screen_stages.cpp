@@ -78,7 +78,7 @@ ScreenDesign screen_design(const Study& base, const ScreenStage& planned) {
         screened.lot_sigma = scale * standard_deviation(*input.lot);
         input.lot = Normal{scale * mean(*input.lot), screened.lot_sigma};
       }
-      dimension.cost.reset();
+      dimension.cost.clear();
       screened.middle = candidate.middle(d);
       const double middle = zone_middle(candidate.grades[d], width);
       const auto zone = [middle](double wide) {
