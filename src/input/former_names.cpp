@@ -32,6 +32,8 @@ constexpr auto kFormerNames = std::to_array<FormerName>({
     {"integration.method", "semi-implicit-euler", "", "arkode-erk shows what explicit steps do", "use arkode-erk"},
     {"integration.fixed_step_us", "", "", "no method has fixed steps any more", "use integration.max_step_us"},
     {"film", "", "", "the older film of the races alone is gone", "use lubrication.model = \"film\" with the keys of lubrication, or leave the line out"},
+    {"speed.oscillation_amplitude_deg", "", "", "a duty that repeats says it", "give one period in duty.time_s and duty.inner_rpm, and duty.repeat_s"},
+    {"speed.oscillation_Hz", "", "", "a duty that repeats says it", "give one period in duty.time_s and duty.inner_rpm, and duty.repeat_s"},
     {"tolerance.dimension.cost_a", "", "", "a table has the same costs at the candidates", "use cost_table = [[width in mm, cost], ...]"},
     {"tolerance.dimension.cost_b", "", "", "a table has the same costs at the candidates", "use cost_table = [[width in mm, cost], ...]"},
     {"tolerance.dimension.cost_k", "", "", "a table has the same costs at the candidates", "use cost_table = [[width in mm, cost], ...]"},

@@ -277,8 +277,6 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"speed.outer_ramp_from_rpm", or_auto(within(-1e6, 1e6)), AT(operation.outer_ramp_from), "likewise of the outer ring", {kStatic, "speed.ramp_ms = 0"}},
       {"speed.ramp_ms", at_least(0), AT(operation.speed_ramp), "duration of the speed ramps", {kStatic, kNoRamp}},
       {"speed.centrifugal_growth", any_value(), AT(operation.centrifugal_growth), "rings with shaft and housing, rollers and cage grow by rotation; false: the dimensions are those at speed", {kNoRingTurns}},
-      {"speed.oscillation_amplitude_deg", within(0, 36000), AT(operation.swing_amplitude), "amplitude, from the middle, of an oscillation of the inner ring that is added to its speed; the ring starts from rest at one end; 0: none"},
-      {"speed.oscillation_Hz", within(0, 1e5), AT(operation.swing_frequency), "frequency of that oscillation", {"speed.oscillation_amplitude_deg = 0"}},
       {"duty.file", any_value(), AT(operation.table.file), "CSV file of a duty over time, its path relative to this file: the header names columns as the keys below with their units (time_s, inner_rpm, radial_kN ...), one line for each instant; resolved scenes hold its values in these keys"},
       {"duty.time_s", at_least(0), AT(operation.table.time), "instants of a duty over time, increasing; values between them lie on straight lines, the first and the last one hold before and after"},
       {"duty.inner_rpm", within(-1e6, 1e6), AT(operation.table.inner_speed), "speed of the inner ring at these instants; left out: speed.inner_rpm"},

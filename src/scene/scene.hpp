@@ -250,8 +250,6 @@ struct Operation {
   double speed_ramp_from = kAuto;  ///< inner_speed at t = 0; kAuto: no ramp [rad/s]
   double outer_ramp_from = kAuto;  ///< likewise of outer_speed [rad/s]
   double speed_ramp = 0;           ///< duration of the ramps, by STEP [s]
-  double swing_amplitude = 0;      ///< of an oscillation of the inner ring, from its middle [rad]
-  double swing_frequency = 0;      ///< [Hz]
   DutyTable table = {};
   double gravity = 9.81;            ///< [m/s^2]
   double shaft_inclination = 0;     ///< of +x above the horizontal; gravity is along -z at 0 [rad]
@@ -334,10 +332,9 @@ struct Scene {
 inline bool has_free_ring_tilt(const Scene& scene) {
   return scene.model.ring_tilt == TiltModel::free;
 }
-/// Whether speed or load follow a table or an oscillation, so that no cage revolution stands for
-/// another.
+/// Whether speed or load follow a table, so that no cage revolution stands for another.
 inline bool changes_over_time(const Operation& operation) {
-  return !operation.table.empty() || operation.swing_amplitude > 0;
+  return !operation.table.empty();
 }
 /// Ends of the values that an axial load takes, zero among them [N].
 struct AxialLoads {

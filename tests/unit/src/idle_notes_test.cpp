@@ -227,8 +227,6 @@ INSTANTIATE_TEST_SUITE_P(
                s.operation.table.direction = {{0, 1}};
                s.operation.table.outer_speed = {{0, -20}};
                s.operation.table.repeat = 120e-6;
-               s.operation.swing_amplitude = 0.1;
-               s.operation.swing_frequency = 500;
              }},
         Case{"rollers_guide",
              [](Scene& s) {
