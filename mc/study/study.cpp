@@ -229,10 +229,9 @@ std::vector<std::string> study_notes(const Study& study) {
     if (input.measured)
       for (const std::string& note : measured_notes(*input.measured, input.key, input.unit))
         notes.push_back(note);
-  const auto varied = design_columns(study);
   if (study.inputs.empty())
     notes.push_back("nothing varies: no key of the scene is a distribution");
-  else if (varied.names.empty())
+  else if (design_columns(study) == 0)
     notes.push_back("only noise varies: no input by lot or pocket");
   return notes;
 }
