@@ -166,11 +166,9 @@ TEST(Program, ReplacesNoFileThatItDidNotWrite) {
   const std::string scene = scratch / "own.toml";
   std::filesystem::copy_file(shipped("scenes/nu205.toml"), scene);
   const std::string before = read_text_file(scene);
-  for (const char* option : {"-o", "--snapshot"}) {
-    const auto ended = run({"simulate", scene, option, scene});
-    EXPECT_EQ(ended.code, 2);
-    EXPECT_THAT(ended.output, HasSubstr("did not write"));
-  }
+  const auto ended = run({"simulate", scene, "-o", scene});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.output, HasSubstr("did not write"));
   EXPECT_EQ(read_text_file(scene), before);
   std::ofstream(scratch / "study.h5") << "cagetol sealed HDF5, version 1\n";
   EXPECT_EQ(run({"simulate", scene, "-o", scratch / "study.h5"}).code, 2);
@@ -304,7 +302,7 @@ TEST(Program, NamesOfOutputsAreCheckedByEveryCommand) {
       EXPECT_THAT(ended.output, HasSubstr(problem)) << command[0];
       EXPECT_THAT(ended.output, HasSubstr("remedy: ")) << command[0];
     }
-  EXPECT_EQ(run({"simulate", scene, "--snapshot", ""}).code, 2);
+  EXPECT_EQ(run({"simulate", scene, "-o", ""}).code, 2);
   EXPECT_EQ(run({"simulate", scene, "-o", scratch.path()}).code, 2);
 
   std::filesystem::create_directory(scratch / "pipe");
