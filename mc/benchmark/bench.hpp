@@ -37,7 +37,6 @@ struct MethodCost {
 
 struct BenchResult {
   std::string scene;
-  IntegrationMethod default_method = IntegrationMethod::rodasp;  ///< the scene's own
   KernelTimes kernels;
   std::vector<MethodCost> methods;  ///< the scene's own first
 };
@@ -57,8 +56,5 @@ BenchResult bench(const Scene& scene, const BenchOptions& options);
 
 nlohmann::ordered_json bench_json(const BenchResult& result);
 std::string bench_text(const BenchResult& result);
-
-/// The cost of `method` in a result.
-const MethodCost& cost_of(const BenchResult& result, IntegrationMethod method);
 
 }  // namespace cagetol
