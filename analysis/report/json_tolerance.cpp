@@ -294,7 +294,6 @@ void add_limits_of_size(const Json& bearing, Json& tolerance) {
                    minimum = nominal + zone_middle(printed.at("grade"), width) - width / 2;
       const Json& fit = dimension.at("counterpart_mm");
       printed["size"] = {{"nominal_mm", nominal},
-                         {"half_tolerance_mm", width / 2},
                          {"minimum_mm", minimum},
                          {"maximum_mm", minimum + width},
                          {"capability", dimension.at("capability")},

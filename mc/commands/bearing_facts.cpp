@@ -242,7 +242,6 @@ Json section_json(const Scene& scene) {
           {"inner_flanges", spelled(b.inner_flanges)},
           {"load_direction_deg", scene.operation.load_direction * 180 / std::numbers::pi},
           {"radial_load_N", scene.operation.radial_load},
-          {"axial_load_N", scene.operation.axial_load},
           {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
           {"outer_speed_rpm", scene.operation.outer_speed / kRpm},
           {"cage",
