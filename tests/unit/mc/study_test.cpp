@@ -104,6 +104,21 @@ TEST_F(StudyFile, ResolvedTextReadsBackToTheSameStudy) {
   }
 }
 
+// A report of an earlier program's study keeps its operating point.
+TEST_F(StudyFile, AStoredStudyLosesKeysThatAreGoneAndNothingElse) {
+  const Study study = read_study(shipped("studies/nu205-rated.toml"));
+  std::string text = study.resolved_toml;
+  for (const auto& [now, then] : {std::pair{"design = 'random'", "design = 'sobol'\nscrambles = 8"},
+                                  {"[scene.speed]", "[scene.speed]\noscillation_Hz = 3"}}) {
+    ASSERT_NE(text.find(now), std::string::npos) << now;
+    text.replace(text.find(now), std::string(now).size(), then);
+  }
+  text += "[scene.film]\nmodel = 'series'\n";
+  EXPECT_EQ(read_resolved_study(text, "stored").resolved_toml, study.resolved_toml);
+  // What is called otherwise today is not lost silently.
+  EXPECT_THROW(read_resolved_study(text + "[scene.lobes]\ninner_1_um = 3\n", "stored"), InputError);
+}
+
 TEST_F(StudyFile, OverridesAndSettingsComeInOrder) {
   write("scene.toml",
         reference_scene_text("name = 'base'\n[cage]\npocket_width_mm = 7.7\n[load]\nradial_N = "
