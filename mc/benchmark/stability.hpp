@@ -2,7 +2,6 @@
 // numbers. What must never happen is a wrong result that looks right.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
