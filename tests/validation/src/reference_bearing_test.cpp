@@ -110,10 +110,6 @@ TEST(ReferenceBearing, TumblingRollersAreAFailedRun) {
   EXPECT_NE(outcome.reason.find("race_slices"), std::string::npos) << outcome.reason;
 }
 
-double quantity(const Outcome& outcome, const char* key) {
-  return outcome.quantities[static_cast<std::size_t>(quantity_index(key))];
-}
-
 /// Damping that holds rollers off the races as they go round leaves statics nothing to find: the
 /// run says so instead of passing unwatched.
 TEST(ReferenceBearing, SaysWhereStaticsFindNothing) {
