@@ -42,8 +42,8 @@ Interval support(const Law& law) {
 std::string_view law_name(const Law& law) {
   // In the order of the variant.
   static constexpr std::array<std::string_view, std::variant_size_v<Law>> names = {
-      "normal", "truncated_normal", "uniform",   "triangular", "lognormal", "beta", "weibull",
-      "gamma",  "histogram",        "empirical", "capability"};
+      "normal",  "truncated_normal", "uniform",   "triangular", "lognormal",
+      "weibull", "histogram",        "empirical", "capability"};
   return names[law.index()];
 }
 

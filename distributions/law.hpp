@@ -8,10 +8,8 @@
 #include <string_view>
 #include <variant>
 
-#include "distributions/laws/beta.hpp"
 #include "distributions/laws/capability.hpp"
 #include "distributions/laws/empirical.hpp"
-#include "distributions/laws/gamma.hpp"
 #include "distributions/laws/histogram.hpp"
 #include "distributions/laws/interval.hpp"
 #include "distributions/laws/lognormal.hpp"
@@ -23,8 +21,8 @@
 
 namespace cagetol {
 
-using Law = std::variant<Normal, TruncatedNormal, Uniform, Triangular, Lognormal, Beta, Weibull,
-                         Gamma, Histogram, Empirical, Capability>;
+using Law = std::variant<Normal, TruncatedNormal, Uniform, Triangular, Lognormal, Weibull,
+                         Histogram, Empirical, Capability>;
 
 /// Throws std::invalid_argument with reason and remedy if the parameters are not valid.
 void check(const Law& law);

@@ -80,9 +80,7 @@ double revolutions_over(const std::vector<Instant>& instants) {
 }  // namespace
 
 Outcome quasi_static_outcome(const OperatingScene& scene) {
-  Scene dry = scene;
-  dry.film.model = FilmModel::none;
-  const BearingModel model = make_bearing_model(dry);
+  const BearingModel model = make_bearing_model(scene);
   Outcome outcome;
   outcome.quantities.assign(quantity_table().size(), std::numeric_limits<double>::quiet_NaN());
   outcome.run.energy_residual = outcome.run.static_consistency_error =
@@ -131,7 +129,8 @@ Outcome quasi_static_outcome(const OperatingScene& scene) {
   q[quantity_row("ring_tilt_mean_mrad")] = 1e3 * ring_tilt.mean();
   q[quantity_row("roller_tilt_p95_mrad")] = 1e3 * tilt.quantile(0.95);
   outcome.run.cage_revolutions = revolutions_over(instants);
-  outcome.reason = find_impossible({dry, model, window.settle, window.settle + window.measure, q});
+  outcome.reason =
+      find_impossible({scene, model, window.settle, window.settle + window.measure, q});
   outcome.status = outcome.reason.empty() ? Status::ok : Status::failed;
   return outcome;
 }

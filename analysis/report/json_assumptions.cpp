@@ -208,7 +208,6 @@ Json assumption_verdicts_json(const ReportBasis& basis, const std::vector<StudyD
   return {
       {"statement", statement},
       {"attempt", plan.attempt > 0 ? Json(fmt::format("confirm-{}", plan.attempt)) : Json()},
-      {"planned", plan.alternatives.size()},
       {"judged", alternatives.size()},
       {"runs_in_all",
        plan.alternatives.size() * (plan.runs > 0 ? plan.runs : automatic_runs(plan))},

@@ -71,8 +71,6 @@ Json cage_json(const ReportBasis& basis, const Json& peak) {
   if (!peak.is_null()) {
     cage["peak"].erase("study_hash");
     cage["peak"].erase("build");
-    cage["peak"]["replay"] = "cagetol replay " + basis.directory + " --sample " +
-                             peak.at("sample").dump() + " --snapshot cage.vtu";
   }
   return cage;
 }

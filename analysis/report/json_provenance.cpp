@@ -43,13 +43,9 @@ Json provenance_json(const StudyData& study) {
                       {"lot", input.lot},
                       {"pocket", input.pocket},
                       {"noise", input.noise}});
-  Json correlations = Json::array();
-  for (const Correlation& pair : study.plan.correlations)
-    correlations.push_back({{"first", pair.first}, {"second", pair.second}, {"rho", pair.rho}});
   return {{"study_name", from.study_name},
           {"study_hash", from.study_hash},
           {"seed", from.seed},
-          {"schema_version", from.schema_version},
           {"tool_version", from.tool_version},
           {"tool_commit", from.tool_commit},
           {"build", from.build},
@@ -59,7 +55,6 @@ Json provenance_json(const StudyData& study) {
           {"cages_per_lot", study.plan.cages_per_lot},
           {"pockets", study.pockets},
           {"inputs", inputs},
-          {"correlations", correlations},
           {"scene", study.plan.scene}};
 }
 

@@ -117,6 +117,7 @@ Json jams_json(const ReportBasis& basis) {
 Json lot_share_json(const StudyPlan& plan, const std::string& key) {
   for (const InputPlan& input : plan.inputs) {
     if (input.key != key || input.lot.is_null() || input.pocket.is_null()) continue;
+    if (!knows_law(input.lot) || !knows_law(input.pocket)) return nullptr;
     const double lot = standard_deviation(read_law(input.lot, key)),
                  pocket = standard_deviation(read_law(input.pocket, key));
     return lot * lot / (lot * lot + pocket * pocket);
@@ -293,7 +294,6 @@ void add_limits_of_size(const Json& bearing, Json& tolerance) {
                    minimum = nominal + zone_middle(printed.at("grade"), width) - width / 2;
       const Json& fit = dimension.at("counterpart_mm");
       printed["size"] = {{"nominal_mm", nominal},
-                         {"half_tolerance_mm", width / 2},
                          {"minimum_mm", minimum},
                          {"maximum_mm", minimum + width},
                          {"capability", dimension.at("capability")},

@@ -221,26 +221,9 @@ StudyData select_samples(const StudyData& study, const std::vector<std::size_t>&
   return chosen;
 }
 
-StudyData results_of(const StudyData& study) {
-  StudyData results;
-  results.provenance = study.provenance;
-  results.design = study.design;
-  results.plan = study.plan;
-  results.pockets = study.pockets;
-  results.jam = study.jam;
-  results.id = study.id;
-  results.row = study.row;
-  results.replicate = study.replicate;
-  results.lot = study.lot;
-  results.candidate = study.candidate;
-  results.pocket = study.pocket;
-  results.status = study.status;
-  results.reason = study.reason;
-  results.interference_um = study.interference_um;
-  results.quantities = study.quantities;
-  results.run = study.run;
-  results.timing = study.timing;
-  return results;
+StudyData results_of(StudyData study) {
+  study.inputs.clear();
+  return study;
 }
 
 std::vector<std::size_t> first_runs(const StudyData& study) {

@@ -69,9 +69,8 @@ StudyData read_study_data(const std::filesystem::path& file);
 /// The samples at `keep`, in that order, with all their columns.
 StudyData select_samples(const StudyData& study, const std::vector<std::size_t>& keep);
 
-/// The study without its inputs and design points, by far the most of it: for those who
-/// judge results alone.
-StudyData results_of(const StudyData& study);
+/// The study without its inputs, by far the most of it: for those who judge results alone.
+StudyData results_of(StudyData study);
 
 /// Samples that are the first run of their row and have an outcome (not_run is none): what every
 /// statistic but the noise share is computed from.

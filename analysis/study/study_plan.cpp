@@ -67,20 +67,6 @@ Correlation read_correlation(const Json& object) {
   return {between.at(0), between.at(1), object.at("rho").get<double>()};
 }
 
-std::optional<CostCurve> read_cost(const Json& dimension) {
-  CostCurve cost;
-  if (dimension.contains("cost_table")) {
-    for (const Json& point : dimension.at("cost_table"))
-      cost.table.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
-    return cost;
-  }
-  if (!dimension.contains("cost_b")) return std::nullopt;
-  cost.a = dimension.value("cost_a", 0.0);
-  cost.b = dimension.at("cost_b").get<double>();
-  cost.k = dimension.value("cost_k", 1.0);
-  return cost;
-}
-
 ToleranceDimension read_dimension(const Json& object) {
   ToleranceDimension dimension;
   dimension.key = object.at("key").get<std::string>();
@@ -90,7 +76,7 @@ ToleranceDimension read_dimension(const Json& object) {
                                        ? candidate.get<std::string>()
                                        : fmt::format("{}", candidate.get<double>()));
   if (object.contains("centres")) object.at("centres").get_to(dimension.centres);
-  dimension.cost = read_cost(object);
+  if (object.contains("cost_table")) object.at("cost_table").get_to(dimension.cost);
   return dimension;
 }
 

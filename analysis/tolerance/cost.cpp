@@ -1,17 +1,15 @@
 #include "analysis/tolerance/cost.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cagetol {
 
-double cost_of_tolerance(const CostCurve& cost, double tolerance_width_mm) {
-  if (cost.table.empty()) return cost.a + cost.b / std::pow(tolerance_width_mm, cost.k);
-  const auto above = std::find_if(cost.table.begin(), cost.table.end(), [&](const auto& point) {
+double cost_of_tolerance(const CostTable& table, double tolerance_width_mm) {
+  const auto above = std::find_if(table.begin(), table.end(), [&](const auto& point) {
     return point.first >= tolerance_width_mm;
   });
-  if (above == cost.table.end()) return cost.table.back().second;
-  if (above == cost.table.begin()) return above->second;
+  if (above == table.end()) return table.back().second;
+  if (above == table.begin()) return above->second;
   const auto& [left, left_cost] = *std::prev(above);
   const auto& [right, right_cost] = *above;
   return left_cost + (right_cost - left_cost) * (tolerance_width_mm - left) / (right - left);
@@ -21,8 +19,8 @@ std::optional<double> cost_of_tolerances(const StudyPlan& plan,
                                          const std::vector<double>& tolerance_widths_mm) {
   double sum = 0;
   for (std::size_t d = 0; d < tolerance_widths_mm.size(); ++d) {
-    if (!plan.dimensions[d].cost) return std::nullopt;
-    sum += cost_of_tolerance(*plan.dimensions[d].cost, tolerance_widths_mm[d]);
+    if (plan.dimensions[d].cost.empty()) return std::nullopt;
+    sum += cost_of_tolerance(plan.dimensions[d].cost, tolerance_widths_mm[d]);
   }
   return sum;
 }

@@ -1,9 +1,7 @@
 // What a tolerance costs to make, where the study says so.
 //
-// The reciprocal power law (Sutherland & Roth 1975, J. Eng. Ind. 97, 283-286),
-//   cost = a + b / t^k,   t the full width in mm
-// or straight lines through a table, flat beyond its ends. Costs of dimensions add up; the currency
-// is the user's.
+// Straight lines through a table over the full width in mm, flat beyond its ends. Costs of
+// dimensions add up; the currency is the user's.
 #pragma once
 
 #include <optional>
@@ -13,7 +11,7 @@
 
 namespace cagetol {
 
-double cost_of_tolerance(const CostCurve& cost, double tolerance_width_mm);
+double cost_of_tolerance(const CostTable& table, double tolerance_width_mm);
 
 /// Sum over the dimensions; nothing where the study states no costs.
 std::optional<double> cost_of_tolerances(const StudyPlan& plan,

@@ -1,14 +1,13 @@
 #include "analysis/tolerance/rare.hpp"
 
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_randist.h>
 #include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/sensitivity/features.hpp"
 #include "analysis/sensitivity/noise_share.hpp"
-#include "analysis/sensitivity/unexplained_share.hpp"
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/statistics/pareto_bound.hpp"
 #include "analysis/study/judgement.hpp"
@@ -68,22 +67,17 @@ void widen(const std::vector<Feature>& features, const std::string& key, double 
 }
 
 /// What the runs say of a limit, whose route is fixed.
-void judge(const StudyData& runs, const StudyData& pilot, const RareSettings& settings,
-           RareLimit& limit) {
+void judge(const StudyData& runs, const StudyData& pilot, RareLimit& limit) {
   const double confidence = runs.plan.confidence, count = static_cast<double>(runs.size());
   const Values beyond = beyond_bound(runs, limit);
-  const auto features = cage_features(runs);
   for (const double value : beyond) limit.missed += !(value <= 0);
   limit.exact_lower = clopper_pearson_lower(limit.missed, count, confidence);
   limit.exact_upper = clopper_pearson_upper(limit.missed, count, confidence);
   limit.upper = stated_bound(limit, beyond, confidence);
   limit.if_normal = gsl_cdf_ugaussian_Q(distance_of(known_values(beyond)));
   limit.noise = noise_share(pilot, beyond_bound(pilot, limit), confidence).share.value;
-  limit.unexplained = unexplained_share(features, beyond, Resampling(runs, 0), confidence).value;
-  limit.guided_runs =
-      guided_runs(settings.target, std::isnan(limit.unexplained) ? limit.noise : limit.unexplained,
-                  settings.relative_error);
   if (limit.route != RareRoute::extrapolated || limit.missed > 0) return;
+  const auto features = cage_features(runs);
   for (const ToleranceDimension& dimension : runs.plan.dimensions) {
     limit.upper_at.emplace_back();
     for (const double width : kRareWidths) {
@@ -98,17 +92,6 @@ void judge(const StudyData& runs, const StudyData& pilot, const RareSettings& se
 
 double showing_runs(double share, double confidence) {
   return std::ceil(std::log1p(-confidence) / std::log1p(-share));
-}
-
-double guided_runs(double share, double unexplained, double relative_error) {
-  const double z = gsl_cdf_ugaussian_Qinv(share), step = 0.005;
-  const double s = std::clamp(unexplained, 1e-9, 1.0);
-  double sum = 0;
-  for (double g = -10; g <= 10; g += step)
-    sum += step * gsl_ran_ugaussian_pdf(g) *
-           std::sqrt(gsl_cdf_ugaussian_Q((z - std::sqrt(1 - s) * g) / std::sqrt(s)));
-  const double runs = (sum * sum / (share * share) - 1) / (relative_error * relative_error);
-  return std::isnan(unexplained) ? kUndefined : std::max(runs, 1.0);
 }
 
 std::vector<RareLimit> rare_routes(const StudyData& pilot, const RareSettings& settings) {
@@ -143,7 +126,7 @@ Rare judge_rare(const StudyData& pilot, const StudyData& runs, const RareSetting
   for (const RunStatus status : runs.status) rare.lost += status != RunStatus::ok;
   for (const Judgement judged : judge_all(runs)) missed += judged != Judgement::meets;
   for (RareLimit& limit : rare.limits) {
-    judge(runs, pilot, settings, limit);
+    judge(runs, pilot, limit);
     sum += stated_bound(limit, beyond_bound(runs, limit),
                         1 - left / static_cast<double>(rare.limits.size()));
   }

@@ -11,14 +11,7 @@
 //                  where a run misses the limit, at least the exact bound
 //   not stated     neither
 //
-// Brute force shows at most p where none of log(1 - c) / log(1 - p) runs misses. Importance
-// sampling over deviations, which leave the share s of the variance unexplained, measures p of
-// normal scatter to the relative standard error r with no fewer runs than
-//
-//   ((E sqrt(h))^2 / p^2 - 1) / r^2,   h(g) = Q((z - sqrt(1 - s) g) / sqrt(s)),   Q(z) = p
-//
-// (Choe, Byon and Chen 2015, doi:10.1080/00401706.2014.1001523). The program does not sample so:
-// the number says what it would cost.
+// Brute force shows at most p where none of log(1 - c) / log(1 - p) runs misses.
 #pragma once
 
 #include <string>
@@ -31,7 +24,6 @@ namespace cagetol {
 
 struct RareSettings {
   double target = 63e-6;          ///< share of cages in question
-  double relative_error = 0.3;    ///< standard error of an estimate, as a share of it
   std::size_t fresh_runs = 1000;  ///< after the pilot
 };
 
@@ -46,8 +38,7 @@ struct RareLimit {
   bool is_maximum = true;
   RareRoute route = RareRoute::unstated;
   double distance = kUndefined;  ///< standard deviations from mean to bound, of the pilot
-  double noise = kUndefined, unexplained = kUndefined;  ///< variance of the start, of no feature
-  double guided_runs = kUndefined;                      ///< of importance sampling, at the target
+  double noise = kUndefined;     ///< share of the start in the variance
   double missed = 0;  ///< number of the runs judged: beyond the limit, or without a value
   double exact_lower = 0, exact_upper = 1;  ///< of the share, Clopper-Pearson, one-sided each
   double upper = kUndefined;                ///< of the share, where it is stated
@@ -68,8 +59,6 @@ struct Rare {
 
 /// Runs of which none misses, to show at most `share`.
 double showing_runs(double share, double confidence);
-/// See above; 1 at least. NaN where `unexplained` is.
-double guided_runs(double share, double unexplained, double relative_error);
 
 /// The routes of all limits, from the pilot.
 std::vector<RareLimit> rare_routes(const StudyData& pilot, const RareSettings& settings);

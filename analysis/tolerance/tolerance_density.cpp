@@ -60,6 +60,9 @@ void ToleranceDensity::add_parts(const StudyData& runs, bool lot_scope) {
     if (stated.is_null() || columns == nullptr) continue;
     if (dimension < 0 && !tied(input.key + scope)) continue;
     const auto& values = lot_scope ? columns->lot : columns->pocket;
+    if (!knows_law(stated))
+      throw Refused("weights refused: " + input.key + scope +
+                    " has a law that this version of the program does not know");
     const Law law = read_law(stated, input.key + scope);
     if (values.empty() || standard_deviation(law) == 0) continue;
     if (dimension >= 0 && std::holds_alternative<Empirical>(law))

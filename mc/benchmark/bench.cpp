@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "analysis/statistics/median.hpp"
 #include "mc/benchmark/setting.hpp"
@@ -108,7 +107,7 @@ std::vector<IntegrationMethod> methods_to_run(const Scene& scene, const BenchOpt
 
 BenchResult bench(const Scene& scene, const BenchOptions& options) {
   const SimulateOptions shared = with_cage_table(scene);
-  BenchResult result{scene.name, scene.integration.method, {}, 0, {}};
+  BenchResult result{scene.name, {}, 0, {}};
   measure_kernels(scene, shared, result);
   for (const IntegrationMethod method : methods_to_run(scene, options))
     result.methods.push_back({.method = method, .reason = {}, .rtf_runs = {}, .run = {}});
@@ -135,14 +134,8 @@ BenchResult bench(const Scene& scene, const BenchOptions& options) {
   return result;
 }
 
-const MethodCost& cost_of(const BenchResult& result, IntegrationMethod method) {
-  for (const MethodCost& cost : result.methods)
-    if (cost.method == method) return cost;
-  throw std::logic_error(std::string("method was not measured: ") + spelled(method));
-}
-
 std::vector<CostPart> run_parts(const BenchResult& result) {
-  const MethodCost& own = cost_of(result, result.default_method);
+  const MethodCost& own = result.methods.front();
   const KernelTimes& k = result.kernels;
   const double wall_us = 1e6 * own.rtf * own.run.simulated_s;
   const auto rates = static_cast<double>(own.run.rhs_evaluations),
@@ -167,7 +160,7 @@ std::vector<CostPart> run_parts(const BenchResult& result) {
 }
 
 nlohmann::ordered_json bench_json(const BenchResult& result) {
-  const MethodCost& own = cost_of(result, result.default_method);
+  const MethodCost& own = result.methods.front();
   nlohmann::ordered_json json = {
       {"scene", result.scene},
       {"default", {{"method", spelled(own.method)}, {"rtf", json_number(own.rtf)}}},
@@ -209,8 +202,8 @@ std::string bench_text(const BenchResult& result) {
       result.kernels.solve_us, "method", "RTF", "/ default", "steps", "rejected", "rhs",
       "factored");
   for (const MethodCost& cost : result.methods) {
-    const std::string name = std::string(spelled(cost.method)) +
-                             (cost.method == result.default_method ? " (default)" : "");
+    const std::string name =
+        std::string(spelled(cost.method)) + (&cost == &result.methods.front() ? " (default)" : "");
     if (cost.status != Status::ok) {
       text += fmt::format("{:<22} {}: {}\n", name, status_name(cost.status), cost.reason);
       continue;

@@ -40,7 +40,6 @@ struct MethodCost {
 
 struct BenchResult {
   std::string scene;
-  IntegrationMethod default_method = IntegrationMethod::rodasp;  ///< the scene's own
   KernelTimes kernels;
   double start_s = 0;  ///< of a run before its first step: elastic cage, model, statics
   std::vector<MethodCost> methods;  ///< the scene's own first
@@ -62,8 +61,5 @@ BenchResult bench(const Scene& scene, const BenchOptions& options);
 
 nlohmann::ordered_json bench_json(const BenchResult& result);
 std::string bench_text(const BenchResult& result);
-
-/// The cost of `method` in a result.
-const MethodCost& cost_of(const BenchResult& result, IntegrationMethod method);
 
 }  // namespace cagetol

@@ -75,16 +75,12 @@ std::vector<Trajectory> follow_all(const std::vector<Scene>& starts, const Setti
 
 /// Of the starts the median: where an impact falls on the instant, a microsecond's delay is
 /// centimetres a second, and a mean would be that start's.
-std::array<double, 2> median_error(const std::vector<Trajectory>& runs,
-                                   const std::vector<Trajectory>& references) {
-  std::array<double, 2> middle{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    std::vector<double> errors;
-    for (std::size_t k = 0; k < runs.size(); ++k)
-      errors.push_back(trajectory_error(runs[k], references[k])[i]);
-    middle[i] = median_of_whole(std::move(errors));
-  }
-  return middle;
+double median_error(const std::vector<Trajectory>& runs,
+                    const std::vector<Trajectory>& references) {
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    errors.push_back(trajectory_error(runs[k], references[k]));
+  return median_of_whole(std::move(errors));
 }
 
 void measure_trajectories(const Scene& scene, const SimulateOptions& options, Chart& chart) {
@@ -105,7 +101,7 @@ void measure_trajectories(const Scene& scene, const SimulateOptions& options, Ch
   }
   mark_front(
       chart.points, [](ChartPoint& p) -> ChartCost& { return p.brief; },
-      [](const ChartPoint& p) { return p.trajectory_error[1]; });
+      [](const ChartPoint& p) { return p.trajectory_error; });
 }
 
 /// Values of quantity q in all replicas; NaN where one is not ok or has none.
@@ -216,7 +212,7 @@ double usual_horizon(const Scene& scene) {
 Chart make_chart(const Study& study, const ChartOptions& options,
                  const std::function<void(const std::string&)>& say) {
   const Scene scene = replica_scenes(study, 1).front();
-  Chart chart{scene.name, options, {kUnknown, kUnknown}, {}, {}};
+  Chart chart{scene.name, options, kUnknown, {}, {}};
   if (std::isnan(options.horizon)) chart.options.horizon = usual_horizon(scene);
   for (const Setting& setting : setting_ladder(scene, options.methods)) {
     ChartPoint point;

@@ -3,7 +3,6 @@
 // ladder may stand beside them: what a cheaper model saves and costs, in the same units.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
@@ -50,8 +49,7 @@ struct WindowErrors {
 struct ChartPoint : WindowErrors {
   Setting setting;
   ChartCost brief;
-  /// At half the horizon and at the horizon, median over the starts [error scales].
-  std::array<double, 2> trajectory_error{};
+  double trajectory_error = 0;  ///< at the horizon, median over the starts [error scales]
 };
 
 /// A rung of the model ladder with its own settings, against the highest rung integrated tightly;
@@ -64,9 +62,9 @@ struct RungPoint : WindowErrors {
 struct Chart {
   std::string scene;
   ChartOptions options;
-  std::array<double, 2> reference_gap{};  ///< trajectories of the two references apart, likewise
-  std::vector<ChartPoint> points;         ///< the scene's own setting first
-  std::vector<RungPoint> rungs;           ///< of the ladder for the scene, where asked for
+  double reference_gap = 0;        ///< trajectories of the two references apart, likewise
+  std::vector<ChartPoint> points;  ///< the scene's own setting first
+  std::vector<RungPoint> rungs;    ///< of the ladder for the scene, where asked for
 };
 
 /// Measures all settings; `say` is told what is going on.

@@ -70,8 +70,7 @@ Json chart_json(const Chart& chart) {
                {"horizon_s", chart.options.horizon},
                {"replicas", chart.options.replicas},
                {"study_samples", kStudySamples},
-               {"reference_gap",
-                {json_number(chart.reference_gap[0]), json_number(chart.reference_gap[1])}}};
+               {"reference_gap", json_number(chart.reference_gap)}};
   auto& points = json["points"] = Json::array();
   for (const ChartPoint& p : chart.points) {
     Json point = {{"label", setting_label(p.setting)},
@@ -80,8 +79,7 @@ Json chart_json(const Chart& chart) {
                   {"default", &p == &chart.points.front()},
                   {"reference", setting_label(reference_setting(p.setting.method))}};
     point["trajectory"] = cost_json(p.brief);
-    point["trajectory"]["error_half"] = json_number(p.trajectory_error[0]);
-    point["trajectory"]["error"] = json_number(p.trajectory_error[1]);
+    point["trajectory"]["error"] = json_number(p.trajectory_error);
     point["window"] = window_json(p);
     points.push_back(std::move(point));
   }
@@ -101,13 +99,13 @@ std::string chart_text(const Chart& chart) {
       "scene {}, in error scales of integration.tolerance, after {:g} ms, median of {} starts "
       "(references apart by {:.2g}):\n"
       "{:<32}{:>9}{:>11}{:>11}{:>11}\n",
-      chart.scene, 1e3 * chart.options.horizon, chart.options.starts, chart.reference_gap[1],
+      chart.scene, 1e3 * chart.options.horizon, chart.options.starts, chart.reference_gap,
       "setting (* on the front)", "RTF", "error", "bias rms", "resolved");
   for (const ChartPoint& p : chart.points) {
     text += fmt::format(
         "{:<32}{:>9.3g}{:>11.2g}{:>11.2g}{:>11.2g}",
         setting_label(p.setting) + (p.brief.on_front ? " *" : "") + (p.window.on_front ? " +" : ""),
-        std::isfinite(p.window.rtf) ? p.window.rtf : p.brief.rtf, p.trajectory_error[1], p.bias_rms,
+        std::isfinite(p.window.rtf) ? p.window.rtf : p.brief.rtf, p.trajectory_error, p.bias_rms,
         p.bias_noise);
     for (const std::string& problem : {p.brief.problem, p.window.problem})
       if (!problem.empty()) text += "  " + problem;

@@ -60,10 +60,10 @@ StartErrors errors_from(const Scene& start, const std::vector<IntegrationMethod>
       references[setting.method] = follow(with_setting(start, setting), horizon, options);
     }
     gaps.push_back(
-        trajectory_error(references[kReferenceMethods[0]], references[kReferenceMethods[1]])[1]);
+        trajectory_error(references[kReferenceMethods[0]], references[kReferenceMethods[1]]));
     for (const IntegrationMethod method : methods)
       errors[method].push_back(trajectory_error(follow(by_method(start, method), horizon, options),
-                                                references[reference_setting(method).method])[1]);
+                                                references[reference_setting(method).method]));
   }
   StartErrors middle{median_of_whole(gaps), {}};
   for (const auto& [method, values] : errors) middle.by_method[method] = median_of_whole(values);
@@ -85,9 +85,6 @@ void judge_trajectories(const std::vector<Scene>& starts,
   row.reference_gap = median_of_whole(gaps);
   for (auto& [method, cell] : row.cells) {
     cell.trajectory_error = median_of_whole(errors[method]);
-    cell.worst_trajectory_error = std::isfinite(cell.trajectory_error)
-                                      ? *std::ranges::max_element(errors[method])
-                                      : cell.trajectory_error;
     cell.soundness = judge_soundness(cell.outcome.status, cell.trajectory_error, row.reference_gap);
   }
 }
@@ -155,9 +152,7 @@ Json stability_json(const StabilityMap& map) {
                {"default_method", spelled(map.default_method)},
                {"methods", methods},
                {"horizon_s", kSuiteHorizon},
-               {"starts", kSuiteStarts},
-               {"right_error", kRightError},
-               {"degraded_error", kDegradedError}};
+               {"starts", kSuiteStarts}};
   Json& scenes = json["scenes"] = Json::array();
   for (const SuiteRow& row : map.rows) {
     Json results;
@@ -169,7 +164,6 @@ Json stability_json(const StabilityMap& map) {
           {"status", status_name(cell.outcome.status)},
           {"reason", cell.outcome.reason},
           {"trajectory_error", json_number(cell.trajectory_error)},
-          {"worst_trajectory_error", json_number(cell.worst_trajectory_error)},
           {"static_consistency_error", json_number(run.static_consistency_error)},
           {"energy_residual", json_number(run.energy_residual)},
           {"rtf", json_number(run.wall_s / run.simulated_s)}};

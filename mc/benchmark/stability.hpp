@@ -2,7 +2,6 @@
 // numbers. What must never happen is a wrong result that looks right.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -41,8 +40,7 @@ inline constexpr int kSuiteStarts = 5;
 
 struct SuiteCell {
   Soundness soundness = Soundness::failed;
-  double trajectory_error = 0;        ///< median of the starts [error scales]; NaN: none
-  double worst_trajectory_error = 0;  ///< largest of the starts [error scales]; NaN: none
+  double trajectory_error = 0;  ///< median of the starts [error scales]; NaN: none
   Outcome outcome;  ///< of the whole window, of the first start that failed or else of the first
 };
 

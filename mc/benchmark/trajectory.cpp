@@ -12,20 +12,6 @@ namespace {
 
 constexpr double kPadding = 1e20;  // scales beyond belong to slots that are no bodies
 
-double apart(const std::vector<double>& a, const std::vector<double>& b,
-             const std::vector<double>& scale) {
-  if (a.empty() || b.empty()) return std::numeric_limits<double>::quiet_NaN();
-  double sum = 0;
-  int components = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (scale[i] > kPadding) continue;
-    const double e = (a[i] - b[i]) / scale[i];
-    sum += e * e;
-    ++components;
-  }
-  return std::sqrt(sum / components);
-}
-
 }  // namespace
 
 std::vector<Scene> starts_of(const Scene& scene, int count) {
@@ -47,9 +33,7 @@ Trajectory follow(const Scene& scene, double horizon, SimulateOptions options) {
   Clock::time_point began = Clock::now();
   Trajectory trajectory;
   options.on_state = [&](double t, const double* y, const System& system) {
-    for (std::size_t k = 0; k < 2; ++k)
-      if (t >= (k == 0 ? horizon / 2 : horizon) && trajectory.states[k].empty())
-        trajectory.states[k].assign(y, y + system.size);
+    if (t >= horizon && trajectory.state.empty()) trajectory.state.assign(y, y + system.size);
     if (!trajectory.scale.empty()) return;
     trajectory.scale.assign(system.scale.begin(), system.scale.end());
     began = Clock::now();
@@ -59,9 +43,17 @@ Trajectory follow(const Scene& scene, double horizon, SimulateOptions options) {
   return trajectory;
 }
 
-std::array<double, 2> trajectory_error(const Trajectory& run, const Trajectory& reference) {
-  return {apart(run.states[0], reference.states[0], reference.scale),
-          apart(run.states[1], reference.states[1], reference.scale)};
+double trajectory_error(const Trajectory& run, const Trajectory& reference) {
+  if (run.state.empty() || reference.state.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  int components = 0;
+  for (std::size_t i = 0; i < run.state.size(); ++i) {
+    if (reference.scale[i] > kPadding) continue;
+    const double e = (run.state[i] - reference.state[i]) / reference.scale[i];
+    sum += e * e;
+    ++components;
+  }
+  return std::sqrt(sum / components);
 }
 
 }  // namespace cagetol

@@ -1,7 +1,6 @@
 // Where a bearing is after a short while, to compare ways to integrate before chaos parts them.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -9,9 +8,8 @@
 
 namespace cagetol {
 
-/// States at half the horizon and at the horizon; empty where the run did not get there.
 struct Trajectory {
-  std::array<std::vector<double>, 2> states;
+  std::vector<double> state;  ///< at the horizon; empty where the run did not get there
   std::vector<double> scale;  ///< one unit of error of each component; huge for padding
   Outcome outcome;
   double motion_wall_s = 0;  ///< from the first state to the end: the search for the start left out
@@ -24,8 +22,8 @@ std::vector<Scene> starts_of(const Scene& scene, int count);
 /// Follows the scene, as it is set to be integrated, from its start to `horizon` [s].
 Trajectory follow(const Scene& scene, double horizon, SimulateOptions options = {});
 
-/// Root mean square difference in units of the error scales (error_units), at half the
-/// horizon and at the horizon; NaN where one of the two did not get there.
-std::array<double, 2> trajectory_error(const Trajectory& run, const Trajectory& reference);
+/// Root mean square difference in units of the error scales (error_units) at the horizon; NaN where
+/// one of the two did not get there.
+double trajectory_error(const Trajectory& run, const Trajectory& reference);
 
 }  // namespace cagetol

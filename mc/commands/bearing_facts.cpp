@@ -8,6 +8,7 @@
 
 #include "mc/commands/cage_drawing.hpp"
 #include "mc/commands/operating_text.hpp"
+#include "mc/host/json_number.hpp"
 #include "mc/run/clearance_chains.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study.hpp"
@@ -242,7 +243,6 @@ Json section_json(const Scene& scene) {
           {"inner_flanges", spelled(b.inner_flanges)},
           {"load_direction_deg", scene.operation.load_direction * 180 / std::numbers::pi},
           {"radial_load_N", scene.operation.radial_load},
-          {"axial_load_N", scene.operation.axial_load},
           {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
           {"outer_speed_rpm", scene.operation.outer_speed / kRpm},
           {"cage",
@@ -300,14 +300,13 @@ Json points_json(const Study& study, const OutcomesById& outcomes) {
   for (const OperatingPointPlan& plan : study.points) {
     const Scene scene = at_operating_point(study.scene, plan);
     const OperatingPoint at = operating_point(scene);
-    const auto known = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
     list.push_back(
         {{"name", plan.name},
          {"weight", plan.weight},
          {"radial_load_N", scene.operation.radial_load},
          {"inner_speed_rpm", scene.operation.inner_speed / kRpm},
-         {"speed_factor_mm_min", known(1e3 * at.pitch_diameter * at.speed / kRpm)},
-         {"load_ratio", known(at.dynamic_rating / at.load)},
+         {"speed_factor_mm_min", json_number(1e3 * at.pitch_diameter * at.speed / kRpm)},
+         {"load_ratio", json_number(at.dynamic_rating / at.load)},
          {"warnings", warnings_of(scene, mean_of("power_loss_W", study, outcomes, plan.name))}});
   }
   return list;
@@ -315,15 +314,14 @@ Json points_json(const Study& study, const OutcomesById& outcomes) {
 
 /// Of the dimensions that get a tolerance: nominal value, Cp of their laws, what is to fit.
 Json dimensions_json(const Study& study) {
-  const auto known = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   Json list = Json::array();
   for (const ToleranceFilling& filling : tolerance_fillings(study))
     list.push_back({{"key", filling.key},
-                    {"nominal_mm", known(filling.nominal_mm)},
-                    {"capability", known(filling.capability)},
-                    {"mean_share", known(filling.mean_mm / filling.tolerance_width_mm)},
+                    {"nominal_mm", json_number(filling.nominal_mm)},
+                    {"capability", json_number(filling.capability)},
+                    {"mean_share", json_number(filling.mean_mm / filling.tolerance_width_mm)},
                     {"counterpart", filling.counterpart},
-                    {"counterpart_mm", known(filling.counterpart_mm)}});
+                    {"counterpart_mm", json_number(filling.counterpart_mm)}});
   return list;
 }
 

@@ -22,7 +22,7 @@ int run_bench(const BenchArguments& options) {
   require_dynamic(study.scene, "FILE", options.file, "integration to measure");
   const BenchResult result = bench(draw_sample(study, 0).scene, options.bench);
   print(options.json ? bench_json(result).dump(2) + "\n" : bench_text(result));
-  return cost_of(result, result.default_method).status == Status::ok ? kDone : kSamplesFailed;
+  return result.methods.front().status == Status::ok ? kDone : kSamplesFailed;
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "mc/commands/output_path.hpp"
 #include "mc/host/file_write.hpp"
 #include "mc/run/cage_cache.hpp"
-#include "mc/study/pocket_csv.hpp"
 #include "mc/study/study.hpp"
 #include "src/cage/solve/unsolved_cage.hpp"
 #include "src/cage/table/cage_report.hpp"
@@ -21,10 +20,10 @@ namespace cagetol {
 namespace {
 
 struct CageArguments {
-  std::string file, deviations, directory;
+  std::string file, directory;
   std::vector<std::string> settings;
   long pocket = 0;
-  bool json = false, decimal_comma = false;
+  bool json = false;
 };
 
 std::string report_text(const Scene& scene, const CageReport& report) {
@@ -92,40 +91,21 @@ Json report_json(const CageReport& report) {
   return json;
 }
 
-std::variant<CageReport, CageFault> report_of(const Scene& scene, const Scene& sample, long pocket,
-                                              const std::string& file) {
-  CageTables tables(scene);
+CageReport flexible_report(const Scene& scene, const CageArguments& options) {
   try {
-    const auto table = tables.of(sample);
-    return cage_report(*tables.of(scene), *table, pocket_deviations(sample, table->cage),
-                       scene.cage.modes, pocket);
+    const auto table = CageTables(scene).of(scene);
+    auto result = cage_report(*table, pocket_deviations(scene, table->cage), scene.cage.modes,
+                              options.pocket);
+    if (const auto* fault = std::get_if<CageFault>(&result))
+      throw InputError({options.file, 0}, fmt::format("pocket {} (the first is 0)", fault->pocket),
+                       "", fault->reason, "give this pocket smaller deviations");
+    return std::get<CageReport>(std::move(result));
   } catch (const UnsolvedCage& problem) {
     throw InputError(
-        {file, 0}, "", "",
+        {options.file, 0}, "", "",
         std::string("the finite elements of the deviated cage cannot be solved: ") + problem.what(),
         "give pockets smaller deviations, or choose another cage.mesh_density");
   }
-}
-
-/// With --deviations the pockets of that file, otherwise the scene's own.
-Scene sample_of(const Scene& scene, const CageArguments& options) {
-  Scene sample = scene;
-  if (options.deviations.empty()) return sample;
-  const CageDimensions cage = cage_dimensions(scene);
-  deviate_pockets(
-      sample.cage, cage,
-      read_pocket_deviations(options.deviations, cage.pocket_count, options.decimal_comma));
-  return sample;
-}
-
-CageReport flexible_report(const Scene& scene, const Scene& sample, const CageArguments& options) {
-  const std::string& file = options.deviations.empty() ? options.file : options.deviations;
-  auto result = report_of(scene, sample, options.pocket, file);
-  if (const auto* fault = std::get_if<CageFault>(&result)) {
-    throw InputError({file, 0}, fmt::format("pocket {} (the first is 0)", fault->pocket), "",
-                     fault->reason, "give this pocket smaller deviations");
-  }
-  return std::get<CageReport>(std::move(result));
 }
 
 int run_cage(const CageArguments& options) {
@@ -133,13 +113,12 @@ int run_cage(const CageArguments& options) {
   if (options.pocket < 0 || options.pocket >= scene.bearing.roller_count)
     throw InputError({}, "--pocket", std::to_string(options.pocket), "the cage has no such pocket",
                      fmt::format("give 0 to {}", scene.bearing.roller_count - 1));
-  const OperatingScene sample = sample_of(scene, options);
-  Json json{{"kind", "cage"}, {"drawing", pocket_drawing_json(sample, options.pocket)}};
+  Json json{{"kind", "cage"}, {"drawing", pocket_drawing_json(scene, options.pocket)}};
   const char* state =
       changes_in_operation(scene) ? " in operation (fits, heat, moisture, rotation)" : "";
   std::string text = "scene " + scene.name + state + "\n" + clearances_text(json["drawing"]) + "\n";
   if (is_flexible(scene)) {
-    const CageReport report = flexible_report(scene, sample, options);
+    const CageReport report = flexible_report(scene, options);
     json.update(report_json(report));
     text += report_text(scene, report);
   } else {
@@ -163,10 +142,7 @@ Chosen cage_command(CLI::App& command) {
   command.footer(
       "Examples:\n  cagetol cage inputs/scenes/nu205.toml -o out/nu205-cage\n"
       "  cagetol cage inputs/scenes/nu205-thin.toml --json\n"
-      "  cagetol cage inputs/scenes/nu205-thin.toml --set cage.mesh_density=2 --deviations "
-      "pockets.csv\n"
-      "\nThe columns of pockets.csv are width_mm, length_mm, pitch_mrad and squareness_mrad, one "
-      "row a pocket.\nCage tables are kept in $CAGETOL_CACHE, $XDG_CACHE_HOME/cagetol or "
+      "\nCage tables are kept in $CAGETOL_CACHE, $XDG_CACHE_HOME/cagetol or "
       "~/.cache/cagetol.");
   auto options = std::make_shared<CageArguments>();
   command.add_option("SCENE", options->file, "Scene or study file")->required();
@@ -176,10 +152,6 @@ Chosen cage_command(CLI::App& command) {
   command.add_option("--pocket", options->pocket, "Pocket to draw and to load, from 0")
       ->capture_default_str();
   command.add_flag("--json", options->json, "Print everything as JSON");
-  command.add_option("--deviations", options->deviations,
-                     "CSV file of the pockets' deviations, instead of the scene's pockets");
-  command.add_flag("--decimal-comma", options->decimal_comma,
-                   "The numbers in that CSV file have decimal commas");
   add_settings_option(command, options->settings);
   return [options] { return run_cage(*options); };
 }

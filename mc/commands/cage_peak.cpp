@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "analysis/report/cage_peak.hpp"
-#include "mc/commands/peak_snapshot.hpp"
 #include "mc/host/file_write.hpp"
 #include "mc/ranks/signals.hpp"
 #include "mc/run/cage_cache.hpp"
@@ -15,6 +14,7 @@
 #include "mc/sweep/replay.hpp"
 #include "src/cage/mesh/cage_surface.hpp"
 #include "src/cage/stress/field_recovery.hpp"
+#include "src/cage/table/cage_recovery.hpp"
 #include "src/operation/operating_scene.hpp"
 #include "src/quantities/quantity_table.hpp"
 
@@ -22,6 +22,15 @@ namespace cagetol {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180, kMillimetre = 1e-3, kMPa = 1e6;
+
+/// The one state of a run's peak.
+CageStates state_of(const CagePeak& peak, const CageGeometry& cage) {
+  const auto column = [](const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<long>(values.size()));
+  };
+  return {column(peak.modes), column(peak.bar_force), Eigen::VectorXd::Constant(1, peak.spin),
+          cage.bar_modes};
+}
 
 /// A number in its unit with four digits: enough to draw.
 double drawn(double value, double unit) {

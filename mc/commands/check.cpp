@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
 
 #include "analysis/tolerance/campaign_plan.hpp"
 #include "analysis/tolerance/jam_onset.hpp"
@@ -117,8 +116,6 @@ std::string budget_text(const Study& study, const JamShares& jams) {
 }
 
 std::string summary(const Study& study) {
-  const auto columns = design_columns(study);
-  const std::set<std::string> groups(columns.groups.begin(), columns.groups.end());
   std::string text =
       fmt::format("study {}: {} rows ({}), {} samples in all, hash {}\n", study.name, study.samples,
                   design_name(study.design), sample_count(study), study.hash);
@@ -127,8 +124,8 @@ std::string summary(const Study& study) {
                       study.scene.operation.radial_load,
                       study.scene.operation.inner_speed / 0.10471975511965977);
   if (!study.inputs.empty())
-    text += fmt::format("uncertain inputs: {} with {} columns in {} groups\n", study.inputs.size(),
-                        columns.names.size(), groups.size());
+    text += fmt::format("uncertain inputs: {} with {} columns\n", study.inputs.size(),
+                        design_columns(study));
   for (const auto& input : study.inputs)
     text += fmt::format("  {}, {}\n", input.key, nominal_text(input)) +
             law_text(input.lot, study.cages_per_lot > 1 ? "from lot to lot" : "from cage to cage",

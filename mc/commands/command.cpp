@@ -9,8 +9,8 @@
 #include <cstring>
 #include <map>
 
-#include "analysis/report/figure_set.hpp"
 #include "analysis/report/page_writer.hpp"
+#include "analysis/report/python_run.hpp"
 #include "analysis/report/report.hpp"
 #include "mc/host/file_write.hpp"
 #include "mc/host/log.hpp"
@@ -120,8 +120,12 @@ void print(const std::string& text) {
 std::string draw_beside(const std::filesystem::path& json) {
   const ReportOptions drawing;
   const auto folder = json.parent_path() / "figures";
-  const FigureSet figures = draw_figures(drawing.python, drawing.figures_dir, json, folder);
-  if (!figures.problem.empty()) say("figures are missing or incomplete: {}\n", figures.problem);
+  std::error_code ignored;
+  std::filesystem::remove_all(folder, ignored);
+  std::filesystem::create_directories(folder, ignored);
+  const PythonRun run = run_python(drawing.python, drawing.figures_dir / "draw.py",
+                                   {json.string(), folder.string()}, folder / "draw.log");
+  if (!run.problem.empty()) say("figures are missing or incomplete: {}\n", run.problem);
   return folder.string();
 }
 

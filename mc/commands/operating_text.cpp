@@ -47,12 +47,7 @@ std::string duty_text(const Scene& scene) {
   if (!changes_over_time(scene.operation)) return "";
   const BearingModel model = make_bearing_model(scene);
   std::string text = "duty over time\n";
-  if (!model.duty.course.empty()) text += course_text(model.duty.course);
-  if (model.duty.swing > 0)
-    text += fmt::format(
-        "  the inner ring swings by {:.4g} deg about its motion, {:.4g} times a "
-        "second\n",
-        model.duty.swing / kDegree, scene.operation.swing_frequency);
+  text += course_text(model.duty.course);
   for (std::size_t p = 0; p < scene.phase.name.size(); ++p)
     text += fmt::format("  phase {}: {:.6g} to {:.6g} s\n", scene.phase.name[p],
                         scene.phase.from.values[p], scene.phase.to.values[p]);

@@ -13,7 +13,7 @@ namespace cagetol {
 std::string operating_table(const Scene& scene);
 
 /// What a duty over time does, its phases, and how long a run is: instants, speeds and loads of the
-/// table, the oscillation, settling and measuring. Empty where operation is constant.
+/// table, settling and measuring. Empty where operation is constant.
 std::string duty_text(const Scene& scene);
 
 /// {"warnings": [text], "values": {key: number or null}, "units": {key: unit}, "with_slip":

@@ -1,4 +1,4 @@
-// Where a command writes: every -o and --snapshot is checked here, before anything is computed.
+// Where a command writes: every -o is checked here, before anything is computed.
 #pragma once
 
 #include <CLI/CLI.hpp>

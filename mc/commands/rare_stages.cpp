@@ -24,16 +24,15 @@ constexpr long kPilotRows = 50, kUsualBudget = 1100;  // rows of the pilot run t
 
 RareSettings settings_of(const Study& study) {
   const long runs = study.rare.budget_samples > 0 ? study.rare.budget_samples : kUsualBudget;
-  return {1e-6 * study.rare.target_ppm, study.rare.relative_error,
+  return {1e-6 * study.rare.target_ppm,
           static_cast<std::size_t>(std::max(runs - 2 * kPilotRows, 1L))};
 }
 
 std::string how(const RareLimit& limit, double runs) {
   if (limit.route == RareRoute::unstated)
     return fmt::format(
-        "cannot be stated by so few runs: {} of {} miss it, {:.3g} standard deviations away; "
-        "importance sampling, which is not done here, would take {:.2g} runs at best",
-        limit.missed, runs, limit.distance, limit.guided_runs);
+        "cannot be stated by so few runs: {} of {} miss it, {:.3g} standard deviations away",
+        limit.missed, runs, limit.distance);
   if (limit.route == RareRoute::counted || limit.missed > 0)
     return fmt::format("{} of {} runs miss it (Clopper-Pearson)", limit.missed, runs);
   return fmt::format("extrapolated from the tail of {} runs; blind to another kind of failure",
@@ -58,8 +57,6 @@ Json limit_json(const RareLimit& limit, double runs) {
               {"if_normal", limit.if_normal},
               {"distance", json_number(limit.distance)},
               {"noise_share", json_number(limit.noise)},
-              {"unexplained_share", json_number(limit.unexplained)},
-              {"importance_sampling_runs", json_number(limit.guided_runs)},
               {"upper_at", limit.upper_at}});
   return row;
 }
@@ -77,9 +74,7 @@ Json dimensions_json(const StudyData& runs) {
   return dimensions;
 }
 
-Json rare_json(const Rare& rare, const RareSettings& settings, const StudyData& runs,
-               double seconds) {
-  const double p = settings.target, r = settings.relative_error;
+Json rare_json(const Rare& rare, double p, double r, const StudyData& runs, double seconds) {
   const double counting = showing_runs(p, runs.plan.confidence);
   const char* how = rare.draws > 0 ? "exact: geometry of drawn cages" : "exact: geometry";
   const double least = std::max(2 * rare.jams - rare.jams_upper, 0.0);
@@ -139,8 +134,9 @@ int rare_stage(const Study& base, const std::string& directory,
     if (const int code = sweep_grown(fresh, tail, stages)) return code;
     runs = read_study_data(study_file_path(tail));
   }
-  const Json json = rare_json(judge_rare(pilot, runs, settings), settings, runs,
-                              seconds_per_run(pilot) / stages.ranks());
+  const Json json =
+      rare_json(judge_rare(pilot, runs, settings), settings.target, base.rare.relative_error, runs,
+                seconds_per_run(pilot) / stages.ranks());
   replace_file(directory + "/rare.json", json.dump(1) + "\n");
   print(rare_text(json));
   return kDone;

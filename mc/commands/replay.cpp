@@ -10,15 +10,14 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/outcome_text.hpp"
 #include "mc/commands/output_path.hpp"
-#include "mc/commands/peak_snapshot.hpp"
+#include "mc/commands/recorded_run.hpp"
 #include "mc/host/log.hpp"
 
 namespace cagetol {
 namespace {
 
 struct ReplayArguments {
-  std::string directory;
-  RunFiles files;
+  std::string directory, history;
   std::uint64_t sample = 0;
   bool json = false;
 };
@@ -49,7 +48,7 @@ int run_replay(const ReplayArguments& options) {
   if (stored.stored && stored.stored->status == Status::poisoned)
     say("cagetol: this sample ended its process during the sweep and may do so now\n");
 
-  const Outcome again = run_with_files(stored.study, stored.sample, options.files);
+  const Outcome again = recorded_run(stored.study, stored.sample, options.history);
   const auto differences =
       stored.stored
           ? outcome_differences(*stored.stored, make_stored_outcome(options.sample, again, 0, 0))
@@ -74,7 +73,7 @@ Chosen replay_command(CLI::App& command) {
       ->required()
       ->check(CLI::Range(0L, kMostSamples));
   command.add_flag("--json", options->json, "Print verdict, quantities and run as JSON");
-  add_run_file_options(command, options->files);
+  add_history_option(command, options->history);
   return [options] { return run_replay(*options); };
 }
 

@@ -9,7 +9,7 @@
 #include "src/catalogue/bearing_scene.hpp"
 #include "src/input/input_error.hpp"
 #include "src/input/unit.hpp"
-#include "src/lubrication/lubricant.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {
@@ -86,12 +86,6 @@ int run_scene(const Options& options) {
   return kDone;
 }
 
-std::vector<std::string> lubricants() {
-  std::vector<std::string> names;
-  for (const LubricantPreset& preset : lubricant_presets()) names.push_back(preset.name);
-  return names;
-}
-
 }  // namespace
 
 Chosen scene_command(CLI::App& command) {
@@ -117,7 +111,7 @@ Chosen scene_command(CLI::App& command) {
   command
       .add_option("--lubricant", options->lubricant,
                   fmt::format("Oil; left out: {}", kUsualLubricant))
-      ->check(CLI::IsMember(lubricants()));
+      ->check(CLI::IsMember(find_key(scene_keys(), "lubrication.lubricant")->range.choices));
   command
       .add_option("--temperature", options->temperature,
                   "Of the oil [degC]; left out: found from the heat that the bearing loses")

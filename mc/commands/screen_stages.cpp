@@ -78,7 +78,7 @@ ScreenDesign screen_design(const Study& base, const ScreenStage& planned) {
         screened.lot_sigma = scale * standard_deviation(*input.lot);
         input.lot = Normal{scale * mean(*input.lot), screened.lot_sigma};
       }
-      dimension.cost.reset();
+      dimension.cost.clear();
       screened.middle = candidate.middle(d);
       const double middle = zone_middle(candidate.grades[d], width);
       const auto zone = [middle](double wide) {
@@ -152,15 +152,12 @@ Json screen_json(const Screen& screen, const ScreenDesign& design) {
                {"definition",
                 "shift by 0.01 mm: lot, all pockets of a cage larger by it; pocket, their standard "
                 "deviation within the cage larger by it; error: one standard error"},
-               {"jams_at_screened_widths", screen.jams},
                {"jams_alone", screen.jams_alone},
                {"question", question(screen)}};
   for (const ScreenDimension& each : design.dimensions)
     json["dimensions"].push_back({{"key", each.key},
                                   {"screened_width_mm", each.width_mm},
-                                  {"narrowest_mm", each.narrowest_mm},
-                                  {"lot_sigma_mm", 0.01 / each.hundredth * each.lot_sigma},
-                                  {"pocket_sigma_mm", 0.01 / each.hundredth * each.pocket_sigma}});
+                                  {"narrowest_mm", each.narrowest_mm}});
   json["limits"] = Json::array();
   for (const ScreenedLimit& limit : screen.limits) {
     Json entry = {{"quantity", limit.quantity},

@@ -7,7 +7,7 @@
 #include "mc/commands/command.hpp"
 #include "mc/commands/operating_text.hpp"
 #include "mc/commands/outcome_text.hpp"
-#include "mc/commands/peak_snapshot.hpp"
+#include "mc/commands/recorded_run.hpp"
 #include "mc/study/sample.hpp"
 #include "mc/study/study.hpp"
 #include "src/input/input_error.hpp"
@@ -17,8 +17,7 @@ namespace cagetol {
 namespace {
 
 struct SimulateArguments {
-  std::string file;
-  RunFiles files;
+  std::string file, history;
   std::vector<std::string> settings;
   std::uint64_t sample = 0;
   bool json = false;
@@ -54,7 +53,7 @@ int run_simulate(const SimulateArguments& options) {
                      fmt::format("the study has the samples 0 to {}", sample_count(study) - 1),
                      "choose one of them, or ask for more with --set samples=...");
   const Sample sample = draw_sample(study, options.sample);
-  const Outcome outcome = run_with_files(study, sample, options.files);
+  const Outcome outcome = recorded_run(study, sample, options.history);
   print(options.json ? json_text(sample.scene, outcome)
                      : table_text(study, sample.scene, outcome, options.sample));
   return exit_code(outcome.status);
@@ -70,7 +69,7 @@ Chosen simulate_command(CLI::App& command) {
   auto options = std::make_shared<SimulateArguments>();
   command.add_option("SCENE", options->file, "Scene or study file")->required();
   command.add_flag("--json", options->json, "Print status, quantities and run as JSON");
-  add_run_file_options(command, options->files);
+  add_history_option(command, options->history);
   command.add_option("--sample", options->sample, "Sample of the study to run")
       ->check(CLI::Range(0L, kMostSamples))
       ->capture_default_str();

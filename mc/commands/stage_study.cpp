@@ -48,7 +48,7 @@ Study stage_study(const Study& base, const Stage& stage) {
     for (std::size_t d = 0; d < stage.tolerances.size(); ++d) {
       const RecommendedTolerance& tolerance = stage.tolerances[d];
       auto& dimension = study.tolerance.dimensions[d];
-      dimension.cost.reset();
+      dimension.cost.clear();
       dimension.candidates = {tolerance.grade.empty() ? number_text(tolerance.tolerance_width_mm)
                                                       : tolerance.grade};
       if (tolerance.centre) dimension.centres = {*tolerance.centre};

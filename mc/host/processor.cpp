@@ -29,12 +29,16 @@ void print(const char* text) {
 // Before the constructors of the program's globals, which may be vectorised like any code. What the
 // C library calls active, the operating system supports as well.
 [[gnu::constructor(101)]] void check_processor() {
-#define THERE(name, macro) {CPU_FEATURE_ACTIVE(name), " " #name},
-  const Feature features[] = {CAGETOL_PROCESSOR_FEATURES(THERE)};
+#define FEATURE(name) \
+  { CPU_FEATURE_ACTIVE(name), " " #name }
+  // Levels 3 and, from AVX512F on, 4 of x86-64.
+  const Feature features[] = {FEATURE(AVX2),     FEATURE(FMA),      FEATURE(BMI2),
+                              FEATURE(F16C),     FEATURE(AVX512F),  FEATURE(AVX512CD),
+                              FEATURE(AVX512BW), FEATURE(AVX512DQ), FEATURE(AVX512VL)};
   bool fits = true;
-  const bool* needed = cagetol_processor_needs;
   for (const Feature& feature : features) {
-    if (!*needed++ || feature.there) continue;
+    const bool needed = &feature < features + 4 || cagetol_needs_avx512;
+    if (!needed || feature.there) continue;
     if (fits) print("cagetol: this build is for another processor; this one lacks");
     fits = false;
     print(feature.name);

@@ -1,7 +1,7 @@
 #include "mc/host/processor.hpp"
 
-// A macro that the compiler defines is 1, any other its own name.
-#define TEXT(macro) #macro
-#define NEEDED(name, macro) TEXT(macro)[0] == '1',
-
-constinit const bool cagetol_processor_needs[] = {CAGETOL_PROCESSOR_FEATURES(NEEDED)};
+#ifdef __AVX512F__
+constinit const bool cagetol_needs_avx512 = true;
+#else
+constinit const bool cagetol_needs_avx512 = false;
+#endif

@@ -6,7 +6,6 @@
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study_inputs.hpp"
 #include "src/input/unit.hpp"
-#include "src/reading/oil_keys.hpp"
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
@@ -14,8 +13,6 @@ namespace {
 
 /// Why the key does nothing in this scene; empty if it does something.
 std::string idle_reason(const Scene& scene, const std::string& key) {
-  if (const std::string successor = successor_of(scene, key); !successor.empty())
-    return "its successor is " + successor;
   return std::string(why_idle(scene_keys(), *find_key(scene_keys(), key), scene));
 }
 

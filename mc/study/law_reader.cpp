@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "mc/study/measurement_csv.hpp"
 #include "mc/study_file/named_law.hpp"
 #include "src/input/key_table.hpp"
+#include "src/input/measurement_csv.hpp"
 
 namespace cagetol {
 namespace {

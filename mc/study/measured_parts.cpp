@@ -7,7 +7,7 @@
 
 #include "distributions/variance_parts.hpp"
 #include "mc/host/build_info.hpp"
-#include "mc/study/measurement_csv.hpp"
+#include "src/input/measurement_csv.hpp"
 
 namespace cagetol {
 namespace {

@@ -1,7 +1,6 @@
 #include "mc/study/operating_points.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,6 @@
 #include "src/quantities/window_times.hpp"
 #include "src/reading/scene_keys.hpp"
 #include "src/scene/materials.hpp"
-#include "src/simulate.hpp"
 
 namespace cagetol {
 namespace {
@@ -140,32 +138,6 @@ void add_run(const RunRecord& from, RunRecord& to) {
     if (std::isnan(to.*largest) || from.*largest > to.*largest) to.*largest = from.*largest;
   if (to.smallest_step_s == 0 || from.smallest_step_s < to.smallest_step_s)
     to.smallest_step_s = from.smallest_step_s;
-}
-
-/// Processor time of this thread [s].
-double processor_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Processor time of `length` seconds of motion of the scene, cage rigid [s]: that of two brief
-/// runs, the steps at the start being shorter than all others.
-double cost_of_motion(Scene scene, double length) {
-  constexpr double brief = 1e-3, longer = 3e-3;
-  scene.cage.model = CageKind::rigid;
-  scene.phase = {};
-  scene.window.peak_revolutions = kAuto;
-  const auto cost = [&scene](double time) {
-    scene.window.settle_time = scene.window.measure_time = time;
-    const double began = processor_time();
-    simulate(scene, {});
-    return processor_time() - began;
-  };
-  const double first = cost(brief);
-  if (length <= 2 * brief) return first;
-  return first +
-         (length - 2 * brief) * std::max(0.0, cost(longer) - first) / (2 * (longer - brief));
 }
 
 }  // namespace
@@ -380,8 +352,7 @@ Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes) {
 
 std::string operating_points_text(const Study& study) {
   if (study.points.empty()) return "";
-  const auto samples = static_cast<double>(sample_count(study));
-  double motion = 0, cost = 0, weights = 0;
+  double motion = 0, weights = 0;
   std::string points;
   for (const OperatingPointPlan& point : study.points) weights += point.weight;
   for (const OperatingPointPlan& point : study.points) {
@@ -392,22 +363,12 @@ std::string operating_points_text(const Study& study) {
     points += "\n";
     if (is_quasi_static(scene)) continue;
     const WindowTimes times = window_times(scene, make_bearing_model(scene));
-    const double length = times.settle + times.measure;
-    motion += length;
-    cost += cost_of_motion(scene, length);
+    motion += times.settle + times.measure;
   }
-  const auto hours = [](double seconds) {
-    return seconds > 3600 ? fmt::format("{:.2g} h", seconds / 3600)
-                          : fmt::format("{:.{}f} s", seconds, seconds < 10 ? 1 : 0);
-  };
-  return fmt::format("{} operating points, each sample runs at all of them: {:.0f} runs\n{}",
-                     study.points.size(), samples * static_cast<double>(study.points.size()),
-                     points) +
-         fmt::format(
-             "a sample takes {:.3g} s of motion, {}about {} of a core of this machine; all {:.0f} "
-             "samples {}",
-             motion, is_flexible(study.scene) ? "with a rigid cage " : "", hours(cost), samples,
-             hours(samples * cost));
+  return fmt::format(
+      "{} operating points, each sample runs at all of them: {} runs\n{}a sample takes {:.3g} s of "
+      "motion\n",
+      study.points.size(), sample_count(study) * study.points.size(), points, motion);
 }
 
 }  // namespace cagetol

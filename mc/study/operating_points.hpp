@@ -51,8 +51,7 @@ double over_points(const Quantity& quantity, std::size_t row, const Study& study
 /// The outcome of a sample from those of its points in order; a failed one may be the last.
 Outcome join_points(const Study& study, const std::vector<Outcome>& outcomes);
 
-/// What the points cost: runs, and the time of a sample as measured by a short run at each point;
-/// empty where the study has none.
+/// The points, the runs and the motion of a sample that they make; empty where there are none.
 std::string operating_points_text(const Study& study);
 
 }  // namespace cagetol

@@ -9,7 +9,6 @@
 #include "mc/study/operating_points.hpp"
 #include "mc/study/study_keys.hpp"
 #include "src/input/toml_file.hpp"
-#include "src/reading/oil_keys.hpp"
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
@@ -46,18 +45,6 @@ toml::table limit_table(const Limit& limit) {
   return table;
 }
 
-void insert_cost(const CostCurve& cost, toml::table& table) {
-  if (cost.table.empty()) {
-    table.insert("cost_a", cost.a);
-    table.insert("cost_b", cost.b);
-    table.insert("cost_k", cost.k);
-    return;
-  }
-  toml::array points;
-  for (const auto& [width, value] : cost.table) points.push_back(toml::array{width, value});
-  table.insert("cost_table", std::move(points));
-}
-
 toml::table dimension_table(const ToleranceDimension& dimension) {
   toml::table table;
   table.insert("key", dimension.key);
@@ -71,7 +58,9 @@ toml::table dimension_table(const ToleranceDimension& dimension) {
   }
   table.insert("candidates", std::move(candidates));
   if (!dimension.centres.empty()) table.insert("centres", array_of(dimension.centres));
-  if (dimension.cost) insert_cost(*dimension.cost, table);
+  toml::array costs;
+  for (const auto& [width, cost] : dimension.cost) costs.push_back(toml::array{width, cost});
+  if (!costs.empty()) table.insert("cost_table", std::move(costs));
   return table;
 }
 
@@ -117,8 +106,7 @@ toml::table resolved_table(const Study& study) {
   toml::table root;
   for (const auto& key : study_keys()) insert_key(key, study, root);
   toml::table scene;
-  for (const auto& key : scene_keys())
-    if (successor_of(study.scene, key.name).empty()) insert_key(key, study.scene, scene);
+  for (const auto& key : scene_keys()) insert_key(key, study.scene, scene);
   toml::array assumptions;
   for (const auto& assumption : study.scene.assumptions) {
     toml::table entry{{"key", assumption.key}, {"note", assumption.note}};
@@ -162,8 +150,7 @@ std::string identity_text(const std::string& resolved_toml) {
   erase(root["scene"].as_table(), {"assumption"});
   erase(root["tolerance"].as_table(), {"target_yield", "confidence"});
   if (auto* dimensions = root["tolerance"]["dimension"].as_array())
-    for (auto& dimension : *dimensions)
-      erase(dimension.as_table(), {"cost_a", "cost_b", "cost_k", "cost_table"});
+    for (auto& dimension : *dimensions) erase(dimension.as_table(), {"cost_table"});
   std::ostringstream text;
   text << toml::toml_formatter(root) << '\n';
   return text.str();

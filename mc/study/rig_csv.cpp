@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "mc/study/measurement_csv.hpp"
 #include "src/input/csv_heading.hpp"
 #include "src/input/csv_records.hpp"
 #include "src/input/key_table.hpp"
+#include "src/input/measurement_csv.hpp"
 #include "src/input/toml_file.hpp"
 
 namespace cagetol {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 #include "distributions/dependence.hpp"
@@ -27,7 +26,6 @@ struct InputPlaces {
 struct SampleColumns {
   std::vector<InputPlaces> of_input;
   std::vector<DesignColumn> design;
-  std::vector<std::string> names, groups;
 };
 
 namespace {
@@ -45,28 +43,6 @@ std::uint32_t pocket_count(const Study& study) {
   return static_cast<std::uint32_t>(study.scene.bearing.roller_count);
 }
 
-// Name of the group of each "KEY:scope": inputs that are correlated, directly or by way of others,
-// share one.
-std::map<std::string, std::string> group_names(const Study& study,
-                                               const std::vector<std::string>& scopes) {
-  std::map<std::string, std::string> leader;
-  for (const auto& scope : scopes) leader[scope] = scope;
-  const auto root_of = [&](std::string name) {
-    while (leader.at(name) != name) name = leader.at(name);
-    return name;
-  };
-  for (const auto& correlation : study.correlations)
-    if (leader.count(correlation.first) && leader.count(correlation.second))
-      leader[root_of(correlation.second)] = root_of(correlation.first);
-  std::map<std::string, std::string> joined, result;
-  for (const auto& scope : scopes) {
-    auto& name = joined[root_of(scope)];
-    name += (name.empty() ? "" : " + ") + scope;
-  }
-  for (const auto& scope : scopes) result[scope] = joined[root_of(scope)];
-  return result;
-}
-
 /// The first input that draws its cages from the same file: one column draws them for all, so that
 /// what was measured of a cage stays together. `input` itself where it draws none.
 std::size_t drawn_with(const Study& study, std::size_t input) {
@@ -80,34 +56,20 @@ std::size_t drawn_with(const Study& study, std::size_t input) {
 }
 
 SampleColumns make_columns(const Study& study) {
-  std::vector<std::string> scopes;
-  for (std::size_t i = 0; i < study.inputs.size(); ++i) {
-    const auto& input = study.inputs[i];
-    if (is_varied(input.lot) && drawn_with(study, i) == i) scopes.push_back(input.key + ":lot");
-    if (is_varied(input.pocket) && !input.draws_cages()) scopes.push_back(input.key + ":pocket");
-  }
-  const auto groups = group_names(study, scopes);
   SampleColumns columns;
-  const auto add = [&](const std::string& key, const std::string& scope, Purpose purpose,
-                       std::uint32_t draw, const std::string& name) {
-    columns.design.push_back({purpose, stream_address(key), draw});
-    columns.names.push_back(name);
-    columns.groups.push_back(groups.at(scope));
-  };
   for (std::size_t i = 0; i < study.inputs.size(); ++i) {
     const auto& input = study.inputs[i];
     InputPlaces of_input;
     if (const std::size_t first = drawn_with(study, i); first < i) {
       of_input.lot = columns.of_input[first].lot;
     } else if (is_varied(input.lot)) {
-      of_input.lot = static_cast<long>(columns.names.size());
-      add(input.key, input.key + ":lot", Purpose::lot, 0, input.key + ":lot");
+      of_input.lot = static_cast<long>(columns.design.size());
+      columns.design.push_back({Purpose::lot, stream_address(input.key), 0});
     }
     if (is_varied(input.pocket) && !input.draws_cages()) {
-      of_input.pocket = static_cast<long>(columns.names.size());
+      of_input.pocket = static_cast<long>(columns.design.size());
       for (std::uint32_t j = 0; j < pocket_count(study); ++j)
-        add(input.key, input.key + ":pocket", Purpose::pocket, j,
-            input.key + ":pocket[" + std::to_string(j) + "]");
+        columns.design.push_back({Purpose::pocket, stream_address(input.key), j});
     }
     columns.of_input.push_back(of_input);
   }
@@ -328,9 +290,8 @@ Sample draw_sample(const Study& study, std::uint64_t id) {
   return Sampler(study).draw(id);
 }
 
-DesignColumns design_columns(const Study& study) {
-  auto columns = make_columns(study);
-  return {std::move(columns.names), std::move(columns.groups)};
+std::size_t design_columns(const Study& study) {
+  return make_columns(study).design.size();
 }
 
 }  // namespace cagetol

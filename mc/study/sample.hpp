@@ -32,13 +32,8 @@ struct Sample {
   Scene scene;                     ///< ready to simulate
 };
 
-/// Columns of the design: "KEY:lot", "KEY:pocket[j]", in order, and the group of each ("KEY:lot",
-/// "KEY:pocket"; correlated inputs share a group, its name joins theirs). Laws of zero width are
-/// plain numbers and have no column.
-struct DesignColumns {
-  std::vector<std::string> names, groups;
-};
-DesignColumns design_columns(const Study& study);
+/// Number of columns of the design. Laws of zero width are plain numbers and have none.
+std::size_t design_columns(const Study& study);
 
 /// Draws samples: owns the design and the correlations, made once. Immutable, cheap to copy, usable
 /// from any thread.

@@ -1,5 +1,7 @@
 #include "mc/study/study.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -16,6 +18,7 @@
 #include "mc/study/study_layers.hpp"
 #include "mc/study/study_limits.hpp"
 #include "mc/study_file/cage_thickness.hpp"
+#include "src/input/former_names.hpp"
 #include "src/quantities/quantity_labels.hpp"
 #include "src/quantities/quantity_table.hpp"
 #include "src/reading/idle_notes.hpp"
@@ -161,8 +164,24 @@ Study read_measured_study(const std::string& path, std::vector<std::string> sett
   return read_study(path, settings);
 }
 
+/// Leaves out, with a warning, what an earlier program knew and this one has no successor for.
+void leave_out_gone_keys(toml::table& table, const std::string& section, const std::string& file) {
+  for (auto at = table.begin(); at != table.end();) {
+    const std::string name = section + std::string(at->first.str());
+    const FormerName* row = former_name(name);
+    if (!row) row = former_name(name, at->second.value_or(std::string()));
+    const bool gone = row && row->now.empty();
+    if (gone) spdlog::warn("{}: {} is left out: {}", file, name, former_problem(*row));
+    if (auto* below = at->second.as_table(); below && !gone)
+      leave_out_gone_keys(*below, name + ".", file);
+    at = gone ? table.erase(at) : std::next(at);
+  }
+}
+
 Study read_resolved_study(const std::string& resolved_toml, const std::string& name) {
-  return study_of(parse_toml(resolved_toml, name), name);
+  toml::table root = parse_toml(resolved_toml, name);
+  leave_out_gone_keys(root, "", name);
+  return study_of(std::move(root), name);
 }
 
 Study changed_study(Study study, const std::function<void(Study&)>& change) {
@@ -187,9 +206,8 @@ std::vector<std::string> model_notes(const Study& study) {
   for (const std::string& idle : idle_notes(study.scene, varies)) notes.push_back(idle);
   if (is_quasi_static(study.scene))
     notes.emplace_back(
-        "quasi-static: the ring's displacement and the tilt of rollers are computed; slip, the "
-        "cage "
-        "and a film of scene.film.model are not (scene.model.motion)");
+        "quasi-static: the ring's displacement and the tilt of rollers are computed; slip and the "
+        "cage are not (scene.model.motion)");
   return notes;
 }
 
@@ -230,10 +248,9 @@ std::vector<std::string> study_notes(const Study& study) {
     if (input.measured)
       for (const std::string& note : measured_notes(*input.measured, input.key, input.unit))
         notes.push_back(note);
-  const auto varied = design_columns(study);
   if (study.inputs.empty())
     notes.push_back("nothing varies: no key of the scene is a distribution");
-  else if (varied.names.empty())
+  else if (design_columns(study) == 0)
     notes.push_back("only noise varies: no input by lot or pocket");
   return notes;
 }

@@ -153,7 +153,7 @@ Study read_measured_study(const std::string& path, std::vector<std::string> sett
                           const std::string& measured);
 
 /// Reads a study from its resolved text (Study::resolved_toml): gives the same study with the same
-/// hash.
+/// hash. Keys of an earlier program that are gone without a successor are left out with a warning.
 Study read_resolved_study(const std::string& resolved_toml, const std::string& name);
 
 /// The study after `change`, which may touch all that its text says; resolved and hashed anew.

@@ -69,10 +69,7 @@ const std::vector<KeyInfo>& dimension_keys() {
       {"tolerance.dimension.tolerance_width_mm", above(0), "full width of the tolerance to which the study's laws belong", KeyKind::number},
       {"tolerance.dimension.candidates", any_value(), "array of candidate tolerances: full widths in mm, deviations in mm (\"+0.10/0\"), or, of diameters, widths and lengths in mm, ISO 286 grades and classes (\"IT9\", \"js9\", \"H9\"); numbers, IT and js lie about the nominal value", KeyKind::numbers},
       {"tolerance.dimension.centres", any_value(), "array of candidate nominal values in the unit of the key, ascending: centre and tolerance are decided together; left out: the nominal value of the study", KeyKind::numbers},
-      {"tolerance.dimension.cost_a", at_least(0), "cost of a tolerance = cost_a + cost_b / tolerance^cost_k, tolerance width in mm, in any one currency", KeyKind::number},
-      {"tolerance.dimension.cost_b", at_least(0), "see cost_a", KeyKind::number},
-      {"tolerance.dimension.cost_k", above(0), "see cost_a; left out: 1", KeyKind::number},
-      {"tolerance.dimension.cost_table", any_value(), "instead of cost_a and cost_b: array of [tolerance width in mm, cost], straight lines between them", KeyKind::numbers},
+      {"tolerance.dimension.cost_table", any_value(), "what a tolerance costs, in any one currency: array of [tolerance width in mm, cost], straight lines between them", KeyKind::numbers},
   };
   return keys;
 }

@@ -141,9 +141,10 @@ std::vector<double> read_centres(const toml::node* node, const UncertainInput& i
   return centres;
 }
 
-std::vector<std::pair<double, double>> cost_table(const toml::node& node, const std::string& file) {
-  std::vector<std::pair<double, double>> table;
-  const auto* rows = node.as_array();
+CostTable cost_table(const toml::node* node, const std::string& file) {
+  CostTable table;
+  if (!node) return table;
+  const auto* rows = node->as_array();
   for (std::size_t i = 0; rows && i < rows->size(); ++i) {
     const auto* row = (*rows)[i].as_array();
     const auto width = row && row->size() == 2 ? (*row)[0].value<double>() : std::nullopt;
@@ -157,34 +158,11 @@ std::vector<std::pair<double, double>> cost_table(const toml::node& node, const 
   }
   if (table.size() < 2)
     throw InputError(
-        place_of(node, file), "tolerance.dimension.cost_table", shown(node),
+        place_of(*node, file), "tolerance.dimension.cost_table", shown(*node),
         "this is no table of costs",
         "give two or more [tolerance width in mm, cost], widths above 0 and ascending: "
         "[[0.036, 9.5], [0.09, 4.0]]");
   return table;
-}
-
-std::optional<CostCurve> read_cost(const toml::table& entry, const std::string& file) {
-  CostCurve cost;
-  const auto read = [&](const char* name, double& value) {
-    const auto* node = entry.get(name);
-    if (node)
-      value = number_value(info_of(dimension_keys(), std::string("tolerance.dimension.") + name),
-                           *node, file);
-    return node != nullptr;
-  };
-  const bool a = read("cost_a", cost.a), b = read("cost_b", cost.b), k = read("cost_k", cost.k);
-  const auto* table = entry.get("cost_table");
-  if (!a && !b && !k && !table) return std::nullopt;
-  if (table && (a || b || k))
-    throw InputError(place_of(*table, file), "tolerance.dimension.cost_table", shown(*table),
-                     "the cost is given twice, by a formula and by a table", "keep one of them");
-  if (!table && !b)
-    throw InputError(place_of(entry, file), "tolerance.dimension", shown(entry),
-                     "cost_b is missing: the cost would not depend on the tolerance",
-                     "add cost_b = ..., or leave out cost_a and cost_k");
-  if (table) cost.table = cost_table(*table, file);
-  return cost;
 }
 
 // A nominal size in mm, whatever unit of length its key has.
@@ -210,8 +188,8 @@ void check_costs(const std::vector<ToleranceDimension>& dimensions,
                  const std::vector<Candidate>& candidates, const SourcePlace& place) {
   for (std::size_t d = 0; d < dimensions.size(); ++d)
     for (const Candidate& candidate : candidates) {
-      if (!dimensions[d].cost || dimensions[d].cost->table.empty()) break;
-      const auto& table = dimensions[d].cost->table;
+      const CostTable& table = dimensions[d].cost;
+      if (table.empty()) break;
       const double width = candidate.tolerance_widths_mm[d];
       if (width < table.front().first || width > table.back().first)
         throw InputError(place, "tolerance.dimension.cost_table", number_text(width),
@@ -306,8 +284,8 @@ std::vector<ToleranceDimension> read_dimensions(const toml::table& root, const s
                          "this key has a tolerance.dimension already", "join the two");
     dimension.candidates = candidate_names(entry->get("candidates"), *entry, file);
     dimension.centres = read_centres(entry->get("centres"), *input, file);
-    dimension.cost = read_cost(*entry, file);
-    if (!dimensions.empty() && dimension.cost.has_value() != dimensions.front().cost.has_value())
+    dimension.cost = cost_table(entry->get("cost_table"), file);
+    if (!dimensions.empty() && dimension.cost.empty() != dimensions.front().cost.empty())
       throw InputError(place_of(*entry, file), "tolerance.dimension", shown(*entry),
                        "one dimension has a cost and another has none: no total can be compared",
                        "give every dimension a cost, or none");

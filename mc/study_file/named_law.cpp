@@ -27,13 +27,7 @@ P stated(const Triangular& law) {
 P stated(const Lognormal& law) {
   return {.log_mean = law.log_mean, .log_sigma = law.log_sigma, .shift = law.shift};
 }
-P stated(const Beta& law) {
-  return {.lower = law.lower, .upper = law.upper, .alpha = law.alpha, .beta = law.beta};
-}
 P stated(const Weibull& law) {
-  return {.shift = law.shift, .shape = law.shape, .scale = law.scale};
-}
-P stated(const Gamma& law) {
   return {.shift = law.shift, .shape = law.shape, .scale = law.scale};
 }
 P stated(const Histogram& law) {
@@ -90,8 +84,6 @@ const std::vector<LawParameter>& law_parameters() {
       {"log_mean", &P::log_mean, any, "mean of the logarithm"},
       {"log_sigma", &P::log_sigma, not_negative, "standard deviation of the logarithm"},
       {"shift", &P::shift, any, "where the law begins"},
-      {"alpha", &P::alpha, positive, "first shape parameter"},
-      {"beta", &P::beta, positive, "second shape parameter"},
       {"shape", &P::shape, positive, "shape parameter"},
       {"scale", &P::scale, positive, "scale parameter"},
       {"cp", &P::cp, positive, "capability index Cp of the limits"},
@@ -119,9 +111,7 @@ const std::vector<LawForm>& law_forms() {
       {"uniform", {"lower", "upper"}, {}, [](const P& p) -> Law { return Uniform{p.lower, p.upper}; }},
       {"triangular", {"lower", "mode", "upper"}, {}, [](const P& p) -> Law { return Triangular{p.lower, p.mode, p.upper}; }},
       {"lognormal", {"log_mean", "log_sigma"}, {"shift"}, [](const P& p) -> Law { return Lognormal{p.log_mean, p.log_sigma, p.shift}; }},
-      {"beta", {"alpha", "beta", "lower", "upper"}, {}, [](const P& p) -> Law { return Beta{p.alpha, p.beta, p.lower, p.upper}; }},
       {"weibull", {"shape", "scale"}, {"shift"}, [](const P& p) -> Law { return Weibull{p.shape, p.scale, p.shift}; }},
-      {"gamma", {"shape", "scale"}, {"shift"}, [](const P& p) -> Law { return Gamma{p.shape, p.scale, p.shift}; }},
       {"histogram", {"edges", "weights"}, {}, [](const P& p) -> Law { return Histogram{p.edges, p.weights}; }},
       {"empirical", {"values"}, {}, [](const P& p) -> Law { return make_empirical(p.values); }},
       {"capability", {"lower", "upper", "cp"}, {"cpk", "cpk_lower", "offset"}, [](const P& p) -> Law { return Capability{p.lower, p.upper, p.cp, if_stated(p.cpk), if_stated(p.cpk_lower), if_stated(p.offset)}; }},
@@ -138,6 +128,10 @@ const LawForm* find_law_form(std::string_view name) {
 
 LawParameters parameters_of(const Law& law) {
   return std::visit([](const auto& of) { return stated(of); }, law);
+}
+
+bool knows_law(const Json& object) {
+  return find_law_form(object.at("law").get<std::string>()) != nullptr;
 }
 
 Law read_law(const Json& object, const std::string& where) {

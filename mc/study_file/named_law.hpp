@@ -18,7 +18,7 @@ struct LawParameters {
   double mean = 0, sigma = 0, mode = 0;
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
-  double log_mean = 0, log_sigma = 0, shift = 0, alpha = 1, beta = 1, shape = 1, scale = 1;
+  double log_mean = 0, log_sigma = 0, shift = 0, shape = 1, scale = 1;
   double cp = 1, cpk = std::numeric_limits<double>::quiet_NaN(), cpk_lower = cpk, offset = cpk;
   std::vector<double> edges = {}, weights = {}, values = {};
 };
@@ -51,6 +51,9 @@ const LawForm* find_law_form(std::string_view name);
 
 /// The reverse of LawForm::make.
 LawParameters parameters_of(const Law& law);
+
+/// Whether this program has the law of a study file's law object; earlier ones had more.
+bool knows_law(const nlohmann::json& object);
 
 /// A law object of a study file. Throws StudyFileError for an unknown name, a missing key or
 /// parameters that make no law; `where` names the input.

@@ -9,13 +9,8 @@
 
 namespace cagetol {
 
-/// What a tolerance costs, in any one currency: a + b / tolerance^k (tolerance width in mm), or the
-/// straight lines through a table.
-struct CostCurve {
-  double a = 0, b = 0, k = 1;
-  std::vector<std::pair<double, double>>
-      table;  ///< tolerance width in mm and cost, tolerances ascending; or empty
-};
+/// What a tolerance costs: widths in mm, ascending, and costs in any one currency.
+using CostTable = std::vector<std::pair<double, double>>;
 
 struct ToleranceDimension {
   std::string key;
@@ -23,8 +18,8 @@ struct ToleranceDimension {
   /// "IT9", "H9", "js9", deviations "+0.1/-0.02", or a tolerance width in mm.
   std::vector<std::string> candidates = {};
   std::vector<double> centres =
-      {};  ///< candidate nominal values, in the key's unit; empty: its own
-  std::optional<CostCurve> cost = {};
+      {};               ///< candidate nominal values, in the key's unit; empty: its own
+  CostTable cost = {};  ///< empty: not stated
 };
 
 /// One combination of candidate tolerances and centres, in the order of the study's dimensions.

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "mc/host/file_write.hpp"
@@ -137,19 +136,7 @@ void write_samples(hid_t root, const DrawnColumns& drawn, const OutcomesById& ou
            {"um", "by how much the roller is too large for the pocket that jams"});
 }
 
-/// The laws of one input as JSON, taken from the resolved study.
-std::string laws_of(const nlohmann::json& study, const std::string& key) {
-  nlohmann::json laws = nlohmann::json::object();
-  if (study.contains("inputs"))
-    for (const auto& input : study.at("inputs"))
-      if (input.at("key") == key)
-        for (const char* scope : {"lot", "pocket", "noise"})
-          if (input.contains(scope)) laws[scope] = input.at(scope);
-  return laws.dump();
-}
-
 void write_inputs(hid_t root, const Study& study, const DrawnColumns& drawn) {
-  const auto json = nlohmann::json::parse(study.resolved_json);
   const H5Handle all = make_h5_group(root, "inputs");
   for (std::size_t k = 0; k < study.inputs.size(); ++k) {
     const UncertainInput& input = study.inputs[k];
@@ -157,8 +144,6 @@ void write_inputs(hid_t root, const Study& study, const DrawnColumns& drawn) {
     const H5Handle group = make_h5_group(all, input.key);
     write_h5_attribute(group, "unit", input.unit);
     write_h5_attribute(group, "nominal", input.nominal);
-    write_h5(group, "laws", laws_of(json, input.key),
-             {"-", "the laws of the input's parts, as JSON"});
     if (input.lot)
       write_h5(group, "lot", drawn.inputs[k].lot, {input.unit, "deviation shared by the cage"});
     if (input.pocket)

@@ -1,4 +1,4 @@
-// Parameters of contacts as the laws read them: normal_force.hpp, friction.hpp, oil_film.hpp.
+// Parameters of contacts as the laws read them: normal_force.hpp, friction.hpp.
 #pragma once
 
 #include "src/input/given.hpp"
@@ -22,18 +22,6 @@ struct ContactParameters {
   double friction_static = kAuto, friction_dynamic = kAuto, static_speed = kAuto,
          dynamic_speed = kAuto;
   double roughness = kAuto;  ///< composite, rms; kAuto: the value of Lubrication [m]
-};
-
-/// Oil film at the races without LubricationModel::film (src/contact_laws/oil_film.hpp).
-enum class FilmModel { none, series };
-
-/// Oil film of the roller-race contacts (src/contact_laws/oil_film.hpp).
-struct OilFilm {
-  FilmModel model = FilmModel::none;
-  double viscosity = 0.02;            ///< eta0 [Pa s]
-  double pressure_viscosity = 18e-9;  ///< alpha [1/Pa]
-  /// Force of a whole contact below which the film thickness follows its tangent [N].
-  double minimum_force = 1;
 };
 
 }  // namespace cagetol

@@ -18,17 +18,16 @@
 // Above 400 lines: one slice, its loads beside their derivatives.
 #pragma once
 
-#include "src/contact_laws/film_contact.hpp"
+#include "src/contact_laws/normal_force.hpp"
 #include "src/contacts/contact_frame.hpp"
 #include "src/numerics/dual.hpp"
 
 namespace cagetol {
 
 struct RaceSide {
-  double sign;    ///< s
-  double radius;  ///< R_race [m]
-  double speed;   ///< of the race about its axis [rad/s]
-  const FilmLaw& film;
+  double sign;                ///< s
+  double radius;              ///< R_race [m]
+  double speed;               ///< of the race about its axis [rad/s]
   Pack u_r, u_t, du_r, du_t;  ///< its centre and its velocity in the rollers' directions
   Pack B_r, B_t;              ///< slope of its axis, likewise
   double x = 0, x_rate = 0;   ///< of its ring [m], [m/s]
@@ -51,12 +50,6 @@ inline Entrainment entrainment(const RaceSide& race, const RollerGroup& roller,
   const Pack forward = 0.5 * (race.surface() - roller.radius * q.spin) + lever * (q.vt - race.du_t);
   return {forward, lever, -0.5 * roller.radius};
 }
-/// Its amount.
-inline Entrainment absolute(const Entrainment& u) {
-  const Pack sign = select(u.speed < 0.0, splat(-1.0), splat(1.0));
-  return {sign * u.speed, sign * u.by_vt, sign * u.by_spin};
-}
-
 /// The free tilt of the inner ring, as a pack of rollers sees it.
 struct RingTilt {
   Pack rate_r, rate_t;  ///< B' in the rollers' directions

@@ -108,7 +108,6 @@ void inner_race(Pass& pass, Shared& all) {
   const RaceSide race{1,
                       m.inner_radius,
                       b.speed.inner,
-                      m.inner_film,
                       r(b.ring),
                       t(b.ring),
                       r(b.ring_rate),
@@ -156,9 +155,8 @@ void inner_race(Pass& pass, Shared& all) {
 template <bool linear, bool lubricated, bool wavy>
 void outer_race(Pass& pass, Shared& all) {
   const BearingModel& m = all.model;
-  const RaceSide race{
-      -1, m.outer_radius, all.border.speed.outer, m.outer_film, {}, {}, {}, {}, {}, {}, 0,
-      0,  &m.forms.outer, all.border.turned.outer};
+  const RaceSide race{-1, m.outer_radius, all.border.speed.outer, {}, {}, {}, {}, {}, {}, 0,
+                      0,  &m.forms.outer, all.border.turned.outer};
   RaceTotals on;
   if constexpr (lubricated)
     lubricated_race<linear, false, false, wavy>(m, m.outer_line, pass.roller, pass.q, race,

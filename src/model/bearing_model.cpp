@@ -408,8 +408,7 @@ BearingModel make_bearing_model(const OperatingScene& scene,
             : (-0.4 + 0.8 * static_cast<double>(k) / static_cast<double>(stations - 1)) * length);
   m.roller_half_length = length / 2;
 
-  const double modulus = effective_modulus(roller_material(scene), ring_material(scene));
-  m.race_modulus = modulus;
+  m.race_modulus = effective_modulus(roller_material(scene), ring_material(scene));
   m.race = make_normal_law(scene.contact.race, length, slices, race_stiffness_modulus(scene));
   m.bar = make_normal_law(scene.contact.bar, length, stations, bar_modulus(scene));
   m.wall = make_normal_law(scene.contact.end, length, 2);
@@ -420,11 +419,6 @@ BearingModel make_bearing_model(const OperatingScene& scene,
 
   m.inner_radius = b.inner_raceway_diameter / 2 - b.internal_clearance / 4;
   m.outer_radius = b.outer_raceway_diameter / 2 + b.internal_clearance / 4;
-  const double roller = m.nominal_diameter / 2;
-  m.inner_film = make_film_law(scene.film, modulus, 1 / (1 / roller + 1 / m.inner_radius), length,
-                               slices, m.race);
-  m.outer_film = make_film_law(scene.film, modulus, 1 / (1 / roller - 1 / m.outer_radius), length,
-                               slices, m.race);
   m.pitch_radius = (m.inner_radius + m.outer_radius) / 2;
   m.forms = RacewayForms(b);
   m.wall_points = end_points(m.nominal_diameter / 2, 0);

@@ -7,7 +7,6 @@
 
 #include "src/contact_laws/friction.hpp"
 #include "src/contact_laws/normal_force.hpp"
-#include "src/contact_laws/oil_film.hpp"
 #include "src/contact_laws/short_bearing.hpp"
 #include "src/lubrication/churning.hpp"
 #include "src/lubrication/flat_film.hpp"
@@ -115,8 +114,7 @@ struct BearingModel {
   NormalLaw race, bar, wall, flange,
       land;  ///< each already the share of one slice, station, point or land
   std::array<FrictionLaw, kFrictionPairs> friction;
-  FilmLaw inner_film, outer_film;  ///< of one slice
-  bool lubricated = false;         ///< races by the laws below instead of `race` and these films
+  bool lubricated = false;                ///< races by the laws below instead of `race`
   LubricatedLine inner_line, outer_line;  ///< of one slice
   LubricatedLine bar_line;                ///< of one station
   double film_watch = 0;      ///< normal force of a slice from which its film counts as loaded [N]

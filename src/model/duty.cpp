@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "src/contact_laws/step.hpp"
 
@@ -53,28 +52,23 @@ Duty make_duty(const Operation& o) {
   d.rotating_speed = given_or(o.rotating_speed, 0);
   d.phase = o.rotating_phase;
   d.unbalance = o.unbalance;
-  d.speed = d.steady = {o.inner_speed, o.outer_speed};
+  d.speed = {o.inner_speed, o.outer_speed};
   d.speed_from = {given_or(o.speed_ramp_from, o.inner_speed),
                   given_or(o.outer_ramp_from, o.outer_speed)};
   const bool ramps = !std::isnan(o.speed_ramp_from) || !std::isnan(o.outer_ramp_from);
   d.speed_ramp = ramps ? o.speed_ramp : 0;
-  d.swing = o.swing_amplitude;
-  d.swing_rate = 2 * std::numbers::pi * o.swing_frequency;
   d.course = DutyCourse(o);
   const auto relative = [](const RingSpeeds& of) { return std::abs(of.inner - of.outer); };
   if (!d.course.empty()) d.speed = {d.course.rows().front().inner, d.course.rows().front().outer};
   for (const DutyCourse::Row& row : d.course.rows())
     if (relative({row.inner, row.outer}) > relative(d.speed)) d.speed = {row.inner, row.outer};
-  if (d.swing > 0) d.speed.inner += std::copysign(d.swing * d.swing_rate, d.speed.inner);
   return d;
 }
 
 RingSpeeds ring_speeds_at(const Duty& d, double t) {
   if (d.over_time()) {
-    const double swung = d.swing > 0 ? d.swing * d.swing_rate * std::sin(d.swing_rate * t) : 0;
-    if (d.course.empty()) return {d.steady.inner + swung, d.steady.outer};
     const DutyCourse::Row now = d.course.at(t);
-    return {now.inner + swung, now.outer};
+    return {now.inner, now.outer};
   }
   if (!(d.speed_ramp > 0)) return d.speed;
   const double share = share_of(d.speed_ramp, t);
@@ -93,19 +87,16 @@ RingAngles ring_angles_at(const Duty& d, double t) {
   if (!d.over_time())
     return {ramped_angle(d.speed_from.inner, d.speed.inner, d.speed_ramp, t),
             ramped_angle(d.speed_from.outer, d.speed.outer, d.speed_ramp, t)};
-  const double swung = d.swing * (1 - std::cos(d.swing_rate * t));
-  if (d.course.empty()) return {d.steady.inner * t + swung, d.steady.outer * t};
   const DutyCourse::Row now = d.course.at(t);
-  return {now.inner_turned + swung, now.outer_turned};
+  return {now.inner_turned, now.outer_turned};
 }
 
 bool speeds_change(const Duty& d, double t) {
-  return t < d.speed_ramp || d.swing > 0 || (d.course.drives() && t < d.course.end());
+  return t < d.speed_ramp || (d.course.drives() && t < d.course.end());
 }
 
 bool duty_changes(const Duty& d, double t) {
-  return d.load_turns() || t < ramps_end(d) || d.swing > 0 ||
-         (!d.course.empty() && t < d.course.end());
+  return d.load_turns() || t < ramps_end(d) || (!d.course.empty() && t < d.course.end());
 }
 
 double next_corner(const Duty& d, double t) {
@@ -159,13 +150,12 @@ double largest_load(const Duty& d) {
 
 RingSpeeds fastest_speeds(const Duty& d) {
   if (d.over_time()) {
-    RingSpeeds fastest{std::abs(d.steady.inner), std::abs(d.steady.outer)};
-    if (!d.course.empty()) fastest = {};
+    RingSpeeds fastest;
     for (const DutyCourse::Row& row : d.course.rows()) {
       fastest.inner = std::max(fastest.inner, std::abs(row.inner));
       fastest.outer = std::max(fastest.outer, std::abs(row.outer));
     }
-    return {fastest.inner + d.swing * d.swing_rate, fastest.outer};
+    return fastest;
   }
   const auto larger = [&](double last, double first) {
     return std::max(std::abs(last), d.speed_ramp > 0 ? std::abs(first) : 0.0);

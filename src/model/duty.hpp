@@ -7,7 +7,6 @@
 //   d(phi)   = (sin phi, -cos phi) in (y, z): along -z turned by phi about +x
 //
 // Under a duty over time F, phi_F, axial force, moments and the speeds follow a table (DutyCourse).
-// The inner ring may oscillate besides, by a (1 - cos v t) about its other motion.
 //
 // s rises from 0 to 1 over the ramp of the load (STEP, contact_laws/step.hpp), psi turns at a speed
 // of its own or with the inner ring, `turned` is the angle of the inner ring since t = 0. Left out:
@@ -43,13 +42,11 @@ struct Duty {
   double unbalance = 0;                     ///< U [kg m]
   /// At the end and at the start of the ramp; under a duty over time the fastest pair.
   RingSpeeds speed, speed_from;
-  double speed_ramp = 0;             ///< [s]
-  DutyCourse course;                 ///< empty: nothing follows a table
-  RingSpeeds steady;                 ///< about which the inner ring oscillates
-  double swing = 0, swing_rate = 0;  ///< a [rad], v [rad/s]
+  double speed_ramp = 0;  ///< [s]
+  DutyCourse course;      ///< empty: nothing follows a table
 
-  /// Whether speed or load follow a table or an oscillation: windows are in seconds then.
-  bool over_time() const { return !course.empty() || swing > 0; }
+  /// Whether speed or load follow a table: windows are in seconds then.
+  bool over_time() const { return !course.empty(); }
   /// Whether the load turns: no instant then stands for another.
   bool load_turns() const { return rotating != 0 || unbalance != 0; }
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "src/contact_laws/oil_film.hpp"
-
 namespace cagetol {
 
 Observation::Observation(const BearingModel& model)

@@ -24,6 +24,8 @@ enum Mechanism {
   kMechanisms
 };
 
+inline constexpr double kNoFilm = 1e30;  ///< stands for a film where nothing touches [m]
+
 /// What is seen of the contacts at one state. Arrays have one element per roller (padded).
 struct Observation {
   explicit Observation(const BearingModel& model);

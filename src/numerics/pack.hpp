@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
-#ifdef __AVX2__
-#include <immintrin.h>
+
+#ifndef __AVX2__
+#error "compile for processors with AVX2: -march=native or -march=x86-64-v3"
 #endif
+#include <immintrin.h>
 
 namespace cagetol {
 
@@ -50,24 +52,18 @@ inline Pack load_first(const double* p, int n) {
 #ifdef __AVX512F__
   const auto mask = static_cast<__mmask8>(n < kLanes ? (1 << n) - 1 : 0xFF);
   return reinterpret_cast<Pack>(_mm512_maskz_loadu_pd(mask, p));
-#elif defined __AVX2__
+#else
   const Mask wanted = Mask{0, 1, 2, 3} < n;
   return reinterpret_cast<Pack>(_mm256_maskload_pd(p, reinterpret_cast<__m256i>(wanted)));
-#else
-  Pack x{};
-  for (int i = 0; i < kLanes && i < n; ++i) x[i] = p[i];
-  return x;
 #endif
 }
 inline void store_first(double* p, Pack x, int n) {
 #ifdef __AVX512F__
   const auto mask = static_cast<__mmask8>(n < kLanes ? (1 << n) - 1 : 0xFF);
   _mm512_mask_storeu_pd(p, mask, reinterpret_cast<__m512d>(x));
-#elif defined __AVX2__
+#else
   const Mask wanted = Mask{0, 1, 2, 3} < n;
   _mm256_maskstore_pd(p, reinterpret_cast<__m256i>(wanted), reinterpret_cast<__m256d>(x));
-#else
-  for (int i = 0; i < kLanes && i < n; ++i) p[i] = x[i];
 #endif
 }
 inline Pack select(Mask m, Pack a, Pack b) {
@@ -121,24 +117,16 @@ inline double gather(const double* table, std::int64_t at) {
 inline bool any(Mask m) {
 #ifdef __AVX512F__
   return _mm512_test_epi64_mask(reinterpret_cast<__m512i>(m), reinterpret_cast<__m512i>(m)) != 0;
-#elif defined __AVX2__
-  return !_mm256_testz_si256(reinterpret_cast<__m256i>(m), reinterpret_cast<__m256i>(m));
 #else
-  std::int64_t all = 0;
-  for (int i = 0; i < kLanes; ++i) all |= m[i];
-  return all != 0;
+  return !_mm256_testz_si256(reinterpret_cast<__m256i>(m), reinterpret_cast<__m256i>(m));
 #endif
 }
 
 inline Pack sqrt(Pack x) {
 #ifdef __AVX512F__
   return reinterpret_cast<Pack>(_mm512_maskz_sqrt_pd(0xFF, reinterpret_cast<__m512d>(x)));
-#elif defined __AVX2__
-  return reinterpret_cast<Pack>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(x)));
 #else
-  Pack y;
-  for (int i = 0; i < kLanes; ++i) y[i] = __builtin_sqrt(x[i]);
-  return y;
+  return reinterpret_cast<Pack>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(x)));
 #endif
 }
 
@@ -166,15 +154,11 @@ inline double sum(Pack x) {
 #ifdef __AVX512F__
   const __m512d all = reinterpret_cast<__m512d>(x);
   const __m256d four = _mm512_castpd512_pd256(all) + _mm512_extractf64x4_pd(all, 1);
-#elif defined __AVX2__
-  const __m256d four = reinterpret_cast<__m256d>(x);
 #else
-  return (x[0] + x[2]) + (x[1] + x[3]);
+  const __m256d four = reinterpret_cast<__m256d>(x);
 #endif
-#ifdef __AVX2__
   const __m128d two = _mm256_castpd256_pd128(four) + _mm256_extractf128_pd(four, 1);
   return two[0] + two[1];
-#endif
 }
 inline double largest(Pack x) {
   double most[kLanes];
@@ -318,13 +302,9 @@ inline Pack gather(const double* table, Mask at) {
 #ifdef __AVX512F__
   return reinterpret_cast<Pack>(
       _mm512_i64gather_pd(reinterpret_cast<__m512i>(at), table, sizeof(double)));
-#elif defined __AVX2__
+#else
   return reinterpret_cast<Pack>(
       _mm256_i64gather_pd(table, reinterpret_cast<__m256i>(at), sizeof(double)));
-#else
-  Pack y;
-  for (int i = 0; i < kLanes; ++i) y[i] = table[at[i]];
-  return y;
 #endif
 }
 

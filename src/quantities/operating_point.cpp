@@ -42,9 +42,7 @@ MeanDuty mean_duty(const Duty& duty) {
   if (!duty.over_time()) return mean;
   constexpr int instants = 4096;
   constexpr double exponent = 10.0 / 3;
-  const bool table = !duty.course.empty();
-  const double begin = table ? duty.course.rows().front().time : 0,
-               end = table ? duty.course.rows().back().time : 2 * pi / duty.swing_rate;
+  const double begin = duty.course.rows().front().time, end = duty.course.rows().back().time;
   double turned = 0, damage = 0;
   for (int k = 0; k < instants; ++k) {
     const double t = begin + (end - begin) * (k + 0.5) / instants;

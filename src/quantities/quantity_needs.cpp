@@ -30,7 +30,6 @@ const Need whole_turns{"model.motion = \"dynamic\"; at least one whole cage revo
 const Need whirl{"model.motion = \"dynamic\"; window.measure_revolutions of 20 or more, of 40 or more where a load turns", measures_whirl, Given::perhaps};
 const Need tilting{"model.motion = \"dynamic\"; model.ring_tilt = \"free\"", [](const Scene& s) { return moves(s) && has_free_ring_tilt(s); }};
 const Need flexible{"cage.model = \"flexible\"", is_flexible};
-const Need film{"model.motion = \"dynamic\"; lubrication.model = \"film\" or a film.model; loaded contacts", [](const Scene& s) { return moves(s) && (is_lubricated(s) || s.film.model != FilmModel::none); }, Given::perhaps};
 const Need oil{"model.motion = \"dynamic\"; lubrication.model = \"film\"; loaded contacts", [](const Scene& s) { return moves(s) && is_lubricated(s); }, Given::perhaps};
 const Need heat{"model.motion = \"dynamic\"; temperature.balance", [](const Scene& s) { return moves(s) && s.temperature.balance; }};
 }  // namespace need

@@ -14,7 +14,7 @@ namespace cagetol {
 
 namespace need {
 extern const Need any, motion, loaded, turning, turning_loaded, whole_turns, whirl, tilting,
-    flexible, film, oil, heat;
+    flexible, oil, heat;
 }
 namespace bound {
 extern const Bound finite, not_negative, share, slip, circle, lean, whirl, axial, ring_place,
@@ -270,7 +270,7 @@ inline constexpr auto kQuantityRows = std::to_array<Quantity>({
     {"cage_strength_utilisation", "-", Kind::peak, need::flexible, bound::not_negative,
      "limit on yielding of the cage",
      "cage_stress_peak_MPa over the yield stress of the cage's material"},
-    {"film_min_um", "um", Kind::minimum, need::film, bound::not_negative, "film thickness",
+    {"film_min_um", "um", Kind::minimum, need::oil, bound::not_negative, "film thickness",
      "thinnest oil film of loaded race contacts over every accepted step"},
     {"lambda_min_ratio", "-", Kind::minimum, need::oil, bound::not_negative,
      "lubrication regime: mixed below 1 to 3",

@@ -84,11 +84,10 @@ void RollerRecorder::write(const Turning& turning, QuantityValues& q) const {
   q[quantity_row("roller_skew_rms_mrad")] = 1e3 * skew.rms();
   q[quantity_row("roller_skew_p95_mrad")] = 1e3 * skew.quantile(0.95);
   q[quantity_row("roller_tilt_p95_mrad")] = 1e3 * tilt_.all().quantile(0.95);
-  const bool filmed = (model_.inner_film.on || model_.lubricated) && thinnest_film_ < kNoFilm;
+  const bool filmed = model_.lubricated && thinnest_film_ < kNoFilm;
   q[quantity_row("film_min_um")] = filmed ? 1e6 * thinnest_film_ : kNoValue;
-  q[quantity_row("lambda_min_ratio")] = filmed && model_.lubricated
-                                            ? thinnest_film_ / model_.inner_line.traction.roughness
-                                            : kNoValue;
+  q[quantity_row("lambda_min_ratio")] =
+      filmed ? thinnest_film_ / model_.inner_line.traction.roughness : kNoValue;
 }
 
 }  // namespace cagetol

@@ -14,9 +14,7 @@ WindowTimes times_of_duty(const Scene& scene, const Duty& duty) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN(),
                    never = std::numeric_limits<double>::infinity();
   const Phases& phases = scene.phase;
-  const double period = duty.course.empty()     ? 2 * std::numbers::pi / duty.swing_rate
-                        : duty.course.repeats() ? duty.course.period()
-                                                : 0;
+  const double period = duty.course.repeats() ? duty.course.period() : 0;
   const auto minimum = [](const NumberList& of) {
     return *std::min_element(of.values.begin(), of.values.end());
   };

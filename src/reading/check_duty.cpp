@@ -73,11 +73,7 @@ void check_period(const DutyTable& t, const SceneCheck& check) {
                   "end with the first value, or give a longer duty.repeat_s");
 }
 
-void check_swing(const Operation& o, const SceneCheck& check) {
-  check.require(o.swing_amplitude == 0 || o.swing_frequency > 0, "speed.oscillation_Hz",
-                "an oscillation needs a frequency (" +
-                    check.with_value("speed.oscillation_amplitude_deg") + ")",
-                "give speed.oscillation_Hz");
+void check_ramps(const Operation& o, const SceneCheck& check) {
   for (const auto& [key, from] : {std::pair{"speed.ramp_from_rpm", o.speed_ramp_from},
                                   std::pair{"speed.outer_ramp_from_rpm", o.outer_ramp_from}})
     check.require(std::isnan(from) || !changes_over_time(o), key,
@@ -98,7 +94,7 @@ void check_phases(const Scene& scene, const SceneCheck& check) {
   if (p.name.empty()) return;
   check.require(changes_over_time(scene.operation), "phase.name",
                 "no phase differs from another: speed and load do not change over time",
-                "give a duty over time (duty.*, speed.oscillation_*), or leave the phases out");
+                "give a duty over time (duty.*), or leave the phases out");
   check.require(!is_quasi_static(scene) || p.name.empty(), "phase.name",
                 "equilibria tell nothing of phases (" + check.with_value("model.motion") + ")",
                 "set model.motion = \"dynamic\", or leave the phases out");
@@ -141,7 +137,7 @@ void check_duty(const Scene& scene, const SceneCheck& check) {
   const Operation& o = scene.operation;
   check_rows(o.table, check);
   check_period(o.table, check);
-  check_swing(o, check);
+  check_ramps(o, check);
   for (const auto& [key, moment] : {std::pair{"duty.moment_y_N_m", &o.table.moment_y},
                                     std::pair{"duty.moment_z_N_m", &o.table.moment_z}})
     check.require(moment->empty() || scene.model.ring_tilt == TiltModel::free, key,

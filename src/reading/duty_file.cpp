@@ -1,13 +1,12 @@
 #include "src/reading/duty_file.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include "src/input/csv_heading.hpp"
 #include "src/input/csv_records.hpp"
+#include "src/input/measurement_csv.hpp"
 #include "src/input/printable.hpp"
 #include "src/reading/scene_keys.hpp"
 
@@ -15,13 +14,6 @@ namespace cagetol {
 namespace {
 
 constexpr std::size_t kLongestField = 40;
-
-/// A column of the file and the key that it fills.
-struct Column {
-  const Key<Scene>* key = nullptr;
-  double factor = 1;  ///< from the column's unit to the key's
-  std::vector<double> values;
-};
 
 /// Keys that a column may fill: "duty.time_s", ...
 std::vector<const Key<Scene>*> column_keys() {
@@ -41,7 +33,8 @@ std::string known_headings() {
   return text;
 }
 
-Column find_column(std::string_view heading, const SourcePlace& place) {
+/// The key that a column fills.
+const Key<Scene>& key_of(std::string_view heading, const SourcePlace& place) {
   const CsvHeading given = csv_heading(heading);
   const std::string shown = excerpt(std::string(heading), kLongestField);
   std::vector<std::string> names;
@@ -55,30 +48,13 @@ Column find_column(std::string_view heading, const SourcePlace& place) {
       throw InputError(place, "duty.file", shown,
                        "this heading ends in no unit of a " + wanted.dimension + " that is known",
                        "convert the column where needed, and write " + names.back());
-    return {key, unit->to_si / wanted.to_si, {}};
+    return *key;
   }
   const std::string all = "columns are " + known_headings();
   if (std::string_view("+-.0123456789").find(shown[0]) != std::string_view::npos)
     throw InputError(place, "duty.file", shown, "the first line must name the columns", all);
   throw InputError(place, "duty.file", shown, "no column of a duty has this name",
                    suggestion(shown, names, all));
-}
-
-double value_of(std::string_view field, const Column& column, const SourcePlace& place) {
-  const std::string shown = excerpt(std::string(field), kLongestField);
-  const std::string key = "duty." + heading_of(*column.key);
-  if (field.starts_with('+')) field.remove_prefix(1);
-  double value = 0;
-  const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (result.ec != std::errc{} || result.ptr != field.data() + field.size() ||
-      !std::isfinite(value))
-    throw InputError(place, key, shown, field.empty() ? "empty" : "not a finite number",
-                     "give a number in each field, with a decimal point");
-  value *= column.factor;
-  if (!allows(*column.key, value))
-    throw InputError(place, key, shown, "outside the range of this column",
-                     "give values " + range_text(*column.key));
-  return value;
 }
 
 }  // namespace
@@ -96,9 +72,10 @@ void read_duty_file(const toml::node& node, const std::string& file, DutyTable& 
       throw InputError(from, "duty.file", name,
                        "the scene gives " + key->name + " beside a file that holds all columns",
                        "leave one of the two out");
-  std::string text;
+  std::string bytes, text;
   try {
-    text = csv_text(read_text_file(path), path);
+    bytes = read_text_file(path);
+    text = csv_text(bytes, path);
   } catch (const InputError& problem) {
     throw InputError(from, "duty.file", name, problem.what(),
                      "name a CSV file, its path relative to the file that names it");
@@ -107,46 +84,33 @@ void read_duty_file(const toml::node& node, const std::string& file, DutyTable& 
   if (!records.next())
     throw InputError({path, 0}, "duty.file", name, "the file is empty",
                      "write a header (" + known_headings() + "), then a line for each instant");
-  std::vector<Column> columns;
+  const std::vector<std::string> headings(records.fields().begin(), records.fields().end());
   std::set<std::string> seen;
-  for (const std::string_view heading : records.fields()) {
-    columns.push_back(find_column(heading, records.place()));
-    if (!seen.insert(columns.back().key->name).second)
-      throw InputError(records.place(), columns.back().key->name, "",
-                       "a second column of this name", "leave one of them out");
-  }
+  for (const std::string& heading : headings)
+    if (const std::string& key = key_of(heading, records.place()).name; !seen.insert(key).second)
+      throw InputError(records.place(), key, "", "a second column of this name",
+                       "leave one of them out");
   if (!seen.contains("duty.time_s"))
     throw InputError(records.place(), "duty.file", name, "no column tells the time",
                      "add a column time_s");
-  double last = -1;
-  std::size_t rows = 0;
-  while (records.next()) {
-    const auto& fields = records.fields();
-    if (fields.size() != columns.size())
-      throw InputError(records.place(), "duty.file", name,
-                       std::to_string(fields.size()) + " fields, but the header has " +
-                           std::to_string(columns.size()),
-                       "give one value for each column");
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      Column& column = columns[k];
-      column.values.push_back(value_of(trimmed_field(fields[k]), column, records.place()));
-      if (column.key->name != "duty.time_s") continue;
-      if (const double time = column.values.back(); !(time > last))
-        throw InputError(records.place(), "duty.time_s", std::string(trimmed_field(fields[k])),
-                         "times must increase from line to line",
-                         time < last ? "sort the lines by time"
-                                     : "a step needs two different times, 1 ns apart or more");
-      last = column.values.back();
+  for (const std::string& heading : headings) {
+    const Key<Scene>& key = key_of(heading, records.place());
+    const MeasuredColumn column = measured_column(bytes, path, {heading, unit_of(key.name).suffix});
+    const std::vector<double>& values = column.values;
+    auto& place = std::get<std::function<NumberList&(Scene&)>>(key.place)(filled);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const auto refuse = [&](const char* problem, const std::string& remedy) {
+        throw InputError({path, column.lines[k]}, key.name, number_text(values[k]), problem,
+                         remedy);
+      };
+      if (!allows(key, values[k]))
+        refuse("outside the range of this column", "give values " + range_text(key));
+      if (key.name == "duty.time_s" && k > 0 && !(values[k] > values[k - 1]))
+        refuse("times must increase from line to line",
+               values[k] < values[k - 1] ? "sort the lines by time"
+                                         : "a step needs two different times, 1 ns apart or more");
+      place.values.push_back(to_si(values[k], key.to_si));
     }
-    ++rows;
-  }
-  if (rows == 0)
-    throw InputError({path, 0}, "duty.file", name, "there is no line after the header",
-                     "write a line for each instant");
-  for (const Column& column : columns) {
-    auto& place = std::get<std::function<NumberList&(Scene&)>>(column.key->place)(filled);
-    for (const double value : column.values)
-      place.values.push_back(to_si(value, column.key->to_si));
   }
   table = filled.operation.table;
   table.file.clear();

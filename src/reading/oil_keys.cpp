@@ -1,7 +1,5 @@
 #include "src/reading/oil_keys.hpp"
 
-#include <array>
-
 #include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
@@ -11,19 +9,6 @@ constexpr const char* kGivenTemperatures[] = {
     "lubrication.temperature_C", "cage.temperature_C",    "temperature.inner_ring_C",
     "temperature.outer_ring_C",  "temperature.rollers_C", "temperature.shaft_C",
     "temperature.housing_C"};
-
-struct Replaced {
-  const char* key;
-  const char* successor;
-};
-
-constexpr const char* kModelItself = "leave it out, lubrication.model itself stands for it";
-constexpr std::array<Replaced, 4> kReplaced = {{
-    {"film.model", kModelItself},
-    {"film.viscosity_Pa_s", "lubrication.viscosity_Pa_s"},
-    {"film.pressure_viscosity_1_GPa", "lubrication.pressure_viscosity_1_GPa"},
-    {"film.minimum_force_N", kModelItself},
-}};
 
 }  // namespace
 
@@ -57,30 +42,6 @@ void refuse_given_temperatures(const Scene& scene, const toml::table& root,
       throw InputError(place_of(*node, file), key, shown(*node),
                        "temperature.balance = true finds the temperatures of oil and parts",
                        "leave this key out, or set temperature.balance = false");
-}
-
-std::string successor_of(const Scene& scene, std::string_view key) {
-  if (is_lubricated(scene))
-    for (const Replaced& replaced : kReplaced)
-      if (key == replaced.key) return replaced.successor;
-  return "";
-}
-
-void refuse_replaced_keys(const Scene& scene, const toml::table& root, const std::string& file) {
-  const toml::node* first = nullptr;
-  std::string name, successors;
-  for (const auto& key : scene_keys()) {
-    const std::string successor = successor_of(scene, key.name);
-    const auto* node = successor.empty() ? nullptr : find_node(root, key.name);
-    if (!node) continue;
-    if (!first) first = node, name = key.name;
-    successors += "\n    instead of " + key.name + ": " + successor;
-  }
-  if (!first) return;
-  throw InputError(
-      place_of(*first, file), name, shown(*first),
-      "this belongs to the older oil film, which lubrication.model = \"film\" replaces",
-      "set lubrication.model = \"none\", or give" + successors);
 }
 
 }  // namespace cagetol

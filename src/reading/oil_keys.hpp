@@ -1,10 +1,8 @@
-// How lubrication.model affects the other keys about oil. "film" brings its own films at every
-// contact: the older keys film.* are then errors that name their successors.
+// What a scene must say about oil, and the temperatures that a heat balance finds.
 // Keys of lubrication without effect: scene_conditions.hpp.
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "src/input/input_error.hpp"
 #include "src/input/toml_file.hpp"
@@ -24,12 +22,5 @@ void refuse_given_temperatures(const Scene& scene, const toml::table& root,
 /// Takes the temperatures out that `below`, a scene's table, gives, where `above`, laid over it,
 /// sets temperature.balance = true. Does nothing where `below` was written by the program.
 void leave_temperatures_to_balance(toml::table& below, const toml::table& above);
-
-/// The successor of `key` if the lubrication.model of `scene` does not allow it; empty if it does.
-std::string successor_of(const Scene& scene, std::string_view key);
-
-/// Throws InputError if `root`, the file of `scene`, contains keys that have a successor. The
-/// remedy lists all of them.
-void refuse_replaced_keys(const Scene& scene, const toml::table& root, const std::string& file);
 
 }  // namespace cagetol

@@ -46,7 +46,7 @@ inline std::string in_um(double length) {
   return number_text(std::round(1e7 * length) / 10) + " um";
 }
 
-/// Tables over time, oscillation and phases.
+/// Tables over time and phases.
 void check_duty(const Scene& scene, const SceneCheck& check);
 
 /// Shafts, housings and temperatures, and whether the bearing turns in operation.

@@ -30,8 +30,7 @@ bool bars_use_moduli(const Scene& s) {
 
 /// Every run in time tells the pressure of its races.
 bool races_use_moduli(const Scene& s) {
-  return !is_quasi_static(s) || hertz(s.contact.race) || is_lubricated(s) ||
-         s.film.model != FilmModel::none;
+  return !is_quasi_static(s) || hertz(s.contact.race) || is_lubricated(s);
 }
 
 bool has_line_races(const Scene& s) {
@@ -131,7 +130,6 @@ constinit const Reason kHousingDensityUnused{"no centrifugal growth of the housi
     [](const Scene& s) { return !outer_fit_presses(s) || !outer_grows_by_rotation(s) || !given(s.fit.housing_diameter); }};
 constinit const Reason kNoRingTurns{"no ring turns",
     [](const Scene& s) { return largest_inner_speed(s.operation) == 0 && largest_outer_speed(s.operation) == 0; }};
-constinit const Reason kLubricated{"lubrication.model = \"film\" brings films of its own", is_lubricated};
 constinit const Reason kColdInlet{"the inlet is not heated (lubrication.rolling_resistance, lubrication.inlet_heating)",
     [](const Scene& s) { return !s.lubrication.rolling_resistance || !s.lubrication.inlet_heating; }};
 constinit const Reason kNoRamp{"no speed to ramp from is given (speed.ramp_from_rpm, speed.outer_ramp_from_rpm)",

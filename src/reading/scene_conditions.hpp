@@ -13,8 +13,7 @@ extern const Reason kStatic, kNoGrowth, kNoBalance, kRigid, kDry, kOutsideUnused
     kCagePoissonUnused, kCageModulusUnused, kWidthUnused, kRingDensityUnused, kCageDensityUnused,
     kCageTemperatureUnused, kOilTemperatureUnused, kTemperatureFound, kRingMaterialUnused,
     kRollerMaterialUnused, kCageMaterialUnused, kShaftLoose, kHousingLoose, kShaftMaterialUnused,
-    kHousingMaterialUnused, kShaftDensityUnused, kHousingDensityUnused, kNoRingTurns, kLubricated,
-    kColdInlet, kNoRamp, kNoDirection, kNoRadialLoad, kNoDuty, kOverTime, kNoWhirl, kNoTurningLoad,
-    kNoOrder;
+    kHousingMaterialUnused, kShaftDensityUnused, kHousingDensityUnused, kNoRingTurns, kColdInlet,
+    kNoRamp, kNoDirection, kNoRadialLoad, kNoDuty, kOverTime, kNoWhirl, kNoTurningLoad, kNoOrder;
 
 }  // namespace cagetol::idle

@@ -230,11 +230,7 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"friction.dynamic_coefficient", within(0, 2), AT(contact.friction_dynamic), "mu_d, friction of full sliding", {kStatic}},
       {"friction.static_speed_m_s", above(0), AT(contact.static_speed), "v_s, sliding speed at which friction peaks", {kStatic}},
       {"friction.dynamic_speed_m_s", above(0), AT(contact.dynamic_speed), "v_d, sliding speed from which friction is mu_d", {kStatic}},
-      {"film.model", any_value(), AT(film.model), "oil film of the roller-race contacts; series: in series with their elasticity (Dowson-Higginson); none: dry", {kStatic, kLubricated}},
-      {"film.viscosity_Pa_s", above(0), AT(film.viscosity), "viscosity at ambient pressure", {kStatic, kLubricated, R"(film.model = "none")"}},
-      {"film.pressure_viscosity_1_GPa", above(0), AT(film.pressure_viscosity), "pressure-viscosity coefficient", {kStatic, kLubricated, R"(film.model = "none")"}},
-      {"film.minimum_force_N", above(0), AT(film.minimum_force), "below this force of a contact the film thickens along its tangent only, at no force to 1.13 times what it is at this one", {kStatic, kLubricated, R"(film.model = "none")"}},
-      {"lubrication.model", required_where(R"(model.motion = "dynamic")", any_value()), AT(lubrication.model), "oil in the bearing; film: films, rolling resistance and traction at races and pockets, a film at guide lands (src/lubrication), instead of film.*; none: dry or that older film, the other keys of this section do nothing"},
+      {"lubrication.model", required_where(R"(model.motion = "dynamic")", any_value()), AT(lubrication.model), "oil in the bearing; film: films, rolling resistance and traction at races and pockets, a film at guide lands (src/lubrication); none: dry, the other keys of this section do nothing"},
       {"lubrication.lubricant", one_of(lubricant_names()), AT(lubrication.lubricant), "named oil, for the keys of this section that are left to auto", {kDry}},
       {"lubrication.temperature_C", within(-60, 250), AT(lubrication.temperature), "temperature of the oil in the bearing", {kOilTemperatureUnused, kTemperatureFound}},
       {"lubrication.viscosity_40_mm2_s", or_auto(above(0)), AT(lubrication.viscosity_40), "kinematic viscosity at 40 degC; auto: of the named lubricant", {kDry}},
@@ -281,8 +277,6 @@ void add_operation_keys(KeyTable<Scene>& keys) {
       {"speed.outer_ramp_from_rpm", or_auto(within(-1e6, 1e6)), AT(operation.outer_ramp_from), "likewise of the outer ring", {kStatic, "speed.ramp_ms = 0"}},
       {"speed.ramp_ms", at_least(0), AT(operation.speed_ramp), "duration of the speed ramps", {kStatic, kNoRamp}},
       {"speed.centrifugal_growth", any_value(), AT(operation.centrifugal_growth), "rings with shaft and housing, rollers and cage grow by rotation; false: the dimensions are those at speed", {kNoRingTurns}},
-      {"speed.oscillation_amplitude_deg", within(0, 36000), AT(operation.swing_amplitude), "amplitude, from the middle, of an oscillation of the inner ring that is added to its speed; the ring starts from rest at one end; 0: none"},
-      {"speed.oscillation_Hz", within(0, 1e5), AT(operation.swing_frequency), "frequency of that oscillation", {"speed.oscillation_amplitude_deg = 0"}},
       {"duty.file", any_value(), AT(operation.table.file), "CSV file of a duty over time, its path relative to this file: the header names columns as the keys below with their units (time_s, inner_rpm, radial_kN ...), one line for each instant; resolved scenes hold its values in these keys"},
       {"duty.time_s", at_least(0), AT(operation.table.time), "instants of a duty over time, increasing; values between them lie on straight lines, the first and the last one hold before and after"},
       {"duty.inner_rpm", within(-1e6, 1e6), AT(operation.table.inner_speed), "speed of the inner ring at these instants; left out: speed.inner_rpm"},
@@ -445,7 +439,6 @@ Scene read_scene(const toml::table& root, const std::string& file) {
   if (!scene.operation.table.file.empty())
     read_duty_file(*find_node(root, "duty.file"), file, scene.operation.table);
   refuse_missing(given, scene, file);
-  refuse_replaced_keys(scene, root, file);
   refuse_given_temperatures(scene, root, file);
   check_scene(scene, file, &root);
   return scene;

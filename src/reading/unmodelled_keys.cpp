@@ -1,6 +1,7 @@
 #include "src/reading/unmodelled_keys.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <array>
 #include <string_view>
 
@@ -22,24 +23,13 @@ constexpr std::array kUnmodelled = {
                "leave the key out; the scene then has a cage without a gap"},
 };
 
-/// Whether one of the words between underscores is `word`.
-bool has_word(std::string_view name, std::string_view word) {
-  for (std::size_t from = 0; from <= name.size();) {
-    const std::size_t end = std::min(name.find('_', from), name.size());
-    if (name.substr(from, end - from) == word) return true;
-    from = end + 1;
-  }
-  return false;
-}
-
 }  // namespace
 
 void refuse_unmodelled_key(const TomlLeaf& leaf, const std::string& file) {
-  const std::string_view name = leaf.name;
-  const std::string_view last = name.substr(name.rfind('.') + 1);
+  const std::string last = "_" + leaf.name.substr(leaf.name.rfind('.') + 1) + "_";
   for (const Unmodelled& of : kUnmodelled)
     for (const std::string_view word : of.words)
-      if (has_word(last, word))
+      if (last.find(fmt::format("_{}_", word)) != std::string::npos)
         throw InputError(place_of(*leaf.node, file), leaf.name, "", std::string(of.what),
                          std::string(of.remedy));
 }

@@ -66,11 +66,6 @@ constexpr auto spellings(RaceApproach) {
   return std::array{Spelling{palmgren, "palmgren"}, Spelling{line, "line"}};
 }
 
-constexpr auto spellings(FilmModel) {
-  using enum FilmModel;
-  return std::array{Spelling{none, "none"}, Spelling{series, "series"}};
-}
-
 /// Oil in the whole bearing (src/lubrication).
 enum class LubricationModel { none, film };
 constexpr auto spellings(LubricationModel) {

@@ -37,9 +37,7 @@ double largest_radial_load(const Operation& o) {
 }
 
 double largest_inner_speed(const Operation& o) {
-  constexpr double full_turn = 6.283185307179586;
-  return largest(o.table.inner_speed, o.inner_speed) +
-         o.swing_amplitude * full_turn * o.swing_frequency;
+  return largest(o.table.inner_speed, o.inner_speed);
 }
 
 double largest_outer_speed(const Operation& o) {

@@ -183,7 +183,6 @@ struct Contacts {
 /// Oil in the bearing: films, rolling resistance, traction and drag (src/lubrication). kAuto: the
 /// value of the named lubricant.
 struct Lubrication {
-  /// none: dry, or the film of OilFilm.
   LubricationModel model = LubricationModel::none;
   std::string lubricant = "iso-vg-68";  ///< a name of lubricant_presets()
   double temperature = 70;              ///< of the oil in the bearing [degC]
@@ -251,8 +250,6 @@ struct Operation {
   double speed_ramp_from = kAuto;  ///< inner_speed at t = 0; kAuto: no ramp [rad/s]
   double outer_ramp_from = kAuto;  ///< likewise of outer_speed [rad/s]
   double speed_ramp = 0;           ///< duration of the ramps, by STEP [s]
-  double swing_amplitude = 0;      ///< of an oscillation of the inner ring, from its middle [rad]
-  double swing_frequency = 0;      ///< [Hz]
   DutyTable table = {};
   double gravity = 9.81;            ///< [m/s^2]
   double shaft_inclination = 0;     ///< of +x above the horizontal; gravity is along -z at 0 [rad]
@@ -319,7 +316,6 @@ struct Scene {
   Fits fit;
   Temperatures temperature;
   Contacts contact;
-  OilFilm film;
   Lubrication lubrication;
   Operation operation;
   Phases phase;
@@ -336,10 +332,9 @@ struct Scene {
 inline bool has_free_ring_tilt(const Scene& scene) {
   return scene.model.ring_tilt == TiltModel::free;
 }
-/// Whether speed or load follow a table or an oscillation, so that no cage revolution stands for
-/// another.
+/// Whether speed or load follow a table, so that no cage revolution stands for another.
 inline bool changes_over_time(const Operation& operation) {
-  return !operation.table.empty() || operation.swing_amplitude > 0;
+  return !operation.table.empty();
 }
 /// Ends of the values that an axial load takes, zero among them [N].
 struct AxialLoads {

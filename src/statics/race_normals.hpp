@@ -96,25 +96,17 @@ inline RaceNormals race_normals(const BearingModel& model, const NormalLaw& law,
                                 const RollerGroup& roller, const RollerPack& q,
                                 const RaceSide& race) {
   RaceNormals sums;
-  FilmAtSpeed<Pack> film;
-  Pack thickest{};
-  if (race.film.on) {
-    film = film_at_speed(race.film, absolute(entrainment(race, roller, q)).speed);
-    thickest = thickest_film(race.film, film);
-  }
   const WavyRace form = race.form ? wavy_race(q, race) : WavyRace{};
   for (const Slice& slice : model.race_slices) {
     SliceGap gap = slice_gap(roller, q, race, slice);
     if (race.form) gap.p += form.w;
     const auto& [p, n_r, n_t, inverse] = gap;
-    const Mask touching = (p + thickest > 0.0) & (roller.exists > 0.0);
+    const Mask touching = (p > 0.0) & (roller.exists > 0.0);
     if (!any(touching)) continue;
     const Pack reached = select(touching, p, splat(-1.0));
     Pack rate = -(n_r * q.vr + n_t * q.vt), along = n_r * q.vt - n_t * q.vr;
     if (race.form) rate += form.rate;
-    const NormalForce<Pack> normal = race.film.on
-                                         ? film_contact(law, race.film, film, reached, rate).normal
-                                         : normal_force(law, reached, rate);
+    const NormalForce<Pack> normal = normal_force(law, reached, rate);
     add_normal(slice, normal, gap, along, sums);
     if (race.form) add_normal_of_form(form, normal, gap, sums);
   }

@@ -194,15 +194,13 @@ RollerOrbit::Forces RollerOrbit::forces(std::size_t pack, Pack r, Pack s, Pack& 
   const RaceSide inner{1,
                        model_.inner_radius,
                        speeds_.inner,
-                       model_.inner_film,
                        along_r(q, splat(ring_[0]), splat(ring_[1])),
                        along_t(q, splat(ring_[0]), splat(ring_[1])),
                        zero,
                        zero,
                        zero,
                        zero};
-  const RaceSide outer{
-      -1, model_.outer_radius, speeds_.outer, model_.outer_film, {}, {}, {}, {}, {}, {}};
+  const RaceSide outer{-1, model_.outer_radius, speeds_.outer, {}, {}, {}, {}, {}, {}};
   RollerLoads loads;
   RaceTotals totals;
   lubricated_race<false, true>(model_, model_.inner_line, roller_, q, inner, loads, nullptr,

@@ -71,14 +71,13 @@ struct RollersBetweenRaces {
               spin ? speeds.inner
                    : (2 * bearing.pitch_radius * rate - bearing.outer_radius * speeds.outer) /
                          bearing.inner_radius,
-              bearing.inner_film,
               {},
               {},
               {},
               {},
               {},
               {}},
-        outer{-1, bearing.outer_radius, speeds.outer, bearing.outer_film, {}, {}, {}, {}, {}, {}} {
+        outer{-1, bearing.outer_radius, speeds.outer, {}, {}, {}, {}, {}, {}} {
     sine_cosine(load(angle + first), q.sine, q.cosine);
     inner.u_r = along_r(q, splat(ring.ring_y), splat(ring.ring_z));
     inner.u_t = along_t(q, splat(ring.ring_y), splat(ring.ring_z));

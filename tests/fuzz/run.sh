@@ -16,7 +16,7 @@ declare -A sources=(
   [study]="mc/study/study.cpp mc/study/study_inputs.cpp mc/study/study_layers.cpp mc/study/study_limits.cpp mc/study/law_reader.cpp
            mc/study/operating_points.cpp mc/study/tolerance_filling.cpp"
   [resolved]="mc/study/study.cpp mc/study/resolved_study.cpp" [settings]="src/input/toml_file.cpp mc/study/study_layers.cpp"
-  [csv]="src/input/csv_records.cpp src/input/csv_heading.cpp mc/study/measurement_csv.cpp" [journal]="mc/sweep/journal.cpp mc/host/byte_stream.hpp"
+  [csv]="src/input/csv_records.cpp src/input/csv_heading.cpp src/input/measurement_csv.cpp" [journal]="mc/sweep/journal.cpp mc/host/byte_stream.hpp"
   [study_file]="mc/sweep/stored_study.cpp mc/study_file/file_seal.cpp mc/study_file/hdf5_reader.cpp"
   [study_data]="analysis/study/study_data.cpp analysis/study/study_plan.cpp mc/study_file/hdf5_reader.cpp"
   [cage_table]="src/cage/table/cage_table_bytes.cpp")

@@ -216,7 +216,6 @@ RandomBearing random_bearing(unsigned seed, const RandomBearingOptions& options)
     flange_the_inner_ring(seed, b.scene);
   if (options.sphere_ends) round_the_ends(seed, b.scene);
   if (options.wavy) wave_the_raceways(seed, b.scene);
-  b.scene.film.model = options.film;
   if (options.lubricated) {
     b.scene.lubrication.model = LubricationModel::film;
     b.scene.contact.race.law = b.scene.contact.bar.law = ForceLaw::hertz;

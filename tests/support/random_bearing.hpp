@@ -33,13 +33,12 @@ struct RandomBearingOptions {
   double depth = 30e-6;                ///< typical penetration and gap [m]
   int modes = 0;                       ///< elastic modes of the cage, of random shape
   Freedom freedom = Freedom::spatial;  ///< tilting: no cage is guided by the inner ring
-  FilmModel film = FilmModel::none;
-  bool oiled_lands = false;         ///< a dry bearing but for its guide film
-  bool lubricated = false;          ///< lubrication.model = LubricationModel::film
-  Outline outline = Outline::flat;  ///< else rollers stand apart from the races
-  bool wavy = false;                ///< raceways with random waves
-  bool sphere_ends = false;         ///< of rollers, against inclined flanges
-  bool inner_flanges = true;        ///< on every fourth bearing whose ring does not tilt
+  bool oiled_lands = false;            ///< a dry bearing but for its guide film
+  bool lubricated = false;             ///< lubrication.model = LubricationModel::film
+  Outline outline = Outline::flat;     ///< else rollers stand apart from the races
+  bool wavy = false;                   ///< raceways with random waves
+  bool sphere_ends = false;            ///< of rollers, against inclined flanges
+  bool inner_flanges = true;           ///< on every fourth bearing whose ring does not tilt
 };
 
 /// Gives the model of a dry scene the film that its guide lands would have in oil of 20 mPa s.

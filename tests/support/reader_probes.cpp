@@ -9,11 +9,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "mc/study/measurement_csv.hpp"
 #include "mc/study/sample.hpp"
 #include "mc/study/study.hpp"
 #include "mc/study/tolerance_filling.hpp"
 #include "mc/sweep/journal.hpp"
+#include "src/input/measurement_csv.hpp"
 #include "src/input/toml_file.hpp"
 #include "src/reading/idle_notes.hpp"
 #include "src/reading/scene_keys.hpp"

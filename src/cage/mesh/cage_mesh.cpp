@@ -309,18 +309,4 @@ std::vector<PocketDeviation> pocket_deviations(const OperatingScene& scene,
   return deviations;
 }
 
-void deviate_pockets(CageGeometry& geometry, const CageDimensions& cage,
-                     const std::vector<PocketDeviation>& deviations) {
-  geometry.pocket_width.clear();
-  geometry.pocket_length.clear();
-  geometry.pocket_pitch.clear();
-  geometry.pocket_squareness.clear();
-  for (const PocketDeviation& deviation : deviations) {
-    geometry.pocket_width.push_back(cage.pocket_width + deviation.width);
-    geometry.pocket_length.push_back(cage.pocket_length + deviation.length);
-    geometry.pocket_pitch.push_back(deviation.pitch);
-    geometry.pocket_squareness.push_back(deviation.squareness);
-  }
-}
-
 }  // namespace cagetol

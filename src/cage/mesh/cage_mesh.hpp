@@ -146,8 +146,4 @@ CageDimensions cage_dimensions(const OperatingScene& scene);
 std::vector<PocketDeviation> pocket_deviations(const OperatingScene& scene,
                                                const CageDimensions& cage);
 
-/// Sets the pockets of a scene to these deviations from the undeviated pocket of `cage`.
-void deviate_pockets(CageGeometry& geometry, const CageDimensions& cage,
-                     const std::vector<PocketDeviation>& deviations);
-
 }  // namespace cagetol

@@ -1,5 +1,5 @@
 // Displacement and stress of the whole deviated cage in states of the per-sample model, by full
-// finite elements. Used to check the model's stress stations and for snapshots.
+// finite elements. Used to check the model's stress stations and to draw the field.
 //
 //   u = Phi q + (K^+ f - Phi Lambda^-1 Phi^T f)
 //

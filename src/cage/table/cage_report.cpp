@@ -25,7 +25,7 @@ double seconds_of_a_sample(const CageTable& table, const std::vector<PocketDevia
 
 }  // namespace
 
-std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, const CageTable& table,
+std::variant<CageReport, CageFault> cage_report(const CageTable& table,
                                                 const std::vector<PocketDeviation>& deviations,
                                                 long modes, long pocket) {
   CageModelOptions options;
@@ -45,8 +45,8 @@ std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, con
   report.seconds_full = check.seconds;
   report.seconds_sample = seconds_of_a_sample(table, deviations, options);
   for (Eigen::Index i = 0; i < model.elastic_modes(); ++i) {
-    report.modes.push_back({undeviated.frequency[i], model.frequency[i], check.frequency[i],
-                            family_name(undeviated.family[static_cast<std::size_t>(i)])});
+    report.modes.push_back({table.frequency[i], model.frequency[i], check.frequency[i],
+                            family_name(table.family[static_cast<std::size_t>(i)])});
   }
   return report;
 }

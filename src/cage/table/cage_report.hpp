@@ -32,10 +32,10 @@ struct CageReport {
       0;  ///< one per-sample model, stress rows included, likewise, median of many
 };
 
-/// Solves the cage with these pockets in both ways, with `modes` elastic modes. `undeviated` is the
-/// table of the scene, `table` the one used for this cage; `deviations` are relative to `table`;
-/// forces act on the bar that leads `pocket`. Returns a fault if the pockets leave no valid cage.
-std::variant<CageReport, CageFault> cage_report(const CageTable& undeviated, const CageTable& table,
+/// Solves the cage with these pockets in both ways, with `modes` elastic modes. `deviations` are
+/// relative to `table`; forces act on the bar that leads `pocket`. Returns a fault if the pockets
+/// leave no valid cage.
+std::variant<CageReport, CageFault> cage_report(const CageTable& table,
                                                 const std::vector<PocketDeviation>& deviations,
                                                 long modes, long pocket = 0);
 

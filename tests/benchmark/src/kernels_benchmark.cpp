@@ -51,19 +51,6 @@ void rates(benchmark::State& state) {
 }
 BENCHMARK(rates)->Arg(1)->Arg(5)->ArgName("slices");
 
-void rates_with_film(benchmark::State& state, FilmModel film) {
-  Scene scene = speed_scene(state.range(0));
-  scene.start.state = StartState::equilibrium;
-  scene.operation.load_ramp = 0;
-  scene.film.model = film;
-  const BearingModel model = make_bearing_model(scene);
-  const std::vector<double> y = start_state(model, scene.start);
-  std::vector<double> rate(y.size());
-  for (auto _ : state) evaluate_rates(model, 0, y.data(), rate.data());
-}
-BENCHMARK_CAPTURE(rates_with_film, none, FilmModel::none)->Arg(5)->ArgName("slices");
-BENCHMARK_CAPTURE(rates_with_film, series, FilmModel::series)->Arg(5)->ArgName("slices");
-
 void derivatives(benchmark::State& state) {
   Loaded bearing(state);
   for (auto _ : state) bearing.system.linearise_at(bearing.t, bearing.y.data());

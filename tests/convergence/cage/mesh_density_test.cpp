@@ -96,7 +96,7 @@ TEST(CageReport, DefaultSceneMeetsItsBars) {
   const CageDimensions dimensions = cage_dimensions(scene);
   const CageTable table =
       make_cage_table(dimensions, properties_of(cage.material), {}, {.density = 2});
-  const auto result = cage_report(table, table, pocket_deviations(scene, dimensions), cage.modes);
+  const auto result = cage_report(table, pocket_deviations(scene, dimensions), cage.modes);
   const CageReport& report = std::get<CageReport>(result);
   EXPECT_EQ(report.modes.size(), 10U);
   EXPECT_EQ(report.modes[0].family, "in-plane 2");

@@ -10,9 +10,8 @@
 namespace cagetol {
 namespace {
 
-TEST(Cost, IsAReciprocalPowerOrATable) {
-  EXPECT_DOUBLE_EQ(cost_of_tolerance({2, 0.5, 2, {}}, 0.5), 4);
-  const CostCurve table{0, 0, 1, {{0.1, 10}, {0.2, 6}, {0.4, 5}}};
+TEST(Cost, LiesOnLinesThroughATable) {
+  const CostTable table = {{0.1, 10}, {0.2, 6}, {0.4, 5}};
   EXPECT_DOUBLE_EQ(cost_of_tolerance(table, 0.1), 10);
   EXPECT_DOUBLE_EQ(cost_of_tolerance(table, 0.15), 8);
   EXPECT_DOUBLE_EQ(cost_of_tolerance(table, 0.3), 5.5);
@@ -41,13 +40,13 @@ Recommendation recommendation_of(const StudyData& study) {
 TEST(Cost, TheCheapestTakesThePlaceOfTheWidest) {
   StudyData study = two_that_matter();
   for (const std::size_t dear : {0, 1}) {
-    study.plan.dimensions[dear].cost = CostCurve{1, 1, 1, {}};
-    study.plan.dimensions[1 - dear].cost = CostCurve{1, 0.1, 1, {}};
+    study.plan.dimensions[dear].cost = {{0.036, 28}, {0.09, 12}};
+    study.plan.dimensions[1 - dear].cost = {{0.036, 3.8}, {0.09, 2.1}};
     const Recommendation result = recommendation_of(study);
     ASSERT_TRUE(result.meets_target);
     EXPECT_NEAR(result.tolerances[dear].tolerance_width_mm, 0.09, 1e-12) << dear;
     EXPECT_NEAR(result.tolerances[1 - dear].tolerance_width_mm, 0.036, 1e-12) << dear;
-    EXPECT_NEAR(result.cost.value(), 2 + 1 / 0.09 + 0.1 / 0.036, 1e-9);
+    EXPECT_NEAR(result.cost.value(), 12 + 3.8, 1e-9);
   }
 }
 

@@ -100,6 +100,12 @@ TEST(MixtureWeights, MeasuredValuesHaveNoDensity) {
     EXPECT_DOUBLE_EQ(mixture.candidate[2][i], study.candidate[i] == 2 ? 8 : 0);
 }
 
+TEST(MixtureWeights, LawsOfEarlierVersionsHaveNoDensity) {
+  StudyData study = tolerance_standin(80, 3, {kMixedWidth, kMixedLength}, 0.95, no_badness);
+  study.plan.inputs[0].lot = {{"law", "gamma"}, {"shape", 2}, {"scale", 1}};
+  EXPECT_NE(mixture_weights(study).note.find("does not know"), std::string::npos);
+}
+
 // Fails: a pocket wider by 26 um. Does not fit: one narrower by 30 um.
 TEST(MixtureWeights, OfCagesThatFitGiveTheYieldOfAll) {
   const StandinDimension width{"cage.pocket_width_mm", 0, 0.012, {0.6, 1, 1.6}};

@@ -50,17 +50,6 @@ StudyData straight(std::size_t rows, std::size_t repeats, double limit, std::uin
 TEST(Rare, CountsOfRunsAreThoseOfTheirFormulas) {
   EXPECT_EQ(showing_runs(63e-6, 0.95), 47550);
   EXPECT_NEAR(showing_runs(1e-6, 0.95), 3.0e6, 0.01e6);
-  // By quadrature with NumPy.
-  const double shares[] = {0.05, 0.1, 0.16, 0.3, 0.5, 0.85};
-  const double at_63[] = {49, 139, 357, 1910, 11005, 90128},
-               at_1[] = {91, 353, 1292, 14262, 184872, 4116137};
-  for (int k = 0; k < 6; ++k) {
-    EXPECT_NEAR(guided_runs(63e-6, shares[k], 0.3), at_63[k], 1 + 1e-3 * at_63[k]);
-    EXPECT_NEAR(guided_runs(1e-6, shares[k], 0.3), at_1[k], 1 + 1e-3 * at_1[k]);
-  }
-  // Nothing but noise: the cost of counting. Nothing but deviations: one run.
-  EXPECT_NEAR(guided_runs(1e-3, 1, 0.3), 0.999 / (1e-3 * 0.09), 2);
-  EXPECT_EQ(guided_runs(1e-3, 0, 0.3), 1);
 }
 
 TEST(Rare, TheRouteOfALimitFollowsFromItsDistanceAndTheBudget) {
@@ -96,7 +85,6 @@ TEST(Rare, BoundsHoldOneByOneAndTogether) {
   EXPECT_LT(far.limits[0].upper, 2e-4);
   EXPECT_EQ(far.limits[0].exact_upper, clopper_pearson_upper(0, 1000, 0.95));
   EXPECT_NEAR(far.limits[0].noise, 0.36, 0.15);
-  EXPECT_NEAR(far.limits[0].unexplained, 0.36, 0.05);
   EXPECT_NEAR(far.upper, far.limits[0].upper + 1.01e-6, 1e-10);
   EXPECT_DOUBLE_EQ(far.jams_upper, 1.01e-6);
   const Rare near = judge_rare(both, fresh, {});

@@ -10,8 +10,8 @@
 #include <regex>
 #include <sstream>
 
-#include "analysis/report/figure_set.hpp"
 #include "analysis/report/json_parts.hpp"
+#include "analysis/report/python_run.hpp"
 #include "mc/study_file/study_file_error.hpp"
 #include "tests/support/report_page.hpp"
 #include "tests/support/synthetic_study.hpp"
@@ -200,8 +200,9 @@ TEST_F(Report, SaysWhatToInstallWherePythonFails) {
 TEST_F(Report, PythonRunsIsolated) {
   // A module of the same name on PYTHONPATH must not take the place of Python's own, and the
   // figures still find the modules beside them.
-  const auto scripts = directory_ / "scripts", foreign = directory_ / "foreign";
-  for (const auto& folder : {scripts, foreign}) std::filesystem::create_directories(folder);
+  const auto scripts = directory_ / "scripts", foreign = directory_ / "foreign",
+             drawn = directory_ / "drawn";
+  for (const auto& folder : {scripts, foreign, drawn}) std::filesystem::create_directories(folder);
   std::ofstream(foreign / "json.py") << "raise SystemExit('foreign code ran')\n";
   std::ofstream(scripts / "beside.py") << "TEXT = '<svg/>'\n";
   std::ofstream(scripts / "draw.py")
@@ -211,11 +212,12 @@ TEST_F(Report, PythonRunsIsolated) {
          "assert sys.flags.isolated\n"
          "pathlib.Path(sys.argv[2], 'a.svg').write_text(beside.TEXT)\n";
   ASSERT_EQ(setenv("PYTHONPATH", foreign.c_str(), 1), 0);
-  const FigureSet figures = draw_figures(ReportOptions{}.python, scripts,
-                                         directory_ / "report.json", directory_ / "drawn");
+  const PythonRun run =
+      run_python(ReportOptions{}.python, scripts / "draw.py",
+                 {(directory_ / "report.json").string(), drawn.string()}, drawn / "draw.log");
   unsetenv("PYTHONPATH");
-  EXPECT_EQ(figures.problem, "");
-  EXPECT_EQ(figures.svg.count("a"), 1u);
+  EXPECT_EQ(run.problem, "");
+  EXPECT_EQ(file_text(drawn / "a.svg"), "<svg/>");
 }
 
 TEST_F(Report, TextsOfAStudyAreNoMarkup) {

@@ -67,7 +67,7 @@ class MeasuredStudy : public testing::Test {
 
 TEST_F(MeasuredStudy, DrawsWholeCagesWithAllThatWasMeasuredOfThem) {
   const Study drawn = study();
-  EXPECT_EQ(design_columns(drawn).names.size(), 2u);  // of the cages, and of the load
+  EXPECT_EQ(design_columns(drawn), 2u);  // of the cages, and of the load
   const Sampler sampler(drawn);
   std::set<int> cages;
   for (std::uint64_t id = 0; id < 40; ++id) {
@@ -92,7 +92,7 @@ TEST_F(MeasuredStudy, FittedDrawsNormalLawsOfBothParts) {
   // Cages lie 0.001 mm apart: their standard deviation is sqrt((12^2 - 1) / 12) of that, times
   // sqrt(12 / 11), less what the pockets' part would make of it.
   EXPECT_NEAR(standard_deviation(*fitted.inputs[0].lot), 0.001 * std::sqrt(13.0), 1e-7);
-  EXPECT_EQ(design_columns(fitted).names.size(), 2u * (1 + kPockets) + 1);
+  EXPECT_EQ(design_columns(fitted), 2u * (1 + kPockets) + 1);
 }
 
 TEST_F(MeasuredStudy, ReadsBackFromItsOwnText) {

@@ -309,7 +309,7 @@ TEST_F(OperatingPoints, WhereOneMeasuresWhirlTheStudySaysOverWhat) {
   EXPECT_TRUE(std::isnan(over("7.5", "allow_interference = true\n" + long_window)));
 }
 
-TEST_F(OperatingPoints, SayWhatTheyCost) {
+TEST_F(OperatingPoints, SayHowMuchMotionTheyMake) {
   const Study study = study_of(std::string(kScene) + kPoints);
   EXPECT_THAT(
       operating_points_text(study),

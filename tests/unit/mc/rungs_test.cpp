@@ -101,15 +101,6 @@ TEST(Rungs, WhatCannotBeRefinedIsLeftOut) {
   EXPECT_EQ(on_rung(finest, rungs[2]).cage.mesh_density, 12);
 }
 
-TEST(Rungs, AFilmStaysAndIsNeverAdded) {
-  Scene scene;
-  scene.film.model = FilmModel::series;
-  for (const Rung& rung : climbing_rungs()) {
-    EXPECT_EQ(on_rung(scene, rung).film.model, FilmModel::series);
-    EXPECT_EQ(on_rung(Scene{}, rung).film.model, FilmModel::none);
-  }
-}
-
 TEST(Rungs, AFreeRingStays) {
   Scene scene;
   scene.model.ring_tilt = TiltModel::free;

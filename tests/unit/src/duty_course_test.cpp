@@ -1,4 +1,4 @@
-// Tables over time and oscillation as the right-hand side reads them.
+// Tables over time as the right-hand side reads them.
 #include "src/model/duty_course.hpp"
 
 #include <gtest/gtest.h>
@@ -84,21 +84,6 @@ TEST(DutyCourse, NamesTheCornersInOrder) {
     t = again.next_corner(t);
     EXPECT_NEAR(t, corner, 1e-15);
   }
-}
-
-TEST(Duty, AnOscillationStartsFromRestAndSwingsByItsAmplitude) {
-  Operation o;
-  o.inner_speed = 20;
-  o.swing_amplitude = 0.3;
-  o.swing_frequency = 50;
-  const Duty duty = make_duty(o);
-  EXPECT_EQ(ring_speeds_at(duty, 0).inner, 20);
-  const double half = 0.5 / 50;
-  EXPECT_NEAR(ring_angles_at(duty, half).inner, 20 * half + 0.6, 1e-12);
-  const double t = 3.3e-3, h = 1e-6;
-  EXPECT_NEAR((ring_angles_at(duty, t + h).inner - ring_angles_at(duty, t - h).inner) / (2 * h),
-              ring_speeds_at(duty, t).inner, 1e-4);
-  EXPECT_TRUE(duty.over_time());
 }
 
 }  // namespace

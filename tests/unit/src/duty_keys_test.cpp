@@ -73,11 +73,11 @@ TEST_F(DutyKeys, RefuseBadFilesWithTheirLineAndARemedy) {
   EXPECT_THAT(problem_of("[duty]\nfile = 'none.csv'\n"),
               AllOf(HasSubstr("scene.toml:2: duty.file"), HasSubstr("no such file")));
   EXPECT_THAT(problem_of(with_csv("")), HasSubstr("the file is empty"));
-  EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n")), HasSubstr("no line after the header"));
+  EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n")), HasSubstr("holds no measurements"));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1\n2,2\n1,3\n")),
               AllOf(HasSubstr(csv + ":4: duty.time_s = 1"), HasSubstr("increase")));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,nan\n")),
-              AllOf(HasSubstr(csv + ":2: duty.inner_rpm = nan"), HasSubstr("finite")));
+              AllOf(HasSubstr(csv + ":2: column 2 (inner_rpm) = 'nan'"), HasSubstr("finite")));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,fast\n")), HasSubstr("fast"));
   EXPECT_THAT(problem_of(with_csv("time_s,radial_N\n0,-1\n")), HasSubstr("at least 0 N"));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1e-320\n")), HasSubstr("outside the range"));
@@ -93,7 +93,7 @@ TEST_F(DutyKeys, RefuseBadFilesWithTheirLineAndARemedy) {
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1\n0,2\n")),
               HasSubstr("a step needs two different times"));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1\n1,\n")),
-              HasSubstr("cycle.csv:3: duty.inner_rpm: empty"));
+              HasSubstr("cycle.csv:3: column 2 (inner_rpm): the field is empty"));
   EXPECT_THAT(problem_of(with_csv("inner_rpm\n1\n")), HasSubstr("no column tells the time"));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0\n")), HasSubstr("1 fields"));
   EXPECT_THAT(problem_of(with_csv("time_s,inner_rpm\n0,1\n") + "time_s = [0]\n"),
@@ -120,8 +120,6 @@ TEST_F(DutyKeys, RefuseBadTables) {
   EXPECT_THAT(duty("time_s = [0, 1]\nmoment_y_N_m = [1, 2]\n"), HasSubstr("model.ring_tilt"));
   EXPECT_THAT(duty("time_s = [0, 1]\naxial_N = [0, 200]\n"),
               AllOf(HasSubstr("duty.axial_N"), HasSubstr("flange of the inner ring")));
-  EXPECT_THAT(problem_of("[speed]\noscillation_amplitude_deg = 5\n"),
-              HasSubstr("needs a frequency"));
   EXPECT_THAT(problem_of("[speed]\nramp_from_rpm = 0\nramp_ms = 5\n[duty]\ntime_s = [0, 1]\n"
                          "inner_rpm = [0, 1]\n"),
               HasSubstr("speed.ramp_from_rpm"));

@@ -105,9 +105,16 @@ TEST(DutyRuns, AReversedDutyHasTheSameSlipAndTorque) {
 TEST(DutyRuns, AnOscillatingRingTurnsCageAndRollersToAndFro) {
   for (const bool oiled : {false, true}) {
     Scene scene = duty_scene(oiled);
-    scene.operation.inner_speed = 0;
-    scene.operation.swing_amplitude = 20 * std::numbers::pi / 180;
-    scene.operation.swing_frequency = 50;
+    DutyTable& table = scene.operation.table;
+    constexpr int kInstants = 40;  // of a period; 20 degrees from the middle, 50 times a second
+    constexpr double kRate = 2 * std::numbers::pi * 50, kAmplitude = 20 * std::numbers::pi / 180;
+    for (int i = 0; i <= kInstants; ++i) {
+      table.time.values.push_back(0.02 * i / kInstants);
+      table.inner_speed.values.push_back(kAmplitude * kRate *
+                                         std::sin(kRate * table.time.values.back()));
+    }
+    table.inner_speed.values.back() = 0;
+    table.repeat = 0.02;
     const WindowTimes times = window_times(scene, make_bearing_model(scene));
     EXPECT_DOUBLE_EQ(times.settle, 0.02);
     EXPECT_DOUBLE_EQ(times.measure, 0.02);

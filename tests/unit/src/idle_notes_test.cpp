@@ -213,10 +213,9 @@ INSTANTIATE_TEST_SUITE_P(
                s.lubrication.model = LubricationModel::none;
                s.model.ring_tilt = TiltModel::free;
              }},
-        Case{"older_film",
+        Case{"with_ramps",
              [](Scene& s) {
                s.lubrication.model = LubricationModel::none;
-               s.film.model = FilmModel::series;
                s.operation.load_ramp = 1e-3;
                s.operation.speed_ramp_from = 100;
                s.operation.speed_ramp = 1e-3;
@@ -228,8 +227,6 @@ INSTANTIATE_TEST_SUITE_P(
                s.operation.table.direction = {{0, 1}};
                s.operation.table.outer_speed = {{0, -20}};
                s.operation.table.repeat = 120e-6;
-               s.operation.swing_amplitude = 0.1;
-               s.operation.swing_frequency = 500;
              }},
         Case{"rollers_guide",
              [](Scene& s) {

@@ -79,13 +79,6 @@ void expect_not_dearer(const Bearing& simpler, const Bearing& fuller) {
   EXPECT_LE(*newton, 1.0);
 }
 
-TEST(ModelCost, NoFilmIsNotDearerThanAFilm) {
-  Scene scene = speed_scene();
-  const Bearing dry = loaded(scene);
-  scene.film.model = FilmModel::series;
-  expect_not_dearer(dry, loaded(scene));
-}
-
 TEST(ModelCost, DryLandsAreNotDearerThanOiledOnes) {
   const Scene scene = speed_scene();
   const Bearing dry = loaded(scene);

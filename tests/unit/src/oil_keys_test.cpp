@@ -87,45 +87,6 @@ TEST(OilKeys, DumpAndTableSayWhereTheyAreRequired) {
                 "\"none\" |"));
 }
 
-struct OlderKey {
-  std::string key, value, successor;
-};
-const std::vector<OlderKey> kOlderKeys = {
-    {"film.model", "\"series\"", "lubrication.model"},
-    {"film.viscosity_Pa_s", "0.03", "lubrication.viscosity_Pa_s"},
-    {"film.pressure_viscosity_1_GPa", "20", "lubrication.pressure_viscosity_1_GPa"},
-    {"film.minimum_force_N", "2", "lubrication.model"},
-};
-
-TEST(OilKeys, FilmRefusesTheOlderFilmsAndNamesTheirSuccessors) {
-  for (const OlderKey& old : kOlderKeys) {
-    const std::string text = old.key + " = " + old.value + "\n";
-    EXPECT_THAT(
-        problem_of(kFilm + text),
-        AllOf(HasSubstr("t.toml:2: " + old.key + " = "),
-              HasSubstr("lubrication.model = \"film\" replaces"),
-              HasSubstr("remedy: set lubrication.model = \"none\", or give\n    instead of " +
-                        old.key + ": "),
-              HasSubstr(old.successor)));
-    EXPECT_EQ(problem_of(kNone + text), "no error") << text;
-    EXPECT_NE(find_key(scene_keys(), old.successor), nullptr) << old.successor;
-  }
-  for (const auto& key : scene_keys()) {
-    const bool old = key.name.starts_with("film.");
-    EXPECT_EQ(!successor_of(scene_of(kFilm), key.name).empty(), old) << key.name;
-    EXPECT_EQ(successor_of(scene_of(kNone), key.name), "") << key.name;
-  }
-}
-
-TEST(OilKeys, AllThatFilmRefusesAreNamedAtOnce) {
-  const auto text = problem_of(kFilm +
-                               "[film]\nmodel = 'none'\nviscosity_Pa_s = { nominal = 0.02, lot "
-                               "= { law = 'normal', sigma = 0.001 } }\n");
-  EXPECT_THAT(
-      text, AllOf(HasSubstr("t.toml:3: film.model = "), HasSubstr("\n    instead of film.model: "),
-                  HasSubstr("\n    instead of film.viscosity_Pa_s: ")));
-}
-
 TEST(OilKeys, ContactsWithAFilmRefuseTheImpactLaw) {
   for (const std::string kind : {"race", "bar"}) {
     const std::string text = "contact." + kind + ".force_law = 'impact'\n";

@@ -191,7 +191,6 @@ TEST(QuantityBounds, RandomScenesAreNeverImpossible) {
     scene.integration.tolerance = 0.01;
     if (seed % 5 == 1) scene.operation.inner_speed = scene.operation.speed_ramp = 0;
     if (seed % 5 == 2) scene.operation.radial_load = 0;
-    if (seed % 5 == 4) scene.film.model = FilmModel::series;
     const Ran run(scene);
     EXPECT_EQ(run.outcome.reason.find("impossible"), std::string::npos)
         << seed << ": " << run.outcome.reason;

@@ -48,11 +48,6 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, QuantitiesOf,
     testing::Values(Case{"oiled", [](Scene&) {}},
                     Case{"dry", [](Scene& s) { s.lubrication.model = LubricationModel::none; }},
-                    Case{"older_film",
-                         [](Scene& s) {
-                           s.lubrication.model = LubricationModel::none;
-                           s.film.model = FilmModel::series;
-                         }},
                     Case{"tilting",
                          [](Scene& s) {
                            s.lubrication.model = LubricationModel::none;

@@ -11,12 +11,10 @@
 namespace cagetol {
 namespace {
 
-class NormalsOfARace : public testing::TestWithParam<FilmModel> {
+class NormalsOfARace : public testing::Test {
  protected:
   NormalsOfARace() {
-    Scene scene = dry_scene("nu205");
-    scene.film.model = GetParam();
-    model_ = make_bearing_model(scene);
+    model_ = make_bearing_model(dry_scene("nu205"));
     model_.friction[kRacePair].static_coefficient = model_.friction[kRacePair].dynamic_coefficient =
         0;
     q_.r = splat(model_.inner_radius + model_.nominal_diameter / 2 - 3e-6);
@@ -28,9 +26,8 @@ class NormalsOfARace : public testing::TestWithParam<FilmModel> {
   }
   RaceSide race(double sign, double u_r, double u_t, double tilt_r, double tilt_t) const {
     const bool inner = sign > 0;
-    const FilmLaw& film = inner ? model_.inner_film : model_.outer_film;
-    RaceSide side{
-        sign, inner ? model_.inner_radius : model_.outer_radius, 0.0, film, {}, {}, {}, {}, {}, {}};
+    RaceSide side{sign, inner ? model_.inner_radius : model_.outer_radius, 0.0, {}, {}, {}, {}, {},
+                  {}};
     side.u_r = splat(u_r);
     side.u_t = splat(u_t);
     side.B_r = splat(tilt_r);
@@ -45,7 +42,7 @@ class NormalsOfARace : public testing::TestWithParam<FilmModel> {
   RollerPack q_{};
 };
 
-TEST_P(NormalsOfARace, AreThoseOfItsContactsWithoutFriction) {
+TEST_F(NormalsOfARace, AreThoseOfItsContactsWithoutFriction) {
   for (const double sign : {1.0, -1.0}) {
     if (sign < 0) q_.r = splat(model_.outer_radius - model_.nominal_diameter / 2 + 2e-6);
     const RaceSide side = race(sign, 4e-6 * sign, 7e-6, 1e-4, 3e-4);
@@ -67,7 +64,7 @@ TEST_P(NormalsOfARace, AreThoseOfItsContactsWithoutFriction) {
   }
 }
 
-TEST_P(NormalsOfARace, HaveTheSlopesOfTheirForces) {
+TEST_F(NormalsOfARace, HaveTheSlopesOfTheirForces) {
   const RaceNormals at = normals(race(1, 4e-6, 7e-6, 1e-4, 3e-4));
   // A move of the race by du, and by its tilt dB, of the axis seen by it: -du - X dB.
   for (int along = 0; along < 2; ++along)
@@ -87,9 +84,6 @@ TEST_P(NormalsOfARace, HaveTheSlopesOfTheirForces) {
         }
     }
 }
-
-INSTANTIATE_TEST_SUITE_P(Films, NormalsOfARace,
-                         testing::Values(FilmModel::none, FilmModel::series));
 
 }  // namespace
 }  // namespace cagetol

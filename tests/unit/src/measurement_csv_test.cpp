@@ -1,4 +1,4 @@
-#include "mc/study/measurement_csv.hpp"
+#include "src/input/measurement_csv.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "mc/study/measurement_csv.hpp"
+#include "src/input/measurement_csv.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t kLongestName = 60, kLongestField = 40;
 constexpr const char* kCommaKey =
-    "add decimal = \",\" beside file and column (on the command line --decimal-comma), or write "
-    "decimal points";
+    "add decimal = \",\" beside file and column of a law (on the command line --decimal-comma), or "
+    "write decimal points";
 
 /// The field as std::from_chars reads it: no plus sign, a minus sign of ASCII, a decimal point.
 std::string plain(std::string_view field, bool decimal_comma) {
