@@ -35,11 +35,14 @@ double call_time_us(const Call& call) {
   return median(std::move(times));
 }
 
-constexpr double KernelTimes::*kKernels[] = {
-    &KernelTimes::rhs_us,       &KernelTimes::linearise_us,
-    &KernelTimes::free_rhs_us,  &KernelTimes::free_linearise_us,
-    &KernelTimes::factorise_us, &KernelTimes::solve_us,
-    &KernelTimes::record_us};
+constexpr std::pair<const char*, double KernelTimes::*> kKernels[] = {
+    {"rhs", &KernelTimes::rhs_us},
+    {"linearise", &KernelTimes::linearise_us},
+    {"rhs_without_pockets", &KernelTimes::free_rhs_us},
+    {"linearise_without_pockets", &KernelTimes::free_linearise_us},
+    {"factorise", &KernelTimes::factorise_us},
+    {"solve", &KernelTimes::solve_us},
+    {"record", &KernelTimes::record_us}};
 
 /// With pockets that no roller can touch.
 BearingModel without_pockets(BearingModel model) {
@@ -85,12 +88,10 @@ void measure_kernels(const Scene& scene, SimulateOptions options, BenchResult& r
     if (++state <= kInstants * every || state % every != 0) return;
     ++instants;
     const KernelTimes here = kernel_times(t, y, system, t / static_cast<double>(state));
-    for (const auto kernel : kKernels) result.kernels.*kernel += here.*kernel;
+    for (const auto& [name, time] : kKernels) result.kernels.*time += here.*time;
   };
   simulate(scene, options);
-  for (const auto kernel : kKernels)
-    result.kernels.*kernel =
-        instants > 0 ? result.kernels.*kernel / static_cast<double>(instants) : kNone;
+  for (const auto& [name, time] : kKernels) result.kernels.*time /= static_cast<double>(instants);
 }
 
 std::vector<IntegrationMethod> methods_to_run(const Scene& scene, const BenchOptions& options) {
@@ -160,16 +161,9 @@ std::vector<CostPart> run_parts(const BenchResult& result) {
 }
 
 nlohmann::ordered_json bench_json(const BenchResult& result) {
-  const MethodCost& own = result.methods.front();
-  nlohmann::ordered_json json = {
-      {"scene", result.scene},
-      {"default", {{"method", spelled(own.method)}, {"rtf", json_number(own.rtf)}}},
-      {"kernels_us",
-       {{"rhs", json_number(result.kernels.rhs_us)},
-        {"linearise", json_number(result.kernels.linearise_us)},
-        {"factorise", json_number(result.kernels.factorise_us)},
-        {"solve", json_number(result.kernels.solve_us)},
-        {"record", json_number(result.kernels.record_us)}}}};
+  nlohmann::ordered_json json = {{"scene", result.scene}};
+  for (const auto& [name, time] : kKernels)
+    json["kernels_us"][name] = json_number(result.kernels.*time);
   for (const CostPart& part : run_parts(result))
     json["run_shares"][part.name] = json_number(part.share);
   auto& methods = json["methods"] = nlohmann::ordered_json::array();

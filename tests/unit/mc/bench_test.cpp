@@ -42,8 +42,8 @@ TEST(Bench, CountsAndKernelsAreThoseOfTheRun) {
   for (double time : {k.rhs_us, k.linearise_us, k.factorise_us, k.solve_us}) EXPECT_GT(time, 0.01);
   EXPECT_GT(k.linearise_us, k.rhs_us);
   const auto json = bench_json(result);
-  EXPECT_EQ(json["default"]["method"], "rodasp");
-  EXPECT_EQ(json["default"]["rtf"].get<double>(), result.methods[0].rtf);
+  EXPECT_EQ(json["methods"][0]["method"], "rodasp");
+  EXPECT_EQ(json["methods"][0]["rtf"].get<double>(), result.methods[0].rtf);
   EXPECT_EQ(json["methods"][1]["method"], "rodas3");
   EXPECT_NEAR(json["methods"][0]["steps_per_s"].get<double>() * 6e-3, result.methods[0].run.steps,
               1e-6);
@@ -78,7 +78,7 @@ TEST(Bench, AMethodThatFailsSaysSo) {
   EXPECT_THAT(bench_text(result), testing::HasSubstr("arkode-erk             censored: "));
   const auto json = bench_json(result);
   EXPECT_TRUE(json["methods"][1]["rtf"].is_null());
-  EXPECT_FALSE(json["default"]["rtf"].is_null());
+  EXPECT_FALSE(json["methods"][0]["rtf"].is_null());
 }
 
 }  // namespace
