@@ -102,10 +102,6 @@ ScreenDesign screen_design(const Study& base, const ScreenStage& planned) {
 
 namespace {
 
-Json number_json(const std::optional<double>& value) {
-  return value ? json_number(*value) : Json(nullptr);
-}
-
 std::string width_text(const std::optional<double>& width, double searched) {
   return width ? fmt::format("{:.3g}", *width) : fmt::format("beyond {:.3g}", searched);
 }
@@ -179,10 +175,10 @@ Json screen_json(const Screen& screen, const ScreenDesign& design) {
                                  {"resolved", part.resolved}});
     for (const LimitReach& reach : limit.reach)
       entry["reach"].push_back({{"key", reach.key},
-                                {"width_mm", number_json(reach.width_mm)},
-                                {"lower_mm", number_json(reach.lower_mm)},
-                                {"upper_mm", number_json(reach.upper_mm)},
-                                {"jam_mm", number_json(reach.jam_mm)},
+                                {"width_mm", json_number(reach.width_mm.value_or(kUndefined))},
+                                {"lower_mm", json_number(reach.lower_mm.value_or(kUndefined))},
+                                {"upper_mm", json_number(reach.upper_mm.value_or(kUndefined))},
+                                {"jam_mm", json_number(reach.jam_mm.value_or(kUndefined))},
                                 {"searched_mm", reach.searched_mm},
                                 {"standing", standing(reach)}});
     json["limits"].push_back(std::move(entry));

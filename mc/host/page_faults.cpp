@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
+#include <new>
 
 extern char __executable_start, etext;  // the linker's: where the program's code begins and ends
 
@@ -29,6 +30,8 @@ void map_pages(void* from, std::size_t size, int advice) {
 
 void map_heap() {
   constexpr std::size_t size = 16 << 20;
+  // HDF5, which faults where it lacks memory, takes this much for itself.
+  ::operator delete(::operator new(size / 16));
   if (void* const memory = std::malloc(size)) {
     advise(memory, size, MADV_HUGEPAGE);
     map_pages(memory, size, MADV_POPULATE_WRITE);
