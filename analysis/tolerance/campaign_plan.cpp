@@ -145,12 +145,10 @@ void share_out(CampaignPlan& plan, const StudyData& pilot, std::size_t study_row
     const double least = kMinimumMixture * *left,
                  most = std::clamp(*left - attempts * static_cast<double>(fewest), least,
                                    kMostMixture * *left),
-                 tolerances = judged_tolerances(study),
-                 first = runs_of_rows(study, kFirstRows * tolerances),
-                 judging = runs_of_rows(study, kMinimumEffectiveRuns * tolerances),
+                 first = runs_of_rows(study, kFirstRows * judged_tolerances(study)),
                  mixture =
                      settings.jams_alone
-                         ? std::min(judging, most)
+                         ? std::min(first, most)
                          : std::clamp(std::max(*left - attempts * wanted, first), least, most);
     const auto rows = static_cast<std::size_t>(std::max(0.0, mixture / runs_of_rows(study, 1)));
     const double lost = repeats_of(study, plan);

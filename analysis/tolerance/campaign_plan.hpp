@@ -4,7 +4,7 @@
 // Half of a budget is for the mixture. Where the confirmations will need more, as the pilot's
 // yields tell, the mixture leaves them up to three quarters, but takes 40 rows for each candidate
 // first where half of the budget has them. Where jams alone decide, which are known without a run,
-// it has as many as judge each. A raised budget extends the mixture, until an attempt is
+// it has no more. A raised budget extends the mixture, until an attempt is
 // decided; then it gives the attempts all it adds.
 #pragma once
 

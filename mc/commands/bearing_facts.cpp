@@ -195,8 +195,9 @@ Json heat_group(const Json& heat) {
   return entries.titled("Heat");
 }
 
-/// What a run of this scene models, a sentence for each part.
-std::vector<std::string> model_sentences(const Scene& scene) {
+/// What a run models, a sentence for each part.
+std::vector<std::string> model_sentences(const Study& study) {
+  const Scene& scene = study.scene;
   const Simplification& model = scene.model;
   std::vector<std::string> list;
   if (model.motion == MotionModel::quasi_static)
@@ -220,8 +221,14 @@ std::vector<std::string> model_sentences(const Scene& scene) {
   list.push_back(changes_in_operation(scene)
                      ? "Fits, temperatures or rotation change the clearances as the scene states."
                      : "Dimensions are those in operation: no fits, heat or growth are computed.");
-  list.push_back(fmt::format("Each run: {:.6g} revolutions of the cage after {:.6g} to settle.",
-                             scene.window.measure_revolutions, scene.window.settle_revolutions));
+  const double measured = scene.window.measure_revolutions;
+  std::string elsewhere;
+  for (const OperatingPointPlan& plan : study.points)
+    if (const double own = at_operating_point(scene, plan).window.measure_revolutions;
+        own != measured)
+      elsewhere += fmt::format(", {:.6g} at {}", own, plan.name);
+  list.push_back(fmt::format("Each run: {:.6g} revolutions of the cage{} after {:.6g} to settle.",
+                             measured, elsewhere, scene.window.settle_revolutions));
   return list;
 }
 
@@ -362,7 +369,7 @@ Json facts_of(const Study& study, const OutcomesById& outcomes) {
       {"name", scene.name},
       {"groups", groups},
       {"heat", heat},
-      {"model", model_sentences(scene)},
+      {"model", model_sentences(study)},
       {"points", points_json(study, outcomes)},
       {"assumed", assumed_json(scene)},
       {"dimensions", dimensions_json(study)},

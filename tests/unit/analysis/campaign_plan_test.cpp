@@ -58,14 +58,14 @@ TEST(PlanCampaign, LeavesConfirmationsMoreWhereTheYieldIsNearTheTarget) {
   EXPECT_EQ(plan_campaign(pilot_of(), settings, 480, 1).mixture_rows, 1000u);
 }
 
-// What a screen found leaves nothing to learn of limits: 30 rows for each of four widths, not 40.
+// What a screen found leaves nothing to learn of limits: 40 rows for each of four widths.
 TEST(PlanCampaign, WhereJamsAloneDecideTheMixtureIsSmall) {
   CampaignSettings settings{.confirm_samples = 900, .budget_samples = 2100};
   EXPECT_EQ(plan_campaign(pilot_of(), settings, 480, 1).mixture_rows, 500u);
   settings.jams_alone = true;
   const CampaignPlan plan = plan_campaign(pilot_of(), settings, 480, 1);
-  EXPECT_EQ(plan.mixture_rows, 120u);
-  EXPECT_EQ(plan.confirm_runs, 1880u);
+  EXPECT_EQ(plan.mixture_rows, 160u);
+  EXPECT_EQ(plan.confirm_runs, 1840u);
   settings.budget_samples = 300;  // half of what is left, and no more
   EXPECT_EQ(plan_campaign(pilot_of(), settings, 480, 1).mixture_rows, 56u);
 }
