@@ -228,7 +228,7 @@ TEST(Program, AReportThatDoesNotFitOnTheDiskIsNotDone) {
   }
 }
 
-TEST(Program, AReportNamesATemperatureThatIsNotHeldAndTheLayersOfTheSupply) {
+TEST(Program, AReportNamesATemperatureThatIsNotHeldTheLayersOfTheSupplyAndWindows) {
   const ScratchDirectory scratch;
   std::vector<std::string> command = {"sweep", shipped("studies/nu205-rated.toml"), "-o",
                                       scratch / "s"};
@@ -237,7 +237,8 @@ TEST(Program, AReportNamesATemperatureThatIsNotHeldAndTheLayersOfTheSupply) {
         "window.settle_revolutions=0.2", "window.measure_revolutions=0.5",
         "window.longest_settle_revolutions=0", "watch.static_consistency_max=10",
         "watch.cage_drift_max=10", "watch.power_surplus_max=10",
-        "operating_point=[{name=\"hot\", \"lubrication.temperature_C\"=100}, {name=\"cold\"}]"})
+        "operating_point=[{name=\"hot\", \"lubrication.temperature_C\"=100, "
+        "\"window.measure_revolutions\"=0.25}, {name=\"cold\"}]"})
     command.insert(command.end(), {"--set", setting});
   const auto swept = run(command);
   ASSERT_EQ(swept.code, 0) << swept.output;
@@ -252,6 +253,8 @@ TEST(Program, AReportNamesATemperatureThatIsNotHeldAndTheLayersOfTheSupply) {
   EXPECT_THAT(bearing.at("points").at(1).at("warnings").dump(), HasSubstr(loses));
   EXPECT_THAT(bearing.at("points").at(0).at("warnings").dump(), Not(HasSubstr("sheds")));
   EXPECT_THAT(bearing.at("warnings").dump(), Not(HasSubstr("sheds")));
+  EXPECT_THAT(bearing.at("model").dump(),
+              HasSubstr("0.5 revolutions of the cage, 0.25 at hot, after 0.2 to settle"));
   const auto& assumed = bearing.at("assumed");
   EXPECT_EQ(assumed.at("lubrication.outer_layer_um").dump(),
             R"({"automatic":true,"unit":"um","value":200})");
