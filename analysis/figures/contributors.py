@@ -39,7 +39,7 @@ def pareto(report):
                   xerr=100 * np.array(interval_bars(shares)), error_kw={"ecolor": "#333333", "elinewidth": 1, "capsize": 2})
         axis.set_yticks(places, [share["feature"] for share in shares], fontsize=7)
         axis.set_ylim(max(len(shares), 4) - 0.5, -0.5)
-        axis.set_title(readable(output["output"]), loc="center", fontsize=8.5)
+        axis.set_title(readable(output["output"]), loc="right", fontsize=8.5)
         axis.set_xlim(0, 100)
         axis.grid(axis="y", visible=False)
         axis.set_xlabel("share of variance [%]")

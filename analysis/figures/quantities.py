@@ -44,8 +44,8 @@ def limited_quantities(report):
                  else None for key in ("minimum", "maximum")}
         draw_limits(axis, drawn)
         words = far + ([roles[limit["quantity"]]] if far and roles.get(limit["quantity"]) == "met by enough runs" else [])
-        axis.set_title("; ".join(words), fontsize=7.5, color=RED)
-        axis.set_xlabel(with_unit(readable(limit["quantity"]), entry["unit"]), fontsize=8)
+        axis.set_title("\n".join(words), fontsize=7.5, color=RED)
+        axis.set_xlabel(two_lines(with_unit(readable(limit["quantity"]), entry["unit"]), width=24), fontsize=8)
         axis.set_ylabel("runs", fontsize=8)
         axis.locator_params(axis="x", nbins=5)
         if any(value is not None for value in drawn.values()):
