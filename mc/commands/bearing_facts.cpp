@@ -226,9 +226,9 @@ std::vector<std::string> model_sentences(const Study& study) {
   for (const OperatingPointPlan& plan : study.points)
     if (const double own = at_operating_point(scene, plan).window.measure_revolutions;
         own != measured)
-      elsewhere += fmt::format(", {:.6g} at {}", own, plan.name);
-  list.push_back(fmt::format("Each run: {:.6g} revolutions of the cage{} after {:.6g} to settle.",
-                             measured, elsewhere, scene.window.settle_revolutions));
+      elsewhere += fmt::format("; {:.6g} measured at {}", own, plan.name);
+  list.push_back(fmt::format("Each run: {:.6g} revolutions of the cage after {:.6g} to settle{}.",
+                             measured, scene.window.settle_revolutions, elsewhere));
   return list;
 }
 

@@ -254,7 +254,7 @@ TEST(Program, AReportNamesATemperatureThatIsNotHeldTheLayersOfTheSupplyAndWindow
   EXPECT_THAT(bearing.at("points").at(0).at("warnings").dump(), Not(HasSubstr("sheds")));
   EXPECT_THAT(bearing.at("warnings").dump(), Not(HasSubstr("sheds")));
   EXPECT_THAT(bearing.at("model").dump(),
-              HasSubstr("0.5 revolutions of the cage, 0.25 at hot, after 0.2 to settle"));
+              HasSubstr("0.5 revolutions of the cage after 0.2 to settle; 0.25 measured at hot."));
   const auto& assumed = bearing.at("assumed");
   EXPECT_EQ(assumed.at("lubrication.outer_layer_um").dump(),
             R"({"automatic":true,"unit":"um","value":200})");
