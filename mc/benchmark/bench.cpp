@@ -82,9 +82,8 @@ void measure_kernels(const Scene& scene, SimulateOptions options, BenchResult& r
   long state = 0, instants = 0;
   const auto began = std::chrono::steady_clock::now();
   options.on_state = [&](double t, const double* y, const System& system) {
-    if (state == 0)
-      result.start_s =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
+    if (state == 0) result.start_s = passed.count();
     if (++state <= kInstants * every || state % every != 0) return;
     ++instants;
     const KernelTimes here = kernel_times(t, y, system, t / static_cast<double>(state));

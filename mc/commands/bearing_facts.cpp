@@ -221,14 +221,13 @@ std::vector<std::string> model_sentences(const Study& study) {
   list.push_back(changes_in_operation(scene)
                      ? "Fits, temperatures or rotation change the clearances as the scene states."
                      : "Dimensions are those in operation: no fits, heat or growth are computed.");
-  const double measured = scene.window.measure_revolutions;
+  const double all = scene.window.measure_revolutions;
   std::string elsewhere;
-  for (const OperatingPointPlan& plan : study.points)
-    if (const double own = at_operating_point(scene, plan).window.measure_revolutions;
-        own != measured)
-      elsewhere += fmt::format("; {:.6g} measured at {}", own, plan.name);
+  for (const OperatingPointPlan& at : study.points)
+    if (const double own = at_operating_point(scene, at).window.measure_revolutions; own != all)
+      elsewhere += fmt::format("; {:.6g} measured at {}", own, at.name);
   list.push_back(fmt::format("Each run: {:.6g} revolutions of the cage after {:.6g} to settle{}.",
-                             measured, scene.window.settle_revolutions, elsewhere));
+                             all, scene.window.settle_revolutions, elsewhere));
   return list;
 }
 

@@ -113,7 +113,9 @@ std::string standing(const LimitReach& reach) {
                        width_text(reach.upper_mm, reach.searched_mm));
   };
   if (reach.width_mm == 0.0)
-    return reach.upper_mm == 0.0 ? "missed at any width" : "reached at 0 mm (" + interval() + ")";
+    return reach.upper_mm == 0.0
+               ? "missed at any width"
+               : (reach.upper_mm ? "reached at 0 mm (" : "not resolved (") + interval() + ")";
   if (reach.width_mm && (!reach.jam_mm || *reach.width_mm < *reach.jam_mm))
     return fmt::format("reached at {:.3g} mm ({})", *reach.width_mm, interval());
   const bool earlier = reach.lower_mm && (!reach.jam_mm || *reach.lower_mm < *reach.jam_mm);
@@ -130,7 +132,7 @@ std::string question(const Screen& screen) {
   };
   const std::string where = fmt::format(
       "at the widths screened the nearest limit is that of {}, {:.3g} standard deviations away: "
-      "{} of the cages that fit miss it, at most {}",
+      "by estimate {} of the cages that fit miss it, by its upper bound {}",
       nearest.quantity, nearest.margin, share(nearest.missed), share(nearest.missed_upper));
   return (screen.jams_alone
               ? "jams alone can decide: the cage's geometry knows the answer, no campaign is worth "
