@@ -77,8 +77,7 @@ KernelTimes kernel_times(double t, const double* y, const System& system, double
 /// are and warms the caches for what follows.
 void measure_kernels(const Scene& scene, SimulateOptions options, BenchResult& result) {
   constexpr long kInstants = 8;
-  const RunRecord run = simulate(scene, options).run;
-  const long every = std::max(1L, static_cast<long>(run.steps) / (2 * kInstants));
+  const long every = std::max(1L, std::lround(simulate(scene, options).run.steps) / 2 / kInstants);
   long state = 0, instants = 0;
   const auto began = std::chrono::steady_clock::now();
   options.on_state = [&](double t, const double* y, const System& system) {

@@ -298,10 +298,13 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
                                        const std::string& file) {
   const auto& dimensions = study.tolerance.dimensions;
   if (dimensions.empty()) return {};
-  const auto place = place_of(*find_node(root, "tolerance.dimension"), file);
+  const auto entries = table_entries(root, "tolerance.dimension", dimension_keys(), file);
   std::vector<Candidate> candidates = {Candidate{}};
-  for (const auto& dimension : dimensions) {
-    const double nominal = find_input(study.inputs, dimension.key)->nominal.front();
+  for (std::size_t d = 0; d < dimensions.size(); ++d) {
+    const auto& dimension = dimensions[d];
+    const auto place = place_of(*entries[d], file);
+    const UncertainInput& input = *find_input(study.inputs, dimension.key);
+    const double nominal = input.nominal.front();
     const auto centres =
         dimension.centres.empty() ? std::vector<double>{nominal} : dimension.centres;
     if (candidates.size() * dimension.candidates.size() * centres.size() > kMostCandidates)
@@ -322,9 +325,7 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
                                  " is no diameter, width or length in mm",
                              "give full widths in mm, such as 0.01");
           try {
-            width = grade_width_um(of_class->grade,
-                                   nominal_mm(*find_input(study.inputs, dimension.key))) /
-                    1000;
+            width = grade_width_um(of_class->grade, nominal_mm(input)) / 1000;
           } catch (const std::invalid_argument& error) {
             throw InputError(place, "tolerance.dimension.candidates", name, error.what(),
                              "choose another grade or give the full width in mm");
@@ -332,7 +333,7 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
         } else {
           width = deviations ? deviations->upper - deviations->lower : std::stod(name);
         }
-        require_narrower(width, *find_input(study.inputs, dimension.key), place, "candidates");
+        require_narrower(width, input, place, "candidates");
         candidate.middles.push_back(
             from_si(to_si(zone_middle(name, width), 1e-3), unit_of(dimension.key).to_si));
         candidate.grades.push_back(deviations || tolerance_class(name) ? name : "");
@@ -345,7 +346,7 @@ std::vector<Candidate> make_candidates(const Study& study, const toml::table& ro
       }
     candidates = std::move(longer);
   }
-  check_costs(dimensions, candidates, place);
+  check_costs(dimensions, candidates, place_of(*entries[0], file));
   return candidates;
 }
 

@@ -394,6 +394,13 @@ TEST_F(StudyFile, EveryMistakeIsNamedWithPlaceReasonAndRemedy) {
                "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
                "0.1\ncandidates = ['IT99']\n",
        {"tolerance.dimension.candidates = IT99", "IT5 to IT14"}},
+      {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } }\n"
+               "pocket_length_mm = { nominal = 9.25, lot = { law = 'normal', sigma = 0.01 } }\n"
+               "[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\n"
+               "tolerance_width_mm = 0.1\ncandidates = ['IT9']\n"
+               "[[tolerance.dimension]]\nkey = 'cage.pocket_length_mm'\n"
+               "tolerance_width_mm = 0.1\ncandidates = ['IT99']\n",
+       {"study.toml:8: tolerance.dimension.candidates = IT99"}},
       {width + "{ nominal = 7.65, lot = { law = 'normal', sigma = 0.01 } "
                "}\n[[tolerance.dimension]]\nkey = 'cage.pocket_width_mm'\ntolerance_width_mm = "
                "0.1\ncandidates = [-0.1]\n",
