@@ -26,7 +26,7 @@ struct CampaignSettings {
   std::size_t budget_samples = 0;   ///< runs of all stages together; 0: no budget
   double budget_h = 0;              ///< wall-clock hours of all stages together; 0: no budget
   std::size_t screen_samples = 0;   ///< runs before the pilot
-  bool jams_alone = false;  ///< they found that no limit takes what jams leave of the target
+  bool jams_alone = false;          ///< the screen: no limit takes what jams leave of the target
 };
 
 struct StudyPlan {

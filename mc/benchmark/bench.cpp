@@ -146,7 +146,7 @@ std::vector<CostPart> run_parts(const BenchResult& result) {
   std::vector<CostPart> parts = {
       {"right-hand sides", (rates - derivatives) * k.free_rhs_us / wall_us},
       {"with derivatives", derivatives * k.free_linearise_us / wall_us},
-      {"pockets of both", pockets / wall_us},
+      {"pockets in both", pockets / wall_us},
       {"Newton matrix", factored * k.factorise_us / wall_us},
       {"solutions", (factored > 0 ? rates : 0) * k.solve_us / wall_us},
       {"quantities",

@@ -1,3 +1,5 @@
+// report.json of small studies, number by number. Above 400 lines: one report, one part after
+// another.
 #include "analysis/report/report.hpp"
 
 #include <gmock/gmock.h>

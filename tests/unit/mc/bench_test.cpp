@@ -57,11 +57,8 @@ TEST(Bench, SharesAreOfTheWholeRun) {
   double sum = 0;
   for (const CostPart& part : run_parts(oiled)) sum += part.share;
   EXPECT_NEAR(sum, 1, 1e-12);
-  // Oil in every pocket: it costs a good part of the forces, and less than all of them.
   const KernelTimes& k = oiled.kernels;
-  EXPECT_LT(k.free_linearise_us, 0.9 * k.linearise_us);
-  EXPECT_GT(k.free_linearise_us, 0.2 * k.linearise_us);
-  EXPECT_GT(k.record_us, 0.01);
+  for (double time : {k.free_rhs_us, k.free_linearise_us, k.record_us}) EXPECT_GT(time, 0.01);
   EXPECT_GT(oiled.start_s, 0);
   EXPECT_THAT(bench_text(oiled), testing::HasSubstr("wall time of the default: right-hand sides "));
 }
