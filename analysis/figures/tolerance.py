@@ -73,7 +73,7 @@ def share_of_limit(limit, value):
 def width_curves(report):
     """One panel for each dimension: limited quantities as shares of their limits over the width of the tolerance."""
     dimensions = report["tolerance"].get("width_curves", []) if report["tolerance"] else []
-    dimensions = [d for d in dimensions if len(d["tolerance_widths_mm"]) > 1]
+    dimensions = [d for d in dimensions if len(d["tolerance_widths_mm"]) > 1 and any(any(limit["bands"]) for limit in d["limits"])]
     if not dimensions:
         return None
 

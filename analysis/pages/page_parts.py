@@ -178,7 +178,7 @@ def sized_tolerances(report):
 
 
 def fit_requirement(width):
-    """What the share of cages that fit hangs on beside Cp: centring, and how the variance is split."""
+    """What the share of cages that fit hangs on beside Pp: centring, and how the variance is split."""
     fit = width.get("fit")
     if not fit:
         return ""

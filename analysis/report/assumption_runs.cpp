@@ -1,6 +1,5 @@
 #include "analysis/report/assumption_runs.hpp"
 
-#include <algorithm>
 #include <fstream>
 
 namespace cagetol {

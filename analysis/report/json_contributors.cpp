@@ -8,7 +8,6 @@
 #include "analysis/sensitivity/binned_shares.hpp"
 #include "analysis/sensitivity/features.hpp"
 #include "analysis/sensitivity/unexplained_share.hpp"
-#include "analysis/study/refused.hpp"
 
 namespace cagetol {
 namespace {
@@ -107,7 +106,8 @@ std::string variance_of(const StudyData& runs) {
 }  // namespace
 
 Json contributors_json(const ReportBasis& basis) {
-  const auto features = cage_features(basis.runs);
+  const bool told = basis.runs.size() >= kMinimumEffectiveRuns;
+  const auto features = told ? cage_features(basis.runs) : std::vector<Feature>();
   const auto outputs = outputs_of(basis);
   std::vector<Binning> binnings;
   Json feature_list = Json::array();

@@ -102,7 +102,7 @@ Json passed_over_json(const ReportBasis& basis, const std::vector<PassedOver>& c
 Json confirmation_json(const ReportBasis& basis, const std::vector<StudyData>& confirmations,
                        TolerancePart& tolerance);
 
-/// Adds to the tolerances of `tolerance` their limits of size, the Cp of the parts they hold for
+/// Adds to the tolerances of `tolerance` their limits of size, the Pp of the parts they hold for
 /// and what is to fit, from the bearing's dimensions; to those whose nominal value is known.
 void add_limits_of_size(const Json& bearing, Json& tolerance);
 

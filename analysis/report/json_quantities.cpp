@@ -1,5 +1,4 @@
 // Statistics of every quantity, capability, convergence, run health.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

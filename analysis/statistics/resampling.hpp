@@ -9,7 +9,6 @@
 // is a function of these weights.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <vector>
 
 #include "analysis/statistics/order_statistics.hpp"
 #include "analysis/study/refused.hpp"

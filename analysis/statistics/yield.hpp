@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "analysis/statistics/resampling.hpp"
 #include "analysis/study/judgement.hpp"

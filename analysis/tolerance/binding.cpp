@@ -4,7 +4,6 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
 

@@ -5,7 +5,6 @@
 // runs falls with the distance; below kFewestEffectiveRuns nothing is shown.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "analysis/tolerance/recommendation.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <fstream>
 
-#include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/study/refused.hpp"
 
 namespace cagetol {

@@ -16,7 +16,6 @@
 // The last one comes before the others. Intervals take runs for independent.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "analysis/study/study_data.hpp"

@@ -1,6 +1,5 @@
 #include "analysis/tolerance/recommendation.hpp"
 
-#include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 //   log c(z) = -1/2 log det R - 1/2 z' (R^-1 - 1) z.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 

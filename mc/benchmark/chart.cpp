@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
 #include "analysis/statistics/median.hpp"
 #include "mc/benchmark/replicas.hpp"

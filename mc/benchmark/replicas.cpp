@@ -2,7 +2,6 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include <algorithm>
 #include <atomic>
 #include <thread>
 

@@ -1,7 +1,6 @@
 // Replicas of a scene: the same bearing, started a little differently, many times.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "mc/study/study.hpp"

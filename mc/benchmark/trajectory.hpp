@@ -1,7 +1,6 @@
 // Where a bearing is after a short while, to compare ways to integrate before chaos parts them.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "src/simulate.hpp"

@@ -318,7 +318,7 @@ Json points_json(const Study& study, const OutcomesById& outcomes) {
   return list;
 }
 
-/// Of the dimensions that get a tolerance: nominal value, Cp of their laws, what is to fit.
+/// Of the dimensions that get a tolerance: nominal value, Pp of their laws, what is to fit.
 Json dimensions_json(const Study& study) {
   Json list = Json::array();
   for (const ToleranceFilling& filling : tolerance_fillings(study))

@@ -52,7 +52,7 @@ std::string dimensions_text(const Study& study) {
   for (const ToleranceFilling& filling : tolerance_fillings(study))
     text += fmt::format(
         "  {}: the laws belong to a tolerance of {:.6g} mm and have a standard deviation of {:.4g} "
-        "mm: Cp = {:.2f}; both scale with the candidate\n",
+        "mm: Pp = {:.2f}; both scale with the candidate\n",
         filling.key, filling.tolerance_width_mm, filling.deviation_mm, filling.capability);
   for (const std::string& warning : tolerance_warnings(study)) text += "warning: " + warning + "\n";
   for (const std::string& note : tolerance_notes(study)) text += "note: " + note + "\n";
@@ -83,9 +83,13 @@ std::string jams_text(const Study& study, const JamShares& jams) {
     if (shares[k] <= 1 - study.tolerance.target_yield && shares[k] >= shares[widest]) widest = k;
   }
   const std::size_t dimensions = jams.curves.size();
+  const Candidate& candidate = study.candidates[widest];
   std::string widths;
-  for (const double width : study.candidates[widest].tolerance_widths_mm)
-    widths += fmt::format("{}{:.3g} mm", widths.empty() ? "" : " and ", width);
+  for (std::size_t d = 0; d < dimensions; ++d) {
+    widths += fmt::format("{}{:.3g} mm", d > 0 ? " and " : "", candidate.tolerance_widths_mm[d]);
+    if (const double shift = candidate.shift(d); shift != 0)
+      widths += fmt::format(" with its middle at {:+.3g} mm", shift);
+  }
   text += fmt::format("    at {}: {} jam", widths, jam_text(shares[widest], jams.draws));
   for (std::size_t d = 0; d < dimensions; ++d)
     text += fmt::format(
@@ -119,10 +123,12 @@ std::string summary(const Study& study) {
   std::string text =
       fmt::format("study {}: {} rows ({}), {} samples in all, hash {}\n", study.name, study.samples,
                   design_name(study.design), sample_count(study), study.hash);
-  text += fmt::format("scene {}: {} rollers, {} cage, {:.6g} N, {:.6g} rpm\n", study.scene.name,
-                      study.scene.bearing.roller_count, spelled(study.scene.cage.model),
-                      study.scene.operation.radial_load,
-                      study.scene.operation.inner_speed / 0.10471975511965977);
+  const Operation& operation = study.scene.operation;
+  text += fmt::format(
+      "scene {}: {} rollers, {} cage, {:.6g} N{}, {:.6g} rpm\n", study.scene.name,
+      study.scene.bearing.roller_count, spelled(study.scene.cage.model), operation.radial_load,
+      operation.axial_load == 0 ? "" : fmt::format(" and axially {:.6g} N", operation.axial_load),
+      operation.inner_speed / kRpm);
   if (!study.inputs.empty())
     text += fmt::format("uncertain inputs: {} with {} columns\n", study.inputs.size(),
                         design_columns(study));
@@ -134,6 +140,10 @@ std::string summary(const Study& study) {
             law_text(input.noise, "noise", input.unit);
   if (!study.limits.empty()) text += "limits:\n";
   for (const auto& limit : study.limits) text += limit_text(limit);
+  const auto doubts = scene_doubts(study.scene);
+  for (const auto& note : study_notes(study))
+    text +=
+        (std::count(doubts.begin(), doubts.end(), note) > 0 ? "warning: " : "note: ") + note + "\n";
   const JamShares jams = jam_shares(study);
   if (!study.candidates.empty())
     text += fmt::format("candidate tolerances: {} combinations of {} dimensions\n",
@@ -148,10 +158,6 @@ std::string summary(const Study& study) {
         count);
   for (const InputError& fault : judgement_faults(study))
     text += std::string("warning: ") + fault.what() + "\n";
-  const auto doubts = scene_doubts(study.scene);
-  for (const auto& note : study_notes(study))
-    text +=
-        (std::count(doubts.begin(), doubts.end(), note) > 0 ? "warning: " : "note: ") + note + "\n";
   text += operating_table(study.scene) + duty_text(study.scene);
   if (!study.inputs.empty()) text += chains_text(clearance_chains(study));
   const SweepForecast forecast = forecast_sweep(study);

@@ -1,9 +1,9 @@
 #include "mc/commands/command.hpp"
 
-#include <fmt/format.h>
 #include <sched.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,6 +20,7 @@
 #include "src/heat_balance.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/operating_point.hpp"
+#include "src/reading/scene_keys.hpp"
 
 namespace cagetol {
 namespace {
@@ -55,7 +56,10 @@ void log_notes(const Study& study, const std::vector<std::string>& notes) {
   for (const OperatingPointPlan& point : study.points)
     for (const std::string& warning : operating_warnings(at_operating_point(study.scene, point)))
       spdlog::warn("at {}: {}", point.name, warning);
-  for (const std::string& note : notes) spdlog::warn("{}", note);
+  const auto doubts = scene_doubts(study.scene);
+  for (const std::string& note : notes)
+    spdlog::log(std::ranges::count(doubts, note) > 0 ? spdlog::level::warn : spdlog::level::info,
+                "{}", note);
 }
 
 std::function<Study()> reading_study(const std::string& file,

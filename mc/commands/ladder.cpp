@@ -1,5 +1,4 @@
 // cagetol ladder SCENE|STUDY -o DIR: the least model that each quantity of interest needs.
-#include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,6 @@
 // The rungs of the model ladder as sweeps: DIR/RUNG each.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <variant>
 #include <vector>

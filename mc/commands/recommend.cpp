@@ -40,8 +40,8 @@ int run_recommend(const RecommendArguments& options) {
 
 Chosen recommend_command(CLI::App& command) {
   command.footer(
-      "Stages: DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a sweep. The\n"
-      "same command resumes an interrupted run, also with a larger recommend.budget_samples or\n"
+      "Stages: DIR/screen, DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a\n"
+      "sweep. The same command resumes an interrupted run, also with a larger recommend.budget_samples or\n"
       "recommend.budget_h. Exit code 0: decided; with --exit-code 1 where no tolerance is\n"
       "confirmed. recommend.assumption_samples, set at once or later, judges the verdict at both\n"
       "ends of every range of an [[assumption]].\n\n"

@@ -5,7 +5,6 @@
 #include "mc/run/cage_cache.hpp"
 #include "mc/run/run_history.hpp"
 #include "mc/run/sample_run.hpp"
-#include "src/operation/operating_clearance.hpp"
 
 namespace cagetol {
 

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "mc/commands/command.hpp"
 #include "src/catalogue/bearing_scene.hpp"

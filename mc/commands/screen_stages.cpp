@@ -4,7 +4,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/study/refused.hpp"
 #include "analysis/tolerance/jam_onset.hpp"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <optional>
 
 #include "analysis/study/study_data.hpp"
 #include "mc/host/file_write.hpp"

@@ -2,7 +2,6 @@
 // study stays on one machine type.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>

@@ -1,6 +1,5 @@
 #include "mc/host/failure.hpp"
 
-#include <cerrno>
 #include <new>
 #include <stdexcept>
 #include <system_error>

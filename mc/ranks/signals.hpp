@@ -4,7 +4,6 @@
 
 #include <signal.h>
 
-#include <chrono>
 #include <vector>
 
 namespace cagetol {

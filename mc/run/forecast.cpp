@@ -10,7 +10,6 @@
 #include "mc/run/stored_outcome.hpp"
 #include "mc/study/operating_points.hpp"
 #include "mc/study/sample.hpp"
-#include "src/cage/table/scene_cage.hpp"
 #include "src/input/input_error.hpp"
 #include "src/quantities/quantity_labels.hpp"
 

@@ -52,15 +52,19 @@ void sort_parts(const MeasuredColumn& column, MeasuredParts& parts) {
   }
 }
 
-void check_sizes(const MeasuredParts& parts, const std::string& path, std::size_t pockets) {
+void check_sizes(const MeasuredParts& parts, const std::vector<int>& lines, const std::string& path,
+                 const std::string& key, std::size_t pockets) {
   const auto cages = parts.by_cage();
   for (std::size_t c = 0; parts.is_grouped() && !parts.resample && c < cages.size(); ++c)
     if (pockets > 0 && cages[c].size() != pockets)
       throw InputError(
-          {path, 0}, parts.group, parts.names[c],
+          {path, lines[std::ranges::find(parts.cage.values, static_cast<double>(c)) -
+                       parts.cage.values.begin()]},
+          key + ".group", parts.names[c],
           fmt::format("{} parts are of this cage, but that of the scene has {} pockets",
                       cages[c].size(), pockets),
-          "give a line for each pocket, or resample = true beside file");
+          "leave one line for each pocket, or give resample = true beside file: another number of "
+          "pockets is then drawn from each cage");
 }
 
 std::vector<double> known_of(std::vector<double> values) {
@@ -147,7 +151,7 @@ MeasuredParts read_measured_parts(const std::string& bytes, const std::string& p
       throw InputError({path, static_cast<int>(line)}, key + ".exclude", number_text(line),
                        "this line holds no part", "give numbers of lines as an editor counts them");
   sort_parts(column, parts);
-  check_sizes(parts, path, of.pockets);
+  check_sizes(parts, column.lines, path, key, of.pockets);
   if (parts.is_grouped() && parts.names.size() < kFewGroups)
     parts.remarks.push_back("fewer than 10 cages say little of how cages differ");
   const std::vector<double> known = known_parts(parts);

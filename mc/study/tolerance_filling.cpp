@@ -95,7 +95,7 @@ std::vector<std::string> tolerance_notes(const Study& study) {
       notes.push_back(fmt::format(
           "{}: from a tolerance of {:.6g} mm on, a part inside its tolerance may be as small as "
           "{:.6g} mm, "
-          "less than {} of {:.6g} mm; that such parts are rare is what the laws say (Cp = {:.2f}), "
+          "less than {} of {:.6g} mm; that such parts are rare is what the laws say (Pp = {:.2f}), "
           "not the drawing",
           filling.key, narrowest, reached, filling.counterpart, filling.counterpart_mm,
           filling.capability));

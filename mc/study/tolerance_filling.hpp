@@ -17,8 +17,8 @@ struct ToleranceFilling {
   double nominal_mm = std::numeric_limits<double>::quiet_NaN();
   double deviation_mm = 0;  ///< standard deviation of one part, lot and pocket together
   double mean_mm = 0;       ///< of the laws, beside the nominal value
-  /// Cp = tolerance/(6 deviation). That of every candidate, because its scatter scales with its
-  /// tolerance.
+  /// Pp = tolerance/(6 deviation), of all scatter. That of every candidate, because its scatter
+  /// scales with its tolerance.
   double capability = 0;
   bool within = false;      ///< the laws end inside their tolerance: no part lies outside
   std::string counterpart;  ///< what is to fit: "the roller's diameter"; empty where nothing is

@@ -4,7 +4,6 @@
 
 #include <climits>
 #include <filesystem>
-#include <optional>
 
 #include "mc/host/byte_stream.hpp"
 #include "mc/host/failure.hpp"

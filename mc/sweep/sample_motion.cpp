@@ -2,7 +2,6 @@
 
 #include "mc/run/cage_cache.hpp"
 #include "mc/run/sample_run.hpp"
-#include "src/operation/operating_clearance.hpp"
 
 namespace cagetol {
 

@@ -1,6 +1,5 @@
 #include "mc/sweep/staged_sweeps.hpp"
 
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 

@@ -1,6 +1,5 @@
 #include "mc/sweep/sweep.hpp"
 
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 

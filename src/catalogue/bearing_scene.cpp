@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "src/catalogue/scene_text.hpp"
 #include "src/input/input_error.hpp"

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "src/contacts/churning_loads.hpp"
 #include "src/contacts/flange_contacts.hpp"

@@ -1,6 +1,5 @@
 #include "src/input/csv_heading.hpp"
 
-#include <algorithm>
 #include <functional>
 
 #include "src/input/csv_records.hpp"

@@ -1,7 +1,6 @@
 #include "src/input/csv_records.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 #include "src/input/printable.hpp"

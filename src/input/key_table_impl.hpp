@@ -1,7 +1,6 @@
 // Templates of key_table.hpp. Code that does not depend on the struct is in key_table.cpp.
 #pragma once
 
-#include <cmath>
 #include <type_traits>
 #include <utility>
 

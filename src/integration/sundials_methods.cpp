@@ -7,7 +7,6 @@
 #include <sundials/sundials_context.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "src/integration/state_vector.hpp"

@@ -1,7 +1,6 @@
 #include "src/model/flexible_cage.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 

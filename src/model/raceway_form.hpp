@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
 #include "src/numerics/pack.hpp"
 #include "src/scene/scene.hpp"

@@ -4,9 +4,6 @@
 // are padded to whole packs, so that no pack lies across two cache lines.
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "src/numerics/pack.hpp"
 
 namespace cagetol {

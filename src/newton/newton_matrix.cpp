@@ -2,7 +2,6 @@
 #include "src/newton/newton_matrix.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "src/newton/roller_block.hpp"
 

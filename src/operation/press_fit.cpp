@@ -1,7 +1,5 @@
 #include "src/operation/press_fit.hpp"
 
-#include <algorithm>
-
 namespace cagetol {
 namespace {
 

@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "src/quantities/quantity_rows.hpp"
 #include "src/scene/whirl_window.hpp"

@@ -3,8 +3,6 @@
 // counts forwards, whichever way that is, and means do not cancel.
 #pragma once
 
-#include <cmath>
-
 #include "src/quantities/observed_state.hpp"
 #include "src/quantities/quantity_values.hpp"
 

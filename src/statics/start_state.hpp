@@ -1,7 +1,6 @@
 // The state a run starts from.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "src/model/bearing_model.hpp"

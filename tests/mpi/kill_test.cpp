@@ -66,7 +66,7 @@ class KillTest : public testing::Test {
 };
 
 TEST_F(KillTest, OneRankKilledAndResumed) {
-  for (unsigned round = 0; round < rounds(4); ++round) {
+  for (unsigned round = 0; round < rounds(2); ++round) {
     SCOPED_TRACE(round);
     std::mt19937 random = random_of(1, round);
     const std::string directory = scratch_ / ("round" + std::to_string(round));
@@ -87,7 +87,7 @@ TEST_F(KillTest, KilledOverAndOverInOneDirectory) {
 }
 
 TEST_F(KillTest, AllKilledAtOnce) {
-  for (unsigned round = 0; round < rounds(3); ++round) {
+  for (unsigned round = 0; round < rounds(2); ++round) {
     SCOPED_TRACE(round);
     std::mt19937 random = random_of(2, round);
     const std::string directory = scratch_ / ("all" + std::to_string(round));

@@ -471,8 +471,9 @@ TEST_F(RecommendTest, CagesThatDoNotFitAreDrawnAgainAlikeOnAnyNumberOfRanks) {
 
 // Geometry knows that 99.43 % fit at IT14, and no limit is near: with the study's own budget.
 TEST_F(RecommendTest, WhereNothingButJamsDecidesTheWidestThatMeetsTheTargetIsConfirmed) {
+  const int seeds = std::getenv("CAGETOL_NIGHTLY") != nullptr ? 20 : 2;
   int widest = 0;
-  for (int seed = 1; seed <= 20; ++seed) {
+  for (int seed = 1; seed <= seeds; ++seed) {
     const std::string directory = "seed" + std::to_string(seed);
     const Ended ended = run(recommend_jams(scratch_ / directory, {"seed=" + std::to_string(seed)}));
     ASSERT_EQ(ended.code, 0) << ended.output;
@@ -481,7 +482,7 @@ TEST_F(RecommendTest, WhereNothingButJamsDecidesTheWidestThatMeetsTheTargetIsCon
     widest += confirmed.study_toml.find(grades) != std::string::npos &&
               ended.output.find("runs meet all limits: confirmed") != std::string::npos;
   }
-  EXPECT_GE(widest, 18);
+  EXPECT_GE(widest, seeds - seeds / 10);
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 // ends, bars that bend and heating in the inlet are left out.
 #pragma once
 
-#include <vector>
-
 namespace cagetol {
 
 struct PlanarOil {

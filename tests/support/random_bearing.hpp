@@ -3,7 +3,6 @@
 // seed.
 #pragma once
 
-#include <random>
 #include <vector>
 
 #include "src/model/bearing_model.hpp"

@@ -4,7 +4,6 @@
 
 #include <sstream>
 #include <string>
-#include <utility>
 
 #include "src/reading/scene_keys.hpp"
 

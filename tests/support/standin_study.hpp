@@ -2,7 +2,6 @@
 // outcomes are pure functions of the id.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/CholmodSupport>
-#include <cmath>
 #include <vector>
 
 #include "src/cage/mesh/hex8_incompatible.hpp"

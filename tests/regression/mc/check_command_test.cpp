@@ -60,23 +60,43 @@ cage_revolutions = 1
 [[tolerance.dimension]]
 key = "cage.pocket_width_mm"
 tolerance_width_mm = 0.06
-candidates = [0.06, 0.03]
+candidates = [0.06, 0.03, "+0.05/0"]
 )"));
   };
   const std::string capable = with_sigma("0.01"), wide = with_sigma("0.06");
-  EXPECT_THAT(capable, HasSubstr("a standard deviation of 0.01 mm: Cp = 1.00"));
+  EXPECT_THAT(capable, HasSubstr("a standard deviation of 0.01 mm: Pp = 1.00"));
   EXPECT_THAT(capable, Not(HasSubstr("warning: cage")));
   EXPECT_THAT(capable,
               testing::ContainsRegex("roller to both bars +150.0 +120.0 to 180.0 +120.0 to "
                                      "180.0 .*cage.pocket_width_mm"));
   // 0.15 mm of clearance is 2.5 standard deviations: 0.6 % of pockets, 8 % of cages of 13.
-  EXPECT_THAT(wide, HasSubstr("Cp = 0.17"));
+  EXPECT_THAT(wide, HasSubstr("Pp = 0.17"));
   EXPECT_THAT(wide, HasSubstr("warning: cage.pocket_width_mm: so many parts lie outside"));
   EXPECT_THAT(wide,
               HasSubstr("share of these that meet all limits; what does not fit jams, by integr"));
   EXPECT_THAT(wide, HasSubstr("cage.pocket_width_mm: 1 ppm from 0.0286 mm"));
   EXPECT_THAT(wide, HasSubstr("10 % from 0.0624 mm"));
   EXPECT_THAT(wide, HasSubstr("warning: 1 of 2 candidates miss the target yield of 95 % by jams"));
+  EXPECT_THAT(wide, HasSubstr("at 0.05 mm with its middle at +0.025 mm: "));
+}
+
+TEST(CheckCommand, NamesTheOutlierBeforeTheProcessThatItSpoils) {
+  const std::filesystem::path csv = testing::TempDir() + "outlier.csv";
+  std::ofstream parts(csv);
+  parts << "width\n";
+  for (int i = 0; i < 40; ++i) parts << 7.648 + 0.001 * (i % 5) << '\n';
+  parts << "9.65\n";
+  parts.close();
+  const std::string text = printed_by_check(
+      study_text("load.axial_N = 40\ncage.pocket_width_mm = { nominal = 7.65, pocket = { law = "
+                 "\"empirical\", file = \"" +
+                 csv.string() +
+                 "\", column = \"width\" } }\n[[tolerance.dimension]]\nkey = "
+                 "\"cage.pocket_width_mm\"\ntolerance_width_mm = 0.06\ncandidates = [0.06]\n"));
+  EXPECT_THAT(text, HasSubstr("1000 N and axially 40 N, 6000 rpm"));
+  const auto outlier = text.find("line 42 is an outlier"), process = text.find("so many parts lie");
+  EXPECT_NE(process, std::string::npos) << text;
+  EXPECT_LT(outlier, process) << text;
 }
 
 TEST(CheckCommand, NamesTheLawThatADistributionLacks) {

@@ -1,7 +1,6 @@
 // The short studies of shipped bearings run, two samples of half a revolution each.
 #include <gtest/gtest.h>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <vector>
 

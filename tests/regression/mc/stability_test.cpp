@@ -1,6 +1,5 @@
 // The stability suite in small: the default method and another one where methods fail.
 #include <gtest/gtest.h>
-#include <string>
 
 #include "mc/benchmark/stability.hpp"
 #include "tests/support/shipped_input.hpp"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "analysis/report/report.hpp"
 #include "analysis/tolerance/assumption_plan.hpp"

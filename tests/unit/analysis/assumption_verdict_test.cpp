@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/study/refused.hpp"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "analysis/tolerance/campaign.hpp"
 #include "tests/support/tolerance_standin.hpp"
 

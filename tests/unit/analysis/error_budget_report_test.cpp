@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "analysis/fidelity/model_ladder.hpp"
 #include "analysis/report/json_parts.hpp"

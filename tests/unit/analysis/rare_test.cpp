@@ -4,9 +4,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "analysis/statistics/binomial_bounds.hpp"
 #include "analysis/statistics/pareto_bound.hpp"

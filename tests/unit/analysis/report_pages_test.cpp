@@ -240,7 +240,7 @@ TEST(ReportPages, ABandHasItsLimitsOfSizeAndTheScatterItHoldsFor) {
   const std::string first = text_of(section_of(page_of(report), "verdict"));
   EXPECT_THAT(first, HasSubstr("7.65 \u00b10.045 mm (IT11, js11)"));
   EXPECT_THAT(first, HasSubstr("7.605 to 7.695 mm: full width 0.090 mm"));
-  EXPECT_THAT(first, HasSubstr("Cp 1.31. Print that requirement with the tolerance"));
+  EXPECT_THAT(first, HasSubstr("Pp 1.31. Print that requirement with the tolerance"));
   EXPECT_THAT(first, HasSubstr("7.605 mm, is less than the roller&#39;s diameter of 7.62 mm"));
 }
 

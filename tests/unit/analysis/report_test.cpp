@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <regex>
-#include <sstream>
 
 #include "analysis/report/json_parts.hpp"
 #include "analysis/report/python_run.hpp"
@@ -275,6 +274,18 @@ TEST_F(Report, ContributorsAreFound) {
   EXPECT_EQ(pockets[0].at("output"), "pocket_force_peak_N");
   const auto shares = pockets[0].at("shares").get<std::vector<double>>();
   EXPECT_EQ(std::max_element(shares.begin(), shares.end()) - shares.begin(), 4);
+}
+
+TEST_F(Report, FewRunsShowNoSharesAndNoEmptyFigure) {
+  const auto drives = "What drives the limited quantities is told from 30 runs on";
+  const auto report = make_report(make_synthetic_study({.rows = 29, .replicate_share = 0}));
+  EXPECT_TRUE(report.at("contributors").at("features").empty());
+  const std::string html = page_of(report);
+  EXPECT_THAT(html, testing::HasSubstr(drives));
+  EXPECT_THAT(html, testing::Not(testing::HasSubstr("over the width of a tolerance")));
+  EXPECT_THAT(html, testing::Not(testing::HasSubstr("same estimated yield")));
+  const auto more = make_report(make_synthetic_study({.rows = 30, .replicate_share = 0}));
+  EXPECT_FALSE(more.at("contributors").at("features").empty());
 }
 
 TEST_F(Report, StudiesThatLackThings) {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "src/cage/mesh/sector_polynomial.hpp"
 
 namespace cagetol {

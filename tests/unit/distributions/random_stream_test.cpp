@@ -5,8 +5,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <set>
-#include <vector>
 
 namespace cagetol {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <random>
 
@@ -135,7 +136,8 @@ constexpr const char* kLots =
 
 // Widths and rollers of one pocket with a correlation of .5: their difference has the variance
 // 40^2 + 20^2 - 2 .5 40 20 um^2.
-TEST(JamShares, OfACopulaAreDrawn) {
+TEST(JamShares, NightlyOfACopulaAreDrawn) {
+  if (std::getenv("CAGETOL_NIGHTLY") == nullptr) GTEST_SKIP() << "set CAGETOL_NIGHTLY=1";
   const Study study = pockets_alone({}, kLots,
                                     "[scene.roller]\ndiameter_mm = { nominal = 7.5, pocket = { law "
                                     "= \"normal\", sigma = 0.02 } }\n[[correlation]]\nbetween = "

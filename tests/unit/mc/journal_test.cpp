@@ -5,11 +5,9 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <memory>
 #include <sstream>
 
 #include "tests/support/process.hpp"

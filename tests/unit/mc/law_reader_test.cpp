@@ -1,7 +1,6 @@
 #include "mc/study/law_reader.hpp"
 
 #include <gtest/gtest.h>
-#include <fstream>
 
 #include "src/input/toml_file.hpp"
 

@@ -81,8 +81,9 @@ TEST(MeasuredParts, MustSayWhichAreOfOneCageWhereTheFileMay) {
 
 TEST(MeasuredParts, OfCagesWithOtherPocketsAreRefusedOrGoRound) {
   StatedFile file = stated("cage");
-  EXPECT_THAT(problem(kShop, file, 4), AllOf(HasSubstr("cage = A"), HasSubstr("3 parts"),
-                                             HasSubstr("4 pockets"), HasSubstr("resample = true")));
+  EXPECT_THAT(problem(kShop, file, 4),
+              AllOf(HasSubstr("shop.csv:2: cage.pocket_width_mm.pocket.group = A"),
+                    HasSubstr("3 parts"), HasSubstr("4 pockets"), HasSubstr("resample = true")));
   file.resample = true;
   const auto cages = read(kShop, file, 4).by_cage();
   EXPECT_THAT(cage_at(cages, 0.4, 4),

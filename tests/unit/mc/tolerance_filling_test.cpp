@@ -1,10 +1,9 @@
-// Cp of the laws of a dimension, parts outside their tolerance, and candidates that take no roller.
+// Pp of the laws of a dimension, parts outside their tolerance, and candidates that take no roller.
 #include "mc/study/tolerance_filling.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
 
 #include "tests/support/process.hpp"

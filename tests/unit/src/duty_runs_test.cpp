@@ -1,6 +1,5 @@
 // Whole runs under a duty over time: start, stop, reversal, oscillation, changing loads.
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

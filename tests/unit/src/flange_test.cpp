@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "src/input/input_error.hpp"
 #include "src/integration/system.hpp"

@@ -1,6 +1,5 @@
 // Both rings, loads of any direction: what symmetry and rigid motion demand of whole runs.
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

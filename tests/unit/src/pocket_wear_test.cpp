@@ -1,6 +1,5 @@
 // Measures of wear at the bars: impulse and work of friction of a revolution of the cage.
 #include <gtest/gtest.h>
-#include <cmath>
 #include <numbers>
 
 #include "src/integration/system.hpp"

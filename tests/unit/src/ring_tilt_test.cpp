@@ -1,7 +1,6 @@
 // The free tilt of the inner ring against closed forms and independent sums, and what must not
 // change its result.
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>

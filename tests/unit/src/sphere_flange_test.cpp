@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
-#include <array>
 #include <cmath>
 #include <numbers>
 

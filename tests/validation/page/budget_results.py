@@ -1,4 +1,4 @@
-"""The error budget of the default study: results for accuracy_page.py (tests/validation/results/budget.json).
+"""The error budget of nu205-rated.toml: results for accuracy_page.py (tests/validation/results/budget.json).
 
     python3 tests/validation/page/budget_results.py --program build/cagetol
 

@@ -72,7 +72,8 @@ def facts(scene):
     cage = scene["cage"].get("material", "steel-q235")
     return (f"{b['bore_diameter_mm']:g} x {b['outside_diameter_mm']:g} x {b['width_mm']:g} mm, {b['roller_count']} "
             f"rollers of {r['diameter_mm']:g} x {r['length_mm']:g} mm, {cage}; "
-            f"{scene['load']['radial_N']:g} N, {scene['speed']['inner_rpm']:g} r/min")
+            f"{scene['load']['radial_N']:g} N, inner ring {scene['speed']['inner_rpm']:g} r/min"
+            + (f", outer ring {scene['speed']['outer_rpm']:g} r/min" if scene["speed"].get("outer_rpm") else ""))
 
 
 def results(run):

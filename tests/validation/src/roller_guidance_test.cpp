@@ -1,6 +1,5 @@
 // Cages that rollers guide by lips or curved faces: they stay within the clearance of these.
 #include <gtest/gtest.h>
-#include <cmath>
 #include <cstdlib>
 
 #include "src/reading/scene_keys.hpp"

@@ -2,7 +2,6 @@
 #include "src/statics/steady_start.hpp"
 
 #include <gtest/gtest.h>
-#include <cmath>
 #include <cstdlib>
 #include <numbers>
 

@@ -1,7 +1,6 @@
 // Watches speak where a run is wrong, not where a window cannot tell: light and no load, preload,
 // standstill, short windows.
 #include <gtest/gtest.h>
-#include <cmath>
 #include <cstdlib>
 
 #include "src/model/bearing_model.hpp"
