@@ -125,7 +125,9 @@ def limited_chapter(page, program):
     page.add("`cagetol ladder inputs/studies/nu205-rated.toml`: the same 24 cages on every rung. Error: shift of the mean against the",
              "highest rung, in per cent of that mean, the bar its 95 % interval; an arrow where the interval reaches zero: the",
              "error is below its end. A rung that does not define a quantity is not drawn.", "")
-    figure, axes = pyplot.subplots(2, 2, figsize=(WIDTH, 5.2), sharex=True)
+    figure, axes = pyplot.subplots(-(-len(limited) // 2), 2, figsize=(WIDTH, 5.2), squeeze=False)
+    for axis in axes.flat[len(limited):]:
+        axis.set_visible(False)
     rows = []
     for axis, quantity in zip(axes.flat, limited):
         shown = [rung for rung in quantity["rungs"] if rung["shift"] is not None and rung["rung"] in cost]
@@ -139,8 +141,8 @@ def limited_chapter(page, program):
                 continue
             axis.errorbar(x, y, yerr=[[max(0.0, y - low)], [max(0.0, high - y)]] if told else [[0.6 * y], [0]],
                           uplims=not told, marker="o", markersize=4, color="C0" if told else "grey", linewidth=1)
-            axis.annotate(rung["rung"], (x, high), xytext=(0, 3 + 7 * (place % 2)), textcoords="offset points", fontsize=6,
-                          ha="center")
+            axis.annotate(rung["rung"], (x, high), xytext=(0, 3), textcoords="offset points", fontsize=7,
+                          ha=("right", "left")[place % 2])
             tops.append((low, high))
         logarithmic(axis, (0.2, 0.3, 0.4, 0.6))
         logarithmic(axis, ticks_within(min(low for low, _ in tops) / 2 or 0.01, 2 * max(high for _, high in tops))
@@ -151,7 +153,7 @@ def limited_chapter(page, program):
                     + [next((f"{100 * r['shift'] / abs(quantity['mean']):+.2g} ± "
                              f"{50 * (r['upper'] - r['lower']) / abs(quantity['mean']):.2g}"
                              for r in shown if r["rung"] == name), "-") for name in cost])
-    for axis in axes[1]:
+    for axis in axes.flat[max(0, len(limited) - 2):]:
         axis.set_xlabel("cost over that of the highest rung")
     for axis in axes[:, 0]:
         axis.set_ylabel("error of the mean, %")
