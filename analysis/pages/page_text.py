@@ -227,6 +227,7 @@ WORDS = [  # word, pattern, meaning
     ("lot", r"lots?", "cages that share one draw of a deviation, as from one setting of the tool"),
     ("noise of the start", r"noise",
      "what differs between runs of the same cage from other starts; no tolerance removes it"),
+    ("Pp", r"Pp", "full width of a tolerance over six standard deviations of all scatter, from cage to cage and among pockets"),
     ("SE", r"SE", "standard error: how far a mean would scatter if the study were repeated with other samples"),
     ("DIR", r"DIR", "in commands: the directory of this report"),
 ]
