@@ -40,11 +40,12 @@ int run_recommend(const RecommendArguments& options) {
 
 Chosen recommend_command(CLI::App& command) {
   command.footer(
-      "Stages: DIR/screen, DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is a\n"
-      "sweep. The same command resumes an interrupted run, also with a larger recommend.budget_samples or\n"
-      "recommend.budget_h. Exit code 0: decided; with --exit-code 1 where no tolerance is\n"
-      "confirmed. recommend.assumption_samples, set at once or later, judges the verdict at both\n"
-      "ends of every range of an [[assumption]].\n\n"
+      "Stages: DIR/screen, DIR/pilot, DIR/mixture over all candidates, DIR/confirm-1 ... Each is\n"
+      "a sweep. The same command resumes an interrupted run, also with a larger\n"
+      "recommend.budget_samples or recommend.budget_h. Exit code 0: decided; with --exit-code 1\n"
+      "where no tolerance is confirmed. recommend.assumption_samples, set at once or later, "
+      "judges\n"
+      "the verdict at both ends of every range of an [[assumption]].\n\n"
       "Examples:\n  cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  mpirun cagetol recommend inputs/studies/nu205.toml -o out/nu205-drawing\n"
       "  cagetol recommend inputs/studies/nu205.toml -o out/night --set recommend.budget_h=8\n"
