@@ -133,7 +133,7 @@ def limited_chapter(page, program):
         shown = [rung for rung in quantity["rungs"] if rung["shift"] is not None and rung["rung"] in cost]
         scale = 100 / abs(quantity["mean"])
         tops = []
-        for place, rung in enumerate(shown):
+        for rung in shown:
             low, high = sorted(abs(rung[end]) * scale for end in ("lower", "upper"))
             told = rung["lower"] * rung["upper"] > 0
             x, y = cost[rung["rung"]], abs(rung["shift"]) * scale if told else high
@@ -142,12 +142,13 @@ def limited_chapter(page, program):
             axis.errorbar(x, y, yerr=[[max(0.0, y - low)], [max(0.0, high - y)]] if told else [[0.6 * y], [0]],
                           uplims=not told, marker="o", markersize=4, color="C0" if told else "grey", linewidth=1)
             axis.annotate(rung["rung"], (x, high), xytext=(0, 3), textcoords="offset points", fontsize=7,
-                          ha=("right", "left")[place % 2])
+                          ha={"bars": "right", "rotating": "left"}.get(rung["rung"], "center"))  # as dear
             tops.append((low, high))
         logarithmic(axis, (0.2, 0.3, 0.4, 0.6))
         logarithmic(axis, ticks_within(min(low for low, _ in tops) / 2 or 0.01, 2 * max(high for _, high in tops))
                     if tops else (1,), "y")
-        axis.margins(x=0.2, y=0.25)
+        axis.margins(y=0.25)
+        axis.set_xlim(0.22, 1)
         axis.set_title(quantity["quantity"], fontsize=8)
         rows.append([f"`{quantity['quantity']}`: {number(quantity['mean'], 4)}"]
                     + [next((f"{100 * r['shift'] / abs(quantity['mean']):+.2g} ± "
