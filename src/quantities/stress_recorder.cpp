@@ -10,6 +10,7 @@ namespace {
 // Of the record that rms and quantiles use, at most [s], and so many between two rollers that pass,
 // at least. Peaks and fatigue have instants of their own.
 constexpr double kInterval = 200e-6, kStressesPerRoller = 9.5;
+constexpr double kFirst = 1e-300;         // weight of the first: it counts where no other is [s]
 constexpr double kStressAccuracy = 1e-4;  // of a stress, relative to the largest so far
 
 }  // namespace
@@ -56,7 +57,7 @@ void StressRecorder::record(const ObservedState& at) {
     peak_.bar_force.assign(bar_force.begin(), bar_force.end());
     peak_.spin = spin;
   }
-  series_.add(largest.stress, keep ? at.t - last_ : 0, keep);
+  series_.add(largest.stress, keep ? std::max(at.t - last_, kFirst) : 0, keep);
   if (keep) last_ = at.t;
 }
 
