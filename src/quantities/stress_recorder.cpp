@@ -10,7 +10,8 @@ namespace {
 // Of the record that rms and quantiles use, at most [s], and so many between two rollers that pass,
 // at least. Peaks and fatigue have instants of their own.
 constexpr double kInterval = 200e-6, kStressesPerRoller = 9.5;
-constexpr double kFirst = 1e-300;         // weight of the first: it counts where no other is [s]
+// Weight of the first instant [s]: nothing beside another's, all where the window has no other.
+constexpr double kFirst = 1e-300;
 constexpr double kStressAccuracy = 1e-4;  // of a stress, relative to the largest so far
 
 }  // namespace

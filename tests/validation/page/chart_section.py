@@ -142,7 +142,7 @@ def limited_chapter(page, program):
             axis.errorbar(x, y, yerr=[[max(0.0, y - low)], [max(0.0, high - y)]] if told else [[0.6 * y], [0]],
                           uplims=not told, marker="o", markersize=4, color="C0" if told else "grey", linewidth=1)
             axis.annotate(rung["rung"], (x, high), xytext=(0, 3), textcoords="offset points", fontsize=7,
-                          ha={"bars": "right", "rotating": "left"}.get(rung["rung"], "center"))  # as dear
+                          ha={"bars": "right", "rotating": "left"}.get(rung["rung"], "center"))  # these two cost the same
             tops.append((low, high))
         logarithmic(axis, (0.2, 0.3, 0.4, 0.6))
         logarithmic(axis, ticks_within(min(low for low, _ in tops) / 2 or 0.01, 2 * max(high for _, high in tops))
